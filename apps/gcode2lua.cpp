@@ -1,0 +1,105 @@
+// gcode2lua: translates a CNC part program into a Lua script.
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/aliases.h"
+#include "apps/exit_status.h"
+#include "codegen/translate.h"
+#include "runtime/simulation/output_file.h"
+
+namespace {
+
+using namespace gsim;
+
+struct Arguments {
+    std::string input = "-";
+    std::string output;
+    std::string dialect = "ab9";
+    std::string machine_data;
+    bool annotate = false;
+    bool check = false;
+    std::size_t max_errors = 100;
+};
+
+int usage_error(const std::string& message) {
+    std::fprintf(stderr, "gcode2lua: %s\n", message.c_str());
+    return apps::kUsage;
+}
+
+void add_options(CLI::App& app, Arguments& arguments) {
+    app.add_option("part.nc", arguments.input, "part program, or - for standard input")
+        ->capture_default_str();
+    app.add_option("-o,--output", arguments.output,
+                   "write the Lua to this file; it appears only if all went well");
+    app.add_option("--dialect", arguments.dialect, "language of the program: ab9 (Allen-Bradley 9/Series)")
+        ->check(CLI::IsMember({"ab9"}))
+        ->capture_default_str();
+    app.add_option("--machine-data", arguments.machine_data, "machine data (NCFILE) with aliases");
+    app.add_flag("--annotate", arguments.annotate, "each whole source block as a trailing comment");
+    app.add_flag("--check", arguments.check, "only look for errors, write nothing");
+    app.add_option("--max-errors", arguments.max_errors, "stop after this many errors")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->capture_default_str();
+    app.set_version_flag("--version", "gcode2lua " GSIM_VERSION);
+}
+
+tl::expected<lexer::Source, std::string> open_source(const Arguments& arguments) {
+    if (arguments.input == "-") return lexer::Source::spool(stdin, "stdin");
+    return lexer::Source::open(arguments.input);
+}
+
+tl::expected<void, std::string> write_file(const codegen::LuaSpool& spool, const std::string& path) {
+    tl::expected<simulation::OutputFile, std::string> file = simulation::OutputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    if (!spool.copy_to(file->stream())) return tl::unexpected(path + ": cannot be written");
+    return file->commit();
+}
+
+int run(const Arguments& arguments) {
+    codegen::TranslateOptions options;
+    options.source_name = arguments.input == "-" ? "stdin" : arguments.input;
+    options.annotate = arguments.annotate;
+    options.max_errors = arguments.max_errors;
+    if (!arguments.machine_data.empty()) {
+        const auto aliases = machine::load_machine_data(arguments.machine_data).and_then(apps::aliases_of);
+        if (!aliases) return usage_error(aliases.error());
+        options.aliases = *aliases;
+    }
+    tl::expected<lexer::Source, std::string> source = open_source(arguments);
+    if (!source) return usage_error(source.error());
+    tl::expected<codegen::LuaSpool, std::string> spool = codegen::LuaSpool::create();
+    if (!spool) return usage_error(spool.error());
+    const codegen::Translation translation =
+        codegen::translate(*source, *spool, options,
+                           [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); });
+    if (!translation.ok) return apps::kProgramFault;
+    if (arguments.check) return apps::kDone;
+    if (!arguments.output.empty()) {
+        const auto written = write_file(*spool, arguments.output);
+        return written ? apps::kDone : usage_error(written.error());
+    }
+    return spool->copy_to(stdout) ? apps::kDone : usage_error("standard output cannot be written");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        Arguments arguments;
+        CLI::App app("Translates a CNC part program (G-code) into a Lua script that gsim-run simulates.",
+                     "gcode2lua");
+        add_options(app, arguments);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? apps::kDone : apps::kUsage;
+        }
+        return run(arguments);
+    } catch (const std::exception& error) {
+        return usage_error(error.what());
+    }
+}

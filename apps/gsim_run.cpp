@@ -1,0 +1,194 @@
+// gsim-run: runs a script or a part program on a simulated machine and tells what it would do.
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "apps/aliases.h"
+#include "apps/exit_status.h"
+#include "apps/outputs.h"
+#include "apps/script_input.h"
+#include "runtime/machine/machine_file.h"
+#include "runtime/script/engine.h"
+#include "runtime/simulation/progress.h"
+#include "runtime/simulation/report.h"
+#include "runtime/simulation/simulator.h"
+
+namespace {
+
+using namespace gsim;
+
+struct Arguments {
+    std::string input;
+    std::string machine;
+    std::string machine_data;
+    std::string dialect = "ab9";
+    std::string lua_lib;
+    apps::OutputNames outputs;
+    simulation::RunLimits limits;
+    std::size_t memory_mb = 2048;
+    std::uint64_t max_steps = script::LuaState::Limits{}.steps;
+    bool json = false;
+    bool quiet = false;
+    bool print_machine = false;
+    bool block_delete = false;
+    bool optional_stop = false;
+};
+
+int usage_error(const std::string& message) {
+    std::fprintf(stderr, "gsim-run: %s\n", message.c_str());
+    return apps::kUsage;
+}
+
+void add_options(CLI::App& app, Arguments& a) {
+    app.add_option("part.lua|part.nc", a.input, "script or part program, or - for standard input");
+    app.add_option("--machine", a.machine,
+                   "machine file (TOML); without it the 5-axis waterjet gantry that is built in");
+    app.add_option("--machine-data", a.machine_data,
+                   "machine data (NCFILE): work offsets, variables, aliases");
+    app.add_flag("--print-machine", a.print_machine, "print the machine file and end");
+    app.add_option("--dialect", a.dialect, "language of a part program: ab9 (Allen-Bradley 9/Series)")
+        ->check(CLI::IsMember({"ab9"}))
+        ->capture_default_str();
+    app.add_flag("--json", a.json, "the report as JSON on standard output");
+    app.add_flag("--quiet", a.quiet, "no report for people, no progress");
+    app.add_option("--report", a.outputs.report, "write the report as JSON to this file");
+    app.add_option("--moves", a.outputs.moves, "write each move as a line of JSON to this file");
+    app.add_option("--trajectory", a.outputs.trajectory, "write samples of the trajectory to this CSV file");
+    app.add_option("--step", a.outputs.step_s, "seconds between samples")
+        ->check(CLI::Range(simulation::TrajectoryWriter::kMinStep_s, 1e6))
+        ->capture_default_str();
+    app.add_option("--plot", a.outputs.plot,
+                   "draw path and speed into this .svg or .png file (needs gnuplot)");
+    app.add_flag("--block-delete", a.block_delete, "leave out blocks that begin with /");
+    app.add_flag("--optional-stop", a.optional_stop, "M01 stops");
+    app.add_option("--max-time", a.limits.max_time_s, "end the run after this many seconds of machine time")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    app.add_option("--max-blocks", a.limits.max_blocks, "end the run after this many blocks")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    app.add_option("--max-steps", a.max_steps,
+                   "end the run after this many steps of the script without a motion")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    app.add_option("--memory", a.memory_mb, "MB that the script may use")
+        ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 20U))
+        ->capture_default_str();
+    app.add_option("--lua-lib", a.lua_lib,
+                   "folder with the library in Lua, in place of the one that is built in")
+        ->check(CLI::ExistingDirectory);
+    app.set_version_flag("--version", "gsim-run " GSIM_VERSION);
+}
+
+tl::expected<machine::Machine, std::string> read_machine(const Arguments& arguments) {
+    if (arguments.machine.empty())
+        return machine::read_machine(machine::built_in_machine_toml(), "built-in machine");
+    return machine::load_machine(arguments.machine);
+}
+
+tl::expected<machine::MachineData, std::string> read_data(const Arguments& arguments,
+                                                          const machine::Machine& machine) {
+    if (arguments.machine_data.empty()) return machine::MachineData{};
+    return machine::load_machine_data(arguments.machine_data, machine.axes);
+}
+
+script::Engine::Options engine_options(const Arguments& arguments, machine::MachineData data,
+                                       const lexer::Aliases& aliases, simulation::Progress& progress) {
+    script::Engine::Options options;
+    options.limits.memory_bytes = arguments.memory_mb << 20U;
+    options.limits.steps = arguments.max_steps;
+    if (!arguments.lua_lib.empty()) options.library = script::Library(arguments.lua_lib);
+    options.data = std::move(data);
+    options.find_program = apps::program_finder(arguments.input, aliases);
+    options.block_delete = arguments.block_delete;
+    options.optional_stop = arguments.optional_stop;
+    options.progress = [&progress](std::uint64_t done, std::uint64_t total) { progress.update(done, total); };
+    return options;
+}
+
+/// A program with errors is not run: the report says so, for those who read reports alone.
+simulation::Report failed_report(const Arguments& arguments, const machine::Machine& machine,
+                                 const std::string& message) {
+    simulation::Report report;
+    report.program = arguments.input == "-" ? "stdin" : arguments.input;
+    report.machine = machine.name;
+    report.status = simulation::RunStatus::alarm;
+    report.alarm = simulation::Alarm{};
+    report.alarm->message = "the program has errors: " + message;
+    return report;
+}
+
+void print_report(const Arguments& arguments, const simulation::Report& report) {
+    if (arguments.json) {
+        std::printf("%s\n", simulation::to_json(report).c_str());
+    } else if (!arguments.quiet) {
+        std::printf("%s", simulation::to_text(report).c_str());
+    } else if (report.alarm) {
+        const simulation::Place place = report.alarm->place;
+        const std::string where =
+            place.line > 0 ? fmt::format("{}:{}: ", report.files[place.file], place.line) : "";
+        std::fprintf(stderr, "%s%s: %s\n", where.c_str(), std::string(name(report.status)).c_str(),
+                     report.alarm->message.c_str());
+    }
+}
+
+int run(const Arguments& arguments) {
+    tl::expected<machine::Machine, std::string> machine = read_machine(arguments);
+    if (!machine) return usage_error(machine.error());
+    if (arguments.print_machine) {
+        std::printf("%s", machine::print_machine(*machine).c_str());
+        return std::fflush(stdout) == 0 ? apps::kDone : usage_error("standard output cannot be written");
+    }
+    if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
+    tl::expected<machine::MachineData, std::string> data = read_data(arguments, *machine);
+    if (!data) return usage_error(data.error());
+    const tl::expected<lexer::Aliases, std::string> aliases = apps::aliases_of(*data);
+    if (!aliases) return usage_error(aliases.error());
+
+    tl::expected<script::Script, apps::InputError> input = apps::read_script(arguments.input, *aliases);
+    if (!input) {
+        if (!input.error().in_program) return usage_error(input.error().message);
+        if (arguments.json)
+            print_report(arguments, failed_report(arguments, *machine, input.error().message));
+        return apps::kProgramFault;
+    }
+    const std::string program = input->file_name;
+    simulation::Simulator simulator(std::move(*machine), arguments.limits);
+    tl::expected<apps::Outputs, std::string> outputs = apps::Outputs::open(arguments.outputs, simulator);
+    if (!outputs) return usage_error(outputs.error());
+    simulation::Progress progress(stderr, !arguments.quiet && ::isatty(STDERR_FILENO) == 1);
+    script::Engine engine(simulator, engine_options(arguments, std::move(*data), *aliases, progress));
+    engine.run(std::move(*input));
+    progress.clear();
+
+    const simulation::Report report = simulator.finish(program);
+    const tl::expected<void, std::string> written = outputs->commit(report);
+    print_report(arguments, report);
+    if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
+    if (!written) return usage_error(written.error());
+    return report.status == simulation::RunStatus::completed ? apps::kDone : apps::kProgramFault;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        Arguments arguments;
+        CLI::App app("Simulates a script or a part program: cycle time, moves, trajectory, what goes wrong.",
+                     "gsim-run");
+        add_options(app, arguments);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? apps::kDone : apps::kUsage;
+        }
+        return run(arguments);
+    } catch (const std::exception& error) {
+        return usage_error(error.what());
+    }
+}

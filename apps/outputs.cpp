@@ -1,0 +1,57 @@
+#include "apps/outputs.h"
+
+#include "runtime/simulation/plot.h"
+#include "runtime/simulation/report.h"
+
+namespace gsim::apps {
+
+using simulation::OutputFile;
+
+tl::expected<Outputs::TextFile*, std::string> Outputs::add_file(const std::string& name) {
+    tl::expected<OutputFile, std::string> file = OutputFile::open(name);
+    if (!file) return tl::unexpected(file.error());
+    files_.push_back(std::make_unique<TextFile>(std::move(*file)));
+    return files_.back().get();
+}
+
+tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simulation::Simulator& simulator) {
+    Outputs outputs;
+    outputs.names_ = names;
+    if (!names.moves.empty()) {
+        const auto file = outputs.add_file(names.moves);
+        if (!file) return tl::unexpected(file.error());
+        outputs.moves_ =
+            std::make_unique<simulation::MovesWriter>((*file)->text, simulator.machine(), simulator.files());
+        simulator.add_output(*outputs.moves_);
+    }
+    if (!names.trajectory.empty()) {
+        const auto file = outputs.add_file(names.trajectory);
+        if (!file) return tl::unexpected(file.error());
+        outputs.trajectory_ =
+            std::make_unique<simulation::TrajectoryWriter>((*file)->text, simulator.machine(), names.step_s);
+        simulator.add_output(*outputs.trajectory_);
+    }
+    if (!names.plot.empty()) {
+        outputs.plot_ = std::make_unique<simulation::PlotData>(simulator.machine());
+        simulator.add_output(*outputs.plot_);
+    }
+    return outputs;
+}
+
+tl::expected<void, std::string> Outputs::commit(const simulation::Report& report) {
+    if (!names_.report.empty()) {
+        const auto file = add_file(names_.report);
+        if (!file) return tl::unexpected(file.error());
+        const std::string json = simulation::to_json(report);
+        (*file)->text.buffer().append(json);
+        (*file)->text.end_line();
+    }
+    for (const std::unique_ptr<TextFile>& file : files_) {
+        if (const auto flushed = file->text.flush(); !flushed) return flushed;
+        if (const auto committed = file->file.commit(); !committed) return committed;
+    }
+    if (plot_ != nullptr) return simulation::make_plot(*plot_, names_.plot, report.program);
+    return {};
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/simulation/moves_writer.h"
+#include "runtime/simulation/output_file.h"
+#include "runtime/simulation/plot_data.h"
+#include "runtime/simulation/simulator.h"
+#include "runtime/simulation/text_stream.h"
+#include "runtime/simulation/trajectory_writer.h"
+
+namespace gsim::apps {
+
+/// Which files a run writes; an empty name: not wanted.
+struct OutputNames {
+    std::string report;
+    std::string moves;
+    std::string trajectory;
+    std::string plot;
+    double step_s = 0.01;  ///< Of the trajectory's samples.
+};
+
+/// The files that a run writes, attached to its simulator. They appear under their names with commit() only.
+class Outputs {
+  public:
+    /// The error is a sentence. `simulator` must not have moved yet, and must outlive the outputs' use.
+    static tl::expected<Outputs, std::string> open(const OutputNames& names,
+                                                   simulation::Simulator& simulator);
+
+    /// After the run: writes report and plot, and gives all files their names. The error is a sentence.
+    tl::expected<void, std::string> commit(const simulation::Report& report);
+
+  private:
+    struct TextFile {
+        explicit TextFile(simulation::OutputFile opened) : file(std::move(opened)), text(file.stream()) {}
+        simulation::OutputFile file;
+        simulation::TextStream text;
+    };
+    tl::expected<TextFile*, std::string> add_file(const std::string& name);
+
+    OutputNames names_;
+    std::vector<std::unique_ptr<TextFile>> files_;
+    std::unique_ptr<simulation::MovesWriter> moves_;
+    std::unique_ptr<simulation::TrajectoryWriter> trajectory_;
+    std::unique_ptr<simulation::PlotData> plot_;
+};
+
+}  // namespace gsim::apps

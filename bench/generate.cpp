@@ -1,0 +1,214 @@
+// gsim-bench-generate: writes the part programs that the benchmarks read. The same arguments give the same
+// bytes on any machine: the random numbers come from a generator that the standard fixes, and only +, -, *, /
+// and sqrt are used on the way to the digits.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace {
+
+/// What LinuxCNC and the Allen-Bradley dialect both read: metric, absolute, XY plane, feed in mm/min.
+constexpr std::string_view header = "G21 G90 G17 G94\n";
+constexpr std::string_view footer = "M30\n";
+
+struct Point {
+    double x_mm;
+    double y_mm;
+};
+
+/// Random numbers; std::uniform_real_distribution may differ from one library to the next, this does not.
+class Random {
+  public:
+    explicit Random(std::uint32_t seed) : engine_(seed) {}
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+    }
+
+  private:
+    std::mt19937 engine_;
+};
+
+/// Collects the program and writes it in pieces.
+class Writer {
+  public:
+    ~Writer() { flush(); }
+    Writer() = default;
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+
+    template <typename... Args>
+    void line(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_.push_back('\n');
+        if (text_.size() > 1U << 16U) flush();
+    }
+    void add(std::string_view text) { text_ += text; }
+
+  private:
+    void flush() {
+        std::fwrite(text_.data(), 1, text_.size(), stdout);
+        text_.clear();
+    }
+    std::string text_;
+};
+
+double rounded(double value, double unit) {
+    return std::floor(value / unit + 0.5) * unit;
+}
+
+/// A bowl with two waves in it, 1 to 9 mm high over a square of 90 mm; rational, so that no sine is needed.
+double height_mm(Point p) {
+    const double u = (p.x_mm - 50.0) / 45.0;
+    const double v = (p.y_mm - 50.0) / 45.0;
+    return 2.0 + 3.0 * (u * u + v * v) / 2.0 + 3.0 / (1.0 + 25.0 * (u - v) * (u - v)) +
+           1.0 / (1.0 + 16.0 * (u + v * v) * (u + v * v));
+}
+
+/// A finishing tool path: slanted passes to and fro over the surface, steps of 0.3 to 1 mm, 0.2 mm from pass
+/// to pass; at the end of the surface it turns back. Each block is a bare `X.. Y.. Z..` under the modal G1.
+void write_lines(long count) {
+    constexpr double low_mm = 5.0;
+    constexpr double high_mm = 95.0;
+    constexpr double slant = 0.04;
+    constexpr double last_pass_mm = high_mm - slant * (high_mm - low_mm);
+    double pass_step_mm = 0.2;
+    Random random(20240);
+    Writer out;
+    out.add(header);
+    out.line("G0 X{:.3f} Y{:.3f} Z20.000", low_mm, low_mm);
+    out.line("G1 Z10.000 F3000");
+    Point p{low_mm, low_mm};
+    double pass_mm = low_mm;
+    double direction = 1.0;
+    for (long i = 0; i < count; ++i) {
+        p.x_mm += direction * random.between(0.3, 1.0);
+        if (p.x_mm < low_mm || p.x_mm > high_mm) {
+            p.x_mm = std::clamp(p.x_mm, low_mm, high_mm);
+            direction = -direction;
+            if (pass_mm + pass_step_mm > last_pass_mm || pass_mm + pass_step_mm < low_mm)
+                pass_step_mm = -pass_step_mm;
+            pass_mm += pass_step_mm;
+        }
+        p.y_mm = pass_mm + slant * (p.x_mm - low_mm);
+        out.line("X{:.3f}Y{:.3f}Z{:.3f}", p.x_mm, p.y_mm, height_mm(p));
+    }
+    out.add(footer);
+}
+
+struct Arc {
+    bool clockwise;
+    Point end;
+    double i_mm;
+    double j_mm;
+};
+
+/// The shorter arc of the radius given between two points.
+Arc arc_between(Point from, Point to, double radius_mm, bool clockwise) {
+    const double dx = to.x_mm - from.x_mm;
+    const double dy = to.y_mm - from.y_mm;
+    const double chord = std::sqrt(dx * dx + dy * dy);
+    const double rise = std::sqrt(std::max(0.0, radius_mm * radius_mm - chord * chord / 4.0));
+    const double side = clockwise ? -1.0 : 1.0;
+    return {clockwise, to, dx / 2.0 - side * rise * dy / chord, dy / 2.0 + side * rise * dx / chord};
+}
+
+/// Waves of arcs along rows, turning sides, chords of 1 to 5 mm. Four decimals, so that the radii at start
+/// and end agree within what controls ask for.
+void write_arcs(long count) {
+    constexpr double left_mm = 100.0;
+    constexpr double right_mm = 1700.0;
+    constexpr double low_mm = 100.0;
+    constexpr double high_mm = 2300.0;
+    constexpr double row_mm = 8.0;
+    constexpr double unit_mm = 1e-4;
+    Random random(20241);
+    Writer out;
+    out.add(header);
+    out.line("G0 X{:.4f} Y{:.4f} Z20.0000", left_mm, low_mm);
+    out.line("G1 Z10.0000 F3000");
+    Point p{left_mm, low_mm};
+    double direction = 1.0;
+    double row_direction = 1.0;
+    for (long i = 0; i < count; ++i) {
+        Point to{rounded(p.x_mm + direction * random.between(1.0, 5.0), unit_mm), p.y_mm};
+        if (to.x_mm < left_mm || to.x_mm > right_mm) {
+            direction = -direction;
+            if (p.y_mm + row_direction * row_mm > high_mm || p.y_mm + row_direction * row_mm < low_mm)
+                row_direction = -row_direction;
+            to = {p.x_mm, p.y_mm + row_direction * row_mm};
+        }
+        const double chord_mm = std::abs(to.x_mm - p.x_mm) + std::abs(to.y_mm - p.y_mm);
+        const Arc arc = arc_between(p, to, chord_mm * random.between(0.6, 2.0), i % 2 == 0);
+        out.line("{} X{:.4f} Y{:.4f} I{:.4f} J{:.4f}", arc.clockwise ? "G2" : "G3", arc.end.x_mm,
+                 arc.end.y_mm, arc.i_mm, arc.j_mm);
+        p = to;
+    }
+    out.add(footer);
+}
+
+/// The body of the macro loop, alike in both languages: a zigzag whose points are computed.
+void add_macro_body(Writer& out) {
+    out.line("#2=[#1 MOD 100]");
+    out.line("#3=[100+#2*0.5]");
+    out.line("#4=[200+SQRT[#2*4+1]-[#1/1000]]");
+    out.line("G1 X[#3] Y[#4] F3000");
+    out.line("#1=[#1+1]");
+}
+
+void write_macro_ab9(long count) {
+    Writer out;
+    out.add(header);
+    out.line("#1=0");
+    out.line("WHILE[#1 LT {}]DO1", count);
+    add_macro_body(out);
+    out.line("END1");
+    out.add(footer);
+}
+
+void write_macro_rs274(long count) {
+    Writer out;
+    out.add(header);
+    out.line("#1=0");
+    out.line("o1 while [#1 LT {}]", count);
+    add_macro_body(out);
+    out.line("o1 endwhile");
+    out.add(footer);
+}
+
+using Generator = void (*)(long);
+
+const std::map<std::string_view, Generator>& generators() {
+    static const std::map<std::string_view, Generator> all{{"lines", write_lines},
+                                                           {"arcs", write_arcs},
+                                                           {"macro-ab9", write_macro_ab9},
+                                                           {"macro-rs274", write_macro_rs274}};
+    return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    long count = 0;
+    const std::string_view digits = argc == 3 ? argv[2] : "";
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    const auto generator = argc == 3 ? generators().find(argv[1]) : generators().end();
+    if (generator == generators().end() || error != std::errc{} || end != digits.data() + digits.size() ||
+        count < 1) {
+        fmt::print(stderr, "usage: gsim-bench-generate lines|arcs|macro-ab9|macro-rs274 COUNT >FILE\n");
+        return 2;
+    }
+    generator->second(count);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        std::perror("gsim-bench-generate");
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,66 @@
+#!/bin/bash
+# Generates the inputs, measures, writes BUILD-FOLDER/bench.md. Usage: bench/run.sh BUILD-FOLDER
+# RUNS (5), LINES (1000000), ARCS (200000), PASSES (100000) may be set smaller for a look.
+set -euo pipefail
+
+build=$(cd "$1" && pwd)
+commit=$(git -C "$(dirname "$0")" describe --always --dirty --abbrev=12 2>/dev/null || echo unknown)
+readonly runs=${RUNS:-5} lines=${LINES:-1000000} arcs=${ARCS:-200000} passes=${PASSES:-100000}
+readonly bin=$build/bin
+# The long program is a day of machining many times over: the limits that guard against endless programs are raised for it.
+readonly unbounded="--max-time 1e9 --max-blocks 1000000000"
+
+mkdir -p "$build/bench"
+cd "$build/bench"
+
+generate() {
+    "$bin/gsim-bench-generate" "$1" "$2" >"$3"
+}
+
+# TITLE BLOCKS FILE
+contest() {
+    echo "measuring: $1" >&2
+    "$bin/gsim-bench-compare" "$1" "$2" "$runs" "rs274 -g" "flex scan=$bin/gsim-bench-floor $3" "gcode2lua=$bin/gcode2lua $3" \
+        "gsim-run=$bin/gsim-run --quiet $unbounded $3" "rs274 -g=rs274 -g $3"
+}
+
+# TITLE BLOCKS FILE RS274-FILE: a loop is a few lines to scan and to translate, so only running it counts.
+loop_contest() {
+    echo "measuring: $1" >&2
+    "$bin/gsim-bench-compare" "$1" "$2" "$runs" "rs274 -g" "gsim-run=$bin/gsim-run --quiet $unbounded $3" \
+        "rs274 -g=rs274 -g $4"
+}
+
+# One run each: the row is for its memory.
+long_contest() {
+    echo "measuring: $1" >&2
+    "$bin/gsim-bench-compare" "$1" "$2" 1 none "gcode2lua=$bin/gcode2lua $3" "gsim-run=$bin/gsim-run --quiet $unbounded $3"
+}
+
+thousands() {
+    sed -e ':more' -e 's/\([0-9]\)\([0-9]\{3\}\)\(,\|$\)/\1,\2\3/' -e 't more' <<<"$1"
+}
+
+machine() {
+    echo "$(lscpu | sed -n 's/^Model name: *//p' | head -n 1), $(nproc) cores, $(free -g | awk '/^Mem:/ { print $2 }') GB; $(date -I); commit $commit"
+}
+
+generate lines "$lines" lines.nc
+generate lines "$((10 * lines))" long.nc
+generate arcs "$arcs" arcs.nc
+generate macro-ab9 "$passes" macro.nc
+generate macro-rs274 "$passes" macro.ngc
+
+{
+    machine
+    echo
+    echo "| input | program | CPU s, median [min .. max] of $runs | million blocks/s | peak MB | CPU, rs274 = 1 |"
+    echo "| --- | --- | ---: | ---: | ---: | ---: |"
+    contest "$(thousands "$lines") lines" "$lines" lines.nc
+    contest "$(thousands "$arcs") arcs" "$arcs" arcs.nc
+    loop_contest "$(thousands "$passes") passes of a loop" "$((5 * passes))" macro.nc macro.ngc
+    long_contest "$(thousands "$((10 * lines))") lines (one run)" "$((10 * lines))" long.nc
+} >"$build/bench.md.part"
+mv "$build/bench.md.part" "$build/bench.md"
+rm -f long.nc
+cat "$build/bench.md"

@@ -1,0 +1,38 @@
+# How the project's own targets are built: one function for a library, one for a program, one for a test.
+
+set_property(GLOBAL PROPERTY TARGET_MESSAGES OFF)  # no 'Built target' lines: a build with nothing to do is silent
+
+add_library(gsim_options INTERFACE)
+target_include_directories(gsim_options INTERFACE ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})
+target_compile_options(gsim_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror>)
+# g++ is the compiler whose warnings count; clang builds the fuzz targets, where a warning of its own shall not stop anybody.
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(gsim_options INTERFACE -Wno-error -Wno-sign-conversion)
+endif()
+if(GSIM_SANITIZE)
+    add_compile_options(-fsanitize=${GSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${GSIM_SANITIZE})
+endif()
+
+# gsim_library(NAME SOURCES... [LINK LIBS...]): a static library of one room.
+function(gsim_library name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    add_library(${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
+    target_link_libraries(${name} PUBLIC gsim_options ${ARG_LINK})
+endfunction()
+
+# gsim_program(NAME SOURCES... [LINK LIBS...]): a program that is installed.
+function(gsim_program name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+    target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK})
+    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# gsim_test(NAME SOURCES... [LINK LIBS...]): a GoogleTest program, one ctest entry for each of its cases.
+function(gsim_test name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+    target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+    add_test(NAME ${name} COMMAND ${name})
+endfunction()

@@ -1,0 +1,138 @@
+#include "codegen/control_flow.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace gsim::codegen {
+
+using grammar::Block;
+using lexer::Location;
+
+namespace {
+
+constexpr std::size_t kMaxLabels = 32000;             // Lua: SHRT_MAX, labels of ours included
+constexpr std::size_t kMaxJumps = 32000;              // Lua: SHRT_MAX jumps waiting for their label
+constexpr std::uint64_t kMaxJumpWeight = 16'000'000;  // Lua: 2^24 instructions
+
+}  // namespace
+
+void ControlFlow::begin_program(const ProgramJumps& jumps) {
+    jumps_ = &jumps;
+    loops_.clear();
+    labels_.clear();
+    open_jumps_.clear();
+    reachable_.clear();
+    weight_ = 0;
+    too_many_labels_ = false;
+    too_many_jumps_ = false;
+}
+
+std::vector<std::uint32_t> ControlFlow::path() const {
+    std::vector<std::uint32_t> instances;
+    for (const Loop& loop : loops_) instances.push_back(loop.instance);
+    return instances;
+}
+
+bool ControlFlow::open_loop(const Block& block) {
+    const Location location = block.text->at(block.loop_column);
+    for (const Loop& loop : loops_) {
+        if (loop.number == block.loop) {
+            diagnostics_.error(
+                location,
+                fmt::format("DO {} is open already, since line {}; nested loops take different numbers",
+                            block.loop, loop.location.line));
+            return false;
+        }
+    }
+    loops_.push_back({block.loop, next_instance_++, weight_, location});
+    return true;
+}
+
+bool ControlFlow::close_loop(const Block& block) {
+    const Location location = block.text->at(block.loop_column);
+    if (loops_.empty()) {
+        diagnostics_.error(location, fmt::format("END {} has no WHILE", block.loop));
+        return false;
+    }
+    const Loop& loop = loops_.back();
+    if (loop.number != block.loop) {
+        diagnostics_.error(location, fmt::format("END {} closes DO {}, which is open since line {}",
+                                                 block.loop, loop.number, loop.location.line));
+        return false;
+    }
+    const bool too_long = weight_ - loop.weight > kMaxJumpWeight;
+    if (too_long)
+        diagnostics_.error(
+            loop.location,
+            fmt::format("the loop up to line {} is too long for Lua; put its body into a subprogram",
+                        location.line));
+    loops_.pop_back();
+    return !too_long;
+}
+
+void ControlFlow::add_jump(std::uint32_t target, const Location& location) {
+    if (open_jumps_.size() == kMaxJumps) {
+        if (!too_many_jumps_)
+            diagnostics_.error(
+                location,
+                fmt::format("the program has more than {} GOTOs, which Lua cannot hold in one function",
+                            kMaxJumps));
+        too_many_jumps_ = true;
+        return;
+    }
+    open_jumps_.push_back({target, path(), weight_, location});
+}
+
+bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
+    if (!jumps_->computed && !jumps_->targets.contains(number)) return false;
+    if (labels_.size() == kMaxLabels) {
+        if (!too_many_labels_)
+            diagnostics_.error(location, fmt::format("the program has more than {} blocks that a GOTO may "
+                                                     "mean, which Lua cannot label in one function",
+                                                     kMaxLabels));
+        too_many_labels_ = true;
+        return false;
+    }
+    if (!labels_.try_emplace(number, Label{path(), weight_}).second) {
+        diagnostics_.error(location,
+                           fmt::format("N{} stands twice in this program, and a GOTO leads to it", number));
+        return false;
+    }
+    if (loops_.empty()) reachable_.push_back(number);
+    return true;
+}
+
+void ControlFlow::check(const Jump& jump) {
+    const auto place = labels_.find(jump.target);
+    if (place == labels_.end()) {
+        diagnostics_.error(jump.location,
+                           fmt::format("GOTO {}: there is no N{} in this program", jump.target, jump.target));
+        return;
+    }
+    const Label& label = place->second;
+    const bool inside = label.path.size() <= jump.path.size() &&
+                        std::equal(label.path.begin(), label.path.end(), jump.path.begin());
+    if (!inside) {
+        diagnostics_.error(jump.location,
+                           fmt::format("GOTO {} leads into a WHILE loop from outside", jump.target));
+    } else if (std::max(label.weight, jump.weight) - std::min(label.weight, jump.weight) > kMaxJumpWeight) {
+        diagnostics_.error(
+            jump.location,
+            fmt::format("GOTO {} leads too far away for Lua; put what it jumps over into a subprogram",
+                        jump.target));
+    }
+}
+
+void ControlFlow::end_program() {
+    for (const Loop& loop : loops_) {
+        diagnostics_.error(loop.location, fmt::format("WHILE has no END {}", loop.number));
+    }
+    if (!too_many_labels_) {
+        for (const Jump& jump : open_jumps_) check(jump);
+    }
+    loops_.clear();
+    open_jumps_.clear();
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "codegen/jump_scan.h"
+#include "grammar/syntax.h"
+#include "lexer/diagnostics.h"
+
+namespace gsim::codegen {
+
+/// Follows the loops, labels and jumps of one program and reports what Lua could not do: Lua has no jump into
+/// a loop, at most 32,767 labels and as many open jumps in a function, and none over more than 2^24
+/// instructions.
+class ControlFlow {
+  public:
+    explicit ControlFlow(lexer::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    void begin_program(const ProgramJumps& jumps);
+    /// Reports what is left open or leads nowhere.
+    void end_program();
+
+    /// WHILE and END; false where the error was reported.
+    bool open_loop(const grammar::Block& block);
+    bool close_loop(const grammar::Block& block);
+    /// A GOTO to a number that is known.
+    void add_jump(std::uint32_t target, const lexer::Location& location);
+    /// A block with N; true where it needs a label in Lua.
+    bool add_sequence(std::uint32_t number, const lexer::Location& location);
+    /// Counts instructions of Lua, as an upper bound.
+    void add_weight(std::uint64_t instructions) { weight_ += instructions; }
+
+    bool in_loop() const { return !loops_.empty(); }
+    bool has_jumps() const { return jumps_->computed || !jumps_->targets.empty(); }
+    bool computed() const { return jumps_->computed; }
+    /// Numbers that a computed GOTO can reach: those outside of loops.
+    const std::vector<std::uint32_t>& reachable() const { return reachable_; }
+
+  private:
+    struct Loop {
+        std::uint32_t number;
+        std::uint32_t instance;
+        std::uint64_t weight;
+        lexer::Location location;
+    };
+    struct Label {
+        std::vector<std::uint32_t> path;  ///< Instances of the loops around it.
+        std::uint64_t weight;
+    };
+    struct Jump {
+        std::uint32_t target;
+        std::vector<std::uint32_t> path;
+        std::uint64_t weight;
+        lexer::Location location;
+    };
+    std::vector<std::uint32_t> path() const;
+    void check(const Jump& jump);
+
+    lexer::Diagnostics& diagnostics_;
+    const ProgramJumps* jumps_ = nullptr;
+    std::vector<Loop> loops_;
+    std::map<std::uint32_t, Label> labels_;
+    std::vector<Jump> open_jumps_;
+    std::vector<std::uint32_t> reachable_;
+    std::uint32_t next_instance_ = 0;
+    std::uint64_t weight_ = 0;
+    bool too_many_labels_ = false;
+    bool too_many_jumps_ = false;
+};
+
+}  // namespace gsim::codegen

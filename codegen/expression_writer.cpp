@@ -1,0 +1,170 @@
+#include "codegen/expression_writer.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace gsim::codegen {
+
+using grammar::Block;
+using grammar::Node;
+using grammar::NodeKind;
+using grammar::Operator;
+
+namespace {
+
+constexpr int kSum = 1;
+constexpr int kProduct = 2;
+constexpr int kPrimary = 3;
+
+std::string_view function_name(Operator op) {
+    switch (op) {
+        case Operator::divide: return "div";
+        case Operator::modulo: return "MOD";
+        case Operator::bit_and: return "AND";
+        case Operator::bit_or: return "OR";
+        case Operator::bit_xor: return "XOR";
+        case Operator::sin: return "SIN";
+        case Operator::cos: return "COS";
+        case Operator::tan: return "TAN";
+        case Operator::asin: return "ASIN";
+        case Operator::acos: return "ACOS";
+        case Operator::atan: return "ATAN";
+        case Operator::sqrt: return "SQRT";
+        case Operator::abs: return "ABS";
+        case Operator::round: return "ROUND";
+        case Operator::fix: return "FIX";
+        case Operator::fup: return "FUP";
+        case Operator::ln: return "LN";
+        case Operator::exp: return "EXP";
+        case Operator::bin: return "BIN";
+        case Operator::bcd: return "BCD";
+        default: return "";
+    }
+}
+
+std::string_view relation(Operator op) {
+    switch (op) {
+        case Operator::equal: return " == ";
+        case Operator::not_equal: return " ~= ";
+        case Operator::greater: return " > ";
+        case Operator::greater_equal: return " >= ";
+        case Operator::less: return " < ";
+        default: return " <= ";
+    }
+}
+
+bool is_relation(Operator op) {
+    return op >= Operator::equal && op <= Operator::less_equal;
+}
+
+void write_float(std::string_view digits, std::string& out) {
+    out += digits;
+    if (digits.find('.') == std::string_view::npos) out += ".0";
+}
+
+/// A divisor that is certainly not 0: division by it needs no check at run time.
+bool is_nonzero_literal(const Block& block, const Node& node) {
+    if (node.kind != NodeKind::number) return false;
+    const std::string_view digits = block.text->view(node.number);
+    return std::any_of(digits.begin(), digits.end(), [](char c) { return c >= '1' && c <= '9'; });
+}
+
+int precedence(const Block& block, const Node& node) {
+    if (node.kind != NodeKind::binary ||
+        grammar::is_condition(block, static_cast<std::int32_t>(&node - block.nodes.data())))
+        return kPrimary;
+    switch (node.op) {
+        case Operator::add:
+        case Operator::subtract: return kSum;
+        case Operator::multiply: return kProduct;
+        case Operator::divide: return is_nonzero_literal(block, block.node(node.right)) ? kProduct : kPrimary;
+        default: return kPrimary;
+    }
+}
+
+void write_at(const Block& block, std::int32_t index, int least, std::string& out) {
+    const bool brackets = precedence(block, block.node(index)) < least;
+    if (brackets) out += '(';
+    write_number(block, index, out);
+    if (brackets) out += ')';
+}
+
+void write_call(const Block& block, const Node& node, std::string& out) {
+    out += function_name(node.op);
+    out += '(';
+    write_number(block, node.left, out);
+    if (node.right >= 0) {
+        out += ", ";
+        write_number(block, node.right, out);
+    }
+    out += ')';
+}
+
+void write_binary(const Block& block, std::int32_t index, std::string& out) {
+    const Node& node = block.node(index);
+    if (grammar::is_condition(block, index)) {
+        out += "number(";
+        write_condition(block, index, out);
+        out += ')';
+        return;
+    }
+    const int level = precedence(block, node);
+    if (level == kPrimary) return write_call(block, node, out);
+    write_at(block, node.left, level, out);
+    constexpr std::string_view kSigns = "+-*/";
+    out += ' ';
+    out += kSigns[static_cast<std::size_t>(node.op)];
+    out += ' ';
+    write_at(block, node.right, level + 1, out);
+}
+
+}  // namespace
+
+void write_number(const Block& block, std::int32_t index, std::string& out) {
+    const Node& node = block.node(index);
+    switch (node.kind) {
+        case NodeKind::number: write_float(block.text->view(node.number), out); return;
+        case NodeKind::variable: fmt::format_to(std::back_inserter(out), "v[{}]", node.left); return;
+        case NodeKind::indirect:
+            out += "v[";
+            write_number(block, node.left, out);
+            out += ']';
+            return;
+        case NodeKind::negate:
+            out += "(-";
+            write_at(block, node.left, kPrimary, out);
+            out += ')';
+            return;
+        case NodeKind::binary: write_binary(block, index, out); return;
+        case NodeKind::call: write_call(block, node, out); return;
+    }
+}
+
+void write_condition(const Block& block, std::int32_t index, std::string& out) {
+    const Node& node = block.node(index);
+    if (!grammar::is_condition(block, index)) {
+        out += "truth(";
+        write_number(block, index, out);
+        out += ')';
+        return;
+    }
+    if (is_relation(node.op)) {
+        write_number(block, node.left, out);
+        out += relation(node.op);
+        write_number(block, node.right, out);
+        return;
+    }
+    const std::string_view joint = node.op == Operator::bit_and  ? ") and ("
+                                   : node.op == Operator::bit_or ? ") or ("
+                                                                 : ") ~= (";
+    out += '(';
+    write_condition(block, node.left, out);
+    out += joint;
+    write_condition(block, node.right, out);
+    out += ')';
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "grammar/syntax.h"
+
+namespace gsim::codegen {
+
+/// Appends the Lua of the expression at node `index`: numbers as floats, #5 as v[5], operators in Lua's
+/// spelling, brackets where the order of evaluation needs them. A comparison in the place of a number becomes
+/// 1 or 0.
+void write_number(const grammar::Block& block, std::int32_t index, std::string& out);
+
+/// Appends the Lua of a condition. A number in the place of a truth value counts as true unless it is 0.
+void write_condition(const grammar::Block& block, std::int32_t index, std::string& out);
+
+}  // namespace gsim::codegen

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "lexer/alias.h"
+#include "lexer/source.h"
+
+namespace gsim::codegen {
+
+/// Where the GOTOs of one program of a file lead: only these blocks need a label in Lua.
+struct ProgramJumps {
+    std::set<std::uint32_t> targets;
+    bool computed =
+        false;  ///< Some GOTO goes to a number that is known at run time only: any N may be meant.
+};
+
+/// What a first reading of the file tells, before a line is written.
+struct FileScan {
+    bool starts_with_program = false;  ///< An O-word stands before any other block.
+    std::vector<ProgramJumps> jumps;   ///< By program in the order of the file; empty where there is no GOTO.
+
+    /// Jumps of the program with this ordinal number.
+    const ProgramJumps& program(std::size_t ordinal) const;
+};
+
+/// Reads the source once from its start, and rewinds it. Errors in the program are left to the second
+/// reading.
+FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases);
+
+}  // namespace gsim::codegen

@@ -1,0 +1,104 @@
+#include "codegen/lua_spool.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace gsim::codegen {
+
+namespace {
+
+constexpr std::size_t kBufferBytes = 1U << 16U;
+constexpr std::string_view kFromMark = "-- from ";
+constexpr std::string_view kNameEnd = "; line n there is line n+1 here";
+constexpr std::string_view kHashMark = "; hash ";
+constexpr std::size_t kHashDigits = 16;
+
+}  // namespace
+
+tl::expected<LuaSpool, std::string> LuaSpool::create() {
+    LuaSpool spool;
+    spool.file_.reset(std::tmpfile());
+    if (!spool.file_) return tl::unexpected(std::string("no temporary file: ") + std::strerror(errno));
+    spool.buffer_.reserve(kBufferBytes + 4096);
+    return spool;
+}
+
+void LuaSpool::write_head(std::string_view head) {
+    buffer_.append(head);
+    buffer_.append(kHashMark);
+    head_size_ = buffer_.size();
+    buffer_.append(kHashDigits, '0');
+    buffer_ += '\n';
+    failed_ |= std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
+    size_ += buffer_.size();
+    buffer_.clear();
+}
+
+void LuaSpool::write(std::string_view text) {
+    buffer_.append(text);
+    if (buffer_.size() >= kBufferBytes) flush();
+}
+
+void LuaSpool::flush() {
+    hash_.update(buffer_);
+    size_ += buffer_.size();
+    failed_ |= std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
+    buffer_.clear();
+}
+
+bool LuaSpool::finish() {
+    flush();
+    failed_ |= std::fflush(file_.get()) != 0;
+    const std::string digits = to_hex(hash_.value());
+    failed_ |= ::pwrite(::fileno(file_.get()), digits.data(), digits.size(),
+                        static_cast<off_t>(head_size_)) != static_cast<ssize_t>(digits.size());
+    return !failed_;
+}
+
+std::string LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
+    std::string text(end - begin, '\0');
+    std::size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t count = ::pread(::fileno(file_.get()), text.data() + done, text.size() - done,
+                                      static_cast<off_t>(begin + done));
+        if (count <= 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    text.resize(done);
+    return text;
+}
+
+bool LuaSpool::copy_to(std::FILE* stream) const {
+    std::array<char, kBufferBytes> part;
+    for (std::uint64_t done = 0; done < size_;) {
+        const ssize_t count =
+            ::pread(::fileno(file_.get()), part.data(), part.size(), static_cast<off_t>(done));
+        if (count <= 0 || std::fwrite(part.data(), 1, static_cast<std::size_t>(count), stream) !=
+                              static_cast<std::size_t>(count))
+            return false;
+        done += static_cast<std::uint64_t>(count);
+    }
+    return std::fflush(stream) == 0;
+}
+
+ScriptOrigin script_origin(std::string_view lua) {
+    ScriptOrigin origin;
+    const std::string_view head = lua.substr(0, lua.find('\n'));
+    const std::size_t from = head.find(kFromMark);
+    const std::size_t hash = head.rfind(kHashMark);
+    if (from == std::string_view::npos || head.size() == lua.size()) return origin;
+    const std::size_t name_end = head.rfind(kNameEnd);
+    if (name_end == std::string_view::npos || name_end < from + kFromMark.size()) return origin;
+    origin.source_name = head.substr(from + kFromMark.size(), name_end - from - kFromMark.size());
+    if (hash == std::string_view::npos) return origin;
+    TextHash text_hash;
+    text_hash.update(lua.substr(head.size() + 1));
+    origin.unedited = head.substr(hash + kHashMark.size()) == to_hex(text_hash.value());
+    return origin;
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "codegen/text_hash.h"
+
+namespace gsim::codegen {
+
+/// The Lua of one translation, in an anonymous temporary file until it is known to be whole. Nothing of it is
+/// seen before that, and memory stays flat. Its first line ends in the hash of all that follows.
+class LuaSpool {
+  public:
+    /// The error is a sentence for the user.
+    static tl::expected<LuaSpool, std::string> create();
+
+    /// Writes the first line, to which the hash is appended by finish().
+    void write_head(std::string_view head);
+    void write(std::string_view text);
+    /// Completes the file. False when it could not be written (disk full).
+    bool finish();
+
+    std::uint64_t size() const { return size_; }
+    /// Bytes [begin, end) of the finished text.
+    std::string read(std::uint64_t begin, std::uint64_t end) const;
+    /// Writes the finished text to `stream`; false on a write error.
+    bool copy_to(std::FILE* stream) const;
+
+  private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    void flush();
+
+    std::unique_ptr<std::FILE, Close> file_;
+    std::string buffer_;
+    TextHash hash_;
+    std::uint64_t head_size_ = 0;  ///< Up to where the hash goes.
+    std::uint64_t size_ = 0;
+    bool failed_ = false;
+};
+
+/// What the first line of a script says of its origin.
+struct ScriptOrigin {
+    std::string source_name;  ///< Of the G-code file; empty in a script that gcode2lua did not write.
+    bool unedited = false;    ///< The rest of the text is as it was written: Lua line n+1 is G-code line n.
+};
+
+/// Reads the first line of `lua` and compares the hash in it with the text.
+ScriptOrigin script_origin(std::string_view lua);
+
+}  // namespace gsim::codegen

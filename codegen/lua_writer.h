@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "codegen/block_plan.h"
+#include "codegen/control_flow.h"
+#include "codegen/jump_scan.h"
+#include "codegen/lua_spool.h"
+#include "codegen/program_map.h"
+#include "grammar/parser.h"
+
+namespace gsim::codegen {
+
+/// Turns blocks into lines of Lua: line n of the source becomes line n+1. A line is put together in two
+/// buffers, statements and the comment behind them, and written when the source's line ends.
+class LuaWriter : public grammar::BlockSink {
+  public:
+    struct Options {
+        bool annotate = false;  ///< The whole source block stands behind its Lua.
+    };
+
+    LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
+              lexer::Diagnostics& diagnostics, LuaSpool& spool, Options options);
+
+    /// Writes the first line; before any block.
+    void begin_file(std::string_view source_name);
+    void take(const grammar::Block& block) override;
+    /// Closes the last program; after all blocks. Reports calls of programs that are not in the file.
+    void end_file();
+
+    const ProgramMap& map() const { return map_; }
+    /// Lines written so far.
+    std::uint32_t lua_lines() const { return lua_line_ - 1; }
+
+  private:
+    void write_block(const grammar::Block& block);
+    void write_body(const grammar::Block& block);
+    void write_content(const grammar::Block& block);
+    void write_words(const grammar::Block& block);
+    void write_call(const grammar::Block& block, const Call& call);
+    void write_operands(const grammar::Block& block, const Call& call);
+    void write_value(const grammar::Block& block, const lexer::Word& word);
+    void write_assignments(const grammar::Block& block);
+    void write_goto(const grammar::Block& block);
+    void note_call(const grammar::Block& block, const Call& call);
+    void open_program(const grammar::Block& block);
+    void start_function(const std::string& name);
+    void close_program();
+    void write_dispatcher();
+    void add_comment(const grammar::Block& block);
+    void end_line();
+    bool check_skip(const grammar::Block& block);
+
+    const FileScan& scan_;
+    lexer::Lexer& lexer_;
+    lexer::Diagnostics& diagnostics_;
+    LuaSpool& spool_;
+    Options options_;
+    BlockPlan plan_;
+    ControlFlow flow_;
+    ProgramMap map_;
+    std::string code_;
+    std::string comment_;
+    std::uint64_t written_ = 0;   ///< Bytes in the spool.
+    std::uint32_t lua_line_ = 1;  ///< Number of the line in the buffers.
+    std::uint32_t last_cut_line_ = 0;
+    std::size_t next_ordinal_ = 0;
+    bool in_program_ = false;
+    std::set<std::string> defined_;
+    std::map<std::uint32_t, lexer::Location> called_;
+};
+
+}  // namespace gsim::codegen

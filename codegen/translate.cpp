@@ -1,0 +1,48 @@
+#include "codegen/translate.h"
+
+#include <stdexcept>
+
+#include "codegen/lua_writer.h"
+
+namespace gsim::codegen {
+
+Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
+                      const std::function<void(std::string_view)>& print) {
+    source.set_name(options.source_name);
+    const FileScan scan = scan_file(source, options.aliases);
+    lexer::Diagnostics diagnostics(source, options.max_errors, print);
+    lexer::Lexer lexer(source, diagnostics, options.aliases, options.annotate);
+    LuaWriter writer(grammar::dialect_ab9(), scan, lexer, diagnostics, spool, {options.annotate});
+    const std::size_t slash = options.source_name.rfind('/');
+    writer.begin_file(
+        std::string_view(options.source_name).substr(slash == std::string::npos ? 0 : slash + 1));
+    grammar::Parser(lexer, diagnostics, writer).run();
+    if (!diagnostics.full()) writer.end_file();
+    Translation result;
+    result.ok = diagnostics.error_count() == 0;
+    result.first_error = diagnostics.first_error();
+    if (source.failed()) {
+        result.ok = false;
+        result.first_error = options.source_name + ": cannot be read to its end";
+        print(result.first_error + "\n");
+    }
+    if (result.ok && !spool.finish())
+        throw std::runtime_error("the temporary file for the Lua cannot be written; is the disk full?");
+    result.programs = writer.map();
+    result.lua_lines = writer.lua_lines();
+    return result;
+}
+
+TextTranslation translate_text(std::string_view gcode, const TranslateOptions& options) {
+    lexer::Source source = lexer::Source::from_text(std::string(gcode), options.source_name);
+    tl::expected<LuaSpool, std::string> spool = LuaSpool::create();
+    if (!spool) throw std::runtime_error(spool.error());
+    TextTranslation result;
+    const Translation translation =
+        translate(source, *spool, options, [&](std::string_view message) { result.diagnostics += message; });
+    result.ok = translation.ok;
+    if (result.ok) result.lua = spool->read(0, spool->size());
+    return result;
+}
+
+}  // namespace gsim::codegen

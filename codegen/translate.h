@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "codegen/lua_spool.h"
+#include "codegen/program_map.h"
+#include "grammar/dialect.h"
+#include "lexer/alias.h"
+#include "lexer/source.h"
+
+namespace gsim::codegen {
+
+struct TranslateOptions {
+    std::string source_name = "part.nc";  ///< For messages and the first line of the Lua.
+    bool annotate = false;                ///< Each whole source block as a trailing comment.
+    std::size_t max_errors = 100;
+    lexer::Aliases aliases;
+};
+
+/// What became of a translation.
+struct Translation {
+    bool ok = false;          ///< No error; only then the Lua is of use.
+    std::string first_error;  ///< "part.nc:12:7: ..."
+    ProgramMap programs;
+    std::uint32_t lua_lines = 0;
+};
+
+/// Translates one source to Lua in `spool`. Each diagnostic goes to `print` as soon as it is known.
+Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
+                      const std::function<void(std::string_view)>& print);
+
+/// The same for a text in memory.
+struct TextTranslation {
+    bool ok = false;
+    std::string lua;  ///< Empty unless ok.
+    std::string diagnostics;
+};
+TextTranslation translate_text(std::string_view gcode, const TranslateOptions& options);
+
+}  // namespace gsim::codegen

@@ -1,0 +1,186 @@
+/* The grammar of G-code, over whole programs; a block is handed on as soon as it is complete.
+ *
+ * A letter can mean several things, and which one, only the rest of its block tells: in `X5 F200 G04` X is the time of
+ * a dwell, in `X5 F200` an axis; P is a time, a program (M98) or a parameter. The grammar has one list for each kind
+ * of block, all readings go on side by side, and those that do not fit the rest of the block die (GLR).
+ *
+ * The parser knows only Parser (grammar/parser.h); an action is one call. Values are indices: they are copied while
+ * readings are open, and actions wait until one reading is left.
+ */
+%glr-parser
+%define api.prefix {gcode_}
+%define api.pure
+%define api.value.type {gsim::lexer::Value}
+%param {gsim::grammar::Parser& parser}
+
+/* Each family of conflicts is one letter with several readings, left to GLR on purpose:
+ * reduce/reduce: X or U (axis, dwell time) and P (parameter, dwell time, program) before a word that fits several kinds of
+ *   block: another X or U, P, a common word, an axis word;
+ * shift/reduce: ATAN[a] / [b], the angle of two sides, against a quotient of ATAN[a] by something else; where both fit,
+ *   the first is meant (dprec of the rules of expression that the two end in). */
+%expect 1
+%expect-rr 28
+
+%code requires {
+#include "lexer/token.h"
+namespace gsim::grammar { class Parser; }
+}
+%code {
+#include "grammar/parser.h"
+
+using gsim::grammar::BlockKind;
+using gsim::grammar::NodeKind;
+using gsim::grammar::Operator;
+using gsim::lexer::Role;
+
+// Token values are trivially copyable, so the parser's stack may grow (up to what the scanner's bounds need).
+#define YYSTACKEXPANDABLE 1
+#define YYMAXDEPTH 100000
+
+static int gcode_lex(gsim::lexer::Value* value, gsim::grammar::Parser& parser) { return parser.scan(*value); }
+static void gcode_error(gsim::grammar::Parser& parser, const char*) { parser.syntax_error(); }
+static Operator operator_of(gsim::lexer::Value token) { return static_cast<Operator>(token.index); }
+}
+
+/* The numbers are those of gsim::lexer::Token. */
+%token EOB 258
+%token TAPE 259
+%token SKIP 260
+%token SEQUENCE 261
+%token PROGRAM 262
+%token AXIS 263
+%token AXIS_OR_TIME 264
+%token P 265
+%token OTHER 266
+%token DWELL 267
+%token CALL 268
+%token AXIS_LETTER 269
+%token AXIS_OR_TIME_LETTER 270
+%token P_LETTER 271
+%token OTHER_LETTER 272
+%token VARIABLE 273
+%token HASH 274
+%token NUMBER 275
+%token FUNCTION 276
+%token ATAN 277
+%token RELATION 278
+%token SUM_WORD 279
+%token PRODUCT_WORD 280
+%token IF 281
+%token THEN 282
+%token WHILE 283
+%token DO 284
+%token END_LOOP 285
+%token GOTO 286
+
+%nonassoc RELATION
+%left '+' '-' SUM_WORD
+%left '*' '/' PRODUCT_WORD
+
+%%
+
+program: %empty | program block ;
+
+block:
+    TAPE                            { parser.finish_tape(); }
+  | prefix content EOB              { parser.finish_block(); }
+  | prefix title words EOB          { parser.finish_block(); }
+  | error EOB                       { yyerrok; parser.finish_bad_block(); }
+  ;
+
+prefix: %empty | prefix SKIP        { parser.set_skip($2); }
+  | prefix SEQUENCE                 { parser.set_sequence($2); }
+  ;
+
+title: PROGRAM                      { parser.set_program($1.column); } ;
+
+content:
+    words
+  | assignments                     { parser.set_kind(BlockKind::assignments); }
+  | IF condition GOTO target        { parser.set_kind(BlockKind::if_goto); }
+  | IF condition THEN words         { parser.set_kind(BlockKind::if_then); }
+  | IF condition THEN assignments   { parser.set_kind(BlockKind::if_then); }
+  | WHILE condition DO loop         { parser.set_kind(BlockKind::while_do); }
+  | END_LOOP loop                   { parser.set_kind(BlockKind::end_loop); }
+  | GOTO target                     { parser.set_kind(BlockKind::jump); }
+  ;
+
+condition: '[' expression ']'       { parser.set_condition($2.index); } ;
+loop: NUMBER                        { parser.set_loop($1); } ;
+target: NUMBER                      { $$ = {parser.add_number($1), $1.column}; parser.set_target($$); }
+  | reference                       { parser.set_target($1); }
+  | '[' expression ']'              { parser.set_target($2); }
+  ;
+
+/* The kinds of blocks made of words. */
+words: common_words | axis_words | parameter_words | call_words | dwell_words ;
+
+common_words: %empty | common_words common ;
+
+axis_words: common_words axis | axis_words axis | axis_words common ;
+
+parameter_words: common_words parameter | axis_words parameter
+  | parameter_words parameter | parameter_words axis | parameter_words common ;
+
+call_words: common_words CALL | axis_words CALL | before_call CALL
+  | call_words program_number | call_words axis | call_words common ;
+before_call: common_words program_number | axis_words program_number
+  | before_call program_number | before_call axis | before_call common ;
+
+dwell_words: common_words DWELL | before_dwell DWELL
+  | dwell_words time | dwell_words common ;
+before_dwell: common_words time | before_dwell time | before_dwell common ;
+
+axis: axis_word | axis_or_time      { parser.set_role($1.index, Role::axis); } ;
+time: axis_or_time                  { parser.set_role($1.index, Role::time); }
+  | p                               { parser.set_role($1.index, Role::time); } ;
+parameter: p                        { parser.set_role($1.index, Role::parameter); } ;
+program_number: p                   { parser.set_role($1.index, Role::program); } ;
+
+common: OTHER | OTHER_LETTER value  { parser.set_expression($1.index, $2.index); } ;
+axis_word: AXIS | AXIS_LETTER value { parser.set_expression($1.index, $2.index); } ;
+axis_or_time: AXIS_OR_TIME          { $$ = $1; }
+  | AXIS_OR_TIME_LETTER value       { parser.set_expression($1.index, $2.index); $$ = $1; } ;
+p: P                                { $$ = $1; }
+  | P_LETTER value                  { parser.set_expression($1.index, $2.index); $$ = $1; } ;
+
+/* Behind a letter an expression stands in brackets, or is a variable. */
+value: reference                    { $$ = $1; }
+  | '[' expression ']'              { $$ = $2; }
+  | '-' value                       { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | '+' value                       { $$ = $2; }
+  ;
+
+reference: VARIABLE                 { $$ = {parser.add_variable($1), $1.column}; }
+  | HASH reference                  { $$ = {parser.add_node(NodeKind::indirect, Operator::add, $2), $1.column}; }
+  | HASH '[' expression ']'         { $$ = {parser.add_node(NodeKind::indirect, Operator::add, $3), $1.column}; }
+  ;
+
+assignments: assignment | assignments assignment | assignments ',' assignment ;
+assignment: reference '=' expression { parser.add_assignment($1.index, $3.index); } ;
+
+expression: term                    { $$ = $1; } %dprec 2
+  | expression '+' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::add, $1, $3), $1.column}; }
+  | expression '-' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::subtract, $1, $3), $1.column}; }
+  | expression '*' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::multiply, $1, $3), $1.column}; }
+  | expression '/' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; } %dprec 1
+  | expression SUM_WORD expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | expression PRODUCT_WORD expression { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | expression RELATION expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  ;
+
+term: primary                       { $$ = $1; }
+  | '-' primary                     { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | '+' primary                     { $$ = $2; }
+  ;
+
+primary: NUMBER                     { $$ = {parser.add_number($1), $1.column}; }
+  | reference                       { $$ = $1; }
+  | '[' expression ']'              { $$ = $2; }
+  | FUNCTION '[' expression ']'     { $$ = {parser.add_node(NodeKind::call, operator_of($1), $3), $1.column}; }
+  | ATAN '[' expression ']'         { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3), $1.column}; }
+  | ATAN '[' expression ']' '/' '[' expression ']'
+                                    { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3, $7), $1.column}; }
+  ;
+
+%%

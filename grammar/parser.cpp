@@ -1,0 +1,190 @@
+#include "grammar/parser.h"
+
+#include <fmt/format.h>
+
+#include "grammar/gcode_parser.h"
+
+namespace gsim::grammar {
+
+using lexer::Token;
+using lexer::Value;
+
+static_assert(static_cast<int>(EOB) == lexer::kEob && static_cast<int>(OTHER_LETTER) == lexer::kOtherLetter &&
+                  static_cast<int>(GOTO) == lexer::kGoto,
+              "the grammar's tokens have the scanner's numbers");
+
+Parser::Parser(lexer::Lexer& lexer, lexer::Diagnostics& diagnostics, BlockSink& sink)
+    : lexer_(lexer), diagnostics_(diagnostics), sink_(sink) {
+    block_.text = &lexer_.block();
+}
+
+bool Parser::run() {
+    if (gcode_parse(*this) == 0) return true;
+    if (!diagnostics_.full()) {
+        diagnostics_.error(block_.text->begin,
+                           "the parser gave up on this block and the rest of the program");
+    }
+    return false;
+}
+
+bool Parser::run_until(std::function<bool()> done) {
+    done_ = std::move(done);
+    return run();
+}
+
+int Parser::scan(Value& value) {
+    return ended_ || diagnostics_.full() ? lexer::kEnd : lexer_.next(value);
+}
+
+namespace {
+
+/// What the parser stumbled over, in words.
+std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
+    switch (lexer.last_token()) {
+        case lexer::kEob:
+        case lexer::kEnd: return "the block ends too early";
+        case lexer::kSequence: return "N stands at the start of a block, and once";
+        case lexer::kSkip: return "block delete '/' stands at the start of a block, and once";
+        case lexer::kProgram: return "a program name stands at the start of a block";
+        case lexer::kNumber: return "a number without its letter";
+        case lexer::kHash:
+        case lexer::kVariable: return "a variable stands here neither as the value of a word nor before '='";
+        case lexer::kRelation: return "a comparison is out of place; comparisons are joined as [..] AND [..]";
+        case lexer::kDwell:
+            return "G04 stands with an axis word, or twice; it takes one of P, X and U, its seconds";
+        case lexer::kAxis:
+        case lexer::kAxisLetter:
+        case lexer::kP:
+        case lexer::kAxisOrTime:
+            if (lexer.saw_dwell() && !text.words.empty()) {
+                return fmt::format("{} has no meaning in a block with G04, which takes one of P, X and U",
+                                   lexer::address_name(text.words.back().address));
+            }
+            break;
+        case lexer::kAxisOrTimeLetter:
+        case lexer::kPLetter:
+        case lexer::kOtherLetter: break;
+        case lexer::kThen:
+        case lexer::kDo:
+        case lexer::kGoto:
+        case lexer::kIf:
+        case lexer::kWhile:
+        case lexer::kEndLoop:
+            return "a keyword is out of place; IF [..] GOTO n, IF [..] THEN .., WHILE [..] DO m, END m and "
+                   "GOTO n stand in a block of their own";
+        default: break;
+    }
+    const Token token = lexer.last_token();
+    if (token > ' ' && token < 0x7f) return fmt::format("'{}' is out of place", static_cast<char>(token));
+    if (!text.words.empty())
+        return fmt::format("{} is out of place", lexer::address_name(text.words.back().address));
+    return "this is out of place";
+}
+
+bool lacks_value(Token previous) {
+    return previous == lexer::kAxisLetter || previous == lexer::kAxisOrTimeLetter ||
+           previous == lexer::kPLetter || previous == lexer::kOtherLetter;
+}
+
+}  // namespace
+
+void Parser::syntax_error() {
+    lexer::BlockText& text = *block_.text;
+    if (lacks_value(lexer_.previous_token())) {
+        const lexer::Word& word = text.words[lexer_.open_word_index()];
+        lexer_.fail(word.column, fmt::format("{} has no value", lexer::address_name(word.address)));
+        return;
+    }
+    lexer_.fail(lexer_.token_column(), describe(lexer_, text));
+}
+
+void Parser::finish_block() {
+    sink_.take(block_);
+    block_.clear();
+    lexer_.start_block();
+    ended_ = done_ && done_();
+}
+
+void Parser::finish_bad_block() {
+    lexer_.fail(1, "the block cannot be understood");  // unless a closer message has been given
+    finish_block();
+}
+
+void Parser::finish_tape() {
+    block_.kind = BlockKind::tape;
+    finish_block();
+}
+
+void Parser::set_role(std::uint32_t word, lexer::Role role) {
+    block_.text->words[word].role = role;
+}
+
+void Parser::set_expression(std::uint32_t word, std::uint32_t node) {
+    block_.text->words[word].expression = static_cast<std::int32_t>(node);
+}
+
+void Parser::set_sequence(Value value) {
+    if (block_.sequence) lexer_.fail(value.column, "a block has one N");
+    block_.sequence = value.index;
+    block_.prefix_column = value.column;
+}
+
+void Parser::set_skip(Value value) {
+    if (block_.skip_level != 0) lexer_.fail(value.column, "a block has one block delete '/'");
+    block_.skip_level = static_cast<std::uint8_t>(value.index);
+    block_.prefix_column = value.column;
+}
+
+void Parser::set_program(std::uint32_t column) {
+    block_.has_program = true;
+    block_.prefix_column = column;
+}
+
+void Parser::set_target(Value node) {
+    block_.target = static_cast<std::int32_t>(node.index);
+    block_.target_column = node.column;
+}
+
+void Parser::set_loop(Value number) {
+    block_.loop_column = number.column;
+    const std::string_view digits = block_.text->view(block_.text->numbers[number.index]);
+    block_.loop = digits.size() == 1 ? static_cast<std::uint32_t>(digits[0] - '0') : 0;
+    if (block_.loop < 1 || block_.loop > 3) lexer_.fail(number.column, "DO and END take 1, 2 or 3");
+}
+
+void Parser::add_assignment(std::uint32_t target, std::uint32_t value) {
+    block_.assignments.push_back({static_cast<std::int32_t>(target), static_cast<std::int32_t>(value)});
+}
+
+std::uint32_t Parser::push(const Node& node) {
+    block_.nodes.push_back(node);
+    return static_cast<std::uint32_t>(block_.nodes.size() - 1);
+}
+
+std::uint32_t Parser::add_number(Value number) {
+    Node node;
+    node.kind = NodeKind::number;
+    node.number = block_.text->numbers[number.index];
+    node.column = number.column;
+    return push(node);
+}
+
+std::uint32_t Parser::add_variable(Value variable) {
+    Node node;
+    node.kind = NodeKind::variable;
+    node.left = static_cast<std::int32_t>(variable.index);
+    node.column = variable.column;
+    return push(node);
+}
+
+std::uint32_t Parser::add_node(NodeKind kind, Operator op, Value left, std::optional<Value> right) {
+    Node node;
+    node.kind = kind;
+    node.op = op;
+    node.left = static_cast<std::int32_t>(left.index);
+    node.right = right ? static_cast<std::int32_t>(right->index) : -1;
+    node.column = left.column;
+    return push(node);
+}
+
+}  // namespace gsim::grammar

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "grammar/syntax.h"
+#include "lexer/lexer.h"
+
+namespace gsim::grammar {
+
+/// Takes the blocks of a program one at a time; a block and its text are gone after the call.
+class BlockSink {
+  public:
+    virtual ~BlockSink() = default;
+    /// `block.text->bad`: an error has been reported, the rest of the block may be incomplete.
+    virtual void take(const Block& block) = 0;
+};
+
+/// The GLR parser over a whole source: reads, builds one block, hands it on, empties it.
+class Parser {
+  public:
+    Parser(lexer::Lexer& lexer, lexer::Diagnostics& diagnostics, BlockSink& sink);
+
+    /// Reads to the end of the source, or until there are too many errors. False where the parser itself gave
+    /// up, which the scanner's bounds should not let happen; it is reported as an error.
+    bool run();
+    /// As run(), but ends after the block for which `done` is true.
+    bool run_until(std::function<bool()> done);
+
+    // What the actions of the grammar call; columns and indices come from token values.
+    int scan(lexer::Value& value);
+    void syntax_error();
+    void finish_block();
+    void finish_bad_block();
+    void finish_tape();
+    void set_kind(BlockKind kind) { block_.kind = kind; }
+    void set_role(std::uint32_t word, lexer::Role role);
+    void set_expression(std::uint32_t word, std::uint32_t node);
+    void set_sequence(lexer::Value value);
+    void set_skip(lexer::Value value);
+    void set_program(std::uint32_t column);
+    void set_condition(std::uint32_t node) { block_.condition = static_cast<std::int32_t>(node); }
+    void set_target(lexer::Value node);
+    void set_loop(lexer::Value number);
+    void add_assignment(std::uint32_t target, std::uint32_t value);
+    std::uint32_t add_number(lexer::Value number);
+    std::uint32_t add_variable(lexer::Value variable);
+    std::uint32_t add_node(NodeKind kind, Operator op, lexer::Value left,
+                           std::optional<lexer::Value> right = {});
+
+  private:
+    std::uint32_t push(const Node& node);
+
+    lexer::Lexer& lexer_;
+    lexer::Diagnostics& diagnostics_;
+    BlockSink& sink_;
+    Block block_;
+    std::function<bool()> done_;
+    bool ended_ = false;
+};
+
+}  // namespace gsim::grammar

@@ -1,0 +1,43 @@
+#include "grammar/syntax.h"
+
+namespace gsim::grammar {
+
+void Block::clear() {
+    kind = BlockKind::words;
+    has_program = false;
+    sequence.reset();
+    skip_level = 0;
+    prefix_column = 0;
+    nodes.clear();
+    assignments.clear();
+    condition = -1;
+    target = -1;
+    target_column = 0;
+    loop = 0;
+    loop_column = 0;
+}
+
+bool is_blank(const Block& block) {
+    if (block.kind == BlockKind::tape) return true;
+    return !block.has_program && block.kind == BlockKind::words && block.text->words.empty() &&
+           !block.text->bad;
+}
+
+bool is_condition(const Block& block, std::int32_t index) {
+    const Node& node = block.node(index);
+    if (node.kind != NodeKind::binary) return false;
+    switch (node.op) {
+        case Operator::equal:
+        case Operator::not_equal:
+        case Operator::greater:
+        case Operator::greater_equal:
+        case Operator::less:
+        case Operator::less_equal: return true;
+        case Operator::bit_and:
+        case Operator::bit_or:
+        case Operator::bit_xor: return is_condition(block, node.left) && is_condition(block, node.right);
+        default: return false;
+    }
+}
+
+}  // namespace gsim::grammar

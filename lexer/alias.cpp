@@ -1,0 +1,83 @@
+#include "lexer/alias.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace gsim::lexer {
+
+namespace {
+
+bool is_letter(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+bool is_name(std::string_view text) {
+    return text.size() >= 2 && is_letter(text[0]) && !is_digit(text[1]) &&
+           std::all_of(text.begin(), text.end(),
+                       [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+}
+
+bool is_number(std::string_view text) {
+    const auto dots = std::count(text.begin(), text.end(), '.');
+    return !text.empty() && text.size() <= 16 && dots <= 1 && is_digit(text[0]) &&
+           std::all_of(text.begin(), text.end(), [](char c) { return is_digit(c) || c == '.'; });
+}
+
+}  // namespace
+
+std::string upper(std::string_view text) {
+    std::string out(text);
+    for (char& c : out) {
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    }
+    return out;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+        }
+    }
+    return row[b.size()];
+}
+
+std::optional<std::string> Aliases::add(std::string_view name, std::string_view word) {
+    if (!is_name(name)) {
+        return fmt::format(
+            "'{}' is not a name for an alias: two letters or more first, then letters, digits and '_'", name);
+    }
+    if (word.empty() || !is_letter(word[0]) || !is_number(word.substr(1))) {
+        return fmt::format(
+            "'{}' is not a word that an alias can stand for: one letter and a number, such as M08", word);
+    }
+    const auto [place, added] =
+        words_.try_emplace(upper(name), Word{upper(word.substr(0, 1))[0], std::string(word.substr(1))});
+    if (!added) return fmt::format("the alias '{}' is given twice", name);
+    return std::nullopt;
+}
+
+const Aliases::Word* Aliases::find(std::string_view name) const {
+    const auto place = words_.find(upper(name));
+    return place == words_.end() ? nullptr : &place->second;
+}
+
+std::string Aliases::nearest(std::string_view name) const {
+    std::vector<std::string> names;
+    for (const auto& entry : words_) names.push_back(entry.first);
+    return nearest_name(upper(name), names);
+}
+
+}  // namespace gsim::lexer

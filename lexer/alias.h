@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gsim::lexer {
+
+/// Names that stand for a word of the language, such as WaterJetOn for M08 (the controller's machine data).
+/// Names are told apart without regard to case, as all of the language.
+class Aliases {
+  public:
+    struct Word {
+        char letter = 'M';   ///< Upper case.
+        std::string number;  ///< Digits as given.
+    };
+
+    /// Adds one. The error says what is wrong with the name (letters, digits, `_`; a letter first; at least
+    /// two characters) or with the word (one letter and a number).
+    std::optional<std::string> add(std::string_view name, std::string_view word);
+
+    /// The word of a name, or null.
+    const Word* find(std::string_view name) const;
+    /// The known name that `name` most likely meant, or an empty text.
+    std::string nearest(std::string_view name) const;
+
+  private:
+    std::map<std::string, Word, std::less<>> words_;  // by name in upper case
+};
+
+/// Upper case, ASCII only.
+std::string upper(std::string_view text);
+
+/// Of `candidates` the one with the smallest edit distance to `name`, if that is at most 2 and less than the
+/// name's length.
+template <typename Range>
+std::string nearest_name(std::string_view name, const Range& candidates);
+
+/// Number of single-character insertions, deletions and substitutions between two texts.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+template <typename Range>
+std::string nearest_name(std::string_view name, const Range& candidates) {
+    std::string best;
+    std::size_t best_distance = 3;
+    for (const auto& candidate : candidates) {
+        const std::size_t distance = edit_distance(name, candidate);
+        if (distance < best_distance && distance < name.size()) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+}  // namespace gsim::lexer

@@ -1,0 +1,33 @@
+#include "lexer/block_text.h"
+
+namespace gsim::lexer {
+
+std::string address_name(Address address) {
+    switch (address) {
+        case kArcAngle: return "AR=";
+        case kViaX: return "I1=";
+        case kViaY: return "J1=";
+        case kViaZ: return "K1=";
+        case kIntermediatePoint: return "CIP";
+        case kComma: return ",";
+        default: return std::string(1, static_cast<char>(address));
+    }
+}
+
+Slice BlockText::add(std::string_view piece) {
+    const Slice slice{static_cast<std::uint32_t>(text.size()), static_cast<std::uint32_t>(piece.size())};
+    text.append(piece);
+    return slice;
+}
+
+void BlockText::clear() {
+    words.clear();
+    numbers.clear();
+    comments.clear();
+    text.clear();
+    raw.clear();
+    end = BlockEnd::line;
+    bad = false;
+}
+
+}  // namespace gsim::lexer

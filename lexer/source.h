@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace gsim::lexer {
+
+/// The longest line that is read, in bytes; what is longer is cut and reported. It bounds the scanner's
+/// memory.
+inline constexpr std::size_t kMaxLineBytes = 65536;
+
+/// The text of one part program: read in sequence, read again from the start, and looked up by offset for
+/// messages. A file is never held in memory as a whole, so that its length does not matter.
+class Source {
+  public:
+    /// Opens a regular file. The error is a sentence for the user.
+    static tl::expected<Source, std::string> open(const std::string& path);
+    /// Copies a stream that cannot be read twice (standard input) to an anonymous temporary file.
+    static tl::expected<Source, std::string> spool(std::FILE* stream, std::string name);
+    /// Takes a text in memory.
+    static Source from_text(std::string text, std::string name);
+
+    const std::string& name() const { return name_; }
+    void set_name(std::string name) { name_ = std::move(name); }
+    std::uint64_t size() const { return size_; }
+
+    /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end.
+    std::size_t read(char* buffer, std::size_t capacity);
+    /// Starts over.
+    void rewind();
+    /// The line that starts at byte `line_begin`, without its end, at most `max_bytes` of it.
+    std::string line_at(std::uint64_t line_begin, std::size_t max_bytes = kMaxLineBytes) const;
+    /// True once reading failed; what was read before counts as the whole file then.
+    bool failed() const { return failed_; }
+
+  private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t capacity) const;
+
+    std::string name_;
+    std::unique_ptr<std::FILE, Close> file_;  // null: text_ holds it all
+    std::string text_;
+    std::uint64_t size_ = 0;
+    std::uint64_t position_ = 0;
+    mutable bool failed_ = false;
+};
+
+/// The rule for any two files: `path` as an error wants it named, with the reason of errno.
+std::string file_error(const std::string& path, int error_number);
+
+}  // namespace gsim::lexer

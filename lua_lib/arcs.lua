@@ -1,0 +1,163 @@
+-- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. All cases end in a
+-- centre and a swept angle, found without dividing by what can vanish, so that none of them needs special cases.
+
+local RADII_TOLERANCE_MM = 0.05   -- between the start and the end radius of an arc given by its centre
+local SAME_POINT_MM = 1e-6
+local TURN = 2 * math.pi
+
+-- Axes of each plane in the order in which its angles are counted, and the words of the centre.
+planes = {
+  xy = { first = "x", second = "y", third = "z", i = "i", j = "j", k = "k" },
+  zx = { first = "z", second = "x", third = "y", i = "k", j = "i", k = "j" },
+  yz = { first = "y", second = "z", third = "x", i = "j", j = "k", k = "i" },
+}
+
+local function distance(a, b) return math.sqrt(a * a + b * b) end
+
+-- Angle from the start to the end as seen from the centre, in the sense of travel, in (0, 2 pi].
+local function swept(start, finish, centre, ccw)
+  local from = math.atan(start[2] - centre[2], start[1] - centre[1])
+  local to = math.atan(finish[2] - centre[2], finish[1] - centre[1])
+  local angle = (ccw and to - from or from - to) % TURN
+  return angle > 0 and angle or TURN
+end
+
+local function by_centre(start, finish, centre, ccw)
+  local r1 = distance(start[1] - centre[1], start[2] - centre[2])
+  local r2 = distance(finish[1] - centre[1], finish[2] - centre[2])
+  if math.abs(r1 - r2) > RADII_TOLERANCE_MM then
+    alarm("the arc is impossible: its radius is %.6f mm at the start and %.6f mm at the end", r1, r2)
+  end
+  if r1 < SAME_POINT_MM then alarm("the arc has no radius: its centre is the start") end
+  if distance(finish[1] - start[1], finish[2] - start[2]) < SAME_POINT_MM then return centre, TURN end
+  return centre, swept(start, finish, centre, ccw)
+end
+
+-- The centre stands beside the middle of the chord, at a signed distance to the left of start -> finish.
+local function beside_chord(start, finish, left)
+  local dx, dy = finish[1] - start[1], finish[2] - start[2]
+  local chord = distance(dx, dy)
+  return { (start[1] + finish[1]) / 2 - dy / chord * left, (start[2] + finish[2]) / 2 + dx / chord * left }
+end
+
+-- R > 0 is the arc of at most half a turn, R < 0 the other one.
+local function by_radius(start, finish, radius, ccw)
+  local half = distance(finish[1] - start[1], finish[2] - start[2]) / 2
+  if half < SAME_POINT_MM / 2 then alarm("a full circle cannot be given by R; give its centre") end
+  local r = math.abs(radius)
+  if half - r > RADII_TOLERANCE_MM then
+    alarm("the arc is impossible: R is %.6f mm, but half the distance to the end is %.6f mm", r, half)
+  end
+  local height = math.sqrt(math.max(r * r - half * half, 0))
+  local left = (ccw == (radius > 0)) and height or -height
+  local angle = 2 * math.asin(math.min(half / r, 1))
+  return beside_chord(start, finish, left), radius > 0 and angle or TURN - angle
+end
+
+local function by_angle_and_end(start, finish, angle, ccw)
+  local half = distance(finish[1] - start[1], finish[2] - start[2]) / 2
+  if half < SAME_POINT_MM / 2 then alarm("an arc by its angle needs an end other than its start, or its centre") end
+  if angle >= TURN then alarm("AR= of an arc with an end is below 360 degrees") end
+  local left = half / math.tan(angle / 2)
+  return beside_chord(start, finish, ccw and left or -left), angle
+end
+
+local function turned(start, centre, angle, ccw)
+  local c, s = math.cos(angle), math.sin(ccw and angle or -angle)
+  local dx, dy = start[1] - centre[1], start[2] - centre[2]
+  return { centre[1] + c * dx - s * dy, centre[2] + s * dx + c * dy }
+end
+
+local function arc_angle(degrees)
+  if type(degrees) ~= "number" or not (degrees > 0 and degrees <= 360) then
+    alarm("AR= is an angle above 0 and up to 360 degrees")
+  end
+  return math.rad(degrees)
+end
+
+-- The words that say how the arc is given must not contradict each other.
+local function check_words(words, p, has_centre)
+  if words.r ~= nil and (has_centre or words.ar ~= nil) then
+    alarm("an arc is given by its radius R, or by its centre or its angle, not by both")
+  end
+  if words[p.k] ~= nil then
+    alarm("%s is no centre word of the plane in force; it takes %s and %s", p.k:upper(), p.i:upper(), p.j:upper())
+  end
+  if words.r == nil and words.ar == nil and not has_centre then
+    alarm("an arc needs its centre (%s, %s), its radius (R) or its angle (AR=)", p.i:upper(), p.j:upper())
+  end
+end
+
+local function arc(ccw, words)
+  if words == nil then return end
+  local p = planes[state.plane]
+  local has_centre = words[p.i] ~= nil or words[p.j] ~= nil
+  check_words(words, p, has_centre)
+  local resolved = resolve_polar(words)
+  local target, moved = core.target(resolved, " i j k r ar ")
+  local start = { core.position(p.first), core.position(p.second) }
+  local finish = { target[p.first], target[p.second] }
+  local centre, angle
+  if has_centre then
+    centre = { start[1] + (words[p.i] or 0) * state.unit_mm, start[2] + (words[p.j] or 0) * state.unit_mm }
+    if words.ar ~= nil then
+      if resolved[p.first] ~= nil or resolved[p.second] ~= nil then
+        alarm("an arc by its angle AR= takes its end or its centre, not both")
+      end
+      angle = arc_angle(words.ar)
+      finish = turned(start, centre, angle, ccw)
+      target[p.first], target[p.second] = finish[1], finish[2]
+    else
+      centre, angle = by_centre(start, finish, centre, ccw)
+    end
+  elseif words.r ~= nil then
+    if not moved then alarm("an arc by its radius needs its end") end
+    centre, angle = by_radius(start, finish, words.r * state.unit_mm, ccw)
+  else
+    centre, angle = by_angle_and_end(start, finish, arc_angle(words.ar), ccw)
+  end
+  core.arc(state.plane, ccw, centre[1], centre[2], angle, target)
+end
+
+local function define(name, ccw)
+  local meaning = function(words) arc(ccw, words) end
+  local modal = core.word(word_id(), meaning)
+  word(name, function(words)
+    make_modal(name, modal)
+    meaning(words)
+  end)
+end
+define("G2", false)
+define("G3", true)
+
+-- CIP: through the point I1=, J1=, K1= (or I, J, K), which is absolute or incremental as the end is. The circle
+-- may lie in any plane of space.
+local via_words = { x = { "i1", "i" }, y = { "j1", "j" }, z = { "k1", "k" } }
+
+-- Swept angle of the circle through three points, for inverse time feed.
+local function swept_via(a, m, b)
+  local function side(p, q) return math.sqrt((p.x - q.x) ^ 2 + (p.y - q.y) ^ 2 + (p.z - q.z) ^ 2) end
+  local function angle_at(c, opposite, near, far)  -- inscribed angle, law of cosines
+    if near == 0 or far == 0 then return 0 end
+    return math.acos(math.max(-1, math.min(1, (near * near + far * far - opposite * opposite) / (2 * near * far))))
+  end
+  local am, mb, ab = side(a, m), side(m, b), side(a, b)
+  return TURN - 2 * angle_at(m, ab, am, mb)
+end
+
+local function through_point(words)
+  if words == nil then return end
+  local via = {}
+  for letter, names in pairs(via_words) do via[letter] = words[names[1]] or words[names[2]] end
+  if next(via) == nil then alarm("CIP needs a point on the way: I1=, J1= or K1=") end
+  local middle = core.target(via)
+  local target = core.target(words, " i j k i1 j1 k1 ")
+  local start = { x = core.position("x"), y = core.position("y"), z = core.position("z") }
+  core.arc_via(middle, target, swept_via(start, middle, target))
+end
+
+local cip = core.word(word_id(), through_point)
+word("CIP", function(words)
+  make_modal("CIP", cip)
+  through_point(words)
+end)

@@ -1,0 +1,39 @@
+-- The modal state of the control, and how words are defined.
+
+state = {
+  plane = "xy",
+  incremental = false,
+  unit_mm = 1,          -- mm of one program unit on a linear axis
+  frame = "54",         -- work coordinate system in force
+  g52 = {}, g92 = {},   -- offsets by axis letter, mm or deg
+  polar = false,
+  motion = "G0",        -- the modal motion: G0, G1, G2, G3 or CIP
+  jet = false,
+  depth = 0,            -- of subprograms
+}
+
+axes = core.axes()
+is_rotary = {}
+for _, axis in ipairs(axes) do is_rotary[axis.letter] = axis.rotary end
+
+local next_id = 0
+
+function word_id()
+  next_id = next_id + 1
+  return next_id - 1
+end
+
+-- Defines a word of the language. A call counts as part of a block at the line where the script makes it.
+function word(name, meaning)
+  env[name] = core.word(word_id(), meaning)
+end
+
+function alarm(text, ...)
+  core.alarm(text:format(...))
+end
+
+-- The value of a word that stands alone: nil is a vacant variable, and the word counts as left out.
+function given(value, name)
+  if value ~= nil and type(value) ~= "number" then alarm("%s takes a number", name) end
+  return value ~= nil
+end

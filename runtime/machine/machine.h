@@ -1,0 +1,90 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/kinematics/kinematics.h"
+
+namespace gsim::machine {
+
+enum class AxisKind { linear, rotary };
+
+/// One row of a Denavit-Hartenberg table (standard convention: Rz(theta) Tz(d) Tx(a) Rx(alpha)); the joint's
+/// value is added to d (prismatic) or theta (revolute).
+struct DhRow {
+    double theta_deg = 0;
+    double d_mm = 0;
+    double a_mm = 0;
+    double alpha_deg = 0;
+
+    bool operator==(const DhRow&) const = default;
+};
+
+/// One axis of the machine: the letter that programs use and the joint it drives. Axes stand in the order of
+/// the kinematic chain, so the index of an axis is the index of its joint. Units are mm or deg, by kind.
+struct Axis {
+    char letter = 'X';
+    AxisKind kind = AxisKind::linear;
+    double min = 0;
+    double max = 0;
+    double max_speed = std::numeric_limits<double>::infinity();         ///< mm/s or deg/s
+    double max_acceleration = std::numeric_limits<double>::infinity();  ///< mm/s2 or deg/s2
+    double home = 0;
+    double zero = 0;  ///< Reading of the axis at the joint's zero.
+    DhRow dh = {};
+
+    bool operator==(const Axis&) const = default;
+};
+
+/// Fixed frame: translation in mm, then roll about Z, pitch about Y, yaw about X in degrees (Rz Ry Rx).
+struct Frame {
+    double x_mm = 0, y_mm = 0, z_mm = 0;
+    double roll_deg = 0, pitch_deg = 0, yaw_deg = 0;
+
+    bool operator==(const Frame&) const = default;
+};
+
+/// Limits of the tool's path, whatever the axes could do.
+struct PathLimits {
+    double max_feed_mm_s = std::numeric_limits<double>::infinity();   ///< Contour speed cap of feed moves.
+    double max_rapid_mm_s = std::numeric_limits<double>::infinity();  ///< Speed cap of rapid moves.
+    double max_acceleration_mm_s2 = std::numeric_limits<double>::infinity();  ///< Along the path, feed moves.
+
+    bool operator==(const PathLimits&) const = default;
+};
+
+enum class InverseKind { none, gantry };  ///< gantry: closed form, X Y Z and two rotary axes through the tip.
+
+/// Everything that does not change during a run. Read from a machine file; see docs/machine-file.md.
+struct Machine {
+    std::string name;
+    std::vector<Axis> axes;
+    PathLimits path;
+    Frame base;  ///< World to the chain's first frame.
+    Frame tool;  ///< Last joint's frame to the tool centre point.
+    InverseKind inverse = InverseKind::none;
+
+    /// Index of the axis with this (upper case) letter.
+    std::optional<std::size_t> find(char letter) const;
+
+    bool operator==(const Machine&) const = default;
+};
+
+/// The value of an axis (mm or deg, as programs give it) for a joint value (mm or rad).
+double axis_value(const Axis& axis, double joint_value);
+/// The joint value (mm or rad) for a value of the axis (mm or deg).
+double joint_value(const Axis& axis, double axis_value);
+/// Joint values with all axes at home.
+rrs::JointPos home_position(const Machine& machine);
+
+/// Why the machine's chain does not fit its inverse, as a sentence; nothing if it does.
+std::optional<std::string> find_kinematic_fault(const Machine& machine);
+
+/// The kinematics that the machine's Denavit-Hartenberg table and inverse describe. Throws
+/// std::invalid_argument where find_kinematic_fault() finds one; read_machine() lets no such machine pass.
+std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine);
+
+}  // namespace gsim::machine

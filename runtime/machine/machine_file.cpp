@@ -1,0 +1,195 @@
+#include "runtime/machine/machine_file.h"
+
+#include <array>
+
+#include "runtime/machine/embedded_machines.h"
+#include "runtime/machine/text_file.h"
+#include "runtime/machine/toml_section.h"
+
+namespace gsim::machine {
+
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr std::string_view kLetters = "ABCUVWXYZ";
+
+constexpr std::array kFileKeys{"machine"sv, "path"sv, "base"sv, "tool"sv, "axis"sv};
+constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
+constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
+constexpr std::array kFrameKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
+constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
+
+// The keys of an axis, whose units go by its kind.
+struct AxisKeys {
+    std::string_view title;
+    std::string_view min, max, max_speed, max_acceleration, home, zero;
+
+    std::array<std::string_view, 9> all() const {
+        return {"letter", "kind", min, max, max_speed, max_acceleration, home, zero, "dh"};
+    }
+};
+
+constexpr AxisKeys kLinearKeys{"a linear [[axis]]",      "min_mm",  "max_mm", "max_speed_mm_s",
+                               "max_acceleration_mm_s2", "home_mm", "zero_mm"};
+constexpr AxisKeys kRotaryKeys{"a rotary [[axis]]",       "min_deg",  "max_deg", "max_speed_deg_s",
+                               "max_acceleration_deg_s2", "home_deg", "zero_deg"};
+
+Frame read_frame(FirstError& error, const toml::table* table, std::string title) {
+    if (!table) return {};
+    TomlSection section(error, *table, std::move(title), kFrameKeys);
+    const auto number = [&](std::string_view key) { return section.number(key, 0, NumberRule::finite); };
+    return {.x_mm = number("x_mm"),
+            .y_mm = number("y_mm"),
+            .z_mm = number("z_mm"),
+            .roll_deg = number("roll_deg"),
+            .pitch_deg = number("pitch_deg"),
+            .yaw_deg = number("yaw_deg")};
+}
+
+PathLimits read_path_limits(FirstError& error, const toml::table* table) {
+    if (!table) return {};
+    TomlSection section(error, *table, "[path]", kPathKeys);
+    const auto number = [&](std::string_view key) {
+        return section.number(key, kUnlimited, NumberRule::positive);
+    };
+    return {.max_feed_mm_s = number("max_feed_mm_s"),
+            .max_rapid_mm_s = number("max_rapid_mm_s"),
+            .max_acceleration_mm_s2 = number("max_acceleration_mm_s2")};
+}
+
+DhRow read_dh_row(FirstError& error, const toml::table* table) {
+    if (!table) return {};
+    TomlSection section(error, *table, "'dh'", kDhKeys);
+    const auto number = [&](std::string_view key) { return section.number(key, 0, NumberRule::finite); };
+    return {.theta_deg = number("theta_deg"),
+            .d_mm = number("d_mm"),
+            .a_mm = number("a_mm"),
+            .alpha_deg = number("alpha_deg")};
+}
+
+// The kind decides which keys an axis may hold, so it is read before anything else.
+std::optional<AxisKind> read_kind(FirstError& error, const toml::table& table) {
+    const toml::node* node = table.get("kind");
+    if (!node) {
+        error.report(table.source().begin, "[[axis]] lacks the key 'kind'");
+        return std::nullopt;
+    }
+    const auto kind = node->value<std::string_view>();
+    if (kind == "linear") return AxisKind::linear;
+    if (kind == "rotary") return AxisKind::rotary;
+    error.report(node->source().begin, "'kind' must be \"linear\" or \"rotary\"");
+    return std::nullopt;
+}
+
+char read_letter(TomlSection& section) {
+    const std::string letter = section.text("letter");
+    if (letter.size() == 1 && kLetters.find(letter[0]) != std::string_view::npos) return letter[0];
+    section.fail("letter", fmt::format("'letter' must be one of {}", fmt::join(kLetters, " ")));
+    return '?';
+}
+
+void check_range(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
+    if (axis.min > axis.max) {
+        section.fail(keys.min, fmt::format("'{}' is {}, greater than '{}', {}", keys.min, axis.min, keys.max,
+                                           axis.max));
+    }
+    if (axis.min == axis.max && std::isinf(axis.min)) {
+        section.fail(keys.min, fmt::format("'{}' and '{}' leave no range", keys.min, keys.max));
+    }
+    if (axis.home < axis.min || axis.home > axis.max) {
+        section.fail(keys.home, fmt::format("'{}' is {}, outside of the axis's range {} .. {}", keys.home,
+                                            axis.home, axis.min, axis.max));
+    }
+}
+
+Axis read_axis(FirstError& error, const toml::table& table) {
+    Axis axis;
+    const auto kind = read_kind(error, table);
+    if (!kind) return axis;
+    axis.kind = *kind;
+    const AxisKeys& keys = axis.kind == AxisKind::linear ? kLinearKeys : kRotaryKeys;
+    TomlSection section(error, table, std::string(keys.title), keys.all());
+    axis.letter = read_letter(section);
+    axis.min = section.number(keys.min, -kUnlimited, NumberRule::any);
+    axis.max = section.number(keys.max, kUnlimited, NumberRule::any);
+    axis.max_speed = section.number(keys.max_speed, kUnlimited, NumberRule::positive);
+    axis.max_acceleration = section.number(keys.max_acceleration, kUnlimited, NumberRule::positive);
+    axis.home = section.number(keys.home, 0, NumberRule::finite);
+    axis.zero = section.number(keys.zero, 0, NumberRule::finite);
+    check_range(section, keys, axis);
+    section.require("dh");
+    axis.dh = read_dh_row(error, section.table("dh"));
+    return axis;
+}
+
+std::vector<Axis> read_axes(FirstError& error, TomlSection& file) {
+    std::vector<Axis> axes;
+    std::vector<toml::source_position> places;
+    for (const toml::table* table : file.tables("axis")) {
+        const Axis axis = read_axis(error, *table);
+        if (error.text()) return axes;
+        const toml::source_position place = table->get("letter")->source().begin;
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            if (axes[i].letter != axis.letter) continue;
+            error.report(place, fmt::format("the letter {} is given twice; first in line {}", axis.letter,
+                                            places[i].line));
+        }
+        axes.push_back(axis);
+        places.push_back(place);
+    }
+    if (axes.empty()) file.fail("axis", "a machine needs at least one [[axis]]");
+    return axes;
+}
+
+InverseKind read_inverse(TomlSection& section) {
+    if (!section.has("inverse")) return InverseKind::none;
+    const std::string inverse = section.text("inverse");
+    if (inverse == "gantry") return InverseKind::gantry;
+    if (inverse != "none") section.fail("inverse", "'inverse' must be \"gantry\" or \"none\"");
+    return InverseKind::none;
+}
+
+Machine read_tables(FirstError& error, const toml::table& root) {
+    Machine machine;
+    TomlSection file(error, root, "a machine file", kFileKeys);
+    file.require("machine");
+    const toml::table* head = file.table("machine");
+    if (!head) return machine;
+    TomlSection section(error, *head, "[machine]", kMachineKeys);
+    machine.name = section.text("name");
+    machine.inverse = read_inverse(section);
+    machine.path = read_path_limits(error, file.table("path"));
+    machine.base = read_frame(error, file.table("base"), "[base]");
+    machine.tool = read_frame(error, file.table("tool"), "[tool]");
+    machine.axes = read_axes(error, file);
+    if (error.text()) return machine;
+    if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
+    return machine;
+}
+
+}  // namespace
+
+tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name) {
+    FirstError error(file_name);
+    const toml::parse_result parsed = toml::parse(toml_text);
+    if (!parsed) {
+        error.report(parsed.error().source().begin, parsed.error().description());
+        return tl::unexpected(*error.text());
+    }
+    Machine machine = read_tables(error, parsed.table());
+    if (error.text()) return tl::unexpected(*error.text());
+    return machine;
+}
+
+tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path) {
+    return read_text_file(path).and_then(
+        [&](const std::string& text) { return read_machine(text, path.string()); });
+}
+
+std::string_view built_in_machine_toml() {
+    return embedded::embedded_machines("af5.toml");
+}
+
+}  // namespace gsim::machine

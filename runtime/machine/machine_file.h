@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "runtime/machine/machine.h"
+
+namespace gsim::machine {
+
+/// Reads a machine file (docs/machine-file.md) strictly: what it does not know or does not understand is an
+/// error. The error is "file:line:column: sentence"; `file_name` is only for that.
+tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name);
+
+/// read_machine() of a file on disk.
+tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path);
+
+/// A machine file that read_machine() reads back as an equal machine, if it accepts this one at all.
+std::string print_machine(const Machine& machine);
+
+/// The text of samples/machines/af5.toml, the machine of Table C.1 of the thesis, which is compiled in.
+std::string_view built_in_machine_toml();
+
+}  // namespace gsim::machine

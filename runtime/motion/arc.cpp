@@ -1,0 +1,130 @@
+#include "runtime/motion/arc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gsim::motion {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// The path by its own length s: radius = start radius + radial s, radius dphi/ds = around, lift = climb s.
+// The three are constant and radial^2 + around^2 + climb^2 = 1.
+struct Slopes {
+    double radial;
+    double around;
+    Vector3d climb;
+    double length_mm;
+};
+
+// log(end radius / start radius), exact for small differences.
+double log_growth(const Arc& arc) {
+    return std::log1p((arc.end_radius_mm - arc.radius_mm) / arc.radius_mm);
+}
+
+Slopes slopes_of(const Arc& arc) {
+    const double change = arc.end_radius_mm - arc.radius_mm;
+    const double around_mm = arc.sweep_rad * (change == 0 ? arc.radius_mm : change / log_growth(arc));
+    const double length = std::sqrt(change * change + around_mm * around_mm + arc.lift.squaredNorm());
+    return {change / length, around_mm / length, arc.lift / length, length};
+}
+
+// The share of the way, from 0 to 1, at which the angle is phi.
+double share_at(const Arc& arc, double phi_rad) {
+    const double turned = phi_rad / arc.sweep_rad;
+    const double change = arc.end_radius_mm - arc.radius_mm;
+    if (change == 0) return turned;
+    return std::expm1(turned * log_growth(arc)) * arc.radius_mm / change;
+}
+
+double radius_at(const Arc& arc, double phi_rad) {
+    return arc.radius_mm + (arc.end_radius_mm - arc.radius_mm) * share_at(arc, phi_rad);
+}
+
+Vector3d outward(const Arc& arc, double phi_rad) {
+    return std::cos(phi_rad) * arc.u + std::sin(phi_rad) * arc.v;
+}
+
+Vector3d forward(const Arc& arc, double phi_rad) {
+    return std::cos(phi_rad) * arc.v - std::sin(phi_rad) * arc.u;
+}
+
+// Widens the range by the coordinate at the angles `phase` + 2 pi k within the sweep. From turn to turn the
+// value drifts one way, so the first and the last of them are enough.
+void widen(Range& range, const Arc& arc, int axis, double phase) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const double first = phase - kTurn * std::floor(phase / kTurn);
+    if (first >= arc.sweep_rad) return;
+    const double last = first + kTurn * std::floor((arc.sweep_rad - first) / kTurn);
+    for (const double phi : {first, last}) {
+        const double value = arc.at(phi)[axis];
+        range.min = std::min(range.min, value);
+        range.max = std::max(range.max, value);
+    }
+}
+
+}  // namespace
+
+double Arc::length_mm() const {
+    return slopes_of(*this).length_mm;
+}
+
+double Arc::phi_at(double s_mm) const {
+    const double share = s_mm / length_mm();
+    const double change = end_radius_mm - radius_mm;
+    if (change == 0) return sweep_rad * share;
+    return sweep_rad * std::log1p(change / radius_mm * share) / log_growth(*this);
+}
+
+Vector3d Arc::at(double phi_rad) const {
+    const double share = share_at(*this, phi_rad);
+    return center + radius_at(*this, phi_rad) * outward(*this, phi_rad) + share * lift;
+}
+
+Vector3d Arc::tangent(double phi_rad) const {
+    const Slopes slopes = slopes_of(*this);
+    return slopes.radial * outward(*this, phi_rad) + slopes.around * forward(*this, phi_rad) + slopes.climb;
+}
+
+Vector3d Arc::curvature(double phi_rad) const {
+    const Slopes slopes = slopes_of(*this);
+    return slopes.around / radius_at(*this, phi_rad) *
+           (slopes.radial * forward(*this, phi_rad) - slopes.around * outward(*this, phi_rad));
+}
+
+double Arc::max_curvature() const {
+    const Slopes slopes = slopes_of(*this);
+    return slopes.around * std::hypot(slopes.around, slopes.radial) / std::min(radius_mm, end_radius_mm);
+}
+
+double Arc::max_share(int axis) const {
+    const Slopes slopes = slopes_of(*this);
+    return std::hypot(slopes.around, slopes.radial) * std::hypot(u[axis], v[axis]) +
+           std::abs(slopes.climb[axis]);
+}
+
+Range Arc::bounds(int axis) const {
+    const double reach = std::max(radius_mm, end_radius_mm);
+    return {center[axis] - reach + std::min(0.0, lift[axis]),
+            center[axis] + reach + std::max(0.0, lift[axis])};
+}
+
+// With psi = phi - atan2(v, u) the coordinate's slope is
+// amplitude (radial cos psi - around sin psi) + climb = climb - amplitude pace sin(psi - lag).
+Range Arc::range(int axis) const {
+    const double start = at(0)[axis];
+    const double end = at(sweep_rad)[axis];
+    Range range{std::min(start, end), std::max(start, end)};
+    const Slopes slopes = slopes_of(*this);
+    const double swing = std::hypot(u[axis], v[axis]) * std::hypot(slopes.around, slopes.radial);
+    if (std::abs(slopes.climb[axis]) >= swing) return range;
+    const double base = std::atan2(v[axis], u[axis]) + std::atan2(slopes.radial, slopes.around);
+    const double turn = std::asin(slopes.climb[axis] / swing);
+    widen(range, *this, axis, base + turn);
+    widen(range, *this, axis, base + std::numbers::pi - turn);
+    return range;
+}
+
+}  // namespace gsim::motion

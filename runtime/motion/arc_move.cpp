@@ -1,0 +1,55 @@
+#include "runtime/motion/arc_move.h"
+
+#include <algorithm>
+
+#include "runtime/motion/followers.h"
+#include "runtime/motion/joint_changes.h"
+#include "runtime/motion/lead_path.h"
+#include "runtime/motion/line_move.h"
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kNoShare = 1e-9;
+
+LeadPath arc_path(const PlannerSetup& setup, const MoveRules& rules, const Segment& segment) {
+    LeadPath lead{.length = segment.length_mm};
+    lead.max_speed = std::min(rules.programmed_speed_mm_s, rules.max_path_speed_mm_s);
+    lead.max_acceleration = rules.path_acceleration_mm_s2;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double share = segment.arc.max_share(axis);
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint < 0 || share < kNoShare) continue;
+        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+        lead.limit_speed(limits.max_speed / share);
+        lead.limit_acceleration(limits.max_acceleration / share);
+    }
+    return lead;
+}
+
+bool leaves_the_machine(const PlannerSetup& setup, const Arc& arc) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (setup.position_joints[static_cast<std::size_t>(axis)] < 0 && arc.max_share(axis) > kNoShare)
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
+    segment.kind = SegmentKind::circular;
+    segment.length_mm = segment.arc.length_mm();
+    if (leaves_the_machine(setup, segment.arc)) {
+        return refused(rrs::Status::RRS_INVALID_PARAMETER,
+                       "The arc needs a direction in which the machine has no joint.");
+    }
+    const JointChanges changes(setup, segment);
+    const MoveRules resolved = rules.resolved(changes.norm(JointRole::rotary) > 0);
+    if (resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
+    const Followers followers(setup, resolved, changes, JointRole::position);
+    return set_timing(segment, arc_path(setup, resolved, segment), &followers, rules.least_duration_s);
+}
+
+}  // namespace gsim::motion

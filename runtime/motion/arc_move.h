@@ -1,0 +1,17 @@
+#pragma once
+
+#include "runtime/motion/move_rules.h"
+#include "runtime/motion/plan_error.h"
+#include "runtime/motion/planner_setup.h"
+#include "runtime/motion/segment.h"
+
+namespace gsim::motion {
+
+/// Plans circular motion along segment.arc, which goes from segment.start to segment.end in the position
+/// joints; all other moving joints follow. Tangential speed and acceleration keep the programmed values, the
+/// limits of the path and, for the direction of travel in which each is worst, those of the position joints.
+/// Acceleration towards the centre is not limited here: Segment::peak_centripetal_mm_s2 tells it.
+/// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER where the arc leaves the position joints that the machine has.
+Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
+
+}  // namespace gsim::motion

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+
+#include "runtime/motion/joint_changes.h"
+#include "runtime/motion/move_rules.h"
+#include "runtime/motion/planner_setup.h"
+#include "runtime/motion/segment.h"
+
+namespace gsim::motion {
+
+/// The joints that move beside a lead path, each by a trapezoid of its own within its own limits. The
+/// programmed speed and acceleration of orientation reach each rotary joint in its share of the change of
+/// orientation, so that the joints together keep them.
+class Followers {
+  public:
+    /// All moving joints but those of the role that leads.
+    Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes, JointRole lead);
+
+    /// The least time in which all of them can do their way.
+    double fastest_s() const { return fastest_s_; }
+    /// Gives them to the segment, stretched to `duration_s` >= fastest_s().
+    void write(Segment& segment, double duration_s) const;
+
+  private:
+    struct Move {
+        int joint;
+        double change;
+        double max_speed;
+        double max_acceleration;
+        double fastest_s;
+    };
+
+    void add(int joint, double change, double max_speed, double max_acceleration);
+
+    std::array<Move, rrs::kMaxJoints> moves_;  // only the first count_ hold values
+    std::size_t count_ = 0;
+    double fastest_s_ = 0;
+};
+
+/// The fastest law within the limits where `duration_s` is its time, otherwise the law stretched to
+/// `duration_s`.
+TimeLaw law_within(double length, double max_speed, double max_acceleration, double fastest_s,
+                   double duration_s);
+
+}  // namespace gsim::motion

@@ -1,0 +1,24 @@
+#include "runtime/motion/joint_changes.h"
+
+#include <cmath>
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kNoChange = 1e-9;
+
+}  // namespace
+
+JointChanges::JointChanges(const PlannerSetup& setup, const Segment& segment) {
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const auto index = static_cast<std::size_t>(joint);
+        const double change = segment.end[joint] - segment.start[joint];
+        roles_[index] = setup.role(joint);
+        changes_[index] = std::abs(change) > kNoChange ? change : 0;
+        norms_[static_cast<std::size_t>(roles_[index])] += changes_[index] * changes_[index];
+    }
+    for (double& norm : norms_) norm = std::sqrt(norm);
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,38 @@
+#include "runtime/motion/lead_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace gsim::motion {
+
+using rrs::Status;
+
+namespace {
+
+constexpr double kShortest_s = 1e-15;  // below, speeds are no physical values and may not even be finite
+
+}  // namespace
+
+Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* followers,
+                   double least_duration_s) {
+    const double lead_s = TimeLaw::fastest_s(lead.length, lead.max_speed, lead.max_acceleration);
+    const double duration_s =
+        std::max({lead_s, followers != nullptr ? followers->fastest_s() : 0.0, least_duration_s});
+    if (!std::isfinite(lead.length) || !(duration_s <= kLongest_s)) {
+        return refused(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("The move is too long or too slow: it would take more than {} s.", kLongest_s));
+    }
+    if (duration_s < kShortest_s) {
+        return refused(Status::RRS_ZERO_SPEED,
+                       "The move would take no time: no speed is programmed and the machine sets no limit.");
+    }
+    segment.duration_s = duration_s;
+    segment.lead = law_within(lead.length, lead.max_speed, lead.max_acceleration, lead_s, duration_s);
+    if (followers != nullptr) followers->write(segment, duration_s);
+    return {};
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,70 @@
+#include "runtime/motion/line_move.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/followers.h"
+#include "runtime/motion/joint_changes.h"
+#include "runtime/motion/lead_path.h"
+
+namespace gsim::motion {
+
+namespace {
+
+JointRole leading_role(const JointChanges& changes) {
+    if (changes.norm(JointRole::position) > 0) return JointRole::position;
+    if (changes.norm(JointRole::secondary) > 0) return JointRole::secondary;
+    return JointRole::rotary;
+}
+
+LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                       JointRole role) {
+    LeadPath lead{.length = changes.norm(role)};
+    if (role == JointRole::rotary) {
+        lead.max_speed = rules.orientation_speed_rad_s;
+        lead.max_acceleration = rules.orientation_acceleration_rad_s2;
+    } else {
+        lead.max_speed = std::min(rules.programmed_speed_mm_s, rules.max_path_speed_mm_s);
+        lead.max_acceleration = rules.path_acceleration_mm_s2;
+    }
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        if (changes.of(joint) == 0 || changes.role(joint) != role) continue;
+        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+        const double path_per_joint = lead.length / std::abs(changes.of(joint));
+        lead.limit_speed(limits.max_speed * path_per_joint);
+        lead.limit_acceleration(limits.max_acceleration * path_per_joint);
+    }
+    return lead;
+}
+
+}  // namespace
+
+Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
+    const JointChanges changes(setup, segment);
+    const JointRole role = leading_role(changes);
+    segment.kind = SegmentKind::linear;
+    if (changes.norm(role) == 0) {
+        plan_stay(segment, 0);
+        return {};
+    }
+    const bool turns = changes.norm(JointRole::rotary) > 0;
+    const MoveRules resolved = rules.resolved(turns && role != JointRole::rotary);
+    if (role != JointRole::rotary && resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
+    const Followers followers(setup, resolved, changes, role);
+    segment.length_mm = role == JointRole::rotary ? 0 : changes.norm(role);
+    return set_timing(segment, straight_path(setup, resolved, changes, role), &followers,
+                      rules.least_duration_s);
+}
+
+void plan_stay(Segment& segment, double duration_s) {
+    segment.length_mm = 0;
+    segment.duration_s = duration_s;
+    segment.lead = TimeLaw();
+}
+
+tl::unexpected<PlanError> no_programmed_speed() {
+    return refused(rrs::Status::RRS_ZERO_SPEED,
+                   "No speed is programmed for this motion; set one with SetCartesianPositionSpeed first.");
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "runtime/motion/move_rules.h"
+#include "runtime/motion/plan_error.h"
+#include "runtime/motion/planner_setup.h"
+#include "runtime/motion/segment.h"
+
+namespace gsim::motion {
+
+/// Plans a straight line from segment.start to segment.end. The position joints lead where any of them moves,
+/// in a straight line; else the other prismatic joints; else the rotary joints, in the space of their angles.
+/// All other moving joints follow. A move that goes nowhere becomes a segment of no duration. RRS_ZERO_SPEED,
+/// RRS_INVALID_PARAMETER.
+Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
+
+/// Makes the segment one that stays where it is for `duration_s`.
+void plan_stay(Segment& segment, double duration_s);
+
+/// The answer where a path asks for a programmed speed and has none.
+tl::unexpected<PlanError> no_programmed_speed();
+
+}  // namespace gsim::motion

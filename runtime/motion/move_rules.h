@@ -1,0 +1,29 @@
+#pragma once
+
+#include "runtime/motion/planner_setup.h"
+#include "runtime/rrs/types.h"
+
+namespace gsim::motion {
+
+/// What counts for the time of one linear or circular move besides the limits of its joints, overrides
+/// applied.
+struct MoveRules {
+    double programmed_speed_mm_s = kUnlimited;  ///< Of the tool along its path; 0: none was programmed.
+    double max_path_speed_mm_s = kUnlimited;
+    double path_acceleration_mm_s2 = kUnlimited;
+    double orientation_speed_rad_s = kUnlimited;
+    double orientation_acceleration_rad_s2 = kUnlimited;
+    rrs::Dominance dominance = rrs::Dominance::automatic;
+    double least_duration_s = 0;  ///< The move takes this long at least.
+
+    /// The rules for a move that changes position and orientation (mixed) or only one of them: dominance puts
+    /// the programmed speed of the other out of force.
+    MoveRules resolved(bool mixed) const {
+        MoveRules rules = *this;
+        if (mixed && dominance == rrs::Dominance::orientation) rules.programmed_speed_mm_s = kUnlimited;
+        if (mixed && dominance == rrs::Dominance::position) rules.orientation_speed_rad_s = kUnlimited;
+        return rules;
+    }
+};
+
+}  // namespace gsim::motion

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "runtime/motion/axis_space.h"
+#include "runtime/motion/plan_error.h"
+#include "runtime/motion/planner_setup.h"
+#include "runtime/motion/programmed.h"
+#include "runtime/motion/segment.h"
+#include "runtime/motion/segment_queue.h"
+#include "runtime/rrs/shell.h"
+
+namespace gsim::motion {
+
+/// The planner for machines whose maker gives none (thesis 5.3.2): joint, linear and circular motion that
+/// comes to rest at each target.
+///
+/// Each target (and each rest) becomes one segment at the end of a queue. Segments leave the queue in order,
+/// each exactly once, to the sink: all of them with flush(), those that GetNextStep passes, and the oldest by
+/// itself when the queue is full. Without a sink a full queue answers RRS_QUEUE_FULL. The step clock of
+/// GetNextStep never stands before the end of what has left. A target where the robot stands already becomes
+/// a segment of no duration, so that target ids arrive complete and in order; the dwell of SetRestParameter
+/// is a segment of its own with its target's id. A via point has no segment.
+///
+/// Mixed moves: the path of the position joints leads by the programmed speed; each other joint follows by
+/// its own fastest trapezoid; the slowest of all sets the time, and the others run slower to take as long.
+/// `configuration` and `param_value` of targets are not looked at. A via point's rotary joints are not,
+/// either.
+class DefaultPlanner final : public rrs::Shell {
+  public:
+    /// `sink`, where there is one, must outlive the planner, and must not call its services while it takes a
+    /// segment. Throws std::invalid_argument with the sentence of setup.validate() where that finds fault.
+    explicit DefaultPlanner(PlannerSetup setup, SegmentSink* sink = nullptr);
+
+    /// Makes all queued segments final and passes them on; the step clock goes to their end.
+    void flush();
+    /// End of the last queued segment on the planner's clock, which starts at 0 with Initialize and Reset.
+    double time_s() const { return end_s_; }
+    /// Where GetNextStep stands on the planner's clock.
+    double step_time_s() const { return step_s_; }
+    /// Joint values at the end of the last queued segment.
+    const rrs::JointPos& position() const { return position_; }
+    /// The last answer other than plain success, with its numbers; GetMessage gives its sentence.
+    const PlanError& last_error() const { return error_; }
+    const PlannerSetup& setup() const { return setup_; }
+
+    rrs::Status Initialize() override;
+    rrs::Status Reset() override;
+    rrs::Status Terminate() override;
+    rrs::Status GetMessage(std::string& message) override;
+
+    rrs::Status GetInverseKinematics(const rrs::CartPos& pose, const rrs::JointPos& near,
+                                     rrs::JointPos& joints) override;
+    rrs::Status GetForwardKinematics(const rrs::JointPos& joints, rrs::CartPos& pose) override;
+
+    rrs::Status SelectTargetType(rrs::TargetType type) override;
+    rrs::Status SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                                   std::string_view configuration) override;
+    rrs::Status SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
+                              const rrs::JointPos& joints, std::string_view configuration,
+                              double param_value) override;
+    rrs::Status SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
+                                   const rrs::JointPos& joints, std::string_view configuration,
+                                   double param_value, std::string_view target_name) override;
+    rrs::Status SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
+                                 const Eigen::Vector3d& axis, double sweep_rad, const rrs::CartPos& cartesian,
+                                 const rrs::JointPos& joints) override;
+    rrs::Status SetNextRest(rrs::TargetId id, double rest_s) override;
+
+    rrs::Status GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) override;
+    rrs::Status SetInterpolationTime(double interpolation_s) override;
+
+    rrs::Status SelectMotionType(rrs::MotionType type) override;
+    rrs::Status SelectDominantInterpolation(rrs::Dominance dominance) override;
+    rrs::Status SelectFlybyMode(bool on) override;
+    rrs::Status SetRapid(bool on) override;
+
+    rrs::Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) override;
+    rrs::Status SetJointAccelerations(std::span<const int> joints,
+                                      std::span<const double> accelerations) override;
+    rrs::Status SetCartesianPositionSpeed(double speed_mm_s) override;
+    rrs::Status SetCartesianOrientationSpeed(double speed_rad_s) override;
+    rrs::Status SetCartesianPositionAcceleration(double acceleration_mm_s2) override;
+    rrs::Status SetCartesianOrientationAcceleration(double acceleration_rad_s2) override;
+    rrs::Status SetOverrideSpeed(double percent) override;
+    rrs::Status SetOverrideAcceleration(double percent) override;
+    rrs::Status SetMotionTime(double motion_s) override;
+    rrs::Status SetRestParameter(double rest_s) override;
+
+  protected:
+    rrs::Status not_supported(std::string_view service) override;
+
+  private:
+    rrs::Status tell(PlanError error);
+    rrs::Status refuse(rrs::Status status, std::string message);
+    rrs::Status not_initialized();
+    rrs::Status set_positive(double& value, double wanted, std::string_view what);
+    rrs::Status set_percent(double& factor, double percent, std::string_view what);
+    rrs::Status set_joint_values(rrs::JointPos& values, std::span<const int> joints,
+                                 std::span<const double> wanted, std::string_view what);
+
+    void start_over();
+    Planned ready_for_target();
+    Planned make_room(std::size_t segments);
+    Planned solve_target(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                         rrs::JointPos& target) const;
+    Planned solve_joints(const rrs::JointPos& joints, rrs::JointPos& target) const;
+    Planned solve_pose(const rrs::CartPos& pose, rrs::JointPos& target) const;
+    rrs::Status keep_via(const rrs::CartPos& cartesian, const rrs::JointPos& joints);
+
+    Segment& begin_segment(rrs::TargetId id);
+    rrs::Status finish_target(const Segment& segment, Planned planned);
+    void append(const Segment& segment);
+    void append_rest(rrs::TargetId id, double rest_s);
+    void emit_front();
+
+    Planned plan_selected(Segment& segment) const;
+    Planned plan_via_arc(Segment& segment) const;
+    Planned plan_center_arc(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& axis, double sweep_rad,
+                            Segment& segment) const;
+    Planned plan_along_arc(Segment& segment) const;
+    Planned circular_allowed() const;
+
+    PlannerSetup setup_;
+    SegmentSink* sink_;
+    std::optional<AxisSpace> axis_space_;
+    SegmentQueue queue_;
+    Programmed programmed_;
+    rrs::JointPos position_;
+    std::optional<rrs::JointPos> via_;
+    PlanError error_;
+    double end_s_ = 0;
+    double step_s_ = 0;
+    bool initialized_ = false;
+    bool has_position_ = false;
+};
+
+}  // namespace gsim::motion

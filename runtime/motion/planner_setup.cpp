@@ -1,0 +1,84 @@
+#include "runtime/motion/planner_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace gsim::motion {
+
+namespace {
+
+using Trouble = std::optional<std::string>;
+
+Trouble check_positive(const std::string& what, double value) {
+    if (value > 0) return std::nullopt;
+    return fmt::format("{} is {}; it must be greater than 0 (infinity for no limit).", what, value);
+}
+
+Trouble check_joint(int index, const JointSetup& joint) {
+    if (!(joint.min <= joint.max)) {
+        return fmt::format("The range of joint {} goes from {} to {}; min must not be above max.", index,
+                           joint.min, joint.max);
+    }
+    if (auto trouble = check_positive(fmt::format("max_speed of joint {}", index), joint.max_speed))
+        return trouble;
+    return check_positive(fmt::format("max_acceleration of joint {}", index), joint.max_acceleration);
+}
+
+Trouble check_path(const PathLimits& path) {
+    if (auto trouble = check_positive("max_feed_mm_s of the path", path.max_feed_mm_s)) return trouble;
+    if (auto trouble = check_positive("max_rapid_mm_s of the path", path.max_rapid_mm_s)) return trouble;
+    return check_positive("max_acceleration_mm_s2 of the path", path.max_acceleration_mm_s2);
+}
+
+Trouble check_position_joints(const PlannerSetup& setup) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[axis];
+        if (joint == -1) continue;
+        if (joint < -1 || joint >= setup.joint_count()) {
+            return fmt::format("Position joint {} does not exist; there are joints 0 to {}.", joint,
+                               setup.joint_count() - 1);
+        }
+        if (setup.joints[static_cast<std::size_t>(joint)].kind != rrs::JointKind::prismatic) {
+            return fmt::format("Position joint {} is revolute; it must be prismatic.", joint);
+        }
+        if (std::count(setup.position_joints.begin(), setup.position_joints.end(), joint) > 1) {
+            return fmt::format("Joint {} stands for more than one of x, y, z.", joint);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> PlannerSetup::validate() const {
+    if (joints.empty() || joints.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
+        return fmt::format("There are {} joints; a planner takes 1 to {}.", joints.size(), rrs::kMaxJoints);
+    }
+    for (int joint = 0; joint < joint_count(); ++joint) {
+        if (auto trouble = check_joint(joint, joints[static_cast<std::size_t>(joint)])) return trouble;
+    }
+    if (auto trouble = check_path(path)) return trouble;
+    if (auto trouble = check_position_joints(*this)) return trouble;
+    if (!kinematics) return "There are no kinematics.";
+    if (kinematics->joint_count() != joint_count()) {
+        return fmt::format("The kinematics have {} joints, the planner {}.", kinematics->joint_count(),
+                           joint_count());
+    }
+    if (!(arc_tolerance_mm >= 0) || !std::isfinite(arc_tolerance_mm)) {
+        return fmt::format("arc_tolerance_mm is {}; it must be 0 or greater.", arc_tolerance_mm);
+    }
+    if (queue_capacity < 2)
+        return fmt::format("queue_capacity is {}; it must be at least 2.", queue_capacity);
+    return std::nullopt;
+}
+
+JointRole PlannerSetup::role(int joint) const {
+    if (joints[static_cast<std::size_t>(joint)].kind == rrs::JointKind::revolute) return JointRole::rotary;
+    const bool carries =
+        std::find(position_joints.begin(), position_joints.end(), joint) != position_joints.end();
+    return carries ? JointRole::position : JointRole::secondary;
+}
+
+}  // namespace gsim::motion

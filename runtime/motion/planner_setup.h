@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/kinematics/kinematics.h"
+#include "runtime/rrs/types.h"
+
+namespace gsim::motion {
+
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// One joint as the planner sees it. Units are mm or rad by kind.
+struct JointSetup {
+    rrs::JointKind kind = rrs::JointKind::prismatic;
+    double min = -kUnlimited;
+    double max = kUnlimited;
+    double max_speed = kUnlimited;
+    double max_acceleration = kUnlimited;
+};
+
+/// Limits of the tool's path, whatever the joints could do.
+struct PathLimits {
+    double max_feed_mm_s = kUnlimited;           ///< Of linear and circular moves that are not rapid.
+    double max_rapid_mm_s = kUnlimited;          ///< Of rapid moves.
+    double max_acceleration_mm_s2 = kUnlimited;  ///< Along the path, in moves that are not rapid.
+};
+
+/// What a joint does for the tool.
+enum class JointRole : unsigned char {
+    position,   ///< Carries the tool tip along x, y or z of the axis space.
+    secondary,  ///< Another prismatic joint.
+    rotary,
+};
+
+/// All that a planner has to know of a machine; it does not change while the planner lives.
+struct PlannerSetup {
+    std::vector<JointSetup> joints;
+    PathLimits path;
+    /// The prismatic joints whose values are x, y, z of the tool tip in the axis space (but for a rigid
+    /// motion of the space); -1 where absent. All -1: a machine whose tip position is not carried by joints
+    /// so, which has joint motion alone.
+    std::array<int, 3> position_joints{-1, -1, -1};
+    std::shared_ptr<const kinematics::Kinematics> kinematics;
+    /// How far the end of an arc may lie off the circle, across and along it, before the arc is refused.
+    double arc_tolerance_mm = 0.05;
+    /// Segments that wait before the oldest leaves by itself; at least 2.
+    std::size_t queue_capacity = 64;
+
+    /// What is wrong with the values, as a sentence; nothing where they can be used.
+    std::optional<std::string> validate() const;
+
+    int joint_count() const { return static_cast<int>(joints.size()); }
+    JointRole role(int joint) const;
+    bool has_position_joints() const { return position_joints != std::array{-1, -1, -1}; }
+};
+
+}  // namespace gsim::motion

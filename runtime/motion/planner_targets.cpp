@@ -1,0 +1,244 @@
+// The services of DefaultPlanner that put targets.
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "runtime/kinematics/pose.h"
+#include "runtime/motion/arc_move.h"
+#include "runtime/motion/circle.h"
+#include "runtime/motion/joint_move.h"
+#include "runtime/motion/lead_path.h"
+#include "runtime/motion/line_move.h"
+#include "runtime/motion/planner.h"
+#include "runtime/motion/range_check.h"
+
+namespace gsim::motion {
+
+using rrs::Status;
+
+namespace {
+
+constexpr double kLargestValue = 1e12;  // mm or rad; what is computed from it stays far from overflow
+
+}  // namespace
+
+Status DefaultPlanner::SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                                          std::string_view) {
+    if (!initialized_) return not_initialized();
+    rrs::JointPos position;
+    if (Planned solved = solve_target(cartesian, joints, position); !solved)
+        return tell(std::move(solved.error()));
+    flush();
+    position_ = position;
+    has_position_ = true;
+    via_.reset();
+    return Status::RRS_SUCCESS;
+}
+
+Status DefaultPlanner::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
+                                     const rrs::JointPos& joints, std::string_view, double param_value) {
+    if (Planned ready = ready_for_target(); !ready) return tell(std::move(ready.error()));
+    if (!std::isfinite(param_value))
+        return refuse(Status::RRS_INVALID_PARAMETER, "The target's parameter is not finite.");
+    if (param == rrs::TargetParam::via) return keep_via(cartesian, joints);
+    if (param != rrs::TargetParam::end) {
+        return refuse(Status::RRS_INVALID_PARAMETER, "A target is the end of a motion or a via point.");
+    }
+    Segment& segment = begin_segment(id);
+    Planned planned = solve_target(cartesian, joints, segment.end);
+    if (planned) planned = plan_selected(segment);
+    return finish_target(segment, std::move(planned));
+}
+
+Status DefaultPlanner::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param,
+                                          const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                                          std::string_view configuration, double param_value,
+                                          std::string_view target_name) {
+    const Status status = SetNextTarget(id, param, cartesian, joints, configuration, param_value);
+    if (status != Status::RRS_SUCCESS)
+        error_.message = fmt::format("Target {}: {}", target_name, error_.message);
+    return status;
+}
+
+Status DefaultPlanner::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
+                                        const Eigen::Vector3d& axis, double sweep_rad,
+                                        const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
+    if (Planned ready = ready_for_target(); !ready) return tell(std::move(ready.error()));
+    Segment& segment = begin_segment(id);
+    Planned planned = solve_target(cartesian, joints, segment.end);
+    if (planned) planned = plan_center_arc(center_mm, axis, sweep_rad, segment);
+    return finish_target(segment, std::move(planned));
+}
+
+Status DefaultPlanner::SetNextRest(rrs::TargetId id, double rest_s) {
+    if (Planned ready = ready_for_target(); !ready) return tell(std::move(ready.error()));
+    if (!(rest_s >= 0 && rest_s <= kLongest_s)) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("A rest takes from 0 to {} s; {} was asked for.", kLongest_s, rest_s));
+    }
+    append_rest(id, rest_s);
+    return Status::RRS_SUCCESS;
+}
+
+Planned DefaultPlanner::ready_for_target() {
+    if (!initialized_) {
+        return refused(Status::RRS_NOT_INITIALIZED, "The planner is not initialized; call Initialize first.");
+    }
+    if (!has_position_) {
+        return refused(Status::RRS_NO_INITIAL_POSITION,
+                       "The robot has no position yet; call SetInitialPosition before the first target.");
+    }
+    return make_room(programmed_.rest_s > 0 ? 2 : 1);
+}
+
+Planned DefaultPlanner::make_room(std::size_t segments) {
+    while (queue_.room() < segments) {
+        if (sink_ == nullptr) {
+            return refused(Status::RRS_QUEUE_FULL,
+                           fmt::format("{} targets are waiting; call GetNextStep before more are put.",
+                                       setup_.queue_capacity));
+        }
+        emit_front();
+    }
+    return {};
+}
+
+Planned DefaultPlanner::solve_target(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                                     rrs::JointPos& target) const {
+    Planned solved = programmed_.target_type == rrs::TargetType::joint ? solve_joints(joints, target)
+                                                                       : solve_pose(cartesian, target);
+    if (!solved) return solved;
+    return check_target_ranges(setup_, target);
+}
+
+Planned DefaultPlanner::solve_joints(const rrs::JointPos& joints, rrs::JointPos& target) const {
+    if (joints.size() != setup_.joint_count()) {
+        return refused(Status::RRS_INVALID_PARAMETER,
+                       fmt::format("The target has {} joint values; the machine has {} joints.",
+                                   joints.size(), setup_.joint_count()));
+    }
+    if (!(joints.array().abs() <= kLargestValue).all()) {
+        return refused(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("The target holds a joint value that is not a number within +-{}.", kLargestValue));
+    }
+    target = joints;
+    return {};
+}
+
+Planned DefaultPlanner::solve_pose(const rrs::CartPos& pose, rrs::JointPos& target) const {
+    if (auto checked = kinematics::check_pose(pose); !checked) {
+        return refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+    }
+    auto joints = setup_.kinematics->inverse(pose, position_);
+    if (!joints) return refused(Status::RRS_NO_SOLUTION, std::move(joints.error()));
+    return solve_joints(*joints, target);
+}
+
+Status DefaultPlanner::keep_via(const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
+    if (programmed_.motion_type != rrs::MotionType::circular) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      "A via point belongs to circular motion; select that motion type first.");
+    }
+    rrs::JointPos via;
+    if (Planned solved = solve_target(cartesian, joints, via); !solved)
+        return tell(std::move(solved.error()));
+    via_ = via;
+    return Status::RRS_SUCCESS;
+}
+
+Segment& DefaultPlanner::begin_segment(rrs::TargetId id) {
+    Segment& segment = queue_.next();
+    segment.target_id = id;
+    segment.start_s = end_s_;
+    segment.start = position_;
+    segment.position_joints = setup_.position_joints;
+    segment.clear_followers();
+    return segment;
+}
+
+Status DefaultPlanner::finish_target(const Segment& segment, Planned planned) {
+    if (!planned) return tell(std::move(planned.error()));
+    append(segment);
+    const double asked_s = std::exchange(programmed_.motion_time_s, 0);
+    const double rest_s = std::exchange(programmed_.rest_s, 0);
+    via_.reset();
+    if (rest_s > 0) append_rest(segment.target_id, rest_s);
+    if (asked_s <= 0 || segment.duration_s <= asked_s) return Status::RRS_SUCCESS;
+    return refuse(Status::RRS_MOTION_TIME_RAISED,
+                  fmt::format("The move takes {} s, not {} s: the machine can do it no faster.",
+                              segment.duration_s, asked_s));
+}
+
+void DefaultPlanner::append(const Segment& segment) {
+    queue_.push();
+    position_ = segment.end;
+    end_s_ = segment.end_s();
+}
+
+void DefaultPlanner::append_rest(rrs::TargetId id, double rest_s) {
+    Segment& segment = begin_segment(id);
+    segment.kind = SegmentKind::rest;
+    segment.end = position_;
+    plan_stay(segment, rest_s);
+    append(segment);
+}
+
+Planned DefaultPlanner::plan_selected(Segment& segment) const {
+    switch (programmed_.motion_type) {
+        case rrs::MotionType::joint: return plan_joint_move(setup_, programmed_, segment);
+        case rrs::MotionType::linear: return plan_line(setup_, programmed_.rules(setup_.path), segment);
+        case rrs::MotionType::circular: break;
+    }
+    return plan_via_arc(segment);
+}
+
+Planned DefaultPlanner::plan_via_arc(Segment& segment) const {
+    if (Planned allowed = circular_allowed(); !allowed) return allowed;
+    if (!via_) {
+        return refused(Status::RRS_INVALID_PARAMETER,
+                       "Circular motion needs a via point before its target, which tells the circle.");
+    }
+    Planned circle = arc_through(position_of(setup_, segment.start), position_of(setup_, *via_),
+                                 position_of(setup_, segment.end), segment.arc);
+    return circle ? plan_along_arc(segment) : circle;
+}
+
+Planned DefaultPlanner::plan_center_arc(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& axis,
+                                        double sweep_rad, Segment& segment) const {
+    if (Planned allowed = circular_allowed(); !allowed) return allowed;
+    const bool mapped = programmed_.target_type == rrs::TargetType::cartesian;
+    if (mapped && !axis_space_) {
+        return refused(
+            Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
+            "This machine takes the centre of an arc only with joint targets: its position joints do not "
+            "span the space of the work frame.");
+    }
+    Planned circle = arc_about(position_of(setup_, segment.start), position_of(setup_, segment.end),
+                               mapped ? axis_space_->point(center_mm) : center_mm,
+                               mapped ? axis_space_->turn_axis(axis) : axis, sweep_rad,
+                               setup_.arc_tolerance_mm, segment.arc);
+    return circle ? plan_along_arc(segment) : circle;
+}
+
+Planned DefaultPlanner::plan_along_arc(Segment& segment) const {
+    Planned planned = plan_arc(setup_, programmed_.rules(setup_.path), segment);
+    return planned ? check_arc_ranges(setup_, segment) : planned;
+}
+
+Planned DefaultPlanner::circular_allowed() const {
+    if (!setup_.has_position_joints()) {
+        return refused(
+            Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
+            "Circular motion needs joints that carry the position of the tool; this machine has none.");
+    }
+    if (programmed_.rapid) {
+        return refused(Status::RRS_MODE_NOT_SUPPORTED,
+                       "There is no rapid circular motion; switch SetRapid off.");
+    }
+    return {};
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "runtime/motion/plan_error.h"
+#include "runtime/motion/planner_setup.h"
+#include "runtime/motion/segment.h"
+
+namespace gsim::motion {
+
+/// Whether joint values lie in the joints' ranges; 1e-9 mm or rad beyond counts as rounding. RRS_JOINT_LIMIT.
+Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints);
+
+/// Whether the position joints stay in their ranges all along the arc of a circular segment. RRS_JOINT_LIMIT.
+Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment);
+
+}  // namespace gsim::motion

@@ -1,0 +1,78 @@
+#include "runtime/motion/segment.h"
+
+#include <algorithm>
+
+namespace gsim::motion {
+
+namespace {
+
+void put_arc_position(const Segment& segment, const Eigen::Vector3d& point, rrs::JointPos& position) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = segment.position_joints[static_cast<std::size_t>(axis)];
+        if (joint >= 0) position[joint] = point[axis];
+    }
+}
+
+// The share of the path behind us: 0 to 1.
+double share_of(const TimeLaw& law, double s) {
+    return law.length() > 0 ? s / law.length() : 0;
+}
+
+void put_arc_state(const Segment& segment, const LawState& lead, JointState& state) {
+    const double phi = segment.arc.phi_at(lead.s);
+    const Eigen::Vector3d tangent = segment.arc.tangent(phi);
+    put_arc_position(segment, segment.arc.at(phi), state.position);
+    put_arc_position(segment, lead.v * tangent, state.velocity);
+    put_arc_position(segment, lead.a * tangent + lead.v * lead.v * segment.arc.curvature(phi),
+                     state.acceleration);
+}
+
+}  // namespace
+
+rrs::JointPos Segment::position_at(double t_s) const {
+    if (t_s >= duration_s) return end;
+    if (t_s <= 0) return start;
+    const double s = lead.at(t_s).s;
+    rrs::JointPos position = start + share_of(lead, s) * (end - start);
+    if (kind == SegmentKind::circular) put_arc_position(*this, arc.at(arc.phi_at(s)), position);
+    for (const Follower& follower : followers()) {
+        position[follower.joint] = start[follower.joint] + follower.sign * follower.law.at(t_s).s;
+    }
+    return position;
+}
+
+JointState Segment::at(double t_s) const {
+    const LawState path = lead.at(t_s);
+    const rrs::JointPos way = end - start;
+    const double scale = share_of(lead, 1);
+    JointState state{start + path.s * scale * way, path.v * scale * way, path.a * scale * way};
+    if (kind == SegmentKind::circular) put_arc_state(*this, path, state);
+    for (const Follower& follower : followers()) {
+        const LawState own = follower.law.at(t_s);
+        state.position[follower.joint] = start[follower.joint] + follower.sign * own.s;
+        state.velocity[follower.joint] = follower.sign * own.v;
+        state.acceleration[follower.joint] = follower.sign * own.a;
+    }
+    if (t_s >= duration_s) state.position = end;
+    if (t_s <= 0 && duration_s > 0) state.position = start;
+    return state;
+}
+
+double Segment::path_speed_mm_s(double t_s) const {
+    return lead.at(t_s).v * share_of(lead, length_mm);
+}
+
+double Segment::peak_centripetal_mm_s2() const {
+    if (kind != SegmentKind::circular) return 0;
+    return lead.peak_speed() * lead.peak_speed() * arc.max_curvature();
+}
+
+Range Segment::joint_range(int joint) const {
+    const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
+    const Range ends{std::min(start[joint], end[joint]), std::max(start[joint], end[joint])};
+    if (kind != SegmentKind::circular || axis == position_joints.end()) return ends;
+    const Range way = arc.range(static_cast<int>(axis - position_joints.begin()));
+    return {std::min(ends.min, way.min), std::max(ends.max, way.max)};
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "runtime/motion/arc.h"
+#include "runtime/motion/time_law.h"
+#include "runtime/rrs/types.h"
+
+namespace gsim::motion {
+
+enum class SegmentKind { joint, linear, circular, rest };
+
+/// Joint positions, velocities and accelerations at an instant (mm or rad, s).
+struct JointState {
+    rrs::JointPos position;
+    rrs::JointPos velocity;
+    rrs::JointPos acceleration;
+};
+
+/// A joint that is not on the segment's path but moves in the same time by a law of its own (a rotary axis
+/// beside a linear move). position(t) = start + sign law(t). The law takes the whole duration of the segment.
+struct Follower {
+    int joint;
+    double sign;
+    TimeLaw law;
+};
+
+/// One finished piece of trajectory: a path and its time law. Starts and ends at the given joint values.
+/// Joints that are neither on an arc nor followers go from start to end in proportion to the lead law.
+struct Segment {
+    SegmentKind kind = SegmentKind::rest;
+    rrs::TargetId target_id = 0;
+    double start_s = 0;  ///< On the planner's clock.
+    double duration_s = 0;
+    /// Of the tool's path; 0 where only rotary joints move, in a rest, and in joint motion of a machine whose
+    /// position is not carried by position joints.
+    double length_mm = 0;
+    rrs::JointPos start;
+    rrs::JointPos end;
+    Arc arc;                                         ///< Of a circular segment, in the position joints.
+    std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.
+    TimeLaw lead;  ///< Along the path: of its length in mm, or of the lead joints' norm.
+
+    std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
+    void add_follower(int joint, double sign, const TimeLaw& law) {
+        followers_[follower_count_++] = {joint, sign, law};
+    }
+    void clear_followers() { follower_count_ = 0; }
+
+    double end_s() const { return start_s + duration_s; }
+    /// Positions only, at `t_s` since the start of the segment; exact start and end at the ends.
+    rrs::JointPos position_at(double t_s) const;
+    /// Positions, velocities and accelerations at `t_s` since the start of the segment.
+    JointState at(double t_s) const;
+    /// Speed of the tool along its path (mm/s) at `t_s` since the start of the segment; 0 where length_mm is
+    /// 0.
+    double path_speed_mm_s(double t_s) const;
+    /// The highest acceleration towards the centre on an arc, if it is met at peak speed; 0 on other
+    /// segments. The default planner does not limit it, so that a client can warn.
+    double peak_centripetal_mm_s2() const;
+    /// The lowest and highest value that the joint takes on the way.
+    Range joint_range(int joint) const;
+
+  private:
+    std::array<Follower, rrs::kMaxJoints> followers_;  // only the first follower_count_ hold values
+    std::size_t follower_count_ = 0;
+};
+
+/// Takes finished segments in the order of time, each once.
+class SegmentSink {
+  public:
+    virtual ~SegmentSink() = default;
+    virtual void take(const Segment& segment) = 0;
+};
+
+}  // namespace gsim::motion

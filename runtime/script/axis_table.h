@@ -1,0 +1,15 @@
+#pragma once
+
+#include <lua.hpp>
+
+#include "runtime/script/controller.h"
+
+namespace gsim::script {
+
+/// Pushes a table with the value of every axis by its lower-case letter, in machine coordinates.
+void push_axes(lua_State* state, const Controller& controller, const simulation::AxisVector& values);
+
+/// The axis values of the table at `index`; axes that are not named stay where the machine is.
+simulation::AxisVector check_axes(lua_State* state, const Controller& controller, int index);
+
+}  // namespace gsim::script

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <lua.hpp>
+
+#include "runtime/script/controller.h"
+
+namespace gsim::script {
+
+// Each function adds its functions to the table on top of the stack; `controller` outlives the state.
+
+/// What the library in Lua is built on: `core`, see lua_lib/README.md.
+void add_core(lua_State* state, Controller& controller);
+/// The words of plain moves, in C++ because programs are made of them: core.line_word, core.line.
+void add_motion_words(lua_State* state, Controller& controller);
+/// Robot-neutral moves to poses: core.move_pose, core.move_joint_pose, core.move_circular_pose.
+void add_poses(lua_State* state, Controller& controller);
+/// The services of the controller as scripts call them.
+void add_rrs(lua_State* state, Controller& controller);
+
+}  // namespace gsim::script

@@ -1,0 +1,151 @@
+#include "runtime/script/controller.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "runtime/script/lua_state.h"
+
+namespace gsim::script {
+
+using simulation::AxisVector;
+using simulation::Feed;
+using simulation::Place;
+
+namespace {
+
+constexpr double kSecondsPerMinute = 60;
+constexpr std::string_view kArcWords = "ijkr";
+
+}  // namespace
+
+Controller::Controller(simulation::Simulator& simulator, PlaceFinder& places)
+    : simulator_(simulator), places_(places) {
+    axis_by_letter_.fill(-1);
+    const auto& axes = simulator_.machine().axes;
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        axis_by_letter_[static_cast<std::size_t>(axes[i].letter - 'A')] = static_cast<int>(i);
+    modal_.offset = AxisVector::Zero(static_cast<Eigen::Index>(axes.size()));
+}
+
+int Controller::axis(char letter) const {
+    const int index = (letter | 0x20) - 'a';
+    return index >= 0 && index < 26 ? axis_by_letter_[static_cast<std::size_t>(index)] : -1;
+}
+
+void Controller::enter(lua_State* state, std::size_t word_id) {
+    const Place place = places_.current(state);
+    if (place.line != place_.line || place.file != place_.file || words_in_block_[word_id]) {
+        words_in_block_.reset();
+        place_ = place;
+        if (!simulator_.count_block(place)) LuaState::raise_stop(state);
+    }
+    words_in_block_[word_id] = true;
+}
+
+void Controller::alarm(lua_State* state, const std::string& message) {
+    simulator_.fail(message, place_);
+    LuaState::raise_stop(state);
+}
+
+void Controller::check(lua_State* state, bool done) {
+    if (!done) LuaState::raise_stop(state);
+    LuaState::of(state).restart_steps();
+}
+
+Feed Controller::feed(lua_State* state, std::optional<double> sweep_rad) {
+    const bool is_new = modal_.feed_is_new;
+    modal_.feed_is_new = false;
+    if (modal_.feed_mode == FeedMode::inverse_time) {
+        if (!is_new) alarm(state, "inverse time feed (G93) needs an F in each block that moves");
+        Feed feed;
+        feed.motion_s = sweep_rad.value_or(1.0) * kSecondsPerMinute / modal_.feed;
+        return feed;
+    }
+    if (modal_.feed <= 0) alarm(state, "no feed is in force: program F before the first feed move");
+    double per_min = 1;
+    if (modal_.feed_mode == FeedMode::per_revolution) {
+        if (modal_.spindle_rpm <= 0) alarm(state, "feed per revolution (G95) needs a spindle speed S");
+        per_min = modal_.spindle_rpm;
+    }
+    Feed feed;
+    feed.linear_mm_min = modal_.feed * modal_.feed_unit_mm * per_min;
+    feed.rotary_deg_min = modal_.feed * per_min;
+    return feed;
+}
+
+bool Controller::set_axis(lua_State* state, char letter, double value, AxisVector& target,
+                          std::uint32_t& seen) {
+    int index = axis(letter);
+    bool incremental = modal_.incremental;
+    if (index < 0 && letter >= 'u' && letter <= 'w') {  // an increment of X, Y or Z (Table 2.2 of the thesis)
+        index = axis(static_cast<char>(letter + 3));
+        incremental = true;
+    }
+    if (index < 0) return false;
+    if (!std::isfinite(value))
+        alarm(state, fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
+    if ((seen & (1U << static_cast<unsigned>(index))) != 0) {
+        alarm(state, fmt::format("axis {} is given twice, as itself and as its increment",
+                                 simulator_.machine().axes[static_cast<std::size_t>(index)].letter));
+    }
+    seen |= 1U << static_cast<unsigned>(index);
+    const bool linear =
+        simulator_.machine().axes[static_cast<std::size_t>(index)].kind == machine::AxisKind::linear;
+    const double distance = linear ? value * modal_.unit_mm : value;
+    if (modal_.machine_frame_once) {
+        target[index] = distance;
+    } else {
+        target[index] = incremental ? target[index] + distance : distance + modal_.offset[index];
+    }
+    return true;
+}
+
+void Controller::unknown_word(lua_State* state, std::string_view key, std::string_view others) {
+    if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others.empty()) {
+        alarm(state, "I, J, K and R belong to an arc, and the motion in force is a straight one");
+    }
+    if (key.size() == 1 && std::string_view("abcuvwxyz").find(key) != std::string_view::npos) {
+        alarm(state, fmt::format("the machine '{}' has no axis {}", simulator_.machine().name,
+                                 static_cast<char>(key[0] - 'a' + 'A')));
+    }
+    alarm(state, fmt::format("'{}' is no word that this motion takes", key));
+}
+
+bool Controller::read_target(lua_State* state, int index, std::string_view others, AxisVector& target) {
+    target = simulator_.position();
+    if (lua_isnoneornil(state, index)) return false;
+    luaL_checktype(state, index, LUA_TTABLE);
+    std::uint32_t seen = 0;
+    lua_pushnil(state);
+    while (lua_next(state, index) != 0) {
+        std::size_t size = 0;
+        if (lua_type(state, -2) != LUA_TSTRING) alarm(state, "the words of a motion are named: x=1, y=2");
+        const char* key = lua_tolstring(state, -2, &size);
+        int is_number = 0;
+        const double value = lua_tonumberx(state, -1, &is_number);
+        if (is_number == 0)
+            alarm(state, fmt::format("the value of '{}' is no number", std::string_view(key, size)));
+        const bool is_axis =
+            size == 1 && key[0] >= 'a' && key[0] <= 'z' && set_axis(state, key[0], value, target, seen);
+        if (!is_axis &&
+            others.find(fmt::format(" {} ", std::string_view(key, size))) == std::string_view::npos) {
+            unknown_word(state, std::string_view(key, size), others);
+        }
+        lua_pop(state, 1);
+    }
+    if (seen != 0) modal_.machine_frame_once = false;
+    return seen != 0;
+}
+
+void Controller::line(lua_State* state, bool rapid, int index) {
+    simulation::LineMove move;
+    if (!read_target(state, index, {}, move.target)) return;
+    move.rapid = rapid;
+    if (!rapid) move.feed = feed(state, std::nullopt);
+    move.place = place_;
+    check(state, simulator_.move(move));
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <lua.hpp>
+
+#include "runtime/script/place_finder.h"
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::script {
+
+inline constexpr std::size_t kMaxWordIds = 1024;
+
+enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };
+
+/// What the library's C++ side knows of the control's modal state, as far as a plain move needs it; the
+/// library in Lua sets it. Machine coordinate = program value * unit + offset.
+struct ModalState {
+    double unit_mm = 1;  ///< Of a program unit on linear axes: 1, or 25.4 in inch mode.
+    bool incremental = false;
+    bool machine_frame_once = false;  ///< The next move is in machine coordinates (G53).
+    simulation::AxisVector offset;    ///< mm or deg by axis.
+    FeedMode feed_mode = FeedMode::per_minute;
+    double feed = 0;           ///< As programmed; 0: none yet.
+    double feed_unit_mm = 1;   ///< Unit in force when it was programmed.
+    bool feed_is_new = false;  ///< No move has used it yet.
+    double spindle_rpm = 0;
+    bool has_modal_line = false;  ///< The modal motion is rapid or linear, and `modal_rapid` says which.
+    bool modal_rapid = true;
+};
+
+/// One control while it runs a script: joins the simulator, the modal state and the place in the script.
+class Controller {
+  public:
+    Controller(simulation::Simulator& simulator, PlaceFinder& places);
+
+    simulation::Simulator& simulator() { return simulator_; }
+    const simulation::Simulator& simulator() const { return simulator_; }
+    PlaceFinder& places() { return places_; }
+    ModalState& modal() { return modal_; }
+    const simulation::Place& place() const { return place_; }
+    /// Index of the axis with this lower or upper case letter, or -1.
+    int axis(char letter) const;
+
+    /// A word of the library is called: finds its place, and counts a block where the line is another one or
+    /// the word has been called in this block before. Raises the end of the run at its limit.
+    void enter(lua_State* state, std::size_t word_id);
+    /// Looks up the place only, for functions that are no words.
+    void locate(lua_State* state, int level = 1) { place_ = places_.current(state, level); }
+
+    /// Ends the run with an alarm at the current place; does not return.
+    [[noreturn]] void alarm(lua_State* state, const std::string& message);
+    /// Goes on after true; after false the simulator has an alarm, and the run ends.
+    void check(lua_State* state, bool done);
+    /// The feed of the next move; `sweep_rad` of an arc, which inverse time needs. Raises an alarm without F.
+    simulation::Feed feed(lua_State* state, std::optional<double> sweep_rad);
+
+    /// Reads axis words of the table at `index` into a target in machine coordinates. Keys that are no axis
+    /// are allowed if `others` holds them, each between blanks (" i j "), else an alarm. True where at least
+    /// one axis was given.
+    bool read_target(lua_State* state, int index, std::string_view others, simulation::AxisVector& target);
+    /// The move of a plain rapid or linear word with its words at `index`.
+    void line(lua_State* state, bool rapid, int index);
+
+    /// Reference in the registry of the function that is told when G00 or G01 becomes the modal motion.
+    int on_modal_line = LUA_NOREF;
+
+  private:
+    bool set_axis(lua_State* state, char letter, double value, simulation::AxisVector& target,
+                  std::uint32_t& seen);
+    [[noreturn]] void unknown_word(lua_State* state, std::string_view key, std::string_view others);
+
+    simulation::Simulator& simulator_;
+    PlaceFinder& places_;
+    ModalState modal_;
+    simulation::Place place_;
+    std::bitset<kMaxWordIds> words_in_block_;
+    std::array<int, 26> axis_by_letter_{};
+};
+
+}  // namespace gsim::script

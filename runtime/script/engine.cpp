@@ -1,0 +1,312 @@
+#include "runtime/script/engine.h"
+
+#include <charconv>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "runtime/script/bindings.h"
+#include "runtime/script/sandbox.h"
+
+namespace gsim::script {
+
+using simulation::Place;
+
+namespace {
+
+void push_reference(lua_State* state, int reference) {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
+}
+
+/// Pushes the value of a program's name as the translator writes it: 12, "PART7" with its quotes, or nil.
+void push_name(lua_State* state, const std::string& name) {
+    if (name == "nil") {
+        lua_pushnil(state);
+    } else if (name.size() >= 2 && name.front() == '"') {
+        lua_pushlstring(state, name.data() + 1, name.size() - 2);
+    } else {
+        lua_Integer number = 0;
+        std::from_chars(name.data(), name.data() + name.size(), number);
+        lua_pushinteger(state, number);
+    }
+}
+
+/// Compiles a text and gives it the environment at `environment`; leaves the function on the stack, or
+/// raises.
+void load_text(lua_State* state, const std::string& text, const char* name, int environment) {
+    if (luaL_loadbufferx(state, text.data(), text.size(), name, "t") != LUA_OK) lua_error(state);
+    push_reference(state, environment);
+    lua_setupvalue(state, -2, 1);
+}
+
+void copy_all(lua_State* state, int from, int to) {
+    lua_pushnil(state);
+    while (lua_next(state, from) != 0) {
+        lua_pushvalue(state, -2);
+        lua_insert(state, -2);
+        lua_rawset(state, to);
+    }
+}
+
+}  // namespace
+
+Script Script::from_text(std::string text, std::string file_name, std::int64_t line_difference) {
+    Script script;
+    script.file_name = std::move(file_name);
+    script.line_difference = line_difference;
+    script.size = text.size();
+    script.read = [held = std::move(text)](std::uint64_t begin, std::uint64_t end) {
+        return held.substr(begin, end - begin);
+    };
+    return script;
+}
+
+Engine::Engine(simulation::Simulator& simulator, Options options)
+    : simulator_(simulator),
+      options_(std::move(options)),
+      controller_(simulator, places_),
+      lua_(options_.limits) {
+    lua_.on_last_step([this](lua_State* state) { controller_.locate(state, 0); });
+    if (!judge(call_protected([](Engine& engine) {
+            engine.open_environment();
+            engine.call_include("init.lua");
+        }))) {
+        throw std::runtime_error("the library in Lua cannot be loaded: " + simulator_.alarm()->message);
+    }
+}
+
+/// Runs `work` where errors of Lua are caught; the status is that of lua_pcall.
+int Engine::call_protected(void (*work)(Engine&)) {
+    lua_State* state = lua_.get();
+    work_ = work;
+    lua_settop(state, 0);
+    lua_pushlightuserdata(state, this);
+    lua_pushcclosure(state, handle_error, 1);
+    lua_pushlightuserdata(state, this);
+    lua_pushcclosure(state, trampoline<do_work>, 1);
+    return lua_pcall(state, 0, 0, 1);
+}
+
+int Engine::do_work(lua_State* state) {
+    auto& engine = bound<Engine>(state);
+    engine.work_(engine);
+    return 0;
+}
+
+/// What a script sees (the environment) and what the library's files see: the same safe functions, and the
+/// core.
+void Engine::open_environment() {
+    lua_State* state = lua_.get();
+    push_safe_library(state);
+    make_nil_vacant(state);
+    const int safe = lua_gettop(state);
+    lua_newtable(state);
+    const int environment = lua_gettop(state);
+    copy_all(state, safe, environment);
+    lua_newtable(state);
+    add_rrs(state, controller_);
+    lua_setfield(state, environment, "rrs");
+    set_require(state, environment);
+    lua_newtable(state);
+    const int library = lua_gettop(state);
+    copy_all(state, safe, library);
+    for (const char* name : {"setmetatable", "rawget", "rawset"}) {
+        lua_getglobal(state, name);
+        lua_setfield(state, library, name);
+    }
+    lua_newtable(state);
+    add_core(state, controller_);
+    add_motion_words(state, controller_);
+    add_poses(state, controller_);
+    set_function<load_program>(state, "load_program", this);
+    set_options(state);
+    set_data(state);
+    lua_setfield(state, library, "core");
+    lua_pushvalue(state, environment);
+    lua_setfield(state, library, "env");
+    lua_pushvalue(state, library);
+    set_function<include_file>(state, "include", this);
+    lua_pop(state, 1);
+    library_ = luaL_ref(state, LUA_REGISTRYINDEX);
+    environment_ = luaL_ref(state, LUA_REGISTRYINDEX);
+}
+
+void Engine::set_require(lua_State* state, int environment) {
+    lua_pushvalue(state, environment);
+    lua_pushcclosure(state, trampoline<require_gsim>, 1);
+    lua_setfield(state, environment, "require");
+}
+
+/// require "gsim": the environment; there is nothing else to require.
+int Engine::require_gsim(lua_State* state) {
+    const std::string_view name = luaL_checkstring(state, 1);
+    if (name != "gsim")
+        return luaL_error(state, "require finds \"gsim\" alone, not \"%s\"", lua_tostring(state, 1));
+    lua_pushvalue(state, lua_upvalueindex(1));
+    return 1;
+}
+
+/// Fields of `core` that the command line decides; the table is on top of the stack.
+void Engine::set_options(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(options_.block_delete));
+    lua_setfield(state, -2, "block_delete");
+    lua_pushboolean(state, static_cast<int>(options_.optional_stop));
+    lua_setfield(state, -2, "optional_stop");
+}
+
+/// core.offsets["54"].x in mm or deg, core.variables[500]; the table of core is on top of the stack.
+void Engine::set_data(lua_State* state) {
+    lua_newtable(state);
+    for (const auto& [code, values] : options_.data.offsets) {
+        lua_newtable(state);
+        for (const auto& [letter, value] : values) {
+            const char key[] = {static_cast<char>(letter | 0x20), '\0'};
+            lua_pushnumber(state, value);
+            lua_setfield(state, -2, key);
+        }
+        lua_setfield(state, -2, code.c_str());
+    }
+    lua_setfield(state, -2, "offsets");
+    lua_newtable(state);
+    for (const auto& [number, value] : options_.data.variables) {
+        lua_pushnumber(state, value);
+        lua_rawseti(state, -2, number);
+    }
+    lua_setfield(state, -2, "variables");
+}
+
+void Engine::call_include(const std::string& file_name) {
+    lua_State* state = lua_.get();
+    const tl::expected<std::string, std::string> text = options_.library.read(file_name);
+    if (!text) throw std::runtime_error(text.error());
+    load_text(state, *text, ("=lua_lib/" + file_name).c_str(), library_);
+    lua_call(state, 0, 0);
+}
+
+/// include "file": runs another file of the library.
+int Engine::include_file(lua_State* state) {
+    bound<Engine>(state).call_include(std::string(luaL_checkstring(state, 1)) + ".lua");
+    return 0;
+}
+
+bool Engine::run(Script script) {
+    pending_ = std::move(script);
+    return judge(call_protected([](Engine& engine) {
+        engine.load_script(std::move(engine.pending_));
+        engine.call_library("run_first");
+    }));
+}
+
+void Engine::call_library(const char* function) {
+    lua_State* state = lua_.get();
+    push_reference(state, library_);
+    lua_getfield(state, -1, function);
+    lua_call(state, 0, 0);
+    lua_pop(state, 1);
+}
+
+/// Loads a script: its programs are registered, its other statements run.
+void Engine::load_script(Script script) {
+    lua_State* state = lua_.get();
+    loaded_.push_back(std::make_unique<Loaded>());
+    Loaded& loaded = *loaded_.back();
+    loaded.script = std::move(script);
+    loaded.file = simulator_.add_file(loaded.script.file_name);
+    if (loaded.script.programs.empty()) {
+        compile(loaded, {0, loaded.script.size, 1});
+        lua_call(state, 0, 0);
+        return;
+    }
+    for (std::size_t i = 0; i < loaded.script.programs.size(); ++i) {
+        push_reference(state, environment_);
+        lua_getfield(state, -1, "program");
+        push_name(state, loaded.script.programs[i].name);
+        lua_pushlightuserdata(state, this);
+        lua_pushlightuserdata(state, &loaded);
+        lua_pushinteger(state, static_cast<lua_Integer>(i));
+        lua_pushcclosure(state, trampoline<program_body>, 3);
+        lua_call(state, 2, 0);
+        lua_pop(state, 1);
+    }
+}
+
+/// Compiles one stretch of a script; the function is left on the stack.
+void Engine::compile(Loaded& loaded, const ScriptChunk& chunk) {
+    std::string& name = loaded.chunk_names[chunk.begin];
+    if (name.empty()) name = places_.add({loaded.file, loaded.script.line_difference + chunk.line - 1});
+    load_text(lua_.get(), loaded.script.read(chunk.begin, chunk.end), name.c_str(), environment_);
+}
+
+/// The body of a program that runs in pieces; upvalues: engine, script, number of the program in it.
+int Engine::program_body(lua_State* state) {
+    Engine& engine = bound<Engine>(state);
+    auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
+    const auto program = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
+    const std::vector<ScriptChunk>& chunks = loaded.script.programs[program].chunks;
+    if (chunks.size() == 1) {  // a subprogram, likely called again: compiled once
+        const auto [place, is_new] = loaded.compiled.try_emplace(program, LUA_NOREF);
+        if (is_new) {
+            engine.compile(loaded, chunks.front());
+            place->second = luaL_ref(state, LUA_REGISTRYINDEX);
+        }
+        push_reference(state, place->second);
+        lua_call(state, 0, 1);
+        return 1;
+    }
+    for (const ScriptChunk& chunk : chunks) {
+        engine.compile(loaded, chunk);
+        lua_call(state, 0, 1);
+        if (!lua_isnil(state, -1)) return 1;
+        lua_pop(state, 1);
+        if (engine.options_.progress) engine.options_.progress(chunk.end, loaded.script.size);
+    }
+    return 0;
+}
+
+/// core.load_program(number): true where a file of that program was found and loaded.
+int Engine::load_program(lua_State* state) {
+    Engine& engine = bound<Engine>(state);
+    const auto number = static_cast<std::uint32_t>(luaL_checkinteger(state, 1));
+    if (!engine.options_.find_program) return 0;
+    tl::expected<std::optional<Script>, std::string> script = engine.options_.find_program(number);
+    if (!script) engine.controller_.alarm(state, script.error());
+    if (!*script) return 0;
+    engine.load_script(std::move(**script));
+    lua_pushboolean(state, 1);
+    return 1;
+}
+
+/// Notes what went wrong and where, while the stack still stands.
+int Engine::handle_error(lua_State* state) {
+    Engine& engine = bound<Engine>(state);
+    if (LuaState::is_stop(state, 1)) return 1;
+    const char* text = lua_tostring(state, 1);
+    engine.error_ =
+        text != nullptr ? text : fmt::format("an error that is no text but a {}", luaL_typename(state, 1));
+    engine.error_place_ = engine.places_.strip(engine.error_);
+    if (engine.error_place_.line == 0) engine.error_place_ = engine.places_.current(state);
+    return 1;
+}
+
+/// What the end of a protected call means for the run.
+bool Engine::judge(int status) {
+    lua_State* state = lua_.get();
+    if (status == LUA_OK) return !simulator_.alarm();
+    const Place place = controller_.place();
+    if (status == LUA_ERRMEM || lua_.ended() == LuaState::Ended::memory) {
+        return simulator_.stop(fmt::format("the script needs more than {} MB of memory (--memory)",
+                                           lua_.limits().memory_bytes >> 20U),
+                               place);
+    }
+    if (lua_.ended() == LuaState::Ended::steps) {
+        return simulator_.stop(
+            fmt::format(
+                "{} steps of the script without a motion or a dwell (--max-steps): is this an endless loop?",
+                lua_.limits().steps),
+            place);
+    }
+    if (LuaState::is_stop(state, -1)) return !simulator_.alarm();
+    return simulator_.fail(error_.empty() ? "an error in the handling of an error" : error_, error_place_);
+}
+
+}  // namespace gsim::script

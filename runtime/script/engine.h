@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/machine/machine_data.h"
+#include "runtime/script/controller.h"
+#include "runtime/script/library.h"
+#include "runtime/script/lua_state.h"
+#include "runtime/script/place_finder.h"
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::script {
+
+/// A stretch of a program's Lua that can be compiled and run by itself.
+struct ScriptChunk {
+    std::uint64_t begin = 0;  ///< Bytes [begin, end) of the text.
+    std::uint64_t end = 0;
+    std::uint32_t line = 1;  ///< Line of the Lua on which it begins.
+};
+
+/// One program of a long script, to be run chunk by chunk.
+struct ScriptProgram {
+    std::string name;  ///< A Lua literal: number, quoted text, or nil.
+    std::vector<ScriptChunk> chunks;
+};
+
+/// The Lua that is run, as a whole or, where `programs` is not empty, in pieces, so that memory does not grow
+/// with it. `read` gives bytes [begin, end) of it.
+struct Script {
+    std::string file_name;  ///< For places: of the G-code where lines are known to match, else of the Lua.
+    std::int64_t line_difference =
+        0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
+    std::uint64_t size = 0;
+    std::function<std::string(std::uint64_t begin, std::uint64_t end)> read;
+    std::vector<ScriptProgram> programs;
+
+    static Script from_text(std::string text, std::string file_name, std::int64_t line_difference);
+};
+
+/// Finds a program that is called and is not in the script: the Lua of its file, no value if there is no such
+/// file, or a sentence that says what is wrong with it.
+using FindProgram = std::function<tl::expected<std::optional<Script>, std::string>(std::uint32_t number)>;
+
+/// Runs one script on one simulator: the Lua state, the library and what joins them.
+class Engine {
+  public:
+    struct Options {
+        LuaState::Limits limits;
+        Library library;
+        machine::MachineData data;
+        FindProgram find_program;
+        bool block_delete = false;
+        bool optional_stop = false;
+        std::function<void(std::uint64_t done, std::uint64_t total)> progress;
+    };
+
+    /// Loads the library. Throws std::runtime_error with a sentence where that cannot be done.
+    Engine(simulation::Simulator& simulator, Options options);
+
+    /// Runs to the end, to an alarm or to a limit; what happened is the simulator's to tell. False where
+    /// there was an alarm or a limit.
+    bool run(Script script);
+
+  private:
+    struct Loaded {
+        Script script;
+        std::uint32_t file = 0;
+        std::map<std::uint64_t, std::string> chunk_names;  ///< By where the chunk begins, once compiled.
+        std::map<std::size_t, int> compiled;               ///< By program: the function of its only chunk.
+    };
+
+    int call_protected(void (*work)(Engine&));
+    bool judge(int status);
+    void open_environment();
+    static void set_require(lua_State* state, int environment);
+    void set_options(lua_State* state);
+    void set_data(lua_State* state);
+    void call_include(const std::string& file_name);
+    void call_library(const char* function);
+    void load_script(Script script);
+    void compile(Loaded& loaded, const ScriptChunk& chunk);
+
+    static int do_work(lua_State* state);
+    static int handle_error(lua_State* state);
+    static int program_body(lua_State* state);
+    static int include_file(lua_State* state);
+    static int load_program(lua_State* state);
+    static int require_gsim(lua_State* state);
+
+    simulation::Simulator& simulator_;
+    Options options_;
+    PlaceFinder places_;
+    Controller controller_;
+    LuaState lua_;
+    void (*work_)(Engine&) = nullptr;
+    std::vector<std::unique_ptr<Loaded>> loaded_;
+    Script pending_;
+    std::string error_;
+    simulation::Place error_place_;
+    int environment_ = LUA_NOREF;  ///< What scripts see.
+    int library_ = LUA_NOREF;      ///< What the library's files see.
+};
+
+}  // namespace gsim::script

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <string>
+
+#include <lua.hpp>
+
+namespace gsim::script {
+
+/// A Lua state that counts its memory and its steps. Running out of either cannot be caught by a script: what
+/// is raised then is kStop, which the sandbox's pcall passes on.
+class LuaState {
+  public:
+    struct Limits {
+        std::size_t memory_bytes = std::size_t{2048} << 20U;
+        std::uint64_t steps = 200'000'000;  ///< Instructions without a motion or a dwell in between.
+    };
+    /// Why kStop was raised, where it was the state itself that raised it.
+    enum class Ended : std::uint8_t { no, memory, steps };
+
+    explicit LuaState(Limits limits);
+    ~LuaState();
+    LuaState(const LuaState&) = delete;
+    LuaState& operator=(const LuaState&) = delete;
+
+    lua_State* get() const { return state_; }
+    Ended ended() const { return ended_; }
+    /// The machine has moved on: the count of steps starts anew.
+    void restart_steps() { steps_ = 0; }
+    std::size_t peak_memory_bytes() const { return peak_bytes_; }
+    const Limits& limits() const { return limits_; }
+    /// Called before the run ends for its steps, while the script's stack still stands.
+    void on_last_step(std::function<void(lua_State*)> call) { on_last_step_ = std::move(call); }
+
+    /// The LuaState of a lua_State.
+    static LuaState& of(lua_State* state);
+    /// Raises kStop; does not return.
+    [[noreturn]] static void raise_stop(lua_State* state);
+    /// True where the value at `index` is what raise_stop() raises.
+    static bool is_stop(lua_State* state, int index);
+    /// To be called on a caught error: an error that no script may catch is raised again.
+    static void pass_on(lua_State* state, int status);
+
+  private:
+    static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+    static void count_steps(lua_State* state, lua_Debug* event);
+
+    Limits limits_;
+    std::size_t bytes_ = 0;
+    std::size_t peak_bytes_ = 0;
+    std::uint64_t steps_ = 0;
+    Ended ended_ = Ended::no;
+    std::function<void(lua_State*)> on_last_step_;
+    lua_State* state_ = nullptr;
+};
+
+/// A C++ function as Lua calls it: an exception becomes an error of Lua with its text.
+template <int (*Function)(lua_State*)>
+int trampoline(lua_State* state) {
+    // Lua's own errors pass as exceptions of another type; only what C++ throws is turned into one of Lua.
+    try {
+        return Function(state);
+    } catch (const std::exception& error) {
+        lua_pushstring(state, error.what());
+    }
+    return lua_error(state);
+}
+
+/// Sets field `name` of the table on top of the stack to a C++ function with `upvalue` as light userdata.
+template <int (*Function)(lua_State*)>
+void set_function(lua_State* state, const char* name, void* upvalue) {
+    lua_pushlightuserdata(state, upvalue);
+    lua_pushcclosure(state, trampoline<Function>, 1);
+    lua_setfield(state, -2, name);
+}
+
+/// The object that set_function() bound.
+template <typename Object>
+Object& bound(lua_State* state) {
+    return *static_cast<Object*>(lua_touserdata(state, lua_upvalueindex(1)));
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,339 @@
+#include <array>
+#include <string>
+
+#include "runtime/script/bindings.h"
+#include "runtime/script/lua_state.h"
+#include "runtime/script/pose_table.h"
+
+// The services as scripts call them: each returns the status first, then what the service gives. A target
+// that a script queues itself is recorded at the script's line as a rapid or linear move, by the motion type
+// in force.
+
+namespace gsim::script {
+
+using rrs::Status;
+
+namespace {
+
+Controller& self(lua_State* state) {
+    return bound<Controller>(state);
+}
+
+rrs::Shell& shell(lua_State* state) {
+    return self(state).simulator().controller();
+}
+
+std::size_t joint_count(lua_State* state) {
+    return self(state).simulator().machine().axes.size();
+}
+
+int answer(lua_State* state, Status status) {
+    lua_pushinteger(state, static_cast<lua_Integer>(status));
+    return 1;
+}
+
+std::string_view text(lua_State* state, int index) {
+    return luaL_checkstring(state, index);
+}
+
+int whole(lua_State* state, int index) {
+    return static_cast<int>(luaL_checkinteger(state, index));
+}
+
+/// A list of numbers, or one number for all.
+std::vector<double> numbers(lua_State* state, int index, std::size_t count) {
+    if (lua_isnumber(state, index) != 0) return std::vector<double>(count, lua_tonumber(state, index));
+    const rrs::JointPos values = check_joints(state, index, count);
+    return {values.begin(), values.end()};
+}
+
+struct Target {
+    rrs::CartPos pose = rrs::CartPos::Identity();
+    rrs::JointPos joints;
+};
+
+/// A target: a list of joint values, or a pose.
+Target check_target(lua_State* state, int index) {
+    Target target;
+    luaL_checktype(state, index, LUA_TTABLE);
+    target.joints = rrs::JointPos::Zero(static_cast<Eigen::Index>(joint_count(state)));
+    lua_rawgeti(state, index, 1);
+    const bool is_pose = lua_istable(state, -1);
+    lua_pop(state, 1);
+    if (is_pose) {
+        target.pose = check_pose(state, index);
+    } else {
+        target.joints = check_joints(state, index, joint_count(state));
+    }
+    return target;
+}
+
+template <Status (rrs::Shell::*Service)()>
+int plain(lua_State* state) {
+    return answer(state, (shell(state).*Service)());
+}
+
+template <Status (rrs::Shell::*Service)(double)>
+int with_number(lua_State* state) {
+    return answer(state, (shell(state).*Service)(luaL_checknumber(state, 1)));
+}
+
+template <Status (rrs::Shell::*Service)(int)>
+int with_integer(lua_State* state) {
+    return answer(state, (shell(state).*Service)(whole(state, 1)));
+}
+
+template <Status (rrs::Shell::*Service)(bool)>
+int with_switch(lua_State* state) {
+    return answer(state, (shell(state).*Service)(lua_toboolean(state, 1) != 0));
+}
+
+template <Status (rrs::Shell::*Service)(std::span<const int>, std::span<const double>)>
+int with_joints(lua_State* state) {
+    return answer(state, (shell(state).*Service)({}, numbers(state, 1, joint_count(state))));
+}
+
+int initialize(lua_State* state) {  // the run has opened the session
+    return answer(state, Status::RRS_SUCCESS);
+}
+
+int owned_by_the_run(lua_State* state) {
+    return answer(state, Status::RRS_SERVICE_NOT_SUPPORTED);
+}
+
+int get_message(lua_State* state) {
+    std::string message;
+    const Status status = shell(state).GetMessage(message);
+    answer(state, status);
+    lua_pushlstring(state, message.data(), message.size());
+    return 2;
+}
+
+int get_inverse_kinematics(lua_State* state) {
+    rrs::JointPos joints;
+    const rrs::JointPos near = lua_isnoneornil(state, 2) ? self(state).simulator().controller().position()
+                                                         : check_joints(state, 2, joint_count(state));
+    const Status status = shell(state).GetInverseKinematics(check_pose(state, 1), near, joints);
+    answer(state, status);
+    if (static_cast<int>(status) < 0) return 1;
+    push_joints(state, joints);
+    return 2;
+}
+
+int get_forward_kinematics(lua_State* state) {
+    rrs::CartPos pose;
+    const Status status = shell(state).GetForwardKinematics(check_joints(state, 1, joint_count(state)), pose);
+    answer(state, status);
+    if (static_cast<int>(status) < 0) return 1;
+    push_pose(state, pose);
+    return 2;
+}
+
+int get_cell_frame(lua_State* state) {
+    rrs::CartPos frame;
+    const Status status = shell(state).GetCellFrame(text(state, 1), frame);
+    answer(state, status);
+    if (static_cast<int>(status) < 0) return 1;
+    push_pose(state, frame);
+    return 2;
+}
+
+int modify_cell_frame(lua_State* state) {
+    return answer(state, shell(state).ModifyCellFrame(text(state, 1), check_pose(state, 2)));
+}
+
+int select_work_frames(lua_State* state) {
+    return answer(state, shell(state).SelectWorkFrames(text(state, 1), text(state, 2)));
+}
+
+int select_target_type(lua_State* state) {
+    static const char* const kNames[] = {"cartesian", "joint", nullptr};
+    return answer(state, shell(state).SelectTargetType(
+                             static_cast<rrs::TargetType>(luaL_checkoption(state, 1, nullptr, kNames))));
+}
+
+int select_motion_type(lua_State* state) {
+    static const char* const kNames[] = {"joint", "linear", "circular", nullptr};
+    static constexpr std::array kTypes = {rrs::MotionType::joint, rrs::MotionType::linear,
+                                          rrs::MotionType::circular};
+    return answer(state, shell(state).SelectMotionType(
+                             kTypes[static_cast<std::size_t>(luaL_checkoption(state, 1, nullptr, kNames))]));
+}
+
+int select_dominant_interpolation(lua_State* state) {
+    static const char* const kNames[] = {"automatic", "position", "orientation", nullptr};
+    return answer(state, shell(state).SelectDominantInterpolation(
+                             static_cast<rrs::Dominance>(luaL_checkoption(state, 1, nullptr, kNames))));
+}
+
+int set_initial_position(lua_State* state) {
+    const Target target = check_target(state, 1);
+    return answer(state, self(state).simulator().set_start([&] {
+        return shell(state).SetInitialPosition(target.pose, target.joints, {});
+    }));
+}
+
+/// rrs.SetNextTarget(target [, "via"]) and rrs.SetNextNamedTarget(target, name).
+int queue(lua_State* state, rrs::TargetParam param, const std::string& name) {
+    Controller& controller = self(state);
+    controller.locate(state);
+    const Target target = check_target(state, 1);
+    const auto call = [&](rrs::TargetId id) {
+        return shell(state).SetNextNamedTarget(id, param, target.pose, target.joints, {}, 0, name);
+    };
+    if (param == rrs::TargetParam::via) return answer(state, call(0));
+    const Status status =
+        controller.simulator().queue_target(simulation::MoveKind::linear, controller.place(), call);
+    LuaState::of(state).restart_steps();
+    return answer(state, status);
+}
+
+int set_next_target(lua_State* state) {
+    static const char* const kParams[] = {"end", "via", nullptr};
+    return queue(state, static_cast<rrs::TargetParam>(luaL_checkoption(state, 2, "end", kParams)), {});
+}
+
+int set_next_named_target(lua_State* state) {
+    return queue(state, rrs::TargetParam::end, luaL_checkstring(state, 2));
+}
+
+int get_next_step(lua_State* state) {
+    rrs::JointPos joints;
+    rrs::CartPos pose;
+    double elapsed_s = 0;
+    const Status status = shell(state).GetNextStep(joints, pose, elapsed_s);
+    answer(state, status);
+    if (static_cast<int>(status) < 0) return 1;
+    push_joints(state, joints);
+    push_pose(state, pose);
+    lua_pushnumber(state, elapsed_s);
+    return 4;
+}
+
+int set_flyby_criteria_parameter(lua_State* state) {
+    return answer(state, shell(state).SetFlybyCriteriaParameter(whole(state, 1), whole(state, 2),
+                                                                luaL_checknumber(state, 3)));
+}
+
+int set_point_accuracy_parameter(lua_State* state) {
+    return answer(state, shell(state).SetPointAccuracyParameter(whole(state, 1), luaL_checknumber(state, 2)));
+}
+
+int define_event(lua_State* state) {
+    return answer(state, shell(state).DefineEvent(whole(state, 1), luaL_checkinteger(state, 2),
+                                                  luaL_checknumber(state, 3)));
+}
+
+int get_event(lua_State* state) {
+    int event = 0;
+    double time_s = 0;
+    const Status status = shell(state).GetEvent(whole(state, 1), event, time_s);
+    answer(state, status);
+    if (static_cast<int>(status) < 0) return 1;
+    lua_pushinteger(state, event);
+    lua_pushnumber(state, time_s);
+    return 3;
+}
+
+int select_tracking(lua_State* state) {
+    return answer(state, shell(state).SelectTracking(whole(state, 1), lua_toboolean(state, 2) != 0));
+}
+
+int set_conveyor_position(lua_State* state) {
+    return answer(state, shell(state).SetConveyorPosition(whole(state, 1), luaL_checknumber(state, 2)));
+}
+
+int set_object_next_target(lua_State* state) {
+    return answer(state, shell(state).SetObjectNextTarget(0, check_pose(state, 1)));
+}
+
+int get_next_object_step(lua_State* state) {
+    rrs::CartPos pose;
+    double elapsed_s = 0;
+    const Status status = shell(state).GetNextObjectStep(pose, elapsed_s);
+    answer(state, status);
+    if (static_cast<int>(status) < 0) return 1;
+    push_pose(state, pose);
+    lua_pushnumber(state, elapsed_s);
+    return 3;
+}
+
+/// rrs.status_name(status)
+int status_name(lua_State* state) {
+    const std::string_view name = rrs::name(static_cast<Status>(whole(state, 1)));
+    lua_pushlstring(state, name.data(), name.size());
+    return 1;
+}
+
+struct Entry {
+    const char* name;
+    lua_CFunction function;
+};
+
+using S = rrs::Shell;
+
+const std::array kEntries = {
+    Entry{"Initialize", trampoline<initialize>},
+    Entry{"Reset", trampoline<owned_by_the_run>},
+    Entry{"Terminate", trampoline<owned_by_the_run>},
+    Entry{"GetMessage", trampoline<get_message>},
+    Entry{"GetInverseKinematics", trampoline<get_inverse_kinematics>},
+    Entry{"GetForwardKinematics", trampoline<get_forward_kinematics>},
+    Entry{"GetCellFrame", trampoline<get_cell_frame>},
+    Entry{"ModifyCellFrame", trampoline<modify_cell_frame>},
+    Entry{"SelectWorkFrames", trampoline<select_work_frames>},
+    Entry{"SelectTargetType", trampoline<select_target_type>},
+    Entry{"SelectTrajectoryMode", trampoline<with_integer<&S::SelectTrajectoryMode>>},
+    Entry{"SetInitialPosition", trampoline<set_initial_position>},
+    Entry{"SetNextTarget", trampoline<set_next_target>},
+    Entry{"SetNextNamedTarget", trampoline<set_next_named_target>},
+    Entry{"GetNextStep", trampoline<get_next_step>},
+    Entry{"SetInterpolationTime", trampoline<with_number<&S::SetInterpolationTime>>},
+    Entry{"SelectMotionType", trampoline<select_motion_type>},
+    Entry{"SelectOrientationInterpolationMode",
+          trampoline<with_integer<&S::SelectOrientationInterpolationMode>>},
+    Entry{"SelectDominantInterpolation", trampoline<select_dominant_interpolation>},
+    Entry{"SetJointSpeeds", trampoline<with_joints<&S::SetJointSpeeds>>},
+    Entry{"SetJointAccelerations", trampoline<with_joints<&S::SetJointAccelerations>>},
+    Entry{"SetJointJerks", trampoline<with_joints<&S::SetJointJerks>>},
+    Entry{"SetCartesianPositionSpeed", trampoline<with_number<&S::SetCartesianPositionSpeed>>},
+    Entry{"SetCartesianOrientationSpeed", trampoline<with_number<&S::SetCartesianOrientationSpeed>>},
+    Entry{"SetCartesianPositionAcceleration", trampoline<with_number<&S::SetCartesianPositionAcceleration>>},
+    Entry{"SetCartesianOrientationAcceleration",
+          trampoline<with_number<&S::SetCartesianOrientationAcceleration>>},
+    Entry{"SetOverrideSpeed", trampoline<with_number<&S::SetOverrideSpeed>>},
+    Entry{"SetOverrideAcceleration", trampoline<with_number<&S::SetOverrideAcceleration>>},
+    Entry{"SelectFlybyMode", trampoline<with_switch<&S::SelectFlybyMode>>},
+    Entry{"SelectFlybyCriteria", trampoline<with_integer<&S::SelectFlybyCriteria>>},
+    Entry{"SetFlybyCriteriaParameter", trampoline<set_flyby_criteria_parameter>},
+    Entry{"CancelFlybyCriteria", trampoline<with_integer<&S::CancelFlybyCriteria>>},
+    Entry{"SelectPointAccuracy", trampoline<with_integer<&S::SelectPointAccuracy>>},
+    Entry{"SetPointAccuracyParameter", trampoline<set_point_accuracy_parameter>},
+    Entry{"SetMotionTime", trampoline<with_number<&S::SetMotionTime>>},
+    Entry{"SetRestParameter", trampoline<with_number<&S::SetRestParameter>>},
+    Entry{"StopMotion", trampoline<plain<&S::StopMotion>>},
+    Entry{"ContinueMotion", trampoline<plain<&S::ContinueMotion>>},
+    Entry{"CancelMotion", trampoline<plain<&S::CancelMotion>>},
+    Entry{"DefineEvent", trampoline<define_event>},
+    Entry{"CancelEvent", trampoline<with_integer<&S::CancelEvent>>},
+    Entry{"GetEvent", trampoline<get_event>},
+    Entry{"SelectTracking", trampoline<select_tracking>},
+    Entry{"SetConveyorPosition", trampoline<set_conveyor_position>},
+    Entry{"SetObjectSpeed", trampoline<with_number<&S::SetObjectSpeed>>},
+    Entry{"SetObjectNextTarget", trampoline<set_object_next_target>},
+    Entry{"GetNextObjectStep", trampoline<get_next_object_step>},
+    Entry{"SetRapid", trampoline<with_switch<&S::SetRapid>>},
+    Entry{"status_name", trampoline<status_name>},
+};
+
+}  // namespace
+
+void add_rrs(lua_State* state, Controller& controller) {
+    for (const Entry& entry : kEntries) {
+        lua_pushlightuserdata(state, &controller);
+        lua_pushcclosure(state, entry.function, 1);
+        lua_setfield(state, -2, entry.name);
+    }
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,174 @@
+#include "runtime/script/sandbox.h"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+
+#include "runtime/script/lua_state.h"
+
+namespace gsim::script {
+
+namespace {
+
+constexpr lua_Integer kRandomSeed = 2001;  // runs are repeatable
+
+template <std::size_t Count>
+void copy_fields(lua_State* state, const char* library, const std::array<const char*, Count>& names) {
+    lua_newtable(state);
+    lua_getglobal(state, library);
+    for (const char* name : names) {
+        lua_getfield(state, -1, name);
+        lua_setfield(state, -3, name);
+    }
+    lua_pop(state, 1);
+    lua_setfield(state, -2, library);
+}
+
+int print_to_error(lua_State* state) {
+    const int count = lua_gettop(state);
+    for (int i = 1; i <= count; ++i) {
+        std::size_t size = 0;
+        const char* text = luaL_tolstring(state, i, &size);
+        if (i > 1) std::fputc('\t', stderr);
+        std::fwrite(text, 1, size, stderr);
+        lua_pop(state, 1);
+    }
+    std::fputc('\n', stderr);
+    return 0;
+}
+
+int safe_pcall(lua_State* state) {
+    luaL_checkany(state, 1);
+    const int status = lua_pcall(state, lua_gettop(state) - 1, LUA_MULTRET, 0);
+    if (status != LUA_OK) LuaState::pass_on(state, status);
+    lua_pushboolean(state, static_cast<int>(status == LUA_OK));
+    lua_insert(state, 1);
+    return lua_gettop(state);
+}
+
+/// string.find(s, text [, from]): a plain search.
+int plain_find(lua_State* state) {
+    std::size_t size = 0;
+    std::size_t wanted_size = 0;
+    const char* text = luaL_checklstring(state, 1, &size);
+    const char* wanted = luaL_checklstring(state, 2, &wanted_size);
+    const lua_Integer from = luaL_optinteger(state, 3, 1);
+    const std::size_t begin = from < 1 ? 0 : static_cast<std::size_t>(from) - 1;
+    const std::size_t found = std::string_view(text, size).find(std::string_view(wanted, wanted_size), begin);
+    if (found == std::string_view::npos) return 0;
+    lua_pushinteger(state, static_cast<lua_Integer>(found) + 1);
+    lua_pushinteger(state, static_cast<lua_Integer>(found + wanted_size));
+    return 2;
+}
+
+/// The value of an operand of vacant arithmetic: nil counts as 0.
+lua_Number number_or_zero(lua_State* state, int index) {
+    return lua_isnil(state, index) ? 0.0 : luaL_checknumber(state, index);
+}
+
+template <int Operator>
+int vacant_arithmetic(lua_State* state) {
+    lua_pushnumber(state, number_or_zero(state, 1));
+    lua_pushnumber(state, number_or_zero(state, 2));
+    lua_arith(state, Operator);
+    return 1;
+}
+
+int vacant_minus(lua_State* state) {
+    lua_pushnumber(state, -number_or_zero(state, 1));
+    return 1;
+}
+
+int vacant_less(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(number_or_zero(state, 1) < number_or_zero(state, 2)));
+    return 1;
+}
+
+int vacant_less_equal(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(number_or_zero(state, 1) <= number_or_zero(state, 2)));
+    return 1;
+}
+
+constexpr std::array kBase = {"assert", "error",    "ipairs",   "next", "pairs",
+                              "select", "tonumber", "tostring", "type"};
+constexpr std::array kMath = {"abs",  "acos",       "asin",      "atan", "ceil", "cos",    "deg",
+                              "exp",  "floor",      "fmod",      "huge", "log",  "max",    "maxinteger",
+                              "min",  "mininteger", "modf",      "pi",   "rad",  "random", "sin",
+                              "sqrt", "tan",        "tointeger", "type", "ult"};
+constexpr std::array kString = {"byte", "char", "format", "len", "lower", "rep", "reverse", "sub", "upper"};
+constexpr std::array kTable = {"concat", "insert", "pack", "remove", "sort", "unpack"};
+
+/// ("x"):upper() looks methods up in the metatable of strings: it gets the safe ones.
+void set_string_methods(lua_State* state) {
+    lua_pushliteral(state, "");
+    if (lua_getmetatable(state, -1) != 0) {
+        lua_getfield(state, -3, "string");
+        lua_setfield(state, -2, "__index");
+        lua_pop(state, 1);
+    }
+    lua_pop(state, 1);
+}
+
+void open_libraries(lua_State* state) {
+    luaL_requiref(state, LUA_GNAME, luaopen_base, 1);
+    luaL_requiref(state, LUA_MATHLIBNAME, luaopen_math, 1);
+    luaL_requiref(state, LUA_STRLIBNAME, luaopen_string, 1);
+    luaL_requiref(state, LUA_TABLIBNAME, luaopen_table, 1);
+    lua_pop(state, 4);
+}
+
+void seed_random(lua_State* state) {
+    lua_getglobal(state, "math");
+    lua_getfield(state, -1, "randomseed");
+    lua_pushinteger(state, kRandomSeed);
+    lua_call(state, 1, 0);
+    lua_pop(state, 1);
+}
+
+}  // namespace
+
+void push_safe_library(lua_State* state) {
+    open_libraries(state);
+    seed_random(state);
+    lua_newtable(state);
+    for (const char* name : kBase) {
+        lua_getglobal(state, name);
+        lua_setfield(state, -2, name);
+    }
+    copy_fields(state, "math", kMath);
+    copy_fields(state, "string", kString);
+    copy_fields(state, "table", kTable);
+    lua_getfield(state, -1, "string");
+    lua_pushcfunction(state, trampoline<plain_find>);
+    lua_setfield(state, -2, "find");
+    lua_pop(state, 1);
+    set_string_methods(state);
+    lua_pushcfunction(state, trampoline<print_to_error>);
+    lua_setfield(state, -2, "print");
+    lua_pushcfunction(state, safe_pcall);
+    lua_setfield(state, -2, "pcall");
+}
+
+void make_nil_vacant(lua_State* state) {
+    static constexpr std::array kMethods = {
+        luaL_Reg{"__add", vacant_arithmetic<LUA_OPADD>},
+        luaL_Reg{"__sub", vacant_arithmetic<LUA_OPSUB>},
+        luaL_Reg{"__mul", vacant_arithmetic<LUA_OPMUL>},
+        luaL_Reg{"__div", vacant_arithmetic<LUA_OPDIV>},
+        luaL_Reg{"__pow", vacant_arithmetic<LUA_OPPOW>},
+        luaL_Reg{"__unm", vacant_minus},
+        luaL_Reg{"__lt", vacant_less},
+        luaL_Reg{"__le", vacant_less_equal},
+    };
+    lua_pushnil(state);
+    lua_createtable(state, 0, static_cast<int>(kMethods.size()));
+    for (const luaL_Reg& method : kMethods) {
+        lua_pushcfunction(state, method.func);
+        lua_setfield(state, -2, method.name);
+    }
+    lua_setmetatable(state, -2);
+    lua_pop(state, 1);
+}
+
+}  // namespace gsim::script

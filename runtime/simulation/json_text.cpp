@@ -1,0 +1,85 @@
+#include "runtime/simulation/json_text.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace gsim::simulation {
+
+namespace {
+
+constexpr double kUnits = 1e9;  // of the last digit shown
+
+void append(fmt::memory_buffer& out, std::string_view text) {
+    out.append(text.data(), text.data() + text.size());
+}
+
+// `units` billionths with at most 15 digits, for which cutting off zeros gives the shortest form.
+void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
+    constexpr std::uint32_t kPerOne = 1'000'000'000;
+    if (units < 0) {
+        out.push_back('-');
+        units = -units;
+    }
+    const fmt::format_int whole(units / kPerOne);
+    append(out, {whole.data(), whole.size()});
+    auto fraction = static_cast<std::uint32_t>(units % kPerOne);
+    if (fraction == 0) return;
+    std::array<char, 10> text{'.'};
+    for (std::size_t i = text.size() - 1; i > 0; --i, fraction /= 10) {
+        text[i] = static_cast<char>('0' + fraction % 10);
+    }
+    std::string_view digits(text.data(), text.size());
+    append(out, digits.substr(0, digits.find_last_not_of('0') + 1));
+}
+
+// The length of the UTF-8 sequence that `text` begins with; 0 if it begins with none.
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (length == 0 || first > 0xF4 || length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    }
+    const bool overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
+    const bool not_a_character = (first == 0xED && byte(1) > 0x9F) || (first == 0xF4 && byte(1) > 0x8F);
+    return overlong || not_a_character ? 0 : length;
+}
+
+}  // namespace
+
+double rounded(double value) {
+    // Beyond 1e6 a double has no more than nine digits behind the point anyway.
+    if (!std::isfinite(value) || std::abs(value) >= 1e6) return value;
+    return std::round(value * kUnits) / kUnits + 0.0;
+}
+
+void append_number(fmt::memory_buffer& out, double value) {
+    if (!std::isfinite(value)) return append(out, "null");
+    if (std::abs(value) < 1e6) return append_billionths(out, std::llround(value * kUnits));
+    fmt::format_to(std::back_inserter(out), "{}", value);
+}
+
+void append_json_string(fmt::memory_buffer& out, std::string_view text) {
+    out.push_back('"');
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const char c = text[0];
+        if (length == 0) {
+            append(out, "\\ufffd");
+        } else if (c == '"' || c == '\\') {
+            out.push_back('\\');
+            out.push_back(c);
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            append(out, text.substr(0, length));
+        }
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    out.push_back('"');
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,100 @@
+#include "runtime/simulation/moves_writer.h"
+
+#include <iterator>
+
+#include "runtime/simulation/json_text.h"
+
+namespace gsim::simulation {
+
+namespace {
+
+void append(fmt::memory_buffer& out, std::string_view text) {
+    out.append(text.data(), text.data() + text.size());
+}
+
+void append_key(fmt::memory_buffer& out, char letter) {
+    out.push_back('"');
+    out.push_back(letter);
+    append(out, "\":");
+}
+
+bool is_arc(MoveKind kind) {
+    return kind == MoveKind::arc_cw || kind == MoveKind::arc_ccw;
+}
+
+}  // namespace
+
+MovesWriter::MovesWriter(TextStream& out, const machine::Machine& machine,
+                         const std::vector<std::string>& files)
+    : out_(out), machine_(machine), files_(files) {}
+
+void MovesWriter::take(const RecordedMove& move) {
+    fmt::memory_buffer& out = out_.buffer();
+    const MoveInfo& info = move.info;
+    fmt::format_to(std::back_inserter(out), R"({{"n":{},"file":{},"line":{},"kind":"{}","to":{{)", move.n,
+                   file_text(info.place.file), info.place.line, name(info.kind));
+    append_target(move.end);
+    append(out, "}");
+    if (is_arc(info.kind)) append_arc(move);
+    append(out, R"(,"feed":)");
+    if (info.kind == MoveKind::rapid || info.kind == MoveKind::dwell) {
+        append(out, "null");
+    } else {
+        append_number(out, info.feed_per_min);
+    }
+    append(out, R"(,"start_s":)");
+    append_number(out, move.start_s);
+    append(out, R"(,"end_s":)");
+    append_number(out, move.end_s);
+    append(out, "}");
+    out_.end_line();
+}
+
+void MovesWriter::append_target(const rrs::JointPos& joints) {
+    fmt::memory_buffer& out = out_.buffer();
+    for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
+        const machine::Axis& axis = machine_.axes[i];
+        if (i > 0) out.push_back(',');
+        append_key(out, axis.letter);
+        append_number(out, axis_value(axis, joints[static_cast<Eigen::Index>(i)]));
+    }
+}
+
+void MovesWriter::append_arc(const RecordedMove& move) {
+    fmt::memory_buffer& out = out_.buffer();
+    append(out, R"(,"center":)");
+    if (move.arc) {
+        append_center(move);
+    } else {
+        append(out, "null");
+    }
+    fmt::format_to(std::back_inserter(out), R"(,"plane":"{}","turns":{})", name(move.info.plane),
+                   move.info.turns);
+}
+
+void MovesWriter::append_center(const RecordedMove& move) {
+    fmt::memory_buffer& out = out_.buffer();
+    char separator = '{';
+    for (std::size_t i = 0; i < move.position_joints.size(); ++i) {
+        const int joint = move.position_joints[i];
+        if (joint < 0 || static_cast<std::size_t>(joint) >= machine_.axes.size()) continue;
+        const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(joint)];
+        out.push_back(separator);
+        separator = ',';
+        append_key(out, axis.letter);
+        append_number(out, axis_value(axis, move.arc->center[static_cast<Eigen::Index>(i)]));
+    }
+    append(out, separator == '{' ? "{}" : "}");
+}
+
+const std::string& MovesWriter::file_text(std::size_t file) {
+    static const std::string unknown = "null";
+    while (file_texts_.size() <= file && file_texts_.size() < files_.size()) {
+        fmt::memory_buffer text;
+        append_json_string(text, files_[file_texts_.size()]);
+        file_texts_.push_back(fmt::to_string(text));
+    }
+    return file < file_texts_.size() ? file_texts_[file] : unknown;
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,35 @@
+#include "runtime/simulation/move.h"
+#include "runtime/simulation/report.h"
+
+namespace gsim::simulation {
+
+std::string_view name(MoveKind kind) {
+    switch (kind) {
+        case MoveKind::rapid: return "rapid";
+        case MoveKind::linear: return "linear";
+        case MoveKind::arc_cw: return "arc_cw";
+        case MoveKind::arc_ccw: return "arc_ccw";
+        case MoveKind::dwell: break;
+    }
+    return "dwell";
+}
+
+std::string_view name(Plane plane) {
+    switch (plane) {
+        case Plane::xy: return "xy";
+        case Plane::zx: return "zx";
+        case Plane::yz: break;
+    }
+    return "yz";
+}
+
+std::string_view name(RunStatus status) {
+    switch (status) {
+        case RunStatus::completed: return "completed";
+        case RunStatus::stopped: return "stopped";
+        case RunStatus::alarm: break;
+    }
+    return "alarm";
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,37 @@
+#include <numbers>
+
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::simulation {
+
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+}  // namespace
+
+motion::PlannerSetup planner_setup(const machine::Machine& machine) {
+    motion::PlannerSetup setup;
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const machine::Axis& axis = machine.axes[i];
+        const bool rotary = axis.kind == machine::AxisKind::rotary;
+        const double unit = rotary ? kRadPerDeg : 1.0;
+        motion::JointSetup joint;
+        joint.kind = rotary ? rrs::JointKind::revolute : rrs::JointKind::prismatic;
+        joint.min = (axis.min - axis.zero) * unit;
+        joint.max = (axis.max - axis.zero) * unit;
+        joint.max_speed = axis.max_speed * unit;
+        joint.max_acceleration = axis.max_acceleration * unit;
+        setup.joints.push_back(joint);
+        if (!rotary && axis.letter >= 'X' && axis.letter <= 'Z') {
+            setup.position_joints[static_cast<std::size_t>(axis.letter - 'X')] = static_cast<int>(i);
+        }
+    }
+    setup.path.max_feed_mm_s = machine.path.max_feed_mm_s;
+    setup.path.max_rapid_mm_s = machine.path.max_rapid_mm_s;
+    setup.path.max_acceleration_mm_s2 = machine.path.max_acceleration_mm_s2;
+    setup.kinematics = machine::make_kinematics(machine);
+    return setup;
+}
+
+}  // namespace gsim::simulation

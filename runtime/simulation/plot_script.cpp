@@ -1,0 +1,201 @@
+#include "runtime/simulation/plot_script.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace gsim::simulation {
+
+namespace {
+
+constexpr double kWidth_px = 1100;
+constexpr double kTitle_px = 50;
+constexpr double kSpeed_px = 330;
+constexpr double kMargin_px = 130;  // of the path panel: labels and legend
+constexpr double kMinPath_px = 200;
+constexpr double kMaxPath_px = 900;
+constexpr std::size_t kLongestTitle = 90;
+
+struct Range {
+    double min = 0;
+    double max = 0;
+
+    void include(double value) {
+        min = std::min(min, value);
+        max = std::max(max, value);
+    }
+    double size() const { return max - min; }
+    Range widened(double by) const { return {min - by, max + by}; }
+};
+
+struct Extents {
+    Range x, y;
+};
+
+Extents extents(const std::vector<PathPoint>& path) {
+    Extents extents;
+    if (path.empty()) return {{0, 1}, {0, 1}};
+    extents.x = {path[0].at_mm.x(), path[0].at_mm.x()};
+    extents.y = {path[0].at_mm.y(), path[0].at_mm.y()};
+    for (const PathPoint& point : path) {
+        extents.x.include(point.at_mm.x());
+        extents.y.include(point.at_mm.y());
+    }
+    const double greater = std::max(extents.x.size(), extents.y.size());
+    const double border = greater > 0 ? 0.04 * greater : 1;
+    return {extents.x.widened(border), extents.y.widened(border)};
+}
+
+// A string of gnuplot in single quotes, in which nothing but the quote is special.
+std::string quoted_text(std::string_view text) {
+    std::string out = "'";
+    for (const char c : text.substr(0, kLongestTitle)) {
+        if (c == '\'') out += '\'';
+        out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    }
+    return out + (text.size() > kLongestTitle ? "...'" : "'");
+}
+
+class Script {
+  public:
+    template <typename... Args>
+    void line(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+
+    /// Begins a named block of data; the rows follow by point(), polylines apart by gap().
+    void begin_data(std::string_view name) { line("${} << EOD", name); }
+    void point(double x, double y) { line("{:.7g} {:.7g}", x, y); }
+    void gap() { text_ += '\n'; }
+    void end_data() { line("EOD"); }
+
+    std::string take() { return std::move(text_); }
+
+  private:
+    std::string text_;
+};
+
+// Writes the polylines of one style and says whether there are any.
+bool add_path_data(Script& script, std::string_view name, const std::vector<PathPoint>& path,
+                   PathStyle style) {
+    bool any = false;
+    script.begin_data(name);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        if (path[i].style != style) continue;
+        if (i == 1 || path[i - 1].style != style) {
+            if (any) script.gap();
+            script.point(path[i - 1].at_mm.x(), path[i - 1].at_mm.y());
+        }
+        script.point(path[i].at_mm.x(), path[i].at_mm.y());
+        any = true;
+    }
+    script.end_data();
+    return any;
+}
+
+bool add_speed_data(Script& script, std::string_view name, const std::vector<SpeedPoint>& speed,
+                    bool jet_on) {
+    bool any = false;
+    script.begin_data(name);
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+        if (speed[i].jet_on != jet_on) continue;
+        if (any && speed[i - 1].jet_on != jet_on) script.gap();
+        script.point(speed[i].t_s, speed[i].speed_mm_s);
+        any = true;
+    }
+    script.end_data();
+    return any;
+}
+
+void add_plot_command(Script& script, const std::vector<std::string>& curves) {
+    std::string command;
+    for (const std::string& curve : curves) command += (command.empty() ? "plot " : ", ") + curve;
+    script.line("{}", command.empty() ? "plot NaN notitle" : command);
+}
+
+void add_path_panel(Script& script, const PlotData& data, const Extents& extents) {
+    const std::vector<PathPoint> path = data.path();
+    std::vector<std::string> curves;
+    if (add_path_data(script, "rapid", path, PathStyle::rapid)) {
+        curves.push_back(
+            "$rapid with lines linewidth 1.3 dashtype '-' linecolor rgb '#c0772b' title 'rapid'");
+    }
+    if (add_path_data(script, "feed", path, PathStyle::feed)) {
+        curves.push_back("$feed with lines linewidth 1.2 linecolor rgb '#7c828c' title 'feed, jet off'");
+    }
+    if (add_path_data(script, "jet", path, PathStyle::jet)) {
+        curves.push_back("$jet with lines linewidth 2 linecolor rgb '#12355b' title 'jet on'");
+    }
+    script.line("set size ratio -1");
+    script.line("set xrange [{:.9g}:{:.9g}]", extents.x.min, extents.x.max);
+    script.line("set yrange [{:.9g}:{:.9g}]", extents.y.min, extents.y.max);
+    script.line("set xlabel {} noenhanced", quoted_text(data.labels()[0]));
+    script.line("set ylabel {} noenhanced", quoted_text(data.labels()[1]));
+    add_plot_command(script, curves);
+}
+
+void add_speed_panel(Script& script, const PlotData& data) {
+    const std::vector<SpeedPoint> speed = data.speed();
+    Range top{0, 0};
+    for (const SpeedPoint& point : speed) top.include(point.speed_mm_s);
+    const double end_s = speed.empty() ? 0 : speed.back().t_s;
+    std::vector<std::string> curves;
+    if (add_speed_data(script, "speed_off", speed, false)) {
+        curves.push_back("$speed_off with lines linewidth 1.2 linecolor rgb '#7c828c' title 'jet off'");
+    }
+    if (add_speed_data(script, "speed_on", speed, true)) {
+        curves.push_back("$speed_on with filledcurves y1=0 fillcolor rgb '#c9d7e8' notitle");
+        curves.push_back("$speed_on with lines linewidth 1.5 linecolor rgb '#12355b' title 'jet on'");
+    }
+    script.line("set size noratio");
+    script.line("set xrange [0:{:.9g}]", end_s > 0 ? end_s : 1);
+    script.line("set yrange [0:{:.9g}]", top.max > 0 ? 1.08 * top.max : 1);
+    script.line("set xlabel 'time (s)'");
+    script.line("set ylabel 'speed (mm/s)'");
+    add_plot_command(script, curves);
+}
+
+// The height of the path's axes where they fill the width of the picture.
+double path_height_px(const Extents& extents) {
+    const double wanted_px = (kWidth_px - kMargin_px) * extents.y.size() / extents.x.size();
+    return std::clamp(wanted_px, kMinPath_px, kMaxPath_px);
+}
+
+}  // namespace
+
+std::string plot_script(const PlotData& data, PictureFormat format, std::string_view title) {
+    const Extents path_extents = extents(data.path());
+    const double path_px = path_height_px(path_extents) + kMargin_px;
+    const double height_px = kTitle_px + path_px + kSpeed_px;
+    const double speed_share = kSpeed_px / height_px;
+
+    Script script;
+    const bool svg = format == PictureFormat::svg;
+    script.line("set terminal {} size {:.0f},{:.0f} font '{},13' background rgb 'white'",
+                svg ? "svg dynamic" : "pngcairo", kWidth_px, height_px,
+                svg ? "DejaVu Sans, sans-serif" : "Sans");
+    script.line("set multiplot");
+    script.line("set label 1 {} at screen 0.5, {:.6f} center noenhanced font ',16'", quoted_text(title),
+                1 - 0.5 * kTitle_px / height_px);
+    script.line("set border linecolor rgb '#555555'");
+    script.line("set grid linetype 1 linewidth 0.5 linecolor rgb '#e3e3e3'");
+    script.line("set tics nomirror");
+    script.line("set lmargin 10");
+    script.line("set rmargin 4");
+    script.line("set key outside top center horizontal samplen 3 width 1 textcolor rgb '#333333'");
+    script.line("set origin 0, {:.6f}", speed_share);
+    script.line("set size 1, {:.6f}", path_px / height_px);
+    add_path_panel(script, data, path_extents);
+    script.line("unset label 1");
+    script.line("set origin 0, 0");
+    script.line("set size 1, {:.6f}", speed_share);
+    add_speed_panel(script, data);
+    script.line("unset multiplot");
+    return script.take();
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "runtime/simulation/plot_data.h"
+
+namespace gsim::simulation {
+
+enum class PictureFormat { svg, png };
+
+/// The gnuplot script, data included, that draws the two panels of make_plot() to standard output.
+std::string plot_script(const PlotData& data, PictureFormat format, std::string_view title);
+
+}  // namespace gsim::simulation

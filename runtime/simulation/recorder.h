@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "runtime/machine/machine.h"
+#include "runtime/motion/segment.h"
+#include "runtime/simulation/move.h"
+#include "runtime/simulation/report.h"
+#include "runtime/simulation/run_output.h"
+
+namespace gsim::simulation {
+
+/// Brings together what the client knows of moves and the segments that the planner makes of them: sums up
+/// the report and feeds the outputs. Memory is bounded by the moves that wait for their segments.
+///
+/// A move is made of all segments with its target id; they come one after the other, in the order of
+/// expect(). It counts, and goes to the outputs, if it takes time or is a dwell; a move to where the machine
+/// already stands does neither. Rests count as dwell whatever the move is. A segment that nobody expects
+/// counts in time and length, but makes no move.
+class Recorder : public motion::SegmentSink {
+  public:
+    /// `machine` and `start` (joint values, mm or rad) hold from time 0 on; `machine` must outlive this.
+    Recorder(const machine::Machine& machine, const rrs::JointPos& start);
+
+    /// Before the first segment. `output` must outlive this.
+    void add_output(RunOutput& output);
+
+    /// Announces a move, before its first segment is taken.
+    void expect(const MoveInfo& info) { waiting_.push_back(info); }
+    void take(const motion::Segment& segment) override;
+
+    /// End of the segments so far.
+    double time_s() const { return end_s_; }
+
+    /// Ends the outputs and fills in what a recorder knows of a report: times, lengths, moves, bounds,
+    /// slowest and the name of the machine. Call it once, behind the last segment.
+    void finish(Report& report);
+
+  private:
+    // A sum whose rounding errors do not grow with the number of terms (Neumaier).
+    class Sum {
+      public:
+        void add(double term);
+        double value() const { return sum_ + lost_; }
+
+      private:
+        double sum_ = 0;
+        double lost_ = 0;
+    };
+
+    // Highest first; the earlier of equals first.
+    class Slowest {
+      public:
+        void add(const SlowBlock& block);
+        std::vector<SlowBlock> list() const { return {blocks_.begin(), blocks_.begin() + count_}; }
+
+      private:
+        std::array<SlowBlock, 10> blocks_;
+        std::ptrdiff_t count_ = 0;
+    };
+
+    void go_to_move(rrs::TargetId id);
+    void begin_move(const MoveInfo& info);
+    void end_move();
+    void add_to_sums(const motion::Segment& segment);
+    void add_to_bounds(const motion::Segment& segment);
+    std::vector<AxisBounds> bounds() const;
+
+    const machine::Machine& machine_;
+    std::vector<RunOutput*> outputs_;
+    rrs::JointPos start_;
+    std::deque<MoveInfo> waiting_;
+    RecordedMove move_;     // the one whose segments arrive
+    bool in_move_ = false;  // move_ was expected, so that it may count
+    double end_s_ = 0;
+    std::uint64_t moves_ = 0;
+    Sum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
+    std::array<motion::Range, rrs::kMaxJoints> ranges_;  // of joint values; the first joint_count hold them
+    Slowest slowest_;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/simulation/move.h"
+
+namespace gsim::simulation {
+
+enum class RunStatus { completed, stopped, alarm };
+std::string_view name(RunStatus status);
+
+/// Why a run did not complete, as a sentence, and where.
+struct Alarm {
+    std::string message;
+    Place place = {};
+    char axis = 0;                ///< Letter, where one axis is to blame.
+    std::optional<double> value;  ///< Of that axis (mm or deg).
+    std::optional<double> limit;  ///< That it passed (mm or deg).
+};
+
+struct Event {
+    double t_s = 0;
+    Place place = {};
+    std::string kind;    ///< jet_on, jet_off, abrasive_on, abrasive_off, stop, optional_stop, tool, ...
+    std::string detail;  ///< Free text for people; may be empty.
+};
+
+struct AxisBounds {
+    char letter = 'X';
+    bool rotary = false;
+    double min = 0, max = 0;              ///< Reached, from the start position on (mm or deg).
+    double limit_min = 0, limit_max = 0;  ///< Of the machine.
+};
+
+struct SlowBlock {
+    Place place = {};
+    MoveKind kind = MoveKind::linear;
+    double duration_s = 0;
+    double length_mm = 0;
+};
+
+/// The whole result of a run; units are in the names, and in the JSON as well.
+struct Report {
+    std::string program;
+    std::string machine;
+    RunStatus status = RunStatus::completed;
+    std::optional<Alarm> alarm;  ///< Also why a run was stopped.
+    double cycle_time_s = 0;
+    double rapid_s = 0, feed_s = 0, dwell_s = 0;
+    double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
+    std::uint64_t blocks = 0;
+    std::uint64_t moves = 0;
+    std::vector<AxisBounds> bounds;
+    std::vector<Event> events;
+    std::vector<std::string> warnings;
+    std::vector<SlowBlock> slowest;  ///< At most ten, longest first.
+    std::vector<std::string> files;  ///< Names that Place::file indexes.
+};
+
+/// The report as the JSON of the design (docs/report.md); keys in a fixed order, doubles in shortest form.
+std::string to_json(const Report& report);
+
+/// The report as a compact table for people.
+std::string to_text(const Report& report);
+
+}  // namespace gsim::simulation

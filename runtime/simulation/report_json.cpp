@@ -1,0 +1,105 @@
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/simulation/json_text.h"
+#include "runtime/simulation/report.h"
+
+namespace gsim::simulation {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(rounded(value)) : Json(nullptr);
+}
+
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json file(const Report& report, const Place& place) {
+    return place.file < report.files.size() ? Json(report.files[place.file]) : Json(nullptr);
+}
+
+Json line(const Place& place) {
+    return place.line > 0 ? Json(place.line) : Json(nullptr);
+}
+
+Json alarm(const Report& report) {
+    if (!report.alarm) return nullptr;
+    const Alarm& alarm = *report.alarm;
+    return {{"message", alarm.message},
+            {"file", file(report, alarm.place)},
+            {"line", line(alarm.place)},
+            {"axis", alarm.axis != 0 ? Json(std::string(1, alarm.axis)) : Json(nullptr)},
+            {"value", number(alarm.value)},
+            {"limit", number(alarm.limit)}};
+}
+
+Json bounds(const Report& report) {
+    Json bounds = Json::object();
+    for (const AxisBounds& axis : report.bounds) {
+        bounds[std::string(1, axis.letter)] = {{"min", number(axis.min)},
+                                               {"max", number(axis.max)},
+                                               {"limit_min", number(axis.limit_min)},
+                                               {"limit_max", number(axis.limit_max)}};
+    }
+    return bounds;
+}
+
+Json events(const Report& report) {
+    Json events = Json::array();
+    for (const Event& event : report.events) {
+        Json entry = {{"t_s", number(event.t_s)},
+                      {"file", file(report, event.place)},
+                      {"line", line(event.place)},
+                      {"kind", event.kind}};
+        if (!event.detail.empty()) entry["detail"] = event.detail;
+        events.push_back(std::move(entry));
+    }
+    return events;
+}
+
+Json slowest(const Report& report) {
+    Json blocks = Json::array();
+    for (const SlowBlock& block : report.slowest) {
+        blocks.push_back({{"file", file(report, block.place)},
+                          {"line", line(block.place)},
+                          {"kind", std::string(name(block.kind))},
+                          {"duration_s", number(block.duration_s)},
+                          {"length_mm", number(block.length_mm)}});
+    }
+    return blocks;
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+    const Json json = {
+        {"program", report.program},
+        {"machine", report.machine},
+        {"status", std::string(name(report.status))},
+        {"alarm", alarm(report)},
+        {"cycle_time_s", number(report.cycle_time_s)},
+        {"time",
+         {{"rapid_s", number(report.rapid_s)},
+          {"feed_s", number(report.feed_s)},
+          {"dwell_s", number(report.dwell_s)}}},
+        {"length",
+         {{"rapid_mm", number(report.rapid_mm)},
+          {"feed_mm", number(report.feed_mm)},
+          {"jet_on_mm", number(report.jet_on_mm)}}},
+        {"blocks", report.blocks},
+        {"moves", report.moves},
+        {"bounds", bounds(report)},
+        {"events", events(report)},
+        {"warnings", report.warnings},
+        {"slowest", slowest(report)},
+    };
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace gsim::simulation

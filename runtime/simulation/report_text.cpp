@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "runtime/simulation/report.h"
+
+namespace gsim::simulation {
+
+namespace {
+
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kBarWidth = 24;
+constexpr std::size_t kShownEvents = 8;
+constexpr std::size_t kShownWarnings = 20;
+
+// Names and messages come from strangers' files: nothing that a terminal would take as a command.
+std::string clean(std::string_view text) {
+    std::string out(text);
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    return out;
+}
+
+// The end of a long name tells more than its beginning.
+std::string shortened(std::string_view text, std::size_t width) {
+    std::string out = clean(text);
+    return out.size() <= width ? out : "..." + out.substr(out.size() - width + 3);
+}
+
+std::string place_text(const Report& report, const Place& place, std::size_t width = 40) {
+    const std::string file = place.file < report.files.size() ? report.files[place.file] : "?";
+    const std::string line = place.line > 0 ? fmt::format(":{}", place.line) : "";
+    return shortened(file, width - line.size()) + line;
+}
+
+std::string clock_text(double time_s) {
+    if (!(time_s >= 0 && time_s < 1e9)) return "-";
+    const auto whole = std::llround(time_s);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+class Text {
+  public:
+    template <typename... Args>
+    void line(fmt::format_string<Args...> format, Args&&... args) {
+        std::string text = fmt::format(format, std::forward<Args>(args)...);
+        text.erase(text.find_last_not_of(' ') + 1);
+        text_ += text + '\n';
+    }
+    void blank() { text_ += '\n'; }
+
+    /// A long text in lines of at most kWidth, broken at spaces where there are any.
+    void wrapped(std::string_view first_prefix, std::string_view text) {
+        std::string rest = clean(text);
+        std::string prefix(first_prefix);
+        const std::size_t width = kWidth - prefix.size();
+        while (rest.size() > width) {
+            std::size_t end = rest.rfind(' ', width);
+            if (end == std::string::npos || end == 0) end = width;
+            line("{}{}", prefix, rest.substr(0, end));
+            rest.erase(0, rest[end] == ' ' ? end + 1 : end);
+            prefix.assign(prefix.size(), ' ');
+        }
+        line("{}{}", prefix, rest);
+    }
+
+    std::string take() { return std::move(text_); }
+
+  private:
+    std::string text_;
+};
+
+void add_head(Text& out, const Report& report) {
+    out.line("{:<12}{}", "program", shortened(report.program, kWidth - 12));
+    out.line("{:<12}{}", "machine", shortened(report.machine, kWidth - 12));
+    out.line("{:<12}{}", "status", name(report.status));
+    if (report.alarm) {
+        out.line("{:<12}{}", "  at", place_text(report, report.alarm->place, kWidth - 12));
+        out.wrapped("  because   ", report.alarm->message);
+    }
+    out.line("{:<12}{:.3f} s  ({})", "cycle time", report.cycle_time_s, clock_text(report.cycle_time_s));
+    out.line("{:<12}{} executed, {} moves", "blocks", report.blocks, report.moves);
+}
+
+void add_times(Text& out, const Report& report) {
+    const auto percent = [&](double time_s) {
+        return report.cycle_time_s > 0 ? 100 * time_s / report.cycle_time_s : 0.0;
+    };
+    out.blank();
+    out.line("{:<10}{:>14}{:>10}{:>16}", "", "time (s)", "share", "length (mm)");
+    const auto row = [&](std::string_view what, double time_s, double length_mm) {
+        out.line("{:<10}{:>14.3f}{:>8.1f} %{:>16.3f}", what, time_s, percent(time_s), length_mm);
+    };
+    row("rapid", report.rapid_s, report.rapid_mm);
+    row("feed", report.feed_s, report.feed_mm);
+    out.line("{:<10}{:>14}{:>10}{:>16.3f}", " jet on", "", "", report.jet_on_mm);
+    out.line("{:<10}{:>14.3f}{:>8.1f} %", "dwell", report.dwell_s, percent(report.dwell_s));
+}
+
+// The axis's range as a bar, the part that was reached as '='.
+std::string bar(const AxisBounds& axis) {
+    const double range = axis.limit_max - axis.limit_min;
+    if (!(range > 0) || !std::isfinite(range)) return "";
+    const auto cell = [&](double value) {
+        const double share = std::clamp((value - axis.limit_min) / range, 0.0, 1.0);
+        return std::min(static_cast<std::size_t>(share * kBarWidth), kBarWidth - 1);
+    };
+    std::string cells(kBarWidth, '.');
+    const std::size_t first = cell(axis.min);
+    std::fill_n(cells.begin() + static_cast<std::ptrdiff_t>(first), cell(axis.max) - first + 1, '=');
+    const double percent = 100 * (axis.max - axis.min) / range;
+    return fmt::format("[{}] {:>5.1f} %", cells, std::min(percent, 999.9));
+}
+
+// Of at most eleven characters.
+std::string bound_text(double value) {
+    if (!std::isfinite(value)) return "none";
+    return std::abs(value) < 1e6 ? fmt::format("{:.3f}", value) : fmt::format("{:.4g}", value);
+}
+
+void add_bounds(Text& out, const Report& report) {
+    if (report.bounds.empty()) return;
+    out.blank();
+    out.line("{:<9}{:>12}{:>12}{:>13}{:>12}   {}", "axis", "min", "max", "limit min", "limit max",
+             "reached of range");
+    for (const AxisBounds& axis : report.bounds) {
+        const bool outside = axis.min < axis.limit_min || axis.max > axis.limit_max;
+        out.line("{} {:<7}{:>12}{:>12}{:>13}{:>12}   {}{}", axis.letter, axis.rotary ? "deg" : "mm",
+                 bound_text(axis.min), bound_text(axis.max), bound_text(axis.limit_min),
+                 bound_text(axis.limit_max), bar(axis), outside ? " !" : "");
+    }
+}
+
+void add_events(Text& out, const Report& report) {
+    if (report.events.empty()) return;
+    std::map<std::string, std::size_t> counts;
+    for (const Event& event : report.events) ++counts[event.kind];
+    std::string summary;
+    for (const auto& [kind, count] : counts) {
+        summary += fmt::format("{}{} {}", summary.empty() ? "" : ", ", count, kind);
+    }
+    out.blank();
+    out.wrapped("events    ", summary);
+    for (std::size_t i = 0; i < std::min(report.events.size(), kShownEvents); ++i) {
+        const Event& event = report.events[i];
+        const std::string what = clean(event.kind) + (event.detail.empty() ? "" : ": " + clean(event.detail));
+        out.line("{:>12.3f} s  {:<30}  {}", event.t_s, place_text(report, event.place, 30),
+                 what.substr(0, kWidth - 48));
+    }
+    if (report.events.size() > kShownEvents) out.line("{:>14}", "...");
+}
+
+void add_slowest(Text& out, const Report& report) {
+    if (report.slowest.empty()) return;
+    out.blank();
+    out.line("{:<40}  {:<8}{:>12}{:>14}", "slowest blocks", "kind", "time (s)", "length (mm)");
+    for (const SlowBlock& block : report.slowest) {
+        out.line("{:<40}  {:<8}{:>12.3f}{:>14.3f}", place_text(report, block.place), name(block.kind),
+                 block.duration_s, block.length_mm);
+    }
+}
+
+void add_warnings(Text& out, const Report& report) {
+    if (report.warnings.empty()) return;
+    out.blank();
+    const std::size_t shown = std::min(report.warnings.size(), kShownWarnings);
+    for (std::size_t i = 0; i < shown; ++i) out.wrapped("warning: ", report.warnings[i]);
+    if (report.warnings.size() > shown) out.line("and {} more warnings", report.warnings.size() - shown);
+}
+
+}  // namespace
+
+std::string to_text(const Report& report) {
+    Text out;
+    add_head(out, report);
+    add_times(out, report);
+    add_bounds(out, report);
+    add_slowest(out, report);
+    add_events(out, report);
+    add_warnings(out, report);
+    return out.take();
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,321 @@
+#include "runtime/simulation/simulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace gsim::simulation {
+
+using rrs::Status;
+
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr double kSecondsPerMinute = 60.0;
+constexpr std::size_t kMaxEvents = 100'000;
+constexpr std::size_t kMaxWarnings = 1'000;
+
+/// Targets given as joint values have no Cartesian value.
+const rrs::CartPos& no_pose() {
+    static const rrs::CartPos kPose = rrs::CartPos::Identity();
+    return kPose;
+}
+
+/// Axes of a plane in the order that its arcs are counted in: first, second, normal (0 x, 1 y, 2 z).
+std::array<Eigen::Index, 3> plane_axes(Plane plane) {
+    switch (plane) {
+        case Plane::xy: return {0, 1, 2};
+        case Plane::zx: return {2, 0, 1};
+        case Plane::yz: return {1, 2, 0};
+    }
+    return {0, 1, 2};
+}
+
+const char* unit(const machine::Axis& axis) {
+    return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
+}
+
+}  // namespace
+
+Simulator::Simulator(machine::Machine machine, RunLimits limits)
+    : machine_(std::move(machine)),
+      limits_(limits),
+      recorder_(machine_,
+                [this] {
+                    AxisVector home(static_cast<Eigen::Index>(machine_.axes.size()));
+                    for (std::size_t i = 0; i < machine_.axes.size(); ++i)
+                        home[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
+                    return to_joints(home);
+                }()),
+      planner_(planner_setup(machine_), &recorder_),
+      position_(static_cast<Eigen::Index>(machine_.axes.size())) {
+    for (std::size_t i = 0; i < machine_.axes.size(); ++i)
+        position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
+    planner_.Initialize();
+    planner_.SetInitialPosition(no_pose(), to_joints(position_), {});
+}
+
+rrs::JointPos Simulator::to_joints(const AxisVector& axes) const {
+    rrs::JointPos joints(axes.size());
+    for (Eigen::Index i = 0; i < axes.size(); ++i) {
+        const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
+        joints[i] = (axes[i] - axis.zero) * (axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1.0);
+    }
+    return joints;
+}
+
+AxisVector Simulator::to_axes(const rrs::JointPos& joints) const {
+    AxisVector axes(joints.size());
+    for (Eigen::Index i = 0; i < joints.size(); ++i) {
+        const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
+        axes[i] = joints[i] / (axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1.0) + axis.zero;
+    }
+    return axes;
+}
+
+std::uint32_t Simulator::add_file(const std::string& name) {
+    const auto index =
+        static_cast<std::uint32_t>(std::find(files_.begin(), files_.end(), name) - files_.begin());
+    if (index == files_.size()) files_.push_back(name);
+    return index;
+}
+
+bool Simulator::count_block(const Place& place) {
+    if (++blocks_ <= limits_.max_blocks) return true;
+    --blocks_;
+    return stop(fmt::format("the limit of {} executed blocks is reached (--max-blocks)", limits_.max_blocks),
+                place);
+}
+
+bool Simulator::rotary_alone(const AxisVector& target) const {
+    bool rotary = false;
+    for (Eigen::Index i = 0; i < target.size(); ++i) {
+        if (target[i] == position_[i]) continue;
+        if (machine_.axes[static_cast<std::size_t>(i)].kind == machine::AxisKind::linear) return false;
+        rotary = true;
+    }
+    return rotary;
+}
+
+void Simulator::select_rapid(bool on) {
+    if (rapid_ == static_cast<int>(on)) return;
+    if (rapid_ < 0) {
+        feed_mm_s_ = -1;
+        orientation_rad_s_ = -1;
+        planner_.SelectTargetType(rrs::TargetType::joint);
+        planner_.SelectMotionType(rrs::MotionType::linear);
+    }
+    rapid_ = static_cast<int>(on);
+    planner_.SetRapid(on);
+    if (on && feed_mm_s_ < 0) {
+        feed_mm_s_ = motion::kUnlimited;
+        planner_.SetCartesianPositionSpeed(feed_mm_s_);
+    }
+}
+
+bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
+    select_rapid(false);
+    if (feed.motion_s) {
+        planner_.SetCartesianPositionSpeed(motion::kUnlimited);
+        planner_.SetCartesianOrientationSpeed(motion::kUnlimited);
+        feed_mm_s_ = motion::kUnlimited;
+        orientation_rad_s_ = motion::kUnlimited;
+        return planner_.SetMotionTime(*feed.motion_s) == Status::RRS_SUCCESS || refused(place);
+    }
+    const double speed_mm_s = rotary ? motion::kUnlimited : feed.linear_mm_min / kSecondsPerMinute;
+    const double orientation_rad_s =
+        rotary ? feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg : motion::kUnlimited;
+    if (speed_mm_s != feed_mm_s_) {
+        if (planner_.SetCartesianPositionSpeed(speed_mm_s) != Status::RRS_SUCCESS) return refused(place);
+        feed_mm_s_ = speed_mm_s;
+        if (speed_mm_s > machine_.path.max_feed_mm_s && !rotary) {
+            warn(
+                fmt::format("F of {:.10g} mm/min is above the machine's contour speed limit of {:.10g} "
+                            "mm/min, which holds",
+                            speed_mm_s * kSecondsPerMinute, machine_.path.max_feed_mm_s * kSecondsPerMinute));
+        }
+    }
+    if (orientation_rad_s != orientation_rad_s_) {
+        if (planner_.SetCartesianOrientationSpeed(orientation_rad_s) != Status::RRS_SUCCESS)
+            return refused(place);
+        orientation_rad_s_ = orientation_rad_s;
+    }
+    return true;
+}
+
+MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per_min) {
+    MoveInfo info;
+    info.target_id = next_id_++;
+    info.kind = kind;
+    info.place = place;
+    info.feed_per_min = feed_per_min;
+    info.jet_on = jet_;
+    return info;
+}
+
+bool Simulator::finish_move(Status status, const Place& place) {
+    if (static_cast<int>(status) < 0) return refused(place);
+    if (status == Status::RRS_MOTION_TIME_RAISED) {
+        warn(
+            "an inverse time feed (G93) asks for less time than the machine's limits allow; the limits hold");
+    }
+    if (planner_.time_s() > limits_.max_time_s) {
+        return stop(
+            fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)", limits_.max_time_s),
+            place);
+    }
+    return true;
+}
+
+bool Simulator::move(const LineMove& move) {
+    const bool rotary = rotary_alone(move.target);
+    if (move.rapid) {
+        select_rapid(true);
+    } else if (!set_feed(move.feed, rotary, move.place)) {
+        return false;
+    }
+    const MoveInfo info = next_move(move.rapid ? MoveKind::rapid : MoveKind::linear, move.place,
+                                    rotary ? move.feed.rotary_deg_min : move.feed.linear_mm_min);
+    recorder_.expect(info);
+    const Status status = planner_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
+                                                 to_joints(move.target), {}, 0);
+    if (static_cast<int>(status) >= 0) position_ = move.target;
+    return finish_move(status, move.place);
+}
+
+bool Simulator::move(const ArcMove& move) {
+    if (!set_feed(move.feed, false, move.place)) return false;
+    const auto [first, second, normal] = plane_axes(move.plane);
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    center[first] = move.center_first_mm;
+    center[second] = move.center_second_mm;
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    axis[normal] = move.kind == MoveKind::arc_ccw ? 1.0 : -1.0;
+    MoveInfo info = next_move(move.kind, move.place, move.feed.linear_mm_min);
+    info.plane = move.plane;
+    info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
+    recorder_.expect(info);
+    const Status status = planner_.SetNextArcTarget(info.target_id, center, axis, move.sweep_rad, no_pose(),
+                                                    to_joints(move.target));
+    if (static_cast<int>(status) >= 0) position_ = move.target;
+    return finish_move(status, move.place);
+}
+
+bool Simulator::move(const ViaMove& move) {
+    if (!set_feed(move.feed, false, move.place)) return false;
+    MoveInfo info = next_move(MoveKind::arc_ccw, move.place, move.feed.linear_mm_min);
+    info.turns = 1;
+    recorder_.expect(info);
+    planner_.SelectMotionType(rrs::MotionType::circular);
+    Status status =
+        planner_.SetNextTarget(info.target_id, rrs::TargetParam::via, no_pose(), to_joints(move.via), {}, 0);
+    if (static_cast<int>(status) >= 0) {
+        status = planner_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
+                                        to_joints(move.target), {}, 0);
+    }
+    planner_.SelectMotionType(rrs::MotionType::linear);
+    if (static_cast<int>(status) >= 0) position_ = move.target;
+    return finish_move(status, move.place);
+}
+
+tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
+    return planner_.setup()
+        .kinematics->inverse(pose, to_joints(position_))
+        .map([this](const rrs::JointPos& joints) { return to_axes(joints); });
+}
+
+bool Simulator::dwell(double seconds, const Place& place) {
+    const MoveInfo info = next_move(MoveKind::dwell, place, 0);
+    recorder_.expect(info);
+    return finish_move(planner_.SetNextRest(info.target_id, seconds), place);
+}
+
+rrs::Status Simulator::set_start(const std::function<Status()>& set) {
+    if (planner_.time_s() > 0) return Status::RRS_INVALID_PARAMETER;
+    const Status status = set();
+    position_ = to_axes(planner_.position());
+    return status;
+}
+
+rrs::Status Simulator::queue_target(MoveKind kind, const Place& place,
+                                    const std::function<Status(rrs::TargetId)>& queue) {
+    const MoveInfo info = next_move(kind, place, 0);
+    recorder_.expect(info);
+    const Status status = queue(info.target_id);
+    position_ = to_axes(planner_.position());
+    return status;
+}
+
+void Simulator::event(std::string kind, std::string detail, const Place& place) {
+    if (events_.size() == kMaxEvents) {
+        ++dropped_events_;
+        return;
+    }
+    events_.push_back({planner_.time_s(), place, std::move(kind), std::move(detail)});
+}
+
+void Simulator::set_jet(bool on) {
+    jet_ = on;
+}
+
+void Simulator::warn(const std::string& text) {
+    if (warnings_.size() < kMaxWarnings &&
+        std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end()) {
+        warnings_.push_back(text);
+    }
+}
+
+bool Simulator::fail(std::string message, const Place& place) {
+    if (alarm_) return false;
+    status_ = RunStatus::alarm;
+    alarm_ = Alarm{};
+    alarm_->message = std::move(message);
+    alarm_->place = place;
+    return false;
+}
+
+bool Simulator::stop(std::string message, const Place& place) {
+    if (alarm_) return false;
+    fail(std::move(message), place);
+    status_ = RunStatus::stopped;
+    return false;
+}
+
+/// Turns the planner's last refusal into an alarm in terms of the machine's axes.
+bool Simulator::refused(const Place& place) {
+    const motion::PlanError& error = planner_.last_error();
+    if (error.status != Status::RRS_JOINT_LIMIT || error.joint < 0) return fail(error.message, place);
+    const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];
+    const double unit_per_joint = axis.kind == machine::AxisKind::rotary ? 1.0 / kRadPerDeg : 1.0;
+    const double value = error.value * unit_per_joint + axis.zero;
+    const double limit = error.limit * unit_per_joint + axis.zero;
+    fail(fmt::format("axis {} would go to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
+                     unit(axis), limit, unit(axis)),
+         place);
+    alarm_->axis = axis.letter;
+    alarm_->value = value;
+    alarm_->limit = limit;
+    return false;
+}
+
+Report Simulator::finish(std::string program) {
+    planner_.flush();
+    Report report;
+    recorder_.finish(report);
+    report.program = std::move(program);
+    report.status = status_;
+    report.alarm = alarm_;
+    report.blocks = blocks_;
+    report.events = std::move(events_);
+    report.warnings = std::move(warnings_);
+    if (dropped_events_ > 0) {
+        report.warnings.push_back(
+            fmt::format("{} more events than the report lists were left out", dropped_events_));
+    }
+    report.files = files_;
+    return report;
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/machine/machine.h"
+#include "runtime/motion/planner.h"
+#include "runtime/simulation/move.h"
+#include "runtime/simulation/recorder.h"
+#include "runtime/simulation/report.h"
+
+namespace gsim::simulation {
+
+/// Values of the machine's axes in their order, as the axes read: mm or deg.
+using AxisVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, rrs::kMaxJoints, 1>;
+
+/// Bounds of a run that ends itself by none of its own words.
+struct RunLimits {
+    double max_time_s = 10'000'000;         ///< Of the machine.
+    std::uint64_t max_blocks = 20'000'000;  ///< Executed blocks.
+};
+
+/// How fast a feed move goes: a speed, or a time for the whole move (inverse time feed).
+struct Feed {
+    double linear_mm_min = 0;   ///< Of the tool, where a linear axis moves.
+    double rotary_deg_min = 0;  ///< Where rotary axes alone move.
+    std::optional<double> motion_s;
+};
+
+/// One move of the program in machine coordinates.
+struct LineMove {
+    bool rapid = false;
+    bool joint = false;  ///< A rapid in which all joints start and end together (robot-neutral joint motion).
+    AxisVector target;
+    Feed feed;
+    Place place;
+};
+
+/// An arc in one of the main planes, or a helix about the plane's normal.
+struct ArcMove {
+    MoveKind kind = MoveKind::arc_cw;
+    Plane plane = Plane::xy;
+    double center_first_mm = 0;   ///< On the plane's first axis (x, z, y of xy, zx, yz).
+    double center_second_mm = 0;  ///< On its second axis (y, x, z).
+    double sweep_rad = 0;         ///< > 0
+    AxisVector target;
+    Feed feed;
+    Place place;
+};
+
+/// An arc through a point, in any plane of space.
+struct ViaMove {
+    AxisVector via;
+    AxisVector target;
+    Feed feed;
+    Place place;
+};
+
+/// A run of one machine: takes moves, dwells and events in the order of the program, plans them through the
+/// services of its controller, and records what happens. Knows nothing of the language they came from.
+///
+/// The services that can fail return false; then alarm() says why, and the run must end.
+class Simulator {
+  public:
+    /// The machine stands at its home. Throws std::invalid_argument where the machine cannot be planned for.
+    Simulator(machine::Machine machine, RunLimits limits);
+    Simulator(const Simulator&) = delete;
+    Simulator& operator=(const Simulator&) = delete;
+
+    /// Before the first move; `output` outlives the simulator.
+    void add_output(RunOutput& output) { recorder_.add_output(output); }
+
+    const machine::Machine& machine() const { return machine_; }
+    /// Axis values at the end of the last move.
+    const AxisVector& position() const { return position_; }
+    double time_s() const { return planner_.time_s(); }
+
+    /// The index for Place::file of a file name; adds it where it is new.
+    std::uint32_t add_file(const std::string& name);
+    const std::vector<std::string>& files() const { return files_; }
+    /// Counts a block; false past the limit (status stopped).
+    bool count_block(const Place& place);
+
+    bool move(const LineMove& move);
+    bool move(const ArcMove& move);
+    bool move(const ViaMove& move);
+    bool dwell(double seconds, const Place& place);
+    /// Something that happens at rest, after all that came before.
+    void event(std::string kind, std::string detail, const Place& place);
+    void set_jet(bool on);
+    bool jet() const { return jet_; }
+    /// A warning for the report; the same text is given once.
+    void warn(const std::string& text);
+    /// Ends the run with an alarm of the program; always false.
+    bool fail(std::string message, const Place& place);
+    /// Ends the run because of a limit; always false.
+    bool stop(std::string message, const Place& place);
+
+    /// Axis values that bring the tool to a pose, nearest to where the machine is; the error is a sentence.
+    tl::expected<AxisVector, std::string> axes_of(const rrs::CartPos& pose) const;
+
+    const std::optional<Alarm>& alarm() const { return alarm_; }
+
+    /// The controller's services, for clients that call them by themselves. What they select is theirs again
+    /// after a move of the program only once they select it anew.
+    motion::DefaultPlanner& controller() {
+        rapid_ = -1;
+        return planner_;
+    }
+    /// Sets the position at time 0 by a service; refused later, as the machine cannot jump.
+    rrs::Status set_start(const std::function<rrs::Status()>& set);
+    /// A target that such a client queues: `queue` gets its id and calls the service.
+    rrs::Status queue_target(MoveKind kind, const Place& place,
+                             const std::function<rrs::Status(rrs::TargetId)>& queue);
+
+    /// Finishes all motion and returns the report.
+    Report finish(std::string program);
+
+  private:
+    void select_rapid(bool on);
+    rrs::JointPos to_joints(const AxisVector& axes) const;
+    AxisVector to_axes(const rrs::JointPos& joints) const;
+    bool rotary_alone(const AxisVector& target) const;
+    bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
+    MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
+    bool finish_move(rrs::Status status, const Place& place);
+    bool refused(const Place& place);
+
+    machine::Machine machine_;
+    RunLimits limits_;
+    Recorder recorder_;
+    motion::DefaultPlanner planner_;
+    AxisVector position_;
+    std::vector<std::string> files_;
+    std::vector<std::string> warnings_;
+    std::vector<Event> events_;
+    std::uint64_t dropped_events_ = 0;
+    std::optional<Alarm> alarm_;
+    RunStatus status_ = RunStatus::completed;
+    rrs::TargetId next_id_ = 1;
+    std::uint64_t blocks_ = 0;
+    double feed_mm_s_ = -1;
+    double orientation_rad_s_ = -1;
+    int rapid_ = -1;  ///< What the planner's selections are at: rapid 1, feed 0, unknown -1.
+    bool jet_ = false;
+};
+
+/// What the planner must know of a machine: X, Y and Z, where they are linear, carry the tool.
+motion::PlannerSetup planner_setup(const machine::Machine& machine);
+
+}  // namespace gsim::simulation

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gsim::simulation {
+
+/// A speed at an instant, with the jet on or off.
+struct SpeedPoint {
+    double t_s = 0;
+    double speed_mm_s = 0;
+    bool jet_on = false;
+};
+
+/// Keeps lowest and highest of many samples in slots of time, which grow with the length of the run, so that
+/// a curve of few points shows every peak.
+class SpeedBuckets {
+  public:
+    static constexpr std::size_t kMaxBuckets = 4096;
+
+    /// Samples come in the order of time.
+    void add(const SpeedPoint& point);
+    /// At most four points for each slot, in the order of time.
+    std::vector<SpeedPoint> points() const;
+    /// The width of a slot now.
+    double width_s() const { return width_s_; }
+
+  private:
+    // With the number of the sample, as the end of a move and the start of the next share an instant.
+    struct Numbered {
+        SpeedPoint point;
+        std::uint64_t number;
+    };
+    struct Extremes {
+        Numbered low;
+        Numbered high;
+    };
+    using Bucket = std::array<std::optional<Extremes>, 2>;  // jet off, jet on
+
+    static void merge(std::optional<Extremes>& into, const Numbered& sample);
+    void halve();
+
+    double width_s_ = 1e-3;
+    std::vector<Bucket> buckets_;
+    std::uint64_t count_ = 0;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/machine/machine.h"
+#include "runtime/simulation/run_output.h"
+#include "runtime/simulation/text_stream.h"
+
+namespace gsim::simulation {
+
+/// Writes samples of the trajectory as CSV (docs/report.md): one line for each multiple of the step, computed
+/// as k step so that no error adds up, and one for the last instant.
+class TrajectoryWriter : public RunOutput {
+  public:
+    /// `step_s` must be at least kMinStep_s; throws std::invalid_argument otherwise. `out` and `machine` must
+    /// outlive this.
+    TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s);
+
+    static constexpr double kMinStep_s = 1e-6;
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void end(double end_s) override;
+
+  private:
+    double next_s() const { return static_cast<double>(next_) * step_s_; }
+    void write_header();
+    void write_sample(double t_s, const rrs::JointPos& joints, double speed_mm_s);
+
+    TextStream& out_;
+    const machine::Machine& machine_;
+    double step_s_;
+    std::uint64_t next_ = 0;  // number of the next sample
+    rrs::JointPos position_;  // at the end of the last segment
+    std::uint32_t line_ = 0;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,51 @@
+#!/bin/bash
+# Installs the Debian packages that are missing, if any is. Groups: build (programs and tests; always), lint, fuzz.
+# Usage: scripts/setup.sh [lint] [fuzz]
+set -euo pipefail
+
+declare -A packages=(
+    [build]="g++ cmake make bison flex pkg-config liblua5.4-dev lua5.4 libeigen3-dev libfmt-dev libcli11-dev
+             nlohmann-json3-dev libtomlplusplus-dev libexpected-dev libgtest-dev libgmock-dev gnuplot-nox"
+    [lint]="clang-format clang-tidy"
+    [fuzz]="clang libclang-rt-14-dev llvm"
+)
+
+wanted=""
+for group in build "$@"; do
+    if [[ -z ${packages[$group]:-} ]]; then
+        echo "setup: no group of packages is called '$group'; there are: ${!packages[*]}" >&2
+        exit 2
+    fi
+    wanted+=" ${packages[$group]}"
+done
+read -ra wanted <<<"${wanted//$'\n'/ }"
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    echo "setup: this is not a Debian system; what it should have: ${wanted[*]}" >&2
+    exit 0
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+    status=$(dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null || true)
+    grep -qx installed <<<"$status" || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+        echo "setup: these packages are missing: ${missing[*]}" >&2
+        echo "setup: neither root nor sudo here; as root, run: apt-get install ${missing[*]}" >&2
+        exit 1
+    fi
+    as_root=(sudo)
+fi
+
+echo "setup: installing ${missing[*]}"
+# Quiet when it works; apt's own words when it does not.
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1 || { cat "$log" >&2; return 1; }; }
+apt update
+apt install --no-install-recommends "${missing[@]}"

@@ -1,0 +1,12 @@
+O23
+Print
+Printed X1
+ImPrint
+IFX
+GOTOX
+WHILEX
+CIPX
+MODX
+DO
+END
+THEN

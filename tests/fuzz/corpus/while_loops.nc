@@ -1,0 +1,14 @@
+O16
+#1=0
+WHILE [#1 LT 3] DO 1
+#2=0
+WHILE[#2LE2]DO2
+G1 X[#1] Y[#2] F100
+#2=#2+1
+END2
+#1=#1+1
+END 1
+WHILE [#1 GT 0] DO1
+#1=#1-1
+END1
+M30

@@ -1,0 +1,109 @@
+// Poses that two rotary axes cannot reach in full: the tool axis counts.
+
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/kinematics/gantry.h"
+#include "runtime/kinematics/pose.h"
+#include "tests/kinematics/chains.h"
+
+namespace gsim::kinematics {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
+
+std::shared_ptr<const GantryKinematics> gantry() {
+    return GantryKinematics::make(standard_gantry()).value();
+}
+
+// A pose of joints (0, 0, 0, b, c) with the tool turned about its own axis besides.
+rrs::CartPos spun(double b, double c, double spin) {
+    rrs::CartPos pose = gantry()->forward(joint_pos({0, 0, 0, b, c}));
+    pose.rotate(AngleAxisd(spin, Vector3d::UnitZ()));
+    return pose;
+}
+
+TEST(GantryOrientation, tool_axis_is_matched_where_the_whole_rotation_cannot_be) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> number(-3, 3);
+    for (int i = 0; i < 20'000; ++i) {
+        const double b = number(random), c = number(random), spin = number(random);
+        const rrs::CartPos pose = spun(b, c, spin);
+        const rrs::JointPos near = joint_pos({0, 0, 0, number(random), number(random)});
+        const auto q = gantry()->inverse(pose, near);
+        ASSERT_TRUE(q) << q.error();
+        ASSERT_LT((gantry()->forward(*q).linear().col(2) - pose.linear().col(2)).norm(), 1e-6)
+            << b << ' ' << c << ' ' << spin;
+    }
+}
+
+TEST(GantryOrientation, of_two_solutions_the_nearest_is_taken) {
+    // (b, c) and (b + pi, -c) point the tool the same way.
+    const auto first = gantry()->inverse(spun(0.5, 0.3, 1), joint_pos({0, 0, 0, 0.6, 0.2})).value();
+    EXPECT_NEAR(first[3], 0.5, 1e-9);
+    EXPECT_NEAR(first[4], 0.3, 1e-9);
+    const auto second = gantry()->inverse(spun(0.5, 0.3, 1), joint_pos({0, 0, 0, 3.5, -0.2})).value();
+    EXPECT_NEAR(second[3], 0.5 + kPi, 1e-9);
+    EXPECT_NEAR(second[4], -0.3, 1e-9);
+}
+
+TEST(GantryOrientation, whole_turns_follow_the_near_position) {
+    const rrs::CartPos pose = gantry()->forward(joint_pos({0, 0, 0, 0.5, 0.3}));
+    const auto q = gantry()->inverse(pose, joint_pos({0, 0, 0, 4 * kPi, 0})).value();
+    EXPECT_NEAR(q[3], 0.5 + 4 * kPi, 1e-9);
+    EXPECT_NEAR(q[4], 0.3, 1e-9);
+}
+
+TEST(GantryOrientation, upright_tool_takes_the_first_axis_from_the_pose_if_that_is_reachable) {
+    const auto q =
+        gantry()->inverse(gantry()->forward(joint_pos({0, 0, 0, 0.7, 0})), joint_pos({0, 0, 0, 2, 0.1}));
+    EXPECT_NEAR((*q)[3], 0.7, 1e-12);
+    EXPECT_NEAR((*q)[4], 0, 1e-12);
+}
+
+TEST(GantryOrientation, small_tilts_lose_no_accuracy) {
+    for (const double c : {1e-3, 1e-6, 1e-8, 1e-12}) {
+        const rrs::JointPos q = joint_pos({0, 0, 0, 1.2, c});
+        const auto back = gantry()->inverse(gantry()->forward(q), joint_pos({0, 0, 0, 0, 0})).value();
+        EXPECT_NEAR(back[3], 1.2, 1e-12) << c;
+        EXPECT_NEAR(back[4], c, 1e-12);
+    }
+}
+
+// With the second axis at 45 degrees and the tool along the first, the upside-down direction is beyond reach.
+TEST(GantryOrientation, tool_axis_out_of_reach_is_an_error) {
+    std::vector<DhLink> rows = gantry_rows();
+    rows[3].alpha_rad = kPi / 6;
+    rows[4].alpha_rad = -kPi / 6;
+    const auto head = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();
+    const rrs::CartPos down = pose_from_rpy({.yaw_rad = kPi});
+    EXPECT_THAT(head->inverse(down, joint_pos({0, 0, 0, 0, 0})).error(),
+                testing::HasSubstr("2 rotary axes cannot bring the tool into direction"));
+}
+
+// With the tool along the second axis, that axis is the turn about the tool: nothing is left to the machine.
+TEST(GantryOrientation, tool_along_the_second_axis_is_turned_as_the_pose_says) {
+    std::vector<DhLink> rows = gantry_rows();
+    rows[4].alpha_rad = 0;
+    const auto head = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();
+    const rrs::CartPos pose = head->forward(joint_pos({0, 0, 0, 0.4, 0.2}));
+    const rrs::JointPos q = head->inverse(pose, joint_pos({0, 0, 0, 0, 1})).value();
+    EXPECT_NEAR(q[3], 0.4, 1e-12);
+    EXPECT_NEAR(q[4], 0.2, 1e-12);
+    EXPECT_FALSE(head->inverse(pose_from_rpy({.yaw_rad = 0.1}), q));
+}
+
+TEST(GantryOrientation, upright_tool_stays_upright_without_rotary_axes) {
+    const auto rows = std::vector{slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0)};
+    const auto three = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();
+    EXPECT_TRUE(three->inverse(pose_from_rpy({.x_mm = 5, .roll_rad = 1}), joint_pos({0, 0, 0})));
+    EXPECT_FALSE(three->inverse(pose_from_rpy({.yaw_rad = 0.1}), joint_pos({0, 0, 0})));
+}
+
+}  // namespace
+}  // namespace gsim::kinematics

@@ -1,0 +1,169 @@
+#include "runtime/machine/machine_file.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace gsim::machine {
+namespace {
+
+constexpr std::string_view kHead = "[machine]\nname = \"m\"\n";  // two lines
+constexpr std::string_view kAxis =
+    "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndh = {}\n";  // lines 3 to 6 behind the head
+
+std::string error_of(const std::string& toml) {
+    const auto machine = read_machine(toml, "m.toml");
+    return machine ? "no error" : machine.error();
+}
+
+std::string with_axis_line(std::string_view line) {
+    return std::string(kHead) + std::string(kAxis) + std::string(line) + "\n";  // that is line 7
+}
+
+class SampleMachine : public testing::TestWithParam<const char*> {};
+
+TEST_P(SampleMachine, ReadsAndPrintsBackEqual) {
+    const auto machine = load_machine(std::string(GSIM_SAMPLES "/machines/") + GetParam());
+    ASSERT_TRUE(machine) << machine.error();
+    const auto again = read_machine(print_machine(*machine), "printed");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(*again, *machine) << print_machine(*machine);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SampleMachine,
+                         testing::Values("af5.toml", "af5-table-letters.toml", "af5-measured.toml",
+                                         "router3.toml"),
+                         [](const auto& sample) {
+                             std::string name = sample.param;
+                             for (char& c : name) {
+                                 if (c == '-' || c == '.') c = '_';
+                             }
+                             return name;
+                         });
+
+TEST(MachineFile, BuiltInMachineIsTheSpecificationsTable) {
+    const Machine machine = read_machine(built_in_machine_toml(), "af5.toml").value();
+    EXPECT_EQ(machine.name, "AF-series 5-axis waterjet gantry");
+    EXPECT_EQ(machine.inverse, InverseKind::gantry);
+    EXPECT_DOUBLE_EQ(machine.path.max_feed_mm_s, 600 * 25.4 / 60);
+    EXPECT_NEAR(machine.path.max_acceleration_mm_s2, 0.05 * 9806.65, 0.01);
+    ASSERT_EQ(machine.axes.size(), 5u);
+    const Axis& y = machine.axes[1];
+    EXPECT_EQ(y.letter, 'Y');
+    EXPECT_DOUBLE_EQ(y.max, 8 * 304.8);
+    EXPECT_DOUBLE_EQ(y.max_speed, 1200 * 25.4 / 60);
+    const Axis& b = machine.axes[3];
+    EXPECT_EQ(b.letter, 'B');
+    EXPECT_EQ(b.kind, AxisKind::rotary);
+    EXPECT_DOUBLE_EQ(b.min, -360);
+    EXPECT_DOUBLE_EQ(b.max_speed, 90);
+    EXPECT_DOUBLE_EQ(b.max_acceleration, 20);
+}
+
+TEST(MachineFile, BuiltInMachineIsTheSampleByteForByte) {
+    const auto sample = load_machine(GSIM_SAMPLES "/machines/af5.toml");
+    ASSERT_TRUE(sample) << sample.error();
+    EXPECT_EQ(read_machine(built_in_machine_toml(), "").value(), *sample);
+}
+
+TEST(MachineFile, WhatIsLeftOutIsUnlimited) {
+    const auto machine = read_machine(with_axis_line("max_mm = inf"), "m.toml");
+    ASSERT_TRUE(machine) << machine.error();
+    const double inf = std::numeric_limits<double>::infinity();
+    const Axis& axis = machine->axes[0];
+    EXPECT_EQ(axis.min, -inf);
+    EXPECT_EQ(axis.max, inf);
+    EXPECT_EQ(axis.max_speed, inf);
+    EXPECT_EQ(axis.max_acceleration, inf);
+    EXPECT_EQ(machine->path, PathLimits{});
+    EXPECT_EQ(read_machine(print_machine(*machine), "").value(), *machine);
+}
+
+TEST(MachineFile, NameMayHoldAnyCharacter) {
+    Machine machine = read_machine(with_axis_line(""), "m.toml").value();
+    machine.name = "a \"b\" \\ c\n\t\x01 \u00fc";
+    const auto again = read_machine(print_machine(machine), "printed");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(again->name, machine.name);
+}
+
+TEST(MachineFile, UnknownKeyNamesTheNearestKnownOne) {
+    EXPECT_EQ(error_of("[machine]\nname = \"m\"\n[path]\nmax_feed = 4\n"),
+              "m.toml:4:1: unknown key 'max_feed' in [path]; did you mean 'max_feed_mm_s'?");
+    EXPECT_EQ(error_of(with_axis_line("min_deg = 0")),
+              "m.toml:7:1: unknown key 'min_deg' in a linear [[axis]]; did you mean 'min_mm'?");
+    EXPECT_EQ(error_of("[machine]\nname = \"m\"\ncolour = 4\n"),
+              "m.toml:3:1: unknown key 'colour' in [machine]; it may hold: name, inverse");
+    EXPECT_EQ(error_of("[Machine]\n"),
+              "m.toml:1:2: unknown key 'Machine' in a machine file; did you mean 'machine'?");
+}
+
+TEST(MachineFile, WrongTypes) {
+    EXPECT_EQ(error_of(with_axis_line("min_mm = \"0\"")),
+              "m.toml:7:10: 'min_mm' must be a number, not a string");
+    EXPECT_EQ(error_of("[machine]\nname = 4\n"), "m.toml:2:8: 'name' must be a string, not a number");
+    EXPECT_EQ(error_of("machine = 4\n"), "m.toml:1:11: 'machine' must be a table, not a number");
+    EXPECT_EQ(error_of(std::string(kHead) + "[axis]\n"),
+              "m.toml:3:1: 'axis' must be an array of tables, each under [[axis]], not a table");
+    EXPECT_EQ(error_of("axis = [ 4 ]\n" + std::string(kHead)),
+              "m.toml:1:10: 'axis' must hold tables only, each under [[axis]]");
+    EXPECT_EQ(error_of("[machine]\nname = \"m\"\ninverse = \"robot\"\n"),
+              "m.toml:3:11: 'inverse' must be \"gantry\" or \"none\"");
+    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = 4\n"),
+              "m.toml:4:8: 'kind' must be \"linear\" or \"rotary\"");
+}
+
+TEST(MachineFile, MissingKeys) {
+    EXPECT_EQ(error_of(""), "m.toml:1:1: a machine file lacks the key 'machine'");
+    EXPECT_EQ(error_of("[machine]\n"), "m.toml:1:1: [machine] lacks the key 'name'");
+    EXPECT_EQ(error_of(std::string(kHead)), "m.toml:1:1: a machine file lacks the key 'axis'");
+    EXPECT_EQ(error_of("axis = []\n" + std::string(kHead)),
+              "m.toml:1:8: a machine needs at least one [[axis]]");
+    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\n"), "m.toml:3:1: [[axis]] lacks the key 'kind'");
+    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = \"linear\"\n"),
+              "m.toml:3:1: a linear [[axis]] lacks the key 'letter'");
+    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = \"rotary\"\nletter = \"A\"\n"),
+              "m.toml:3:1: a rotary [[axis]] lacks the key 'dh'");
+}
+
+TEST(MachineFile, ValuesOutOfRange) {
+    EXPECT_EQ(error_of(with_axis_line("max_speed_mm_s = -5")),
+              "m.toml:7:18: 'max_speed_mm_s' must be greater than 0; it is -5");
+    EXPECT_EQ(error_of(with_axis_line("min_mm = nan")), "m.toml:7:10: 'min_mm' must be a number; it is nan");
+    EXPECT_EQ(error_of(with_axis_line("home_mm = inf")), "m.toml:7:11: 'home_mm' must be finite; it is inf");
+    EXPECT_EQ(error_of(with_axis_line("max_mm = 1e300")),
+              "m.toml:7:10: 'max_mm' must be between -1e9 and 1e9; it is 1e+300");
+    EXPECT_EQ(error_of(with_axis_line("min_mm = 20\nmax_mm = 10")),
+              "m.toml:7:10: 'min_mm' is 20, greater than 'max_mm', 10");
+    EXPECT_EQ(error_of(with_axis_line("min_mm = inf")), "m.toml:7:10: 'min_mm' and 'max_mm' leave no range");
+    EXPECT_EQ(error_of(with_axis_line("max_mm = 10\nhome_mm = 11")),
+              "m.toml:8:11: 'home_mm' is 11, outside of the axis's range -inf .. 10");
+    EXPECT_EQ(error_of(with_axis_line("min_mm = 5")),
+              "m.toml:3:1: 'home_mm' is 0, outside of the axis's range 5 .. inf");
+}
+
+TEST(MachineFile, Letters) {
+    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nletter = \"F\"\nkind = \"linear\"\ndh = {}\n"),
+              "m.toml:4:10: 'letter' must be one of A B C U V W X Y Z");
+    EXPECT_EQ(error_of(std::string(kHead) + std::string(kAxis) + std::string(kAxis)),
+              "m.toml:8:10: the letter X is given twice; first in line 4");
+}
+
+TEST(MachineFile, InverseThatDoesNotFitTheChain) {
+    const std::string error =
+        error_of("[machine]\nname = \"m\"\ninverse = \"gantry\"\n" + std::string(kAxis));
+    EXPECT_EQ(error.substr(0, 13), "m.toml:3:11: ");
+}
+
+TEST(MachineFile, SyntaxErrorsOfToml) {
+    EXPECT_EQ(error_of("[machine\n").substr(0, 11), "m.toml:1:9:");
+    EXPECT_EQ(error_of("[machine]\nname = \"m\"\nname = \"n\"\n").substr(0, 9), "m.toml:3:");
+}
+
+TEST(MachineFile, FileThatCannotBeRead) {
+    EXPECT_EQ(load_machine("no/such.toml").error(), "cannot read 'no/such.toml': No such file or directory");
+    EXPECT_EQ(load_machine(".").error(), "cannot read '.': Is a directory");
+}
+
+}  // namespace
+}  // namespace gsim::machine

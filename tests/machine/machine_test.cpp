@@ -1,0 +1,89 @@
+#include "runtime/machine/machine.h"
+
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::machine {
+namespace {
+
+Machine af5() {
+    return read_machine(built_in_machine_toml(), "af5.toml").value();
+}
+
+Eigen::Matrix3d about(double angle_rad, const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
+}
+
+TEST(Machine, FindsAxesByLetter) {
+    const Machine machine = af5();
+    EXPECT_EQ(machine.find('X'), 0u);
+    EXPECT_EQ(machine.find('C'), 4u);
+    EXPECT_EQ(machine.find('A'), std::nullopt);
+}
+
+// The letters' meaning as geometry: X Y Z move the tip along the world's axes, B turns the tool about the
+// vertical, C tilts it about the axis that B carries, and the tip stays where it is.
+TEST(Machine, BuiltInMachineIsTransRzRy) {
+    const auto kinematics = make_kinematics(af5());
+    std::mt19937 random(20);
+    std::uniform_real_distribution<double> mm(0, 600), rad(-1.5, 1.5);
+    for (int i = 0; i < 200; ++i) {
+        rrs::JointPos joints(5);
+        joints << mm(random), mm(random), mm(random), 4 * rad(random), rad(random);
+        const rrs::CartPos pose = kinematics->forward(joints);
+        const Eigen::Matrix3d wanted =
+            about(joints[3], Eigen::Vector3d::UnitZ()) * about(joints[4], Eigen::Vector3d::UnitY());
+        EXPECT_LT((pose.translation() - joints.head<3>()).norm(), 1e-9) << joints.transpose();
+        EXPECT_LT((pose.linear() - wanted).norm(), 1e-12) << joints.transpose();
+        const auto back = kinematics->inverse(pose, joints);
+        ASSERT_TRUE(back) << back.error();
+        EXPECT_LT((*back - joints).norm(), 1e-9) << joints.transpose();
+    }
+}
+
+TEST(Machine, RouterMovesAlongTheWorldsAxes) {
+    const Machine machine = load_machine(GSIM_SAMPLES "/machines/router3.toml").value();
+    rrs::JointPos joints(3);
+    joints << 10, 20, -30;
+    const rrs::CartPos pose = make_kinematics(machine)->forward(joints);
+    EXPECT_LT((pose.translation() - Eigen::Vector3d(10, 20, -30)).norm(), 1e-12);
+    EXPECT_LT((pose.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+}
+
+TEST(Machine, AxisValuesCountFromZeroAndInDegrees) {
+    Axis axis{.letter = 'B', .kind = AxisKind::rotary, .zero = 30};
+    EXPECT_DOUBLE_EQ(axis_value(axis, std::numbers::pi), 210);
+    EXPECT_DOUBLE_EQ(joint_value(axis, 210), std::numbers::pi);
+    axis = {.letter = 'Z', .kind = AxisKind::linear, .zero = -100};
+    EXPECT_DOUBLE_EQ(axis_value(axis, 25), -75);
+    EXPECT_DOUBLE_EQ(joint_value(axis, -75), 25);
+}
+
+TEST(Machine, HomePositionIsInJointValues) {
+    Machine machine = af5();
+    machine.axes[1].home = 50;
+    machine.axes[1].zero = 20;
+    machine.axes[4].home = 90;
+    rrs::JointPos wanted(5);
+    wanted << 0, 30, 0, 0, std::numbers::pi / 2;
+    EXPECT_LT((home_position(machine) - wanted).norm(), 1e-12);
+}
+
+TEST(Machine, ChainThatDoesNotFitTheInverseIsRefused) {
+    Machine machine = af5();
+    machine.axes[3].dh.a_mm = 10;  // the tip is off the axis of B
+    EXPECT_NE(find_kinematic_fault(machine), std::nullopt);
+    EXPECT_THROW(make_kinematics(machine), std::invalid_argument);
+    machine.inverse = InverseKind::none;
+    EXPECT_EQ(find_kinematic_fault(machine), std::nullopt);
+    EXPECT_EQ(make_kinematics(machine)->joint_count(), 5);
+}
+
+}  // namespace
+}  // namespace gsim::machine

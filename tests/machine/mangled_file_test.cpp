@@ -1,0 +1,84 @@
+// Whatever a file holds, reading it ends with a value or with a sentence that says where.
+#include <cctype>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "runtime/machine/machine_data.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::machine {
+namespace {
+
+using Random = std::mt19937;
+
+std::size_t below(Random& random, std::size_t end) {
+    return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
+}
+
+std::string mangled(Random& random, std::string text) {
+    for (std::size_t changes = 1 + below(random, 4); changes > 0 && !text.empty(); --changes) {
+        const std::size_t at = below(random, text.size());
+        const std::size_t count = 1 + below(random, 20);
+        switch (below(random, 4)) {
+            case 0: text.erase(at, count); break;
+            case 1: text[at] = static_cast<char>(below(random, 256)); break;
+            case 2: text.insert(at, text.substr(below(random, text.size()), count)); break;
+            default: text.resize(at); break;
+        }
+    }
+    return text;
+}
+
+// "file:line:column: sentence", in one line.
+bool is_located(const std::string& error) {
+    std::size_t at = 2;
+    if (error.substr(0, at) != "f:") return false;
+    for (int numbers = 0; numbers < 2; ++numbers) {
+        const std::size_t start = at;
+        while (at < error.size() && std::isdigit(static_cast<unsigned char>(error[at]))) ++at;
+        if (at == start || at == error.size() || error[at++] != ':') return false;
+    }
+    return error.size() > at + 1 && error.find('\n') == std::string::npos;
+}
+
+TEST(MangledFile, MachineFile) {
+    Random random(1);
+    const std::string whole(built_in_machine_toml());
+    for (int i = 0; i < 3000; ++i) {
+        const std::string text = mangled(random, whole);
+        const auto machine = read_machine(text, "f");
+        if (machine) {
+            EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
+        } else {
+            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+        }
+    }
+}
+
+TEST(MangledFile, DeepNesting) {
+    for (const std::string open : {"[", "{a=", "[[", "[{a="}) {
+        std::string text = "machine = ";
+        for (int i = 0; i < 100000; ++i) text += open;
+        const auto machine = read_machine(text, "f");
+        ASSERT_FALSE(machine);
+        EXPECT_TRUE(is_located(machine.error())) << machine.error();
+    }
+}
+
+TEST(MangledFile, MachineData) {
+    Random random(2);
+    const std::vector<Axis> axes = read_machine(built_in_machine_toml(), "").value().axes;
+    const std::string whole =
+        "NCFILE\nOFFSET\n54 200.0001 200.0002 200\n59.1 1 2 3 90 -45 # turned\n505 1 -2 +3 90 inch\n"
+        "FIXED\n7 1 2 3 Metric\nALIAS\nWaterJetOn M08\nVARIABLE\n100 2.5\nENDFILE\n";
+    for (int i = 0; i < 20000; ++i) {
+        const std::string text = mangled(random, whole);
+        const auto data = read_machine_data(text, "f", axes);
+        EXPECT_TRUE(data || is_located(data.error())) << data.error() << '\n' << text;
+    }
+}
+
+}  // namespace
+}  // namespace gsim::machine

@@ -1,0 +1,124 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/kinematics/pose.h"
+#include "tests/motion/machines.h"
+
+namespace gsim::motion {
+namespace {
+
+using Eigen::Vector3d;
+using kinematics::pose_from_rpy;
+using rrs::CartPos;
+using rrs::Status;
+
+// A gantry in a corner of the cell: its base is turned and moved, and two of its slides run backwards, so
+// that the space of its joints is a mirror image of the world.
+PlannerSetup turned_setup(const CartPos& base) {
+    PlannerSetup setup = gantry_setup();
+    std::vector<kinematics::DhLink> rows = kinematics::gantry_rows();
+    setup.kinematics = kinematics::GantryKinematics::make(
+                           kinematics::DhChain(base * kinematics::gantry_base(), rows, CartPos::Identity()))
+                           .value();
+    std::swap(setup.position_joints[0], setup.position_joints[1]);  // x and y of the axis space change places
+    for (JointSetup& joint : setup.joints) joint.min = -5000;
+    return setup;
+}
+
+class CartesianTarget : public testing::Test {
+  protected:
+    CartesianTarget() : planner(turned_setup(base), &collector) {
+        planner.Initialize();
+        planner.SelectTargetType(rrs::TargetType::cartesian);
+        planner.SelectMotionType(rrs::MotionType::linear);
+        planner.SetCartesianPositionSpeed(100);
+        EXPECT_EQ(planner.SetInitialPosition(start, rrs::JointPos(), ""), Status::RRS_SUCCESS);
+    }
+    Status to(const CartPos& pose, rrs::TargetParam param = rrs::TargetParam::end) {
+        return planner.SetNextTarget(1, param, pose, rrs::JointPos(), "", 0);
+    }
+    const Segment& last() {
+        planner.flush();
+        return collector.segments.back();
+    }
+    CartPos pose_at(double share) {
+        const Segment& segment = last();
+        return planner.setup().kinematics->forward(segment.position_at(share * segment.duration_s));
+    }
+
+    const CartPos base =
+        pose_from_rpy({.x_mm = 300, .y_mm = -40, .z_mm = 10, .roll_rad = 0.7, .pitch_rad = 0.2});
+    const CartPos start = base * pose_from_rpy({.x_mm = 500, .y_mm = 500, .z_mm = 300});
+    Collector collector;
+    DefaultPlanner planner;
+};
+
+TEST_F(CartesianTarget, line_in_the_world) {
+    CartPos end = start;
+    end.translation() += Vector3d(100, 200, -50);
+    ASSERT_EQ(to(end), Status::RRS_SUCCESS) << planner.last_error().message;
+    EXPECT_TRUE(pose_at(1).isApprox(end, 1e-12));
+    EXPECT_LT((pose_at(0.5).translation() - (start.translation() + Vector3d(50, 100, -25))).norm(), 1e-6);
+    EXPECT_NEAR(last().length_mm, Vector3d(100, 200, -50).norm(), 1e-9);
+}
+
+TEST_F(CartesianTarget, arc_by_centre_keeps_its_sense_in_the_world) {
+    const Vector3d center = start.translation() - Vector3d(100, 0, 0);
+    CartPos end = start;
+    end.translation() = center + Vector3d(0, 100, 0);
+    ASSERT_EQ(planner.SetNextArcTarget(1, center, Vector3d::UnitZ(), kPi / 2, end, rrs::JointPos()),
+              Status::RRS_SUCCESS)
+        << planner.last_error().message;
+    EXPECT_LT((pose_at(0.5).translation() - (center + std::sqrt(5000) * Vector3d(1, 1, 0))).norm(), 1e-6);
+    EXPECT_NEAR(last().length_mm, 50 * kPi, 1e-9);
+}
+
+TEST_F(CartesianTarget, arc_through_a_via_point_in_the_world) {
+    planner.SelectMotionType(rrs::MotionType::circular);
+    const Vector3d center = start.translation() - Vector3d(100, 0, 0);
+    CartPos via = start, end = start;
+    via.translation() = center + Vector3d(0, 0, 100);
+    end.translation() = center - Vector3d(100, 0, 0);
+    ASSERT_EQ(to(via, rrs::TargetParam::via), Status::RRS_SUCCESS);
+    ASSERT_EQ(to(end), Status::RRS_SUCCESS);
+    EXPECT_LT((pose_at(0.5).translation() - via.translation()).norm(), 1e-6);
+}
+
+TEST_F(CartesianTarget, joint_motion_goes_to_the_pose) {
+    planner.SelectMotionType(rrs::MotionType::joint);
+    const CartPos end = start * pose_from_rpy({.x_mm = 100, .roll_rad = 0.4, .pitch_rad = 0.3});
+    ASSERT_EQ(to(end), Status::RRS_SUCCESS);
+    EXPECT_TRUE(pose_at(1).isApprox(end, 1e-12));
+    EXPECT_NEAR(planner.position()[3], 0.4, 1e-9);
+    EXPECT_NEAR(planner.position()[4], 0.3, 1e-9);
+}
+
+TEST_F(CartesianTarget, matrix_that_is_no_pose_is_refused) {
+    CartPos bad = start;
+    bad.linear() *= 1.1;
+    EXPECT_EQ(to(bad), Status::RRS_INVALID_PARAMETER);
+    EXPECT_THAT(planner.last_error().message, testing::HasSubstr("is not a rotation"));
+}
+
+TEST_F(CartesianTarget, unreachable_pose_is_refused) {
+    std::mt19937 random(1);
+    DefaultPlanner forward_only(odd_setup(random));
+    forward_only.Initialize();
+    forward_only.SelectTargetType(rrs::TargetType::cartesian);
+    EXPECT_EQ(forward_only.SetInitialPosition(start, rrs::JointPos(), ""), Status::RRS_NO_SOLUTION);
+    EXPECT_THAT(forward_only.last_error().message, testing::HasSubstr("no inverse kinematics"));
+}
+
+TEST_F(CartesianTarget, kinematics_services_undo_each_other) {
+    const rrs::JointPos joints = joint_pos({100, 200, 300, 0.4, 0.5});
+    CartPos pose;
+    rrs::JointPos back;
+    ASSERT_EQ(planner.GetForwardKinematics(joints, pose), Status::RRS_SUCCESS);
+    ASSERT_EQ(planner.GetInverseKinematics(pose, joints, back), Status::RRS_SUCCESS);
+    EXPECT_LT((back - joints).norm(), 1e-9);
+    EXPECT_EQ(planner.GetForwardKinematics(joint_pos({1}), pose), Status::RRS_INVALID_PARAMETER);
+    EXPECT_EQ(planner.GetInverseKinematics(pose, joint_pos({1}), back), Status::RRS_INVALID_PARAMETER);
+}
+
+}  // namespace
+}  // namespace gsim::motion

@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include "tests/motion/machines.h"
+#include "tests/motion/segment_checks.h"
+
+namespace gsim::motion {
+namespace {
+
+using rrs::Dominance;
+using rrs::Status;
+
+// At the middle of the gantry, linear motion at 100 mm/s.
+class LineMove : public testing::Test {
+  protected:
+    LineMove() : at(gantry_setup(), start) {
+        at.planner.SelectMotionType(rrs::MotionType::linear);
+        at.planner.SetCartesianPositionSpeed(100);
+    }
+    const Segment& go(std::initializer_list<double> target) {
+        EXPECT_EQ(at.to(joint_pos(target)), Status::RRS_SUCCESS) << at.message();
+        return at.last();
+    }
+
+    const rrs::JointPos start = joint_pos({500, 500, 300, 0, 0});
+    ReadyPlanner at;
+    const double acceleration = 490.33;
+    const double quarter = kPi / 2;
+};
+
+TEST_F(LineMove, takes_the_time_of_the_trapezoid_at_the_programmed_speed) {
+    const Segment& segment = go({800, 900, 300, 0, 0});
+    EXPECT_EQ(segment.kind, SegmentKind::linear);
+    EXPECT_DOUBLE_EQ(segment.length_mm, 500);
+    EXPECT_DOUBLE_EQ(segment.duration_s, 500 / 100.0 + 100 / acceleration);
+    EXPECT_DOUBLE_EQ(segment.lead.peak_speed(), 100);
+    EXPECT_DOUBLE_EQ(segment.path_speed_mm_s(2), 100);
+    EXPECT_TRUE(segment.followers().empty());
+    EXPECT_TRUE(segment.position_at(segment.duration_s / 2).isApprox(joint_pos({650, 700, 300, 0, 0})));
+}
+
+TEST_F(LineMove, speed_is_capped_by_the_feed_limit_of_the_path) {
+    at.planner.SetCartesianPositionSpeed(1000);
+    EXPECT_DOUBLE_EQ(go({1500, 500, 300, 0, 0}).duration_s, 1000 / 254.0 + 254 / acceleration);
+}
+
+TEST_F(LineMove, rapid_takes_the_rapid_limit_and_the_joints_alone) {
+    at.planner.SetCartesianPositionSpeed(1);
+    at.planner.SetCartesianPositionAcceleration(1);
+    at.planner.SetRapid(true);
+    EXPECT_DOUBLE_EQ(go({1500, 500, 300, 0, 0}).duration_s, 1000 / 508.0 + 508 / acceleration);
+    // Along a diagonal each joint has only its share of the way: acceleration rises, speed is capped by the
+    // path.
+    at.planner.SetInitialPosition(rrs::CartPos::Identity(), start, "");
+    const Segment& diagonal = go({1500, 1500, 300, 0, 0});
+    EXPECT_DOUBLE_EQ(diagonal.duration_s, trapezoid_s(1000 * std::sqrt(2), 508, acceleration * std::sqrt(2)));
+}
+
+TEST_F(LineMove, rapid_needs_no_programmed_speed) {
+    ReadyPlanner fresh(gantry_setup(), start);
+    fresh.planner.SelectMotionType(rrs::MotionType::linear);
+    EXPECT_EQ(fresh.to(joint_pos({600, 500, 300, 0, 0})), Status::RRS_ZERO_SPEED);
+    EXPECT_EQ(fresh.message(),
+              "No speed is programmed for this motion; set one with SetCartesianPositionSpeed first.");
+    fresh.planner.SetRapid(true);
+    EXPECT_EQ(fresh.to(joint_pos({600, 500, 300, 0, 0})), Status::RRS_SUCCESS);
+}
+
+TEST_F(LineMove, slower_rotary_joint_sets_the_time_and_the_path_runs_along) {
+    const Segment& segment = go({600, 500, 300, kPi, 0});
+    EXPECT_DOUBLE_EQ(segment.duration_s, kPi / quarter + 1);
+    ASSERT_EQ(segment.followers().size(), 1U);
+    EXPECT_EQ(segment.followers()[0].joint, 3);
+    EXPECT_DOUBLE_EQ(segment.followers()[0].law.peak_speed(), quarter);
+    EXPECT_LT(segment.lead.peak_speed(), 100);
+    EXPECT_DOUBLE_EQ(segment.lead.duration_s(), segment.duration_s);
+}
+
+TEST_F(LineMove, faster_rotary_joint_is_stretched_to_the_path) {
+    const Segment& segment = go({1000, 500, 300, -0.1, 0.2});
+    EXPECT_DOUBLE_EQ(segment.duration_s, 500 / 100.0 + 100 / acceleration);
+    ASSERT_EQ(segment.followers().size(), 2U);
+    for (const Follower& follower : segment.followers()) {
+        EXPECT_EQ(follower.law.duration_s(), segment.duration_s);
+        EXPECT_DOUBLE_EQ(follower.law.at(0).a, quarter);
+    }
+    EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[3], -0.05, 1e-12);
+    EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[4], 0.1, 1e-12);
+}
+
+TEST_F(LineMove, rotary_joints_alone_lead_in_the_space_of_their_angles) {
+    const Segment& limits = go({500, 500, 300, 0.6, 0.8});
+    EXPECT_EQ(limits.length_mm, 0);
+    EXPECT_EQ(limits.path_speed_mm_s(0.5), 0);
+    EXPECT_DOUBLE_EQ(limits.lead.length(), 1);
+    EXPECT_DOUBLE_EQ(limits.duration_s, trapezoid_s(1, quarter / 0.8, quarter / 0.8));
+    at.planner.SetCartesianOrientationSpeed(0.25);
+    EXPECT_DOUBLE_EQ(go({500, 500, 300, 0, 0}).duration_s, trapezoid_s(1, 0.25, quarter / 0.8));
+    at.planner.SetRapid(true);
+    EXPECT_DOUBLE_EQ(go({500, 500, 300, 0.6, 0.8}).duration_s, trapezoid_s(1, quarter / 0.8, quarter / 0.8));
+}
+
+TEST_F(LineMove, dominance_tells_which_programmed_speed_counts) {
+    at.planner.SetCartesianOrientationSpeed(0.1);
+    const auto time_to = [&](Dominance dominance) {
+        at.planner.SelectDominantInterpolation(dominance);
+        at.planner.SetInitialPosition(rrs::CartPos::Identity(), start, "");
+        return go({1000, 500, 300, 1, 0}).duration_s;
+    };
+    const double by_position = 500 / 100.0 + 100 / acceleration;
+    const double by_orientation = 1 / 0.1 + 0.1 / quarter;
+    EXPECT_DOUBLE_EQ(time_to(Dominance::automatic), by_orientation);
+    EXPECT_DOUBLE_EQ(time_to(Dominance::orientation), by_orientation);
+    EXPECT_DOUBLE_EQ(time_to(Dominance::position), by_position);
+    at.planner.SetCartesianOrientationSpeed(1e3);
+    EXPECT_DOUBLE_EQ(time_to(Dominance::orientation), 500 / 254.0 + 254 / acceleration);
+    EXPECT_DOUBLE_EQ(time_to(Dominance::automatic), by_position);
+}
+
+TEST_F(LineMove, dominance_leaves_moves_of_one_kind_alone) {
+    at.planner.SelectDominantInterpolation(Dominance::orientation);
+    EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 100.0 + 100 / acceleration);
+    at.planner.SelectDominantInterpolation(Dominance::position);
+    at.planner.SetCartesianOrientationSpeed(0.1);
+    EXPECT_DOUBLE_EQ(go({1000, 500, 300, 1, 0}).duration_s, 1 / 0.1 + 0.1 / quarter);
+}
+
+TEST_F(LineMove, overrides_scale_what_is_programmed) {
+    at.planner.SetOverrideSpeed(50);
+    EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 50.0 + 50 / acceleration);
+    at.planner.SetCartesianPositionAcceleration(200);
+    at.planner.SetOverrideAcceleration(25);
+    EXPECT_DOUBLE_EQ(go({500, 500, 300, 0, 0}).duration_s, 500 / 50.0 + 50 / 50.0);
+    at.planner.SetOverrideSpeed(200);
+    at.planner.SetOverrideAcceleration(200);
+    EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 200.0 + 200 / 400.0);
+}
+
+TEST_F(LineMove, motion_time_stands_for_the_speed_of_one_move) {
+    at.planner.SetMotionTime(20);
+    EXPECT_EQ(go({1000, 500, 300, 1, 0}).duration_s, 20);
+    EXPECT_DOUBLE_EQ(go({500, 500, 300, 1, 0}).duration_s, 500 / 100.0 + 100 / acceleration);
+    at.planner.SetMotionTime(3);  // faster than programmed
+    EXPECT_EQ(go({1000, 500, 300, 1, 0}).duration_s, 3);
+}
+
+TEST_F(LineMove, motion_time_too_short_is_raised_and_told) {
+    at.planner.SetMotionTime(0.1);
+    EXPECT_EQ(at.to(joint_pos({1000, 500, 300, 0, 0})), Status::RRS_MOTION_TIME_RAISED);
+    const double least = 500 / 254.0 + 254 / acceleration;
+    EXPECT_DOUBLE_EQ(at.last().duration_s, least);
+    EXPECT_EQ(at.message().substr(0, 14), "The move takes");
+    EXPECT_EQ(at.planner.last_error().status, Status::RRS_MOTION_TIME_RAISED);
+    EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_SUCCESS);
+}
+
+TEST_F(LineMove, refused_target_leaves_the_motion_time_for_the_next) {
+    at.planner.SetMotionTime(9);
+    EXPECT_EQ(at.to(joint_pos({-1, 500, 300, 0, 0})), Status::RRS_JOINT_LIMIT);
+    EXPECT_EQ(go({700, 500, 300, 0, 0}).duration_s, 9);
+}
+
+TEST_F(LineMove, going_nowhere_is_a_segment_of_no_duration) {
+    const Segment& segment = go({500, 500, 300, 0, 0});
+    EXPECT_EQ(segment.kind, SegmentKind::linear);
+    EXPECT_EQ(segment.target_id, 1);
+    EXPECT_EQ(segment.duration_s, 0);
+    EXPECT_EQ(segment.length_mm, 0);
+    EXPECT_EQ(segment.position_at(0), start);
+    EXPECT_EQ(segment.at(0).velocity, joint_pos({0, 0, 0, 0, 0}));
+    EXPECT_EQ(segment.at(0).position, start);
+}
+
+TEST_F(LineMove, rounding_is_not_motion) {
+    const Segment& segment = go({500 + 1e-12, 500, 300, 1, 0});
+    EXPECT_EQ(segment.length_mm, 0);
+    EXPECT_DOUBLE_EQ(segment.lead.length(), 1);
+    EXPECT_EQ(segment.end[0], 500 + 1e-12);
+}
+
+TEST_F(LineMove, secondary_slide_leads_alone_and_follows_beside_the_path) {
+    PlannerSetup setup = gantry_setup();
+    setup.joints = {setup.joints[0], setup.joints[1], setup.joints[2], setup.joints[0], setup.joints[3]};
+    setup.joints[3].max_speed = 20;
+    std::vector<kinematics::DhLink> rows(5);
+    rows[4].kind = rrs::JointKind::revolute;
+    const auto identity = rrs::CartPos::Identity();
+    setup.kinematics =
+        std::make_shared<kinematics::ChainKinematics>(kinematics::DhChain(identity, rows, identity));
+    ReadyPlanner planner(setup, joint_pos({0, 0, 0, 0, 0}));
+    planner.planner.SelectMotionType(rrs::MotionType::linear);
+    planner.planner.SetCartesianPositionSpeed(10);
+
+    EXPECT_EQ(planner.to(joint_pos({0, 0, 0, 100, 0.1})), Status::RRS_SUCCESS);
+    EXPECT_DOUBLE_EQ(planner.last().duration_s, 100 / 10.0 + 10 / acceleration);
+    EXPECT_DOUBLE_EQ(planner.last().length_mm, 100);
+    EXPECT_EQ(planner.last().followers().size(), 1U);
+    EXPECT_EQ(planner.to(joint_pos({10, 0, 0, 200, 0.1})), Status::RRS_SUCCESS);
+    EXPECT_DOUBLE_EQ(planner.last().duration_s, 100 / 20.0 + 20 / acceleration);
+    EXPECT_DOUBLE_EQ(planner.last().length_mm, 10);
+}
+
+}  // namespace
+}  // namespace gsim::motion

@@ -1,0 +1,129 @@
+// Whatever numbers come in, a planner answers, keeps a clock that is a number, and emits segments that are
+// finite.
+
+#include <array>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/machines.h"
+
+namespace gsim::motion {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array kOdd{0.0,
+                          -0.0,
+                          1.0,
+                          -1.0,
+                          100.0,
+                          500.0,
+                          0.1,
+                          1e-9,
+                          1e-12,
+                          1e-160,
+                          1e-320,
+                          1e300,
+                          -1e308,
+                          kNan,
+                          kUnlimited,
+                          -kUnlimited,
+                          609.6,
+                          1e12,
+                          6.283185307179586};
+
+class OddValues : public testing::Test {
+  protected:
+    double odd() { return kOdd[random() % kOdd.size()]; }
+    int small() { return static_cast<int>(random() % 9) - 2; }
+    rrs::JointPos odd_joints() {
+        rrs::JointPos q(random() % 20 == 0 ? 4 : 5);
+        for (auto& value : q) value = random() % 3 == 0 ? odd() : static_cast<double>(random() % 500);
+        return q;
+    }
+    rrs::CartPos odd_pose() {
+        rrs::CartPos pose = rrs::CartPos::Identity();
+        for (int i = small(); i > 0; --i)
+            pose.matrix()(static_cast<int>(random() % 4), static_cast<int>(random() % 4)) = odd();
+        return pose;
+    }
+
+    void call_something(DefaultPlanner& planner) {
+        const std::vector<int> joints{small()};
+        const std::vector<double> values{odd()};
+        const auto param = static_cast<rrs::TargetParam>(random() % 2);
+        rrs::JointPos joints_out;
+        rrs::CartPos pose_out;
+        double elapsed = 0;
+        switch (random() % 24) {
+            case 0: planner.SetCartesianPositionSpeed(odd()); break;
+            case 1: planner.SetCartesianOrientationSpeed(odd()); break;
+            case 2: planner.SetCartesianPositionAcceleration(odd()); break;
+            case 3: planner.SetCartesianOrientationAcceleration(odd()); break;
+            case 4: planner.SetOverrideSpeed(odd()); break;
+            case 5: planner.SetOverrideAcceleration(odd()); break;
+            case 6: planner.SetMotionTime(odd()); break;
+            case 7: planner.SetRestParameter(odd()); break;
+            case 8: planner.SetInterpolationTime(odd()); break;
+            case 9: planner.SetJointSpeeds(joints, values); break;
+            case 10: planner.SetJointAccelerations(joints, values); break;
+            case 11: planner.SelectMotionType(static_cast<rrs::MotionType>(small())); break;
+            case 12: planner.SelectTargetType(static_cast<rrs::TargetType>(random() % 2)); break;
+            case 13: planner.SelectDominantInterpolation(static_cast<rrs::Dominance>(small())); break;
+            case 14: planner.SetRapid(random() % 2 == 0); break;
+            case 15: planner.SetNextRest(small(), odd()); break;
+            case 16: planner.GetNextStep(joints_out, pose_out, elapsed); break;
+            case 17:
+                planner.SetNextArcTarget(1, {odd(), odd(), odd()}, Eigen::Vector3d::Unit(small() & 1), odd(),
+                                         odd_pose(), odd_joints());
+                break;
+            case 18: planner.GetInverseKinematics(odd_pose(), odd_joints(), joints_out); break;
+            case 19: planner.SetInitialPosition(odd_pose(), odd_joints(), ""); break;
+            default: planner.SetNextTarget(small(), param, odd_pose(), odd_joints(), "", 0); break;
+        }
+    }
+
+    std::mt19937 random{41};
+};
+
+class FiniteSink : public SegmentSink {
+  public:
+    void take(const Segment& segment) override {
+        ++taken;
+        ASSERT_TRUE(std::isfinite(segment.start_s) && segment.duration_s >= 0 && segment.duration_s <= 1e12);
+        for (int i = 0; i <= 10; ++i) {
+            const JointState state = segment.at(segment.duration_s * i / 10);
+            ASSERT_TRUE(state.position.allFinite())
+                << segment.duration_s << " s, " << segment.length_mm << " mm";
+            ASSERT_TRUE(state.velocity.allFinite())
+                << segment.duration_s << " s, " << segment.length_mm << " mm";
+        }
+    }
+    int taken = 0;
+};
+
+TEST_F(OddValues, planner_survives_anything) {
+    int taken = 0;
+    for (int session = 0; session < 6000; ++session) {
+        SCOPED_TRACE(testing::Message() << "session " << session);
+        PlannerSetup setup = gantry_setup();
+        if (session % 2 == 0) {
+            for (JointSetup& joint : setup.joints) joint = {.kind = joint.kind};  // no limits at all
+        }
+        setup.queue_capacity = 3;
+        FiniteSink sink;
+        DefaultPlanner planner(setup, &sink);
+        planner.Initialize();
+        planner.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({100, 100, 100, 0, 0}), "");
+        for (int i = 0; i < 60; ++i) call_something(planner);
+        planner.flush();
+        taken += sink.taken;
+        ASSERT_TRUE(std::isfinite(planner.time_s()));
+        ASSERT_TRUE(planner.position().allFinite());
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(taken, 10'000);
+}
+
+}  // namespace
+}  // namespace gsim::motion

@@ -1,0 +1,180 @@
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/machines.h"
+
+namespace gsim::motion {
+namespace {
+
+using rrs::CartPos;
+using rrs::Status;
+
+const rrs::JointPos kStart = joint_pos({500, 500, 300, 0, 0});
+
+std::vector<rrs::TargetId> ids(const std::vector<Segment>& segments) {
+    std::vector<rrs::TargetId> result;
+    for (const Segment& segment : segments) result.push_back(segment.target_id);
+    return result;
+}
+
+// Lines, an arc, a joint move, moves to nowhere and rests.
+void put_program(ReadyPlanner& at) {
+    DefaultPlanner& planner = at.planner;
+    planner.SelectMotionType(rrs::MotionType::linear);
+    planner.SetCartesianPositionSpeed(80);
+    at.to(joint_pos({600, 500, 300, 0.4, 0}));
+    at.to(joint_pos({600, 500, 300, 0.4, 0}));
+    at.arc_to(joint_pos({600, 600, 300, 0.4, 0.2}), {600, 550, 0}, Eigen::Vector3d::UnitZ(), 3 * kPi);
+    planner.SetNextRest(++at.id, 0.1234);
+    planner.SelectMotionType(rrs::MotionType::joint);
+    at.to(joint_pos({500, 400, 100, 0, 0}));
+    planner.SetRestParameter(0.05);
+    at.to(joint_pos({500, 400, 200, 0, 0}));
+    planner.SetNextRest(++at.id, 0);
+}
+
+TEST(PlannerQueue, segments_leave_in_order_each_once_and_join_without_gaps) {
+    ReadyPlanner at(gantry_setup(), kStart);
+    put_program(at);
+    EXPECT_TRUE(at.collector.segments.empty());
+    at.planner.flush();
+    at.planner.flush();
+    const auto& segments = at.collector.segments;
+    EXPECT_EQ(ids(segments), (std::vector<rrs::TargetId>{1, 2, 3, 4, 5, 6, 6, 7}));
+    EXPECT_EQ(segments[3].kind, SegmentKind::rest);
+    EXPECT_EQ(segments[3].duration_s, 0.1234);
+    EXPECT_EQ(segments[6].kind, SegmentKind::rest);
+    EXPECT_EQ(segments[6].duration_s, 0.05);
+    EXPECT_EQ(segments[3].position_at(0.05), segments[3].start);
+    double clock = 0;
+    rrs::JointPos position = kStart;
+    for (const Segment& segment : segments) {
+        EXPECT_EQ(segment.start_s, clock);
+        EXPECT_EQ(segment.start, position);
+        clock = segment.end_s();
+        position = segment.end;
+    }
+    EXPECT_EQ(clock, at.planner.time_s());
+    EXPECT_EQ(position, at.planner.position());
+    EXPECT_EQ(at.planner.step_time_s(), clock);
+}
+
+TEST(PlannerQueue, steps_are_samples_of_the_segments) {
+    ReadyPlanner flushed(gantry_setup(), kStart), stepped(gantry_setup(), kStart);
+    put_program(flushed);
+    flushed.planner.flush();
+    const auto& segments = flushed.collector.segments;
+    put_program(stepped);
+    stepped.planner.SetInterpolationTime(0.0137);
+    rrs::JointPos joints;
+    CartPos pose;
+    double elapsed = 0, clock = 0;
+    std::size_t left = 0;
+    for (;;) {
+        const Status status = stepped.planner.GetNextStep(joints, pose, elapsed);
+        if (status == Status::RRS_NEED_MORE_DATA) break;
+        clock += elapsed;
+        ASSERT_LE(elapsed, 0.0137 + 1e-12);
+        ASSERT_NEAR(clock, stepped.planner.step_time_s(), 1e-9);
+        const std::size_t passed = stepped.collector.segments.size();
+        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > left);
+        left = passed;
+        const rrs::JointPos expected =
+            left < segments.size()
+                ? segments[left].position_at(stepped.planner.step_time_s() - segments[left].start_s)
+                : segments.back().end;
+        ASSERT_EQ(joints, expected) << "at " << clock;
+        ASSERT_LT((pose.translation() - joints.head<3>()).norm(), 1e-9);
+    }
+    EXPECT_EQ(elapsed, 0);
+    EXPECT_EQ(joints, segments.back().end);
+    EXPECT_EQ(stepped.planner.step_time_s(), flushed.planner.time_s());
+    EXPECT_EQ(ids(stepped.collector.segments), ids(segments));
+}
+
+TEST(PlannerQueue, last_step_is_as_long_as_what_remains) {
+    ReadyPlanner at(gantry_setup(), kStart);
+    at.planner.SetNextRest(1, 0.025);
+    rrs::JointPos joints;
+    CartPos pose;
+    double elapsed = 0;
+    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_SUCCESS);
+    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_SUCCESS);
+    EXPECT_DOUBLE_EQ(elapsed, 0.01);
+    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_TARGET_REACHED);
+    EXPECT_DOUBLE_EQ(elapsed, 0.005);
+    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_NEED_MORE_DATA);
+}
+
+TEST(PlannerQueue, oldest_segments_leave_by_themselves_when_the_queue_is_full) {
+    PlannerSetup setup = gantry_setup();
+    setup.queue_capacity = 4;
+    ReadyPlanner at(setup, kStart);
+    for (int i = 0; i < 1000; ++i) {
+        ASSERT_EQ(at.to(joint_pos({500.0 + i % 7, 500, 300, 0, 0})), Status::RRS_SUCCESS);
+        ASSERT_EQ(at.collector.segments.size(), static_cast<std::size_t>(std::max(0, i - 3)));
+    }
+    at.planner.flush();
+    ASSERT_EQ(at.collector.segments.size(), 1000U);
+    for (int i = 0; i < 1000; ++i)
+        ASSERT_EQ(at.collector.segments[static_cast<std::size_t>(i)].target_id, i + 1);
+}
+
+TEST(PlannerQueue, without_a_sink_a_full_queue_asks_for_steps) {
+    PlannerSetup setup = gantry_setup();
+    setup.queue_capacity = 2;
+    DefaultPlanner planner(setup);
+    planner.Initialize();
+    planner.SetInitialPosition(CartPos::Identity(), kStart, "");
+    EXPECT_EQ(planner.SetNextRest(1, 1), Status::RRS_SUCCESS);
+    planner.SetRestParameter(1);
+    EXPECT_EQ(planner.SetNextTarget(2, rrs::TargetParam::end, CartPos::Identity(), kStart, "", 0),
+              Status::RRS_QUEUE_FULL);
+    planner.SetRestParameter(0);
+    EXPECT_EQ(planner.SetNextRest(2, 1), Status::RRS_SUCCESS);
+    EXPECT_EQ(planner.SetNextRest(3, 1), Status::RRS_QUEUE_FULL);
+    EXPECT_EQ(planner.last_error().message, "2 targets are waiting; call GetNextStep before more are put.");
+    planner.SetInterpolationTime(1);
+    rrs::JointPos joints;
+    CartPos pose;
+    double elapsed = 0;
+    EXPECT_EQ(planner.GetNextStep(joints, pose, elapsed), Status::RRS_TARGET_REACHED);
+    EXPECT_EQ(planner.SetNextRest(3, 1), Status::RRS_SUCCESS);
+    EXPECT_EQ(planner.time_s(), 3);
+}
+
+TEST(PlannerQueue, new_initial_position_finishes_what_is_queued) {
+    ReadyPlanner at(gantry_setup(), kStart);
+    at.to(joint_pos({600, 500, 300, 0, 0}));
+    const double end_s = at.planner.time_s();
+    EXPECT_EQ(at.planner.SetInitialPosition(CartPos::Identity(), joint_pos({0, 0, 0, 0, 0}), ""),
+              Status::RRS_SUCCESS);
+    EXPECT_EQ(at.collector.segments.size(), 1U);
+    at.to(joint_pos({1, 0, 0, 0, 0}));
+    EXPECT_EQ(at.last().start, joint_pos({0, 0, 0, 0, 0}));
+    EXPECT_EQ(at.last().start_s, end_s);
+}
+
+TEST(PlannerQueue, segment_leaves_once_even_if_the_sink_throws) {
+    class Thrower : public SegmentSink {
+      public:
+        void take(const Segment&) override {
+            ++taken;
+            throw std::runtime_error("enough");
+        }
+        int taken = 0;
+    };
+    Thrower sink;
+    DefaultPlanner planner(gantry_setup(), &sink);
+    planner.Initialize();
+    planner.SetInitialPosition(CartPos::Identity(), kStart, "");
+    planner.SetNextRest(1, 1);
+    EXPECT_THROW(planner.flush(), std::runtime_error);
+    EXPECT_NO_THROW(planner.flush());
+    EXPECT_EQ(sink.taken, 1);
+}
+
+}  // namespace
+}  // namespace gsim::motion

@@ -1,0 +1,158 @@
+#include "runtime/motion/time_law.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/segment_checks.h"
+
+namespace gsim::motion {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Distance from the law's speeds alone, by Simpson's rule over fine steps.
+double integrated(const TimeLaw& law, double until_s) {
+    constexpr int kSteps = 2000;
+    const double dt = until_s / kSteps;
+    double s = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        s += dt / 6 * (law.at(i * dt).v + 4 * law.at((i + 0.5) * dt).v + law.at((i + 1) * dt).v);
+    }
+    return s;
+}
+
+TEST(TimeLaw, nothing_to_do_takes_no_time) {
+    const TimeLaw law{};
+    EXPECT_EQ(law.duration_s(), 0);
+    EXPECT_EQ(law.at(0).s, 0);
+    EXPECT_EQ(TimeLaw::fastest(0, 10, 10).duration_s(), 0);
+    EXPECT_EQ(TimeLaw::fastest(0, 10, 10).at(1).v, 0);
+}
+
+TEST(TimeLaw, trapezoid_by_hand) {
+    // 1 s up and 1 s down at 100 mm/s2 are 100 mm; 200 mm remain for 2 s at 100 mm/s.
+    const TimeLaw law = TimeLaw::fastest(300, 100, 100);
+    EXPECT_DOUBLE_EQ(law.duration_s(), 4);
+    EXPECT_DOUBLE_EQ(law.peak_speed(), 100);
+    EXPECT_DOUBLE_EQ(law.at(0.5).s, 12.5);
+    EXPECT_DOUBLE_EQ(law.at(0.5).v, 50);
+    EXPECT_DOUBLE_EQ(law.at(0.5).a, 100);
+    EXPECT_DOUBLE_EQ(law.at(2).s, 150);
+    EXPECT_DOUBLE_EQ(law.at(2).a, 0);
+    EXPECT_DOUBLE_EQ(law.at(3.5).s, 287.5);
+    EXPECT_DOUBLE_EQ(law.at(3.5).a, -100);
+}
+
+TEST(TimeLaw, triangle_by_hand) {
+    const TimeLaw law = TimeLaw::fastest(100, 1000, 100);
+    EXPECT_DOUBLE_EQ(law.duration_s(), 2);
+    EXPECT_DOUBLE_EQ(law.peak_speed(), 100);
+    EXPECT_DOUBLE_EQ(law.at(1).s, 50);
+}
+
+TEST(TimeLaw, infinite_limits_drop_out) {
+    EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).duration_s(), 2);
+    EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).at(1).s, 50);
+    EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).at(0).v, 50);
+    EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, kInfinity, 100).duration_s(), 2);
+    EXPECT_EQ(TimeLaw::fastest(100, kInfinity, kInfinity).duration_s(), 0);
+    EXPECT_EQ(TimeLaw::fastest(100, kInfinity, kInfinity).at(0).s, 100);
+}
+
+TEST(TimeLaw, is_clamped_to_its_duration_and_ends_exactly) {
+    const TimeLaw law = TimeLaw::fastest(0.1 + 0.2, 0.7, 0.3);
+    EXPECT_EQ(law.at(-1).s, 0);
+    EXPECT_EQ(law.at(law.duration_s()).s, 0.1 + 0.2);
+    EXPECT_EQ(law.at(1e9).s, 0.1 + 0.2);
+    EXPECT_NEAR(law.at(1e9).v, 0, 1e-12);
+}
+
+TEST(TimeLaw, in_time_by_hand) {
+    // 300 mm in 4 s with ramps of 100 mm/s2 is the trapezoid above; with more time it only cruises slower.
+    EXPECT_DOUBLE_EQ(TimeLaw::in_time(300, 4, 100).peak_speed(), 100);
+    const TimeLaw slow = TimeLaw::in_time(300, 7, 100);
+    EXPECT_DOUBLE_EQ(slow.at(0.1).a, 100);
+    EXPECT_DOUBLE_EQ(slow.peak_speed() * (7 - slow.peak_speed() / 100), 300);
+    EXPECT_DOUBLE_EQ(TimeLaw::in_time(300, 4, kInfinity).peak_speed(), 75);
+}
+
+TEST(TimeLaw, in_time_takes_a_shortfall_within_rounding_as_equal) {
+    const double least = TimeLaw::fastest_s(7, kInfinity, 3);
+    const TimeLaw law = TimeLaw::in_time(7, least * (1 - 1e-15), 3);
+    EXPECT_EQ(law.at(least).s, 7);
+    EXPECT_LE(law.at(0).a, 3 * (1 + kRelative));
+}
+
+TEST(TimeLaw, standing_still_may_take_time) {
+    const TimeLaw law = TimeLaw::in_time(0, 5, 100);
+    EXPECT_EQ(law.duration_s(), 5);
+    EXPECT_EQ(law.at(3).s, 0);
+    EXPECT_EQ(law.at(3).v, 0);
+}
+
+struct Case {
+    double length, speed, acceleration, stretch;
+};
+
+Case random_case(std::mt19937& random) {
+    std::uniform_real_distribution<double> log_scale(-9, 9);
+    std::bernoulli_distribution coin(0.3);
+    Case c{std::exp(log_scale(random)), std::exp(log_scale(random)), std::exp(log_scale(random)), 0};
+    if (coin(random)) c.length = c.speed * c.speed / c.acceleration;  // the edge of triangle and trapezoid
+    c.stretch = coin(random) ? 1 + 1e-15 : 1 + std::exp(log_scale(random));
+    return c;
+}
+
+void expect_law(const TimeLaw& law, const Case& c, double duration_s) {
+    const auto what = [&] {
+        return testing::Message() << "length " << c.length << " speed " << c.speed << " acceleration "
+                                  << c.acceleration << " stretch " << c.stretch;
+    };
+    ASSERT_EQ(law.duration_s(), duration_s) << what();
+    ASSERT_LE(law.peak_speed(), c.speed * (1 + kRelative)) << what();
+    double before = 0;
+    for (int i = 0; i <= 300; ++i) {
+        const LawState state = law.at(duration_s * i / 300);
+        ASSERT_GE(state.s, before * (1 - 1e-12)) << what();
+        ASSERT_LE(state.v, law.peak_speed() * (1 + kRelative)) << what();
+        ASSERT_LE(std::abs(state.a), c.acceleration * (1 + kRelative)) << what();
+        before = state.s;
+    }
+    ASSERT_EQ(law.at(duration_s).s, c.length) << what();
+    ASSERT_EQ(law.at(0).v, 0) << what();
+    ASSERT_NEAR(law.at(duration_s).v, 0, 1e-9 * law.peak_speed()) << what();
+}
+
+TEST(TimeLaw, random_laws_keep_their_limits_and_their_time) {
+    std::mt19937 random(21);
+    for (int i = 0; i < 20'000; ++i) {
+        const Case c = random_case(random);
+        const double fastest_s = trapezoid_s(c.length, c.speed, c.acceleration);
+        ASSERT_NEAR(TimeLaw::fastest_s(c.length, c.speed, c.acceleration), fastest_s, 1e-12 * fastest_s);
+        const TimeLaw fastest = TimeLaw::fastest(c.length, c.speed, c.acceleration);
+        expect_law(fastest, c, TimeLaw::fastest_s(c.length, c.speed, c.acceleration));
+        const double longer_s = fastest.duration_s() * c.stretch;
+        expect_law(TimeLaw::in_time(c.length, longer_s, c.acceleration, c.speed), c, longer_s);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(TimeLaw, distance_is_the_integral_of_the_speed) {
+    std::mt19937 random(22);
+    for (int i = 0; i < 300; ++i) {
+        const Case c = random_case(random);
+        const TimeLaw law = TimeLaw::in_time(
+            c.length, c.stretch * trapezoid_s(c.length, c.speed, c.acceleration), c.acceleration);
+        for (const double share : {0.2, 0.5, 0.9, 1.0}) {
+            const double t = share * law.duration_s();
+            ASSERT_NEAR(law.at(t).s, integrated(law, t), 1e-3 * c.length)
+                << c.length << ' ' << c.acceleration;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gsim::motion

@@ -1,0 +1,83 @@
+#include "runtime/simulation/moves_writer.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/simulation/string_stream.h"
+#include "tests/simulation/test_segments.h"
+
+namespace gsim::simulation {
+namespace {
+
+class MovesWriterTest : public testing::Test {
+  protected:
+    std::string written(const RecordedMove& move) {
+        writer.take(move);
+        return stream.text();
+    }
+
+    machine::Machine machine = af5();
+    std::vector<std::string> files{"part.nc"};
+    StringStream stream;
+    MovesWriter writer{stream.out(), machine, files};
+};
+
+RecordedMove move(MoveKind kind) {
+    RecordedMove move;
+    move.n = 3;
+    move.info.kind = kind;
+    move.info.place = {0, 12};
+    move.info.feed_per_min = 6350;
+    move.start_s = 1.5;
+    move.end_s = 4;
+    move.end = joints(100, -0.0, 1.0 / 3, std::numbers::pi / 2, -1e-15);
+    return move;
+}
+
+TEST_F(MovesWriterTest, Line) {
+    EXPECT_EQ(written(move(MoveKind::linear)),
+              R"({"n":3,"file":"part.nc","line":12,"kind":"linear",)"
+              R"("to":{"X":100,"Y":0,"Z":0.333333333,"B":90,"C":0},"feed":6350,"start_s":1.5,"end_s":4})"
+              "\n");
+}
+
+TEST_F(MovesWriterTest, RapidAndDwellHaveNoFeed) {
+    for (const MoveKind kind : {MoveKind::rapid, MoveKind::dwell}) {
+        StringStream other;
+        MovesWriter(other.out(), machine, files).take(move(kind));
+        EXPECT_EQ(nlohmann::json::parse(other.text())["feed"], nullptr);
+    }
+}
+
+TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
+    machine.axes[1].zero = 50;
+    RecordedMove recorded = move(MoveKind::arc_cw);
+    recorded.info.plane = Plane::zx;
+    recorded.info.turns = 2;
+    const motion::Segment segment = arc(1, 0, 500, 600, 100, 0, 90);
+    recorded.arc = segment.arc;
+    recorded.position_joints = segment.position_joints;
+    const auto json = nlohmann::json::parse(written(recorded));
+    EXPECT_EQ(json["kind"], "arc_cw");
+    EXPECT_EQ(json["center"], (nlohmann::json{{"X", 500}, {"Y", 650}, {"Z", 0}}));
+    EXPECT_EQ(json["plane"], "zx");
+    EXPECT_EQ(json["turns"], 2);
+}
+
+TEST_F(MovesWriterTest, FilesThatAppearLaterAndNamesWithOddCharacters) {
+    RecordedMove recorded = move(MoveKind::linear);
+    recorded.info.place.file = 1;
+    files.push_back("a\"\\\n\xff\xc3\xbc.nc");
+    EXPECT_EQ(nlohmann::json::parse(written(recorded))["file"], "a\"\\\n\ufffd\u00fc.nc");
+}
+
+TEST_F(MovesWriterTest, UnknownFileIsNull) {
+    RecordedMove recorded = move(MoveKind::linear);
+    recorded.info.place.file = 7;
+    EXPECT_EQ(nlohmann::json::parse(written(recorded))["file"], nullptr);
+}
+
+}  // namespace
+}  // namespace gsim::simulation

@@ -1,0 +1,128 @@
+#include "runtime/simulation/output_file.h"
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "runtime/simulation/text_stream.h"
+
+namespace gsim::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFileTest : public testing::Test {
+  protected:
+    OutputFileTest() {
+        std::string name = (fs::temp_directory_path() / "output_file_test_XXXXXX").string();
+        folder = ::mkdtemp(name.data());
+    }
+    ~OutputFileTest() override { fs::remove_all(folder); }
+
+    static std::string content(const fs::path& path) {
+        std::ifstream file(path);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    static void write(const fs::path& path, std::string_view text) { std::ofstream(path) << text; }
+    std::size_t file_count() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+    }
+
+    fs::path folder;
+};
+
+TEST_F(OutputFileTest, AppearsOnlyWhenCommitted) {
+    auto file = OutputFile::open(folder / "a");
+    ASSERT_TRUE(file) << file.error();
+    std::fputs("new", file->stream());
+    EXPECT_FALSE(fs::exists(folder / "a"));
+    EXPECT_TRUE(file->commit());
+    EXPECT_EQ(content(folder / "a"), "new");
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(OutputFileTest, WithoutACommitTheOldFileStays) {
+    write(folder / "a", "old");
+    {
+        auto file = OutputFile::open(folder / "a");
+        ASSERT_TRUE(file) << file.error();
+        std::fputs("new", file->stream());
+    }
+    EXPECT_EQ(content(folder / "a"), "old");
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(OutputFileTest, KeepsPermissionsAndSymbolicLinks) {
+    write(folder / "a", "old");
+    fs::permissions(folder / "a", fs::perms(0640));
+    fs::create_symlink("a", folder / "link");
+    auto file = OutputFile::open(folder / "link");
+    ASSERT_TRUE(file) << file.error();
+    std::fputs("new", file->stream());
+    ASSERT_TRUE(file->commit());
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(content(folder / "a"), "new");
+    EXPECT_EQ(fs::status(folder / "a").permissions(), fs::perms(0640));
+}
+
+TEST_F(OutputFileTest, ErrorsNameTheFile) {
+    const auto missing = OutputFile::open(folder / "no" / "a");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error(),
+              "cannot write '" + (folder / "no" / "a").string() + "': No such file or directory");
+    const auto directory = OutputFile::open(folder);
+    ASSERT_FALSE(directory);
+    EXPECT_EQ(directory.error(), "cannot write '" + folder.string() + "': Is a directory");
+}
+
+TEST(OutputFile, DeviceIsWrittenDirectlyAndStaysADevice) {
+    auto file = OutputFile::open("/dev/null");
+    ASSERT_TRUE(file) << file.error();
+    EXPECT_TRUE(file->commit());
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(OutputFile, PipeIsWrittenDirectly) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    auto file = OutputFile::open("/dev/fd/" + std::to_string(ends[1]));
+    ASSERT_TRUE(file) << file.error();
+    std::fputs("text", file->stream());
+    EXPECT_TRUE(file->commit());
+    char text[5] = {};
+    EXPECT_EQ(::read(ends[0], text, 4), 4);
+    EXPECT_STREQ(text, "text");
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
+TEST(OutputFile, FullDiskIsReported) {
+    auto file = OutputFile::open("/dev/full");
+    if (!file) GTEST_SKIP() << file.error();
+    std::fputs("text", file->stream());
+    const auto committed = file->commit();
+    ASSERT_FALSE(committed);
+    EXPECT_EQ(committed.error(), "cannot write '/dev/full': No space left on device");
+}
+
+TEST(TextStream, FullDiskIsReportedOnceAndForAll) {
+    std::FILE* file = std::fopen("/dev/full", "w");
+    if (!file) GTEST_SKIP() << "no /dev/full here";
+    TextStream stream(file);
+    for (int i = 0; i < 100000; ++i) {
+        fmt::format_to(std::back_inserter(stream.buffer()), "line {}", i);
+        stream.end_line();
+    }
+    EXPECT_TRUE(stream.failed());
+    EXPECT_LT(stream.buffer().size(), 100000u);
+    const auto flushed = stream.flush();
+    ASSERT_FALSE(flushed);
+    EXPECT_EQ(flushed.error(), "cannot write: No space left on device");
+    std::fclose(file);
+}
+
+}  // namespace
+}  // namespace gsim::simulation

@@ -1,0 +1,132 @@
+#include "runtime/simulation/plot_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/simulation/test_segments.h"
+
+namespace gsim::simulation {
+namespace {
+
+using Eigen::Vector2d;
+
+double distance_to_piece(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+    const double length_squared = (b - a).squaredNorm();
+    const double share = length_squared > 0 ? std::clamp((p - a).dot(b - a) / length_squared, 0.0, 1.0) : 0.0;
+    return (a + share * (b - a) - p).norm();
+}
+
+double distance_to_polyline(const Vector2d& p, const std::vector<PathPoint>& line) {
+    double least = (line.at(0).at_mm - p).norm();
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        least = std::min(least, distance_to_piece(p, line[i - 1].at_mm, line[i].at_mm));
+    }
+    return least;
+}
+
+TEST(PathThinner, KeepsCornersAndNoMore) {
+    PathThinner thinner;
+    for (int i = 0; i <= 100; ++i) thinner.add({0.1 * i, 0}, PathStyle::feed);
+    for (int i = 1; i <= 100; ++i) thinner.add({10, 0.1 * i}, PathStyle::feed);
+    for (int i = 99; i >= 50; --i) thinner.add({10, 0.1 * i}, PathStyle::feed);  // back the same way
+    const auto points = thinner.points();
+    ASSERT_EQ(points.size(), 4u);
+    EXPECT_EQ(points[1].at_mm, Vector2d(10, 0));
+    EXPECT_EQ(points[2].at_mm, Vector2d(10, 10));
+    EXPECT_EQ(points[3].at_mm, Vector2d(10, 5));
+}
+
+TEST(PathThinner, StyleChangesWhereItChanges) {
+    PathThinner thinner;
+    thinner.add({0, 0}, PathStyle::rapid);
+    thinner.add({10, 0}, PathStyle::rapid);
+    thinner.add({20, 0}, PathStyle::jet);
+    const auto points = thinner.points();
+    ASSERT_EQ(points.size(), 3u);
+    EXPECT_EQ(points[1].at_mm, Vector2d(10, 0));
+    EXPECT_EQ(points[1].style, PathStyle::rapid);
+    EXPECT_EQ(points[2].style, PathStyle::jet);
+}
+
+TEST(PathThinner, LongPathStaysBoundedAndNear) {
+    PathThinner thinner;
+    std::vector<Vector2d> all;
+    for (int i = 0; i < 300000; ++i) {  // a spiral of 1000 mm
+        const double phi = 0.002 * i;
+        all.emplace_back(phi * std::cos(phi), phi * std::sin(phi));
+        thinner.add(all.back(), i / 100 % 2 == 0 ? PathStyle::jet : PathStyle::feed);
+    }
+    const auto points = thinner.points();
+    EXPECT_LE(points.size(), PathThinner::kMaxPoints + 1);
+    EXPECT_GT(points.size(), 1000u);
+    for (std::size_t i = 0; i < all.size(); i += 3001) {
+        EXPECT_LT(distance_to_polyline(all[i], points), 0.5) << i;
+    }
+}
+
+TEST(PathThinner, RandomWalkStaysBounded) {
+    PathThinner thinner;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> mm(-1000, 1000);
+    for (int i = 0; i < 200000; ++i) {
+        thinner.add({mm(random), mm(random)}, static_cast<PathStyle>(random() % 3));
+        if (i % 1000 == 0) {
+            ASSERT_LE(thinner.points().size(), PathThinner::kMaxPoints + 1);
+        }
+    }
+    EXPECT_LE(thinner.points().size(), PathThinner::kMaxPoints + 1);
+}
+
+TEST(SpeedBuckets, EveryPeakSurvives) {
+    SpeedBuckets buckets;
+    for (int i = 0; i < 1000000; ++i) {
+        const double speed = i == 654321 ? 99 : i % 2 == 0 ? 10 : 20;
+        buckets.add({0.01 * i, speed, i >= 500000});
+    }
+    const auto points = buckets.points();
+    EXPECT_LE(points.size(), 4 * SpeedBuckets::kMaxBuckets);
+    double greatest = 0, least = 100;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        greatest = std::max(greatest, points[i].speed_mm_s);
+        least = std::min(least, points[i].speed_mm_s);
+        EXPECT_EQ(points[i].jet_on, points[i].t_s >= 5000) << points[i].t_s;
+        EXPECT_GE(points[i].t_s, points[i > 0 ? i - 1 : 0].t_s);
+    }
+    EXPECT_EQ(greatest, 99);
+    EXPECT_EQ(least, 10);
+}
+
+TEST(PlotData, SeesArcsAsArcsAndSpeedAsItIs) {
+    const machine::Machine machine = af5();
+    PlotData data(machine);
+    data.begin(joints(600, 600));
+    data.take(arc(1, 0, 500, 600, 100, 0, 360), {.kind = MoveKind::arc_ccw, .jet_on = true});
+    EXPECT_EQ(data.labels()[0], "X (mm)");
+    EXPECT_EQ(data.labels()[1], "Y (mm)");
+    const auto path = data.path();
+    EXPECT_GT(path.size(), 90u);
+    for (const PathPoint& point : path) {
+        EXPECT_NEAR((point.at_mm - Vector2d(500, 600)).norm(), 100, 1e-9);
+    }
+    double top = 0;
+    for (const SpeedPoint& point : data.speed()) {
+        EXPECT_TRUE(point.jet_on);
+        top = std::max(top, point.speed_mm_s);
+    }
+    EXPECT_NEAR(top, kSpeed_mm_s, 1e-9);
+}
+
+TEST(PlotData, MachineWithoutXAndY) {
+    machine::Machine machine = af5();
+    machine.axes.erase(machine.axes.begin(), machine.axes.begin() + 4);
+    PlotData data(machine);
+    data.begin(rrs::JointPos::Zero(1));
+    EXPECT_EQ(data.labels()[0], "C (deg)");
+}
+
+}  // namespace
+}  // namespace gsim::simulation

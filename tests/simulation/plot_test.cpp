@@ -1,0 +1,99 @@
+#include "runtime/simulation/plot.h"
+
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "runtime/simulation/child_process.h"
+#include "runtime/simulation/plot_script.h"
+#include "tests/simulation/test_segments.h"
+
+namespace gsim::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class PlotTest : public testing::Test {
+  protected:
+    PlotTest() {
+        std::string name = (fs::temp_directory_path() / "plot_test_XXXXXX").string();
+        folder = ::mkdtemp(name.data());
+    }
+    ~PlotTest() override { fs::remove_all(folder); }
+
+    void draw_something() {
+        data.begin(joints(0, 0));
+        data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::rapid});
+        data.take(line(2, 2.5, joints(100, 0), joints(100, 100)), {.kind = MoveKind::linear});
+        data.take(arc(3, 5, 0, 100, 100, 0, 180), {.kind = MoveKind::arc_ccw, .jet_on = true});
+    }
+    static std::string content(const fs::path& path) {
+        std::ifstream file(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    bool has_gnuplot() const {
+        std::FILE* null = std::fopen("/dev/null", "r+");
+        const bool has = run_child({"gnuplot", "--version"}, null, null).has_value();
+        std::fclose(null);
+        return has;
+    }
+
+    machine::Machine machine = af5();
+    PlotData data{machine};
+    fs::path folder;
+};
+
+TEST_F(PlotTest, DrawsPngAndSvg) {
+    if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
+    draw_something();
+    const auto png = make_plot(data, folder / "a b.png", "it's `a` \"title\" \\ $x\n{/*2 y}");
+    ASSERT_TRUE(png) << png.error();
+    EXPECT_THAT(content(folder / "a b.png"), StartsWith("\x89PNG"));
+    const auto svg = make_plot(data, folder / "a.svg", "it's `a` title");
+    ASSERT_TRUE(svg) << svg.error();
+    EXPECT_THAT(content(folder / "a.svg"), HasSubstr("it's `a` title"));
+    EXPECT_THAT(content(folder / "a.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(PlotTest, DrawsARunWithoutAMove) {
+    if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
+    data.begin(joints(0, 0));
+    const auto drawn = make_plot(data, folder / "a.png", "");
+    EXPECT_TRUE(drawn) << drawn.error();
+}
+
+TEST_F(PlotTest, EachStyleHasItsCurve) {
+    draw_something();
+    const std::string script = plot_script(data, PictureFormat::svg, "t");
+    EXPECT_THAT(script, HasSubstr("$rapid << EOD\n0 0\n"));
+    EXPECT_THAT(script, HasSubstr("$feed << EOD\n100 0\n100 100\nEOD\n"));
+    EXPECT_THAT(script, HasSubstr("$jet << EOD\n100 100\n"));
+    EXPECT_THAT(script, HasSubstr("title 'jet on'"));
+}
+
+TEST_F(PlotTest, NameWithoutAKnownEnding) {
+    EXPECT_EQ(make_plot(data, "a.pdf", "").error(),
+              "cannot draw 'a.pdf': a picture's name ends in .svg or .png");
+}
+
+TEST_F(PlotTest, FolderThatIsNotThere) {
+    const std::string name = (folder / "no" / "a.png").string();
+    EXPECT_EQ(make_plot(data, name, "").error(), "cannot write '" + name + "': No such file or directory");
+}
+
+TEST(ChildProcess, ErrorsAreSentences) {
+    std::FILE* null = std::fopen("/dev/null", "r+");
+    EXPECT_EQ(run_child({"no-such-program"}, null, null).error(),
+              "cannot run no-such-program: No such file or directory");
+    EXPECT_EQ(run_child({"sh", "-c", "echo; echo why >&2; exit 3"}, null, null).error(), "sh failed: why");
+    EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, null, null).error(), "sh failed: ");
+    std::fclose(null);
+}
+
+}  // namespace
+}  // namespace gsim::simulation

@@ -1,0 +1,115 @@
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/simulation/report.h"
+
+namespace gsim::simulation {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::ElementsAre;
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+Report sample() {
+    Report report;
+    report.program = "part.nc";
+    report.machine = "m";
+    report.files = {"part.nc", "sub.nc"};
+    report.cycle_time_s = 0.1 + 0.2;
+    report.rapid_s = 1;
+    report.feed_mm = -0.0;
+    report.blocks = 12;
+    report.moves = 11;
+    report.bounds = {
+        {.letter = 'X', .min = 1, .max = 2, .limit_min = -kInf, .limit_max = 10},
+        {.letter = 'B', .rotary = true, .min = -90, .max = 0, .limit_min = -360, .limit_max = 360}};
+    report.events = {{1.5, {1, 3}, "jet_on", ""}, {2, {0, 0}, "stop", "by the operator"}};
+    report.warnings = {"something"};
+    report.slowest = {{{0, 9}, MoveKind::arc_cw, 3.5, 20}};
+    return report;
+}
+
+std::vector<std::string> keys(const ordered_json& json) {
+    std::vector<std::string> keys;
+    for (const auto& item : json.items()) keys.push_back(item.key());
+    return keys;
+}
+
+TEST(ReportJson, KeysInTheirOrder) {
+    const auto json = ordered_json::parse(to_json(sample()));
+    EXPECT_THAT(keys(json),
+                ElementsAre("program", "machine", "status", "alarm", "cycle_time_s", "time", "length",
+                            "blocks", "moves", "bounds", "events", "warnings", "slowest"));
+    EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
+    EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
+    EXPECT_THAT(keys(json["bounds"]), ElementsAre("X", "B"));
+    EXPECT_THAT(keys(json["bounds"]["X"]), ElementsAre("min", "max", "limit_min", "limit_max"));
+    EXPECT_THAT(keys(json["slowest"][0]), ElementsAre("file", "line", "kind", "duration_s", "length_mm"));
+}
+
+TEST(ReportJson, Values) {
+    const auto json = ordered_json::parse(to_json(sample()));
+    EXPECT_EQ(json["status"], "completed");
+    EXPECT_EQ(json["alarm"], nullptr);
+    EXPECT_EQ(json["cycle_time_s"], 0.3);
+    EXPECT_EQ(json["length"]["feed_mm"].dump(), "0.0");
+    EXPECT_EQ(json["blocks"], 12);
+    EXPECT_EQ(json["bounds"]["X"]["limit_min"], nullptr);
+    EXPECT_EQ(json["bounds"]["X"]["limit_max"], 10);
+    EXPECT_EQ(json["events"][0],
+              (ordered_json{{"t_s", 1.5}, {"file", "sub.nc"}, {"line", 3}, {"kind", "jet_on"}}));
+    EXPECT_EQ(json["events"][1], (ordered_json{{"t_s", 2.0},
+                                               {"file", "part.nc"},
+                                               {"line", nullptr},
+                                               {"kind", "stop"},
+                                               {"detail", "by the operator"}}));
+    EXPECT_EQ(json["warnings"], ordered_json::array({"something"}));
+    EXPECT_EQ(json["slowest"][0]["kind"], "arc_cw");
+}
+
+TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
+    Report report = sample();
+    report.status = RunStatus::alarm;
+    report.alarm =
+        Alarm{.message = "X beyond its limit", .place = {0, 4}, .axis = 'X', .value = 12, .limit = 10};
+    auto json = ordered_json::parse(to_json(report));
+    EXPECT_EQ(json["status"], "alarm");
+    EXPECT_EQ(json["alarm"], (ordered_json{{"message", "X beyond its limit"},
+                                           {"file", "part.nc"},
+                                           {"line", 4},
+                                           {"axis", "X"},
+                                           {"value", 12.0},
+                                           {"limit", 10.0}}));
+    report.alarm = Alarm{.message = "no such program", .place = {9, 0}, .value = {}, .limit = {}};
+    json = ordered_json::parse(to_json(report));
+    EXPECT_THAT(keys(json["alarm"]), ElementsAre("message", "file", "line", "axis", "value", "limit"));
+    for (const char* key : {"file", "line", "axis", "value", "limit"}) EXPECT_EQ(json["alarm"][key], nullptr);
+}
+
+TEST(ReportJson, EmptyListsStayLists) {
+    const auto json = ordered_json::parse(to_json(Report{}));
+    EXPECT_TRUE(json["events"].is_array());
+    EXPECT_TRUE(json["warnings"].is_array());
+    EXPECT_TRUE(json["slowest"].is_array());
+    EXPECT_TRUE(json["bounds"].is_object());
+}
+
+TEST(ReportJson, NothingThatJsonCannotHold) {
+    Report report = sample();
+    report.cycle_time_s = kInf;
+    report.rapid_s = std::numeric_limits<double>::quiet_NaN();
+    report.program = "\xff.nc";
+    const auto json = ordered_json::parse(to_json(report));
+    EXPECT_EQ(json["cycle_time_s"], nullptr);
+    EXPECT_EQ(json["time"]["rapid_s"], nullptr);
+    EXPECT_EQ(json["program"], "\ufffd.nc");
+}
+
+}  // namespace
+}  // namespace gsim::simulation

@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/simulation/report.h"
+
+namespace gsim::simulation {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Report sample() {
+    Report report;
+    report.program = "part.nc";
+    report.machine = "gantry";
+    report.files = {"part.nc"};
+    report.cycle_time_s = 3725.5;
+    report.rapid_s = 931.375;
+    report.feed_s = 2794.125;
+    report.rapid_mm = 100;
+    report.feed_mm = 200;
+    report.jet_on_mm = 150;
+    report.bounds = {{.letter = 'X', .min = 0, .max = 50, .limit_min = 0, .limit_max = 100},
+                     {.letter = 'Y',
+                      .min = -1,
+                      .max = 2,
+                      .limit_min = -std::numeric_limits<double>::infinity(),
+                      .limit_max = 10}};
+    report.events = {{1.5, {0, 3}, "jet_on", ""}};
+    report.slowest = {{{0, 9}, MoveKind::arc_cw, 3.5, 20}};
+    return report;
+}
+
+TEST(ReportText, TellsTheResult) {
+    const std::string text = to_text(sample());
+    EXPECT_THAT(text, HasSubstr("status      completed\n"));
+    EXPECT_THAT(text, HasSubstr("cycle time  3725.500 s  (1:02:06)\n"));
+    EXPECT_THAT(text, HasSubstr("rapid            931.375    25.0 %         100.000\n"));
+    EXPECT_THAT(text, HasSubstr(" jet on                                    150.000\n"));
+    EXPECT_THAT(text, HasSubstr("[=============...........]  50.0 %\n"));
+    EXPECT_THAT(text, HasSubstr("none"));
+    EXPECT_THAT(text, HasSubstr("part.nc:9"));
+    EXPECT_THAT(text, HasSubstr("jet_on"));
+    EXPECT_THAT(text, Not(HasSubstr("warning")));
+}
+
+TEST(ReportText, TellsTheAlarm) {
+    Report report = sample();
+    report.status = RunStatus::alarm;
+    report.alarm =
+        Alarm{.message = "X is beyond its limit", .place = {0, 4}, .axis = 'X', .value = 1, .limit = 0};
+    EXPECT_THAT(to_text(report), HasSubstr("  at        part.nc:4\n  because   X is beyond its limit\n"));
+}
+
+TEST(ReportText, NoLineIsLongerThan100AndNothingReachesTheTerminalRaw) {
+    Report report = sample();
+    const std::string long_name(300, 'n');
+    report.program = long_name;
+    report.machine = long_name;
+    report.files = {long_name + "\x1b[31m"};
+    report.alarm = Alarm{.message = long_name + " " + long_name, .place = {0, 4}, .value = {}, .limit = {}};
+    report.warnings.assign(30, "a warning of many words " + long_name + "\x1b[31m");
+    report.events.assign(30, {1e6, {0, 1000000}, long_name, long_name});
+    report.bounds[0].max = 1e9;
+    report.bounds[0].min = -1e9;
+    std::istringstream lines(to_text(report));
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 100u) << line;
+        EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c >= 0x20 && c < 0x7f; }))
+            << line;
+    }
+}
+
+TEST(ReportText, EmptyReport) {
+    EXPECT_THAT(to_text(Report{}), HasSubstr("cycle time  0.000 s  (0:00:00)\n"));
+}
+
+}  // namespace
+}  // namespace gsim::simulation
