@@ -71,18 +71,17 @@ int run(const Arguments& arguments) {
     }
     tl::expected<lexer::Source, std::string> source = open_source(arguments);
     if (!source) return usage_error(source.error());
-    tl::expected<codegen::LuaSpool, std::string> spool = codegen::LuaSpool::create();
-    if (!spool) return usage_error(spool.error());
+    codegen::LuaSpool spool;
     const codegen::Translation translation =
-        codegen::translate(*source, *spool, options,
+        codegen::translate(*source, spool, options,
                            [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); });
     if (!translation.ok) return apps::kProgramFault;
     if (arguments.check) return apps::kDone;
     if (!arguments.output.empty()) {
-        const auto written = write_file(*spool, arguments.output);
+        const auto written = write_file(spool, arguments.output);
         return written ? apps::kDone : usage_error(written.error());
     }
-    return spool->copy_to(stdout) ? apps::kDone : usage_error("standard output cannot be written");
+    return spool.copy_to(stdout) ? apps::kDone : usage_error("standard output cannot be written");
 }
 
 }  // namespace

@@ -77,8 +77,7 @@ std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
 }
 
 tl::expected<Script, InputError> translated_script(lexer::Source& source, const lexer::Aliases& aliases) {
-    tl::expected<codegen::LuaSpool, std::string> spool = codegen::LuaSpool::create();
-    if (!spool) return tl::unexpected(InputError{false, spool.error()});
+    auto spool = std::make_shared<codegen::LuaSpool>();
     codegen::TranslateOptions options;
     options.source_name = source.name();
     options.aliases = aliases;
@@ -92,8 +91,7 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
         for (const codegen::ProgramPart& part : translation.programs)
             script.programs.push_back({part.name, chunks_of(part)});
     }
-    auto shared = std::make_shared<codegen::LuaSpool>(std::move(*spool));
-    script.read = [shared](std::uint64_t begin, std::uint64_t end) { return shared->read(begin, end); };
+    script.read = [spool](std::uint64_t begin, std::uint64_t end) { return spool->read(begin, end); };
     return script;
 }
 

@@ -1,9 +1,7 @@
 #include "codegen/lua_spool.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
+#include <string>
 
 #include <unistd.h>
 
@@ -19,47 +17,47 @@ constexpr std::size_t kHashDigits = 16;
 
 }  // namespace
 
-tl::expected<LuaSpool, std::string> LuaSpool::create() {
-    LuaSpool spool;
-    spool.file_.reset(std::tmpfile());
-    if (!spool.file_) return tl::unexpected(std::string("no temporary file: ") + std::strerror(errno));
-    spool.buffer_.reserve(kBufferBytes + 4096);
-    return spool;
-}
-
 void LuaSpool::write_head(std::string_view head) {
+    buffer_.reserve(kBufferBytes + 4096);
     buffer_.append(head);
     buffer_.append(kHashMark);
     head_size_ = buffer_.size();
     buffer_.append(kHashDigits, '0');
     buffer_ += '\n';
-    failed_ |= std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
-    size_ += buffer_.size();
-    buffer_.clear();
+    size_ = hashed_ = buffer_.size();
 }
 
 void LuaSpool::write(std::string_view text) {
     buffer_.append(text);
+    size_ += text.size();
     if (buffer_.size() >= kBufferBytes) flush();
 }
 
+/// Moves the buffer to the file; what the file cannot take shows in finish().
 void LuaSpool::flush() {
-    hash_.update(buffer_);
-    size_ += buffer_.size();
-    failed_ |= std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
+    hash_.update(std::string_view(buffer_).substr(hashed_));
+    hashed_ = 0;
+    if (!file_ && !failed_) file_.reset(std::tmpfile());
+    failed_ |= !file_ || std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
     buffer_.clear();
 }
 
 bool LuaSpool::finish() {
-    flush();
-    failed_ |= std::fflush(file_.get()) != 0;
+    if (file_ || failed_) flush();
+    hash_.update(std::string_view(buffer_).substr(hashed_));
     const std::string digits = to_hex(hash_.value());
+    if (!file_) {
+        if (!failed_) buffer_.replace(head_size_, kHashDigits, digits);
+        return !failed_;
+    }
+    failed_ |= std::fflush(file_.get()) != 0;
     failed_ |= ::pwrite(::fileno(file_.get()), digits.data(), digits.size(),
                         static_cast<off_t>(head_size_)) != static_cast<ssize_t>(digits.size());
     return !failed_;
 }
 
 std::string LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
+    if (!file_) return buffer_.substr(begin, end - begin);
     std::string text(end - begin, '\0');
     std::size_t done = 0;
     while (done < text.size()) {
@@ -73,14 +71,10 @@ std::string LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
 }
 
 bool LuaSpool::copy_to(std::FILE* stream) const {
-    std::array<char, kBufferBytes> part;
     for (std::uint64_t done = 0; done < size_;) {
-        const ssize_t count =
-            ::pread(::fileno(file_.get()), part.data(), part.size(), static_cast<off_t>(done));
-        if (count <= 0 || std::fwrite(part.data(), 1, static_cast<std::size_t>(count), stream) !=
-                              static_cast<std::size_t>(count))
-            return false;
-        done += static_cast<std::uint64_t>(count);
+        const std::string part = read(done, std::min(size_, done + kBufferBytes));
+        if (part.empty() || std::fwrite(part.data(), 1, part.size(), stream) != part.size()) return false;
+        done += part.size();
     }
     return std::fflush(stream) == 0;
 }

@@ -6,19 +6,14 @@
 #include <string>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
 #include "codegen/text_hash.h"
 
 namespace gsim::codegen {
 
-/// The Lua of one translation, in an anonymous temporary file until it is known to be whole. Nothing of it is
-/// seen before that, and memory stays flat. Its first line ends in the hash of all that follows.
+/// The Lua of one translation until it is known to be whole: in memory while it is short, then in an
+/// anonymous temporary file, so that memory stays flat. Its first line ends in the hash of all that follows.
 class LuaSpool {
   public:
-    /// The error is a sentence for the user.
-    static tl::expected<LuaSpool, std::string> create();
-
     /// Writes the first line, to which the hash is appended by finish().
     void write_head(std::string_view head);
     void write(std::string_view text);
@@ -37,8 +32,9 @@ class LuaSpool {
     };
     void flush();
 
-    std::unique_ptr<std::FILE, Close> file_;
+    std::unique_ptr<std::FILE, Close> file_;  ///< Null while all is in buffer_.
     std::string buffer_;
+    std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
     TextHash hash_;
     std::uint64_t head_size_ = 0;  ///< Up to where the hash goes.
     std::uint64_t size_ = 0;

@@ -35,13 +35,12 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
 
 TextTranslation translate_text(std::string_view gcode, const TranslateOptions& options) {
     lexer::Source source = lexer::Source::from_text(std::string(gcode), options.source_name);
-    tl::expected<LuaSpool, std::string> spool = LuaSpool::create();
-    if (!spool) throw std::runtime_error(spool.error());
+    LuaSpool spool;
     TextTranslation result;
     const Translation translation =
-        translate(source, *spool, options, [&](std::string_view message) { result.diagnostics += message; });
+        translate(source, spool, options, [&](std::string_view message) { result.diagnostics += message; });
     result.ok = translation.ok;
-    if (result.ok) result.lua = spool->read(0, spool->size());
+    if (result.ok) result.lua = spool.read(0, spool.size());
     return result;
 }
 

@@ -12,10 +12,17 @@ function env.program(name, body)
   if name ~= nil then programs[name] = body end
 end
 
--- M99 in the main program goes back to its start, for as long as the limits of the run allow.
+-- M99 in the main program goes back to its start, for as long as the limits of the run allow; a pass in which no
+-- time goes by would repeat for ever.
 function run_first()
   if first == nil then return end
-  while first() == TO_START do end
+  repeat
+    local began = core.time()
+    local ended = first()
+    if ended == TO_START and core.time() == began then
+      core.stop("M99 leads back to the start of the main program, and nothing moves in between: an endless loop")
+    end
+  until ended ~= TO_START
 end
 
 -- The program of a file beside this one: the one with that number, or the first of the file.

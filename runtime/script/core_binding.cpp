@@ -53,6 +53,19 @@ int alarm(lua_State* state) {
     controller.alarm(state, luaL_checkstring(state, 1));
 }
 
+/// core.stop(message): ends the run as a limit does.
+int stop(lua_State* state) {
+    Controller& controller = self(state);
+    controller.simulator().stop(luaL_checkstring(state, 1), controller.place());
+    LuaState::raise_stop(state);
+}
+
+/// core.time(): seconds of the machine since the start.
+int time(lua_State* state) {
+    lua_pushnumber(state, self(state).simulator().time_s());
+    return 1;
+}
+
 int warn(lua_State* state) {
     self(state).simulator().warn(luaL_checkstring(state, 1));
     return 0;
@@ -208,6 +221,8 @@ int jet(lua_State* state) {
 void add_core(lua_State* state, Controller& controller) {
     set_function<make_word>(state, "word", &controller);
     set_function<alarm>(state, "alarm", &controller);
+    set_function<stop>(state, "stop", &controller);
+    set_function<time>(state, "time", &controller);
     set_function<warn>(state, "warn", &controller);
     set_function<finish>(state, "finish", &controller);
     set_function<set_unit>(state, "set_unit", &controller);

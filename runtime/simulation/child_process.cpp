@@ -52,6 +52,7 @@ std::string first_line(std::FILE* file) {
 
 tl::expected<pid_t, int> spawn(const std::vector<std::string>& command, const SpawnActions& actions) {
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
     arguments.push_back(nullptr);
     pid_t child = 0;

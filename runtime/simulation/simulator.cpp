@@ -33,6 +33,16 @@ std::array<Eigen::Index, 3> plane_axes(Plane plane) {
     return {0, 1, 2};
 }
 
+/// An arc through three points is told in the main plane that it lies closest to, with its sense there.
+void set_plane_and_sense(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
+                         const Eigen::Vector3d& end) {
+    const Eigen::Vector3d normal = (via - start).cross(end - via);
+    Eigen::Index largest = 0;
+    normal.cwiseAbs().maxCoeff(&largest);
+    info.plane = largest == 2 ? Plane::xy : largest == 1 ? Plane::zx : Plane::yz;
+    info.kind = normal[largest] < 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
+}
+
 const char* unit(const machine::Axis& axis) {
     return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
 }
@@ -49,10 +59,12 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits)
                         home[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
                     return to_joints(home);
                 }()),
+      centripetal_(machine_),
       planner_(planner_setup(machine_), &recorder_),
       position_(static_cast<Eigen::Index>(machine_.axes.size())) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
+    recorder_.add_output(centripetal_);
     planner_.Initialize();
     planner_.SetInitialPosition(no_pose(), to_joints(position_), {});
 }
@@ -203,10 +215,21 @@ bool Simulator::move(const ArcMove& move) {
     return finish_move(status, move.place);
 }
 
+/// X, Y and Z of axis values; 0 where the machine has no such axis.
+Eigen::Vector3d Simulator::space_point(const AxisVector& axes) const {
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        if (const auto axis = machine_.find(static_cast<char>('X' + i)))
+            point[i] = axes[static_cast<Eigen::Index>(*axis)];
+    }
+    return point;
+}
+
 bool Simulator::move(const ViaMove& move) {
     if (!set_feed(move.feed, false, move.place)) return false;
     MoveInfo info = next_move(MoveKind::arc_ccw, move.place, move.feed.linear_mm_min);
     info.turns = 1;
+    set_plane_and_sense(info, space_point(position_), space_point(move.via), space_point(move.target));
     recorder_.expect(info);
     planner_.SelectMotionType(rrs::MotionType::circular);
     Status status =
@@ -310,6 +333,7 @@ Report Simulator::finish(std::string program) {
     report.blocks = blocks_;
     report.events = std::move(events_);
     report.warnings = std::move(warnings_);
+    if (const auto warning = centripetal_.warning(files_)) report.warnings.push_back(*warning);
     if (dropped_events_ > 0) {
         report.warnings.push_back(
             fmt::format("{} more events than the report lists were left out", dropped_events_));

@@ -10,6 +10,7 @@
 
 #include "runtime/machine/machine.h"
 #include "runtime/motion/planner.h"
+#include "runtime/simulation/centripetal_watch.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
@@ -125,6 +126,7 @@ class Simulator {
     void select_rapid(bool on);
     rrs::JointPos to_joints(const AxisVector& axes) const;
     AxisVector to_axes(const rrs::JointPos& joints) const;
+    Eigen::Vector3d space_point(const AxisVector& axes) const;
     bool rotary_alone(const AxisVector& target) const;
     bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
@@ -134,6 +136,7 @@ class Simulator {
     machine::Machine machine_;
     RunLimits limits_;
     Recorder recorder_;
+    CentripetalWatch centripetal_;
     motion::DefaultPlanner planner_;
     AxisVector position_;
     std::vector<std::string> files_;

@@ -44,6 +44,7 @@ std::vector<SpeedPoint> SpeedBuckets::points() const {
     std::sort(samples.begin(), samples.end(),
               [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
     std::vector<SpeedPoint> points;
+    points.reserve(samples.size());
     for (const Numbered& sample : samples) points.push_back(sample.point);
     return points;
 }

@@ -1,0 +1,108 @@
+#include "tests/lua_lib/run.h"
+
+#include <cmath>
+
+#include "codegen/translate.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::script {
+
+namespace {
+
+class Collector : public simulation::RunOutput {
+  public:
+    explicit Collector(Run& run) : run_(run) {}
+    void take(const motion::Segment& segment, const simulation::MoveInfo&) override {
+        run_.segments.push_back(segment);
+    }
+    void take(const simulation::RecordedMove& move) override { run_.moves.push_back(move); }
+
+  private:
+    Run& run_;
+};
+
+}  // namespace
+
+double Run::to(std::size_t n, char letter) const {
+    const std::size_t axis = machine.find(letter).value();
+    return machine::axis_value(machine.axes[axis], moves.at(n).end[static_cast<Eigen::Index>(axis)]);
+}
+
+std::array<double, 5> Run::end() const {
+    if (moves.empty()) return {};
+    const std::size_t last = moves.size() - 1;
+    return {to(last, 'X'), to(last, 'Y'), to(last, 'Z'), to(last, 'B'), to(last, 'C')};
+}
+
+std::string Run::events() const {
+    std::string kinds;
+    for (const simulation::Event& event : report.events) kinds += (kinds.empty() ? "" : " ") + event.kind;
+    return kinds;
+}
+
+machine::Machine built_in_machine() {
+    return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value();
+}
+
+Run run_script(Script script, Setup setup) {
+    Run result;
+    result.machine = setup.machine ? *setup.machine : built_in_machine();
+    simulation::Simulator simulator(result.machine, setup.limits);
+    Collector collector(result);
+    simulator.add_output(collector);
+    const std::string name = script.file_name;
+    {
+        Engine engine(simulator, std::move(setup.options));
+        engine.run(std::move(script));
+    }
+    result.report = simulator.finish(name);
+    return result;
+}
+
+Run run(std::string_view gcode, Setup setup) {
+    const codegen::TextTranslation translation = codegen::translate_text(gcode, {});
+    EXPECT_TRUE(translation.ok) << translation.diagnostics;
+    if (!translation.ok) return {};
+    Run result = run_script(Script::from_text(translation.lua, "part.nc", -1), std::move(setup));
+    result.lua = translation.lua;
+    return result;
+}
+
+Run run_lua(std::string_view lua, Setup setup) {
+    Run result = run_script(Script::from_text(std::string(lua), "part.lua", 0), std::move(setup));
+    result.lua = lua;
+    return result;
+}
+
+std::string errors_of(std::string_view gcode) {
+    const codegen::TextTranslation translation = codegen::translate_text(gcode, {});
+    EXPECT_FALSE(translation.ok) << translation.lua;
+    return translation.diagnostics;
+}
+
+double trapezoid_s(double length, double speed, double acceleration) {
+    if (length == 0) return 0;
+    const bool reached = speed * speed / acceleration <= length;
+    return reached ? length / speed + speed / acceleration : 2 * std::sqrt(length / acceleration);
+}
+
+void expect_end(const Run& run, double x, double y, double z, double b, double c) {
+    EXPECT_TRUE(run.completed()) << run.message() << "\n" << run.lua;
+    const std::array<double, 5> wanted{x, y, z, b, c};
+    const std::array<double, 5> got = run.end();
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(got[i], wanted[i], 1e-6) << "XYZBC"[i] << "\n" << run.lua;
+}
+
+void expect_alarm(const Run& run, std::uint32_t line, const std::vector<std::string>& texts) {
+    EXPECT_EQ(run.report.status, simulation::RunStatus::alarm) << run.lua;
+    EXPECT_EQ(run.line(), line) << run.message() << "\n" << run.lua;
+    for (const std::string& text : texts)
+        EXPECT_NE(run.message().find(text), std::string::npos) << "wanted: " << text << "\ngot: " << run.message();
+}
+
+void expect_stopped(const Run& run, const std::string& text) {
+    EXPECT_EQ(run.report.status, simulation::RunStatus::stopped) << run.message() << "\n" << run.lua;
+    EXPECT_NE(run.message().find(text), std::string::npos) << run.message();
+}
+
+}  // namespace gsim::script

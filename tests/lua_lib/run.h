@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "runtime/machine/machine_data.h"
+#include "runtime/script/engine.h"
+#include "runtime/simulation/report.h"
+#include "runtime/simulation/run_output.h"
+
+namespace gsim::script {
+
+/// What a program is run with; as it stands: the built-in machine, nothing stored, no switch on.
+struct Setup {
+    std::optional<machine::Machine> machine;
+    Engine::Options options;
+    simulation::RunLimits limits;
+};
+
+/// What came of a run.
+struct Run {
+    machine::Machine machine;
+    std::string lua;
+    std::vector<simulation::RecordedMove> moves;
+    std::vector<motion::Segment> segments;
+    simulation::Report report;
+
+    bool completed() const { return report.status == simulation::RunStatus::completed; }
+    std::string message() const { return report.alarm ? report.alarm->message : std::string(); }
+    std::uint32_t line() const { return report.alarm ? report.alarm->place.line : 0; }
+    /// Value of an axis (mm or deg) at the end of move `n`, from 0.
+    double to(std::size_t n, char letter) const;
+    /// Where the machine stands at the end: X, Y, Z in mm, B and C in deg.
+    std::array<double, 5> end() const;
+    double seconds(std::size_t n) const { return moves.at(n).end_s - moves.at(n).start_s; }
+    /// The kinds of all events in their order, with one blank between them.
+    std::string events() const;
+};
+
+machine::Machine built_in_machine();
+
+/// Translates a program, which must have no errors, and runs it; its file is "part.nc".
+Run run(std::string_view gcode, Setup setup = {});
+/// Runs a script; its file is "part.lua".
+Run run_lua(std::string_view lua, Setup setup = {});
+/// Runs any script.
+Run run_script(Script script, Setup setup);
+/// The diagnostics of a program that must not translate.
+std::string errors_of(std::string_view gcode);
+
+/// The least time from rest to rest, from first principles.
+double trapezoid_s(double length, double speed, double acceleration);
+
+inline constexpr double kFeed_mm_s = 254;
+inline constexpr double kAcceleration_mm_s2 = 490.33;
+inline constexpr double kTurn_deg_s = 90;
+inline constexpr double kTurn_deg_s2 = 20;
+
+/// The run ends without an alarm at these axis values, to 1e-6 mm or deg.
+void expect_end(const Run& run, double x, double y, double z, double b = 0, double c = 0);
+/// The run ends with an alarm in that line, and all these texts are in its message.
+void expect_alarm(const Run& run, std::uint32_t line, const std::vector<std::string>& texts);
+/// A limit of the run ends it, and that text is in the message.
+void expect_stopped(const Run& run, const std::string& text);
+
+}  // namespace gsim::script
