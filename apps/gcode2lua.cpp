@@ -1,13 +1,13 @@
 // gcode2lua: translates a CNC part program into a Lua script.
 
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "apps/aliases.h"
 #include "apps/exit_status.h"
+#include "apps/run_main.h"
 #include "codegen/translate.h"
 #include "runtime/simulation/output_file.h"
 
@@ -25,9 +25,10 @@ struct Arguments {
     std::size_t max_errors = 100;
 };
 
+constexpr const char* kProgram = "gcode2lua";
+
 int usage_error(const std::string& message) {
-    std::fprintf(stderr, "gcode2lua: %s\n", message.c_str());
-    return apps::kUsage;
+    return apps::usage_error(kProgram, message);
 }
 
 void add_options(CLI::App& app, Arguments& arguments) {
@@ -87,18 +88,8 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        Arguments arguments;
-        CLI::App app("Translates a CNC part program (G-code) into a Lua script that gsim-run simulates.",
-                     "gcode2lua");
-        add_options(app, arguments);
-        try {
-            app.parse(argc, argv);
-        } catch (const CLI::ParseError& error) {
-            return app.exit(error) == 0 ? apps::kDone : apps::kUsage;
-        }
-        return run(arguments);
-    } catch (const std::exception& error) {
-        return usage_error(error.what());
-    }
+    return apps::run_main<Arguments>(
+        argc, argv, kProgram,
+        "Translates a CNC part program (G-code) into a Lua script that gsim-run simulates.", add_options,
+        run);
 }

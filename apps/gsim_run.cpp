@@ -1,7 +1,6 @@
 // gsim-run: runs a script or a part program on a simulated machine and tells what it would do.
 
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +10,7 @@
 #include "apps/aliases.h"
 #include "apps/exit_status.h"
 #include "apps/outputs.h"
+#include "apps/run_main.h"
 #include "apps/script_input.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/script/engine.h"
@@ -39,9 +39,10 @@ struct Arguments {
     bool optional_stop = false;
 };
 
+constexpr const char* kProgram = "gsim-run";
+
 int usage_error(const std::string& message) {
-    std::fprintf(stderr, "gsim-run: %s\n", message.c_str());
-    return apps::kUsage;
+    return apps::usage_error(kProgram, message);
 }
 
 void add_options(CLI::App& app, Arguments& a) {
@@ -177,18 +178,8 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        Arguments arguments;
-        CLI::App app("Simulates a script or a part program: cycle time, moves, trajectory, what goes wrong.",
-                     "gsim-run");
-        add_options(app, arguments);
-        try {
-            app.parse(argc, argv);
-        } catch (const CLI::ParseError& error) {
-            return app.exit(error) == 0 ? apps::kDone : apps::kUsage;
-        }
-        return run(arguments);
-    } catch (const std::exception& error) {
-        return usage_error(error.what());
-    }
+    return apps::run_main<Arguments>(
+        argc, argv, kProgram,
+        "Simulates a script or a part program: cycle time, moves, trajectory, what goes wrong.", add_options,
+        run);
 }

@@ -47,8 +47,8 @@ tl::expected<void, std::string> Outputs::commit(const simulation::Report& report
         (*file)->text.end_line();
     }
     for (const std::unique_ptr<TextFile>& file : files_) {
-        if (const auto flushed = file->text.flush(); !flushed) return flushed;
-        if (const auto committed = file->file.commit(); !committed) return committed;
+        if (auto flushed = file->text.flush(); !flushed) return flushed;
+        if (auto committed = file->file.commit(); !committed) return committed;
     }
     if (plot_ != nullptr) return simulation::make_plot(*plot_, names_.plot, report.program);
     return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -121,7 +122,42 @@ void write_binary(const Block& block, std::int32_t index, std::string& out) {
     write_at(block, node.right, level + 1, out);
 }
 
+/// Lua reads 200 levels in all, of which the statements around an expression take some.
+constexpr int kMaxLuaLevels = 150;
+
+/// The levels of Lua's nesting that one node needs, given those of its children: one for each bracket, index
+/// or call, one for the right side of an operator.
+int lua_levels(const Block& block, std::int32_t index, const std::vector<int>& levels) {
+    const Node& node = block.node(index);
+    const auto of = [&](std::int32_t child) { return levels[static_cast<std::size_t>(child)]; };
+    const auto in_brackets = [&](std::int32_t child, int least) {
+        return of(child) + (precedence(block, block.node(child)) < least ? 1 : 0);
+    };
+    switch (node.kind) {
+        case NodeKind::number: return 0;
+        case NodeKind::variable: return 1;
+        case NodeKind::indirect: return of(node.left) + 1;
+        case NodeKind::negate: return in_brackets(node.left, kPrimary) + 2;
+        case NodeKind::call: return std::max(of(node.left), node.right >= 0 ? of(node.right) : 0) + 1;
+        case NodeKind::binary: break;
+    }
+    const int level = precedence(block, node);
+    if (level != kPrimary)
+        return std::max(in_brackets(node.left, level), in_brackets(node.right, level + 1) + 1);
+    return std::max(of(node.left), of(node.right) + 1) + 1;
+}
+
 }  // namespace
+
+std::optional<std::uint32_t> nested_too_deep(const Block& block) {
+    std::vector<int> levels;
+    levels.reserve(block.nodes.size());
+    for (std::size_t i = 0; i < block.nodes.size(); ++i) {  // children stand before their parents
+        levels.push_back(lua_levels(block, static_cast<std::int32_t>(i), levels));
+        if (levels.back() > kMaxLuaLevels) return block.nodes[i].column;
+    }
+    return std::nullopt;
+}
 
 void write_number(const Block& block, std::int32_t index, std::string& out) {
     const Node& node = block.node(index);

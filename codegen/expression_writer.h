@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "grammar/syntax.h"
@@ -14,5 +15,9 @@ void write_number(const grammar::Block& block, std::int32_t index, std::string& 
 
 /// Appends the Lua of a condition. A number in the place of a truth value counts as true unless it is 0.
 void write_condition(const grammar::Block& block, std::int32_t index, std::string& out);
+
+/// The column of an expression of the block that would be nested deeper in Lua than Lua reads; nothing where
+/// all are shallow enough, as in any program that people write.
+std::optional<std::uint32_t> nested_too_deep(const grammar::Block& block);
 
 }  // namespace gsim::codegen

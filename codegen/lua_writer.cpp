@@ -22,11 +22,25 @@ namespace {
 constexpr std::size_t kCommentColumn = 56;
 constexpr std::uint32_t kLinesBetweenCuts = 5000;
 constexpr std::size_t kMaxCalledPrograms = 10000;
+constexpr int kMaxBareLabels = 100;  // labels one behind the other; Lua's parser nests them, up to 200
+
+// Upper bounds of what Lua's compiler makes of a call, an operand and a node of an expression.
+constexpr std::uint64_t kInstructionsPerCall = 6;
+constexpr std::uint64_t kInstructionsPerOperand = 5;
+constexpr std::uint64_t kInstructionsPerNode = 4;
 
 /// A number of a program or block without leading zeros; the digits are few, see the scanner.
 std::string normal_number(std::string_view digits) {
     const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
     return std::string(digits.substr(first));
+}
+
+/// Without the blanks around it, the CR of a line that ends in CR LF among them.
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r\v\f";
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 bool all_digits(std::string_view text) {
@@ -68,9 +82,20 @@ void LuaWriter::begin_file(std::string_view source_name) {
 }
 
 void LuaWriter::take(const Block& block) {
-    if (!block.text->bad) write_block(block);
+    if (block.text->bad) {
+        note_bad_block(block);
+    } else {
+        write_block(block);
+    }
     add_comment(block);
     if (block.text->end == lexer::BlockEnd::line && block.kind != BlockKind::tape) end_line();
+}
+
+/// Of a block with an error, what others refer to counts all the same, so that one error does not bring more.
+void LuaWriter::note_bad_block(const Block& block) {
+    if (block.has_program) open_program(block);
+    if (in_program_ && block.sequence)
+        flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
 void LuaWriter::start_function(const std::string& name) {
@@ -107,15 +132,15 @@ void LuaWriter::close_program() {
 }
 
 void LuaWriter::write_dispatcher() {
-    code_ += " do return end ::computed:: ";
+    code_ += code_.empty() ? "do return end ::computed:: " : " do return end ::computed:: ";
     for (const std::uint32_t number : flow_.reachable()) {
         fmt::format_to(std::back_inserter(code_), "if jump == {} then goto N{} end ", number, number);
     }
     code_ += "no_target(jump)";
 }
 
-bool LuaWriter::check_skip(const Block& block) {
-    if (block.skip_level == 0) return true;
+void LuaWriter::check_skip(const Block& block) {
+    if (block.skip_level == 0) return;
     const bool structure =
         block.has_program || block.kind == BlockKind::while_do || block.kind == BlockKind::end_loop;
     if (structure) {
@@ -123,23 +148,39 @@ bool LuaWriter::check_skip(const Block& block) {
             block.prefix_column,
             "block delete '/' cannot stand before O, WHILE or END: the program would lose its structure");
     }
-    return !structure;
 }
 
 void LuaWriter::write_block(const Block& block) {
-    if (!check_skip(block)) return;
+    check_skip(block);
     if (block.has_program) open_program(block);
     if (!in_program_) {
         if (grammar::is_blank(block)) return;
         start_function("nil");
     }
-    if (block.sequence && flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column))) {
-        fmt::format_to(std::back_inserter(code_), "::N{}:: ", *block.sequence);
+    const bool label =
+        block.sequence && flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
+    if (label) fmt::format_to(std::back_inserter(code_), "::N{}:: ", *block.sequence);
+    const std::size_t labelled = code_.size();
+    write_statements(block);
+    if (code_.size() > labelled) {
+        bare_labels_ = 0;
+    } else if (label && ++bare_labels_ == kMaxBareLabels) {
+        code_ += "do end ";
+        bare_labels_ = 0;
+    }
+}
+
+void LuaWriter::write_statements(const Block& block) {
+    if (const auto column = nested_too_deep(block)) {
+        lexer_.fail(*column,
+                    "the expression is nested too deep for Lua; put a part of it into a variable first");
     }
     const std::size_t before = code_.size();
     if (block.skip_level > 0)
         fmt::format_to(std::back_inserter(code_), "if not skipped({}) then ", block.skip_level);
     const std::size_t body = code_.size();
+    flow_.add_weight(block.nodes.size() * kInstructionsPerNode +
+                     (block.skip_level > 0 ? kInstructionsPerCall : 0));
     write_body(block);
     if (block.skip_level == 0) return;
     if (code_.size() == body) {
@@ -176,7 +217,6 @@ void LuaWriter::write_body(const Block& block) {
             code_ += "while ";
             write_condition(block, block.condition, code_);
             code_ += " do ";
-            flow_.add_weight(block.nodes.size() * 3);
             return;
         case BlockKind::end_loop:
             flow_.close_loop(block);
@@ -187,7 +227,6 @@ void LuaWriter::write_body(const Block& block) {
 }
 
 void LuaWriter::write_content(const Block& block) {
-    flow_.add_weight(block.nodes.size() * 3 + block.text->words.size() * 6 + 4);
     if (block.assignments.empty()) {
         write_words(block);
     } else {
@@ -205,6 +244,7 @@ void LuaWriter::write_words(const Block& block) {
 
 void LuaWriter::write_call(const Block& block, const Call& call) {
     const Word& word = block.text->words[call.word];
+    flow_.add_weight(kInstructionsPerCall + kInstructionsPerOperand * call.operand_count);
     switch (call.kind) {
         case Call::Kind::move:
             code_ += "move";
@@ -308,7 +348,7 @@ void LuaWriter::write_goto(const Block& block) {
 void LuaWriter::add_comment(const Block& block) {
     std::string piece;
     if (options_.annotate) {
-        piece = lexer::printable(block.text->raw);
+        piece = lexer::printable(trimmed(block.text->raw));
         if (block.has_program) comment_.clear();
     } else {
         if (block.sequence) piece = fmt::format("N{}", *block.sequence);

@@ -38,6 +38,8 @@ class LuaWriter : public grammar::BlockSink {
 
   private:
     void write_block(const grammar::Block& block);
+    void note_bad_block(const grammar::Block& block);
+    void write_statements(const grammar::Block& block);
     void write_body(const grammar::Block& block);
     void write_content(const grammar::Block& block);
     void write_words(const grammar::Block& block);
@@ -53,7 +55,7 @@ class LuaWriter : public grammar::BlockSink {
     void write_dispatcher();
     void add_comment(const grammar::Block& block);
     void end_line();
-    bool check_skip(const grammar::Block& block);
+    void check_skip(const grammar::Block& block);
 
     const FileScan& scan_;
     lexer::Lexer& lexer_;
@@ -70,6 +72,7 @@ class LuaWriter : public grammar::BlockSink {
     std::uint32_t last_cut_line_ = 0;
     std::size_t next_ordinal_ = 0;
     bool in_program_ = false;
+    int bare_labels_ = 0;  ///< Labels since the last statement.
     std::set<std::string> defined_;
     std::map<std::uint32_t, lexer::Location> called_;
 };

@@ -37,7 +37,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 270, none, P::motion, A::data, "", full, "machine home check"},
     Code{'G', 280, none, P::motion, A::data, "", full, "return to machine home"},
     Code{'G', 290, none, P::motion, A::data, "", full, "return from machine home"},
-    Code{'G', 300, none, P::motion, A::data, "P", full, "return to a further home position"},
+    Code{'G', 300, none, P::motion, A::data, "P", later, "return to a further home position"},
     Code{'G', 310, none, P::motion, A::data, "", later, "skip"},
     Code{'G', 330, motion, P::motion, A::motion, "EFQ", later, "thread cutting"},
     Code{'G', 390, none, P::motion, A::data, "IJK", later, "corner arc"},

@@ -16,8 +16,8 @@
 /* Each family of conflicts is one letter with several readings, left to GLR on purpose:
  * reduce/reduce: X or U (axis, dwell time) and P (parameter, dwell time, program) before a word that fits several kinds of
  *   block: another X or U, P, a common word, an axis word;
- * shift/reduce: ATAN[a] / [b], the angle of two sides, against a quotient of ATAN[a] by something else; where both fit,
- *   the first is meant (dprec of the rules of expression that the two end in). */
+ * shift/reduce: ATAN[a] / [b], the angle of two sides, against a quotient of ATAN[a] by something else; what follows
+ *   the '/' tells. */
 %expect 1
 %expect-rr 28
 
@@ -75,7 +75,6 @@ static Operator operator_of(gsim::lexer::Value token) { return static_cast<Opera
 
 %nonassoc RELATION
 %left '+' '-' SUM_WORD
-%left '*' '/' PRODUCT_WORD
 
 %%
 
@@ -159,28 +158,52 @@ reference: VARIABLE                 { $$ = {parser.add_variable($1), $1.column};
 assignments: assignment | assignments assignment | assignments ',' assignment ;
 assignment: reference '=' expression { parser.add_assignment($1.index, $3.index); } ;
 
-expression: term                    { $$ = $1; } %dprec 2
+expression: product                 { $$ = $1; }
   | expression '+' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::add, $1, $3), $1.column}; }
   | expression '-' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::subtract, $1, $3), $1.column}; }
-  | expression '*' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::multiply, $1, $3), $1.column}; }
-  | expression '/' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; } %dprec 1
   | expression SUM_WORD expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
-  | expression PRODUCT_WORD expression { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
   | expression RELATION expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
   ;
 
-term: primary                       { $$ = $1; }
+/* ATAN[a] / [b] is one angle: where a product ends in an ATAN of one side, '/' '[' does not make it a quotient. */
+product: plain_product              { $$ = $1; }
+  | atan_product                    { $$ = $1; }
+  ;
+plain_product: operand              { $$ = $1; }
+  | product times operand           { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | plain_product '/' operand       { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
+  | atan_product '/' factor         { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
+  ;
+atan_product: signed_atan           { $$ = $1; }
+  | product times signed_atan       { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | plain_product '/' signed_atan   { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
+  | atan_product '/' signed_atan    { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
+  ;
+times: '*'                          { $$ = $1; }
+  | PRODUCT_WORD                    { $$ = $1; }
+  ;
+
+operand: factor                     { $$ = $1; }
+  | bracketed                       { $$ = $1; }
+  ;
+factor: primary                     { $$ = $1; }
   | '-' primary                     { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | '-' bracketed                   { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
   | '+' primary                     { $$ = $2; }
+  | '+' bracketed                   { $$ = $2; }
+  ;
+signed_atan: atan                   { $$ = $1; }
+  | '-' atan                        { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | '+' atan                        { $$ = $2; }
   ;
 
 primary: NUMBER                     { $$ = {parser.add_number($1), $1.column}; }
   | reference                       { $$ = $1; }
-  | '[' expression ']'              { $$ = $2; }
   | FUNCTION '[' expression ']'     { $$ = {parser.add_node(NodeKind::call, operator_of($1), $3), $1.column}; }
-  | ATAN '[' expression ']'         { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3), $1.column}; }
   | ATAN '[' expression ']' '/' '[' expression ']'
                                     { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3, $7), $1.column}; }
   ;
+bracketed: '[' expression ']'       { $$ = $2; } ;
+atan: ATAN '[' expression ']'       { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3), $1.column}; } ;
 
 %%

@@ -51,7 +51,9 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         case lexer::kVariable: return "a variable stands here neither as the value of a word nor before '='";
         case lexer::kRelation: return "a comparison is out of place; comparisons are joined as [..] AND [..]";
         case lexer::kDwell:
-            return "G04 stands with an axis word, or twice; it takes one of P, X and U, its seconds";
+            return "G04 stands with an axis word, M98 or M99, or twice; it takes one of P, X and U, its "
+                   "seconds";
+        case lexer::kCall: return "M98 and M99 stand once in a block, and not with G04";
         case lexer::kAxis:
         case lexer::kAxisLetter:
         case lexer::kP:
@@ -81,17 +83,20 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
     return "this is out of place";
 }
 
-bool lacks_value(Token previous) {
-    return previous == lexer::kAxisLetter || previous == lexer::kAxisOrTimeLetter ||
-           previous == lexer::kPLetter || previous == lexer::kOtherLetter;
+bool opens_word(Token token) {
+    return token == lexer::kAxisLetter || token == lexer::kAxisOrTimeLetter || token == lexer::kPLetter ||
+           token == lexer::kOtherLetter;
 }
 
 }  // namespace
 
 void Parser::syntax_error() {
     lexer::BlockText& text = *block_.text;
-    if (lacks_value(lexer_.previous_token())) {
-        const lexer::Word& word = text.words[lexer_.open_word_index()];
+    if (text.bad) return;  // the scanner has said it all
+    if (opens_word(lexer_.previous_token())) {
+        // A letter behind a letter has opened a word of its own.
+        const std::size_t later = opens_word(lexer_.last_token()) ? 1 : 0;
+        const lexer::Word& word = text.words[lexer_.open_word_index() - later];
         lexer_.fail(word.column, fmt::format("{} has no value", lexer::address_name(word.address)));
         return;
     }

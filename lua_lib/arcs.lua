@@ -89,6 +89,7 @@ local function check_words(words, p, has_centre)
 end
 
 local function arc(ccw, words)
+  check_table(words, ccw and "G3" or "G2")
   if words == nil then return end
   local p = planes[state.plane]
   local has_centre = words[p.i] ~= nil or words[p.j] ~= nil
@@ -146,6 +147,7 @@ local function swept_via(a, m, b)
 end
 
 local function through_point(words)
+  check_table(words, "CIP")
   if words == nil then return end
   local via = {}
   for letter, names in pairs(via_words) do via[letter] = words[names[1]] or words[names[2]] end

@@ -33,6 +33,7 @@ end
 local function each_axis(words, name, set)
   if type(words) ~= "table" then alarm("%s needs axis words", name) end
   for letter, value in pairs(words) do
+    if type(value) ~= "number" then alarm("%s: the value of '%s' is no number", name, tostring(letter)) end
     if is_rotary[letter] == nil then alarm("%s: the machine has no axis %s", name, tostring(letter):upper()) end
     set(letter, length(letter, value))
   end
@@ -56,7 +57,7 @@ word("G52", function(words)
   each_axis(words, "G52", function(letter, value) state.g52[letter] = value end)
 end)
 
--- G53: the next move is in machine coordinates, absolute.
+-- G53: this block moves in machine coordinates, absolute.
 word("G53", core.machine_frame_once)
 
 local function set_unit(millimetres)

@@ -34,15 +34,19 @@ use_plain_lines()
 -- Home: G28 goes there by a point on the way, G29 comes back by the same point, G27 checks.
 local way
 
+local increment = { x = "u", y = "v", z = "w" }
+
 local function named_axes(words)
   local names = {}
   for _, axis in ipairs(axes) do
-    if words == nil or words[axis.letter] ~= nil then names[#names + 1] = axis end
+    local letter = axis.letter
+    if words == nil or words[letter] ~= nil or words[increment[letter]] ~= nil then names[#names + 1] = axis end
   end
   return names
 end
 
 word("G28", function(words)
+  check_table(words, "G28")
   if words ~= nil then
     way = core.target(words)
     core.rapid_to(way)
@@ -55,6 +59,7 @@ word("G28", function(words)
 end)
 
 word("G29", function(words)
+  check_table(words, "G29")
   if words == nil then alarm("G29 needs the axis words of its target") end
   local target = core.target(words)
   if way ~= nil then core.rapid_to(way) end
@@ -62,6 +67,7 @@ word("G29", function(words)
 end)
 
 word("G27", function(words)
+  check_table(words, "G27")
   if words ~= nil then core.rapid_to(core.target(words)) end
   for _, axis in ipairs(named_axes(words)) do
     local position = core.position(axis.letter)

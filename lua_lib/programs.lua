@@ -1,6 +1,7 @@
 -- Programs, subprograms, and the end of a run.
 
 local MAX_DEPTH = 8
+local MOST = 2^31 - 1     -- of a program number, and of repeats
 local TO_START = "M99"   -- what a program returns where it ends in M99
 
 local programs = {}
@@ -39,17 +40,17 @@ local function load_beside(number)
   return body
 end
 
-local function whole(value, name, least)
-  if type(value) ~= "number" or value % 1 ~= 0 or value < least then
-    alarm("%s of M98 is a whole number from %d on, not %s", name, least, tostring(value))
+local function whole(value, name)
+  if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MOST then
+    alarm("%s of M98 is a whole number from 0 to %d, not %s", name, MOST, tostring(value))
   end
   return math.tointeger(value)
 end
 
 word("M98", function(words)
   if type(words) ~= "table" or words.p == nil then alarm("M98 needs P, the program that it calls") end
-  local number = whole(words.p, "P", 0)
-  local times = words.l == nil and 1 or whole(words.l, "L", 0)
+  local number = whole(words.p, "P")
+  local times = words.l == nil and 1 or whole(words.l, "L")
   local body = programs[number] or load_beside(number)
   if state.depth == MAX_DEPTH then
     alarm("M98 P%d: subprograms are nested more than %d deep", number, MAX_DEPTH)

@@ -32,6 +32,11 @@ function alarm(text, ...)
   core.alarm(text:format(...))
 end
 
+-- The words of a move, in a table by their letters; nil counts as none.
+function check_table(words, name)
+  if words ~= nil and type(words) ~= "table" then alarm("%s takes its words in braces: %s{x=1, y=2}", name, name) end
+end
+
 -- The value of a word that stands alone: nil is a vacant variable, and the word counts as left out.
 function given(value, name)
   if value ~= nil and type(value) ~= "number" then alarm("%s takes a number", name) end

@@ -128,13 +128,16 @@ function env.truth(value) return number_of(value) ~= 0 end
 function env.number(condition) return condition and 1.0 or 0.0 end
 
 function env.goto_target(value)
+  core.note_place()
   local whole = rounded(value)
   if math.abs(number_of(value) - whole) > 1e-6 then alarm("GOTO %.10g: a block number is whole", value) end
   return whole
 end
 
+-- Stands at the end of the program; the place is that of the GOTO.
 function env.no_target(number)
-  alarm("GOTO %.10g: no block of this program has that number (a computed GOTO does not lead into loops)", number)
+  core.alarm_at_noted_place(
+    ("GOTO %.10g: no block of this program has that number (a computed GOTO does not lead into loops)"):format(number))
 end
 
 -- Block delete: /n is skipped where the operator has switched block delete on.

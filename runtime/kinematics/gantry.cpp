@@ -158,8 +158,7 @@ GantryKinematics::Angles GantryKinematics::exact_angles(const Matrix3d& turn) co
 
 std::optional<GantryKinematics::Angles> GantryKinematics::tool_axis_angles(const Vector3d& tool_axis,
                                                                            const Angles& near) const {
-    const auto angles =
-        rotary_count_ == 2 ? two_axis_angles(tool_axis, near) : one_axis_angles(tool_axis, near);
+    auto angles = rotary_count_ == 2 ? two_axis_angles(tool_axis, near) : one_axis_angles(tool_axis, near);
     if (!angles || (turned(*angles).col(2) - tool_axis).norm() > kOrientation_rad) return std::nullopt;
     return angles;
 }

@@ -38,6 +38,7 @@ void Controller::enter(lua_State* state, std::size_t word_id) {
     const Place place = places_.current(state);
     if (place.line != place_.line || place.file != place_.file || words_in_block_[word_id]) {
         words_in_block_.reset();
+        modal_.machine_frame_once = false;
         place_ = place;
         if (!simulator_.count_block(place)) LuaState::raise_stop(state);
     }
@@ -135,7 +136,6 @@ bool Controller::read_target(lua_State* state, int index, std::string_view other
         }
         lua_pop(state, 1);
     }
-    if (seen != 0) modal_.machine_frame_once = false;
     return seen != 0;
 }
 

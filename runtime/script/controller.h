@@ -22,7 +22,7 @@ enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };
 struct ModalState {
     double unit_mm = 1;  ///< Of a program unit on linear axes: 1, or 25.4 in inch mode.
     bool incremental = false;
-    bool machine_frame_once = false;  ///< The next move is in machine coordinates (G53).
+    bool machine_frame_once = false;  ///< The moves of this block are in machine coordinates (G53).
     simulation::AxisVector offset;    ///< mm or deg by axis.
     FeedMode feed_mode = FeedMode::per_minute;
     double feed = 0;           ///< As programmed; 0: none yet.
@@ -50,7 +50,10 @@ class Controller {
     /// the word has been called in this block before. Raises the end of the run at its limit.
     void enter(lua_State* state, std::size_t word_id);
     /// Looks up the place only, for functions that are no words.
-    void locate(lua_State* state, int level = 1) { place_ = places_.current(state, level); }
+    void locate(lua_State* state, int level = 1) {
+        const simulation::Place place = places_.current(state, level);
+        if (place.line > 0) place_ = place;
+    }
 
     /// Ends the run with an alarm at the current place; does not return.
     [[noreturn]] void alarm(lua_State* state, const std::string& message);

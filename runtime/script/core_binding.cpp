@@ -49,8 +49,18 @@ int make_word(lua_State* state) {
 
 int alarm(lua_State* state) {
     Controller& controller = self(state);
-    if (controller.place().line == 0) controller.locate(state);
+    controller.locate(state);  // an expression has no word that would have told its place
     controller.alarm(state, luaL_checkstring(state, 1));
+}
+
+/// core.note_place(): remembers where the script is.
+int note_place(lua_State* state) {
+    self(state).locate(state);
+    return 0;
+}
+
+int alarm_at_noted_place(lua_State* state) {
+    self(state).alarm(state, luaL_checkstring(state, 1));
 }
 
 /// core.stop(message): ends the run as a limit does.
@@ -221,6 +231,8 @@ int jet(lua_State* state) {
 void add_core(lua_State* state, Controller& controller) {
     set_function<make_word>(state, "word", &controller);
     set_function<alarm>(state, "alarm", &controller);
+    set_function<note_place>(state, "note_place", &controller);
+    set_function<alarm_at_noted_place>(state, "alarm_at_noted_place", &controller);
     set_function<stop>(state, "stop", &controller);
     set_function<time>(state, "time", &controller);
     set_function<warn>(state, "warn", &controller);

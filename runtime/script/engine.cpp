@@ -39,15 +39,6 @@ void load_text(lua_State* state, const std::string& text, const char* name, int 
     lua_setupvalue(state, -2, 1);
 }
 
-void copy_all(lua_State* state, int from, int to) {
-    lua_pushnil(state);
-    while (lua_next(state, from) != 0) {
-        lua_pushvalue(state, -2);
-        lua_insert(state, -2);
-        lua_rawset(state, to);
-    }
-}
-
 }  // namespace
 
 Script Script::from_text(std::string text, std::string file_name, std::int64_t line_difference) {
@@ -93,23 +84,19 @@ int Engine::do_work(lua_State* state) {
     return 0;
 }
 
-/// What a script sees (the environment) and what the library's files see: the same safe functions, and the
-/// core.
+/// What a script sees (the environment) and what the library's files see: the same safe functions, each in
+/// tables of their own, so that a script that changes its own harms no word; and the core.
 void Engine::open_environment() {
     lua_State* state = lua_.get();
-    push_safe_library(state);
     make_nil_vacant(state);
-    const int safe = lua_gettop(state);
-    lua_newtable(state);
+    push_safe_library(state);
     const int environment = lua_gettop(state);
-    copy_all(state, safe, environment);
     lua_newtable(state);
     add_rrs(state, controller_);
     lua_setfield(state, environment, "rrs");
     set_require(state, environment);
-    lua_newtable(state);
+    push_safe_library(state);
     const int library = lua_gettop(state);
-    copy_all(state, safe, library);
     for (const char* name : {"setmetatable", "rawget", "rawset"}) {
         lua_getglobal(state, name);
         lua_setfield(state, library, name);

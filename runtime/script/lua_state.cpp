@@ -8,6 +8,7 @@ namespace gsim::script {
 namespace {
 
 constexpr int kStepsBetweenCounts = 10'000;
+constexpr std::size_t kBytesPerStep = 64;
 
 /// Its address is the value of an error that no script can make or tell from another.
 char stop_mark = 0;
@@ -37,8 +38,11 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
         state.bytes_ -= held;
         return nullptr;
     }
-    if (new_size > held && state.bytes_ + (new_size - held) > state.limits_.memory_bytes) return nullptr;
+    state.refused_ = new_size > held && state.bytes_ + (new_size - held) > state.limits_.memory_bytes;
+    if (state.refused_) return nullptr;
+    state.count_work(new_size);
     void* grown = std::realloc(block, new_size);
+    state.refused_ = grown == nullptr;
     if (grown != nullptr) {
         state.bytes_ += new_size - held;
         if (state.bytes_ > state.peak_bytes_) state.peak_bytes_ = state.bytes_;
@@ -46,10 +50,20 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
     return grown;
 }
 
+void LuaState::count_work(std::uint64_t bytes) {
+    steps_ += bytes / kBytesPerStep;
+    // Past the limit the very next instruction shall look at it.
+    if (steps_ > limits_.steps && state_ != nullptr) lua_sethook(state_, count_steps, LUA_MASKCOUNT, 1);
+}
+
 void LuaState::count_steps(lua_State* state, lua_Debug*) {
     LuaState& self = of(state);
-    self.steps_ += kStepsBetweenCounts;
-    if (self.steps_ <= self.limits_.steps) return;
+    const int count = lua_gethookcount(state);
+    self.steps_ += static_cast<std::uint64_t>(count);
+    if (self.steps_ <= self.limits_.steps) {
+        if (count != kStepsBetweenCounts) lua_sethook(state, count_steps, LUA_MASKCOUNT, kStepsBetweenCounts);
+        return;
+    }
     self.ended_ = Ended::steps;
     if (self.on_last_step_) self.on_last_step_(state);
     raise_stop(state);
@@ -66,8 +80,10 @@ bool LuaState::is_stop(lua_State* state, int index) {
 }
 
 void LuaState::pass_on(lua_State* state, int status) {
-    if (status == LUA_ERRMEM) of(state).ended_ = Ended::memory;
-    if (status == LUA_ERRMEM || is_stop(state, -1)) raise_stop(state);
+    LuaState& self = of(state);
+    // Lua's string functions raise a lack of memory as an ordinary error.
+    if (status == LUA_ERRMEM || self.refused_) self.ended_ = Ended::memory;
+    if (self.ended_ == Ended::memory || is_stop(state, -1)) raise_stop(state);
 }
 
 }  // namespace gsim::script

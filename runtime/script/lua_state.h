@@ -27,9 +27,12 @@ class LuaState {
     LuaState& operator=(const LuaState&) = delete;
 
     lua_State* get() const { return state_; }
-    Ended ended() const { return ended_; }
+    Ended ended() const { return refused_ ? Ended::memory : ended_; }
     /// The machine has moved on: the count of steps starts anew.
     void restart_steps() { steps_ = 0; }
+    /// Work inside one instruction, by the bytes that it touches: long strings and tables take time in which
+    /// no instruction is counted.
+    void count_work(std::uint64_t bytes);
     std::size_t peak_memory_bytes() const { return peak_bytes_; }
     const Limits& limits() const { return limits_; }
     /// Called before the run ends for its steps, while the script's stack still stands.
@@ -53,6 +56,7 @@ class LuaState {
     std::size_t peak_bytes_ = 0;
     std::uint64_t steps_ = 0;
     Ended ended_ = Ended::no;
+    bool refused_ = false;  ///< The last request for more memory was.
     std::function<void(lua_State*)> on_last_step_;
     lua_State* state_ = nullptr;
 };

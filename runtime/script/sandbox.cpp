@@ -11,6 +11,8 @@ namespace gsim::script {
 
 namespace {
 
+// To go over an element of a table costs as much as so many bytes of a string.
+constexpr std::size_t kBytesOfElement = 256;
 constexpr lua_Integer kRandomSeed = 2001;  // runs are repeatable
 
 template <std::size_t Count>
@@ -55,11 +57,42 @@ int plain_find(lua_State* state) {
     const char* wanted = luaL_checklstring(state, 2, &wanted_size);
     const lua_Integer from = luaL_optinteger(state, 3, 1);
     const std::size_t begin = from < 1 ? 0 : static_cast<std::size_t>(from) - 1;
+    LuaState::of(state).count_work(size);
     const std::size_t found = std::string_view(text, size).find(std::string_view(wanted, wanted_size), begin);
     if (found == std::string_view::npos) return 0;
     lua_pushinteger(state, static_cast<lua_Integer>(found) + 1);
     lua_pushinteger(state, static_cast<lua_Integer>(found + wanted_size));
     return 2;
+}
+
+/// string.rep(s, count [, separator]); Lua's own counts for years where there is nothing to repeat.
+int bounded_rep(lua_State* state) {
+    std::size_t size = 0;
+    std::size_t separator_size = 0;
+    luaL_checklstring(state, 1, &size);
+    luaL_checkinteger(state, 2);
+    luaL_optlstring(state, 3, "", &separator_size);
+    if (size + separator_size == 0) {
+        lua_pushliteral(state, "");
+        return 1;
+    }
+    lua_settop(state, 3);
+    lua_pushvalue(state, lua_upvalueindex(1));
+    lua_insert(state, 1);
+    lua_call(state, 3, 1);
+    return 1;
+}
+
+/// A function that works through its first argument, a table; upvalues: the function, and from how many
+/// arguments on it does (table.insert(t, x) goes to the end and has no work).
+int counted(lua_State* state) {
+    const int arguments = lua_gettop(state);
+    if (arguments >= lua_tointeger(state, lua_upvalueindex(2)) && lua_istable(state, 1))
+        LuaState::of(state).count_work(lua_rawlen(state, 1) * kBytesOfElement);
+    lua_pushvalue(state, lua_upvalueindex(1));
+    lua_insert(state, 1);
+    lua_call(state, arguments, LUA_MULTRET);
+    return lua_gettop(state);
 }
 
 /// The value of an operand of vacant arithmetic: nil counts as 0.
@@ -99,11 +132,20 @@ constexpr std::array kMath = {"abs",  "acos",       "asin",      "atan", "ceil",
 constexpr std::array kString = {"byte", "char", "format", "len", "lower", "rep", "reverse", "sub", "upper"};
 constexpr std::array kTable = {"concat", "insert", "pack", "remove", "sort", "unpack"};
 
-/// ("x"):upper() looks methods up in the metatable of strings: it gets the safe ones.
+/// ("x"):upper() looks methods up in the metatable of strings: it gets the safe ones, in a table that no
+/// script can change.
 void set_string_methods(lua_State* state) {
     lua_pushliteral(state, "");
     if (lua_getmetatable(state, -1) != 0) {
         lua_getfield(state, -3, "string");
+        lua_newtable(state);
+        lua_pushnil(state);
+        while (lua_next(state, -3) != 0) {
+            lua_pushvalue(state, -2);
+            lua_insert(state, -2);
+            lua_rawset(state, -4);
+        }
+        lua_remove(state, -2);
         lua_setfield(state, -2, "__index");
         lua_pop(state, 1);
     }
@@ -116,6 +158,20 @@ void open_libraries(lua_State* state) {
     luaL_requiref(state, LUA_STRLIBNAME, luaopen_string, 1);
     luaL_requiref(state, LUA_TABLIBNAME, luaopen_table, 1);
     lua_pop(state, 4);
+}
+
+/// Replaces functions in field "table" of the table on top of the stack by counted ones.
+void count_table_work(lua_State* state) {
+    static constexpr std::array<std::pair<const char*, lua_Integer>, 5> kFunctions{
+        {{"concat", 1}, {"insert", 3}, {"remove", 2}, {"sort", 1}, {"unpack", 1}}};
+    lua_getfield(state, -1, "table");
+    for (const auto& [name, arguments] : kFunctions) {
+        lua_getfield(state, -1, name);
+        lua_pushinteger(state, arguments);
+        lua_pushcclosure(state, trampoline<counted>, 2);
+        lua_setfield(state, -2, name);
+    }
+    lua_pop(state, 1);
 }
 
 void seed_random(lua_State* state) {
@@ -139,9 +195,13 @@ void push_safe_library(lua_State* state) {
     copy_fields(state, "math", kMath);
     copy_fields(state, "string", kString);
     copy_fields(state, "table", kTable);
+    count_table_work(state);
     lua_getfield(state, -1, "string");
     lua_pushcfunction(state, trampoline<plain_find>);
     lua_setfield(state, -2, "find");
+    lua_getfield(state, -1, "rep");
+    lua_pushcclosure(state, trampoline<bounded_rep>, 1);
+    lua_setfield(state, -2, "rep");
     lua_pop(state, 1);
     set_string_methods(state);
     lua_pushcfunction(state, trampoline<print_to_error>);

@@ -1,4 +1,5 @@
-// Work frames, offsets, units, absolute and incremental dimensions; every expected value is worked out by hand.
+// Work frames, offsets, units, absolute and incremental dimensions; every expected value is worked out by
+// hand.
 
 #include "tests/lua_lib/run.h"
 
@@ -6,7 +7,7 @@ namespace gsim::script {
 namespace {
 
 TEST(Coordinates, AbsoluteAndIncremental) {
-    const Run r = run("G90 G0 X100 Y50 Z10\nG91 X20 Y-5\nX1\nG90 Z3\n");
+    const Outcome r = run("G90 G0 X100 Y50 Z10\nG91 X20 Y-5\nX1\nG90 Z3\n");
     ASSERT_EQ(r.moves.size(), 4U);
     EXPECT_NEAR(r.to(1, 'X'), 120, 1e-9);
     EXPECT_NEAR(r.to(1, 'Y'), 45, 1e-9);
@@ -35,14 +36,14 @@ TEST(Coordinates, UnitsChangeNeitherPositionNorOffsetsInForce) {
 }
 
 TEST(Coordinates, FramesOfMachineData) {
-    Setup setup;
+    Conditions setup;
     auto& offsets = setup.options.data.offsets;
     offsets["54"] = {{'X', 100}, {'Y', 10}};
     offsets["59"] = {{'X', 200}};
     offsets["59.3"] = {{'Z', 30}, {'B', 45}};
     offsets["505"] = {{'X', 300}};
     offsets["599"] = {{'Y', 400}};
-    const Run r = run("G0 X1 Y1\nG59 X1\nG59.3 X1 Z1 B1\nG505 X1\nG599 X1 Y1\nG20 G54 X1\n", setup);
+    const Outcome r = run("G0 X1 Y1\nG59 X1\nG59.3 X1 Z1 B1\nG505 X1\nG599 X1 Y1\nG20 G54 X1\n", setup);
     EXPECT_NEAR(r.to(0, 'X'), 101, 1e-9);  // G54 is in force from the start
     EXPECT_NEAR(r.to(0, 'Y'), 11, 1e-9);
     EXPECT_NEAR(r.to(1, 'X'), 201, 1e-9);
@@ -55,13 +56,13 @@ TEST(Coordinates, FramesOfMachineData) {
 }
 
 TEST(Coordinates, AFrameDoesNotMoveIncrements) {
-    Setup setup;
+    Conditions setup;
     setup.options.data.offsets["55"] = {{'X', 100}};
     expect_end(run("G0 X10\nG55 G91 X5\n", setup), 15, 0, 0);
 }
 
 TEST(Coordinates, G92GivesThePositionNewCoordinates) {
-    const Run r = run("G0 X100 Y50 B90\nG92 X0 Y10 B0\nX5 Y5 B-10\nG92.1\nX7\n");
+    const Outcome r = run("G0 X100 Y50 B90\nG92 X0 Y10 B0\nX5 Y5 B-10\nG92.1\nX7\n");
     ASSERT_EQ(r.moves.size(), 3U);
     EXPECT_NEAR(r.to(1, 'X'), 105, 1e-9);
     EXPECT_NEAR(r.to(1, 'Y'), 45, 1e-9);
@@ -74,25 +75,25 @@ TEST(Coordinates, G92TwiceIsNotTakenTwice) {
 }
 
 TEST(Coordinates, G52MovesTheZeroPoint) {
-    Setup setup;
+    Conditions setup;
     setup.options.data.offsets["54"] = {{'X', 100}};
-    const Run r = run("G52 X10\nG0 X1\nG52 X20\nX1\nG52 X0\nX1\n", setup);
+    const Outcome r = run("G52 X10\nG0 X1\nG52 X20\nX1\nG52 X0\nX1\n", setup);
     EXPECT_NEAR(r.to(0, 'X'), 111, 1e-9);
     EXPECT_NEAR(r.to(1, 'X'), 121, 1e-9);
     EXPECT_NEAR(r.to(2, 'X'), 101, 1e-9);
 }
 
 TEST(Coordinates, G52AndG92AndFramesAdd) {
-    Setup setup;
+    Conditions setup;
     setup.options.data.offsets["55"] = {{'X', 100}};
     // At X0 of the machine G92 X-5 puts the program's zero at 5; G52 adds 10, G55 adds 100.
     expect_end(run("G92 X-5\nG52 X10\nG55 G0 X1\n", setup), 116, 0, 0);
 }
 
 TEST(Coordinates, G53IsOfTheMachineForOneBlock) {
-    Setup setup;
+    Conditions setup;
     setup.options.data.offsets["54"] = {{'X', 100}, {'Y', 100}};
-    const Run r = run("G0 X1 Y1\nG53 X5\nX6\nG91 G53 G1 Y7 F1000\nY1\n", setup);
+    const Outcome r = run("G0 X1 Y1\nG53 X5\nX6\nG91 G53 G1 Y7 F1000\nY1\n", setup);
     EXPECT_NEAR(r.to(1, 'X'), 5, 1e-9);
     EXPECT_NEAR(r.to(2, 'X'), 106, 1e-9);
     EXPECT_NEAR(r.to(3, 'Y'), 7, 1e-9);  // absolute, in G91 too
@@ -100,7 +101,7 @@ TEST(Coordinates, G53IsOfTheMachineForOneBlock) {
 }
 
 TEST(Coordinates, G53DoesNotLeakOutOfABlockThatDoesNotMove) {
-    Setup setup;
+    Conditions setup;
     setup.options.data.offsets["54"] = {{'X', 100}};
     expect_end(run("G53 G0 X#1\nX5\n", setup), 105, 0, 0);  // #1 is vacant: the word is left out
     expect_end(run("G53 G1 F100\nG0 X5\n", setup), 105, 0, 0);
@@ -112,12 +113,12 @@ TEST(Coordinates, PolarAbsoluteInTheThreePlanes) {
     expect_end(run("G17 G16 G0 X100 Y30\n"), root, half, 0);
     expect_end(run("G18 G16 G0 Z100 X30\n"), half, 0, root);
     expect_end(run("G19 G16 G0 Y100 Z30\n"), 0, root, half);
-    expect_end(run("G16 G0 X100 Y30\nY60\n"), half, root, 0);                // the radius is kept
-    expect_end(run("G16 G0 X100 Y30\nX200\n"), 2 * root, 2 * half, 0);       // the angle is kept
-    expect_end(run("G16 G0 X100 Y30\nG15\nX10\n"), 10, half, 0);             // off again
-    expect_end(run("G52 X7 Y9\nG16 G0 X100 Y90 Z5\n"), 7, 109, 5);           // about the zero point in force
-    expect_end(run("G20 G16 G1 X10 Y90 F100\n"), 0, 254, 0);                 // the radius has the unit
-    expect_end(run("G0 X50\nG16 G1 X60 Y0 F99\nY90\nZ3\n"), 0, 60, 3);       // modal, and other axes as ever
+    expect_end(run("G16 G0 X100 Y30\nY60\n"), half, root, 0);           // the radius is kept
+    expect_end(run("G16 G0 X100 Y30\nX200\n"), 2 * root, 2 * half, 0);  // the angle is kept
+    expect_end(run("G16 G0 X100 Y30\nG15\nX10\n"), 10, half, 0);        // off again
+    expect_end(run("G52 X7 Y9\nG16 G0 X100 Y90 Z5\n"), 7, 109, 5);      // about the zero point in force
+    expect_end(run("G20 G16 G1 X10 Y90 F100\n"), 0, 254, 0);            // the radius has the unit
+    expect_end(run("G0 X50\nG16 G1 X60 Y0 F99\nY90\nZ3\n"), 0, 60, 3);  // modal, and other axes as ever
 }
 
 TEST(Coordinates, PolarIncrementalStepsInTheTurnedDirection) {
@@ -128,13 +129,13 @@ TEST(Coordinates, PolarIncrementalStepsInTheTurnedDirection) {
 }
 
 TEST(Coordinates, PolarArcsTakeTheirEndAsRadiusAndAngle) {
-    const Run r = run("G0 X100\nG16 G3 X100 Y90 I-100 J0 F1000\n");
+    const Outcome r = run("G0 X100\nG16 G3 X100 Y90 I-100 J0 F1000\n");
     expect_end(r, 0, 100, 0);
     EXPECT_NEAR(r.moves.back().length_mm, 100 * 3.14159265358979 / 2, 1e-6);
 }
 
 TEST(Coordinates, ATargetPastALimitNamesAxisValueAndLimit) {
-    const Run r = run("G0 X10\n\nG0 X2000\n");
+    const Outcome r = run("G0 X10\n\nG0 X2000\n");
     expect_alarm(r, 3, {"axis X", "2000", "1828.8", "mm"});
     EXPECT_EQ(r.report.alarm->axis, 'X');
     EXPECT_DOUBLE_EQ(r.report.alarm->value.value(), 2000);

@@ -11,30 +11,30 @@ namespace {
 
 class Collector : public simulation::RunOutput {
   public:
-    explicit Collector(Run& run) : run_(run) {}
+    explicit Collector(Outcome& run) : run_(run) {}
     void take(const motion::Segment& segment, const simulation::MoveInfo&) override {
         run_.segments.push_back(segment);
     }
     void take(const simulation::RecordedMove& move) override { run_.moves.push_back(move); }
 
   private:
-    Run& run_;
+    Outcome& run_;
 };
 
 }  // namespace
 
-double Run::to(std::size_t n, char letter) const {
+double Outcome::to(std::size_t n, char letter) const {
     const std::size_t axis = machine.find(letter).value();
     return machine::axis_value(machine.axes[axis], moves.at(n).end[static_cast<Eigen::Index>(axis)]);
 }
 
-std::array<double, 5> Run::end() const {
+std::array<double, 5> Outcome::end() const {
     if (moves.empty()) return {};
     const std::size_t last = moves.size() - 1;
     return {to(last, 'X'), to(last, 'Y'), to(last, 'Z'), to(last, 'B'), to(last, 'C')};
 }
 
-std::string Run::events() const {
+std::string Outcome::events() const {
     std::string kinds;
     for (const simulation::Event& event : report.events) kinds += (kinds.empty() ? "" : " ") + event.kind;
     return kinds;
@@ -44,9 +44,9 @@ machine::Machine built_in_machine() {
     return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value();
 }
 
-Run run_script(Script script, Setup setup) {
-    Run result;
-    result.machine = setup.machine ? *setup.machine : built_in_machine();
+Outcome run_script(Script script, Conditions setup) {
+    Outcome result;
+    result.machine = setup.machine;
     simulation::Simulator simulator(result.machine, setup.limits);
     Collector collector(result);
     simulator.add_output(collector);
@@ -59,17 +59,17 @@ Run run_script(Script script, Setup setup) {
     return result;
 }
 
-Run run(std::string_view gcode, Setup setup) {
+Outcome run(std::string_view gcode, Conditions setup) {
     const codegen::TextTranslation translation = codegen::translate_text(gcode, {});
     EXPECT_TRUE(translation.ok) << translation.diagnostics;
     if (!translation.ok) return {};
-    Run result = run_script(Script::from_text(translation.lua, "part.nc", -1), std::move(setup));
+    Outcome result = run_script(Script::from_text(translation.lua, "part.nc", -1), std::move(setup));
     result.lua = translation.lua;
     return result;
 }
 
-Run run_lua(std::string_view lua, Setup setup) {
-    Run result = run_script(Script::from_text(std::string(lua), "part.lua", 0), std::move(setup));
+Outcome run_lua(std::string_view lua, Conditions setup) {
+    Outcome result = run_script(Script::from_text(std::string(lua), "part.lua", 0), std::move(setup));
     result.lua = lua;
     return result;
 }
@@ -86,21 +86,22 @@ double trapezoid_s(double length, double speed, double acceleration) {
     return reached ? length / speed + speed / acceleration : 2 * std::sqrt(length / acceleration);
 }
 
-void expect_end(const Run& run, double x, double y, double z, double b, double c) {
+void expect_end(const Outcome& run, double x, double y, double z, double b, double c) {
     EXPECT_TRUE(run.completed()) << run.message() << "\n" << run.lua;
     const std::array<double, 5> wanted{x, y, z, b, c};
     const std::array<double, 5> got = run.end();
     for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(got[i], wanted[i], 1e-6) << "XYZBC"[i] << "\n" << run.lua;
 }
 
-void expect_alarm(const Run& run, std::uint32_t line, const std::vector<std::string>& texts) {
+void expect_alarm(const Outcome& run, std::uint32_t line, const std::vector<std::string>& texts) {
     EXPECT_EQ(run.report.status, simulation::RunStatus::alarm) << run.lua;
     EXPECT_EQ(run.line(), line) << run.message() << "\n" << run.lua;
     for (const std::string& text : texts)
-        EXPECT_NE(run.message().find(text), std::string::npos) << "wanted: " << text << "\ngot: " << run.message();
+        EXPECT_NE(run.message().find(text), std::string::npos)
+            << "wanted: " << text << "\ngot: " << run.message();
 }
 
-void expect_stopped(const Run& run, const std::string& text) {
+void expect_stopped(const Outcome& run, const std::string& text) {
     EXPECT_EQ(run.report.status, simulation::RunStatus::stopped) << run.message() << "\n" << run.lua;
     EXPECT_NE(run.message().find(text), std::string::npos) << run.message();
 }

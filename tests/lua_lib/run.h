@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,15 +15,17 @@
 
 namespace gsim::script {
 
+machine::Machine built_in_machine();
+
 /// What a program is run with; as it stands: the built-in machine, nothing stored, no switch on.
-struct Setup {
-    std::optional<machine::Machine> machine;
+struct Conditions {
+    machine::Machine machine = built_in_machine();
     Engine::Options options;
     simulation::RunLimits limits;
 };
 
 /// What came of a run.
-struct Run {
+struct Outcome {
     machine::Machine machine;
     std::string lua;
     std::vector<simulation::RecordedMove> moves;
@@ -43,14 +44,12 @@ struct Run {
     std::string events() const;
 };
 
-machine::Machine built_in_machine();
-
 /// Translates a program, which must have no errors, and runs it; its file is "part.nc".
-Run run(std::string_view gcode, Setup setup = {});
+Outcome run(std::string_view gcode, Conditions setup = {});
 /// Runs a script; its file is "part.lua".
-Run run_lua(std::string_view lua, Setup setup = {});
+Outcome run_lua(std::string_view lua, Conditions setup = {});
 /// Runs any script.
-Run run_script(Script script, Setup setup);
+Outcome run_script(Script script, Conditions setup);
 /// The diagnostics of a program that must not translate.
 std::string errors_of(std::string_view gcode);
 
@@ -63,10 +62,10 @@ inline constexpr double kTurn_deg_s = 90;
 inline constexpr double kTurn_deg_s2 = 20;
 
 /// The run ends without an alarm at these axis values, to 1e-6 mm or deg.
-void expect_end(const Run& run, double x, double y, double z, double b = 0, double c = 0);
+void expect_end(const Outcome& run, double x, double y, double z, double b = 0, double c = 0);
 /// The run ends with an alarm in that line, and all these texts are in its message.
-void expect_alarm(const Run& run, std::uint32_t line, const std::vector<std::string>& texts);
+void expect_alarm(const Outcome& run, std::uint32_t line, const std::vector<std::string>& texts);
 /// A limit of the run ends it, and that text is in the message.
-void expect_stopped(const Run& run, const std::string& text);
+void expect_stopped(const Outcome& run, const std::string& text);
 
 }  // namespace gsim::script

@@ -1,0 +1,342 @@
+// What the rules of gcode.l do with the tokens that they find.
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "lexer/lexer.h"
+
+namespace gsim::lexer {
+
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+std::string_view skip_blanks(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    return text;
+}
+
+/// Sign and digits of `[blanks][sign][blanks]digits`.
+struct SignedDigits {
+    bool negative = false;
+    std::string_view digits;
+};
+
+SignedDigits split_sign(std::string_view text) {
+    text = skip_blanks(text);
+    SignedDigits result;
+    if (!text.empty() && (text.front() == '+' || text.front() == '-')) {
+        result.negative = text.front() == '-';
+        text = skip_blanks(text.substr(1));
+    }
+    result.digits = text;
+    return result;
+}
+
+/// Ten times the number of a code with at most four digits and one decimal, such as 921 for "92.1"; else -1.
+std::int32_t code_x10(const SignedDigits& number) {
+    if (number.negative) return -1;
+    const std::size_t dot = number.digits.find('.');
+    std::string_view whole = number.digits.substr(0, dot);
+    const std::string_view part = dot == std::string_view::npos ? "" : number.digits.substr(dot + 1);
+    while (whole.size() > 1 && whole.front() == '0') whole.remove_prefix(1);
+    if (whole.size() > 4 || part.size() > 1) return -1;
+    std::int32_t code = 0;
+    for (const char c : whole) code = code * 10 + (c - '0');
+    return code * 10 + (part.empty() ? 0 : part[0] - '0');
+}
+
+std::optional<std::uint32_t> small_number(std::string_view digits) {
+    while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+    if (digits.size() > 9) return std::nullopt;
+    std::uint32_t value = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
+struct NamedToken {
+    std::string_view name;
+    Token token;
+    Operator op;
+};
+
+constexpr std::array kExpressionNames = {
+    NamedToken{"EQ", kRelation, Operator::equal},       NamedToken{"NE", kRelation, Operator::not_equal},
+    NamedToken{"GT", kRelation, Operator::greater},     NamedToken{"GE", kRelation, Operator::greater_equal},
+    NamedToken{"LT", kRelation, Operator::less},        NamedToken{"LE", kRelation, Operator::less_equal},
+    NamedToken{"AND", kProductWord, Operator::bit_and}, NamedToken{"MOD", kProductWord, Operator::modulo},
+    NamedToken{"OR", kSumWord, Operator::bit_or},       NamedToken{"XOR", kSumWord, Operator::bit_xor},
+    NamedToken{"SIN", kFunction, Operator::sin},        NamedToken{"COS", kFunction, Operator::cos},
+    NamedToken{"TAN", kFunction, Operator::tan},        NamedToken{"ASIN", kFunction, Operator::asin},
+    NamedToken{"ACOS", kFunction, Operator::acos},      NamedToken{"ATAN", kAtan, Operator::atan},
+    NamedToken{"SQRT", kFunction, Operator::sqrt},      NamedToken{"SQR", kFunction, Operator::sqrt},
+    NamedToken{"ABS", kFunction, Operator::abs},        NamedToken{"ROUND", kFunction, Operator::round},
+    NamedToken{"RND", kFunction, Operator::round},      NamedToken{"FIX", kFunction, Operator::fix},
+    NamedToken{"FUP", kFunction, Operator::fup},        NamedToken{"LN", kFunction, Operator::ln},
+    NamedToken{"EXP", kFunction, Operator::exp},        NamedToken{"BIN", kFunction, Operator::bin},
+    NamedToken{"BCD", kFunction, Operator::bcd},
+};
+
+struct Keyword {
+    std::string_view name;
+    Token token;
+};
+
+constexpr std::array kKeywords = {
+    Keyword{"IF", kIf}, Keyword{"THEN", kThen},   Keyword{"WHILE", kWhile},
+    Keyword{"DO", kDo}, Keyword{"END", kEndLoop}, Keyword{"GOTO", kGoto},
+};
+
+const Keyword* find_keyword(std::string_view name) {
+    const auto* place =
+        std::find_if(kKeywords.begin(), kKeywords.end(), [&](const Keyword& k) { return k.name == name; });
+    return place == kKeywords.end() ? nullptr : place;
+}
+
+}  // namespace
+
+std::optional<Slice> Lexer::add_number(std::string_view digits, bool negative) {
+    if (digits.size() > kMaxNumberBytes) {
+        fail(token_column_, fmt::format("the number has {} characters, at most {} are allowed", digits.size(),
+                                        kMaxNumberBytes));
+        return std::nullopt;
+    }
+    Slice slice = block_.add(negative ? "-" : "");
+    slice.size += block_.add(digits).size;
+    return slice;
+}
+
+Token Lexer::classify(const Word& word) const {
+    switch (word.address) {
+        case 'A':
+        case 'B':
+        case 'C':
+        case 'V':
+        case 'W':
+        case 'Y':
+        case 'Z': return kAxis;
+        case 'U':
+        case 'X': return kAxisOrTime;
+        case 'P': return kP;
+        case 'G': return word.code_x10 == 40 ? kDwell : kOther;
+        case 'M': return word.code_x10 == 980 || word.code_x10 == 990 ? kCall : kOther;
+        default: return kOther;
+    }
+}
+
+Token Lexer::add_word(const Word& word, Value& value) {
+    if (block_.words.size() == kMaxWords) {
+        fail(token_column_, fmt::format("the block has more than {} words", kMaxWords));
+        dropping_ = true;
+        return kEob;
+    }
+    value.index = static_cast<std::uint32_t>(block_.words.size());
+    block_.words.push_back(word);
+    const Token token = classify(word);
+    saw_dwell_ |= token == kDwell;
+    return token;
+}
+
+Token Lexer::word(std::string_view text, Value& value) {
+    Word word;
+    word.address = static_cast<Address>(upper(text[0]));
+    word.column = token_column_;
+    const SignedDigits number = split_sign(text.substr(1));
+    const std::optional<Slice> slice = add_number(number.digits, number.negative);
+    if (!slice) return kBad;
+    word.number = *slice;
+    if (word.address == 'G' || word.address == 'M') word.code_x10 = code_x10(number);
+    return add_word(word, value);
+}
+
+Token Lexer::named_word(Address address, std::string_view text, Value& value) {
+    Word word;
+    word.address = address;
+    word.column = token_column_;
+    const std::size_t value_begin = address == kComma ? text.find_first_of("CcRrAa") : text.find('=');
+    const SignedDigits number = split_sign(text.substr(value_begin + 1));
+    const std::optional<Slice> slice = add_number(number.digits, number.negative);
+    if (!slice) return kBad;
+    word.number = *slice;
+    return add_word(word, value);
+}
+
+Token Lexer::open_word(Address address, Value& value) {
+    Word word;
+    word.address = address;
+    word.column = token_column_;
+    open_word_ = block_.words.size();
+    switch (add_word(word, value)) {
+        case kAxis: return kAxisLetter;
+        case kAxisOrTime: return kAxisOrTimeLetter;
+        case kP: return kPLetter;
+        case kEob: return kEob;
+        default: return kOtherLetter;
+    }
+}
+
+Token Lexer::letter(char c, Value& value) {
+    return open_word(static_cast<Address>(upper(c)), value);
+}
+
+Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) {
+    if (const Aliases::Word* alias = aliases_.find(text)) {
+        return word(std::string(1, alias->letter) + alias->number, value);
+    }
+    const std::string name = lexer::upper(text);
+    if (name == "CIP") {
+        Word word;
+        word.address = kIntermediatePoint;
+        word.column = token_column_;
+        return add_word(word, value);
+    }
+    // GOTO100, DO1, END1: the digits are a token of their own.
+    const auto letters =
+        static_cast<std::size_t>(std::find_if(name.begin(), name.end(), is_digit) - name.begin());
+    const bool digits_only =
+        std::all_of(name.begin() + static_cast<std::ptrdiff_t>(letters), name.end(), is_digit);
+    if (const Keyword* keyword = find_keyword(name.substr(0, letters)); keyword != nullptr && digits_only) {
+        kept = letters;
+        return keyword->token;
+    }
+    if (name[0] == 'O') return program(text.substr(1), value);
+    std::string nearest = aliases_.nearest(name);
+    if (nearest.empty()) {
+        std::array<std::string, kKeywords.size()> names;
+        std::transform(kKeywords.begin(), kKeywords.end(), names.begin(),
+                       [](const Keyword& k) { return std::string(k.name); });
+        nearest = nearest_name(name, names);
+    }
+    fail(token_column_,
+         fmt::format("'{}' is neither a keyword nor an alias of the machine data{}", text.substr(0, 40),
+                     nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
+    return kBad;
+}
+
+Token Lexer::expression_name(std::string_view text, Value& value) {
+    const std::string name = lexer::upper(text);
+    const auto* place = std::find_if(kExpressionNames.begin(), kExpressionNames.end(),
+                                     [&](const NamedToken& t) { return t.name == name; });
+    if (place != kExpressionNames.end()) {
+        value.index = static_cast<std::uint32_t>(place->op);
+        return place->token;
+    }
+    if (brackets_ == 0 && name.size() == 1) {
+        fail(token_column_,
+             fmt::format("the word {} stands in the same block as an assignment; give it a block of its own",
+                         name));
+        return kBad;
+    }
+    std::array<std::string, kExpressionNames.size()> names;
+    std::transform(kExpressionNames.begin(), kExpressionNames.end(), names.begin(),
+                   [](const NamedToken& t) { return std::string(t.name); });
+    const std::string nearest = nearest_name(name, names);
+    fail(token_column_, fmt::format("'{}' is no function or operator of an expression{}", text.substr(0, 40),
+                                    nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
+    return kBad;
+}
+
+Token Lexer::sequence(std::string_view text, Value& value) {
+    const std::optional<std::uint32_t> number = small_number(skip_blanks(text.substr(1)));
+    if (!number) {
+        fail(token_column_, "the sequence number has more than 9 digits");
+        return kBad;
+    }
+    value.index = *number;
+    return kSequence;
+}
+
+Token Lexer::skip(std::string_view text, Value& value) {
+    const std::string_view digits = skip_blanks(text.substr(1));
+    const std::uint32_t level = digits.empty() ? 1 : small_number(digits).value_or(10);
+    if (level < 1 || level > 9) {
+        fail(token_column_, fmt::format("block delete is / or /1 to /9, not {}", text.substr(0, 20)));
+        return kBad;
+    }
+    value.index = level;
+    return kSkip;
+}
+
+Token Lexer::program(std::string_view text, Value&) {
+    const std::string_view name = skip_blanks(text);
+    if (name.size() > 32) {
+        fail(token_column_, "the program name has more than 32 characters");
+        return kBad;
+    }
+    block_.program = block_.add(name);
+    return kProgram;
+}
+
+Token Lexer::variable(std::string_view text, Value& value) {
+    const std::optional<std::uint32_t> number = small_number(skip_blanks(text.substr(1)));
+    if (!number) {
+        fail(token_column_, "the variable's number has more than 9 digits");
+        return kBad;
+    }
+    value.index = *number;
+    return kVariable;
+}
+
+Token Lexer::number(std::string_view text, Value& value) {
+    const std::optional<Slice> slice = add_number(text, false);
+    if (!slice) return kBad;
+    value.index = static_cast<std::uint32_t>(block_.numbers.size());
+    block_.numbers.push_back(*slice);
+    return kNumber;
+}
+
+Token Lexer::symbol(char c, Value& value) {
+    constexpr std::string_view kOperators = "+-*/";
+    const std::size_t index = kOperators.find(c);
+    if (index != std::string_view::npos) value.index = static_cast<std::uint32_t>(index);
+    return c == '#' ? kHash : static_cast<Token>(c);
+}
+
+Token Lexer::tape(Value&) {
+    if (tokens_ == 0) return kTape;
+    fail(token_column_, "a tape mark % stands at the start of a line");
+    return kBad;
+}
+
+bool Lexer::open_bracket() {
+    if (++brackets_ <= kMaxBrackets) return true;
+    fail(token_column_, fmt::format("brackets are nested more than {} deep", kMaxBrackets));
+    dropping_ = true;
+    return false;
+}
+
+bool Lexer::close_bracket() {
+    if (brackets_ > 0) --brackets_;
+    return brackets_ == 0 && !in_assignment_;
+}
+
+void Lexer::comment_part(std::string_view text) {
+    if (text.empty()) {
+        block_.comments.push_back({static_cast<std::uint32_t>(block_.text.size()), 0});
+        return;
+    }
+    block_.comments.back().size += block_.add(text).size;
+}
+
+Token Lexer::unknown(std::string_view text) {
+    const char c = text[0];
+    const bool visible = c > ' ' && c < 0x7f;
+    fail(token_column_, visible ? fmt::format("unexpected character '{}'", c)
+                                : fmt::format("unexpected byte 0x{:02X}", static_cast<unsigned char>(c)));
+    return kBad;
+}
+
+}  // namespace gsim::lexer

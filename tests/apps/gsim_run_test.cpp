@@ -1,0 +1,183 @@
+// gsim-run from the outside: exit statuses, reports, limits, and what it says where something is wrong.
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps {
+namespace {
+
+using nlohmann::json;
+
+class GsimRun : public Apps {
+  protected:
+    // The report of a run with --json.
+    json report(std::vector<std::string> arguments, int status = 0, const std::string& input = {}) {
+        arguments.push_back("--json");
+        const Ended e = gsim_run(arguments, input);
+        EXPECT_EQ(e.status, status) << e.err;
+        return json::parse(e.out, nullptr, false);
+    }
+};
+
+TEST_F(GsimRun, TellsAReportForPeople) {
+    const Ended e = gsim_run({write("part.nc", "G1 X100 F6000\nM2\n")});
+    EXPECT_EQ(e.status, 0);
+    EXPECT_TRUE(holds(e.out, "part.nc")) << e.out;
+    EXPECT_TRUE(holds(e.out, "1.2")) << e.out;  // 100 mm at 100 mm/s and 490.33 mm/s2: 1.204 s
+    EXPECT_EQ(e.err, "");
+    EXPECT_EQ(gsim_run({"part.nc", "--quiet"}).out, "");
+}
+
+TEST_F(GsimRun, TheReportInJson) {
+    const json r = report({write("part.nc", "G1 X100 F6000\nM8\nG4 P1\nM2\n")});
+    EXPECT_EQ(r["program"], "part.nc");
+    EXPECT_EQ(r["status"], "completed");
+    EXPECT_TRUE(r["alarm"].is_null());
+    EXPECT_NEAR(r["cycle_time_s"].get<double>(), 1 + 100.0 / 490.33 + 1, 1e-6);
+    EXPECT_NEAR(r["time"]["dwell_s"].get<double>(), 1, 1e-9);
+    EXPECT_NEAR(r["length"]["feed_mm"].get<double>(), 100, 1e-9);
+    EXPECT_EQ(r["blocks"], 4);
+    EXPECT_EQ(r["events"][0]["kind"], "jet_on");
+    EXPECT_EQ(r["events"][0]["line"], 2);
+    EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 100, 1e-9);
+}
+
+TEST_F(GsimRun, AnAlarmIsStatusOneWithWhatCameBefore) {
+    const json r = report({write("part.nc", "G0 X100\n\nG0 X5000\n")}, 1);
+    EXPECT_EQ(r["status"], "alarm");
+    EXPECT_EQ(r["alarm"]["line"], 3);
+    EXPECT_EQ(r["alarm"]["file"], "part.nc");
+    EXPECT_EQ(r["alarm"]["axis"], "X");
+    EXPECT_EQ(r["alarm"]["value"], 5000);
+    EXPECT_EQ(r["alarm"]["limit"], 1828.8);
+    EXPECT_EQ(r["moves"], 1);
+    const Ended quiet = gsim_run({"part.nc", "--quiet"});
+    EXPECT_EQ(quiet.status, 1);
+    EXPECT_TRUE(quiet.err.starts_with("part.nc:3: alarm: ")) << quiet.err;
+}
+
+TEST_F(GsimRun, AProgramWithErrorsIsNotRun) {
+    const Ended e = gsim_run({write("part.nc", "G0 X1\nG999\n")});
+    EXPECT_EQ(e.status, 1);
+    EXPECT_TRUE(holds(e.err, "part.nc:2:1: error: ")) << e.err;
+    const json r = report({"part.nc"}, 1);
+    EXPECT_EQ(r["status"], "alarm");
+    EXPECT_EQ(r["moves"], 0);
+}
+
+TEST_F(GsimRun, Limits) {
+    const std::string part = write("part.nc", "G0 X100\nX0\nM99\n");
+    EXPECT_EQ(report({part, "--max-time", "5"}, 1)["status"], "stopped");
+    EXPECT_EQ(report({part, "--max-blocks", "10"}, 1)["blocks"], 10);
+    const std::string endless = write("endless.lua", "while true do end\n");
+    EXPECT_EQ(report({endless, "--max-steps", "100000"}, 1)["status"], "stopped");
+    const std::string hungry = write("hungry.lua", "local t = {} for i = 1, 1e9 do t[i] = i end\n");
+    const json r = report({hungry, "--memory", "16"}, 1);
+    EXPECT_EQ(r["status"], "stopped");
+    EXPECT_TRUE(holds(r["alarm"]["message"], "16 MB"));
+}
+
+TEST_F(GsimRun, Switches) {
+    const std::string part = write("part.nc", "G0 X1\n/X2\nM1\n");
+    EXPECT_EQ(report({part})["moves"], 2);
+    EXPECT_EQ(report({part, "--block-delete"})["moves"], 1);
+    EXPECT_TRUE(report({part})["events"][0].contains("detail"));
+    EXPECT_FALSE(report({part, "--optional-stop"})["events"][0].contains("detail"));
+}
+
+TEST_F(GsimRun, MachinesAndTheirData) {
+    const std::string machine = write("machine.toml", gsim_run({"--print-machine"}).out);
+    const std::string part = write("part.nc", "G55 G0 X100\n");
+    EXPECT_EQ(report({part, "--machine", machine}), report({part}));
+    EXPECT_EQ(gsim_run({"--machine", machine, "--print-machine"}).out, read(machine));
+    const json router =
+        report({write("short.nc", "G0 X10\n"), "--machine", GSIM_SOURCE "/samples/machines/router3.toml"});
+    EXPECT_NE(router["machine"], report({"short.nc"})["machine"]);
+    EXPECT_FALSE(router["bounds"].contains("B"));
+}
+
+TEST_F(GsimRun, ReplacesTheLibrary) {
+    namespace fs = std::filesystem;
+    fs::copy(GSIM_SOURCE "/lua_lib", folder_ / "lib");
+    write("lib/switches.lua",
+          read("lib/switches.lua") + "word(\"M8\", function() core.event(\"mine\") end)\n");
+    const std::string part = write("part.nc", "M8\n");
+    EXPECT_EQ(report({part, "--lua-lib", "lib"})["events"][0]["kind"], "mine");
+    write("lib/init.lua", "nonsense\n");
+    const Ended broken = gsim_run({part, "--lua-lib", "lib"});
+    EXPECT_EQ(broken.status, 2);
+    EXPECT_TRUE(holds(broken.err, "lua_lib/init.lua:")) << broken.err;
+    EXPECT_EQ(gsim_run({part, "--lua-lib", "nowhere"}).status, 2);
+}
+
+TEST_F(GsimRun, FilesThatCannotBeReadOrWritten) {
+    const std::string part = write("part.nc", "G0 X1\n");
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"missing.nc"},
+                                               {"missing.lua"},
+                                               {"."},
+                                               {},
+                                               {part, "--machine", "missing.toml"},
+                                               {part, "--machine", "."},
+                                               {part, "--machine", part},
+                                               {part, "--machine-data", "missing.txt"},
+                                               {part, "--machine-data", part},
+                                               {part, "--report", "no/such/folder/r.json"},
+                                               {part, "--moves", "."},
+                                               {part, "--trajectory", "no/such/t.csv"},
+                                               {part, "--plot", "no/such/p.svg"}}) {
+        const Ended e = gsim_run(arguments);
+        EXPECT_EQ(e.status, 2) << (arguments.empty() ? "" : arguments.back()) << e.err;
+        EXPECT_TRUE(e.err.starts_with("gsim-run: ")) << e.err;
+    }
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(GsimRun, OptionsThatAreWrong) {
+    const std::string part = write("part.nc", "G0 X1\n");
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{part, "--nonsense"},
+                                               {part, "--step", "0"},
+                                               {part, "--step", "-1"},
+                                               {part, "--max-time", "-5"},
+                                               {part, "--max-time", "soon"},
+                                               {part, "--max-blocks", "0"},
+                                               {part, "--memory", "0"},
+                                               {part, "--dialect", "klingon"},
+                                               {part, "other.nc"},
+                                               {part, "--report"}}) {
+        const Ended e = gsim_run(arguments);
+        EXPECT_EQ(e.status, 2) << arguments[1];
+        EXPECT_EQ(e.out, "");
+        EXPECT_NE(e.err, "");
+    }
+    EXPECT_EQ(gsim_run({"--help"}).status, 0);
+    EXPECT_TRUE(gsim_run({"--version"}).out.starts_with("gsim-run "));
+}
+
+TEST_F(GsimRun, OddInputsEnd) {
+    EXPECT_EQ(report({write("empty.nc", "")})["status"], "completed");
+    EXPECT_EQ(report({write("empty.lua", "")})["status"], "completed");
+    EXPECT_EQ(report({"-"}, 0, "")["status"], "completed");
+    for (const std::string& input :
+         {std::string("\0\1\2", 3), std::string("\x1bLua", 4), std::string(50'000, '('),
+          std::string("local x ="), std::string("-- \xff\n\xfe")}) {
+        const Ended nc = gsim_run({"-", "--json"}, input);
+        EXPECT_TRUE(nc.status == 0 || nc.status == 1) << nc.status;
+        write("odd.lua", input);
+        const Ended lua = gsim_run({"odd.lua", "--json"});
+        EXPECT_TRUE(lua.status == 0 || lua.status == 1) << lua.status;
+        EXPECT_FALSE(json::parse(lua.out, nullptr, false).is_discarded()) << lua.out;
+    }
+}
+
+TEST_F(GsimRun, PrintOfAScriptLeavesTheReportWhole) {
+    const Ended e = gsim_run({write("part.lua", "print(\"hello\", 5)\nG0{x=1}\n"), "--json"});
+    EXPECT_EQ(e.status, 0);
+    EXPECT_EQ(e.err, "hello\t5\n");
+    EXPECT_FALSE(json::parse(e.out, nullptr, false).is_discarded());
+}
+
+}  // namespace
+}  // namespace gsim::apps

@@ -1,0 +1,95 @@
+// The files that gsim-run writes: moves, trajectory, report and plot.
+
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps {
+namespace {
+
+using nlohmann::json;
+
+class Outputs : public Apps {
+  protected:
+    std::vector<std::string> lines(const std::string& name) {
+        std::istringstream text(read(name));
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(text, line);) lines.push_back(line);
+        return lines;
+    }
+    const std::string part_ = write("part.nc", "G0 X100 Y100\nG1 X110 F3000\n\nG3 X100 Y110 I-10\nG4 P2\n");
+};
+
+TEST_F(Outputs, Moves) {
+    EXPECT_EQ(gsim_run({part_, "--quiet", "--moves", "moves.jsonl"}).status, 0);
+    const std::vector<std::string> moves = lines("moves.jsonl");
+    ASSERT_EQ(moves.size(), 4U);
+    double end_s = 0;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const json move = json::parse(moves[i]);
+        EXPECT_EQ(move["n"], i + 1);
+        EXPECT_EQ(move["file"], "part.nc");
+        EXPECT_NEAR(move["start_s"].get<double>(), end_s, 1e-9);
+        end_s = move["end_s"];
+    }
+    const json arc = json::parse(moves[2]);
+    EXPECT_EQ(arc["kind"], "arc_ccw");
+    EXPECT_EQ(arc["line"], 4);
+    EXPECT_EQ(arc["plane"], "xy");
+    EXPECT_EQ(arc["turns"], 1);
+    EXPECT_EQ(arc["feed"], 3000);
+    EXPECT_NEAR(arc["center"]["X"].get<double>(), 100, 1e-9);
+    EXPECT_NEAR(arc["to"]["Y"].get<double>(), 110, 1e-9);
+    EXPECT_TRUE(json::parse(moves[0])["feed"].is_null());
+    EXPECT_EQ(json::parse(moves[3])["kind"], "dwell");
+}
+
+TEST_F(Outputs, Trajectory) {
+    EXPECT_EQ(gsim_run({part_, "--quiet", "--trajectory", "path.csv", "--step", "0.5"}).status, 0);
+    const std::vector<std::string> rows = lines("path.csv");
+    ASSERT_GT(rows.size(), 6U);
+    EXPECT_EQ(rows[0], "t_s,line,x_mm,y_mm,z_mm,b_deg,c_deg,speed_mm_s");
+    EXPECT_TRUE(rows[1].starts_with("0,")) << rows[1];
+    EXPECT_TRUE(holds(rows.back(), ",100,110,0,0,0,0")) << rows.back();
+    double before = -1;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double t_s = std::stod(rows[i]);
+        EXPECT_GT(t_s, before);
+        before = t_s;
+    }
+}
+
+TEST_F(Outputs, ReportIsTheJsonOfStandardOutput) {
+    const Ended e = gsim_run({part_, "--json", "--report", "report.json"});
+    EXPECT_EQ(e.status, 0);
+    EXPECT_EQ(json::parse(read("report.json")), json::parse(e.out));
+}
+
+TEST_F(Outputs, Plot) {
+    const Ended e = gsim_run({part_, "--quiet", "--plot", "path.svg"});
+    if (e.status != 0 && holds(e.err, "gnuplot")) GTEST_SKIP() << e.err;
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_TRUE(holds(read("path.svg"), "<svg"));
+    EXPECT_EQ(files(), 2U);
+    const Ended wrong = gsim_run({part_, "--quiet", "--plot", "path.xyz"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_TRUE(holds(wrong.err, ".svg")) << wrong.err;
+}
+
+TEST_F(Outputs, AreWrittenUpToAnAlarm) {
+    const std::string bad = write("bad.nc", "G0 X100\nG0 X9999\n");
+    EXPECT_EQ(gsim_run({bad, "--quiet", "--moves", "moves.jsonl", "--report", "report.json"}).status, 1);
+    EXPECT_EQ(lines("moves.jsonl").size(), 1U);
+    EXPECT_EQ(json::parse(read("report.json"))["status"], "alarm");
+}
+
+TEST_F(Outputs, OldFilesStayWhereNothingRan) {
+    write("moves.jsonl", "old");
+    EXPECT_EQ(gsim_run({write("bad.nc", "G999\n"), "--quiet", "--moves", "moves.jsonl"}).status, 1);
+    EXPECT_EQ(read("moves.jsonl"), "old");
+}
+
+}  // namespace
+}  // namespace gsim::apps

@@ -1,0 +1,86 @@
+// Both ways from G-code to a report are one: through a script, and at once.
+
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps {
+namespace {
+
+using nlohmann::json;
+
+class Pipeline : public Apps {
+  protected:
+    json parsed(const Ended& e) {
+        json r = json::parse(e.out, nullptr, false);
+        EXPECT_FALSE(r.is_discarded()) << e.out << e.err;
+        if (r.is_object()) r.erase("program");
+        return r;
+    }
+};
+
+TEST_F(Pipeline, ScriptAndPartProgramGiveOneReport) {
+    const std::filesystem::path wheel = GSIM_SOURCE "/samples/wheel.nc";
+    std::filesystem::copy_file(wheel, folder_ / "wheel.nc");
+    const Ended lua = gcode2lua({"wheel.nc"});
+    ASSERT_EQ(lua.status, 0);
+    const json at_once = parsed(gsim_run({"wheel.nc", "--json"}));
+    EXPECT_EQ(at_once["status"], "completed");
+    EXPECT_EQ(parsed(gsim_run({"-", "--json"}, lua.out)), at_once);
+    EXPECT_EQ(parsed(gsim_run({write("wheel.lua", lua.out), "--json"})), at_once);
+}
+
+TEST_F(Pipeline, AlsoWhereThereIsAnAlarm) {
+    write("part.nc", "O1\nG0 X10\nM98 P2\nM2\nO2\n#1=5\nG0 X[#1*1000]\nM99\n");
+    const json at_once = parsed(gsim_run({"part.nc", "--json"}));
+    EXPECT_EQ(at_once["alarm"]["line"], 7);
+    EXPECT_EQ(parsed(gsim_run({"-", "--json"}, gcode2lua({"part.nc"}).out)), at_once);
+}
+
+TEST_F(Pipeline, PartProgramOnStandardInput) {
+    const json r = parsed(gsim_run({"-", "--json"}, "G0 X10\nG0 X9999\n"));
+    EXPECT_EQ(r["alarm"]["file"], "stdin");
+    EXPECT_EQ(r["alarm"]["line"], 2);
+}
+
+TEST_F(Pipeline, AnEditedScriptTellsItsOwnLines) {
+    write("part.nc", "G0 X10\nG0 X20\n");
+    std::string lua = gcode2lua({"part.nc"}).out;
+    lua.replace(lua.find("x=20"), 4, "x=-20");
+    const json r = parsed(gsim_run({write("part.lua", lua), "--json"}));
+    EXPECT_EQ(r["alarm"]["file"], "part.lua");
+    EXPECT_EQ(r["alarm"]["line"], 3);  // line 2 of the G-code, below the line that opens the script
+}
+
+TEST_F(Pipeline, AScriptByHandNeedsNoHead) {
+    const json r =
+        parsed(gsim_run({write("hand.lua", "F(6000)\nfor i = 1, 4 do G1{x=i * 10.0} end\n"), "--json"}));
+    EXPECT_EQ(r["status"], "completed");
+    EXPECT_EQ(r["moves"], 4);
+}
+
+// Longer than what is run in one piece: the pieces are the whole.
+TEST_F(Pipeline, ALongProgramIsOneProgram) {
+    std::string program = "G21 G90 F6000\n";
+    for (int i = 1; i <= 60'000; ++i) program += "G1 X" + std::to_string(100 + i % 7) + "\n";
+    write("long.nc", program + "G0 X0\nM2\n");
+    const json at_once = parsed(gsim_run({"long.nc", "--json"}));
+    EXPECT_EQ(at_once["status"], "completed");
+    EXPECT_EQ(at_once["moves"], 60'001);
+    EXPECT_EQ(parsed(gsim_run({"-", "--json"}, gcode2lua({"long.nc"}).out)), at_once);
+    write("long.nc", program + "G0 X-5\nM2\n");
+    EXPECT_EQ(parsed(gsim_run({"long.nc", "--json"}))["alarm"]["line"], 60'002);
+}
+
+TEST_F(Pipeline, ScriptsPassLuasOwnCompiler) {
+    const Ended there = run_program("/usr/bin/env", {"luac5.4", "-v"}, folder_);
+    if (there.status != 0) GTEST_SKIP() << "no luac5.4";
+    write("part.lua", gcode2lua({GSIM_SOURCE "/samples/wheel.nc"}).out);
+    const Ended e = run_program("/usr/bin/env", {"luac5.4", "-p", "part.lua"}, folder_);
+    EXPECT_EQ(e.status, 0) << e.err;
+}
+
+}  // namespace
+}  // namespace gsim::apps

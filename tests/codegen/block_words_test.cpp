@@ -1,0 +1,113 @@
+// What the words of a block become together: who takes which word, and the order in which the controller
+// acts.
+#include <gtest/gtest.h>
+
+#include "tests/codegen/translated.h"
+
+namespace gsim::codegen {
+namespace {
+
+TEST(BlockWords, ValuesKeepTheirDigits) {
+    EXPECT_EQ(lua_of("G01 X500.000 Y-0.5 Z.5 B5. C+007"), "G1{x=500.000, y=-0.5, z=.5, b=5., c=007}");
+    EXPECT_EQ(lua_of("F250.000"), "F(250.000)");
+}
+
+TEST(BlockWords, CodesAreNormalised) {
+    EXPECT_EQ(lua_of("g00"), "G0()");
+    EXPECT_EQ(lua_of("G092.1"), "G92_1()");
+    EXPECT_EQ(lua_of("M002"), "M2()");
+    EXPECT_EQ(lua_of("G4.0 P1"), "G4{p=1}");
+    EXPECT_EQ(lua_of("G599"), "G599()");
+}
+
+TEST(BlockWords, AxisWordsGoWithTheCodeOfTheirBlockOrTheModalMotion) {
+    EXPECT_EQ(lua_of("X5"), "move{x=5}");
+    EXPECT_EQ(lua_of("U5 V6 W7 A8"), "move{u=5, v=6, w=7, a=8}");
+    EXPECT_EQ(lua_of("X5 G0"), "G0{x=5}");
+    EXPECT_EQ(lua_of("X1 G92 Y2"), "G92{x=1, y=2}");
+    EXPECT_EQ(lua_of("G52 X1"), "G52{x=1}");
+    EXPECT_EQ(lua_of("G28 X0"), "G28{x=0}");
+    EXPECT_EQ(lua_of("X1 I2"), "move{x=1, i=2}") << "an arc that goes on";
+    EXPECT_EQ(lua_of("I2"), "move{i=2}") << "a full circle that goes on";
+    EXPECT_EQ(lua_of("G92 G1 X1"), "G92{x=1} G1()") << "G92 takes the axis words, G1 holds from here on";
+}
+
+TEST(BlockWords, Arcs) {
+    EXPECT_EQ(lua_of("G2 X1 Y2 I3 J4"), "G2{x=1, y=2, i=3, j=4}");
+    EXPECT_EQ(lua_of("X1 R5 G3"), "G3{x=1, r=5}");
+    EXPECT_EQ(lua_of("G3 AR=90 I5"), "G3{ar=90, i=5}");
+    EXPECT_EQ(lua_of("CIP X1 Y2 I1=3 J1=4 K1=5"), "CIP{x=1, y=2, i1=3, j1=4, k1=5}");
+    EXPECT_EQ(lua_of("G2"), "G2()") << "the bare code selects the motion";
+}
+
+TEST(BlockWords, Dwell) {
+    EXPECT_EQ(lua_of("X5 F200 G04"), "F(200) G4{x=5}");
+    EXPECT_EQ(lua_of("X5 M8 G04"), "M8() G4{x=5}");
+    EXPECT_EQ(lua_of("G4 P[#1/2]"), "G4{p=v[1] / 2.0}");
+}
+
+TEST(BlockWords, Subprograms) {
+    EXPECT_EQ(lua_of("O2;M98 P0002 L03"), "program(2, function() M98{p=2, l=03}");
+    EXPECT_EQ(lua_of("P#1 M98"), "M98{p=v[1]}");
+    EXPECT_EQ(lua_of("M99"), "do return M99() end");
+    EXPECT_EQ(lua_of("O3;X5 M98 P3"), "program(3, function() move{x=5} M98{p=3}")
+        << "the move, then the call";
+    EXPECT_EQ(lua_of("M99 X5"), "move{x=5} do return M99() end") << "the move, then the return";
+}
+
+TEST(BlockWords, InTheOrderOfTheController) {
+    EXPECT_EQ(lua_of("X1 G1 F100 G90 G21 G17"), "G17() G21() G90() F(100) G1{x=1}");
+    EXPECT_EQ(lua_of("M9 X5 G1"), "G1{x=5} M9()") << "the jet goes off behind the move";
+    EXPECT_EQ(lua_of("X5 G1 M8"), "M8() G1{x=5}") << "and on before it";
+    EXPECT_EQ(lua_of("M10 M8 X5"), "M10() M8() move{x=5}");
+    EXPECT_EQ(lua_of("G1 X5 M30 M5 M9"), "G1{x=5} M9() M5() M30()");
+    EXPECT_EQ(lua_of("X1 M0"), "move{x=1} M0()") << "a stop comes behind the move";
+    EXPECT_EQ(lua_of("M3 S1000 X1"), "S(1000) M3() move{x=1}");
+    EXPECT_EQ(lua_of("M6 T5"), "T(5) M6()");
+    EXPECT_EQ(lua_of("X1 G55 G0 G91"), "G91() G55() G0{x=1}") << "the frame before the move in it";
+    EXPECT_EQ(lua_of("X1 G0 G53"), "G53() G0{x=1}");
+    EXPECT_EQ(lua_of("X1 F5 G93"), "G93() F(5) move{x=1}") << "F is understood in the block's own feed mode";
+}
+
+TEST(BlockWords, CodesOfDifferentGroupsMeet) {
+    EXPECT_EQ(lua_of("G17 G40 G80 G90 G54 G94 G00"), "G17() G40() G80() G90() G54() G94() G0()");
+    EXPECT_EQ(lua_of("D1 H1"), "D(1) H(1)");
+}
+
+TEST(BlockWords, OneShotsWithoutAMoveAreDropped) {
+    const Translated result = translated("G53\nG1 X1\nG9 F5\n");
+    EXPECT_TRUE(result.ok);
+    EXPECT_EQ(result.messages,
+              "1:1: warning: G53 does nothing in a block without a move\n"
+              "3:1: warning: G9 does nothing in a block without a move\n");
+    EXPECT_EQ(result.code(1), "");
+    EXPECT_EQ(result.code(3), "F(5)");
+}
+
+TEST(BlockWords, BareCodesOfLaterMeaningsSwitchOff) {
+    EXPECT_EQ(lua_of("G14"), "G14()");
+    EXPECT_EQ(lua_of("G14.1"), "G14_1()");
+    EXPECT_EQ(lua_of("G40 G49 G80 G23 G69 G67"), "G40() G69() G49() G80() G23() G67()");
+}
+
+TEST(BlockWords, BlockDelete) {
+    EXPECT_EQ(lua_of("/X5"), "if not skipped(1) then move{x=5} end");
+    EXPECT_EQ(lua_of("/3 #1=5"), "if not skipped(3) then v[1] = 5.0 end");
+    EXPECT_EQ(lua_of("/2 M99"), "if not skipped(2) then do return M99() end end");
+    EXPECT_EQ(lua_of("N5 /GOTO5"), "::N5:: if not skipped(1) then goto N5 end")
+        << "the label stands before it";
+    EXPECT_EQ(lua_of("/"), "");
+}
+
+TEST(BlockWords, Aliases) {
+    TranslateOptions options;
+    ASSERT_FALSE(options.aliases.add("WaterJetOn", "M08"));
+    ASSERT_FALSE(options.aliases.add("Linear", "G01"));
+    EXPECT_EQ(translated("X5 Linear waterjeton\n", options).code(1), "M8() G1{x=5}");
+    EXPECT_EQ(translated("WaterJetOf\n", options).messages,
+              "1:1: error: 'WaterJetOf' is neither a keyword nor an alias of the machine data; did you mean "
+              "WATERJETON?\n");
+}
+
+}  // namespace
+}  // namespace gsim::codegen

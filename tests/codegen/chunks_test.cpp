@@ -1,0 +1,127 @@
+// The map of a translation: where its programs stand and where their bodies may be taken apart.
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/codegen/lua_compiler.h"
+#include "tests/codegen/random_program.h"
+#include "tests/codegen/translated.h"
+
+namespace gsim::codegen {
+namespace {
+
+struct Mapped {
+    Translation translation;
+    std::string lua;
+};
+
+Mapped mapped(const std::string& gcode) {
+    lexer::Source source = lexer::Source::from_text(gcode, "t");
+    LuaSpool spool;
+    Mapped result;
+    result.translation = translate(source, spool, {}, [](std::string_view) {});
+    EXPECT_TRUE(result.translation.ok) << result.translation.first_error;
+    result.lua = spool.read(0, spool.size());
+    return result;
+}
+
+std::vector<std::string> pieces(const Mapped& whole, const ProgramPart& part) {
+    std::vector<std::string> out;
+    std::uint64_t begin = part.body_begin;
+    for (const Cut& cut : part.cuts) {
+        out.push_back(whole.lua.substr(begin, cut.offset - begin));
+        begin = cut.offset;
+    }
+    out.push_back(whole.lua.substr(begin, part.body_end - begin));
+    return out;
+}
+
+std::uint32_t line_of(const std::string& text, std::uint64_t offset) {
+    return static_cast<std::uint32_t>(
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+}
+
+void expect_sound_map(const Mapped& whole) {
+    for (const ProgramPart& part : whole.translation.programs) {
+        ASSERT_LE(part.body_begin, part.body_end);
+        EXPECT_EQ(part.first_line, line_of(whole.lua, part.body_begin)) << part.name;
+        std::string body;
+        for (const std::string& piece : pieces(whole, part)) {
+            EXPECT_EQ(compile_error(piece), std::nullopt) << piece.substr(0, 200);
+            body += piece;
+        }
+        EXPECT_EQ(body, whole.lua.substr(part.body_begin, part.body_end - part.body_begin));
+        for (const Cut& cut : part.cuts) {
+            EXPECT_EQ(whole.lua[cut.offset - 1], '\n');
+            EXPECT_EQ(cut.line, line_of(whole.lua, cut.offset));
+        }
+        const std::string head = fmt::format("program({}, function()", part.name);
+        EXPECT_EQ(whole.lua.substr(part.body_begin - head.size(), head.size()), head);
+        EXPECT_EQ(whole.lua.substr(whole.lua.find_first_not_of(" \n", part.body_end), 4), "end)");
+    }
+}
+
+TEST(ProgramMap, ProgramsAndTheirBodies) {
+    const Mapped whole = mapped("%\nO0001\nX1\nM98 P2\nM2\n%\nO2\nM99\nOPART\nM99\n");
+    ASSERT_EQ(whole.translation.programs.size(), 3U);
+    EXPECT_EQ(whole.translation.programs[0].name, "1");
+    EXPECT_EQ(whole.translation.programs[0].first_line, 3U);
+    EXPECT_EQ(whole.translation.programs[1].name, "2");
+    EXPECT_EQ(whole.translation.programs[2].name, "\"PART\"");
+    EXPECT_EQ(whole.translation.lua_lines, 12U);
+    expect_sound_map(whole);
+}
+
+TEST(ProgramMap, WithoutAnOWord) {
+    const Mapped whole = mapped("X1\nX2\n");
+    ASSERT_EQ(whole.translation.programs.size(), 1U);
+    EXPECT_EQ(whole.translation.programs[0].name, "nil");
+    EXPECT_EQ(whole.translation.programs[0].first_line, 1U);
+    expect_sound_map(whole);
+}
+
+TEST(ProgramMap, RandomPrograms) {
+    std::mt19937 random(9);
+    for (int i = 0; i < 100; ++i) {
+        const std::string gcode = random_program(random, {.jumps = false});
+        SCOPED_TRACE(gcode);
+        expect_sound_map(mapped(gcode));
+        ASSERT_FALSE(testing::Test::HasFailure());
+    }
+}
+
+std::string big_program(int lines, const std::string& middle) {
+    std::string gcode = "O1\n";
+    for (int i = 0; i < lines; ++i) {
+        gcode += fmt::format("G1 X{}\n", i);
+        if (i == lines / 2) gcode += middle;
+    }
+    return gcode;
+}
+
+TEST(ProgramMap, BigProgramsHaveCuts) {
+    const Mapped whole = mapped(big_program(200000, ""));
+    ASSERT_EQ(whole.translation.programs.size(), 1U);
+    const ProgramPart& part = whole.translation.programs[0];
+    EXPECT_GE(part.cuts.size(), 20U);
+    for (std::size_t i = 1; i < part.cuts.size(); ++i)
+        ASSERT_GT(part.cuts[i].offset, part.cuts[i - 1].offset);
+    expect_sound_map(whole);
+}
+
+TEST(ProgramMap, NoCutInALoopAndNoneWhereJumpsLead) {
+    std::string loop = "WHILE[#1 LT 5]DO1\n";
+    for (int i = 0; i < 30000; ++i) loop += "X1\n";
+    const Mapped looped = mapped(big_program(20000, loop + "END1\n"));
+    const ProgramPart& part = looped.translation.programs[0];
+    EXPECT_GE(part.cuts.size(), 2U);
+    for (const Cut& cut : part.cuts) EXPECT_TRUE(cut.line < 10004 || cut.line > 40000) << cut.line;
+    expect_sound_map(looped);
+    const Mapped jumping = mapped(big_program(20000, "N5 IF[#1 EQ 1]GOTO5\n"));
+    EXPECT_TRUE(jumping.translation.programs[0].cuts.empty());
+    expect_sound_map(jumping);
+}
+
+}  // namespace
+}  // namespace gsim::codegen

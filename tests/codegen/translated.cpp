@@ -1,0 +1,35 @@
+#include "tests/codegen/translated.h"
+
+#include <algorithm>
+
+namespace gsim::codegen {
+
+std::string Translated::code(std::size_t line) const {
+    std::size_t begin = 0;
+    for (; line > 0; --line) begin = lua.find('\n', begin) + 1;
+    std::string_view text = std::string_view(lua).substr(begin);
+    text = text.substr(0, text.find('\n'));
+    text = text.substr(0, text.find("-- "));
+    const std::size_t last = text.find_last_not_of(' ');
+    return std::string(text.substr(0, last == std::string_view::npos ? 0 : last + 1));
+}
+
+Translated translated(std::string_view gcode, const TranslateOptions& options) {
+    constexpr std::string_view kName = "part.nc:";
+    TextTranslation result = translate_text(gcode, options);
+    Translated out{result.ok, std::move(result.lua), {}};
+    std::string_view rest = result.diagnostics;
+    while (!rest.empty()) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        if (line.starts_with(kName)) out.messages.append(line.substr(kName.size())).append("\n");
+        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    }
+    return out;
+}
+
+std::string lua_of(std::string_view block) {
+    const Translated result = translated(block);
+    return result.ok ? result.code(1) : result.messages;
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,6 @@
+(CR LF, A LONE CR, AND BYTES THAT COULD END A COMMENT OF LUA)
+G1 X1 (AB)
+
+(--[[ ]] [0m )
+G1	X2Y3
+M2

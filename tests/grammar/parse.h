@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gsim::grammar {
+
+/// What the parser makes of a text, written down for comparison.
+struct Parsed {
+    /// One for each block, such as `N5 /1 words X=5:axis F=200`, `while (LT #1 5) do 1`; `bad` where an error
+    /// was reported.
+    std::vector<std::string> blocks;
+    std::string messages;  ///< "line:column: text" of the errors, one a line.
+    bool finished = true;  ///< The parser came to the end by itself.
+};
+
+Parsed parse(std::string_view text);
+
+/// `count` times `piece`, behind `before`.
+std::string repeated(std::string before, std::string_view piece, std::size_t count);
+
+}  // namespace gsim::grammar

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lexer/lexer.h"
+
+namespace gsim::lexer {
+
+/// What the scanner makes of a text: its tokens, and the words of all blocks written as `X=5`.
+struct Scan {
+    std::vector<Token> tokens;
+    std::vector<std::string> words;
+    std::vector<std::string> comments;
+    std::vector<std::string> programs;
+    std::vector<Value> values;  ///< One for each token.
+    std::string messages;       ///< "line:column: text" of the errors, one a line.
+};
+
+inline Scan scan(std::string_view text, const Aliases& aliases = {}) {
+    Scan result;
+    Source source = Source::from_text(std::string(text), "t");
+    Diagnostics diagnostics(source, 1000, [&](std::string_view message) {
+        const std::string_view line = message.substr(0, message.find('\n'));
+        result.messages += std::string(line.substr(2)) + "\n";  // without "t:"
+    });
+    Lexer lexer(source, diagnostics, aliases);
+    while (true) {
+        Value value{};
+        const Token token = lexer.next(value);
+        if (token == kEnd) return result;
+        result.tokens.push_back(token);
+        result.values.push_back(value);
+        const BlockText& block = lexer.block();
+        if (token == kProgram) result.programs.emplace_back(block.view(block.program));
+        if (token != kEob && token != kTape) continue;
+        for (const Word& word : block.words)
+            result.words.push_back(fmt::format("{}={}", address_name(word.address), block.view(word.number)));
+        for (const Slice comment : block.comments) result.comments.emplace_back(block.view(comment));
+        lexer.start_block();
+    }
+}
+
+}  // namespace gsim::lexer

@@ -1,0 +1,78 @@
+#include "lexer/source.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace gsim::lexer {
+namespace {
+
+std::string read_all(Source& source, std::size_t step) {
+    std::string text;
+    std::string buffer(step, '\0');
+    while (const std::size_t count = source.read(buffer.data(), buffer.size())) text.append(buffer, 0, count);
+    return text;
+}
+
+constexpr std::string_view kText = "G1 X5\r\nY2\n\nlast";
+
+void expect_reads(Source& source) {
+    EXPECT_EQ(source.size(), kText.size());
+    EXPECT_EQ(read_all(source, 3), kText);
+    source.rewind();
+    EXPECT_EQ(read_all(source, 1000), kText);
+    EXPECT_EQ(source.line_at(0), "G1 X5") << "without its CR LF";
+    EXPECT_EQ(source.line_at(7), "Y2");
+    EXPECT_EQ(source.line_at(10), "");
+    EXPECT_EQ(source.line_at(11), "last");
+    EXPECT_EQ(source.line_at(0, 2), "G1");
+    EXPECT_EQ(source.line_at(1000), "") << "behind the end there is nothing";
+    EXPECT_FALSE(source.failed());
+}
+
+TEST(Source, Text) {
+    Source source = Source::from_text(std::string(kText), "name");
+    EXPECT_EQ(source.name(), "name");
+    expect_reads(source);
+}
+
+TEST(Source, File) {
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "gsim_source_test.nc";
+    std::ofstream(path, std::ios::binary) << kText;
+    auto source = Source::open(path.string());
+    ASSERT_TRUE(source) << source.error();
+    expect_reads(*source);
+    std::filesystem::remove(path);
+}
+
+TEST(Source, StreamThatCannotBeReadTwice) {
+    std::string text(kText);
+    std::FILE* stream = ::fmemopen(text.data(), text.size(), "r");
+    ASSERT_NE(stream, nullptr);
+    auto source = Source::spool(stream, "stdin");
+    std::fclose(stream);
+    ASSERT_TRUE(source) << source.error();
+    EXPECT_EQ(source->name(), "stdin");
+    expect_reads(*source);
+}
+
+TEST(Source, LinesLongerThanOneReadAreFoundWhole) {
+    const std::string line(5000, 'X');
+    const Source source = Source::from_text(line + "\nY\n", "t");
+    EXPECT_EQ(source.line_at(0), line);
+    EXPECT_EQ(source.line_at(5001), "Y");
+}
+
+TEST(Source, ErrorsNameTheFile) {
+    const auto missing = Source::open("no_such_folder/part.nc");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error(), "no_such_folder/part.nc: No such file or directory");
+    const auto folder = Source::open(testing::TempDir());
+    ASSERT_FALSE(folder);
+    EXPECT_EQ(folder.error(), testing::TempDir() + ": Is a directory");
+}
+
+}  // namespace
+}  // namespace gsim::lexer

@@ -1,0 +1,45 @@
+// Each code that the dialect supports means something to the library.
+
+#include <fmt/format.h>
+
+#include "grammar/dialect.h"
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+TEST(Codes, EachSupportedOneIsAFunctionOfTheLibrary) {
+    for (const grammar::Code& code : grammar::dialect_ab9().codes()) {
+        if (code.support == grammar::Support::later) continue;
+        const std::string name = grammar::lua_name(code);
+        const Outcome r = run_lua(fmt::format("assert(type({}) == 'function')", name));
+        EXPECT_TRUE(r.completed()) << name << ": " << r.message();
+    }
+}
+
+// What is recognised but comes later must not be passed over in silence.
+TEST(Codes, OthersAreRefusedWithTheirLine) {
+    for (const grammar::Code& code : grammar::dialect_ab9().codes()) {
+        if (code.support != grammar::Support::later) continue;
+        const std::string text = errors_of("G0 X1\n" + grammar::code_name(code) + "\n");
+        EXPECT_NE(text.find("part.nc:2:"), std::string::npos) << text;
+        EXPECT_NE(text.find("not supported yet"), std::string::npos) << text;
+    }
+}
+
+TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
+    for (const char* code :
+         {"G9",   "G15", "G16", "G17", "G18", "G19", "G20",   "G21",   "G23",   "G40",   "G49",
+          "G54",  "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3", "G505",  "G577",
+          "G599", "G61", "G64", "G67", "G69", "G80", "G90",   "G91",   "G92.1", "G93",   "G94",
+          "G95",  "G97", "G98", "G99", "G0",  "G1",  "G2",    "G3",    "G14",   "G14.1", "G53",
+          "G27",  "G28", "M0",  "M1",  "M2",  "M3",  "M4",    "M5",    "M6",    "M8",    "M9",
+          "M10",  "M11", "M30", "D1",  "H2",  "T3",  "S4",    "F5"}) {
+        const Outcome r = run(std::string(code) + "\n");
+        EXPECT_TRUE(r.completed()) << code << ": " << r.message();
+        EXPECT_LE(r.report.blocks, 1U) << code;  // G9 and G53 without a motion become nothing
+    }
+}
+
+}  // namespace
+}  // namespace gsim::script

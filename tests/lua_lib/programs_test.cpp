@@ -1,0 +1,139 @@
+// Programs and subprograms, block delete, the limits of a run, and places of alarms.
+
+#include <fmt/format.h>
+
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+TEST(Programs, TheFirstOneRuns) {
+    expect_end(run("O1\nG0 X10\nM2\nO2\nG0 X20\nM99\n"), 10, 0, 0);
+}
+
+TEST(Programs, CallsAndRepeats) {
+    const std::string sub = "O2\nG91 G0 X10\nG90\nM99\n";
+    expect_end(run("O1\nM98 P2\nM2\n" + sub), 10, 0, 0);
+    expect_end(run("O1\nM98 P2 L3\nM2\n" + sub), 30, 0, 0);
+    expect_end(run("O1\nG0 Y5\nM98 P2 L0\nM2\n" + sub), 0, 5, 0);
+    expect_end(run("O1\n#1=2\n#2=4\nM98 P#1 L#2\nM2\n" + sub), 40, 0, 0);
+}
+
+TEST(Programs, ModalStateGoesThroughCalls) {
+    // The subprogram leaves G91 and G1 in force.
+    expect_end(run("O1\nF1000 G0 X10\nM98 P2\nX5\nM2\nO2\nG91 G1 X1\nM99\n"), 16, 0, 0);
+}
+
+TEST(Programs, NestToEightLevels) {
+    std::string chain = "O1\nM98 P2\nM2\n";
+    for (int n = 2; n <= 8; ++n) chain += fmt::format("O{}\nM98 P{}\nM99\n", n, n + 1);
+    expect_end(run(chain + "O9\nG0 X1\nM99\n"), 1, 0, 0);
+    expect_alarm(run(chain + "O9\nM98 P10\nM99\nO10\nG0 X1\nM99\n"), 26, {"P10", "8"});
+    expect_alarm(run("O1\nM98 P2\nM2\nO2\nM98 P2\nM99\n"), 5, {"nested", "8"});
+}
+
+TEST(Programs, AMissingOneIsAnAlarm) {
+    expect_alarm(run("O1\nG0 X1\n\nM98 P77\nM2\n"), 4, {"O77"});
+    expect_alarm(run("O1\nG0 X1\nM98 P[1.5]\nM2\n"), 3, {"P", "1.5"});
+    expect_alarm(run("O1\nG0 X1\nM98 P1 L[0-1]\nM2\n"), 3, {"L", "-1"});
+    expect_alarm(run("O1\nG0 X1\nM98 P#5\nM2\n"), 3, {"P"});
+    expect_alarm(run("O1\nG0 X1\nM98 P[EXP[700]]\nM2\n"), 3, {"P", "whole number"});
+    // 2^32 + 1 is not program 1.
+    expect_alarm(run("O1\nG0 X1\nM98 P[4294967296+1]\nM2\n"), 3, {"P", "whole number"});
+}
+
+TEST(Programs, OneIsFoundBesideTheFile) {
+    Conditions setup;
+    setup.options.find_program =
+        [](std::uint32_t number) -> tl::expected<std::optional<Script>, std::string> {
+        if (number == 7)
+            return Script::from_text("local _ENV = require \"gsim\" program(nil, function()\nG0{x=7.0}\nend)",
+                                     "O0007.nc", -1);
+        if (number == 8) return tl::unexpected(std::string("it is broken"));
+        return std::nullopt;
+    };
+    const Outcome r = run("O1\nM98 P7\nM98 P7\nM98 P8\nM2\n", setup);
+    expect_alarm(r, 4, {"it is broken"});
+    ASSERT_EQ(r.moves.size(), 1U);
+    EXPECT_EQ(r.report.files[r.moves[0].info.place.file], "O0007.nc");
+    EXPECT_EQ(r.moves[0].info.place.line, 1U);
+    expect_alarm(run("O1\nM98 P9\nM2\n", setup), 2, {"O9"});
+}
+
+TEST(Programs, EndInASubprogramEndsTheRun) {
+    expect_end(run("O1\nM98 P2\nG0 X99\nM2\nO2\nG0 X5\nM2\nG0 X6\nM99\n"), 5, 0, 0);
+    expect_end(run("O1\nM98 P2\nG0 X99\nM2\nO2\nG0 X5\nM30\n"), 5, 0, 0);
+}
+
+TEST(Programs, AMainProgramWithoutEndEnds) {
+    expect_end(run("G0 X5"), 5, 0, 0);
+    EXPECT_TRUE(run("").completed());
+    EXPECT_TRUE(run("%\n%\n").completed());
+}
+
+TEST(Programs, M99InTheMainProgramRepeatsToALimit) {
+    Conditions setup;
+    setup.limits.max_time_s = 10;
+    const Outcome r = run("G0 X100\nX0\nM99\n", setup);
+    expect_stopped(r, "--max-time");
+    EXPECT_GT(r.report.cycle_time_s, 10);
+    EXPECT_LT(r.report.cycle_time_s, 11);
+    setup.limits = {};
+    setup.limits.max_blocks = 100;
+    const Outcome blocks = run("G0 X100\nX0\nM99\n", setup);
+    expect_stopped(blocks, "--max-blocks");
+    EXPECT_EQ(blocks.report.blocks, 100U);
+    expect_stopped(run("M8\nM99\n"), "endless loop");
+    expect_stopped(run("M99\n"), "endless loop");
+}
+
+TEST(Programs, ALoopWithoutMotionEndsByItsSteps) {
+    Conditions setup;
+    setup.options.limits.steps = 1'000'000;
+    const Outcome r = run("G0 X1\nWHILE[1 EQ 1]DO1\n#1=#1+1\nEND1\n", setup);
+    expect_stopped(r, "--max-steps");
+    EXPECT_GE(r.line(), 2U);
+    EXPECT_LE(r.line(), 4U);
+    expect_stopped(run("N1 GOTO1\n", setup), "--max-steps");
+}
+
+TEST(Programs, BlockDelete) {
+    Conditions setup;
+    EXPECT_EQ(run("G0 X1\n/X2\n/2 X3\n").end()[0], 3);
+    setup.options.block_delete = true;
+    expect_end(run("G0 X1\n/X2\n/2 X3\n", setup), 1, 0, 0);
+    expect_end(run("G0 X1\n/GOTO9\nX2\nN9\n", setup), 2, 0, 0);
+    expect_end(run("GOTO9\nX5\n/N9 G0 X2\nG0 Y3\n", setup), 0, 3, 0);
+}
+
+TEST(Programs, OptionalStopIsAnEventEitherWay) {
+    Conditions setup;
+    EXPECT_EQ(run("M1\n").report.events.at(0).detail, "off: passed over");
+    setup.options.optional_stop = true;
+    EXPECT_EQ(run("M1\n", setup).report.events.at(0).detail, "");
+}
+
+TEST(Programs, BlocksAreCountedOnce) {
+    EXPECT_EQ(run("G17 G21 G90 G0 X1 F100\n\n(nothing)\nX2\n#1=2\nM2\n").report.blocks, 3U);
+    EXPECT_EQ(run("O1\nM98 P2 L5\nM2\nO2\nG91 G0 X1\nM99\n").report.blocks, 12U);
+}
+
+TEST(Places, AnAlarmOfAnExpressionIsOfItsOwnLine) {
+    expect_alarm(run("G0 X1\n\n#1=1/0\n"), 3, {"division by zero"});
+    expect_alarm(run("G0 X1\n#1=SQRT[-4]\n"), 2, {"SQRT", "-4"});
+    expect_alarm(run("G0 X1\nG0 X[1/0]\n"), 2, {"division by zero"});
+    expect_alarm(run("O1\nG0 X1\nM98 P2\nM2\nO2\nG0 X2\n#50=1\nM99\n"), 7, {"#50"});
+    expect_alarm(run("G0 X1\nIF[1 EQ 1]GOTO[#1+2.5]\nN2\n"), 2, {"2.5"});
+    expect_alarm(run("G0 X1\n\nGOTO[#1+3]\nN2\n"), 3, {"3"});
+}
+
+TEST(Places, MovesHaveTheLineOfTheGCode) {
+    const Outcome r = run("(head)\nO1\nG0 X1\n\nX2 (two)\nM98 P2\nM2\nO2\nX3\nM99\n");
+    ASSERT_EQ(r.moves.size(), 3U);
+    EXPECT_EQ(r.moves[0].info.place.line, 3U);
+    EXPECT_EQ(r.moves[1].info.place.line, 5U);
+    EXPECT_EQ(r.moves[2].info.place.line, 9U);
+}
+
+}  // namespace
+}  // namespace gsim::script

@@ -1,0 +1,100 @@
+// A long script run piece by piece does what it does as a whole.
+
+#include "codegen/translate.h"
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+// The Lua of a program without O, its body in pieces of so many lines.
+Script in_pieces(const std::string& gcode, std::size_t lines) {
+    const codegen::TextTranslation translation = codegen::translate_text(gcode, {});
+    EXPECT_TRUE(translation.ok) << translation.diagnostics;
+    const std::string& lua = translation.lua;
+    Script script = Script::from_text(lua, "part.nc", -1);
+    const std::size_t body_end = lua.rfind("end)");
+    ScriptProgram program{"nil", {}};
+    std::uint32_t line = 2;
+    for (std::size_t at = lua.find('\n') + 1; at < body_end;) {
+        ScriptChunk chunk{at, at, line};
+        for (std::size_t i = 0; i < lines && chunk.end < body_end; ++i, ++line)
+            chunk.end = std::min(lua.find('\n', chunk.end) + 1, body_end);
+        at = chunk.end;
+        program.chunks.push_back(chunk);
+    }
+    script.programs.push_back(std::move(program));
+    return script;
+}
+
+void expect_same(const Outcome& a, const Outcome& b) {
+    EXPECT_EQ(a.report.status, b.report.status);
+    EXPECT_EQ(a.message(), b.message());
+    EXPECT_EQ(a.line(), b.line());
+    EXPECT_EQ(a.report.cycle_time_s, b.report.cycle_time_s);
+    EXPECT_EQ(a.report.blocks, b.report.blocks);
+    EXPECT_EQ(a.events(), b.events());
+    ASSERT_EQ(a.moves.size(), b.moves.size());
+    for (std::size_t i = 0; i < a.moves.size(); ++i) {
+        EXPECT_EQ(a.moves[i].end, b.moves[i].end);
+        EXPECT_EQ(a.moves[i].end_s, b.moves[i].end_s);
+        EXPECT_EQ(a.moves[i].info.place.line, b.moves[i].info.place.line);
+    }
+}
+
+const char* const kProgram =
+    "G21 G90 F3000\nG0 X100 Y100 (start)\nG1 X110 Y105\nX115\nG3 X105 Y115 I-10\n\n#1=4\nG1 X[#1*30] Y90 M8\n"
+    "G91 X1\nX1\nM9\nG90 G4 P.5\nG0 X0 Y0\n";
+
+TEST(Chunks, OfAnySizeGiveTheWholeRun) {
+    const Outcome whole = run(kProgram);
+    ASSERT_TRUE(whole.completed()) << whole.message();
+    ASSERT_GT(whole.moves.size(), 7U);
+    for (std::size_t lines = 1; lines <= 14; ++lines) {
+        SCOPED_TRACE(lines);
+        expect_same(whole, run_script(in_pieces(kProgram, lines), {}));
+    }
+}
+
+TEST(Chunks, AlarmsHaveTheirLines) {
+    const std::string program = std::string(kProgram) + "X-1\nX5\n";
+    for (const std::size_t lines : {1U, 3U, 50U}) {
+        const Outcome r = run_script(in_pieces(program, lines), {});
+        expect_alarm(r, 14, {"axis X", "-1"});
+    }
+    for (const std::size_t lines : {1U, 3U, 50U})
+        expect_alarm(run_script(in_pieces("G0 X1\n\n\nG0 X[1/0]\n", lines), {}), 4, {"zero"});
+}
+
+TEST(Chunks, EndsAndRepeatsComeThrough) {
+    Conditions conditions;
+    conditions.limits.max_blocks = 50;
+    const std::string repeat = "G0 X100\nX0\nX50\nM99\nX1\n";
+    expect_same(run(repeat, conditions), run_script(in_pieces(repeat, 1), conditions));
+    const std::string ends = "G0 X100\nM2\nX0\n";
+    expect_same(run(ends), run_script(in_pieces(ends, 1), {}));
+}
+
+TEST(Chunks, SubprogramsAreCalledAgain) {
+    Script script = Script::from_text("M98{p=2, l=3}\nM98{p=2}\nG91() G0{x=10.0}\n", "part.nc", 0);
+    const std::uint64_t sub = std::string("M98{p=2, l=3}\nM98{p=2}\n").size();
+    script.programs.push_back({"1", {{0, 14, 1}, {14, sub, 2}}});
+    script.programs.push_back({"2", {{sub, script.size, 3}}});
+    const Outcome r = run_script(std::move(script), {});
+    expect_end(r, 40, 0, 0);
+    EXPECT_EQ(r.moves[0].info.place.line, 3U);
+}
+
+TEST(Chunks, ProgressIsTold) {
+    Conditions conditions;
+    std::vector<std::uint64_t> told;
+    conditions.options.progress = [&](std::uint64_t done, std::uint64_t total) {
+        EXPECT_LE(done, total);
+        told.push_back(done);
+    };
+    EXPECT_TRUE(run_script(in_pieces(kProgram, 2), conditions).completed());
+    EXPECT_GE(told.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+}
+
+}  // namespace
+}  // namespace gsim::script

@@ -1,0 +1,89 @@
+// The library in Lua, replaced by a folder that a user has changed.
+
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A copy of the library in a folder of its own, gone at the end.
+class LibraryFolder : public testing::Test {
+  protected:
+    LibraryFolder() {
+        folder_ = fs::temp_directory_path() / ("gsim_library_" + std::to_string(::getpid()) + "_" +
+                                               testing::UnitTest::GetInstance()->current_test_info()->name());
+        fs::create_directories(folder_);
+        for (const char* name : {"init", "state", "variables", "programs", "frames", "feed", "motion", "arcs",
+                                 "polar", "switches", "neutral"}) {
+            const std::string file = std::string(name) + ".lua";
+            write(file, Library().read(file).value());
+        }
+    }
+    ~LibraryFolder() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+    std::string read(const std::string& name) { return Library(folder_).read(name).value(); }
+    Outcome run_here(const std::string& lua) {
+        Conditions conditions;
+        conditions.options.library = Library(folder_);
+        conditions.options.limits.steps = 1'000'000;
+        return run_lua(lua, conditions);
+    }
+    // What is said where the library cannot be loaded.
+    std::string trouble() {
+        try {
+            run_here("G0{x=1}");
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "none";
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(LibraryFolder, DoesWhatTheBuiltInOneDoes) {
+    expect_end(run_here("G91() G0{x=5.0} G0{x=5.0}"), 10, 0, 0);
+}
+
+TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
+    write("switches.lua", read("switches.lua") +
+                              "\nword(\"M77\", function() core.event(\"pallet\") end)\n"
+                              "word(\"M9\", function() core.event(\"valve\") end)\n");
+    const Outcome r = run_here("M77() M8() M9()");
+    EXPECT_TRUE(r.completed()) << r.message();
+    EXPECT_EQ(r.events(), "pallet jet_on valve");
+}
+
+TEST_F(LibraryFolder, ABrokenOneSaysWhatAndWhere) {
+    write("feed.lua", "word(\"F\", function(value)\n\nthis is no Lua\n");
+    EXPECT_NE(trouble().find("lua_lib/feed.lua:3:"), std::string::npos) << trouble();
+    write("feed.lua", "local x = nil\nx.y = 5\n");
+    EXPECT_NE(trouble().find("lua_lib/feed.lua:2:"), std::string::npos) << trouble();
+    write("feed.lua", "while true do end\n");
+    EXPECT_NE(trouble(), "none");
+}
+
+TEST_F(LibraryFolder, AMissingFileIsNamed) {
+    fs::remove(folder_ / "arcs.lua");
+    EXPECT_NE(trouble().find("arcs.lua"), std::string::npos) << trouble();
+    fs::remove(folder_ / "init.lua");
+    EXPECT_NE(trouble().find("init.lua"), std::string::npos) << trouble();
+}
+
+TEST_F(LibraryFolder, AMistakeInAWordIsAnErrorOfTheRun) {
+    write("feed.lua", read("feed.lua") + "\nword(\"M6\", function() local t = nil; t.x = 1 end)\n");
+    const Outcome r = run_here("G0{x=1}\nM6()\n");
+    EXPECT_EQ(r.report.status, simulation::RunStatus::alarm);
+    EXPECT_NE(r.message().find("lua_lib/feed.lua"), std::string::npos) << r.message();
+    EXPECT_EQ(r.line(), 2U);
+}
+
+}  // namespace
+}  // namespace gsim::script

@@ -1,0 +1,196 @@
+// The controller's services as scripts call them.
+
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+// Runs a script whose asserts must hold.
+Outcome expect_true(const std::string& script) {
+    Outcome r = run_lua(script);
+    EXPECT_TRUE(r.completed()) << r.line() << ": " << r.message() << "\n" << script;
+    return r;
+}
+
+TEST(Services, EachExistsAndAnswersAStatus) {
+    const char* frame = "{{1,0,0,0},{0,1,0,0},{0,0,1,0},{0,0,0,1}}";
+    for (const std::string& call :
+         std::vector<std::string>{"Initialize()",
+                                  "Reset()",
+                                  "Terminate()",
+                                  "GetMessage()",
+                                  fmt::format("GetInverseKinematics({})", frame),
+                                  "GetForwardKinematics({0,0,0,0,0})",
+                                  "GetCellFrame('table')",
+                                  fmt::format("ModifyCellFrame('table', {})", frame),
+                                  "SelectWorkFrames('a', 'b')",
+                                  "SelectTargetType('joint')",
+                                  "SelectTrajectoryMode(1)",
+                                  "SetInitialPosition({1,2,3,0,0})",
+                                  "SetNextTarget({1,2,3,0,0})",
+                                  "SetNextNamedTarget({1,2,3,0,0}, 'p1')",
+                                  "GetNextStep()",
+                                  "SetInterpolationTime(0.1)",
+                                  "SelectMotionType('linear')",
+                                  "SelectOrientationInterpolationMode(1)",
+                                  "SelectDominantInterpolation('position')",
+                                  "SetJointSpeeds(0.5)",
+                                  "SetJointAccelerations(0.5)",
+                                  "SetJointJerks(1)",
+                                  "SetCartesianPositionSpeed(10)",
+                                  "SetCartesianOrientationSpeed(1)",
+                                  "SetCartesianPositionAcceleration(10)",
+                                  "SetCartesianOrientationAcceleration(1)",
+                                  "SetOverrideSpeed(100)",
+                                  "SetOverrideAcceleration(100)",
+                                  "SelectFlybyMode(false)",
+                                  "SelectFlybyCriteria(1)",
+                                  "SetFlybyCriteriaParameter(1, 1, 1)",
+                                  "CancelFlybyCriteria(1)",
+                                  "SelectPointAccuracy(1)",
+                                  "SetPointAccuracyParameter(1, 1)",
+                                  "SetMotionTime(1)",
+                                  "SetRestParameter(1)",
+                                  "StopMotion()",
+                                  "ContinueMotion()",
+                                  "CancelMotion()",
+                                  "DefineEvent(1, 1, 0)",
+                                  "CancelEvent(1)",
+                                  "GetEvent(1)",
+                                  "SelectTracking(1, true)",
+                                  "SetConveyorPosition(1, 1)",
+                                  "SetObjectSpeed(1)",
+                                  fmt::format("SetObjectNextTarget({})", frame),
+                                  "GetNextObjectStep()"}) {
+        expect_true(
+            fmt::format("local s = rrs.{}\nassert(math.type(s) == 'integer', 'no status')\n"
+                        "assert(rrs.status_name(s):sub(1, 4) == 'RRS_')",
+                        call));
+    }
+}
+
+TEST(Services, ThatAreNotOfferedSayMinusTwo) {
+    for (const char* call :
+         {"Reset()", "Terminate()", "SelectTracking(1, true)", "SetConveyorPosition(1, 1)",
+          "SetObjectSpeed(1)", "GetNextObjectStep()",
+          "SetObjectNextTarget({{1,0,0,0},{0,1,0,0},{0,0,1,0},{0,0,0,1}})", "DefineEvent(1, 1, 0)",
+          "GetEvent(1)", "StopMotion()", "ContinueMotion()", "CancelMotion()"})
+        expect_true(fmt::format("assert(rrs.{} == -2)", call));
+    expect_true("assert(rrs.status_name(-2) == 'RRS_SERVICE_NOT_SUPPORTED')");
+}
+
+TEST(Services, TargetsMoveTheMachine) {
+    const Outcome r = expect_true(R"(
+assert(rrs.SelectTargetType("joint") == 0)
+assert(rrs.SelectMotionType("linear") == 0)
+assert(rrs.SetCartesianPositionSpeed(100) == 0)
+assert(rrs.SetNextTarget({100, 0, 0, 0, 0}) == 0)
+assert(rrs.SetNextNamedTarget({100, 50, 0, 0, 0}, "corner") == 0)
+)");
+    ASSERT_EQ(r.moves.size(), 2U);
+    EXPECT_NEAR(r.seconds(0), trapezoid_s(100, 100, kAcceleration_mm_s2), 1e-9);
+    EXPECT_EQ(r.moves[0].info.place.line, 5U);
+    expect_end(r, 100, 50, 0);
+}
+
+TEST(Services, AndWordsTakeTurns) {
+    // What a script selects does not change what a word means, and a word goes on from where a target led.
+    const Outcome r = expect_true(R"(F(6000) G1{x=100.0}
+rrs.SetCartesianPositionSpeed(10)
+rrs.SelectMotionType("joint")
+assert(rrs.SetNextTarget({200, 0, 0, 0, 0}) == 0)
+G91() G1{x=100.0}
+)");
+    expect_end(r, 300, 0, 0);
+    EXPECT_NEAR(r.seconds(2), trapezoid_s(100, 100, kAcceleration_mm_s2), 1e-9);
+}
+
+TEST(Services, CircularByViaAndEnd) {
+    const Outcome r = expect_true(R"(
+rrs.SelectTargetType("joint")
+assert(rrs.SetInitialPosition({100, 100, 0, 0, 0}) == 0)
+rrs.SelectMotionType("circular")
+rrs.SetCartesianPositionSpeed(50)
+assert(rrs.SetNextTarget({110, 110, 0, 0, 0}, "via") == 0)
+assert(rrs.SetNextTarget({120, 100, 0, 0, 0}) == 0)
+)");
+    ASSERT_EQ(r.moves.size(), 1U);
+    EXPECT_NEAR(r.moves[0].length_mm, 10 * std::numbers::pi, 1e-6);
+}
+
+TEST(Services, RefusalsSayWhyAndTheRunGoesOn) {
+    const Outcome r = expect_true(R"(
+rrs.SelectTargetType("joint") rrs.SelectMotionType("linear") rrs.SetCartesianPositionSpeed(50)
+assert(rrs.SetNextTarget({9999, 0, 0, 0, 0}) == -7)
+local status, message = rrs.GetMessage()
+assert(status == 0 and #message > 0)
+assert(rrs.SetCartesianPositionSpeed(-1) == -4)
+G0{x=5.0}
+)");
+    expect_end(r, 5, 0, 0);
+    EXPECT_EQ(r.moves.size(), 1U);
+}
+
+TEST(Services, TheMachineCannotJumpWhileItRuns) {
+    const Outcome r =
+        expect_true("G0{x=5.0}\nassert(rrs.SetInitialPosition({100, 0, 0, 0, 0}) < 0)\nG0{y=5.0}\n");
+    expect_end(r, 5, 5, 0);
+}
+
+TEST(Services, KinematicsAreEachOthersInverse) {
+    expect_true(R"(
+local status, pose = rrs.GetForwardKinematics({300, 400, 200, 0.5, 0.25})
+assert(status == 0 and #pose == 4 and #pose[1] == 4)
+assert(math.abs(pose[1][4] - 300) < 1e-9 and math.abs(pose[2][4] - 400) < 1e-9 and math.abs(pose[3][4] - 200) < 1e-9)
+assert(pose[4][1] == 0 and pose[4][4] == 1)
+local again, joints = rrs.GetInverseKinematics(pose, {0, 0, 0, 0.4, 0.2})
+assert(again == 0)
+for i, wanted in ipairs({300, 400, 200, 0.5, 0.25}) do assert(math.abs(joints[i] - wanted) < 1e-9) end
+assert(rrs.GetInverseKinematics(pose) == 0)
+)");
+}
+
+TEST(Services, StepsCanBeAskedFor) {
+    const Outcome r = run_lua(R"(
+rrs.SelectTargetType("joint") rrs.SelectMotionType("linear") rrs.SetCartesianPositionSpeed(100)
+rrs.SetInterpolationTime(0.1)
+rrs.SetNextTarget({100, 0, 0, 0, 0})
+local last, seconds, status, joints, pose, elapsed = -1, 0
+repeat
+  status, joints, pose, elapsed = rrs.GetNextStep()
+  assert(status >= 0 and joints[1] >= last and pose[1][4] == joints[1] and elapsed >= 0)
+  last, seconds = joints[1], seconds + elapsed
+until status ~= 0
+assert(status == 2 and last == 100)  -- RRS_TARGET_REACHED
+assert(math.abs(seconds - (100 / 100 + 100 / 490.33)) < 1e-9, seconds)
+assert(rrs.GetNextStep() == 1)  -- RRS_NEED_MORE_DATA
+)");
+    EXPECT_TRUE(r.completed()) << r.line() << ": " << r.message();
+}
+
+TEST(Services, BadArgumentsAreErrorsOfTheScript) {
+    for (const char* call :
+         {"SetNextTarget()", "SetNextTarget({1,2})", "SetNextTarget({1,2,3,4,{}})", "SetNextTarget({{1}})",
+          "SetNextTarget({1,2,3,0,0}, 'middle')", "GetForwardKinematics({})", "GetInverseKinematics({1,2,3})",
+          "SelectMotionType('spiral')", "SelectMotionType(5)", "SetJointSpeeds({1})",
+          "SetCartesianPositionSpeed()", "SelectTargetType()", "GetCellFrame()", "DefineEvent('a')"}) {
+        const Outcome r = run_lua(std::string("\nrrs.") + call);
+        EXPECT_EQ(r.report.status, simulation::RunStatus::alarm) << call;
+        EXPECT_EQ(r.line(), 2U) << call << ": " << r.message();
+    }
+}
+
+TEST(Services, ValuesThatAreNotFiniteAreRefused) {
+    for (const char* call :
+         {"SetCartesianPositionSpeed(0/0)", "SetNextTarget({0/0,0,0,0,0})", "SetMotionTime(1/0)",
+          "SetOverrideSpeed(0/0)", "SetJointSpeeds(0/0)", "SetInterpolationTime(-1)", "SetRestParameter(0/0)",
+          "SetInitialPosition({0/0,0,0,0,0})", "GetForwardKinematics({0/0,0,0,0,0})"})
+        expect_true(fmt::format("local s = rrs.{} assert(s < 0, s)", call));
+}
+
+}  // namespace
+}  // namespace gsim::script
