@@ -54,6 +54,7 @@ void Lexer::start_block() {
     brackets_ = 0;
     in_assignment_ = false;
     saw_dwell_ = false;
+    in_remark_ = false;
 }
 
 void Lexer::fail(std::uint32_t column, std::string_view message) {

@@ -71,6 +71,8 @@ class Lexer {
     void start_assignment() { in_assignment_ = true; }
     bool in_expression() const { return in_assignment_ || brackets_ > 0; }
     void comment_part(std::string_view text);
+    bool begins_block(std::string_view text) const;  ///< A keyword or an alias, behind ';'.
+    void remark_part(std::string_view text);
     Token unknown(std::string_view text);
     Token newline();
     Token semicolon();
@@ -105,6 +107,7 @@ class Lexer {
     int brackets_ = 0;
     bool in_assignment_ = false;
     bool saw_dwell_ = false;
+    bool in_remark_ = false;
     bool dropping_ = false;  ///< The block is past a bound: the rest of its line is not looked at.
 
     // The line guard of fill().

@@ -100,6 +100,15 @@ constexpr std::array kKeywords = {
     Keyword{"DO", kDo}, Keyword{"END", kEndLoop}, Keyword{"GOTO", kGoto},
 };
 
+bool is_name_character(char c) {
+    return is_digit(c) || c == '_' || (upper(c) >= 'A' && upper(c) <= 'Z');
+}
+
+/// Behind a keyword: the start of an expression, a variable or a value.
+bool is_value_start(char c) {
+    return c == '[' || c == '#' || c == '=' || is_digit(c);
+}
+
 const Keyword* find_keyword(std::string_view name) {
     const auto* place =
         std::find_if(kKeywords.begin(), kKeywords.end(), [&](const Keyword& k) { return k.name == name; });
@@ -329,6 +338,22 @@ void Lexer::comment_part(std::string_view text) {
         return;
     }
     block_.comments.back().size += block_.add(text).size;
+}
+
+bool Lexer::begins_block(std::string_view text) const {
+    const auto* end = std::find_if_not(text.begin(), text.end(), [](char c) { return is_name_character(c); });
+    const std::string_view name(text.data(), static_cast<std::size_t>(end - text.begin()));
+    if (aliases_.find(name) != nullptr) return true;
+    const std::string letters = lexer::upper(name.substr(0, name.find_first_of("0123456789")));
+    if (letters == "CIP") return true;
+    const bool keyword = letters == "AR" || find_keyword(letters) != nullptr;
+    return keyword && (letters.size() < name.size() || is_value_start(text.back()));
+}
+
+void Lexer::remark_part(std::string_view text) {
+    if (!in_remark_) comment_part({});
+    in_remark_ = true;
+    comment_part(text);
 }
 
 Token Lexer::unknown(std::string_view text) {
