@@ -60,8 +60,9 @@ int plain_find(lua_State* state) {
     LuaState::of(state).count_work(size);
     const std::size_t found = std::string_view(text, size).find(std::string_view(wanted, wanted_size), begin);
     if (found == std::string_view::npos) return 0;
-    lua_pushinteger(state, static_cast<lua_Integer>(found) + 1);
-    lua_pushinteger(state, static_cast<lua_Integer>(found + wanted_size));
+    const auto first = static_cast<lua_Integer>(found) + 1;
+    lua_pushinteger(state, first);
+    lua_pushinteger(state, first + static_cast<lua_Integer>(wanted_size) - 1);
     return 2;
 }
 
