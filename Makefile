@@ -9,7 +9,7 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test setup build bench fuzz golden format lint install clean
+.PHONY: help run test setup build bench docs fuzz golden format lint install clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
@@ -19,6 +19,7 @@ help:
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
 	@echo 'make fuzz     fuzz the translator for FUZZ_SECONDS=$(FUZZ_SECONDS)'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
+	@echo 'make docs     renew docs/language.md from the tables'
 	@echo 'make format   format the C++ sources'
 	@echo 'make lint     check the format, then run clang-tidy'
 	@echo 'make install  install into PREFIX=$(PREFIX) (DESTDIR is honoured)'
@@ -44,6 +45,10 @@ golden: setup
 bench: setup
 	@$(call build_into,release) --target gcode2lua gsim-run gsim-bench-generate gsim-bench-floor gsim-bench-compare
 	@bench/run.sh build
+
+docs: setup
+	@$(call build_into,release) --target gcode2lua
+	@build/bin/gcode2lua --print-language > docs/language.md
 
 fuzz:
 	@scripts/setup.sh fuzz

@@ -5,9 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "apps/aliases.h"
 #include "apps/exit_status.h"
+#include "apps/language.h"
 #include "apps/run_main.h"
+#include "codegen/language_page.h"
 #include "codegen/translate.h"
 #include "runtime/simulation/output_file.h"
 
@@ -18,10 +19,11 @@ using namespace gsim;
 struct Arguments {
     std::string input = "-";
     std::string output;
-    std::string dialect = "ab9";
+    apps::LanguageNames language;
     std::string machine_data;
     bool annotate = false;
     bool check = false;
+    bool print_language = false;
     std::size_t max_errors = 100;
 };
 
@@ -36,11 +38,11 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->capture_default_str();
     app.add_option("-o,--output", arguments.output,
                    "write the Lua to this file; it appears only if all went well");
-    app.add_option("--dialect", arguments.dialect, "language of the program: ab9 (Allen-Bradley 9/Series)")
-        ->check(CLI::IsMember({"ab9"}))
-        ->capture_default_str();
+    apps::add_language_options(app, arguments.language);
     app.add_option("--machine-data", arguments.machine_data, "machine data (NCFILE) with aliases");
     app.add_flag("--annotate", arguments.annotate, "each whole source block as a trailing comment");
+    app.add_flag("--print-language", arguments.print_language,
+                 "print the reference of both dialects (docs/language.md) and end");
     app.add_flag("--check", arguments.check, "only look for errors, write nothing");
     app.add_option("--max-errors", arguments.max_errors, "stop after this many errors")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
@@ -61,15 +63,22 @@ tl::expected<void, std::string> write_file(const codegen::LuaSpool& spool, const
 }
 
 int run(const Arguments& arguments) {
+    if (arguments.print_language) {
+        std::printf("%s", codegen::language_page().c_str());
+        return std::fflush(stdout) == 0 ? apps::kDone : usage_error("standard output cannot be written");
+    }
     codegen::TranslateOptions options;
     options.source_name = arguments.input == "-" ? "stdin" : arguments.input;
     options.annotate = arguments.annotate;
     options.max_errors = arguments.max_errors;
-    if (!arguments.machine_data.empty()) {
-        const auto aliases = machine::load_machine_data(arguments.machine_data).and_then(apps::aliases_of);
-        if (!aliases) return usage_error(aliases.error());
-        options.aliases = *aliases;
-    }
+    tl::expected<machine::MachineData, std::string> data;
+    if (!arguments.machine_data.empty()) data = machine::load_machine_data(arguments.machine_data);
+    if (!data) return usage_error(data.error());
+    tl::expected<apps::Language, std::string> language = apps::language_of(arguments.language, *data);
+    if (!language) return usage_error(language.error());
+    options.dialect = language->dialect;
+    options.aliases = std::move(language->aliases);
+    options.unknown = language->unknown;
     tl::expected<lexer::Source, std::string> source = open_source(arguments);
     if (!source) return usage_error(source.error());
     codegen::LuaSpool spool;

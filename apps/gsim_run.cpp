@@ -7,11 +7,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "apps/aliases.h"
 #include "apps/exit_status.h"
+#include "apps/language.h"
 #include "apps/outputs.h"
 #include "apps/run_main.h"
 #include "apps/script_input.h"
+#include "apps/variables_file.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/progress.h"
@@ -26,7 +27,9 @@ struct Arguments {
     std::string input;
     std::string machine;
     std::string machine_data;
-    std::string dialect = "ab9";
+    apps::LanguageNames language;
+    std::string setup;
+    std::string variables;
     std::string lua_lib;
     apps::OutputNames outputs;
     simulation::RunLimits limits;
@@ -52,9 +55,12 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--machine-data", a.machine_data,
                    "machine data (NCFILE): work offsets, variables, aliases");
     app.add_flag("--print-machine", a.print_machine, "print the machine file and end");
-    app.add_option("--dialect", a.dialect, "language of a part program: ab9 (Allen-Bradley 9/Series)")
-        ->check(CLI::IsMember({"ab9"}))
-        ->capture_default_str();
+    apps::add_language_options(app, a.language);
+    app.add_option("--setup", a.setup,
+                   "script (Lua) that runs before the program: user M codes, inputs, answers of the probe")
+        ->check(CLI::ExistingFile);
+    app.add_option("--variables", a.variables,
+                   "keep permanent variables in this file: read at the start, written at the end");
     app.add_flag("--json", a.json, "the report as JSON on standard output");
     app.add_flag("--quiet", a.quiet, "no report for people, no progress");
     app.add_option("--report", a.outputs.report, "write the report as JSON to this file");
@@ -99,13 +105,14 @@ tl::expected<machine::MachineData, std::string> read_data(const Arguments& argum
 }
 
 script::Engine::Options engine_options(const Arguments& arguments, machine::MachineData data,
-                                       const lexer::Aliases& aliases, simulation::Progress& progress) {
+                                       const apps::Language& language, simulation::Progress& progress) {
     script::Engine::Options options;
     options.limits.memory_bytes = arguments.memory_mb << 20U;
     options.limits.steps = arguments.max_steps;
     if (!arguments.lua_lib.empty()) options.library = script::Library(arguments.lua_lib);
     options.data = std::move(data);
-    options.find_program = apps::program_finder(arguments.input, aliases);
+    options.find_program = apps::program_finder(arguments.input, language);
+    options.dialect = language.dialect->name();
     options.block_delete = arguments.block_delete;
     options.optional_stop = arguments.optional_stop;
     options.progress = [&progress](std::uint64_t done, std::uint64_t total) { progress.update(done, total); };
@@ -135,6 +142,10 @@ void print_report(const Arguments& arguments, const simulation::Report& report) 
             place.line > 0 ? fmt::format("{}:{}: ", report.files[place.file], place.line) : "";
         std::fprintf(stderr, "%s%s: %s\n", where.c_str(), std::string(name(report.status)).c_str(),
                      report.alarm->message.c_str());
+        for (const simulation::OpenCall& call : report.alarm->calls) {
+            std::fprintf(stderr, "  in %s, called at %s:%u\n", call.program.c_str(),
+                         report.files[call.place.file].c_str(), call.place.line);
+        }
     }
 }
 
@@ -148,27 +159,43 @@ int run(const Arguments& arguments) {
     if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
     tl::expected<machine::MachineData, std::string> data = read_data(arguments, *machine);
     if (!data) return usage_error(data.error());
-    const tl::expected<lexer::Aliases, std::string> aliases = apps::aliases_of(*data);
-    if (!aliases) return usage_error(aliases.error());
+    if (!arguments.variables.empty()) {
+        const auto variables = apps::read_variables(arguments.variables);
+        if (!variables) return usage_error(variables.error());
+        for (const auto& [number, value] : *variables) data->variables[number] = value;
+    }
+    tl::expected<apps::Language, std::string> language = apps::language_of(arguments.language, *data);
+    if (!language) return usage_error(language.error());
 
-    tl::expected<script::Script, apps::InputError> input = apps::read_script(arguments.input, *aliases);
+    tl::expected<script::Script, apps::InputError> input = apps::read_script(arguments.input, *language);
     if (!input) {
         if (!input.error().in_program) return usage_error(input.error().message);
         if (arguments.json)
             print_report(arguments, failed_report(arguments, *machine, input.error().message));
         return apps::kProgramFault;
     }
+    language->dialect = grammar::dialect_named(input->dialect);
+    std::optional<script::Script> setup;
+    if (!arguments.setup.empty()) {
+        tl::expected<script::Script, apps::InputError> script = apps::read_script(arguments.setup, *language);
+        if (!script) return usage_error(script.error().message);
+        setup = std::move(*script);
+    }
     const std::string program = input->file_name;
     simulation::Simulator simulator(std::move(*machine), arguments.limits);
     tl::expected<apps::Outputs, std::string> outputs = apps::Outputs::open(arguments.outputs, simulator);
     if (!outputs) return usage_error(outputs.error());
     simulation::Progress progress(stderr, !arguments.quiet && ::isatty(STDERR_FILENO) == 1);
-    script::Engine engine(simulator, engine_options(arguments, std::move(*data), *aliases, progress));
+    script::Engine::Options options = engine_options(arguments, std::move(*data), *language, progress);
+    options.setup = std::move(setup);
+    script::Engine engine(simulator, std::move(options));
     engine.run(std::move(*input));
     progress.clear();
 
     const simulation::Report report = simulator.finish(program);
-    const tl::expected<void, std::string> written = outputs->commit(report);
+    tl::expected<void, std::string> written = outputs->commit(report);
+    if (written && !arguments.variables.empty())
+        written = apps::write_variables(arguments.variables, engine.permanent_variables());
     print_report(arguments, report);
     if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
     if (!written) return usage_error(written.error());

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "codegen/lua_spool.h"
-#include "codegen/translate.h"
 #include "lexer/source.h"
 
 namespace gsim::apps {
@@ -62,8 +61,12 @@ std::string read_all(lexer::Source& source) {
 Script lua_script(lexer::Source& source) {
     std::string text = read_all(source);
     const codegen::ScriptOrigin origin = codegen::script_origin(text);
-    if (origin.unedited) return Script::from_text(std::move(text), origin.source_name, -1);
-    return Script::from_text(std::move(text), source.name(), 0);
+    const bool rs274ngc =
+        std::string_view(text).substr(0, kLookedAtBytes).find("\"gsim.rs274ngc\"") != std::string_view::npos;
+    Script script = origin.unedited ? Script::from_text(std::move(text), origin.source_name, -1)
+                                    : Script::from_text(std::move(text), source.name(), 0);
+    if (rs274ngc) script.dialect = "rs274ngc";
+    return script;
 }
 
 std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
@@ -76,14 +79,17 @@ std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
     return chunks;
 }
 
-tl::expected<Script, InputError> translated_script(lexer::Source& source, const lexer::Aliases& aliases) {
+tl::expected<Script, InputError> translated_script(lexer::Source& source, const Language& language) {
     auto spool = std::make_shared<codegen::LuaSpool>();
     codegen::TranslateOptions options;
     options.source_name = source.name();
-    options.aliases = aliases;
+    options.aliases = language.aliases;
+    options.dialect = language.dialect;
+    options.unknown = language.unknown;
     const codegen::Translation translation = codegen::translate(source, *spool, options, print_error);
     if (!translation.ok) return tl::unexpected(InputError{true, translation.first_error});
     Script script;
+    script.dialect = language.dialect->name();
     script.file_name = source.name();
     script.line_difference = -1;
     script.size = spool->size();
@@ -95,9 +101,9 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
     return script;
 }
 
-tl::expected<Script, InputError> script_of(lexer::Source& source, bool lua, const lexer::Aliases& aliases) {
+tl::expected<Script, InputError> script_of(lexer::Source& source, bool lua, const Language& language) {
     if (lua) return lua_script(source);
-    return translated_script(source, aliases);
+    return translated_script(source, language);
 }
 
 /// "wheel" of wheel.nc, and of wheel_O0001.ppg.
@@ -109,40 +115,56 @@ std::string head_name(const fs::path& main_path) {
     return numbered ? stem.substr(0, mark) : stem;
 }
 
-std::vector<std::string> candidate_names(const fs::path& main_path, std::uint32_t number) {
+constexpr std::array kExtensions = {".nc", ".lua", ".ngc", ".tap", ".ppg"};
+constexpr std::size_t kMaxNumberDigits = 9;
+
+bool is_number(std::string_view name) {
+    return !name.empty() && name.size() <= kMaxNumberDigits &&
+           name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Files that may hold the program with this number or, in RS274/NGC, the subroutine with this name.
+std::vector<std::string> candidate_names(const fs::path& main_path, const std::string& wanted) {
     std::vector<std::string> names;
-    for (const std::string& base :
-         {fmt::format("O{:04}", number), fmt::format("O{}", number), fmt::format("O{:05}", number),
-          fmt::format("o{:04}", number), fmt::format("o{}", number)}) {
-        for (const char* extension : {".nc", ".lua", ".ngc", ".tap", ".ppg"})
-            names.push_back(base + extension);
+    const auto add = [&](const std::string& base) {
+        for (const char* extension : kExtensions) names.push_back(base + extension);
+    };
+    if (wanted.find_first_of("/\\") != std::string::npos) return names;  // beside the program, not elsewhere
+    if (is_number(wanted)) {
+        const long number = std::stol(wanted);
+        add(fmt::format("O{:04}", number));
+        add(fmt::format("O{}", number));
+        add(fmt::format("O{:05}", number));
+        add(fmt::format("o{:04}", number));
+        add(fmt::format("o{}", number));
+        names.push_back(fmt::format("{}_O{:04}.ppg", head_name(main_path), number));
+        names.push_back(fmt::format("{}_O{:04}.nc", head_name(main_path), number));
     }
-    names.push_back(fmt::format("{}_O{:04}.ppg", head_name(main_path), number));
-    names.push_back(fmt::format("{}_O{:04}.nc", head_name(main_path), number));
+    add(wanted);
     return names;
 }
 
 }  // namespace
 
-tl::expected<Script, InputError> read_script(const std::string& path, const lexer::Aliases& aliases) {
+tl::expected<Script, InputError> read_script(const std::string& path, const Language& language) {
     tl::expected<lexer::Source, std::string> source =
         path == "-" ? lexer::Source::spool(stdin, "stdin") : lexer::Source::open(path);
     if (!source) return tl::unexpected(InputError{false, source.error()});
     const bool lua = has_extension(path, ".lua") || (path == "-" && looks_like_lua(*source));
-    return script_of(*source, lua, aliases);
+    return script_of(*source, lua, language);
 }
 
-script::FindProgram program_finder(const std::string& main_path, const lexer::Aliases& aliases) {
+script::FindProgram program_finder(const std::string& main_path, const Language& language) {
     const fs::path main = main_path == "-" ? fs::path("stdin") : fs::path(main_path);
-    return [main, aliases](std::uint32_t number) -> tl::expected<std::optional<Script>, std::string> {
-        for (const std::string& name : candidate_names(main, number)) {
+    return [main, language](const std::string& wanted) -> tl::expected<std::optional<Script>, std::string> {
+        for (const std::string& name : candidate_names(main, wanted)) {
             const fs::path path = main.parent_path() / name;
             std::error_code ignored;
             if (!fs::is_regular_file(path, ignored) || fs::equivalent(path, main, ignored)) continue;
             tl::expected<lexer::Source, std::string> source = lexer::Source::open(path.string());
             if (!source) return tl::unexpected(source.error());
             tl::expected<Script, InputError> script =
-                script_of(*source, has_extension(name, ".lua"), aliases);
+                script_of(*source, has_extension(name, ".lua"), language);
             if (!script)
                 return tl::unexpected(
                     fmt::format("the called program cannot be translated: {}", script.error().message));

@@ -154,13 +154,17 @@ void write_arcs(long count) {
     out.add(footer);
 }
 
-/// The body of the macro loop, alike in both languages: a zigzag whose points are computed.
+/// The body of the macro loop, alike in both languages: twenty lines of arithmetic and a move to the point
+/// that they give, on a rosette.
 void add_macro_body(Writer& out) {
-    out.line("#2=[#1 MOD 100]");
-    out.line("#3=[100+#2*0.5]");
-    out.line("#4=[200+SQRT[#2*4+1]-[#1/1000]]");
-    out.line("G1 X[#3] Y[#4] F3000");
-    out.line("#1=[#1+1]");
+    for (const std::string_view line :
+         {"#2=[#1 MOD 360]", "#3=[#2*3]",       "#4=[#2*5+30]",          "#5=[40+10*COS[#3]]",
+          "#6=[#5*COS[#2]]", "#7=[#5*SIN[#2]]", "#8=[5*COS[#4]]",        "#9=[5*SIN[#4]]",
+          "#10=[#6+#8]",     "#11=[#7+#9]",     "#12=[#10*#10+#11*#11]", "#13=SQRT[#12]",
+          "#14=[#13-40]",    "#15=[ABS[#14]]",  "#16=[1/[1+#15]]",       "#17=[#10+#16]",
+          "#18=[#11-#16]",   "#19=[200+#17]",   "#20=[200+#18]",         "#1=[#1+1]"})
+        out.line("{}", line);
+    out.line("G1 X[#19] Y[#20] F3000");
 }
 
 void write_macro_ab9(long count) {

@@ -20,30 +20,8 @@ using lexer::Word;
 
 namespace {
 
-constexpr std::int32_t kUnowned = -1;
-
-bool is_axis(const Word& word) {
-    switch (word.address) {
-        case 'A':
-        case 'B':
-        case 'C':
-        case 'V':
-        case 'W':
-        case 'Y':
-        case 'Z': return true;
-        case 'X':
-        case 'U': return word.role == Role::axis;
-        default: return false;
-    }
-}
-
-bool is_arc_word(Address address) {
-    return (address >= 'I' && address <= 'K') || address == 'R' ||
-           (address >= lexer::kArcAngle && address <= lexer::kViaZ);
-}
-
-bool stands_alone(Address address) {
-    return address == 'F' || address == 'S' || address == 'T' || address == 'D' || address == 'H';
+bool is_corner_word(Address address) {
+    return address >= lexer::kChamfer && address <= lexer::kLineAngle;
 }
 
 Phase phase_of(Address address) {
@@ -51,31 +29,32 @@ Phase phase_of(Address address) {
         case 'F': return Phase::feed;
         case 'S': return Phase::spindle_speed;
         case 'T': return Phase::tool;
+        case lexer::kChamfer:
+        case lexer::kCornerRadius:
+        case lexer::kLineAngle: return Phase::one_shot;
         default: return Phase::offset_number;
     }
 }
 
+/// The letter of an address as the dialect's table writes it.
+char table_letter(Address address) {
+    if (address == lexer::kArcAngle) return '=';
+    if (address >= lexer::kViaX && address <= lexer::kViaZ) return '1';
+    return static_cast<char>(address);
+}
+
 bool takes(const Code& code, Address address) {
-    char letter = static_cast<char>(address);
-    if (address == lexer::kArcAngle) letter = '=';
-    if (address >= lexer::kViaX && address <= lexer::kViaZ) letter = '1';
-    return code.words.find(letter) != std::string_view::npos;
+    return code.words.find(table_letter(address)) != std::string_view::npos;
+}
+
+/// A macro call takes I, J and K several times.
+bool takes_repeated(const Code* code, Address address) {
+    return code != nullptr && address >= 'I' && address <= 'K' &&
+           code->words.find('*') != std::string_view::npos;
 }
 
 std::string number_name(const Block& block, const Word& word) {
     return fmt::format("{}{}", static_cast<char>(word.address), block.text->view(word.number));
-}
-
-constexpr std::uint64_t kAxisBit = 1;
-constexpr std::uint64_t kArcBit = 2;
-constexpr std::uint64_t kTimeBit = 4;
-constexpr std::uint64_t kProgramBit = 8;
-
-std::uint64_t need_bits(const Word& word) {
-    if (word.role == Role::time) return kTimeBit;
-    if (word.role == Role::program) return kProgramBit;
-    if (is_axis(word)) return kAxisBit;
-    return is_arc_word(word.address) ? kArcBit : 0;
 }
 
 }  // namespace
@@ -87,6 +66,9 @@ std::string_view lua_key(Address address) {
         case lexer::kViaX: return "i1";
         case lexer::kViaY: return "j1";
         case lexer::kViaZ: return "k1";
+        case lexer::kPolarRadius: return "radius";
+        case lexer::kPolarAngle: return "angle";
+        case lexer::kSpindle: return "spindle";
         default: return kLetters.substr(static_cast<std::size_t>(address - 'A'), 1);
     }
 }
@@ -96,17 +78,42 @@ bool BlockPlan::fail(const Block& block, std::uint32_t word, const std::string& 
     return false;
 }
 
+bool BlockPlan::is_axis(const Word& word) const {
+    if (lexer::is_axis_letter(word.address)) return true;
+    const bool either = word.address == 'X' || word.address == 'U';
+    return either && (lexer_.is_ngc() || word.role == Role::axis);
+}
+
+bool BlockPlan::may_go_with_move(Address address) const {
+    return dialect_.rules().move_words.find(table_letter(address)) != std::string_view::npos;
+}
+
 bool BlockPlan::plan(const Block& block) {
     calls_.clear();
     operands_.clear();
     if (only_moves(block)) return true;
     axis_owner_ = kUnowned;
-    if (!collect_codes(block) || !choose_axis_owner(block) || !assign_words(block) || !check_all_needs(block))
-        return false;
+    unknown_word_.reset();
+    leaves_out_block_ = false;
+    leaves_out_words_ = false;
+    if (!collect_codes(block)) return false;
+    if (leaves_out_block_) {  // what the block's words mean is not known without its code
+        calls_.clear();
+        return true;
+    }
+    if (unknown_word_) {
+        Call call;
+        call.kind = Call::Kind::unknown;
+        call.word = *unknown_word_;
+        calls_.assign(1, call);
+        return true;
+    }
+    if (!choose_axis_owner(block) || !assign_words(block) || !check_all_needs(block)) return false;
     gather_operands();
     drop_idle_one_shots(block);
-    std::stable_sort(calls_.begin(), calls_.end(),
-                     [](const Call& a, const Call& b) { return a.phase < b.phase; });
+    std::stable_sort(calls_.begin(), calls_.end(), [&](const Call& a, const Call& b) {
+        return dialect_.rank(a.phase) < dialect_.rank(b.phase);
+    });
     return true;
 }
 
@@ -142,6 +149,19 @@ bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t 
     return true;
 }
 
+/// What the code that is not there may have been meant to be.
+std::string BlockPlan::hint(const Word& word) const {
+    for (const grammar::Dialect* other : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()}) {
+        const Code* code = other->find(static_cast<char>(word.address), word.code_x10);
+        if (other != &dialect_ && code != nullptr && code->group != Group::user)
+            return fmt::format("; {} has it ({}), see --dialect", other->title(), code->meaning);
+    }
+    const Code* whole = dialect_.find(static_cast<char>(word.address), word.code_x10 / 10 * 10);
+    return word.code_x10 > 0 && whole != nullptr
+               ? fmt::format("; there is {} ({})", grammar::code_name(*whole), whole->meaning)
+               : "";
+}
+
 bool BlockPlan::add_code(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
     if (word.expression >= 0) {
@@ -152,13 +172,23 @@ bool BlockPlan::add_code(const Block& block, std::uint32_t index) {
     }
     const Code* code = dialect_.find(static_cast<char>(word.address), word.code_x10);
     if (code == nullptr) {
-        return fail(
-            block, index,
-            fmt::format("{} is no code of the {} dialect", number_name(block, word), dialect_.title()));
+        const std::string name = number_name(block, word);
+        if (unknown_ != nullptr) {
+            unknown_->add(name, block.text->at(word.column));
+            leaves_out_block_ |= word.address == 'G';
+            leaves_out_words_ = true;
+            return true;
+        }
+        if (put_off_ != nullptr) {
+            put_off_->add(name, block.text->at(word.column));
+            unknown_word_ = index;
+            return true;
+        }
+        return fail(block, index, fmt::format("{} is no code of {}{}", name, dialect_.title(), hint(word)));
     }
     if (code->support == Support::later) {
         return fail(block, index,
-                    fmt::format("{} ({}) is not supported yet", grammar::code_name(*code), code->meaning));
+                    fmt::format("{} ({}) is not supported", grammar::code_name(*code), code->meaning));
     }
     if (!check_group(block, *code, index)) return false;
     Call call;
@@ -175,8 +205,6 @@ bool BlockPlan::collect_codes(const Block& block) {
     for (std::uint32_t i = 0; i < words.size(); ++i) {
         const Address address = words[i].address;
         if ((address == 'G' || address == 'M') && !add_code(block, i)) return false;
-        if (address == lexer::kComma)
-            return fail(block, i, "chamfers, corner radii and angles (,C ,R ,A) are not supported yet");
         if (address == lexer::kIntermediatePoint) {
             for (const Call& other : calls_) {
                 const bool motion = other.kind == Call::Kind::via_point || other.code->group == Group::motion;
@@ -234,14 +262,38 @@ std::int32_t BlockPlan::owner_of(const Word& word) const {
     }
     const bool modal =
         axis_owner_ != kUnowned && calls_[static_cast<std::size_t>(axis_owner_)].kind == Call::Kind::move;
-    return modal && is_arc_word(word.address) ? axis_owner_ : kUnowned;
+    return modal && may_go_with_move(word.address) ? axis_owner_ : kUnowned;
+}
+
+/// ,C ,R and ,A go with the modal motion or with a code that takes them.
+bool BlockPlan::may_have_corner() const {
+    if (axis_owner_ == kUnowned) return true;
+    const Code* code = calls_[static_cast<std::size_t>(axis_owner_)].code;
+    return code == nullptr || code->words.find(',') != std::string_view::npos;
+}
+
+bool BlockPlan::fail_beside_motion(const Block& block, std::uint32_t index) {
+    const Code* code = calls_[static_cast<std::size_t>(axis_owner_)].code;
+    return fail(block, index,
+                fmt::format("{} has no meaning in a block with {}",
+                            lexer::address_name(block.text->words[index].address),
+                            code == nullptr ? "CIP" : grammar::code_name(*code)));
+}
+
+/// True where words say where a move leads; P, L or Q alone do not make one.
+bool BlockPlan::has_target(const Block& block) const {
+    const std::vector<Word>& words = block.text->words;
+    return std::any_of(words.begin(), words.end(),
+                       [&](const Word& word) { return is_axis(word) || is_arc_word(word.address); });
 }
 
 bool BlockPlan::assign(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
     owners_[index] = owner_of(word);
     if (owners_[index] != kUnowned) return true;
-    if (stands_alone(word.address)) {
+    if (is_corner_word(word.address) && !may_have_corner()) return fail_beside_motion(block, index);
+    const bool alone = dialect_.rules().alone.find(table_letter(word.address)) != std::string_view::npos;
+    if (alone || is_corner_word(word.address)) {
         Call call;
         call.kind = Call::Kind::letter;
         call.phase = phase_of(word.address);
@@ -250,13 +302,10 @@ bool BlockPlan::assign(const Block& block, std::uint32_t index) {
         return true;
     }
     const bool motion_given = axis_owner_ != kUnowned;
-    if (motion_given && is_arc_word(word.address)) {
-        const Code* code = calls_[static_cast<std::size_t>(axis_owner_)].code;
-        return fail(block, index,
-                    fmt::format("{} has no meaning in a block with {}", lexer::address_name(word.address),
-                                code == nullptr ? "CIP" : grammar::code_name(*code)));
-    }
-    if (!is_axis(word) && !is_arc_word(word.address)) {
+    if (motion_given && may_go_with_move(word.address)) return fail_beside_motion(block, index);
+    if (!is_axis(word) && leaves_out_words_) return true;
+    const bool moves = is_axis(word) || (may_go_with_move(word.address) && has_target(block));
+    if (!moves) {
         return fail(block, index,
                     fmt::format("{} has no meaning in this block: no code of the block takes it",
                                 lexer::address_name(word.address)));
@@ -276,57 +325,21 @@ bool BlockPlan::assign_words(const Block& block) {
     for (std::uint32_t i = 0; i < words.size(); ++i) {
         const Address address = words[i].address;
         if (address == 'G' || address == 'M' || address == lexer::kIntermediatePoint) continue;
-        if (seen[address])
-            return fail(block, i, fmt::format("{} stands twice in the block", lexer::address_name(address)));
+        const bool twice = seen[address];
         seen[address] = true;
         if (!assign(block, i)) return false;
+        const Code* owner =
+            owners_[i] == kUnowned ? nullptr : calls_[static_cast<std::size_t>(owners_[i])].code;
+        if (twice && !takes_repeated(owner, address))
+            return fail(block, i, fmt::format("{} stands twice in the block", lexer::address_name(address)));
     }
-    return true;
-}
-
-bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t addresses) {
-    const auto lacks = [&](std::uint64_t bits) { return (addresses & bits) == 0; };
-    if (call.kind == Call::Kind::via_point) {
-        return !lacks(kArcBit) || fail(block, call.word, "CIP needs a point on the way: I1=, J1= or K1=");
-    }
-    if (call.kind != Call::Kind::code) return true;
-    const Code& code = *call.code;
-    const std::string name = grammar::code_name(code);
-    if (code.code_x10 == 40 && code.letter == 'G' && call.operand_count != 1) {
-        return fail(block, call.word, "G4 takes one of P, X and U, its seconds");
-    }
-    if (code.letter == 'G' && (code.code_x10 == 20 || code.code_x10 == 30) && lacks(kArcBit) &&
-        !lacks(kAxisBit)) {
-        return fail(
-            block, call.word,
-            fmt::format("{} needs the centre (I, J, K), the radius (R) or the angle (AR=) of the arc", name));
-    }
-    if (code.letter == 'G' && (code.code_x10 == 920 || code.code_x10 == 520) && lacks(kAxisBit)) {
-        return fail(block, call.word, fmt::format("{} needs the axis words whose coordinates it sets", name));
-    }
-    if (code.letter == 'M' && code.code_x10 == 980 && lacks(kProgramBit)) {
-        return fail(block, call.word, "M98 needs P, the program that it calls");
-    }
-    if (code.letter == 'M' && code.code_x10 == 990 && !lacks(kProgramBit)) {
-        return fail(block, call.word, "M99 with P (return to a block) is not supported yet");
-    }
-    if (code.support == Support::bare_only && call.operand_count > 0) {
-        return fail(block, call.word, fmt::format("{} ({}) is not supported yet", name, code.meaning));
-    }
-    return true;
-}
-
-bool BlockPlan::check_all_needs(const Block& block) {
-    const std::vector<Word>& words = block.text->words;
-    std::vector<std::uint64_t> bits(calls_.size(), 0);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (owners_[i] == kUnowned) continue;
-        const auto owner = static_cast<std::size_t>(owners_[i]);
-        bits[owner] |= need_bits(words[i]);
-        ++calls_[owner].operand_count;
-    }
-    for (std::size_t i = 0; i < calls_.size(); ++i) {
-        if (!check_needs(block, calls_[i], bits[i])) return false;
+    const bool corner = std::any_of(words.begin(), words.end(),
+                                    [](const Word& word) { return is_corner_word(word.address); });
+    if (corner && axis_owner_ == kUnowned) {  // ,A alone: the modal motion goes on in that direction
+        Call call;
+        call.word = 0;
+        axis_owner_ = static_cast<std::int32_t>(calls_.size());
+        calls_.push_back(call);
     }
     return true;
 }
@@ -344,7 +357,7 @@ void BlockPlan::gather_operands() {
 void BlockPlan::drop_idle_one_shots(const Block& block) {
     if (axis_owner_ != kUnowned) return;
     std::erase_if(calls_, [&](const Call& call) {
-        if (call.phase != Phase::one_shot) return false;
+        if (call.phase != Phase::one_shot || call.kind != Call::Kind::code) return false;
         diagnostics_.warning(
             block.text->at(block.text->words[call.word].column),
             fmt::format("{} does nothing in a block without a move", grammar::code_name(*call.code)));

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "codegen/unknown_codes.h"
 #include "grammar/dialect.h"
 #include "grammar/syntax.h"
 #include "lexer/lexer.h"
@@ -15,9 +17,10 @@ namespace gsim::codegen {
 struct Call {
     enum class Kind : std::uint8_t {
         code,       ///< A G or M code.
-        letter,     ///< F, S, T, D or H by itself.
+        letter,     ///< F, S, T, D or H by itself; ,C ,R or ,A.
         move,       ///< Axis words that go on with the modal motion.
         via_point,  ///< CIP
+        unknown,    ///< A code that the dialect does not have, where it is put off; stands alone.
     };
     Kind kind = Kind::move;
     grammar::Phase phase = grammar::Phase::motion;
@@ -31,8 +34,16 @@ struct Call {
 /// double or contradictory, and the order in which the controller executes them.
 class BlockPlan {
   public:
-    BlockPlan(const grammar::Dialect& dialect, lexer::Lexer& lexer, lexer::Diagnostics& diagnostics)
-        : dialect_(dialect), lexer_(lexer), diagnostics_(diagnostics) {}
+    /// Everything outlives the plan. Codes that the dialect does not have go to `unknown`, where there is
+    /// one, and are left out; else they are errors.
+    BlockPlan(const grammar::Dialect& dialect, lexer::Lexer& lexer, lexer::Diagnostics& diagnostics,
+              UnknownCodes* unknown)
+        : dialect_(dialect), lexer_(lexer), diagnostics_(diagnostics), unknown_(unknown) {}
+
+    const grammar::Dialect& dialect() const { return dialect_; }
+    /// From here on a code that the dialect does not have becomes an alarm of the run (Kind::unknown), with a
+    /// warning: the blocks are those of a subroutine, which may never be called.
+    void put_off_unknown(UnknownCodes* put_off) { put_off_ = put_off; }
 
     /// Plans one block of words. False where an error was reported. Valid until the next call.
     bool plan(const grammar::Block& block);
@@ -44,12 +55,21 @@ class BlockPlan {
     }
 
   private:
+    static constexpr std::int32_t kUnowned = -1;
+
+    bool is_axis(const lexer::Word& word) const;
+    std::string hint(const lexer::Word& word) const;
+    std::uint64_t need_bits(const lexer::Word& word) const;
+    bool may_go_with_move(lexer::Address address) const;
     bool only_moves(const grammar::Block& block);
     bool collect_codes(const grammar::Block& block);
     bool add_code(const grammar::Block& block, std::uint32_t index);
     bool check_group(const grammar::Block& block, const grammar::Code& code, std::uint32_t index);
     bool choose_axis_owner(const grammar::Block& block);
     bool assign_words(const grammar::Block& block);
+    bool may_have_corner() const;
+    bool has_target(const grammar::Block& block) const;
+    bool fail_beside_motion(const grammar::Block& block, std::uint32_t index);
     bool assign(const grammar::Block& block, std::uint32_t index);
     std::int32_t owner_of(const lexer::Word& word) const;
     bool check_needs(const grammar::Block& block, const Call& call, std::uint64_t addresses);
@@ -61,13 +81,24 @@ class BlockPlan {
     const grammar::Dialect& dialect_;
     lexer::Lexer& lexer_;
     lexer::Diagnostics& diagnostics_;
+    UnknownCodes* unknown_;
+    UnknownCodes* put_off_ = nullptr;
+    std::optional<std::uint32_t> unknown_word_;
+    bool leaves_out_block_ = false;  ///< A G code that is left out: with it all of its block.
+    bool leaves_out_words_ = false;  ///< An M code that is left out: with it words that nothing else takes.
     std::vector<Call> calls_;
     std::vector<std::uint32_t> operands_;
     std::vector<std::int32_t> owners_;  // by word: index of its call, or -1
     std::int32_t axis_owner_ = -1;
 };
 
-/// The key of an operand in the table that a library function takes: "x", "ar", "i1".
+/// Centre, radius or angle of an arc, or the point that CIP goes through.
+constexpr bool is_arc_word(lexer::Address address) {
+    return (address >= 'I' && address <= 'K') || address == 'R' ||
+           (address >= lexer::kArcAngle && address <= lexer::kViaZ);
+}
+
+/// The key of an operand in the table that a library function takes: "x", "ar", "i1", "radius" for @.
 std::string_view lua_key(lexer::Address address);
 
 }  // namespace gsim::codegen

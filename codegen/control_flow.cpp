@@ -24,6 +24,7 @@ void ControlFlow::begin_program(const ProgramJumps& jumps) {
     open_jumps_.clear();
     reachable_.clear();
     weight_ = 0;
+    lost_ = false;
     too_many_labels_ = false;
     too_many_jumps_ = false;
 }
@@ -51,6 +52,10 @@ bool ControlFlow::open_loop(const Block& block) {
 
 bool ControlFlow::close_loop(const Block& block) {
     const Location location = block.text->at(block.loop_column);
+    if (lost_) {
+        if (!loops_.empty()) loops_.pop_back();
+        return false;
+    }
     if (loops_.empty()) {
         diagnostics_.error(location, fmt::format("END {} has no WHILE", block.loop));
         return false;
@@ -85,7 +90,7 @@ void ControlFlow::add_jump(std::uint32_t target, const Location& location) {
 }
 
 bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
-    if (!jumps_->computed && !jumps_->targets.contains(number)) return false;
+    if (!computed() && !jumps_->targets.contains(number)) return false;
     if (labels_.size() == kMaxLabels) {
         if (!too_many_labels_)
             diagnostics_.error(location, fmt::format("the program has more than {} blocks that a GOTO may "
@@ -126,7 +131,7 @@ void ControlFlow::check(const Jump& jump) {
 
 void ControlFlow::end_program() {
     for (const Loop& loop : loops_) {
-        diagnostics_.error(loop.location, fmt::format("WHILE has no END {}", loop.number));
+        if (!lost_) diagnostics_.error(loop.location, fmt::format("WHILE has no END {}", loop.number));
     }
     if (!too_many_labels_) {
         for (const Jump& jump : open_jumps_) check(jump);

@@ -31,10 +31,16 @@ class ControlFlow {
     bool add_sequence(std::uint32_t number, const lexer::Location& location);
     /// Counts instructions of Lua, as an upper bound.
     void add_weight(std::uint64_t instructions) { weight_ += instructions; }
+    std::uint64_t weight() const { return weight_; }
 
+    /// A WHILE or END could not be understood: no error of nesting is reported in this program any more.
+    void lose_track() { lost_ = true; }
     bool in_loop() const { return !loops_.empty(); }
-    bool has_jumps() const { return jumps_->computed || !jumps_->targets.empty(); }
-    bool computed() const { return jumps_->computed; }
+    bool has_jumps() const { return computed() || !jumps_->targets.empty(); }
+    /// The program needs the dispatcher of computed jumps.
+    bool computed() const { return jumps_->computed || has_returns(); }
+    /// Calls of other programs may tell at which block to go on.
+    bool has_returns() const { return jumps_->calls && jumps_->returns_to_blocks; }
     /// Numbers that a computed GOTO can reach: those outside of loops.
     const std::vector<std::uint32_t>& reachable() const { return reachable_; }
 
@@ -66,6 +72,7 @@ class ControlFlow {
     std::vector<std::uint32_t> reachable_;
     std::uint32_t next_instance_ = 0;
     std::uint64_t weight_ = 0;
+    bool lost_ = false;
     bool too_many_labels_ = false;
     bool too_many_jumps_ = false;
 };

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "codegen/lua_text.h"
+
 namespace gsim::codegen {
 
 using grammar::Block;
@@ -42,6 +44,7 @@ std::string_view function_name(Operator op) {
         case Operator::exp: return "EXP";
         case Operator::bin: return "BIN";
         case Operator::bcd: return "BCD";
+        case Operator::power: return "POW";
         default: return "";
     }
 }
@@ -59,6 +62,33 @@ std::string_view relation(Operator op) {
 
 bool is_relation(Operator op) {
     return op >= Operator::equal && op <= Operator::less_equal;
+}
+
+bool is_near_relation(Operator op) {
+    return op == Operator::near_equal || op == Operator::not_near_equal;
+}
+
+/// A parameter's name as a field: p.width, or p["2nd edge"] where it is no name of Lua.
+void write_named(std::string_view name, std::string& out) {
+    if (is_lua_name(name)) {
+        fmt::format_to(std::back_inserter(out), "p.{}", name);
+    } else {
+        out += "p[";
+        write_lua_string(name, out);
+        out += ']';
+    }
+}
+
+void write_exists(const Block& block, const Node& variable, std::string& out) {
+    out += "exists(";
+    if (variable.kind == NodeKind::named) {
+        write_lua_string(block.text->view(variable.number), out);
+    } else if (variable.kind == NodeKind::variable) {
+        out += std::to_string(variable.left);
+    } else {
+        write_number(block, variable.left, out);
+    }
+    out += ')';
 }
 
 void write_float(std::string_view digits, std::string& out) {
@@ -138,23 +168,26 @@ int lua_levels(const Block& block, std::int32_t index, const std::vector<int>& l
         case NodeKind::variable: return 1;
         case NodeKind::indirect: return of(node.left) + 1;
         case NodeKind::negate: return in_brackets(node.left, kPrimary) + 2;
+        case NodeKind::named: return 1;
+        case NodeKind::exists: return of(node.left) + 1;
         case NodeKind::call: return std::max(of(node.left), node.right >= 0 ? of(node.right) : 0) + 1;
         case NodeKind::binary: break;
     }
     const int level = precedence(block, node);
     if (level != kPrimary)
         return std::max(in_brackets(node.left, level), in_brackets(node.right, level + 1) + 1);
-    return std::max(of(node.left), of(node.right) + 1) + 1;
+    const int calls = node.op == Operator::not_near_equal ? 3 : is_near_relation(node.op) ? 2 : 1;
+    return std::max(of(node.left), of(node.right) + 1) + calls;
 }
 
 }  // namespace
 
-std::optional<std::uint32_t> nested_too_deep(const Block& block) {
+std::optional<std::uint32_t> nested_too_deep(const Block& block, int taken) {
     std::vector<int> levels;
     levels.reserve(block.nodes.size());
     for (std::size_t i = 0; i < block.nodes.size(); ++i) {  // children stand before their parents
         levels.push_back(lua_levels(block, static_cast<std::int32_t>(i), levels));
-        if (levels.back() > kMaxLuaLevels) return block.nodes[i].column;
+        if (levels.back() > kMaxLuaLevels - taken) return block.nodes[i].column;
     }
     return std::nullopt;
 }
@@ -176,6 +209,8 @@ void write_number(const Block& block, std::int32_t index, std::string& out) {
             return;
         case NodeKind::binary: write_binary(block, index, out); return;
         case NodeKind::call: write_call(block, node, out); return;
+        case NodeKind::named: write_named(block.text->view(node.number), out); return;
+        case NodeKind::exists: write_exists(block, block.node(node.left), out); return;
     }
 }
 
@@ -184,6 +219,14 @@ void write_condition(const Block& block, std::int32_t index, std::string& out) {
     if (!grammar::is_condition(block, index)) {
         out += "truth(";
         write_number(block, index, out);
+        out += ')';
+        return;
+    }
+    if (is_near_relation(node.op)) {
+        out += node.op == Operator::near_equal ? "equal(" : "not equal(";
+        write_number(block, node.left, out);
+        out += ", ";
+        write_number(block, node.right, out);
         out += ')';
         return;
     }

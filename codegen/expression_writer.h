@@ -17,7 +17,7 @@ void write_number(const grammar::Block& block, std::int32_t index, std::string& 
 void write_condition(const grammar::Block& block, std::int32_t index, std::string& out);
 
 /// The column of an expression of the block that would be nested deeper in Lua than Lua reads; nothing where
-/// all are shallow enough, as in any program that people write.
-std::optional<std::uint32_t> nested_too_deep(const grammar::Block& block);
+/// all are shallow enough, as in any program that people write. `taken`: levels of the structures around it.
+std::optional<std::uint32_t> nested_too_deep(const grammar::Block& block, int taken);
 
 }  // namespace gsim::codegen

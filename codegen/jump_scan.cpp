@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstring>
 #include <limits>
 #include <string_view>
 
@@ -14,18 +15,52 @@ namespace {
 /// Targets beyond what Lua can label are not collected: the second reading reports the program.
 constexpr std::size_t kMaxTargets = 40000;
 
-/// Looks for the letters GOTO in any case, through a window, so that the common program without them costs
-/// hardly more than reading it.
-bool mentions_goto(lexer::Source& source) {
-    constexpr std::string_view kWord = "GOTO";
-    std::array<char, 65536> buffer;
-    std::size_t matched = 0;
-    while (const std::size_t count = source.read(buffer.data(), buffer.size())) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const char c = static_cast<char>(buffer[i] & ~0x20);
-            matched = c == kWord[matched] ? matched + 1 : (c == 'G' ? 1 : 0);
-            if (matched == kWord.size()) return true;
+constexpr std::int32_t kCallCode = 980;    // M98
+constexpr std::int32_t kReturnCode = 990;  // M99
+constexpr std::int32_t kMacroCode = 650;   // G65
+
+/// Finds the letters GOTO in any case, or the digits 99 behind an M, in a text that arrives in pieces.
+class JumpFinder {
+  public:
+    /// True once one of them has come.
+    bool find(const char* text, std::size_t size) {
+        if (matched_ == 0 && !after_m_ && !may_hold_jump(text, size)) {
+            matched_ = (text[size - 1] & ~0x20) == 'G' ? 1 : 0;  // its O may come next
+            return false;
         }
+        for (std::size_t i = 0; i < size; ++i) {
+            const char c = text[i];
+            const char letter = static_cast<char>(c & ~0x20);
+            matched_ = letter == kWord[matched_] ? matched_ + 1 : (letter == 'G' ? 1 : 0);
+            if (matched_ == kWord.size() || (after_m_ && c == '9' && last_ == '9')) return true;
+            if (kBetween.find(c) == std::string_view::npos) after_m_ = letter == 'M';
+            last_ = c;
+        }
+        return false;
+    }
+
+  private:
+    static constexpr std::string_view kWord = "GOTO";
+    static constexpr std::string_view kBetween = "09+ \t\r\v\f";  ///< Between M and 99.
+
+    /// A tool path holds none of these letters for long stretches.
+    static bool may_hold_jump(const char* text, std::size_t size) {
+        for (const char letter : {'O', 'o', 'M', 'm'}) {
+            if (std::memchr(text, letter, size) != nullptr) return true;
+        }
+        return false;
+    }
+
+    std::size_t matched_ = 0;
+    char last_ = 0;
+    bool after_m_ = false;
+};
+
+bool mentions_jump(lexer::Source& source) {
+    std::array<char, 16384> buffer;
+    JumpFinder finder;
+    while (const std::size_t count = source.read(buffer.data(), buffer.size())) {
+        if (finder.find(buffer.data(), count)) return true;
     }
     return false;
 }
@@ -40,25 +75,54 @@ class JumpCollector : public grammar::BlockSink {
         if (block.text->bad) return;
         if (block.kind == grammar::BlockKind::jump || block.kind == grammar::BlockKind::if_goto)
             add_target(block);
+        for (const lexer::Word& word : block.text->words) {
+            const bool calls = (word.address == 'M' && word.code_x10 == kCallCode) ||
+                               (word.address == 'G' && word.code_x10 == kMacroCode);
+            if (calls) scan_.jumps.back().calls = true;
+            if (word.address == 'M' && word.code_x10 == kReturnCode) note_return(block);
+        }
+    }
+
+    /// To be called at the end.
+    void share_returns() {
+        for (ProgramJumps& jumps : scan_.jumps) jumps.returns_to_blocks = returns_to_blocks_;
     }
 
   private:
+    /// M99 P: in the first program a jump, else one of whoever calls.
+    void note_return(const grammar::Block& block) {
+        for (const lexer::Word& word : block.text->words) {
+            if (word.address != 'P') continue;
+            if (scan_.jumps.size() > 1) {
+                returns_to_blocks_ = true;
+            } else if (word.expression >= 0) {
+                scan_.jumps.back().computed = true;
+            } else {
+                add_number(block.text->view(word.number));
+            }
+        }
+    }
+
     void add_target(const grammar::Block& block) {
         const grammar::Node& node = block.node(block.target);
-        ProgramJumps& jumps = scan_.jumps.back();
-        std::uint32_t number = 0;
-        const std::string_view digits = block.text->view(node.number);
         if (node.kind != grammar::NodeKind::number) {
-            jumps.computed = true;
-        } else if (std::from_chars(digits.data(), digits.data() + digits.size(), number).ptr ==
-                       digits.data() + digits.size() &&
-                   jumps.targets.size() < kMaxTargets) {
-            jumps.targets.insert(number);
+            scan_.jumps.back().computed = true;
+        } else {
+            add_number(block.text->view(node.number));
         }
+    }
+
+    void add_number(std::string_view digits) {
+        std::set<std::uint32_t>& targets = scan_.jumps.back().targets;
+        std::uint32_t number = 0;
+        const char* end = digits.data() + digits.size();
+        if (std::from_chars(digits.data(), end, number).ptr == end && targets.size() < kMaxTargets)
+            targets.insert(number);
     }
 
     FileScan& scan_;
     bool begun_ = false;
+    bool returns_to_blocks_ = false;
 };
 
 /// Finds out whether the first block that says anything starts a program.
@@ -83,24 +147,26 @@ const ProgramJumps& FileScan::program(std::size_t ordinal) const {
     return ordinal < jumps.size() ? jumps[ordinal] : kNone;
 }
 
-FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases) {
+FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style) {
     FileScan scan;
     const auto silent = [](std::string_view) {};
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
     {
         lexer::Diagnostics diagnostics(source, kNoLimit, silent);
-        lexer::Lexer lexer(source, diagnostics, aliases);
+        lexer::Lexer lexer(source, diagnostics, aliases, style);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
         scan.starts_with_program = first.program();
         source.rewind();
     }
-    if (mentions_goto(source)) {
+    const bool return_alias = aliases.stand_for('M', kReturnCode / 10);
+    if (style == lexer::Style::ab9 && (return_alias || mentions_jump(source))) {
         source.rewind();
         lexer::Diagnostics diagnostics(source, kNoLimit, silent);
-        lexer::Lexer lexer(source, diagnostics, aliases);
+        lexer::Lexer lexer(source, diagnostics, aliases, style);
         JumpCollector collector(scan);
         grammar::Parser(lexer, diagnostics, collector).run();
+        collector.share_returns();
     }
     source.rewind();
     return scan;

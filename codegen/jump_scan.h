@@ -6,6 +6,7 @@
 
 #include "lexer/alias.h"
 #include "lexer/source.h"
+#include "lexer/style.h"
 
 namespace gsim::codegen {
 
@@ -13,7 +14,9 @@ namespace gsim::codegen {
 struct ProgramJumps {
     std::set<std::uint32_t> targets;
     bool computed =
-        false;  ///< Some GOTO goes to a number that is known at run time only: any N may be meant.
+        false;           ///< Some GOTO goes to a number that is known at run time only: any N may be meant.
+    bool calls = false;  ///< M98 stands in it.
+    bool returns_to_blocks = false;  ///< M99 P stands in a subprogram of the file.
 };
 
 /// What a first reading of the file tells, before a line is written.
@@ -27,6 +30,6 @@ struct FileScan {
 
 /// Reads the source once from its start, and rewinds it. Errors in the program are left to the second
 /// reading.
-FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases);
+FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style);
 
 }  // namespace gsim::codegen

@@ -1,12 +1,15 @@
 #include "codegen/lua_writer.h"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 
 #include <fmt/format.h>
 
+#include "codegen/active_comment.h"
 #include "codegen/expression_writer.h"
+#include "codegen/lua_text.h"
+#include "codegen/print_writer.h"
+#include "codegen/word_writer.h"
 
 namespace gsim::codegen {
 
@@ -21,19 +24,12 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 56;
 constexpr std::uint32_t kLinesBetweenCuts = 5000;
-constexpr std::size_t kMaxCalledPrograms = 10000;
-constexpr int kMaxBareLabels = 100;  // labels one behind the other; Lua's parser nests them, up to 200
+constexpr std::size_t kMaxSettings = 100;  // of one statement; Lua has 200 locals and some 250 registers
+constexpr int kMaxBareLabels = 100;        // labels one behind the other; Lua's parser nests them, up to 200
 
-// Upper bounds of what Lua's compiler makes of a call, an operand and a node of an expression.
-constexpr std::uint64_t kInstructionsPerCall = 6;
-constexpr std::uint64_t kInstructionsPerOperand = 5;
+// Upper bounds of what Lua's compiler makes of a test and of a node of an expression.
+constexpr std::uint64_t kInstructionsPerTest = 6;
 constexpr std::uint64_t kInstructionsPerNode = 4;
-
-/// A number of a program or block without leading zeros; the digits are few, see the scanner.
-std::string normal_number(std::string_view digits) {
-    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
-    return std::string(digits.substr(first));
-}
 
 /// Without the blanks around it, the CR of a line that ends in CR LF among them.
 std::string_view trimmed(std::string_view text) {
@@ -43,9 +39,27 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-bool all_digits(std::string_view text) {
-    return !text.empty() &&
-           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+constexpr std::int32_t kCallCode = 980;    // M98
+constexpr std::int32_t kReturnCode = 990;  // M99
+constexpr std::int32_t kAlarmVariable = 3000;
+constexpr std::int32_t kStopVariable = 3006;
+
+bool is_m_code(const Call& call, std::int32_t code_x10) {
+    return call.kind == Call::Kind::code && call.code->letter == 'M' && call.code->code_x10 == code_x10;
+}
+
+bool is_macro_call(const Call& call) {
+    return call.kind == Call::Kind::code && call.code->letter == 'G' && call.code->code_x10 == 650;
+}
+
+bool ends_program(const Call& call) {
+    return is_m_code(call, 20) || is_m_code(call, 300);
+}
+
+/// O-words that can be left out by themselves.
+bool is_plain_flow(grammar::Flow flow) {
+    return flow == grammar::Flow::call || flow == grammar::Flow::return_ || flow == grammar::Flow::break_ ||
+           flow == grammar::Flow::continue_;
 }
 
 /// The name of a program as Lua has it: 12 for O0012, "PART7" for OPART7.
@@ -63,11 +77,12 @@ LuaWriter::LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexe
       diagnostics_(diagnostics),
       spool_(spool),
       options_(options),
-      plan_(dialect, lexer, diagnostics),
-      flow_(diagnostics) {}
+      plan_(dialect, lexer, diagnostics, options.warn_of_unknown ? &unknown_ : nullptr),
+      flow_(diagnostics),
+      oword_flow_(diagnostics) {}
 
 void LuaWriter::begin_file(std::string_view source_name) {
-    std::string head = "local _ENV = require \"gsim\"";
+    std::string head = fmt::format("local _ENV = require \"{}\"", plan_.dialect().rules().lua_module);
     if (!scan_.starts_with_program) head += " program(nil, function()";
     const std::size_t body_begin = head.size();
     head += fmt::format(" -- from {}; line n there is line n+1 here", lexer::printable(source_name));
@@ -94,6 +109,10 @@ void LuaWriter::take(const Block& block) {
 /// Of a block with an error, what others refer to counts all the same, so that one error does not bring more.
 void LuaWriter::note_bad_block(const Block& block) {
     if (block.has_program) open_program(block);
+    if (block.text->structural) {
+        flow_.lose_track();
+        oword_flow_.lose_track();
+    }
     if (in_program_ && block.sequence)
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
@@ -124,6 +143,7 @@ void LuaWriter::open_program(const Block& block) {
 
 void LuaWriter::close_program() {
     flow_.end_program();
+    oword_flow_.end_program();
     if (flow_.computed()) write_dispatcher();
     map_.back().body_end = written_ + code_.size();
     if (flow_.has_jumps()) map_.back().cuts.clear();
@@ -131,22 +151,15 @@ void LuaWriter::close_program() {
     in_program_ = false;
 }
 
-void LuaWriter::write_dispatcher() {
-    code_ += code_.empty() ? "do return end ::computed:: " : " do return end ::computed:: ";
-    for (const std::uint32_t number : flow_.reachable()) {
-        fmt::format_to(std::back_inserter(code_), "if jump == {} then goto N{} end ", number, number);
-    }
-    code_ += "no_target(jump)";
-}
-
 void LuaWriter::check_skip(const Block& block) {
     if (block.skip_level == 0) return;
-    const bool structure =
-        block.has_program || block.kind == BlockKind::while_do || block.kind == BlockKind::end_loop;
+    const bool structure = block.has_program || block.kind == BlockKind::while_do ||
+                           block.kind == BlockKind::end_loop ||
+                           (block.kind == BlockKind::flow && !is_plain_flow(block.flow));
     if (structure) {
-        lexer_.fail(
-            block.prefix_column,
-            "block delete '/' cannot stand before O, WHILE or END: the program would lose its structure");
+        lexer_.fail(block.prefix_column,
+                    "block delete '/' cannot stand before a program or a control structure: its other end "
+                    "would be lost");
     }
 }
 
@@ -171,7 +184,7 @@ void LuaWriter::write_block(const Block& block) {
 }
 
 void LuaWriter::write_statements(const Block& block) {
-    if (const auto column = nested_too_deep(block)) {
+    if (const auto column = nested_too_deep(block, levels_around(block))) {
         lexer_.fail(*column,
                     "the expression is nested too deep for Lua; put a part of it into a variable first");
     }
@@ -180,7 +193,8 @@ void LuaWriter::write_statements(const Block& block) {
         fmt::format_to(std::back_inserter(code_), "if not skipped({}) then ", block.skip_level);
     const std::size_t body = code_.size();
     flow_.add_weight(block.nodes.size() * kInstructionsPerNode +
-                     (block.skip_level > 0 ? kInstructionsPerCall : 0));
+                     (block.skip_level > 0 ? kInstructionsPerTest : 0));
+    if (lexer_.is_ngc()) write_comment_action(block);
     write_body(block);
     if (block.skip_level == 0) return;
     if (code_.size() == body) {
@@ -188,6 +202,28 @@ void LuaWriter::write_statements(const Block& block) {
     } else {
         code_ += "end ";
     }
+}
+
+/// Levels of Lua that are taken before an expression of the block begins; settings at once hold some too.
+int LuaWriter::levels_around(const Block& block) {
+    if (!lexer_.is_ngc()) return 0;
+    const bool around_words = !block.text->words.empty();
+    const std::size_t most = around_words ? 25 : 50;
+    const int levels_per_setting = around_words ? 4 : 2;
+    if (block.assignments.size() > most)
+        lexer_.fail(1, fmt::format("a block sets at most {} parameters{}", most,
+                                   around_words ? " where it has words" : ""));
+    return oword_flow_.levels() +
+           levels_per_setting * static_cast<int>(std::min(block.assignments.size(), most));
+}
+
+/// Of several comments the last one in ( ) may act; a remark behind ';' does not.
+void LuaWriter::write_comment_action(const Block& block) {
+    const std::vector<lexer::Slice>& comments = block.text->comments;
+    const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
+    if (count == 0) return;
+    if (const auto error = write_active_comment(block.text->view(comments[count - 1]), code_))
+        lexer_.fail(1, *error);
 }
 
 void LuaWriter::write_body(const Block& block) {
@@ -222,127 +258,66 @@ void LuaWriter::write_body(const Block& block) {
             flow_.close_loop(block);
             code_ += "end ";
             return;
+        case BlockKind::print:
+            if (const auto error = write_print(block, code_)) lexer_.fail(1, *error);
+            return;
+        case BlockKind::flow:
+            flow_.add_weight(kInstructionsPerTest * (1 + block.arguments.size()));
+            oword_flow_.write(block, flow_.weight(), code_);
+            plan_.put_off_unknown(oword_flow_.inside_sub() ? &put_off_ : nullptr);
+            return;
         case BlockKind::tape: return;
     }
 }
 
 void LuaWriter::write_content(const Block& block) {
-    if (block.assignments.empty()) {
-        write_words(block);
-    } else {
-        write_assignments(block);
+    const bool ngc = lexer_.is_ngc();
+    if (!ngc) write_message(block);
+    if (block.assignments.empty()) return write_words(block);
+    if (!ngc) return write_assignments(block, code_);
+    if (block.assignments.size() > kMaxSettings) {
+        lexer_.fail(1, fmt::format("a block sets at most {} parameters", kMaxSettings));
+        return;
     }
+    const Settings settings(block);
+    if (block.text->words.empty()) return settings.write_at_once(code_);
+    settings.open(code_);
+    write_words(block);
+    settings.close(code_);
+}
+
+/// #3000 and #3006 (alarm, stop) show the comment of their block.
+void LuaWriter::write_message(const Block& block) {
+    const bool shows =
+        std::any_of(block.assignments.begin(), block.assignments.end(), [&](const auto& assignment) {
+            const Node& target = block.node(assignment.target);
+            return target.kind == NodeKind::variable &&
+                   (target.left == kAlarmVariable || target.left == kStopVariable);
+        });
+    if (!shows || block.text->comments.empty()) return;
+    code_ += "message(";
+    write_lua_string(block.text->view(block.text->comments.front()), code_);
+    code_ += ") ";
 }
 
 void LuaWriter::write_words(const Block& block) {
     if (block.text->words.empty() || !plan_.plan(block)) return;
     for (const Call& call : plan_.calls()) {
-        write_call(block, call);
-        code_ += ' ';
-    }
-}
-
-void LuaWriter::write_call(const Block& block, const Call& call) {
-    const Word& word = block.text->words[call.word];
-    flow_.add_weight(kInstructionsPerCall + kInstructionsPerOperand * call.operand_count);
-    switch (call.kind) {
-        case Call::Kind::move:
-            code_ += "move";
-            write_operands(block, call);
-            return;
-        case Call::Kind::via_point:
-            code_ += "CIP";
-            write_operands(block, call);
-            return;
-        case Call::Kind::letter:
-            code_ += static_cast<char>(word.address);
-            code_ += '(';
-            write_value(block, word);
-            code_ += ')';
-            return;
-        case Call::Kind::code: break;
-    }
-    const bool is_return = call.code->letter == 'M' && call.code->code_x10 == 990;
-    if (call.code->letter == 'M' && call.code->code_x10 == 980) note_call(block, call);
-    if (is_return) code_ += "do return ";
-    code_ += grammar::lua_name(*call.code);
-    write_operands(block, call);
-    if (is_return) code_ += " end";
-}
-
-void LuaWriter::write_operands(const Block& block, const Call& call) {
-    if (call.operand_count == 0) {
-        code_ += "()";
-        return;
-    }
-    char separator = '{';
-    for (const std::uint32_t index : plan_.operands(call)) {
-        const Word& word = block.text->words[index];
-        code_ += separator;
-        if (separator == ',') code_ += ' ';
-        code_ += lua_key(word.address);
-        code_ += '=';
-        write_value(block, word);
-        separator = ',';
-    }
-    code_ += '}';
-}
-
-void LuaWriter::write_value(const Block& block, const Word& word) {
-    if (word.expression >= 0) {
-        write_number(block, word.expression, code_);
-    } else if (word.role == Role::program) {
-        code_ += normal_number(block.text->view(word.number));
-    } else {
-        code_ += block.text->view(word.number);
-    }
-}
-
-void LuaWriter::note_call(const Block& block, const Call& call) {
-    for (const std::uint32_t index : plan_.operands(call)) {
-        const Word& word = block.text->words[index];
-        if (word.expression >= 0) continue;
-        const std::string_view digits = block.text->view(word.number);
-        const std::string number = all_digits(digits) ? normal_number(digits) : "";
-        if (number.empty() || number.size() > 9) {
-            lexer_.fail(word.column, fmt::format("{} of M98 is a whole number, not {}",
-                                                 lexer::address_name(word.address), digits));
-            return;
+        flow_.add_weight(weight(call));
+        if (is_m_code(call, kCallCode)) note_call(block, call);
+        const bool calls = is_m_code(call, kCallCode) || is_macro_call(call);
+        if (calls && flow_.has_returns()) {
+            // M99 P in the program that is called: this one goes on at that block.
+            code_ += "jump = ";
+            write_call(block, plan_, call, code_, ", true");
+            code_ += "if jump then goto computed end ";
+        } else if (!is_m_code(call, kReturnCode) || next_ordinal_ != 1 ||
+                   !write_goto_of_return(block, call)) {
+            write_call(block, plan_, call, code_);
         }
-        std::uint32_t value = 0;
-        std::from_chars(number.data(), number.data() + number.size(), value);
-        if (word.address == 'P' && called_.size() < kMaxCalledPrograms)
-            called_.try_emplace(value, block.text->at(word.column));
+        if (ends_program(call) && lexer_.is_ngc() && !oword_flow_.open() && block.skip_level == 0)
+            lexer_.end_main_program();
     }
-}
-
-void LuaWriter::write_assignments(const Block& block) {
-    for (const grammar::Assignment& assignment : block.assignments) {
-        write_number(block, assignment.target, code_);
-        code_ += " = ";
-        write_number(block, assignment.value, code_);
-        code_ += ' ';
-    }
-}
-
-void LuaWriter::write_goto(const Block& block) {
-    const Node& target = block.node(block.target);
-    if (target.kind != NodeKind::number) {
-        code_ += "jump = goto_target(";
-        write_number(block, block.target, code_);
-        code_ += ") goto computed";
-        return;
-    }
-    const std::string_view digits = block.text->view(target.number);
-    const std::string number = all_digits(digits) ? normal_number(digits) : "";
-    std::uint32_t value = 0;
-    if (number.empty() || number.size() > 9) {
-        lexer_.fail(block.target_column, fmt::format("GOTO takes a block number, not {}", digits));
-        return;
-    }
-    std::from_chars(number.data(), number.data() + number.size(), value);
-    flow_.add_jump(value, block.text->at(block.target_column));
-    fmt::format_to(std::back_inserter(code_), "goto N{}", value);
 }
 
 void LuaWriter::add_comment(const Block& block) {
@@ -375,7 +350,8 @@ void LuaWriter::end_line() {
     written_ += code_.size();
     code_.clear();
     ++lua_line_;
-    if (in_program_ && !flow_.in_loop() && lua_line_ - last_cut_line_ >= kLinesBetweenCuts) {
+    if (in_program_ && !flow_.in_loop() && !oword_flow_.open() &&
+        lua_line_ - last_cut_line_ >= kLinesBetweenCuts) {
         map_.back().cuts.push_back({written_, lua_line_});
         last_cut_line_ = lua_line_;
     }
@@ -384,6 +360,9 @@ void LuaWriter::end_line() {
 void LuaWriter::end_file() {
     if (in_program_) close_program();
     if (!code_.empty() || !comment_.empty()) end_line();
+    unknown_.report(diagnostics_, plan_.dialect().title(), "it is left out, a G code with all of its block");
+    put_off_.report(diagnostics_, plan_.dialect().title(),
+                    "a call of the subroutine around it would end in an alarm");
     for (const auto& [number, location] : called_) {
         if (!defined_.contains(std::to_string(number))) {
             diagnostics_.warning(

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "codegen/control_flow.h"
 #include "codegen/jump_scan.h"
 #include "codegen/lua_spool.h"
+#include "codegen/oword_flow.h"
 #include "codegen/program_map.h"
 #include "grammar/parser.h"
 
@@ -20,7 +22,8 @@ namespace gsim::codegen {
 class LuaWriter : public grammar::BlockSink {
   public:
     struct Options {
-        bool annotate = false;  ///< The whole source block stands behind its Lua.
+        bool annotate = false;         ///< The whole source block stands behind its Lua.
+        bool warn_of_unknown = false;  ///< Codes that the dialect does not have are left out, with a warning.
     };
 
     LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
@@ -40,13 +43,15 @@ class LuaWriter : public grammar::BlockSink {
     void write_block(const grammar::Block& block);
     void note_bad_block(const grammar::Block& block);
     void write_statements(const grammar::Block& block);
+    int levels_around(const grammar::Block& block);
+    void write_comment_action(const grammar::Block& block);
     void write_body(const grammar::Block& block);
     void write_content(const grammar::Block& block);
     void write_words(const grammar::Block& block);
-    void write_call(const grammar::Block& block, const Call& call);
-    void write_operands(const grammar::Block& block, const Call& call);
-    void write_value(const grammar::Block& block, const lexer::Word& word);
-    void write_assignments(const grammar::Block& block);
+    void write_message(const grammar::Block& block);
+    bool write_goto_of_return(const grammar::Block& block, const Call& call);
+    std::optional<std::uint32_t> block_number(const grammar::Block& block, lexer::Slice digits,
+                                              std::uint32_t column);
     void write_goto(const grammar::Block& block);
     void note_call(const grammar::Block& block, const Call& call);
     void open_program(const grammar::Block& block);
@@ -62,8 +67,11 @@ class LuaWriter : public grammar::BlockSink {
     lexer::Diagnostics& diagnostics_;
     LuaSpool& spool_;
     Options options_;
+    UnknownCodes unknown_;
+    UnknownCodes put_off_;
     BlockPlan plan_;
     ControlFlow flow_;
+    OWordFlow oword_flow_;
     ProgramMap map_;
     std::string code_;
     std::string comment_;

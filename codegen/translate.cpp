@@ -9,10 +9,12 @@ namespace gsim::codegen {
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
                       const std::function<void(std::string_view)>& print) {
     source.set_name(options.source_name);
-    const FileScan scan = scan_file(source, options.aliases);
+    const lexer::Style style = options.dialect->rules().style;
+    const FileScan scan = scan_file(source, options.aliases, style);
     lexer::Diagnostics diagnostics(source, options.max_errors, print);
-    lexer::Lexer lexer(source, diagnostics, options.aliases, options.annotate);
-    LuaWriter writer(grammar::dialect_ab9(), scan, lexer, diagnostics, spool, {options.annotate});
+    lexer::Lexer lexer(source, diagnostics, options.aliases, style, options.annotate);
+    LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
+                     {options.annotate, options.unknown == Unknown::warn});
     const std::size_t slash = options.source_name.rfind('/');
     writer.begin_file(
         std::string_view(options.source_name).substr(slash == std::string::npos ? 0 : slash + 1));

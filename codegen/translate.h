@@ -12,7 +12,15 @@
 
 namespace gsim::codegen {
 
+/// What to make of a code that the dialect does not have.
+enum class Unknown : std::uint8_t {
+    error,
+    warn,  ///< Its word is left out; one warning per code, with the count.
+};
+
 struct TranslateOptions {
+    const grammar::Dialect* dialect = &grammar::dialect_ab9();
+    Unknown unknown = Unknown::error;
     std::string source_name = "part.nc";  ///< For messages and the first line of the Lua.
     bool annotate = false;                ///< Each whole source block as a trailing comment.
     std::size_t max_errors = 100;

@@ -6,7 +6,7 @@ namespace gsim::grammar {
 
 namespace {
 
-constexpr std::size_t kIndexedCodes = 6000;  // codes_x10 up to G599.9
+constexpr std::size_t kIndexedCodes = 10000;  // codes_x10 up to 999.9
 
 std::size_t slot(char letter, std::int32_t code_x10) {
     return (letter == 'M' ? kIndexedCodes : 0) + static_cast<std::size_t>(code_x10);
@@ -43,21 +43,70 @@ std::string_view name(Group group) {
         case Group::abrasive: return "abrasive";
         case Group::subprogram: return "subprograms";
         case Group::override_switch: return "override switch";
+        case Group::coolant: return "coolant";
+        case Group::arc_distance: return "arc centre mode";
+        case Group::lathe_diameter: return "lathe diameter mode";
+        case Group::modal_state: return "modal state";
+        case Group::input_output: return "inputs and outputs";
+        case Group::user: return "user M codes";
+        case Group::one_action: return "one action a block";
     }
     return "";
 }
 
-Dialect::Dialect(std::string_view name, std::string_view title, std::span<const Code> codes)
-    : name_(name), title_(title), codes_(codes), index_(2 * kIndexedCodes, 0) {
+std::string_view name(Phase phase) {
+    switch (phase) {
+        case Phase::plane: return "plane";
+        case Phase::units: return "units";
+        case Phase::compensation: return "compensation and transformations";
+        case Phase::tool_length: return "tool length";
+        case Phase::cycle: return "cycle modes";
+        case Phase::distance: return "distance mode";
+        case Phase::work_frame: return "work coordinate system";
+        case Phase::path_mode: return "path mode";
+        case Phase::feed_mode: return "feed mode";
+        case Phase::feed: return "F";
+        case Phase::spindle_speed: return "S";
+        case Phase::tool: return "T";
+        case Phase::offset_number: return "D and H";
+        case Phase::tool_change: return "tool change";
+        case Phase::switch_on: return "spindle and switches on";
+        case Phase::dwell: return "dwell";
+        case Phase::data: return "data and offsets";
+        case Phase::polar: return "polar programming";
+        case Phase::one_shot: return "what holds for this block";
+        case Phase::motion: return "motion";
+        case Phase::switch_off: return "switches off";
+        case Phase::spindle_stop: return "spindle off";
+        case Phase::pause: return "stops";
+        case Phase::flow: return "calls and ends";
+        case Phase::input_output: return "inputs, outputs, modal state";
+    }
+    return "";
+}
+
+Dialect::Dialect(const DialectRules& rules, std::span<const Code> codes)
+    : rules_(rules), codes_(codes), index_(2 * kIndexedCodes, 0) {
     for (std::size_t row = 0; row < codes_.size(); ++row) {
         index_[slot(codes_[row].letter, codes_[row].code_x10)] = static_cast<std::uint16_t>(row + 1);
     }
+    for (std::size_t phase = 0; phase < kPhaseCount; ++phase)
+        ranks_[phase] = static_cast<int>(kPhaseCount + phase);
+    for (std::size_t place = 0; place < rules_.order.size(); ++place)
+        ranks_[static_cast<std::size_t>(rules_.order[place])] = static_cast<int>(place);
 }
 
 const Code* Dialect::find(char letter, std::int32_t code_x10) const {
     if (code_x10 < 0 || code_x10 >= static_cast<std::int32_t>(kIndexedCodes)) return nullptr;
     const std::uint16_t row = index_[slot(letter, code_x10)];
     return row == 0 ? nullptr : &codes_[row - 1U];
+}
+
+const Dialect* dialect_named(std::string_view name) {
+    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+        if (dialect->name() == name) return dialect;
+    }
+    return nullptr;
 }
 
 std::string code_name(const Code& code) {
@@ -70,6 +119,7 @@ std::string code_name(const Code& code) {
 std::string lua_name(const Code& code) {
     const int whole = code.code_x10 / 10;
     const int part = code.code_x10 % 10;
+    if (code.group == Group::user) return fmt::format("M[{}]", whole);
     return part == 0 ? fmt::format("{}{}", code.letter, whole)
                      : fmt::format("{}{}_{}", code.letter, whole, part);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "lexer/block_text.h"
+#include "lexer/style.h"
 
 namespace gsim::grammar {
 
@@ -37,10 +39,18 @@ enum class Group : std::uint8_t {
     tool_change,
     jet,
     abrasive,
+    coolant,
     subprogram,
     override_switch,
+    arc_distance,
+    lathe_diameter,
+    modal_state,
+    input_output,
+    user,
+    one_action,
 };
 
+inline constexpr std::size_t kGroupCount = 34;
 std::string_view name(Group group);
 
 /// What a code does with the axis words of its block.
@@ -50,7 +60,8 @@ enum class AxisUse : std::uint8_t { none, motion, data };
 /// cannot be on; with words it is `later`.
 enum class Support : std::uint8_t { full, bare_only, later };
 
-/// When in its block a code acts; words of one phase act in the order in which they stand.
+/// When in its block a code acts, here in the order of the 9/Series; another dialect has its own
+/// (Dialect::rank). Words of one phase act in the order in which they stand.
 enum class Phase : std::uint8_t {
     plane,
     units,
@@ -76,7 +87,11 @@ enum class Phase : std::uint8_t {
     spindle_stop,
     pause,
     flow,
+    input_output,
 };
+inline constexpr std::size_t kPhaseCount = 25;
+/// What is done in a phase, in words.
+std::string_view name(Phase phase);
 
 /// One row of a dialect's table.
 struct Code {
@@ -85,35 +100,63 @@ struct Code {
     Group group;
     Phase phase;
     AxisUse axes;
-    std::string_view words;  ///< Letters it takes besides axis words, '=' for AR=, '1' for I1= J1= K1=.
+    std::string_view
+        words;  ///< Letters it takes besides axis words, '=' for AR=, '1' for I1= J1= K1=, ',' for ,C ,R ,A.
     Support support;
     std::string_view meaning;  ///< As messages and documents say it.
+};
+
+/// What a letter, or a longer address, means.
+struct Letter {
+    std::string_view address;
+    std::string_view meaning;
+};
+
+/// What a dialect's table says besides its codes.
+struct DialectRules {
+    std::string_view name;        ///< As --dialect has it.
+    std::string_view title;       ///< As people call it.
+    lexer::Style style;           ///< How its text is read.
+    std::string_view lua_module;  ///< What its scripts require.
+    std::string_view alone;       ///< Letters that are words by themselves, where no code takes them.
+    std::string_view move_words;  ///< Letters that a modal motion may take besides axis words.
+    std::string_view initial;     ///< Codes in force when a program begins, between blanks.
+    std::span<const Letter> letters;
+    std::span<const Phase>
+        order;  ///< Execution order in a block; phases that are not listed keep theirs behind.
 };
 
 /// A language of part programs: its codes, by table.
 class Dialect {
   public:
-    Dialect(std::string_view name, std::string_view title, std::span<const Code> codes);
+    Dialect(const DialectRules& rules, std::span<const Code> codes);
 
-    std::string_view name() const { return name_; }    ///< As --dialect has it.
-    std::string_view title() const { return title_; }  ///< As people call it.
+    std::string name() const { return std::string(rules_.name); }
+    std::string_view title() const { return rules_.title; }
+    const DialectRules& rules() const { return rules_; }
+    /// Phases of a block act in ascending order of this.
+    int rank(Phase phase) const { return ranks_[static_cast<std::size_t>(phase)]; }
     /// The row of a code, or null where the dialect has no such code.
     const Code* find(char letter, std::int32_t code_x10) const;
     std::span<const Code> codes() const { return codes_; }
 
   private:
-    std::string_view name_;
-    std::string_view title_;
+    DialectRules rules_;
     std::span<const Code> codes_;
+    std::array<int, kPhaseCount> ranks_;
     std::vector<std::uint16_t> index_;  // by letter and number; 0: none, else row + 1
 };
 
 /// Allen-Bradley 9/Series, with the codes of the thesis (Appendix C and E).
 const Dialect& dialect_ab9();
+/// RS274/NGC as LinuxCNC 2.9 has it.
+const Dialect& dialect_rs274ngc();
+/// The dialect with this name ("ab9", "rs274ngc"), or null.
+const Dialect* dialect_named(std::string_view name);
 
 /// "G92.1", "M8": the code as people write it.
 std::string code_name(const Code& code);
-/// "G92_1", "M8": the function of the Lua library.
+/// "G92_1", "M8", "M[101]": the function of the Lua library.
 std::string lua_name(const Code& code);
 
 }  // namespace gsim::grammar

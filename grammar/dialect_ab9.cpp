@@ -15,44 +15,45 @@ using A = AxisUse;
 // two.
 constexpr std::array kFixedCodes = {
     Code{'G', 0, motion, P::motion, A::motion, "", full, "rapid positioning"},
-    Code{'G', 10, motion, P::motion, A::motion, "", full, "linear interpolation"},
-    Code{'G', 20, motion, P::motion, A::motion, "IJKR=", full, "circular interpolation, clockwise"},
-    Code{'G', 30, motion, P::motion, A::motion, "IJKR=", full, "circular interpolation, counterclockwise"},
+    Code{'G', 10, motion, P::motion, A::motion, ",", full, "linear interpolation"},
+    Code{'G', 20, motion, P::motion, A::motion, "IJKR=,", full, "circular interpolation, clockwise"},
+    Code{'G', 30, motion, P::motion, A::motion, "IJKR=,", full, "circular interpolation, counterclockwise"},
     Code{'G', 40, none, P::dwell, A::none, "PXU", full, "dwell in seconds"},
     Code{'G', 90, none, P::one_shot, A::none, "", full, "exact stop, in this block"},
-    Code{'G', 100, none, P::data, A::data, "LPR", later, "data setting"},
-    Code{'G', 110, none, P::data, A::none, "", later, "end of data setting"},
+    Code{'G', 100, none, P::data, A::data, "LPR", full, "data setting"},
+    Code{'G', 110, none, P::data, A::none, "", full, "end of data setting"},
     Code{'G', 120, none, P::data, A::none, "", later, "data setting"},
-    Code{'G', 140, scaling, P::compensation, A::data, "PIJK", bare_only, "scaling"},
-    Code{'G', 141, scaling, P::compensation, A::data, "PIJK", bare_only, "scaling"},
+    Code{'G', 140, scaling, P::data, A::data, "PIJK", full, "scaling"},
+    Code{'G', 141, scaling, P::data, A::data, "PIJK", full, "scaling"},
     Code{'G', 150, polar, P::polar, A::none, "", full, "polar programming off"},
     Code{'G', 160, polar, P::polar, A::none, "", full, "polar programming on"},
     Code{'G', 170, plane, P::plane, A::none, "", full, "XY plane"},
     Code{'G', 180, plane, P::plane, A::none, "", full, "ZX plane"},
     Code{'G', 190, plane, P::plane, A::none, "", full, "YZ plane"},
+    Code{'G', 391, none, P::motion, A::none, "", full, "corner arc, circular"},
     Code{'G', 200, units, P::units, A::none, "", full, "inch mode"},
     Code{'G', 210, units, P::units, A::none, "", full, "metric mode"},
-    Code{'G', 220, zone, P::data, A::data, "IJK", later, "programmable zone on"},
+    Code{'G', 220, zone, P::data, A::data, "IJK", full, "programmable zone on"},
     Code{'G', 230, zone, P::data, A::none, "", full, "programmable zone off"},
     Code{'G', 270, none, P::motion, A::data, "", full, "machine home check"},
     Code{'G', 280, none, P::motion, A::data, "", full, "return to machine home"},
     Code{'G', 290, none, P::motion, A::data, "", full, "return from machine home"},
-    Code{'G', 300, none, P::motion, A::data, "P", later, "return to a further home position"},
-    Code{'G', 310, none, P::motion, A::data, "", later, "skip"},
-    Code{'G', 330, motion, P::motion, A::motion, "EFQ", later, "thread cutting"},
-    Code{'G', 390, none, P::motion, A::data, "IJK", later, "corner arc"},
+    Code{'G', 300, none, P::motion, A::data, "P", full, "return to a further home position"},
+    Code{'G', 310, none, P::motion, A::data, "", full, "skip"},
+    Code{'G', 330, motion, P::motion, A::motion, "EF", full, "thread cutting"},
+    Code{'G', 390, none, P::motion, A::none, "", full, "corner arc"},
     Code{'G', 400, cutter_compensation, P::compensation, A::none, "", full, "cutter compensation off"},
-    Code{'G', 410, cutter_compensation, P::compensation, A::none, "", later, "cutter compensation, left"},
-    Code{'G', 420, cutter_compensation, P::compensation, A::none, "", later, "cutter compensation, right"},
-    Code{'G', 430, Group::tool_length, P::tool_length, A::none, "", later, "tool length offset, plus"},
-    Code{'G', 440, Group::tool_length, P::tool_length, A::none, "", later, "tool length offset, minus"},
+    Code{'G', 410, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, left"},
+    Code{'G', 420, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, right"},
+    Code{'G', 430, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset, plus"},
+    Code{'G', 440, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset, minus"},
     Code{'G', 470, acceleration, P::path_mode, A::none, "", later, "linear acceleration mode"},
     Code{'G', 471, acceleration, P::path_mode, A::none, "", later, "S-curve acceleration mode"},
     Code{'G', 479, acceleration, P::path_mode, A::none, "", later, "acceleration without limits"},
     Code{'G', 490, Group::tool_length, P::tool_length, A::none, "", full, "tool length offset off"},
-    Code{'G', 500, none, P::data, A::data, "PS", later, "scaling, or spindle speed limit"},
-    Code{'G', 501, mirror, P::compensation, A::data, "", later, "mirror image off"},
-    Code{'G', 511, mirror, P::compensation, A::data, "", later, "mirror image on"},
+    Code{'G', 500, none, P::data, A::none, "S", full, "spindle speed limit"},
+    Code{'G', 501, mirror, P::data, A::data, "", full, "mirror image off"},
+    Code{'G', 511, mirror, P::data, A::data, "", full, "mirror image on"},
     Code{'G', 520, none, P::data, A::data, "", full, "offset of the coordinate zero point"},
     Code{'G', 530, none, P::one_shot, A::none, "", full,
          "motion in the machine coordinate system, in this block"},
@@ -66,29 +67,28 @@ constexpr std::array kFixedCodes = {
     Code{'G', 592, Group::work_frame, P::work_frame, A::none, "", full, "work coordinate system 8"},
     Code{'G', 593, Group::work_frame, P::work_frame, A::none, "", full, "work coordinate system 9"},
     Code{'G', 610, Group::path_mode, P::path_mode, A::none, "", full, "exact stop mode"},
-    Code{'G', 620, Group::path_mode, P::path_mode, A::none, "", later, "automatic corner override"},
-    Code{'G', 630, Group::path_mode, P::path_mode, A::none, "", later, "tapping mode"},
+    Code{'G', 620, Group::path_mode, P::path_mode, A::none, "", full, "automatic corner override"},
+    Code{'G', 630, Group::path_mode, P::path_mode, A::none, "", full, "tapping mode"},
     Code{'G', 640, Group::path_mode, P::path_mode, A::none, "", full, "cutting mode"},
-    Code{'G', 650, none, P::flow, A::data, "DEFHIJKLMPQRST", later, "macro call"},
-    Code{'G', 660, macro, P::flow, A::data, "DEFHIJKLMPQRST", later, "modal macro call"},
-    Code{'G', 661, macro, P::flow, A::data, "DEFHIJKLMPQRST", later, "modal macro call"},
+    Code{'G', 650, none, P::flow, A::data, "DEFHIJKLPQRST*", full, "macro call"},
+    Code{'G', 660, macro, P::flow, A::data, "DEFHIJKLPQRST*", full, "modal macro call"},
+    Code{'G', 661, macro, P::flow, A::data, "DEFHIJKLPQRST*", full, "modal macro call"},
     Code{'G', 670, macro, P::flow, A::none, "", full, "modal macro call off"},
-    Code{'G', 680, rotation, P::compensation, A::data, "R", later, "part rotation"},
-    Code{'G', 690, rotation, P::compensation, A::none, "", full, "part rotation off"},
-    Code{'G', 730, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later,
-         "deep hole drilling with dwell"},
-    Code{'G', 740, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "left-hand tapping cycle"},
-    Code{'G', 760, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "boring cycle, spindle shift"},
+    Code{'G', 680, rotation, P::data, A::data, "R", full, "part rotation"},
+    Code{'G', 690, rotation, P::data, A::none, "", full, "part rotation off"},
+    Code{'G', 730, Group::cycle, P::motion, A::motion, "KLPQR", full, "deep hole drilling with dwell"},
+    Code{'G', 740, Group::cycle, P::motion, A::motion, "KLPR", full, "left-hand tapping cycle"},
+    Code{'G', 760, Group::cycle, P::motion, A::motion, "IJKLPQR", full, "boring cycle, spindle shift"},
     Code{'G', 800, Group::cycle, P::cycle, A::none, "", full, "canned cycle off"},
-    Code{'G', 810, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "drilling cycle"},
-    Code{'G', 820, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "drilling cycle with dwell"},
-    Code{'G', 830, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "deep hole drilling cycle"},
-    Code{'G', 840, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "right-hand tapping cycle"},
-    Code{'G', 850, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "boring cycle"},
-    Code{'G', 860, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "boring cycle, spindle stop"},
-    Code{'G', 870, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "back boring cycle"},
-    Code{'G', 880, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "boring cycle, manual return"},
-    Code{'G', 890, Group::cycle, P::motion, A::motion, "DEFIJKLPQRST", later, "boring cycle with dwell"},
+    Code{'G', 810, Group::cycle, P::motion, A::motion, "KLR", full, "drilling cycle"},
+    Code{'G', 820, Group::cycle, P::motion, A::motion, "KLPR", full, "drilling cycle with dwell"},
+    Code{'G', 830, Group::cycle, P::motion, A::motion, "KLPQR", full, "deep hole drilling cycle"},
+    Code{'G', 840, Group::cycle, P::motion, A::motion, "KLPR", full, "right-hand tapping cycle"},
+    Code{'G', 850, Group::cycle, P::motion, A::motion, "KLR", full, "boring cycle"},
+    Code{'G', 860, Group::cycle, P::motion, A::motion, "KLPR", full, "boring cycle, spindle stop"},
+    Code{'G', 870, Group::cycle, P::motion, A::motion, "IJKLPQR", full, "back boring cycle"},
+    Code{'G', 880, Group::cycle, P::motion, A::motion, "KLPR", full, "boring cycle, manual return"},
+    Code{'G', 890, Group::cycle, P::motion, A::motion, "KLPR", full, "boring cycle with dwell"},
     Code{'G', 900, Group::distance, P::distance, A::none, "", full, "absolute dimensions"},
     Code{'G', 910, Group::distance, P::distance, A::none, "", full, "incremental dimensions"},
     Code{'G', 920, none, P::data, A::data, "", full, "coordinate system offset"},
@@ -96,7 +96,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 930, Group::feed_mode, P::feed_mode, A::none, "", full, "inverse time feed"},
     Code{'G', 940, Group::feed_mode, P::feed_mode, A::none, "", full, "feed per minute"},
     Code{'G', 950, Group::feed_mode, P::feed_mode, A::none, "", full, "feed per revolution"},
-    Code{'G', 960, spindle_mode, P::feed_mode, A::none, "", later, "constant surface speed"},
+    Code{'G', 960, spindle_mode, P::feed_mode, A::none, "", full, "constant surface speed"},
     Code{'G', 970, spindle_mode, P::feed_mode, A::none, "", full, "spindle speed in revolutions per minute"},
     Code{'G', 980, return_level, P::cycle, A::none, "", full, "cycles return to the initial level"},
     Code{'G', 990, return_level, P::cycle, A::none, "", full, "cycles return to the R level"},
@@ -107,15 +107,15 @@ constexpr std::array kFixedCodes = {
     Code{'M', 40, spindle, P::switch_on, A::none, "", full, "spindle on, counterclockwise"},
     Code{'M', 50, spindle, P::spindle_stop, A::none, "", full, "spindle off"},
     Code{'M', 60, Group::tool_change, P::tool_change, A::none, "", full, "tool change"},
-    Code{'M', 70, jet, P::switch_on, A::none, "", later, "coolant 2 on"},
+    Code{'M', 70, jet, P::switch_on, A::none, "", full, "coolant 2 on"},
     Code{'M', 80, jet, P::switch_on, A::none, "", full, "pressurized water on"},
     Code{'M', 90, jet, P::switch_off, A::none, "", full, "pressurized water off"},
     Code{'M', 100, abrasive, P::switch_on, A::none, "", full, "abrasive on"},
     Code{'M', 110, abrasive, P::switch_off, A::none, "", full, "abrasive off"},
-    Code{'M', 190, spindle, P::spindle_stop, A::none, "", later, "spindle orientation"},
+    Code{'M', 190, spindle, P::spindle_stop, A::none, "", full, "spindle orientation"},
     Code{'M', 300, stop, P::flow, A::none, "", full, "program end and rewind"},
-    Code{'M', 480, override_switch, P::feed_mode, A::none, "", later, "overrides on"},
-    Code{'M', 490, override_switch, P::feed_mode, A::none, "", later, "overrides off"},
+    Code{'M', 480, override_switch, P::feed_mode, A::none, "", full, "overrides on"},
+    Code{'M', 490, override_switch, P::feed_mode, A::none, "", full, "overrides off"},
     Code{'M', 980, subprogram, P::flow, A::none, "PL", full, "subprogram call"},
     Code{'M', 990, subprogram, P::flow, A::none, "P", full, "return from a subprogram"},
 };
@@ -123,23 +123,58 @@ constexpr std::array kFixedCodes = {
 constexpr int kFirstFrame = 505;
 constexpr int kLastFrame = 599;
 
+constexpr int kFirstUserCode = 100;
+constexpr int kLastUserCode = 999;
+
 constexpr auto make_codes() {
-    std::array<Code, kFixedCodes.size() + (kLastFrame - kFirstFrame + 1)> codes{};
+    std::array<Code,
+               kFixedCodes.size() + (kLastFrame - kFirstFrame + 1) + (kLastUserCode - kFirstUserCode + 1)>
+        codes{};
     std::size_t row = 0;
     for (const Code& code : kFixedCodes) codes[row++] = code;
     for (int frame = kFirstFrame; frame <= kLastFrame; ++frame) {
         codes[row++] =
             Code{'G', frame * 10, Group::work_frame, P::work_frame, A::none, "", full, "settable frame"};
     }
+    for (int number = kFirstUserCode; number <= kLastUserCode; ++number)
+        codes[row++] = Code{'M', number * 10, user, P::switch_on, A::none, "DEHIJKLPQR", full, "user code"};
     return codes;
 }
 
 constexpr auto kCodes = make_codes();
 
+constexpr std::array kLetters = {
+    Letter{"A B C X Y Z", "axes: target in mm, inch or deg (by G20, G21, G90, G91)"},
+    Letter{"U V W",
+           "axes of their own, or increments of X, Y and Z where the machine has none; U: seconds of G04"},
+    Letter{"I J K", "centre of an arc from its start; data of cycles, scaling and zones"},
+    Letter{"I1= J1= K1=", "point that CIP goes through"},
+    Letter{"R", "radius of an arc; level of cycles; angle of G68"},
+    Letter{"AR=", "angle of an arc in deg"},
+    Letter{",C ,R ,A", "chamfer, corner radius, angle of a line"},
+    Letter{"F", "feed in units/min, 1/min (G93) or units/rev (G95)"},
+    Letter{"S", "spindle speed in rev/min, or surface speed (G96)"},
+    Letter{"T", "tool"},
+    Letter{"D H", "numbers of tool radius and length offsets"},
+    Letter{"P", "seconds of G04, program of M98, block of M99, parameter of other codes"},
+    Letter{"L", "repeats; kind of data of G10"},
+    Letter{"Q", "peck or shift of cycles"},
+    Letter{"N O /", "block number, program, block delete /1 to /9"},
+};
+
 }  // namespace
 
 const Dialect& dialect_ab9() {
-    static const Dialect dialect("ab9", "Allen-Bradley 9/Series", kCodes);
+    static const Dialect dialect({.name = "ab9",
+                                  .title = "Allen-Bradley 9/Series",
+                                  .style = lexer::Style::ab9,
+                                  .lua_module = "gsim",
+                                  .alone = "FSTDH",
+                                  .move_words = "IJKR=1PLQ,",
+                                  .initial = " G0 G17 G21 G40 G49 G54 G67 G69 G80 G90 G94 G97 G98 ",
+                                  .letters = kLetters,
+                                  .order = {}},
+                                 kCodes);
     return dialect;
 }
 

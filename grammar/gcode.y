@@ -13,13 +13,16 @@
 %define api.value.type {gsim::lexer::Value}
 %param {gsim::grammar::Parser& parser}
 
-/* Each family of conflicts is one letter with several readings, left to GLR on purpose:
- * reduce/reduce: X or U (axis, dwell time) and P (parameter, dwell time, program) before a word that fits several kinds of
- *   block: another X or U, P, a common word, an axis word;
- * shift/reduce: ATAN[a] / [b], the angle of two sides, against a quotient of ATAN[a] by something else; what follows
- *   the '/' tells. */
-%expect 1
-%expect-rr 28
+/* Each family of conflicts is one token with several readings, left to GLR on purpose.
+ * Reduce/reduce, 40 in all: X or U (axis, dwell time) and P (parameter, dwell time, program) before a token that fits several
+ *   kinds of block. Such tokens are another X or U, P, a common word, an axis word, and what begins a setting of
+ *   RS274/NGC (#1, #<name>, #[..).
+ * Shift/reduce, 7 in all:
+ *   1: ATAN[a] / [b], the angle of two sides, against a quotient of ATAN[a] by something else; what follows the '/' tells.
+ *   6: #1, #<name> or # at the start of a block or behind THEN begins assignments (9/Series) or words with a setting among
+ *      them (RS274/NGC); '=' and SET tell. */
+%expect 7
+%expect-rr 40
 
 %code requires {
 #include "lexer/token.h"
@@ -72,8 +75,21 @@ static Operator operator_of(gsim::lexer::Value token) { return static_cast<Opera
 %token DO 284
 %token END_LOOP 285
 %token GOTO 286
+%token FLOW_NAME 287
+%token FLOW_LETTER 288
+%token FLOW 289
+%token NAMED_VARIABLE 290
+%token POWER 291
+%token LOGIC_WORD 292
+%token EXISTS 293
+%token COMPARISON 294
+%token PRINT 295
+%token SET 296
+
+%left LOGIC_WORD
 
 %nonassoc RELATION
+%left COMPARISON
 %left '+' '-' SUM_WORD
 
 %%
@@ -84,6 +100,7 @@ block:
     TAPE                            { parser.finish_tape(); }
   | prefix content EOB              { parser.finish_block(); }
   | prefix title words EOB          { parser.finish_block(); }
+  | prefix flow EOB                 { parser.finish_block(); }
   | error EOB                       { yyerrok; parser.finish_bad_block(); }
   ;
 
@@ -101,7 +118,21 @@ content:
   | IF condition THEN assignments   { parser.set_kind(BlockKind::if_then); }
   | WHILE condition DO loop         { parser.set_kind(BlockKind::while_do); }
   | END_LOOP loop                   { parser.set_kind(BlockKind::end_loop); }
+  | PRINT                           { parser.set_print($1.index); }
   | GOTO target                     { parser.set_kind(BlockKind::jump); }
+  ;
+
+/* RS274/NGC: an O-word, by itself or with a keyword. */
+flow: flow_name                     { parser.set_flow_program(); }
+  | flow_name FLOW arguments        { parser.set_flow($2); }
+  ;
+flow_name: FLOW_NAME                { parser.set_flow_name($1.column); }
+  | FLOW_LETTER reference           { parser.set_flow_name($2.column, $2.index); }
+  | FLOW_LETTER '[' expression ']'  { parser.set_flow_name($3.column, $3.index); }
+  ;
+arguments: %empty
+  | arguments reference             { parser.add_argument($2.index); }
+  | arguments '[' expression ']'    { parser.add_argument($3.index); }
   ;
 
 condition: '[' expression ']'       { parser.set_condition($2.index); } ;
@@ -136,7 +167,15 @@ time: axis_or_time                  { parser.set_role($1.index, Role::time); }
 parameter: p                        { parser.set_role($1.index, Role::parameter); } ;
 program_number: p                   { parser.set_role($1.index, Role::program); } ;
 
-common: OTHER | OTHER_LETTER value  { parser.set_expression($1.index, $2.index); } ;
+common: OTHER | OTHER_LETTER value  { parser.set_expression($1.index, $2.index); }
+  | reference SET set_value         { parser.add_assignment($1.index, $3.index); }
+  ;
+/* RS274/NGC: settings stand among the words, with one value each. */
+set_value: value                    { $$ = $1; }
+  | NUMBER                          { $$ = {parser.add_number($1), $1.column}; }
+  | '-' NUMBER                      { $$ = {parser.add_negative($2), $1.column}; }
+  | '+' NUMBER                      { $$ = {parser.add_number($2), $1.column}; }
+  ;
 axis_word: AXIS | AXIS_LETTER value { parser.set_expression($1.index, $2.index); } ;
 axis_or_time: AXIS_OR_TIME          { $$ = $1; }
   | AXIS_OR_TIME_LETTER value       { parser.set_expression($1.index, $2.index); $$ = $1; } ;
@@ -148,11 +187,13 @@ value: reference                    { $$ = $1; }
   | '[' expression ']'              { $$ = $2; }
   | '-' value                       { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
   | '+' value                       { $$ = $2; }
+  | function                        { $$ = $1; }
   ;
 
 reference: VARIABLE                 { $$ = {parser.add_variable($1), $1.column}; }
   | HASH reference                  { $$ = {parser.add_node(NodeKind::indirect, Operator::add, $2), $1.column}; }
   | HASH '[' expression ']'         { $$ = {parser.add_node(NodeKind::indirect, Operator::add, $3), $1.column}; }
+  | NAMED_VARIABLE                  { $$ = {parser.add_named($1), $1.column}; }
   ;
 
 assignments: assignment | assignments assignment | assignments ',' assignment ;
@@ -162,6 +203,8 @@ expression: product                 { $$ = $1; }
   | expression '+' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::add, $1, $3), $1.column}; }
   | expression '-' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::subtract, $1, $3), $1.column}; }
   | expression SUM_WORD expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | expression LOGIC_WORD expression { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | expression COMPARISON expression { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
   | expression RELATION expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
   ;
 
@@ -169,9 +212,9 @@ expression: product                 { $$ = $1; }
 product: plain_product              { $$ = $1; }
   | atan_product                    { $$ = $1; }
   ;
-plain_product: operand              { $$ = $1; }
-  | product times operand           { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
-  | plain_product '/' operand       { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
+plain_product: power                { $$ = $1; }
+  | product times power             { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | plain_product '/' power         { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
   | atan_product '/' factor         { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
   ;
 atan_product: signed_atan           { $$ = $1; }
@@ -183,6 +226,9 @@ times: '*'                          { $$ = $1; }
   | PRODUCT_WORD                    { $$ = $1; }
   ;
 
+power: operand                      { $$ = $1; }
+  | power POWER operand             { $$ = {parser.add_node(NodeKind::binary, Operator::power, $1, $3), $1.column}; }
+  ;
 operand: factor                     { $$ = $1; }
   | bracketed                       { $$ = $1; }
   ;
@@ -199,9 +245,13 @@ signed_atan: atan                   { $$ = $1; }
 
 primary: NUMBER                     { $$ = {parser.add_number($1), $1.column}; }
   | reference                       { $$ = $1; }
-  | FUNCTION '[' expression ']'     { $$ = {parser.add_node(NodeKind::call, operator_of($1), $3), $1.column}; }
+  | function                        { $$ = $1; }
+  ;
+function: FUNCTION '[' expression ']'
+                                    { $$ = {parser.add_node(NodeKind::call, operator_of($1), $3), $1.column}; }
   | ATAN '[' expression ']' '/' '[' expression ']'
                                     { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3, $7), $1.column}; }
+  | EXISTS '[' reference ']'        { $$ = {parser.add_node(NodeKind::exists, Operator::exists, $3), $1.column}; }
   ;
 bracketed: '[' expression ']'       { $$ = $2; } ;
 atan: ATAN '[' expression ']'       { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3), $1.column}; } ;

@@ -10,7 +10,7 @@ using lexer::Token;
 using lexer::Value;
 
 static_assert(static_cast<int>(EOB) == lexer::kEob && static_cast<int>(OTHER_LETTER) == lexer::kOtherLetter &&
-                  static_cast<int>(GOTO) == lexer::kGoto,
+                  static_cast<int>(SET) == lexer::kSet && static_cast<int>(GOTO) == lexer::kGoto,
               "the grammar's tokens have the scanner's numbers");
 
 Parser::Parser(lexer::Lexer& lexer, lexer::Diagnostics& diagnostics, BlockSink& sink)
@@ -46,7 +46,22 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         case lexer::kSequence: return "N stands at the start of a block, and once";
         case lexer::kSkip: return "block delete '/' stands at the start of a block, and once";
         case lexer::kProgram: return "a program name stands at the start of a block";
-        case lexer::kNumber: return "a number without its letter";
+        case lexer::kFlowName:
+        case lexer::kFlowLetter: return "an O-word stands at the start of a block, and once";
+        case lexer::kFlow: return "behind an O-word stands one keyword, and its values in brackets";
+        case lexer::kSet: return "'=' is out of place";
+        case lexer::kPrint: return "POPEN, PCLOS and DPRNT[..] stand in a block of their own";
+        case lexer::kFunction:
+        case lexer::kAtan:
+        case lexer::kExists: return "a function stands in the value of a word or in an expression";
+        case lexer::kSumWord:
+        case lexer::kProductWord:
+        case lexer::kPower:
+        case lexer::kLogicWord:
+        case lexer::kComparison: return "the operator has no value before it";
+        case lexer::kNumber:
+            return lexer.is_ngc() && text.structural ? "values behind an O-word stand in brackets"
+                                                     : "a number without its letter";
         case lexer::kHash:
         case lexer::kVariable: return "a variable stands here neither as the value of a word nor before '='";
         case lexer::kRelation: return "a comparison is out of place; comparisons are joined as [..] AND [..]";
@@ -77,10 +92,30 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         default: break;
     }
     const Token token = lexer.last_token();
+    if (!lexer.is_ngc() && token == '=' && lexer.previous_token() == lexer::kVariable) {
+        return "an assignment stands in a block of its own";
+    }
     if (token > ' ' && token < 0x7f) return fmt::format("'{}' is out of place", static_cast<char>(token));
     if (!text.words.empty())
         return fmt::format("{} is out of place", lexer::address_name(text.words.back().address));
     return "this is out of place";
+}
+
+/// The first two letters of IF, WHILE, GOTO or END.
+bool begins_macro_keyword(lexer::Address first, lexer::Address second) {
+    return (first == 'I' && second == 'F') || (first == 'W' && second == 'H') ||
+           (first == 'G' && second == 'O') || (first == 'E' && second == 'N');
+}
+
+bool is_variable(Token token) {
+    return token == lexer::kVariable || token == lexer::kNamedVariable;
+}
+
+/// What is right behind `X#1`, so that a variable before it was no value.
+bool may_follow_value(Token token) {
+    return token == lexer::kEob || is_variable(token) ||
+           (token >= lexer::kAxis && token <= lexer::kOtherLetter && token != lexer::kDwell &&
+            token != lexer::kCall);
 }
 
 bool opens_word(Token token) {
@@ -97,7 +132,18 @@ void Parser::syntax_error() {
         // A letter behind a letter has opened a word of its own.
         const std::size_t later = opens_word(lexer_.last_token()) ? 1 : 0;
         const lexer::Word& word = text.words[lexer_.open_word_index() - later];
-        lexer_.fail(word.column, fmt::format("{} has no value", lexer::address_name(word.address)));
+        const bool keyword =
+            later == 1 && lexer_.is_ngc() && begins_macro_keyword(word.address, text.words.back().address);
+        lexer_.fail(
+            word.column,
+            fmt::format("{} has no value{}", lexer::address_name(word.address),
+                        keyword ? "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect" : ""));
+        return;
+    }
+    if (is_variable(lexer_.previous_token()) && may_follow_value(lexer_.last_token()) &&
+        !lexer_.saw_dwell()) {
+        lexer_.fail(lexer_.previous_column(),
+                    "a variable stands here neither as the value of a word nor before '='");
         return;
     }
     lexer_.fail(lexer_.token_column(), describe(lexer_, text));
@@ -159,6 +205,71 @@ void Parser::set_loop(Value number) {
 
 void Parser::add_assignment(std::uint32_t target, std::uint32_t value) {
     block_.assignments.push_back({static_cast<std::int32_t>(target), static_cast<std::int32_t>(value)});
+}
+
+void Parser::set_flow_name(std::uint32_t column, std::optional<std::uint32_t> node) {
+    block_.flow_column = column;
+    block_.prefix_column = column;
+    if (node) block_.flow_node = static_cast<std::int32_t>(*node);
+}
+
+void Parser::set_flow_program() {
+    if (block_.flow_node >= 0) {
+        lexer_.fail(block_.flow_column, "a program begins with a number or a name, not with an expression");
+    }
+    block_.has_program = true;
+}
+
+namespace {
+
+/// How many values stand behind a keyword.
+struct FlowShape {
+    std::size_t least;
+    std::size_t most;
+    std::string_view text;
+};
+
+FlowShape shape_of(Flow flow) {
+    constexpr std::size_t kMostArguments = 30;
+    switch (flow) {
+        case Flow::call: return {0, kMostArguments, "up to 30 values, each in brackets"};
+        case Flow::end_sub:
+        case Flow::return_: return {0, 1, "at most one value"};
+        case Flow::if_:
+        case Flow::else_if:
+        case Flow::while_: return {1, 1, "its condition in brackets"};
+        case Flow::repeat: return {1, 1, "the number of passes in brackets"};
+        default: return {0, 0, "nothing"};
+    }
+}
+
+}  // namespace
+
+void Parser::set_flow(Value keyword) {
+    block_.kind = BlockKind::flow;
+    block_.flow = static_cast<Flow>(keyword.index);
+    const FlowShape shape = shape_of(block_.flow);
+    if (block_.arguments.size() < shape.least || block_.arguments.size() > shape.most)
+        lexer_.fail(keyword.column, fmt::format("behind this keyword stands {}", shape.text));
+    const bool expression = block_.flow_node >= 0;
+    if (expression && block_.flow != Flow::call) {
+        lexer_.fail(
+            block_.flow_column,
+            "an O-word whose number is an expression can only be called; others are numbers or <names>");
+    }
+}
+
+std::uint32_t Parser::add_named(Value name) {
+    Node node;
+    node.kind = NodeKind::named;
+    node.number = block_.text->numbers[name.index];
+    node.column = name.column;
+    return push(node);
+}
+
+std::uint32_t Parser::add_negative(Value number) {
+    const Value value{add_number(number), number.column};
+    return add_node(NodeKind::negate, Operator::subtract, value);
 }
 
 std::uint32_t Parser::push(const Node& node) {

@@ -34,6 +34,10 @@ class Parser {
     void finish_bad_block();
     void finish_tape();
     void set_kind(BlockKind kind) { block_.kind = kind; }
+    void set_print(std::uint32_t print) {
+        block_.kind = BlockKind::print;
+        block_.print = static_cast<lexer::Print>(print);
+    }
     void set_role(std::uint32_t word, lexer::Role role);
     void set_expression(std::uint32_t word, std::uint32_t node);
     void set_sequence(lexer::Value value);
@@ -43,6 +47,12 @@ class Parser {
     void set_target(lexer::Value node);
     void set_loop(lexer::Value number);
     void add_assignment(std::uint32_t target, std::uint32_t value);
+    void set_flow_name(std::uint32_t column, std::optional<std::uint32_t> node = {});
+    void set_flow_program();
+    void set_flow(lexer::Value keyword);
+    void add_argument(std::uint32_t node) { block_.arguments.push_back(static_cast<std::int32_t>(node)); }
+    std::uint32_t add_named(lexer::Value name);
+    std::uint32_t add_negative(lexer::Value number);
     std::uint32_t add_number(lexer::Value number);
     std::uint32_t add_variable(lexer::Value variable);
     std::uint32_t add_node(NodeKind kind, Operator op, lexer::Value left,

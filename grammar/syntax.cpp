@@ -15,12 +15,16 @@ void Block::clear() {
     target_column = 0;
     loop = 0;
     loop_column = 0;
+    flow = Flow::program;
+    flow_node = -1;
+    flow_column = 0;
+    arguments.clear();
 }
 
 bool is_blank(const Block& block) {
     if (block.kind == BlockKind::tape) return true;
     return !block.has_program && block.kind == BlockKind::words && block.text->words.empty() &&
-           !block.text->bad;
+           block.assignments.empty() && !block.text->bad;
 }
 
 bool is_condition(const Block& block, std::int32_t index) {
@@ -29,6 +33,8 @@ bool is_condition(const Block& block, std::int32_t index) {
     switch (node.op) {
         case Operator::equal:
         case Operator::not_equal:
+        case Operator::near_equal:
+        case Operator::not_near_equal:
         case Operator::greater:
         case Operator::greater_equal:
         case Operator::less:

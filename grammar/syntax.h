@@ -10,6 +10,7 @@
 
 namespace gsim::grammar {
 
+using lexer::Flow;
 using lexer::Operator;
 using lexer::Slice;
 
@@ -20,6 +21,8 @@ enum class NodeKind : std::uint8_t {
     negate,    ///< `left`
     binary,    ///< `op` of `left` and `right`
     call,      ///< `op` of `left`; ATAN[..]/[..] has `right` too.
+    named,     ///< #<name>: `number` holds the name.
+    exists,    ///< EXISTS[..]: `left` is a variable.
 };
 
 /// A node of an expression; children are indices into Block::nodes, or -1.
@@ -46,6 +49,8 @@ enum class BlockKind : std::uint8_t {
     end_loop,     ///< `loop`
     jump,         ///< GOTO `target`
     tape,         ///< %
+    print,        ///< 9/Series: DPRNT[..], POPEN, PCLOS by `print`
+    flow,         ///< RS274/NGC: an O-word with `flow` and `arguments`
 };
 
 /// One block: the tree that the grammar builds, on top of the scanner's arena. It is emptied and used again,
@@ -64,6 +69,11 @@ struct Block {
     std::uint32_t target_column = 0;
     std::uint32_t loop = 0;  ///< DO and END number.
     std::uint32_t loop_column = 0;
+    lexer::Print print = lexer::Print::text;
+    Flow flow = Flow::program;
+    std::int32_t flow_node = -1;  ///< The O-word's name where it is an expression; else it is text->program.
+    std::uint32_t flow_column = 0;
+    std::vector<std::int32_t> arguments;
 
     void clear();
     const Node& node(std::int32_t index) const { return nodes[static_cast<std::size_t>(index)]; }

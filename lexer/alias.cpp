@@ -1,6 +1,7 @@
 #include "lexer/alias.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,6 +40,14 @@ std::string upper(std::string_view text) {
     return out;
 }
 
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return result;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -72,6 +81,12 @@ std::optional<std::string> Aliases::add(std::string_view name, std::string_view 
 const Aliases::Word* Aliases::find(std::string_view name) const {
     const auto place = words_.find(upper(name));
     return place == words_.end() ? nullptr : &place->second;
+}
+
+bool Aliases::stand_for(char letter, int number) const {
+    return std::any_of(words_.begin(), words_.end(), [&](const auto& entry) {
+        return entry.second.letter == letter && std::strtod(entry.second.number.c_str(), nullptr) == number;
+    });
 }
 
 std::string Aliases::nearest(std::string_view name) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,6 +23,8 @@ class Aliases {
 
     /// The word of a name, or null.
     const Word* find(std::string_view name) const;
+    /// True where some name stands for this letter and whole number.
+    bool stand_for(char letter, int number) const;
     /// The known name that `name` most likely meant, or an empty text.
     std::string nearest(std::string_view name) const;
 
@@ -31,9 +34,11 @@ class Aliases {
 
 /// Upper case, ASCII only.
 std::string upper(std::string_view text);
+/// Lower case, ASCII only.
+std::string lower(std::string_view text);
 
-/// Of `candidates` the one with the smallest edit distance to `name`, if that is at most 2 and less than the
-/// name's length.
+/// Of `candidates` the one with the smallest edit distance to `name`, if that is at most 2, at most half of
+/// the name's length, and less than it.
 template <typename Range>
 std::string nearest_name(std::string_view name, const Range& candidates);
 
@@ -43,7 +48,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 template <typename Range>
 std::string nearest_name(std::string_view name, const Range& candidates) {
     std::string best;
-    std::size_t best_distance = 3;
+    std::size_t best_distance = std::min<std::size_t>(3, name.size() / 2 + 1);  // short names: one letter
     for (const auto& candidate : candidates) {
         const std::size_t distance = edit_distance(name, candidate);
         if (distance < best_distance && distance < name.size()) {

@@ -9,7 +9,9 @@ std::string address_name(Address address) {
         case kViaY: return "J1=";
         case kViaZ: return "K1=";
         case kIntermediatePoint: return "CIP";
-        case kComma: return ",";
+        case kChamfer: return ",C";
+        case kCornerRadius: return ",R";
+        case kLineAngle: return ",A";
         default: return std::string(1, static_cast<char>(address));
     }
 }
@@ -26,7 +28,11 @@ void BlockText::clear() {
     comments.clear();
     text.clear();
     raw.clear();
+    program = {};
+    print = {};
     end = BlockEnd::line;
+    remark = false;
+    structural = false;
     bad = false;
 }
 

@@ -16,10 +16,20 @@ inline constexpr Address kViaX = 129;      ///< I1=, J1=, K1=: the point that CI
 inline constexpr Address kViaY = 130;
 inline constexpr Address kViaZ = 131;
 inline constexpr Address kIntermediatePoint = 132;  ///< CIP itself, a word without a value.
-inline constexpr Address kComma = 133;              ///< ,C ,R ,A: chamfer, corner radius, angle.
+inline constexpr Address kChamfer = 133;            ///< ,C: chamfer between this move and the next.
+inline constexpr Address kCornerRadius = 134;       ///< ,R: rounding between this move and the next.
+inline constexpr Address kLineAngle = 135;          ///< ,A: direction of a line.
+inline constexpr Address kPolarRadius = '@';        ///< RS274/NGC
+inline constexpr Address kPolarAngle = '^';
+inline constexpr Address kSpindle = '$';
 
 /// "X", "AR=", "I1=", ...: the address as a message writes it.
 std::string address_name(Address address);
+/// True for letters that are an axis and nothing else; X and U may also be the seconds of a dwell.
+constexpr bool is_axis_letter(Address address) {
+    return (address >= 'A' && address <= 'C') || (address >= 'V' && address <= 'Z' && address != 'X') ||
+           address == kPolarRadius || address == kPolarAngle;
+}
 
 /// The meaning that the grammar finds for a word whose letter has several.
 enum class Role : std::uint8_t {
@@ -54,11 +64,14 @@ struct BlockText {
     std::vector<Word> words;
     std::vector<Slice> numbers;  ///< Of expressions, loops and jumps.
     std::vector<Slice> comments;
-    Slice program;     ///< Name behind O, as written.
+    Slice program;     ///< Name behind O; without blanks and in lower case where it stood in < >.
+    Slice print;       ///< What DPRNT writes, between its brackets.
     std::string text;  ///< Numbers, names and comments, one after the other.
     std::string raw;   ///< The block as it stands in the source; kept on request only.
     BlockEnd end = BlockEnd::line;
-    bool bad = false;  ///< An error has been reported for this block.
+    bool remark = false;      ///< The last comment stands behind ';', not between ( and ).
+    bool structural = false;  ///< A word of a control structure stands in it, understood or not.
+    bool bad = false;         ///< An error has been reported for this block.
 
     std::string_view view(Slice slice) const {
         return std::string_view(text).substr(slice.begin, slice.size);

@@ -16,10 +16,11 @@ constexpr std::uint64_t kByteOrderMarkBytes = 3;
 
 }  // namespace
 
-Lexer::Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, bool keep_raw)
+Lexer::Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, Style style, bool keep_raw)
     : source_(source),
       diagnostics_(diagnostics),
       aliases_(aliases),
+      style_(style),
       keep_raw_(keep_raw),
       scanner_(make_scanner(this)) {
     if (source_.line_at(0, kByteOrderMarkBytes) == "\xEF\xBB\xBF") {
@@ -37,6 +38,8 @@ Lexer::~Lexer() {
 Token Lexer::next(Value& value) {
     value = {};
     previous_ = last_;
+    previous_column_ = token_column_;
+    if (is_ngc() && tape_marks_ == 2) return last_ = kEnd;  // what stands behind the tape's end is not read
     last_ = scan_token(value, scanner_);
     if (last_ != kEob && last_ != kEnd && ++tokens_ > kMaxTokens) {
         fail(token_column_, fmt::format("the block has more than {} symbols", kMaxTokens));
@@ -52,9 +55,8 @@ void Lexer::start_block() {
     block_.begin = {line_begin_, line_, 1};
     tokens_ = 0;
     brackets_ = 0;
-    in_assignment_ = false;
+    expression_to_end_ = false;
     saw_dwell_ = false;
-    in_remark_ = false;
 }
 
 void Lexer::fail(std::uint32_t column, std::string_view message) {

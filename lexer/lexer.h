@@ -9,6 +9,7 @@
 #include "lexer/block_text.h"
 #include "lexer/diagnostics.h"
 #include "lexer/source.h"
+#include "lexer/style.h"
 #include "lexer/token.h"
 
 namespace gsim::lexer {
@@ -24,7 +25,8 @@ inline constexpr std::size_t kMaxNumberBytes = 24;
 class Lexer {
   public:
     /// Everything outlives the lexer. `keep_raw`: BlockText::raw is filled.
-    Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, bool keep_raw = false);
+    Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, Style style = Style::ab9,
+          bool keep_raw = false);
     ~Lexer();
     Lexer(const Lexer&) = delete;
     Lexer& operator=(const Lexer&) = delete;
@@ -37,13 +39,21 @@ class Lexer {
     void start_block();
     /// Reports an error in the block, the first one only, and marks the block as bad.
     void fail(std::uint32_t column, std::string_view message);
+    /// RS274/NGC: M2 or M30 has ended the main program; what follows is read only from the next O-word on.
+    void end_main_program() { ended_ = true; }
+    void resume() { ended_ = false; }
+    bool ended() const { return ended_; }
+    /// True before the first token of a block.
+    bool at_block_start() const { return tokens_ == 0; }
     bool dropping() const { return dropping_; }
+    bool is_ngc() const { return style_ == Style::rs274ngc; }
     /// Column and length of the token that next() gave last.
     std::uint32_t token_column() const { return token_column_; }
     std::uint32_t token_size() const { return token_size_; }
     Token last_token() const { return last_; }
     /// The token before the last one.
     Token previous_token() const { return previous_; }
+    std::uint32_t previous_column() const { return previous_column_; }
     /// Index of the word that was opened last, by a letter whose value is an expression.
     std::size_t open_word_index() const { return open_word_; }
     /// True once a G04 has been read in this block; for better messages.
@@ -54,6 +64,15 @@ class Lexer {
     void advance(const char* text, std::size_t size);
     void give_back(std::size_t kept);
     Token word(std::string_view text, Value& value);
+    Token comma_word(std::string_view text, Value& value);
+    Token comma_letter(std::string_view text, Value& value);
+    Token flow_name(std::string_view text, Value& value);
+    Token flow_expression();
+    Token named_variable(std::string_view text, Value& value);
+    Token endless_name();
+    Token power(Value& value);
+    Token print_text(std::string_view text, Value& value);
+    Token print_switch(std::string_view name, Value& value);
     Token named_word(Address address, std::string_view text, Value& value);
     Token letter(char c, Value& value);
     Token open_word(Address address, Value& value);
@@ -68,8 +87,8 @@ class Lexer {
     Token tape(Value& value);
     bool open_bracket();
     bool close_bracket();  ///< True where the expression is over.
-    void start_assignment() { in_assignment_ = true; }
-    bool in_expression() const { return in_assignment_ || brackets_ > 0; }
+    void start_assignment() { expression_to_end_ = true; }
+    bool in_expression() const { return expression_to_end_ || brackets_ > 0; }
     void comment_part(std::string_view text);
     bool begins_block(std::string_view text) const;  ///< A keyword or an alias, behind ';'.
     void remark_part(std::string_view text);
@@ -81,6 +100,8 @@ class Lexer {
   private:
     Token classify(const Word& word) const;
     Token add_word(const Word& word, Value& value);
+    Slice add_name(std::string_view text);
+    Slice without_zeros(Slice name) const;
     std::optional<Slice> add_number(std::string_view digits, bool negative);
 
     struct CutLine {
@@ -91,6 +112,7 @@ class Lexer {
     Source& source_;
     Diagnostics& diagnostics_;
     const Aliases& aliases_;
+    Style style_;
     bool keep_raw_;
     void* scanner_ = nullptr;
     BlockText block_;
@@ -102,12 +124,14 @@ class Lexer {
     std::uint32_t token_size_ = 0;
     Token last_ = kEnd;
     Token previous_ = kEnd;
+    std::uint32_t previous_column_ = 1;
     std::size_t open_word_ = 0;
     std::size_t tokens_ = 0;
     int brackets_ = 0;
-    bool in_assignment_ = false;
+    bool expression_to_end_ = false;  ///< The rest of the block is expressions: behind '=' or an O-word.
+    int tape_marks_ = 0;
+    bool ended_ = false;
     bool saw_dwell_ = false;
-    bool in_remark_ = false;
     bool dropping_ = false;  ///< The block is past a bound: the rest of its line is not looked at.
 
     // The line guard of fill().

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "lexer/lexer.h"
+#include "lexer/names.h"
 
 namespace gsim::lexer {
 
@@ -46,12 +47,21 @@ SignedDigits split_sign(std::string_view text) {
     return result;
 }
 
+std::string remove_blanks(std::string_view text) {
+    std::string kept;
+    for (const char c : text) {
+        if (!is_blank(c)) kept += c;
+    }
+    return kept;
+}
+
 /// Ten times the number of a code with at most four digits and one decimal, such as 921 for "92.1"; else -1.
 std::int32_t code_x10(const SignedDigits& number) {
     if (number.negative) return -1;
     const std::size_t dot = number.digits.find('.');
     std::string_view whole = number.digits.substr(0, dot);
-    const std::string_view part = dot == std::string_view::npos ? "" : number.digits.substr(dot + 1);
+    std::string_view part = dot == std::string_view::npos ? "" : number.digits.substr(dot + 1);
+    while (part.size() > 1 && part.back() == '0') part.remove_suffix(1);
     while (whole.size() > 1 && whole.front() == '0') whole.remove_prefix(1);
     if (whole.size() > 4 || part.size() > 1) return -1;
     std::int32_t code = 0;
@@ -66,39 +76,6 @@ std::optional<std::uint32_t> small_number(std::string_view digits) {
     std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return value;
 }
-
-struct NamedToken {
-    std::string_view name;
-    Token token;
-    Operator op;
-};
-
-constexpr std::array kExpressionNames = {
-    NamedToken{"EQ", kRelation, Operator::equal},       NamedToken{"NE", kRelation, Operator::not_equal},
-    NamedToken{"GT", kRelation, Operator::greater},     NamedToken{"GE", kRelation, Operator::greater_equal},
-    NamedToken{"LT", kRelation, Operator::less},        NamedToken{"LE", kRelation, Operator::less_equal},
-    NamedToken{"AND", kProductWord, Operator::bit_and}, NamedToken{"MOD", kProductWord, Operator::modulo},
-    NamedToken{"OR", kSumWord, Operator::bit_or},       NamedToken{"XOR", kSumWord, Operator::bit_xor},
-    NamedToken{"SIN", kFunction, Operator::sin},        NamedToken{"COS", kFunction, Operator::cos},
-    NamedToken{"TAN", kFunction, Operator::tan},        NamedToken{"ASIN", kFunction, Operator::asin},
-    NamedToken{"ACOS", kFunction, Operator::acos},      NamedToken{"ATAN", kAtan, Operator::atan},
-    NamedToken{"SQRT", kFunction, Operator::sqrt},      NamedToken{"SQR", kFunction, Operator::sqrt},
-    NamedToken{"ABS", kFunction, Operator::abs},        NamedToken{"ROUND", kFunction, Operator::round},
-    NamedToken{"RND", kFunction, Operator::round},      NamedToken{"FIX", kFunction, Operator::fix},
-    NamedToken{"FUP", kFunction, Operator::fup},        NamedToken{"LN", kFunction, Operator::ln},
-    NamedToken{"EXP", kFunction, Operator::exp},        NamedToken{"BIN", kFunction, Operator::bin},
-    NamedToken{"BCD", kFunction, Operator::bcd},
-};
-
-struct Keyword {
-    std::string_view name;
-    Token token;
-};
-
-constexpr std::array kKeywords = {
-    Keyword{"IF", kIf}, Keyword{"THEN", kThen},   Keyword{"WHILE", kWhile},
-    Keyword{"DO", kDo}, Keyword{"END", kEndLoop}, Keyword{"GOTO", kGoto},
-};
 
 bool is_name_character(char c) {
     return is_digit(c) || c == '_' || (upper(c) >= 'A' && upper(c) <= 'Z');
@@ -129,14 +106,9 @@ std::optional<Slice> Lexer::add_number(std::string_view digits, bool negative) {
 }
 
 Token Lexer::classify(const Word& word) const {
+    if (is_axis_letter(word.address)) return kAxis;
+    if (is_ngc()) return word.address == 'X' || word.address == 'U' ? kAxis : kOther;
     switch (word.address) {
-        case 'A':
-        case 'B':
-        case 'C':
-        case 'V':
-        case 'W':
-        case 'Y':
-        case 'Z': return kAxis;
         case 'U':
         case 'X': return kAxisOrTime;
         case 'P': return kP;
@@ -163,7 +135,9 @@ Token Lexer::word(std::string_view text, Value& value) {
     Word word;
     word.address = static_cast<Address>(upper(text[0]));
     word.column = token_column_;
-    const SignedDigits number = split_sign(text.substr(1));
+    const bool has_gaps = is_ngc() && std::any_of(text.begin(), text.end(), is_blank);
+    const std::string without_gaps = has_gaps ? remove_blanks(text) : std::string();
+    const SignedDigits number = split_sign((has_gaps ? std::string_view(without_gaps) : text).substr(1));
     const std::optional<Slice> slice = add_number(number.digits, number.negative);
     if (!slice) return kBad;
     word.number = *slice;
@@ -175,12 +149,33 @@ Token Lexer::named_word(Address address, std::string_view text, Value& value) {
     Word word;
     word.address = address;
     word.column = token_column_;
-    const std::size_t value_begin = address == kComma ? text.find_first_of("CcRrAa") : text.find('=');
+    const std::size_t mark = text.find('=');
+    const std::size_t value_begin = mark == std::string_view::npos ? text.find_first_of("CcRrAa") : mark;
     const SignedDigits number = split_sign(text.substr(value_begin + 1));
     const std::optional<Slice> slice = add_number(number.digits, number.negative);
     if (!slice) return kBad;
     word.number = *slice;
     return add_word(word, value);
+}
+
+namespace {
+
+Address comma_address(char letter) {
+    switch (upper(letter)) {
+        case 'C': return kChamfer;
+        case 'R': return kCornerRadius;
+        default: return kLineAngle;
+    }
+}
+
+}  // namespace
+
+Token Lexer::comma_word(std::string_view text, Value& value) {
+    return named_word(comma_address(text[text.find_first_of("CcRrAa")]), text, value);
+}
+
+Token Lexer::comma_letter(std::string_view text, Value& value) {
+    return open_word(comma_address(text.back()), value);
 }
 
 Token Lexer::open_word(Address address, Value& value) {
@@ -212,6 +207,11 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
         word.column = token_column_;
         return add_word(word, value);
     }
+    if (name == "POPEN" || name == "PCLOS") return print_switch(name, value);
+    if (name == "DPRNT") {
+        fail(token_column_, "DPRNT takes its text in brackets, as in DPRNT[X#100[53]]");
+        return kBad;
+    }
     // GOTO100, DO1, END1: the digits are a token of their own.
     const auto letters =
         static_cast<std::size_t>(std::find_if(name.begin(), name.end(), is_digit) - name.begin());
@@ -219,6 +219,7 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(letters), name.end(), is_digit);
     if (const Keyword* keyword = find_keyword(name.substr(0, letters)); keyword != nullptr && digits_only) {
         kept = letters;
+        block_.structural |= keyword->token == kWhile || keyword->token == kEndLoop;
         return keyword->token;
     }
     if (name[0] == 'O') return program(text.substr(1), value);
@@ -237,29 +238,49 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
 
 Token Lexer::expression_name(std::string_view text, Value& value) {
     const std::string name = lexer::upper(text);
-    const auto* place = std::find_if(kExpressionNames.begin(), kExpressionNames.end(),
-                                     [&](const NamedToken& t) { return t.name == name; });
+    const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
+    const auto* place =
+        std::find_if(kExpressionNames.begin(), kExpressionNames.end(),
+                     [&](const ExpressionName& t) { return t.name == name && t.style != other; });
     if (place != kExpressionNames.end()) {
         value.index = static_cast<std::uint32_t>(place->op);
-        return place->token;
+        return is_ngc() && place->token == kRelation ? kComparison : place->token;
     }
-    if (brackets_ == 0 && name.size() == 1) {
+    if (is_ngc() && brackets_ == 0) {
+        const auto* flow = std::find_if(kFlowNames.begin(), kFlowNames.end(),
+                                        [&](const FlowName& f) { return f.name == name; });
+        if (flow != kFlowNames.end()) {
+            value.index = static_cast<std::uint32_t>(flow->flow);
+            return kFlow;
+        }
+    }
+    if (!is_ngc() && brackets_ == 0 && name.size() == 1) {
         fail(token_column_,
              fmt::format("the word {} stands in the same block as an assignment; give it a block of its own",
                          name));
         return kBad;
     }
-    std::array<std::string, kExpressionNames.size()> names;
-    std::transform(kExpressionNames.begin(), kExpressionNames.end(), names.begin(),
-                   [](const NamedToken& t) { return std::string(t.name); });
+    std::vector<std::string> names;
+    const bool flow_expected = is_ngc() && brackets_ == 0;
+    if (flow_expected) {
+        for (const FlowName& flow : kFlowNames) names.emplace_back(flow.name);
+    } else {
+        for (const ExpressionName& t : kExpressionNames) {
+            if (t.style != other) names.emplace_back(t.name);
+        }
+    }
     const std::string nearest = nearest_name(name, names);
-    fail(token_column_, fmt::format("'{}' is no function or operator of an expression{}", text.substr(0, 40),
-                                    nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
+    fail(token_column_,
+         fmt::format("'{}' is no {}{}", text.substr(0, 40),
+                     flow_expected ? "keyword behind an O-word" : "function or operator of an expression",
+                     nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
     return kBad;
 }
 
 Token Lexer::sequence(std::string_view text, Value& value) {
-    const std::optional<std::uint32_t> number = small_number(skip_blanks(text.substr(1)));
+    const std::string digits = remove_blanks(text.substr(1));
+    const std::optional<std::uint32_t> number =
+        small_number(std::string_view(digits).substr(0, digits.find('.')));
     if (!number) {
         fail(token_column_, "the sequence number has more than 9 digits");
         return kBad;
@@ -315,7 +336,10 @@ Token Lexer::symbol(char c, Value& value) {
 }
 
 Token Lexer::tape(Value&) {
-    if (tokens_ == 0) return kTape;
+    if (tokens_ == 0) {
+        ++tape_marks_;
+        return kTape;
+    }
     fail(token_column_, "a tape mark % stands at the start of a line");
     return kBad;
 }
@@ -329,7 +353,7 @@ bool Lexer::open_bracket() {
 
 bool Lexer::close_bracket() {
     if (brackets_ > 0) --brackets_;
-    return brackets_ == 0 && !in_assignment_;
+    return brackets_ == 0 && !expression_to_end_;
 }
 
 void Lexer::comment_part(std::string_view text) {
@@ -346,19 +370,24 @@ bool Lexer::begins_block(std::string_view text) const {
     if (aliases_.find(name) != nullptr) return true;
     const std::string letters = lexer::upper(name.substr(0, name.find_first_of("0123456789")));
     if (letters == "CIP") return true;
+    if (letters == "DPRNT" || letters == "POPEN" || letters == "PCLOS") return true;
     const bool keyword = letters == "AR" || find_keyword(letters) != nullptr;
     return keyword && (letters.size() < name.size() || is_value_start(text.back()));
 }
 
 void Lexer::remark_part(std::string_view text) {
-    if (!in_remark_) comment_part({});
-    in_remark_ = true;
+    if (!block_.remark) comment_part({});
+    block_.remark = true;
     comment_part(text);
 }
 
 Token Lexer::unknown(std::string_view text) {
     const char c = text[0];
     const bool visible = c > ' ' && c < 0x7f;
+    if (c == ')') {
+        fail(token_column_, "')' without '('; a comment ends at its first ')'");
+        return kBad;
+    }
     fail(token_column_, visible ? fmt::format("unexpected character '{}'", c)
                                 : fmt::format("unexpected byte 0x{:02X}", static_cast<unsigned char>(c)));
     return kBad;

@@ -37,6 +37,40 @@ enum Token : int {
     kDo,
     kEndLoop,
     kGoto,
+    // RS274/NGC
+    kFlowName,       ///< O100, O<name>
+    kFlowLetter,     ///< O before an expression
+    kFlow,           ///< sub, call, if ...: a Flow in Value::index
+    kNamedVariable,  ///< #<name>
+    kPower,          ///< **
+    kLogicWord,      ///< AND, OR, XOR: bind weakest
+    kExists,
+    kComparison,  ///< EQ ... of RS274/NGC, which may be chained
+    kPrint,       ///< DPRNT[..], POPEN or PCLOS: a Print in Value::index, its text in BlockText::print
+    kSet,         ///< = among words, with one value behind it
+};
+
+/// Statements of the 9/Series that write to the outside.
+enum class Print : std::uint32_t { open, close, text };
+
+/// What stands behind an O-word of RS274/NGC.
+enum class Flow : std::uint32_t {
+    program,  ///< Nothing: a numbered program begins.
+    sub,
+    end_sub,
+    call,
+    return_,
+    if_,
+    else_if,
+    else_,
+    end_if,
+    while_,
+    end_while,
+    do_,
+    repeat,
+    end_repeat,
+    break_,
+    continue_,
 };
 
 /// Functions and operators of expressions, as numbers in Value::index.
@@ -70,6 +104,10 @@ enum class Operator : std::uint32_t {
     exp,
     bin,
     bcd,
+    power,
+    near_equal,  ///< EQ and NE of RS274/NGC, which allow for rounding.
+    not_near_equal,
+    exists,
 };
 
 /// What a token carries: an index into the block's arena (a word, a variable's number, an operator) and where

@@ -1,8 +1,8 @@
 -- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. All cases end in a
 -- centre and a swept angle, found without dividing by what can vanish, so that none of them needs special cases.
 
-local RADII_TOLERANCE_MM = 0.05   -- between the start and the end radius of an arc given by its centre
 local SAME_POINT_MM = 1e-6
+local SURELY_EQUAL_MM = 0.01   -- below every tolerance of radii
 local TURN = 2 * math.pi
 
 -- Axes of each plane in the order in which its angles are counted, and the words of the centre.
@@ -11,6 +11,21 @@ planes = {
   zx = { first = "z", second = "x", third = "y", i = "k", j = "i", k = "j" },
   yz = { first = "y", second = "z", third = "x", i = "j", j = "k", k = "i" },
 }
+
+-- By how much the radii of start and end may differ where the centre is given, and R may be too short. In RS274/NGC as
+-- LinuxCNC 2.9 has it: 0.0283 mm (0.00283 in), or 0.1 % of the radius where that is more, up to a hundred times that.
+local radii_tolerance_mm, short_radius_mm
+if core.dialect == "rs274ngc" then
+  local LEAST, RELATIVE, MOST = { mm = 0.0283, inch = 0.00283 * 25.4 }, 0.001, 100
+  function radii_tolerance_mm(radius)
+    local least = state.unit_mm == 1 and LEAST.mm or LEAST.inch
+    return math.max(least, math.min(RELATIVE * radius, MOST * least))
+  end
+  short_radius_mm = 0.00127
+else
+  function radii_tolerance_mm() return 0.05 end
+  short_radius_mm = 0.05
+end
 
 local function distance(a, b) return math.sqrt(a * a + b * b) end
 
@@ -25,7 +40,8 @@ end
 local function by_centre(start, finish, centre, ccw)
   local r1 = distance(start[1] - centre[1], start[2] - centre[2])
   local r2 = distance(finish[1] - centre[1], finish[2] - centre[2])
-  if math.abs(r1 - r2) > RADII_TOLERANCE_MM then
+  local difference = math.abs(r1 - r2)
+  if difference > SURELY_EQUAL_MM and difference > radii_tolerance_mm(math.max(r1, r2)) then
     alarm("the arc is impossible: its radius is %.6f mm at the start and %.6f mm at the end", r1, r2)
   end
   if r1 < SAME_POINT_MM then alarm("the arc has no radius: its centre is the start") end
@@ -45,7 +61,7 @@ local function by_radius(start, finish, radius, ccw)
   local half = distance(finish[1] - start[1], finish[2] - start[2]) / 2
   if half < SAME_POINT_MM / 2 then alarm("a full circle cannot be given by R; give its centre") end
   local r = math.abs(radius)
-  if half - r > RADII_TOLERANCE_MM then
+  if half - r > short_radius_mm then
     alarm("the arc is impossible: R is %.6f mm, but half the distance to the end is %.6f mm", r, half)
   end
   local height = math.sqrt(math.max(r * r - half * half, 0))
@@ -88,36 +104,84 @@ local function check_words(words, p, has_centre)
   end
 end
 
+-- The centre by I, J, K: a vector from the start, or where the dialect says so a point of the program.
+local function centre_by_words(words, p, start)
+  local first, second = (words[p.i] or 0) * state.unit_mm, (words[p.j] or 0) * state.unit_mm
+  if state.arc_absolute then
+    if words[p.i] == nil or words[p.j] == nil then
+      alarm("an absolute arc centre (G90.1) needs both %s and %s", p.i:upper(), p.j:upper())
+    end
+    local point = core.to_machine { [p.first] = first, [p.second] = second }
+    return { point[p.first], point[p.second] }
+  end
+  if not state.has_matrix then return { start[1] + first, start[2] + second } end
+  local vector = {}
+  vector.x, vector.y, vector.z = core.direction(
+    p.first == "x" and first or p.second == "x" and second or 0,
+    p.first == "y" and first or p.second == "y" and second or 0,
+    p.first == "z" and first or p.second == "z" and second or 0)
+  return { start[1] + vector[p.first], start[2] + vector[p.second] }
+end
+
+-- Rotation, scaling and mirror image: the factor of the plane's lengths, and whether the sense of turning is kept.
+local function plane_map(p)
+  local function image(letter)
+    local v = {}
+    v.x, v.y, v.z = core.direction(letter == "x" and 1 or 0, letter == "y" and 1 or 0, letter == "z" and 1 or 0)
+    return v
+  end
+  local a, b = image(p.first), image(p.second)
+  local scale = distance(a[p.first], a[p.second])
+  local determinant = a[p.first] * b[p.second] - a[p.second] * b[p.first]
+  if math.abs(a[p.third]) > 1e-9 or math.abs(b[p.third]) > 1e-9 then
+    alarm("an arc in this plane is turned out of it by the rotation in force; cut it in the plane of the rotation")
+  end
+  if math.abs(math.abs(determinant) - scale * scale) > 1e-9 * scale * scale
+    or math.abs(scale - distance(b[p.first], b[p.second])) > 1e-9 * scale then
+    alarm("an arc becomes an ellipse where its two axes are scaled differently")
+  end
+  return scale, determinant > 0
+end
+
+local function sweep_of_turns(words, angle)
+  if words.p % 1 ~= 0 or words.p < 1 then alarm("P of an arc is its number of turns, a whole number from 1 on") end
+  return angle + (words.p - 1) * TURN
+end
+
 local function arc(ccw, words)
   check_table(words, ccw and "G3" or "G2")
   if words == nil then return end
   local p = planes[state.plane]
   local has_centre = words[p.i] ~= nil or words[p.j] ~= nil
   check_words(words, p, has_centre)
-  local resolved = resolve_polar(words)
-  local target, moved = core.target(resolved, " i j k r ar ")
+  local resolved = resolve_words(words)
+  local target, moved = core.target(resolved, " i j k r ar p ")
   local start = { core.position(p.first), core.position(p.second) }
   local finish = { target[p.first], target[p.second] }
+  local scale, same_sense = 1, true
+  if state.has_matrix then scale, same_sense = plane_map(p) end
+  local turns_left = ccw == same_sense
   local centre, angle
   if has_centre then
-    centre = { start[1] + (words[p.i] or 0) * state.unit_mm, start[2] + (words[p.j] or 0) * state.unit_mm }
+    centre = centre_by_words(words, p, start)
     if words.ar ~= nil then
       if resolved[p.first] ~= nil or resolved[p.second] ~= nil then
         alarm("an arc by its angle AR= takes its end or its centre, not both")
       end
       angle = arc_angle(words.ar)
-      finish = turned(start, centre, angle, ccw)
+      finish = turned(start, centre, angle, turns_left)
       target[p.first], target[p.second] = finish[1], finish[2]
     else
-      centre, angle = by_centre(start, finish, centre, ccw)
+      centre, angle = by_centre(start, finish, centre, turns_left)
     end
   elseif words.r ~= nil then
     if not moved then alarm("an arc by its radius needs its end") end
-    centre, angle = by_radius(start, finish, words.r * state.unit_mm, ccw)
+    centre, angle = by_radius(start, finish, words.r * state.unit_mm * scale, turns_left)
   else
-    centre, angle = by_angle_and_end(start, finish, arc_angle(words.ar), ccw)
+    centre, angle = by_angle_and_end(start, finish, arc_angle(words.ar), turns_left)
   end
-  core.arc(state.plane, ccw, centre[1], centre[2], angle, target)
+  if words.p ~= nil then angle = sweep_of_turns(words, angle) end
+  path.arc(state.plane, turns_left, centre[1], centre[2], angle, target)
 end
 
 local function define(name, ccw)
@@ -155,6 +219,9 @@ local function through_point(words)
   local middle = core.target(via)
   local target = core.target(words, " i j k i1 j1 k1 ")
   local start = { x = core.position("x"), y = core.position("y"), z = core.position("z") }
+  if path.is_filtered() then
+    alarm("CIP is not possible while something watches or shapes the path (compensation, a corner word, a zone)")
+  end
   core.arc_via(middle, target, swept_via(start, middle, target))
 end
 

@@ -1,17 +1,29 @@
 -- Work coordinate systems, offsets, units, and absolute or incremental dimensions.
--- machine coordinate = program value * unit + frame + G52 + G92
+-- machine = transform(program value * unit) + frame + G52 + G92 + tool offset
 
 local function frame_offset(letter)
   local frame = core.offsets[state.frame]
   return frame and frame[letter] or 0
 end
 
+local shift = {}   -- of the transform, by letter
+
 -- Hands the sum of all offsets to the C++ side.
-local function apply()
+function apply_offsets()
   for _, axis in ipairs(axes) do
     local letter = axis.letter
-    core.set_offset(letter, frame_offset(letter) + (state.g52[letter] or 0) + (state.g92[letter] or 0))
+    core.set_offset(letter, frame_offset(letter) + (state.g52[letter] or 0) + (state.g92[letter] or 0)
+      + (state.tool_offset[letter] or 0) + (shift[letter] or 0))
   end
+end
+local apply = apply_offsets
+
+-- Rotation, scaling and mirror image: p' = m * p + by, before the offsets; m is nine numbers row by row, or nil.
+function set_transform(m, by)
+  core.set_matrix(m)
+  state.has_matrix = m ~= nil
+  shift = by or {}
+  apply()
 end
 
 local function select_frame(code)
@@ -37,14 +49,19 @@ local function each_axis(words, name, set)
     if is_rotary[letter] == nil then alarm("%s: the machine has no axis %s", name, tostring(letter):upper()) end
     set(letter, length(letter, value))
   end
-  apply()
 end
 
 -- G92: where the machine stands gets the given coordinates.
 word("G92", function(words)
-  each_axis(words, "G92", function(letter, value)
-    state.g92[letter] = core.position(letter) - value - frame_offset(letter) - (state.g52[letter] or 0)
-  end)
+  local program = core.to_program {}
+  local move = {}
+  each_axis(words, "G92", function(letter, value) move[letter] = program[letter] - value end)
+  local space = {}
+  space.x, space.y, space.z = core.direction(move.x, move.y, move.z)
+  for letter in pairs(is_rotary) do
+    state.g92[letter] = (state.g92[letter] or 0) + (space[letter] or move[letter] or 0)
+  end
+  apply()
 end)
 
 word("G92_1", function()
@@ -55,6 +72,7 @@ end)
 -- G52: the zero point moves by the given distances, measured from the work coordinate system.
 word("G52", function(words)
   each_axis(words, "G52", function(letter, value) state.g52[letter] = value end)
+  apply()
 end)
 
 -- G53: this block moves in machine coordinates, absolute.

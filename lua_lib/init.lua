@@ -7,10 +7,49 @@ include "programs"
 include "frames"
 include "feed"
 include "motion"
+include "path"
 include "arcs"
 include "polar"
+include "tools"
+include "cycles"
+include "threads"
+include "compensation"
 include "switches"
+include "user_codes"
+include "probe"
 include "neutral"
+
+-- What belongs to one dialect.
+if core.dialect == "rs274ngc" then
+  include "ngc_variables"
+  include "ngc_named"
+  include "ngc_subs"
+  include "ngc_messages"
+  include "ngc_frames"
+  include "ngc_modes"
+  include "ngc_polar"
+  include "ngc_g10"
+  include "ngc_home"
+  include "ngc_io"
+  include "ngc_overrides"
+  include "ngc_probe"
+  include "splines"
+  include "ngc_splines"
+  include "ngc_context"   -- the last one: it watches the words that the others define
+else
+  include "ab9_transform"
+  include "ab9_data"
+  include "ab9_zones"
+  include "ab9_home"
+  include "ab9_macros"
+  include "ab9_geometry"
+  include "ab9_corners"
+  include "ab9_angles"
+  include "ab9_print"
+  include "ab9_modes"
+  include "ab9_variables"
+  include "ab9_modal"     -- the last one: it remembers the words that the others define
+end
 
 -- A name that nothing defines is a mistake, not a vacant value.
 local known = {}

@@ -1,4 +1,4 @@
--- Rapid and linear moves, the modal motion, and the home position.
+-- Rapid and linear moves and the modal motion.
 
 local plain = {
   G0 = core.line_word(true, word_id()),
@@ -21,58 +21,50 @@ core.on_modal_line(function(rapid)
   env.move = plain_move[state.motion]
 end)
 
--- Plain words, in C++ (polar programming puts others in their place).
-function use_plain_lines()
-  env.G0, env.G1 = plain.G0, plain.G1
-  if plain_move[state.motion] then
-    core.forget_modal_line()
-    env.move = plain_move[state.motion]
+-- The same words in Lua, for when something stands between a straight line and the machine.
+local function line_in_lua(rapid)
+  return function(words)
+    check_table(words, rapid and "G0" or "G1")
+    if words == nil then return end
+    local target, named = core.target(resolve_words(words))
+    if not named then return end
+    if rapid then path.rapid(target) else path.line(target) end
   end
 end
-use_plain_lines()
 
--- Home: G28 goes there by a point on the way, G29 comes back by the same point, G27 checks.
-local way
-
-local increment = { x = "u", y = "v", z = "w" }
-
-local function named_axes(words)
-  local names = {}
-  for _, axis in ipairs(axes) do
-    local letter = axis.letter
-    if words == nil or words[letter] ~= nil or words[increment[letter]] ~= nil then names[#names + 1] = axis end
-  end
-  return names
+local function shaped_line(name, rapid)
+  local meaning = line_in_lua(rapid)
+  local modal = core.word(word_id(), meaning)
+  local motion = core.word(word_id(), function(words)
+    make_modal(name, modal)
+    meaning(words)
+  end)
+  return motion, modal
 end
 
-word("G28", function(words)
-  check_table(words, "G28")
-  if words ~= nil then
-    way = core.target(words)
-    core.rapid_to(way)
-  else
-    way = nil
-  end
-  local home = {}
-  for _, axis in ipairs(named_axes(words)) do home[axis.letter] = axis.home end
-  core.rapid_to(home)
-end)
+local shaped, shaped_move = {}, {}
+shaped.G0, shaped_move.G0 = shaped_line("G0", true)
+shaped.G1, shaped_move.G1 = shaped_line("G1", false)
 
-word("G29", function(words)
-  check_table(words, "G29")
-  if words == nil then alarm("G29 needs the axis words of its target") end
-  local target = core.target(words)
-  if way ~= nil then core.rapid_to(way) end
-  core.rapid_to(target)
-end)
+-- Plain lines are C++ as long as nothing shapes them: polar programming, a filter, a modal macro call.
+local reasons = {}
 
-word("G27", function(words)
-  check_table(words, "G27")
-  if words ~= nil then core.rapid_to(core.target(words)) end
-  for _, axis in ipairs(named_axes(words)) do
-    local position = core.position(axis.letter)
-    if math.abs(position - axis.home) > 1e-6 then
-      alarm("G27: axis %s stands at %.10g, not at its home %.10g", axis.letter:upper(), position, axis.home)
-    end
-  end
+local function use(lines, moves)
+  if env.G0 == lines.G0 then return end
+  env.G0, env.G1 = lines.G0, lines.G1
+  if plain_move[state.motion] then make_modal(state.motion, moves[state.motion]) end
+end
+
+function shape(reason, on)
+  reasons[reason] = on or nil
+  if next(reasons) ~= nil then use(shaped, shaped_move) else use(plain, plain_move) end
+end
+use(plain, plain_move)
+
+-- No motion is modal: axis words need one.
+local none = core.word(word_id(), function()
+  alarm("axis words need a motion, and G80 has ended the one that was in force")
 end)
+function end_motion()
+  make_modal("G80", none)
+end

@@ -14,10 +14,14 @@ local function axes_of(pose, name)
 end
 
 word("MoveLinear", function(pose)
+  refuse_with_compensation("MoveLinear")
+  path.flush()
   core.line_to(axes_of(pose, "MoveLinear"))
 end)
 
 word("MoveJoint", function(pose)
+  refuse_with_compensation("MoveJoint")
+  path.flush()
   core.joint_to(axes_of(pose, "MoveJoint"))
 end)
 
@@ -26,5 +30,7 @@ word("MoveCircular", function(poses)
   if type(poses) ~= "table" or type(poses.via) ~= "table" or type(poses.to) ~= "table" then
     alarm("MoveCircular takes two poses: via={...}, to={...}")
   end
+  refuse_with_compensation("MoveCircular")
+  path.flush()
   core.arc_via(axes_of(poses.via, "MoveCircular"), axes_of(poses.to, "MoveCircular"), 1)
 end)

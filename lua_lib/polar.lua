@@ -5,8 +5,8 @@
 local angle = { xy = 0, zx = 0, yz = 0 }
 local radius = { xy = 0, zx = 0, yz = 0 }
 
--- The words with Cartesian values in place of polar ones; the table itself where polar programming is off.
-function resolve_polar(words)
+-- The words of a move with Cartesian values in place of polar ones; the table itself where polar programming is off.
+function resolve_words(words)
   if not state.polar then return words end
   local p = planes[state.plane]
   if words[p.first] == nil and words[p.second] == nil then return words end
@@ -26,30 +26,13 @@ function resolve_polar(words)
   return resolved
 end
 
-local function polar_line(name, rapid)
-  local meaning = function(words)
-    if words ~= nil then core.line(rapid, resolve_polar(words)) end
-  end
-  local modal = core.word(word_id(), meaning)
-  local motion = core.word(word_id(), function(words)
-    make_modal(name, modal)
-    meaning(words)
-  end)
-  return motion, modal
-end
-
-local G0, move_G0 = polar_line("G0", true)
-local G1, move_G1 = polar_line("G1", false)
-
 word("G16", function()
   state.polar = true
-  env.G0, env.G1 = G0, G1
-  if state.motion == "G0" then make_modal("G0", move_G0) end
-  if state.motion == "G1" then make_modal("G1", move_G1) end
+  shape("polar programming", true)
 end)
 
 word("G15", function()
   state.polar = false
   for plane in pairs(planes) do angle[plane], radius[plane] = 0, 0 end
-  use_plain_lines()
+  shape("polar programming", false)
 end)

@@ -16,14 +16,17 @@ end
 -- M99 in the main program goes back to its start, for as long as the limits of the run allow; a pass in which no
 -- time goes by would repeat for ever.
 function run_first()
-  if first == nil then return end
-  repeat
-    local began = core.time()
-    local ended = first()
-    if ended == TO_START and core.time() == began then
-      core.stop("M99 leads back to the start of the main program, and nothing moves in between: an endless loop")
-    end
-  until ended ~= TO_START
+  if first ~= nil then
+    repeat
+      local began = core.time()
+      local ended = first()
+      path.flush()
+      if ended == TO_START and core.time() == began then
+        core.stop("M99 leads back to the start of the main program, and nothing moves in between: an endless loop")
+      end
+    until ended ~= TO_START
+  end
+  path.flush()
 end
 
 -- The program of a file beside this one: the one with that number, or the first of the file.
@@ -33,11 +36,24 @@ local function load_beside(number)
   local found = core.load_program(number)
   local body = programs[number] or first
   first = outer
-  if not found or body == nil then
-    alarm("M98: there is no program O%d, neither in this file nor beside it", number)
-  end
-  programs[number] = body
-  return body
+  programs[number] = found and body or nil
+  return programs[number]
+end
+
+-- The body of the program with this number, in this file or beside it.
+function find_program(number)
+  return programs[number] or load_beside(number)
+    or alarm("there is no program O%d, neither in this file nor beside it", number)
+end
+
+-- The first program of a file that is loaded for what it defines, or nil.
+function load_definitions(name)
+  local outer = first
+  first = nil
+  local found = core.load_program(name)
+  local body = first
+  first = outer
+  return found, body
 end
 
 local function whole(value, name)
@@ -47,28 +63,59 @@ local function whole(value, name)
   return math.tointeger(value)
 end
 
-word("M98", function(words)
-  if type(words) ~= "table" or words.p == nil then alarm("M98 needs P, the program that it calls") end
-  local number = whole(words.p, "P")
-  local times = words.l == nil and 1 or whole(words.l, "L")
-  local body = programs[number] or load_beside(number)
-  if state.depth == MAX_DEPTH then
-    alarm("M98 P%d: subprograms are nested more than %d deep", number, MAX_DEPTH)
-  end
+-- Around each call; a dialect in which a program has more of its own puts others in their place.
+function enter_call(name)
+  if state.depth == MAX_DEPTH then alarm("%s: programs are nested more than %d deep", name, MAX_DEPTH) end
   state.depth = state.depth + 1
-  for _ = 1, times do body() end
+  core.enter_program(name)
+end
+
+function leave_call()
+  core.leave_program()
   state.depth = state.depth - 1
+end
+
+-- Calls a program by its number: `times` passes. The result is the number of the block at which the caller goes on
+-- (M99 P), or nil.
+function call_program(number, times)
+  local body = find_program(number)
+  local frame = enter_call(("O%d"):format(number))
+  local block
+  for _ = 1, times do
+    local ended = body()
+    if type(ended) == "table" then
+      block = ended.block
+      break
+    end
+  end
+  leave_call(frame)
+  return block
+end
+
+-- M98{p=2, l=3}; the translator adds `true` where the caller can go on at any of its blocks.
+word("M98", function(words, can_jump)
+  if type(words) ~= "table" or words.p == nil then alarm("M98 needs P, the program that it calls") end
+  local block = call_program(whole(words.p, "P"), words.l == nil and 1 or whole(words.l, "L"))
+  if block and not can_jump then
+    alarm("M99 P%d of the called program asks to go on at N%d of this one, which can only be done where both are in one "
+      .. "file", block, block)
+  end
+  return block
 end)
 
-word("M99", function() return TO_START end)
+word("M99", function(words)
+  if words == nil or words.p == nil then return TO_START end
+  return { block = whole(words.p, "P") }
+end)
 
 local function program_end()
+  path.flush()
   core.finish()
 end
 word("M2", program_end)
 word("M30", program_end)
 
-word("M0", function() core.event("stop") end)
+word("M0", function() path.event("stop") end)
 word("M1", function()
-  core.event("optional_stop", core.optional_stop and "" or "off: passed over")
+  path.event("optional_stop", core.optional_stop and "" or "off: passed over")
 end)

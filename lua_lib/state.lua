@@ -9,6 +9,11 @@ state = {
   polar = false,
   motion = "G0",        -- the modal motion: G0, G1, G2, G3 or CIP
   jet = false,
+  feed_mode = "minute", -- or "inverse", "revolution"
+  spindle_rpm = 0,
+  arc_absolute = false, -- centres of arcs are points, not vectors from the start
+  has_matrix = false,   -- core.set_matrix() is in force: rotation, scaling or mirror image
+  tool_offset = {},     -- by axis letter, mm
   depth = 0,            -- of subprograms
 }
 

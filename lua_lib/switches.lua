@@ -2,8 +2,8 @@
 
 local function switch(kind, act)
   return function()
-    if act then act() end
-    core.event(kind)
+    if act then path.act(act) end
+    path.event(kind)
   end
 end
 
@@ -11,6 +11,7 @@ word("M8", switch("jet_on", function() core.jet(true) end))
 word("M9", switch("jet_off", function() core.jet(false) end))
 word("M10", switch("abrasive_on"))
 word("M11", switch("abrasive_off"))
-word("M3", switch("spindle_cw"))
-word("M4", switch("spindle_ccw"))
-word("M5", switch("spindle_off"))
+
+word("M3", function() turn_spindle("cw") end)
+word("M4", function() turn_spindle("ccw") end)
+word("M5", function() turn_spindle(nil) end)

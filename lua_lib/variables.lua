@@ -11,25 +11,52 @@ local function index(number)
   local exists = whole >= 0 and whole <= LAST_LOCAL
     or whole >= FIRST_COMMON and whole <= LAST_COMMON
     or whole >= FIRST_PERMANENT and whole <= LAST_PERMANENT
-  if not exists then
-    alarm("there is no variable #%.10g; there are #1 to #33, #100 to #199 and #500 to #999", whole)
-  end
-  return math.tointeger(whole)
+  return math.tointeger(whole), exists
 end
+
+local function unknown(number)
+  alarm("there is no variable #%d; there are #1 to #33, #100 to #199, #500 to #999, and %s", number,
+    system_variables and system_variables() or "no system variables")
+end
+
+-- A text for the system variable that is set next: the remark of its block (#3000, #3006).
+local text
+function env.message(remark) text = remark end
 
 -- A plain table: what exists is read and written by Lua itself, the rest comes here.
 local variables = {}
 for number, value in pairs(core.variables) do variables[number] = value end
 env.v = setmetatable(variables, {
   __index = function(held, number)
-    return rawget(held, index(number))
+    local whole, exists = index(number)
+    if exists then return rawget(held, whole) end
+    local known, value
+    if system_variable_get then known, value = system_variable_get(whole) end
+    if not known then unknown(whole) end
+    return value
   end,
   __newindex = function(held, number, value)
-    local whole = index(number)
+    local whole, exists = index(number)
     if whole == 0 then alarm("#0 is always vacant; nothing can be put into it") end
-    rawset(held, whole, value)
+    local remark = text
+    text = nil
+    if exists then
+      rawset(held, whole, value)
+    elseif not (system_variable_set and system_variable_set(whole, value, remark)) then
+      unknown(whole)
+    end
   end,
 })
+
+-- What the control keeps from one run to the next.
+function permanent_variables()
+  local kept = {}
+  for number = FIRST_PERMANENT, LAST_PERMANENT do
+    local value = rawget(variables, number)
+    if type(value) == "number" then kept[number] = value end
+  end
+  return kept
+end
 
 local function number_of(value)
   if value == nil then return 0 end

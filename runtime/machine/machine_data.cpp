@@ -21,8 +21,9 @@ using std::string_view_literals::operator""sv;
 constexpr double kMmPerInch = 25.4;
 constexpr double kGreatest = 1e9;
 constexpr int kGreatestNumber = 99999;  // of a fixed point or a variable
-constexpr std::array kKeywords{"NCFILE"sv, "OFFSET"sv, "FIXED"sv, "ALIAS"sv, "VARIABLE"sv, "ENDFILE"sv};
-constexpr std::array kSections{"OFFSET"sv, "FIXED"sv, "ALIAS"sv, "VARIABLE"sv};
+constexpr std::array kKeywords{"NCFILE"sv,   "OFFSET"sv, "FIXED"sv, "ALIAS"sv,
+                               "VARIABLE"sv, "TOOL"sv,   "HOME"sv,  "ENDFILE"sv};
+constexpr std::array kSections{"OFFSET"sv, "FIXED"sv, "ALIAS"sv, "VARIABLE"sv, "TOOL"sv, "HOME"sv};
 
 struct Word {
     std::string_view text;
@@ -151,6 +152,8 @@ class Reader {
         if (section_ == "OFFSET") return read_offset(first);
         if (section_ == "FIXED") return read_fixed(first);
         if (section_ == "ALIAS") return read_alias(first);
+        if (section_ == "TOOL") return read_tool(first);
+        if (section_ == "HOME") return read_home(first);
         read_variable(first);
     }
 
@@ -162,8 +165,9 @@ class Reader {
         const auto nearest = nearest_name(first.text, kKeywords);
         const std::string hint = nearest ? fmt::format("; did you mean {}?", *nearest) : "";
         fail(first.column,
-             fmt::format("'{}' is no keyword; a section begins with OFFSET, FIXED, ALIAS or VARIABLE{}",
-                         shown(first.text), hint));
+             fmt::format(
+                 "'{}' is no keyword; a section begins with OFFSET, FIXED, ALIAS, VARIABLE, TOOL or HOME{}",
+                 shown(first.text), hint));
     }
 
     void read_offset(const Word& code) {
@@ -195,14 +199,41 @@ class Reader {
         data_.variables.emplace(number, read_value(word(1)));
     }
 
-    AxisValues read_axis_values() {
-        std::size_t end = line_.words.size();
-        double unit_mm = 1;
-        const std::string last = upper(word(end - 1).text);
-        if (last == "METRIC" || last == "INCH") {
-            unit_mm = last == "INCH" ? kMmPerInch : 1;
-            --end;
+    /// number length diameter [METRIC|INCH]
+    void read_tool(const Word& id) {
+        const int number = read_number(id, "a tool");
+        remember_once(fmt::format("TOOL {}", number), id, "the tool");
+        const auto [end, unit_mm] = values_end();
+        if (end != 3) return fail(id.column, "a tool has its number, its length and its diameter");
+        Tool tool;
+        tool.length_mm = read_value(word(1)) * unit_mm;
+        tool.diameter_mm = read_value(word(2)) * unit_mm;
+        data_.tools.emplace(number, tool);
+    }
+
+    void read_home(const Word& id) {
+        const int number = read_number(id, "a home position");
+        if (number != 0 && (number < 2 || number > 4)) {
+            fail(id.column, "home positions are 2 to 4; the first one is in the machine file");
         }
+        remember_once(fmt::format("HOME {}", number), id, "the home position");
+        data_.homes.emplace(number, read_axis_values());
+    }
+
+    struct ValuesEnd {
+        std::size_t end;  ///< Index behind the line's last value.
+        double unit_mm;
+    };
+
+    ValuesEnd values_end() const {
+        const std::size_t count = line_.words.size();
+        const std::string last = upper(word(count - 1).text);
+        if (last == "INCH") return {count - 1, kMmPerInch};
+        return {last == "METRIC" ? count - 1 : count, 1};
+    }
+
+    AxisValues read_axis_values() {
+        const auto [end, unit_mm] = values_end();
         if (end < 4) {
             fail(word(0).column, fmt::format("{} needs values for X, Y and Z", shown(word(0).text)));
             return {};

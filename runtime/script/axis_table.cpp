@@ -23,16 +23,19 @@ void push_axes(lua_State* state, const Controller& controller, const AxisVector&
     }
 }
 
-AxisVector check_axes(lua_State* state, const Controller& controller, int index) {
+AxisVector check_axes(lua_State* state, const Controller& controller, int index, AxisVector rest) {
     luaL_checktype(state, index, LUA_TTABLE);
     const auto& axes = controller.simulator().machine().axes;
-    AxisVector values = controller.simulator().position();
     for (std::size_t i = 0; i < axes.size(); ++i) {
         lua_getfield(state, index, AxisKey(axes[i].letter).text);
-        if (!lua_isnil(state, -1)) values[static_cast<Eigen::Index>(i)] = luaL_checknumber(state, -1);
+        if (!lua_isnil(state, -1)) rest[static_cast<Eigen::Index>(i)] = luaL_checknumber(state, -1);
         lua_pop(state, 1);
     }
-    return values;
+    return rest;
+}
+
+AxisVector check_axes(lua_State* state, const Controller& controller, int index) {
+    return check_axes(state, controller, index, controller.programmed());
 }
 
 }  // namespace gsim::script

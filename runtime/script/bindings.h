@@ -12,7 +12,11 @@ namespace gsim::script {
 void add_core(lua_State* state, Controller& controller);
 /// The words of plain moves, in C++ because programs are made of them: core.line_word, core.line.
 void add_motion_words(lua_State* state, Controller& controller);
-/// Robot-neutral moves to poses: core.move_pose, core.move_joint_pose, core.move_circular_pose.
+/// Moves to machine coordinates, dwells and events, with the feed and the place that go with them.
+void add_moves(lua_State* state, Controller& controller);
+/// Program and machine coordinates: offsets, matrix, where the machine stands, where a move would end.
+void add_frames(lua_State* state, Controller& controller);
+/// Axis values for poses: core.pose_axes.
 void add_poses(lua_State* state, Controller& controller);
 /// The services of the controller as scripts call them.
 void add_rrs(lua_State* state, Controller& controller);

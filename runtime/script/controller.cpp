@@ -18,23 +18,37 @@ namespace {
 constexpr double kSecondsPerMinute = 60;
 constexpr std::string_view kArcWords = "ijkr";
 
+std::array<int, 26> index_axes(const machine::Machine& machine) {
+    std::array<int, 26> by_letter;
+    by_letter.fill(-1);
+    for (std::size_t i = 0; i < machine.axes.size(); ++i)
+        by_letter[static_cast<std::size_t>(machine.axes[i].letter - 'A')] = static_cast<int>(i);
+    return by_letter;
+}
+
 }  // namespace
 
 Controller::Controller(simulation::Simulator& simulator, PlaceFinder& places)
-    : simulator_(simulator), places_(places) {
-    axis_by_letter_.fill(-1);
-    const auto& axes = simulator_.machine().axes;
-    for (std::size_t i = 0; i < axes.size(); ++i)
-        axis_by_letter_[static_cast<std::size_t>(axes[i].letter - 'A')] = static_cast<int>(i);
-    modal_.offset = AxisVector::Zero(static_cast<Eigen::Index>(axes.size()));
-}
+    : simulator_(simulator),
+      places_(places),
+      axis_by_letter_(index_axes(simulator.machine())),
+      frame_(simulator.machine().axes.size(), {axis('X'), axis('Y'), axis('Z')}) {}
 
 int Controller::axis(char letter) const {
     const int index = (letter | 0x20) - 'a';
     return index >= 0 && index < 26 ? axis_by_letter_[static_cast<std::size_t>(index)] : -1;
 }
 
+void* Controller::defined() {
+    static char mark = 0;
+    return &mark;
+}
+
 void Controller::enter(lua_State* state, std::size_t word_id) {
+    if (defining_) {
+        lua_pushlightuserdata(state, defined());
+        lua_error(state);
+    }
     const Place place = places_.current(state);
     if (place.line != place_.line || place.file != place_.file || words_in_block_[word_id]) {
         words_in_block_.reset();
@@ -61,7 +75,8 @@ Feed Controller::feed(lua_State* state, std::optional<double> sweep_rad) {
     if (modal_.feed_mode == FeedMode::inverse_time) {
         if (!is_new) alarm(state, "inverse time feed (G93) needs an F in each block that moves");
         Feed feed;
-        feed.motion_s = sweep_rad.value_or(1.0) * kSecondsPerMinute / modal_.feed;
+        feed.motion_s =
+            (modal_.inverse_time_by_angle ? sweep_rad.value_or(1.0) : 1.0) * kSecondsPerMinute / modal_.feed;
         return feed;
     }
     if (modal_.feed <= 0) alarm(state, "no feed is in force: program F before the first feed move");
@@ -80,7 +95,8 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
                           std::uint32_t& seen) {
     int index = axis(letter);
     bool incremental = modal_.incremental;
-    if (index < 0 && letter >= 'u' && letter <= 'w') {  // an increment of X, Y or Z (Table 2.2 of the thesis)
+    if (index < 0 && modal_.uvw_increments && letter >= 'u' &&
+        letter <= 'w') {  // an increment of X, Y or Z (Table 2.2 of the thesis)
         index = axis(static_cast<char>(letter + 3));
         incremental = true;
     }
@@ -97,8 +113,10 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
     const double distance = linear ? value * modal_.unit_mm : value;
     if (modal_.machine_frame_once) {
         target[index] = distance;
+    } else if (incremental) {
+        target[index] += distance;
     } else {
-        target[index] = incremental ? target[index] + distance : distance + modal_.offset[index];
+        target[index] = frame_.has_matrix() ? distance : distance + frame_.offset(index);
     }
     return true;
 }
@@ -114,11 +132,10 @@ void Controller::unknown_word(lua_State* state, std::string_view key, std::strin
     alarm(state, fmt::format("'{}' is no word that this motion takes", key));
 }
 
-bool Controller::read_target(lua_State* state, int index, std::string_view others, AxisVector& target) {
-    target = simulator_.position();
-    if (lua_isnoneornil(state, index)) return false;
-    luaL_checktype(state, index, LUA_TTABLE);
-    std::uint32_t seen = 0;
+/// With a matrix in force `target` is in program coordinates here, else in machine coordinates. False where
+/// the target is in polar form.
+bool Controller::read_words(lua_State* state, int index, std::string_view others, AxisVector& target,
+                            std::uint32_t& seen) {
     lua_pushnil(state);
     while (lua_next(state, index) != 0) {
         std::size_t size = 0;
@@ -130,19 +147,41 @@ bool Controller::read_target(lua_State* state, int index, std::string_view other
             alarm(state, fmt::format("the value of '{}' is no number", std::string_view(key, size)));
         const bool is_axis =
             size == 1 && key[0] >= 'a' && key[0] <= 'z' && set_axis(state, key[0], value, target, seen);
+        if (!is_axis && on_polar != LUA_NOREF &&
+            (std::string_view(key, size) == "radius" || std::string_view(key, size) == "angle")) {
+            lua_pop(state, 2);
+            return false;
+        }
         if (!is_axis &&
             others.find(fmt::format(" {} ", std::string_view(key, size))) == std::string_view::npos) {
             unknown_word(state, std::string_view(key, size), others);
         }
         lua_pop(state, 1);
     }
+    return true;
+}
+
+bool Controller::read_target(lua_State* state, int index, std::string_view others, AxisVector& target) {
+    target = programmed();
+    if (lua_isnoneornil(state, index)) return false;
+    luaL_checktype(state, index, LUA_TTABLE);
+    std::uint32_t seen = 0;
+    const bool mapped = frame_.has_matrix() && !modal_.machine_frame_once;
+    AxisVector values = mapped ? frame_.to_program(target) : target;
+    if (!read_words(state, index, others, values, seen)) {
+        lua_rawgeti(state, LUA_REGISTRYINDEX, on_polar);
+        lua_pushvalue(state, index);
+        lua_call(state, 1, 1);
+        return read_target(state, lua_gettop(state), others, target);
+    }
+    if (seen != 0) target = mapped ? frame_.to_machine(values) : values;
     return seen != 0;
 }
 
 void Controller::line(lua_State* state, bool rapid, int index) {
     simulation::LineMove move;
     if (!read_target(state, index, {}, move.target)) return;
-    move.rapid = rapid;
+    move.kind = rapid ? simulation::MoveKind::rapid : simulation::MoveKind::linear;
     if (!rapid) move.feed = feed(state, std::nullopt);
     move.place = place_;
     check(state, simulator_.move(move));

@@ -9,6 +9,7 @@
 #include <lua.hpp>
 
 #include "runtime/script/place_finder.h"
+#include "runtime/script/program_frame.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::script {
@@ -18,17 +19,18 @@ inline constexpr std::size_t kMaxWordIds = 1024;
 enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };
 
 /// What the library's C++ side knows of the control's modal state, as far as a plain move needs it; the
-/// library in Lua sets it. Machine coordinate = program value * unit + offset.
+/// library in Lua sets it. Machine coordinates are those of the frame at program value * unit.
 struct ModalState {
     double unit_mm = 1;  ///< Of a program unit on linear axes: 1, or 25.4 in inch mode.
     bool incremental = false;
     bool machine_frame_once = false;  ///< The moves of this block are in machine coordinates (G53).
-    simulation::AxisVector offset;    ///< mm or deg by axis.
     FeedMode feed_mode = FeedMode::per_minute;
-    double feed = 0;           ///< As programmed; 0: none yet.
-    double feed_unit_mm = 1;   ///< Unit in force when it was programmed.
-    bool feed_is_new = false;  ///< No move has used it yet.
+    double feed = 0;                    ///< As programmed; 0: none yet.
+    double feed_unit_mm = 1;            ///< Unit in force when it was programmed.
+    bool feed_is_new = false;           ///< No move has used it yet.
+    bool inverse_time_by_angle = true;  ///< G93: 60/F s is the time of a radian of an arc, else of all of it.
     double spindle_rpm = 0;
+    bool uvw_increments = true;   ///< U, V and W are increments of X, Y and Z on machines without such axes.
     bool has_modal_line = false;  ///< The modal motion is rapid or linear, and `modal_rapid` says which.
     bool modal_rapid = true;
 };
@@ -42,9 +44,19 @@ class Controller {
     const simulation::Simulator& simulator() const { return simulator_; }
     PlaceFinder& places() { return places_; }
     ModalState& modal() { return modal_; }
+    ProgramFrame& frame() { return frame_; }
+    /// The point that the program has reached, in machine coordinates: where the machine is, unless the
+    /// library has set it apart (set_programmed).
+    const simulation::AxisVector& programmed() const {
+        return programmed_ ? *programmed_ : simulator_.position();
+    }
+    void set_programmed(const std::optional<simulation::AxisVector>& point) { programmed_ = point; }
     const simulation::Place& place() const { return place_; }
     /// Index of the axis with this lower or upper case letter, or -1.
     int axis(char letter) const;
+
+    /// While a file is loaded for the subroutines that it defines, its first word ends it (see core.define).
+    void set_defining(bool on) { defining_ = on; }
 
     /// A word of the library is called: finds its place, and counts a block where the line is another one or
     /// the word has been called in this block before. Raises the end of the run at its limit.
@@ -69,20 +81,31 @@ class Controller {
     /// The move of a plain rapid or linear word with its words at `index`.
     void line(lua_State* state, bool rapid, int index);
 
+    /// What enter() raises while defining.
+    static void* defined();
+
+    /// Reference in the registry of the function that turns words with `radius` and `angle` into Cartesian
+    /// ones.
+    int on_polar = LUA_NOREF;
     /// Reference in the registry of the function that is told when G00 or G01 becomes the modal motion.
     int on_modal_line = LUA_NOREF;
 
   private:
     bool set_axis(lua_State* state, char letter, double value, simulation::AxisVector& target,
                   std::uint32_t& seen);
+    bool read_words(lua_State* state, int index, std::string_view others, simulation::AxisVector& target,
+                    std::uint32_t& seen);
     [[noreturn]] void unknown_word(lua_State* state, std::string_view key, std::string_view others);
 
     simulation::Simulator& simulator_;
     PlaceFinder& places_;
     ModalState modal_;
+    bool defining_ = false;
     simulation::Place place_;
-    std::bitset<kMaxWordIds> words_in_block_;
     std::array<int, 26> axis_by_letter_{};
+    ProgramFrame frame_;
+    std::optional<simulation::AxisVector> programmed_;
+    std::bitset<kMaxWordIds> words_in_block_;
 };
 
 }  // namespace gsim::script

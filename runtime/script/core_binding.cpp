@@ -3,25 +3,15 @@
 
 #include <fmt/format.h>
 
-#include "runtime/script/axis_table.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/lua_state.h"
 
 namespace gsim::script {
 
-using simulation::AxisVector;
-
 namespace {
 
 Controller& self(lua_State* state) {
     return bound<Controller>(state);
-}
-
-int check_axis(lua_State* state, int argument) {
-    const std::string_view letter = luaL_checkstring(state, argument);
-    const int axis = letter.size() == 1 ? self(state).axis(letter[0]) : -1;
-    luaL_argcheck(state, axis >= 0, argument, "no axis of the machine");
-    return axis;
 }
 
 // --- Words ---
@@ -63,6 +53,30 @@ int alarm_at_noted_place(lua_State* state) {
     self(state).alarm(state, luaL_checkstring(state, 1));
 }
 
+/// core.enter_program(name): a program is called from here.
+int enter_program(lua_State* state) {
+    Controller& controller = self(state);
+    controller.simulator().enter_program(luaL_checkstring(state, 1), controller.place());
+    return 0;
+}
+
+int leave_program(lua_State* state) {
+    self(state).simulator().leave_program();
+    return 0;
+}
+
+/// core.define(body): runs the body of a program up to its first word, for the subroutines that it defines.
+int define(lua_State* state) {
+    Controller& controller = self(state);
+    luaL_checktype(state, 1, LUA_TFUNCTION);
+    lua_settop(state, 1);
+    controller.set_defining(true);
+    const int status = lua_pcall(state, 0, 0, 0);
+    controller.set_defining(false);
+    if (status == LUA_OK || lua_touserdata(state, -1) == Controller::defined()) return 0;
+    return lua_error(state);
+}
+
 /// core.stop(message): ends the run as a limit does.
 int stop(lua_State* state) {
     Controller& controller = self(state);
@@ -97,16 +111,6 @@ int set_incremental(lua_State* state) {
     return 0;
 }
 
-int set_offset(lua_State* state) {
-    self(state).modal().offset[check_axis(state, 1)] = luaL_checknumber(state, 2);
-    return 0;
-}
-
-int machine_frame_once(lua_State* state) {
-    self(state).modal().machine_frame_once = true;
-    return 0;
-}
-
 int set_feed(lua_State* state) {
     Controller& controller = self(state);
     const double value = luaL_checknumber(state, 1);
@@ -115,6 +119,26 @@ int set_feed(lua_State* state) {
     controller.modal().feed = value;
     controller.modal().feed_unit_mm = controller.modal().unit_mm;
     controller.modal().feed_is_new = true;
+    return 0;
+}
+
+/// core.clear_feed(): no feed is in force.
+int clear_feed(lua_State* state) {
+    self(state).modal().feed = 0;
+    return 0;
+}
+
+/// core.set_letters_uvw(increments): whether U, V and W are increments of X, Y and Z where no axis has the
+/// letter.
+int set_letters_uvw(lua_State* state) {
+    self(state).modal().uvw_increments = lua_toboolean(state, 1) != 0;
+    return 0;
+}
+
+/// core.set_inverse_time_of_arcs(by_angle): F of an arc is the inverse of its time per radian, or of its
+/// time.
+int set_inverse_time_of_arcs(lua_State* state) {
+    self(state).modal().inverse_time_by_angle = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
@@ -151,76 +175,6 @@ int axes(lua_State* state) {
     return 1;
 }
 
-int position(lua_State* state) {
-    lua_pushnumber(state, self(state).simulator().position()[check_axis(state, 1)]);
-    return 1;
-}
-
-/// core.target(words, others): machine coordinates of all axes after the move, and whether any axis is named.
-int target(lua_State* state) {
-    AxisVector values;
-    const bool any = self(state).read_target(state, 1, luaL_optstring(state, 2, ""), values);
-    push_axes(state, self(state), values);
-    lua_pushboolean(state, static_cast<int>(any));
-    return 2;
-}
-
-/// core.rapid_to(target): a rapid to machine coordinates.
-int rapid_to(lua_State* state) {
-    Controller& controller = self(state);
-    simulation::LineMove move;
-    move.rapid = true;
-    move.target = check_axes(state, controller, 1);
-    move.place = controller.place();
-    controller.check(state, controller.simulator().move(move));
-    return 0;
-}
-
-/// core.arc(plane, counterclockwise, center_first, center_second, sweep_rad, target)
-int arc(lua_State* state) {
-    static const char* const kPlanes[] = {"xy", "zx", "yz", nullptr};
-    Controller& controller = self(state);
-    simulation::ArcMove move;
-    move.plane = static_cast<simulation::Plane>(luaL_checkoption(state, 1, nullptr, kPlanes));
-    move.kind = lua_toboolean(state, 2) != 0 ? simulation::MoveKind::arc_ccw : simulation::MoveKind::arc_cw;
-    move.center_first_mm = luaL_checknumber(state, 3);
-    move.center_second_mm = luaL_checknumber(state, 4);
-    move.sweep_rad = luaL_checknumber(state, 5);
-    move.target = check_axes(state, controller, 6);
-    move.feed = controller.feed(state, move.sweep_rad);
-    move.place = controller.place();
-    controller.check(state, controller.simulator().move(move));
-    return 0;
-}
-
-/// core.arc_via(via, target, sweep_rad): an arc through a point.
-int arc_via(lua_State* state) {
-    Controller& controller = self(state);
-    simulation::ViaMove move;
-    move.via = check_axes(state, controller, 1);
-    move.target = check_axes(state, controller, 2);
-    move.feed = controller.feed(state, luaL_checknumber(state, 3));
-    move.place = controller.place();
-    controller.check(state, controller.simulator().move(move));
-    return 0;
-}
-
-int dwell(lua_State* state) {
-    Controller& controller = self(state);
-    const double seconds = luaL_checknumber(state, 1);
-    if (!(seconds >= 0) || !std::isfinite(seconds))
-        controller.alarm(state, fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
-    controller.check(state, controller.simulator().dwell(seconds, controller.place()));
-    return 0;
-}
-
-int event(lua_State* state) {
-    Controller& controller = self(state);
-    controller.simulator().event(luaL_checkstring(state, 1), luaL_optstring(state, 2, ""),
-                                 controller.place());
-    return 0;
-}
-
 int jet(lua_State* state) {
     self(state).simulator().set_jet(lua_toboolean(state, 1) != 0);
     return 0;
@@ -233,25 +187,22 @@ void add_core(lua_State* state, Controller& controller) {
     set_function<alarm>(state, "alarm", &controller);
     set_function<note_place>(state, "note_place", &controller);
     set_function<alarm_at_noted_place>(state, "alarm_at_noted_place", &controller);
+    set_function<define>(state, "define", &controller);
+    set_function<enter_program>(state, "enter_program", &controller);
+    set_function<leave_program>(state, "leave_program", &controller);
     set_function<stop>(state, "stop", &controller);
     set_function<time>(state, "time", &controller);
     set_function<warn>(state, "warn", &controller);
     set_function<finish>(state, "finish", &controller);
     set_function<set_unit>(state, "set_unit", &controller);
     set_function<set_incremental>(state, "set_incremental", &controller);
-    set_function<set_offset>(state, "set_offset", &controller);
-    set_function<machine_frame_once>(state, "machine_frame_once", &controller);
     set_function<set_feed>(state, "set_feed", &controller);
+    set_function<clear_feed>(state, "clear_feed", &controller);
+    set_function<set_letters_uvw>(state, "set_letters_uvw", &controller);
+    set_function<set_inverse_time_of_arcs>(state, "set_inverse_time_of_arcs", &controller);
     set_function<set_feed_mode>(state, "set_feed_mode", &controller);
     set_function<set_spindle>(state, "set_spindle", &controller);
     set_function<axes>(state, "axes", &controller);
-    set_function<position>(state, "position", &controller);
-    set_function<target>(state, "target", &controller);
-    set_function<rapid_to>(state, "rapid_to", &controller);
-    set_function<arc>(state, "arc", &controller);
-    set_function<arc_via>(state, "arc_via", &controller);
-    set_function<dwell>(state, "dwell", &controller);
-    set_function<event>(state, "event", &controller);
     set_function<jet>(state, "jet", &controller);
 }
 

@@ -39,6 +39,16 @@ void load_text(lua_State* state, const std::string& text, const char* name, int 
     lua_setupvalue(state, -2, 1);
 }
 
+/// A table of values by lower-case letter.
+void push_axis_values(lua_State* state, const machine::AxisValues& values) {
+    lua_newtable(state);
+    for (const auto& [letter, value] : values) {
+        const char key[] = {static_cast<char>(letter | 0x20), '\0'};
+        lua_pushnumber(state, value);
+        lua_setfield(state, -2, key);
+    }
+}
+
 }  // namespace
 
 Script Script::from_text(std::string text, std::string file_name, std::int64_t line_difference) {
@@ -104,6 +114,8 @@ void Engine::open_environment() {
     lua_newtable(state);
     add_core(state, controller_);
     add_motion_words(state, controller_);
+    add_moves(state, controller_);
+    add_frames(state, controller_);
     add_poses(state, controller_);
     set_function<load_program>(state, "load_program", this);
     set_options(state);
@@ -119,47 +131,70 @@ void Engine::open_environment() {
 }
 
 void Engine::set_require(lua_State* state, int environment) {
+    lua_pushlightuserdata(state, this);
     lua_pushvalue(state, environment);
-    lua_pushcclosure(state, trampoline<require_gsim>, 1);
+    lua_pushcclosure(state, trampoline<require_gsim>, 2);
     lua_setfield(state, environment, "require");
 }
 
-/// require "gsim": the environment; there is nothing else to require.
+/// require "gsim" or "gsim.rs274ngc": the environment, of the run's dialect; there is nothing else to
+/// require.
 int Engine::require_gsim(lua_State* state) {
+    const std::string& dialect = bound<Engine>(state).options_.dialect;
     const std::string_view name = luaL_checkstring(state, 1);
-    if (name != "gsim")
-        return luaL_error(state, "require finds \"gsim\" alone, not \"%s\"", lua_tostring(state, 1));
-    lua_pushvalue(state, lua_upvalueindex(1));
+    if (name != "gsim" && name != "gsim.rs274ngc") {
+        return luaL_error(state, "require finds \"gsim\" and \"gsim.rs274ngc\" alone, not \"%s\"",
+                          lua_tostring(state, 1));
+    }
+    if ((name == "gsim") != (dialect == "ab9")) {
+        return luaL_error(state, "this run is of the dialect %s, and \"%s\" is another one", dialect.c_str(),
+                          lua_tostring(state, 1));
+    }
+    lua_pushvalue(state, lua_upvalueindex(2));
     return 1;
 }
 
 /// Fields of `core` that the command line decides; the table is on top of the stack.
 void Engine::set_options(lua_State* state) {
+    lua_pushlstring(state, options_.dialect.data(), options_.dialect.size());
+    lua_setfield(state, -2, "dialect");
     lua_pushboolean(state, static_cast<int>(options_.block_delete));
     lua_setfield(state, -2, "block_delete");
     lua_pushboolean(state, static_cast<int>(options_.optional_stop));
     lua_setfield(state, -2, "optional_stop");
 }
 
-/// core.offsets["54"].x in mm or deg, core.variables[500]; the table of core is on top of the stack.
+/// core.offsets["54"].x in mm or deg, core.variables[500], core.tools[1].length and .diameter in mm; the
+/// table of core is on top of the stack.
 void Engine::set_data(lua_State* state) {
     lua_newtable(state);
     for (const auto& [code, values] : options_.data.offsets) {
-        lua_newtable(state);
-        for (const auto& [letter, value] : values) {
-            const char key[] = {static_cast<char>(letter | 0x20), '\0'};
-            lua_pushnumber(state, value);
-            lua_setfield(state, -2, key);
-        }
+        push_axis_values(state, values);
         lua_setfield(state, -2, code.c_str());
     }
     lua_setfield(state, -2, "offsets");
+    lua_newtable(state);
+    for (const auto& [number, values] : options_.data.homes) {
+        push_axis_values(state, values);
+        lua_rawseti(state, -2, number);
+    }
+    lua_setfield(state, -2, "homes");
     lua_newtable(state);
     for (const auto& [number, value] : options_.data.variables) {
         lua_pushnumber(state, value);
         lua_rawseti(state, -2, number);
     }
     lua_setfield(state, -2, "variables");
+    lua_newtable(state);
+    for (const auto& [number, tool] : options_.data.tools) {
+        lua_createtable(state, 0, 2);
+        lua_pushnumber(state, tool.length_mm);
+        lua_setfield(state, -2, "length");
+        lua_pushnumber(state, tool.diameter_mm);
+        lua_setfield(state, -2, "diameter");
+        lua_rawseti(state, -2, number);
+    }
+    lua_setfield(state, -2, "tools");
 }
 
 void Engine::call_include(const std::string& file_name) {
@@ -179,9 +214,29 @@ int Engine::include_file(lua_State* state) {
 bool Engine::run(Script script) {
     pending_ = std::move(script);
     return judge(call_protected([](Engine& engine) {
+        if (engine.options_.setup) engine.load_script(std::move(*engine.options_.setup));
         engine.load_script(std::move(engine.pending_));
         engine.call_library("run_first");
     }));
+}
+
+std::map<int, double> Engine::permanent_variables() {
+    permanent_.clear();
+    call_protected([](Engine& engine) { engine.read_permanent(); });
+    return permanent_;
+}
+
+void Engine::read_permanent() {
+    lua_State* state = lua_.get();
+    push_reference(state, library_);
+    lua_getfield(state, -1, "permanent_variables");
+    lua_call(state, 0, 1);
+    lua_pushnil(state);
+    while (lua_next(state, -2) != 0) {
+        permanent_[static_cast<int>(luaL_checkinteger(state, -2))] = luaL_checknumber(state, -1);
+        lua_pop(state, 1);
+    }
+    lua_pop(state, 2);
 }
 
 void Engine::call_library(const char* function) {
@@ -250,12 +305,13 @@ int Engine::program_body(lua_State* state) {
     return 0;
 }
 
-/// core.load_program(number): true where a file of that program was found and loaded.
+/// core.load_program(number or name): true where a file of that program was found and loaded.
 int Engine::load_program(lua_State* state) {
     Engine& engine = bound<Engine>(state);
-    const auto number = static_cast<std::uint32_t>(luaL_checkinteger(state, 1));
+    const std::string name =
+        lua_isinteger(state, 1) != 0 ? std::to_string(lua_tointeger(state, 1)) : luaL_checkstring(state, 1);
     if (!engine.options_.find_program) return 0;
-    tl::expected<std::optional<Script>, std::string> script = engine.options_.find_program(number);
+    tl::expected<std::optional<Script>, std::string> script = engine.options_.find_program(name);
     if (!script) engine.controller_.alarm(state, script.error());
     if (!*script) return 0;
     engine.load_script(std::move(**script));

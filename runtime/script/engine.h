@@ -33,6 +33,7 @@ struct ScriptProgram {
 /// The Lua that is run, as a whole or, where `programs` is not empty, in pieces, so that memory does not grow
 /// with it. `read` gives bytes [begin, end) of it.
 struct Script {
+    std::string dialect = "ab9";  ///< Whose words it calls: "ab9" or "rs274ngc".
     std::string file_name;  ///< For places: of the G-code where lines are known to match, else of the Lua.
     std::int64_t line_difference =
         0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
@@ -43,9 +44,9 @@ struct Script {
     static Script from_text(std::string text, std::string file_name, std::int64_t line_difference);
 };
 
-/// Finds a program that is called and is not in the script: the Lua of its file, no value if there is no such
-/// file, or a sentence that says what is wrong with it.
-using FindProgram = std::function<tl::expected<std::optional<Script>, std::string>(std::uint32_t number)>;
+/// Finds a program that is called, by number ("12") or name, and is not in the script: the Lua of its file,
+/// no value if there is no such file, or a sentence that says what is wrong with it.
+using FindProgram = std::function<tl::expected<std::optional<Script>, std::string>(const std::string& name)>;
 
 /// Runs one script on one simulator: the Lua state, the library and what joins them.
 class Engine {
@@ -55,6 +56,9 @@ class Engine {
         Library library;
         machine::MachineData data;
         FindProgram find_program;
+        std::optional<Script>
+            setup;  ///< Runs before the program: user M codes, answers of inputs and probes.
+        std::string dialect = "ab9";  ///< Of all scripts of the run.
         bool block_delete = false;
         bool optional_stop = false;
         std::function<void(std::uint64_t done, std::uint64_t total)> progress;
@@ -66,6 +70,8 @@ class Engine {
     /// Runs to the end, to an alarm or to a limit; what happened is the simulator's to tell. False where
     /// there was an alarm or a limit.
     bool run(Script script);
+    /// The variables that a control keeps from one run to the next, as they are now.
+    std::map<int, double> permanent_variables();
 
   private:
     struct Loaded {
@@ -78,10 +84,11 @@ class Engine {
     int call_protected(void (*work)(Engine&));
     bool judge(int status);
     void open_environment();
-    static void set_require(lua_State* state, int environment);
+    void set_require(lua_State* state, int environment);
     void set_options(lua_State* state);
     void set_data(lua_State* state);
     void call_include(const std::string& file_name);
+    void read_permanent();
     void call_library(const char* function);
     void load_script(Script script);
     void compile(Loaded& loaded, const ScriptChunk& chunk);
@@ -101,6 +108,7 @@ class Engine {
     void (*work_)(Engine&) = nullptr;
     std::vector<std::unique_ptr<Loaded>> loaded_;
     Script pending_;
+    std::map<int, double> permanent_;
     std::string error_;
     simulation::Place error_place_;
     int environment_ = LUA_NOREF;  ///< What scripts see.

@@ -43,38 +43,10 @@ int pose_axes(lua_State* state) {
     return 1;
 }
 
-simulation::LineMove line_to_target(lua_State* state, Controller& controller) {
-    simulation::LineMove move;
-    move.target = check_axes(state, controller, 1);
-    move.place = controller.place();
-    return move;
-}
-
-/// core.line_to(target): a feed move to machine coordinates.
-int line_to(lua_State* state) {
-    Controller& controller = self(state);
-    simulation::LineMove move = line_to_target(state, controller);
-    move.feed = controller.feed(state, std::nullopt);
-    controller.check(state, controller.simulator().move(move));
-    return 0;
-}
-
-/// core.joint_to(target): all joints together, the slowest at its limits.
-int joint_to(lua_State* state) {
-    Controller& controller = self(state);
-    simulation::LineMove move = line_to_target(state, controller);
-    move.rapid = true;
-    move.joint = true;
-    controller.check(state, controller.simulator().move(move));
-    return 0;
-}
-
 }  // namespace
 
 void add_poses(lua_State* state, Controller& controller) {
     set_function<pose_axes>(state, "pose_axes", &controller);
-    set_function<line_to>(state, "line_to", &controller);
-    set_function<joint_to>(state, "joint_to", &controller);
 }
 
 }  // namespace gsim::script

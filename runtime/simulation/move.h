@@ -5,7 +5,8 @@
 
 namespace gsim::simulation {
 
-enum class MoveKind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, dwell };
+/// `thread`: a feed move in step with the spindle; `spline`: a chord of a curve.
+enum class MoveKind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, dwell, probe, thread, spline };
 enum class Plane : std::uint8_t { xy, zx, yz };
 
 std::string_view name(MoveKind kind);

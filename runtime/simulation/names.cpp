@@ -9,6 +9,9 @@ std::string_view name(MoveKind kind) {
         case MoveKind::linear: return "linear";
         case MoveKind::arc_cw: return "arc_cw";
         case MoveKind::arc_ccw: return "arc_ccw";
+        case MoveKind::probe: return "probe";
+        case MoveKind::thread: return "thread";
+        case MoveKind::spline: return "spline";
         case MoveKind::dwell: break;
     }
     return "dwell";

@@ -10,6 +10,14 @@ constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 }  // namespace
 
+namespace {
+
+/// How far the radii of an arc may differ is the language's business (lua_lib/arcs.lua); the planner takes
+/// what a language lets through as a spiral.
+constexpr double kArcTolerance_mm = 10;
+
+}  // namespace
+
 motion::PlannerSetup planner_setup(const machine::Machine& machine) {
     motion::PlannerSetup setup;
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
@@ -30,6 +38,7 @@ motion::PlannerSetup planner_setup(const machine::Machine& machine) {
     setup.path.max_feed_mm_s = machine.path.max_feed_mm_s;
     setup.path.max_rapid_mm_s = machine.path.max_rapid_mm_s;
     setup.path.max_acceleration_mm_s2 = machine.path.max_acceleration_mm_s2;
+    setup.arc_tolerance_mm = kArcTolerance_mm;
     setup.kinematics = machine::make_kinematics(machine);
     return setup;
 }

@@ -11,13 +11,20 @@ namespace gsim::simulation {
 enum class RunStatus { completed, stopped, alarm };
 std::string_view name(RunStatus status);
 
+/// A call of a program that had not ended.
+struct OpenCall {
+    std::string program;  ///< "O2"
+    Place place = {};     ///< Of the call.
+};
+
 /// Why a run did not complete, as a sentence, and where.
 struct Alarm {
     std::string message;
     Place place = {};
-    char axis = 0;                ///< Letter, where one axis is to blame.
-    std::optional<double> value;  ///< Of that axis (mm or deg).
-    std::optional<double> limit;  ///< That it passed (mm or deg).
+    std::vector<OpenCall> calls = {};  ///< From the innermost to the first.
+    char axis = 0;                     ///< Letter, where one axis is to blame.
+    std::optional<double> value;       ///< Of that axis (mm or deg).
+    std::optional<double> limit;       ///< That it passed (mm or deg).
 };
 
 struct Event {

@@ -28,6 +28,15 @@ Json line(const Place& place) {
     return place.line > 0 ? Json(place.line) : Json(nullptr);
 }
 
+Json calls(const Report& report, const std::vector<OpenCall>& open) {
+    Json list = Json::array();
+    for (const OpenCall& call : open) {
+        list.push_back(
+            {{"program", call.program}, {"file", file(report, call.place)}, {"line", line(call.place)}});
+    }
+    return list;
+}
+
 Json alarm(const Report& report) {
     if (!report.alarm) return nullptr;
     const Alarm& alarm = *report.alarm;
@@ -36,7 +45,8 @@ Json alarm(const Report& report) {
             {"line", line(alarm.place)},
             {"axis", alarm.axis != 0 ? Json(std::string(1, alarm.axis)) : Json(nullptr)},
             {"value", number(alarm.value)},
-            {"limit", number(alarm.limit)}};
+            {"limit", number(alarm.limit)},
+            {"calls", calls(report, alarm.calls)}};
 }
 
 Json bounds(const Report& report) {

@@ -80,6 +80,10 @@ void add_head(Text& out, const Report& report) {
     out.line("{:<12}{}", "status", name(report.status));
     if (report.alarm) {
         out.line("{:<12}{}", "  at", place_text(report, report.alarm->place, kWidth - 12));
+        for (const OpenCall& call : report.alarm->calls) {
+            out.line("{:<12}{} at {}", "  called", call.program,
+                     place_text(report, call.place, kWidth - 12 - 4 - call.program.size()));
+        }
         out.wrapped("  because   ", report.alarm->message);
     }
     out.line("{:<12}{:.3f} s  ({})", "cycle time", report.cycle_time_s, clock_text(report.cycle_time_s));

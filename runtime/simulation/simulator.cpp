@@ -12,6 +12,9 @@ using rrs::Status;
 
 namespace {
 
+/// mm or deg: what rotation and scaling leave of an axis that does not move.
+constexpr double kSamePlace = 1e-9;
+
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kSecondsPerMinute = 60.0;
 constexpr std::size_t kMaxEvents = 100'000;
@@ -104,7 +107,7 @@ bool Simulator::count_block(const Place& place) {
 bool Simulator::rotary_alone(const AxisVector& target) const {
     bool rotary = false;
     for (Eigen::Index i = 0; i < target.size(); ++i) {
-        if (target[i] == position_[i]) continue;
+        if (std::abs(target[i] - position_[i]) < kSamePlace) continue;
         if (machine_.axes[static_cast<std::size_t>(i)].kind == machine::AxisKind::linear) return false;
         rotary = true;
     }
@@ -181,15 +184,22 @@ bool Simulator::finish_move(Status status, const Place& place) {
     return true;
 }
 
+/// The feed as reports show it; of a move with a time of its own (inverse time feed) its mean.
+double Simulator::feed_per_min(const LineMove& move, bool rotary) const {
+    if (!move.feed.motion_s) return rotary ? move.feed.rotary_deg_min : move.feed.linear_mm_min;
+    const double length = rotary ? (move.target - position_).norm()
+                                 : (space_point(move.target) - space_point(position_)).norm();
+    return length / *move.feed.motion_s * kSecondsPerMinute;
+}
+
 bool Simulator::move(const LineMove& move) {
     const bool rotary = rotary_alone(move.target);
-    if (move.rapid) {
+    if (move.kind == MoveKind::rapid) {
         select_rapid(true);
     } else if (!set_feed(move.feed, rotary, move.place)) {
         return false;
     }
-    const MoveInfo info = next_move(move.rapid ? MoveKind::rapid : MoveKind::linear, move.place,
-                                    rotary ? move.feed.rotary_deg_min : move.feed.linear_mm_min);
+    const MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
     recorder_.expect(info);
     const Status status = planner_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
                                                  to_joints(move.target), {}, 0);
@@ -205,7 +215,13 @@ bool Simulator::move(const ArcMove& move) {
     center[second] = move.center_second_mm;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     axis[normal] = move.kind == MoveKind::arc_ccw ? 1.0 : -1.0;
-    MoveInfo info = next_move(move.kind, move.place, move.feed.linear_mm_min);
+    const Eigen::Vector3d start = space_point(position_);
+    const double radius = std::hypot(start[first] - center[first], start[second] - center[second]);
+    const double length =
+        std::hypot(radius * move.sweep_rad, space_point(move.target)[normal] - start[normal]);
+    const double feed_mm_min =
+        move.feed.motion_s ? length / *move.feed.motion_s * kSecondsPerMinute : move.feed.linear_mm_min;
+    MoveInfo info = next_move(move.kind, move.place, feed_mm_min);
     info.plane = move.plane;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
     recorder_.expect(info);
@@ -296,6 +312,7 @@ bool Simulator::fail(std::string message, const Place& place) {
     alarm_ = Alarm{};
     alarm_->message = std::move(message);
     alarm_->place = place;
+    alarm_->calls.assign(calls_.rbegin(), calls_.rend());
     return false;
 }
 

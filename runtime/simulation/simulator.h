@@ -35,8 +35,7 @@ struct Feed {
 
 /// One move of the program in machine coordinates.
 struct LineMove {
-    bool rapid = false;
-    bool joint = false;  ///< A rapid in which all joints start and end together (robot-neutral joint motion).
+    MoveKind kind = MoveKind::linear;  ///< Any but an arc or a dwell.
     AxisVector target;
     Feed feed;
     Place place;
@@ -97,6 +96,11 @@ class Simulator {
     bool jet() const { return jet_; }
     /// A warning for the report; the same text is given once.
     void warn(const std::string& text);
+    /// A program is called, or the one called last has ended: an alarm names the calls that are open.
+    void enter_program(std::string name, const Place& place) { calls_.push_back({std::move(name), place}); }
+    void leave_program() {
+        if (!calls_.empty()) calls_.pop_back();
+    }
     /// Ends the run with an alarm of the program; always false.
     bool fail(std::string message, const Place& place);
     /// Ends the run because of a limit; always false.
@@ -128,6 +132,7 @@ class Simulator {
     AxisVector to_axes(const rrs::JointPos& joints) const;
     Eigen::Vector3d space_point(const AxisVector& axes) const;
     bool rotary_alone(const AxisVector& target) const;
+    double feed_per_min(const LineMove& move, bool rotary) const;
     bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
     bool finish_move(rrs::Status status, const Place& place);
@@ -144,6 +149,7 @@ class Simulator {
     std::vector<Event> events_;
     std::uint64_t dropped_events_ = 0;
     std::optional<Alarm> alarm_;
+    std::vector<OpenCall> calls_;
     RunStatus status_ = RunStatus::completed;
     rrs::TargetId next_id_ = 1;
     std::uint64_t blocks_ = 0;

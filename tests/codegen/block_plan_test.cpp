@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"G4 P1 X2", "1: error: G4 takes one of P, X and U, its seconds"},
         Wrong{"G4 P1 P2", "7: error: P stands twice in the block"},
         Wrong{"P5", "1: error: P has no meaning in this block: no code of the block takes it"},
-        Wrong{"G1 X5 P5", "7: error: P has no meaning in this block: no code of the block takes it"},
+        Wrong{"G1 X5 P5", "7: error: P has no meaning in a block with G1"},
         Wrong{"L5", "1: error: L has no meaning in this block: no code of the block takes it"},
         Wrong{"E5", "1: error: E has no meaning in this block: no code of the block takes it"},
         Wrong{"M98", "1: error: M98 needs P, the program that it calls"},
@@ -88,39 +88,63 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Codes, BlockErrors,
     testing::Values(
-        Wrong{"G777", "1: error: G777 is no code of the Allen-Bradley 9/Series dialect"},
-        Wrong{"M77", "1: error: M77 is no code of the Allen-Bradley 9/Series dialect"},
-        Wrong{"G1.5 X1", "1: error: G1.5 is no code of the Allen-Bradley 9/Series dialect"},
-        Wrong{"G-1 X1", "1: error: G-1 is no code of the Allen-Bradley 9/Series dialect"},
-        Wrong{"G1.55", "1: error: G1.55 is no code of the Allen-Bradley 9/Series dialect"},
-        Wrong{"G99999", "1: error: G99999 is no code of the Allen-Bradley 9/Series dialect"},
+        Wrong{"G777", "1: error: G777 is no code of Allen-Bradley 9/Series"},
+        Wrong{"M77", "1: error: M77 is no code of Allen-Bradley 9/Series"},
+        Wrong{"G1.5 X1",
+              "1: error: G1.5 is no code of Allen-Bradley 9/Series; there is G1 (linear interpolation)"},
+        Wrong{"G-1 X1", "1: error: G-1 is no code of Allen-Bradley 9/Series"},
+        Wrong{"G1.55", "1: error: G1.55 is no code of Allen-Bradley 9/Series"},
+        Wrong{"G99999", "1: error: G99999 is no code of Allen-Bradley 9/Series"},
         Wrong{"G#1 X1",
               "1: error: the number of a G code must be written out; a computed one is not supported"},
         Wrong{"M[5]",
               "1: error: the number of a M code must be written out; a computed one is not supported"},
-        Wrong{"G41 D1", "1: error: G41 (cutter compensation, left) is not supported yet"},
-        Wrong{"G42 D1", "1: error: G42 (cutter compensation, right) is not supported yet"},
-        Wrong{"X1 G81 R2", "4: error: G81 (drilling cycle) is not supported yet"},
-        Wrong{"G14 P2", "1: error: G14 (scaling) is not supported yet"},
-        Wrong{"G14.1 P2", "1: error: G14.1 (scaling) is not supported yet"},
-        Wrong{"G51.1 X0", "1: error: G51.1 (mirror image on) is not supported yet"},
-        Wrong{"G22 X1 I5", "1: error: G22 (programmable zone on) is not supported yet"},
-        Wrong{"G43 H1", "1: error: G43 (tool length offset, plus) is not supported yet"},
-        Wrong{"G65 P1", "1: error: G65 (macro call) is not supported yet"},
-        Wrong{"M99 P10", "1: error: M99 with P (return to a block) is not supported yet"},
-        Wrong{"X1 ,C5", "4: error: chamfers, corner radii and angles (,C ,R ,A) are not supported yet"}));
+        Wrong{"G64.1", "1: error: G64.1 is no code of Allen-Bradley 9/Series; there is G64 (cutting mode)"},
+        Wrong{
+            "G7",
+            "1: error: G7 is no code of Allen-Bradley 9/Series; RS274/NGC has it (lathe diameter mode), see "
+            "--dialect"},
+        Wrong{
+            "X1 G38.2",
+            "4: error: G38.2 is no code of Allen-Bradley 9/Series; RS274/NGC has it (probe toward, alarm on "
+            "failure), see --dialect"},
+        Wrong{
+            "M62 P1",
+            "1: error: M62 is no code of Allen-Bradley 9/Series; RS274/NGC has it (output on, with the next "
+            "move), see --dialect"},
+        Wrong{"G47", "1: error: G47 (linear acceleration mode) is not supported"},
+        Wrong{"G47.9 X1", "1: error: G47.9 (acceleration without limits) is not supported"},
+        Wrong{"M1000", "1: error: M1000 is no code of Allen-Bradley 9/Series"},
+        Wrong{"M101 F5 I1 I2", "12: error: I stands twice in the block"},
+        Wrong{"G65 X1", "1: error: G65 needs P, the program that it calls"},
+        Wrong{"G66.1 A1", "1: error: G66.1 needs P, the program that it calls"},
+        Wrong{"G65 P1 X1 X2", "11: error: X stands twice in the block"},
+        Wrong{"G65 P1 Q1 I1 I2 Q2", "17: error: Q stands twice in the block"},
+        Wrong{"G92 X1 ,C2", "8: error: ,C has no meaning in a block with G92"},
+        Wrong{"G0 X1 ,R2", "7: error: ,R has no meaning in a block with G0"},
+        Wrong{"G81 X1 Z1 R2 ,A30", "14: error: ,A has no meaning in a block with G81"},
+        Wrong{"G1 X1 ,C2 ,C3", "11: error: ,C stands twice in the block"},
+        Wrong{"G54 G59.3",
+              "5: error: G54 and G59.3 are of one modal group (work coordinate system); a block takes one of "
+              "them"},
+        Wrong{"G43 H1 G49",
+              "8: error: G43 and G49 are of one modal group (tool length); a block takes one of them"},
+        Wrong{"G81 X1 R1 G80",
+              "11: error: G81 and G80 are of one modal group (canned cycles); a block takes one of them"},
+        Wrong{"M99 P1.5", "5: error: a jump leads to a block number, not to 1.5"},
+        Wrong{"M99 P5", "5: error: GOTO 5: there is no N5 in this program"}));
 
 INSTANTIATE_TEST_SUITE_P(
     BlockDelete, BlockErrors,
     testing::Values(Wrong{"/WHILE[1]DO1;END1",
-                          "1: error: block delete '/' cannot stand before O, WHILE or END: the "
-                          "program would lose its structure"},
+                          "1: error: block delete '/' cannot stand before a program or a control "
+                          "structure: its other end would be lost"},
                     Wrong{"WHILE[1]DO1;/END1",
-                          "13: error: block delete '/' cannot stand before O, WHILE or END: the "
-                          "program would lose its structure"},
+                          "13: error: block delete '/' cannot stand before a program or a control "
+                          "structure: its other end would be lost"},
                     Wrong{"/O5",
-                          "3: error: block delete '/' cannot stand before O, WHILE or END: the program would "
-                          "lose its structure"}));
+                          "3: error: block delete '/' cannot stand before a program or a control "
+                          "structure: its other end would be lost"}));
 
 }  // namespace
 }  // namespace gsim::codegen

@@ -84,10 +84,57 @@ TEST(BlockWords, OneShotsWithoutAMoveAreDropped) {
     EXPECT_EQ(result.code(3), "F(5)");
 }
 
-TEST(BlockWords, BareCodesOfLaterMeaningsSwitchOff) {
+TEST(BlockWords, BareCodesSwitchOff) {
     EXPECT_EQ(lua_of("G14"), "G14()");
     EXPECT_EQ(lua_of("G14.1"), "G14_1()");
-    EXPECT_EQ(lua_of("G40 G49 G80 G23 G69 G67"), "G40() G69() G49() G80() G23() G67()");
+    EXPECT_EQ(lua_of("G40 G49 G80 G23 G69 G67"), "G40() G49() G80() G23() G69() G67()");
+}
+
+TEST(BlockWords, CodesTakeTheirWords) {
+    EXPECT_EQ(lua_of("G41 D5 X1"), "G41{d=5} move{x=1}");
+    EXPECT_EQ(lua_of("D5 G1 G42 X1"), "G42{d=5} G1{x=1}");
+    EXPECT_EQ(lua_of("D5 X1"), "D(5) move{x=1}");
+    EXPECT_EQ(lua_of("G43 H2 Z1 G0"), "G43{h=2} G0{z=1}");
+    EXPECT_EQ(lua_of("G81 X1 Y2 Z-3 R1 L4 F100 G99"), "G99() F(100) G81{x=1, y=2, z=-3, r=1, l=4}");
+    EXPECT_EQ(lua_of("X5 L2"), "move{x=5, l=2}") << "a cycle that goes on";
+    EXPECT_EQ(lua_of("L2 X5"), "move{l=2, x=5}");
+    EXPECT_EQ(lua_of("G10 L2 P1 X5 Y6"), "G10{l=2, p=1, x=5, y=6}");
+    EXPECT_EQ(lua_of("G50 S2000"), "G50{s=2000}");
+    EXPECT_EQ(lua_of("G33 Z5 F2"), "G33{z=5, f=2}") << "F is the lead";
+    EXPECT_EQ(lua_of("G68 X1 Y2 R30"), "G68{x=1, y=2, r=30}");
+    EXPECT_EQ(lua_of("G51.1 X0"), "G51_1{x=0}");
+    EXPECT_EQ(lua_of("G30 P3 X1"), "G30{p=3, x=1}");
+    EXPECT_EQ(lua_of("G22 X1 I5"), "G22{x=1, i=5}");
+}
+
+TEST(BlockWords, MacroCalls) {
+    EXPECT_EQ(lua_of("G65 P9010 A1 B2 X3"), "G65{p=9010, a=1, b=2, x=3}");
+    EXPECT_EQ(lua_of("G65 P1 F5 S6 T7 D8 H9"), "G65{p=1, f=5, s=6, t=7, d=8, h=9}") << "arguments, not F(5)";
+    EXPECT_EQ(lua_of("G65 P1 I1 J2 K3 I4 J5"),
+              "G65{p=1, {\"i\", 1}, {\"j\", 2}, {\"k\", 3}, {\"i\", 4}, {\"j\", 5}}")
+        << "in their order";
+    EXPECT_EQ(lua_of("G65 P1 I1 J2 A5"), "G65{p=1, i=1, j=2, a=5}");
+    EXPECT_EQ(lua_of("G66 P1 L2 X5"), "G66{p=1, l=2, x=5}");
+    EXPECT_EQ(lua_of("G66.1 P1 I[#1] I#2"), "G66_1{p=1, {\"i\", v[1]}, {\"i\", v[2]}}");
+    EXPECT_EQ(lua_of("G67"), "G67()");
+}
+
+TEST(BlockWords, UserCodes) {
+    EXPECT_EQ(lua_of("M101"), "M[101]()");
+    EXPECT_EQ(lua_of("M999 P1 Q[#1] D5"), "M[999]{p=1, q=v[1], d=5}");
+    EXPECT_EQ(lua_of("X5 M101 P1"), "M[101]{p=1} move{x=5}") << "axis words are the move's";
+    EXPECT_EQ(lua_of("M0100"), "M[100]()");
+}
+
+TEST(BlockWords, Corners) {
+    EXPECT_EQ(lua_of("G1 X10 ,R2"), "corner(2) G1{x=10}");
+    EXPECT_EQ(lua_of(",C1.5 X10 F5"), "F(5) chamfer(1.5) move{x=10}");
+    EXPECT_EQ(lua_of("X10 ,A30 ,C[#1]"), "line_angle(30) chamfer(v[1]) move{x=10}");
+    EXPECT_EQ(lua_of(",A30"), "line_angle(30) move()") << "the next block tells where the line ends";
+    EXPECT_EQ(lua_of("G1 ,A-45"), "line_angle(-45) G1()");
+    EXPECT_EQ(lua_of("G2 X1 R5 ,C2"), "chamfer(2) G2{x=1, r=5}");
+    EXPECT_EQ(lua_of("CIP X1 I1=5 ,R2"), "corner(2) CIP{x=1, i1=5}");
+    EXPECT_EQ(lua_of("/3 X1 ,C2"), "if not skipped(3) then chamfer(2) move{x=1} end");
 }
 
 TEST(BlockWords, BlockDelete) {

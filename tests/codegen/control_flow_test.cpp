@@ -64,8 +64,9 @@ TEST(Jumps, Errors) {
               "2:5: error: GOTO 6 leads into a WHILE loop from outside\n");
     EXPECT_EQ(messages("N7\nGOTO7\nN7\n"),
               "3:1: error: N7 stands twice in this program, and a GOTO leads to it\n");
-    EXPECT_EQ(messages("GOTO5.5\n"), "1:5: error: GOTO takes a block number, not 5.5\n");
-    EXPECT_EQ(messages("GOTO1234567890\n"), "1:5: error: GOTO takes a block number, not 1234567890\n");
+    EXPECT_EQ(messages("GOTO5.5\n"), "1:5: error: a jump leads to a block number, not to 5.5\n");
+    EXPECT_EQ(messages("GOTO1234567890\n"),
+              "1:5: error: a jump leads to a block number, not to 1234567890\n");
     EXPECT_EQ(messages("N7\nN7\n"), "") << "without a GOTO it does not matter";
 }
 

@@ -54,7 +54,7 @@ std::string move(Random& random) {
 }
 
 std::string plain_block(Random& random, bool errors) {
-    static constexpr std::array<std::string_view, 14> kBlocks = {"",
+    static constexpr std::array<std::string_view, 21> kBlocks = {"",
                                                                  "%",
                                                                  "(a comment -- [[ ]] end)",
                                                                  "X5 F200 G04",
@@ -67,8 +67,15 @@ std::string plain_block(Random& random, bool errors) {
                                                                  "/2 G1 X1",
                                                                  "IF[#1 GT 5]THEN #2=#1",
                                                                  "G2 X1 Y1 I5",
-                                                                 "T1 M6"};
-    static constexpr std::array<std::string_view, 6> kErrors = {"X", "G0 G1", "X1 X2", "@", "G41 X1", "[["};
+                                                                 "T1 M6",
+                                                                 "G1 X5 ,R2",
+                                                                 "G65 P7 A1 I1 J2 I3",
+                                                                 "DPRNT[X#100[53]*\"\\%d]",
+                                                                 "#3000=1 (\"stop\\)",
+                                                                 "M101 P5",
+                                                                 "G41 D1 X5",
+                                                                 "G81 X1 Z-2 R1 L3"};
+    static constexpr std::array<std::string_view, 6> kErrors = {"X", "G0 G1", "X1 X2", "@", "G47 X1", "[["};
     switch (below(random, errors ? 5 : 4)) {
         case 0: return std::string(one_of(random, kBlocks));
         case 1: return fmt::format("#{}={}", below(random, 100), expression(random, 4));

@@ -27,9 +27,25 @@ Translated translated(std::string_view gcode, const TranslateOptions& options) {
     return out;
 }
 
-std::string lua_of(std::string_view block) {
-    const Translated result = translated(block);
+Translated translated_ngc(std::string_view gcode, TranslateOptions options) {
+    options.dialect = &grammar::dialect_rs274ngc();
+    return translated(gcode, options);
+}
+
+namespace {
+
+std::string first_line(const Translated& result) {
     return result.ok ? result.code(1) : result.messages;
+}
+
+}  // namespace
+
+std::string lua_of(std::string_view block) {
+    return first_line(translated(block));
+}
+
+std::string ngc_lua_of(std::string_view block) {
+    return first_line(translated_ngc(block));
 }
 
 }  // namespace gsim::codegen

@@ -21,7 +21,11 @@ struct Translated {
 /// Translates a text whose name is part.nc.
 Translated translated(std::string_view gcode, const TranslateOptions& options = {});
 
-/// The Lua of one block that has no error.
+/// The same for RS274/NGC.
+Translated translated_ngc(std::string_view gcode, TranslateOptions options = {});
+
+/// The Lua of one block, or the messages where it has an error.
 std::string lua_of(std::string_view block);
+std::string ngc_lua_of(std::string_view block);
 
 }  // namespace gsim::codegen

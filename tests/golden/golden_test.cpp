@@ -1,6 +1,6 @@
-// Translates each NAME.nc of this folder and of samples/ and compares the Lua with NAME.lua and the messages
-// with NAME.err of this folder; a file that does not exist stands for no output. With GSIM_RENEW_GOLDEN=1 in
-// the environment it writes both instead: read what changed before you keep it.
+// Translates each NAME.nc and NAME.ngc (RS274/NGC) of this folder and of samples/ and compares the Lua with
+// NAME.lua and the messages with NAME.err of this folder; a file that does not exist stands for no output.
+// With GSIM_RENEW_GOLDEN=1 in the environment it writes both instead: read what changed before you keep it.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -20,12 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kFolder = GSIM_GOLDEN_DIR;
+constexpr std::string_view kNgc = ".ngc";
 
 std::vector<fs::path> programs() {
     std::vector<fs::path> files;
     for (const fs::path& folder : {kFolder, fs::path(GSIM_SAMPLES_DIR)}) {
         for (const auto& entry : fs::directory_iterator(folder)) {
-            if (entry.path().extension() == ".nc") files.push_back(entry.path());
+            const fs::path extension = entry.path().extension();
+            if (extension == ".nc" || extension == kNgc) files.push_back(entry.path());
         }
     }
     std::sort(files.begin(), files.end());
@@ -50,6 +52,7 @@ class Golden : public testing::TestWithParam<fs::path> {};
 TEST_P(Golden, TranslatesAsExpected) {
     TranslateOptions options;
     options.source_name = GetParam().filename().string();
+    if (GetParam().extension() == kNgc) options.dialect = &grammar::dialect_rs274ngc();
     const TextTranslation result = translate_text(read(GetParam()), options);
     fs::path expected = kFolder / GetParam().filename();
     const fs::path lua = expected.replace_extension(".lua");

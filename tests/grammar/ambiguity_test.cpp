@@ -10,11 +10,12 @@ namespace gsim::grammar {
 namespace {
 
 /// True where the parser did not give up on `line`, and read the block behind it.
-testing::AssertionResult comes_through(const std::string& line) {
-    const Parsed parsed = parse(line + "\nG1 X5\n");
+testing::AssertionResult comes_through(const std::string& line, lexer::Style style = lexer::Style::ab9) {
+    const Parsed parsed = parse(line + "\nG1 X5\n", style);
+    const std::string next = style == lexer::Style::ab9 ? "words G=1 X=5:axis" : "words G=1 X=5";
     if (!parsed.finished || parsed.messages.find("gave up") != std::string::npos)
         return testing::AssertionFailure() << "gave up: " << line << "\n" << parsed.messages;
-    if (parsed.blocks.empty() || parsed.blocks.back() != "words G=1 X=5:axis")
+    if (parsed.blocks.empty() || parsed.blocks.back() != next)
         return testing::AssertionFailure() << "lost the next block: " << line;
     return testing::AssertionSuccess();
 }
@@ -49,6 +50,46 @@ TEST(LongAmbiguity, ErrorsInTheMidst) {
     EXPECT_TRUE(comes_through(repeated("", "N1 ", 1000)));
     EXPECT_TRUE(comes_through(repeated("", "/ ", 1500)));
     EXPECT_TRUE(comes_through(repeated("X", "[", 5000)));
+}
+
+TEST(LongAmbiguity, OfRs274Ngc) {
+    constexpr auto kNgc = lexer::Style::rs274ngc;
+    EXPECT_TRUE(comes_through(repeated("", "X1 ", 500), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "X1 ", 1000000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "#1=1 ", 660), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "#1=1 ", 10000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "X#1 #2=3 ", 300), kNgc));
+    EXPECT_TRUE(comes_through(repeated("#1=", "#", 1900) + "1", kNgc));
+    EXPECT_TRUE(comes_through(repeated("X", "#", 1000000) + "1", kNgc));
+    EXPECT_TRUE(comes_through(repeated("X[1", "**2", 600) + "]", kNgc));
+    EXPECT_TRUE(comes_through(repeated("X[1", " EQ 2", 600) + "]", kNgc));
+    EXPECT_TRUE(comes_through(repeated("X", "[", 1000000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("X", "SIN[", 1000000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("o1 call ", "[1]", 1000000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "o1 ", 1000000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "#<", 30000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "O<", 30000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("", "N1", 1000000), kNgc));
+    EXPECT_TRUE(comes_through(repeated("X[", "ATAN[1]/[2]*", 160) + "1]", kNgc));
+    EXPECT_TRUE(comes_through(repeated("X[", "EXISTS[", 1000), kNgc));
+}
+
+TEST(LongAmbiguity, RandomBlocksOfRs274Ngc) {
+    constexpr const char* kPieces[] = {"X1 ",       "X[1+2]",    "P#1 ",   "F[ATAN[1]/[2]*3]",
+                                       "G4 ",       "M98 ",      "#1=2 ",  "#<a>=#2 ",
+                                       "#[1]=-3",   "##4=5",     "X#<b>",  "@1 ^2",
+                                       "o1 ",       "o<x> call", "[1]",    "if ",
+                                       "sub",       "**",        "] ",     "EXISTS[#1]",
+                                       "[2 EQ 3] ", "AND ",      "; ",     "(c)",
+                                       "= ",        "/",         "SIN[1]", "ATAN[1]/[2]",
+                                       "N1"};
+    std::mt19937 random(21);
+    for (int i = 0; i < 3000; ++i) {
+        std::string line;
+        for (std::size_t count = random() % 40; count > 0; --count)
+            line += kPieces[random() % std::size(kPieces)];
+        ASSERT_TRUE(comes_through(line, lexer::Style::rs274ngc)) << "block " << i << ": " << line;
+    }
 }
 
 TEST(LongAmbiguity, RandomBlocks) {

@@ -1,6 +1,7 @@
 #include "grammar/dialect.h"
 
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,81 @@ namespace gsim::grammar {
 namespace {
 
 TEST(Dialect, NoCodeStandsTwiceAndEachIsFound) {
-    std::set<std::string> names;
-    for (const Code& code : dialect_ab9().codes()) {
-        EXPECT_TRUE(names.insert(code_name(code)).second) << code_name(code) << " stands twice";
-        EXPECT_EQ(dialect_ab9().find(code.letter, code.code_x10), &code) << code_name(code);
-        EXPECT_FALSE(code.meaning.empty()) << code_name(code);
+    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+        std::set<std::string> names;
+        for (const Code& code : dialect->codes()) {
+            EXPECT_TRUE(names.insert(code_name(code)).second) << code_name(code) << " stands twice";
+            EXPECT_EQ(dialect->find(code.letter, code.code_x10), &code) << code_name(code);
+            EXPECT_FALSE(code.meaning.empty()) << code_name(code);
+        }
+    }
+}
+
+/// A letter that a code takes must have a meaning in the dialect, and none is an axis already.
+TEST(Dialect, WordsOfCodesAreLettersOfTheDialect) {
+    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+        std::string letters;
+        for (const Letter& letter : dialect->rules().letters) letters += letter.address;
+        for (const Code& code : dialect->codes()) {
+            std::set<char> seen;
+            for (const char letter : code.words) {
+                EXPECT_TRUE(seen.insert(letter).second) << code_name(code) << " has " << letter << " twice";
+                const bool known = letters.find(letter) != std::string::npos;
+                EXPECT_TRUE(known || letter == '1' || letter == ',' || letter == '*' || letter == 'E')
+                    << dialect->name() << " " << code_name(code) << " " << letter;
+            }
+        }
+    }
+}
+
+TEST(Dialect, CodesAtTheStartExistAndAreOfDifferentGroups) {
+    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+        std::istringstream initial{std::string(dialect->rules().initial)};
+        std::set<Group> groups;
+        for (std::string name; initial >> name;) {
+            const auto code_x10 = static_cast<std::int32_t>(std::stod(name.substr(1)) * 10 + 0.5);
+            const Code* code = dialect->find(name[0], code_x10);
+            ASSERT_NE(code, nullptr) << dialect->name() << " " << name;
+            EXPECT_EQ(code_name(*code), name);
+            EXPECT_TRUE(groups.insert(code->group).second) << name;
+            EXPECT_EQ(code->support, Support::full) << name;
+        }
+    }
+}
+
+TEST(Dialect, Rs274NgcRefusesByNameWhatItHasAndDoesNotDo) {
+    for (const int code_x10 : {70, 80, 171, 181, 191, 710, 711, 720}) {
+        const Code* code = dialect_rs274ngc().find('G', code_x10);
+        ASSERT_NE(code, nullptr) << code_x10;
+        EXPECT_EQ(code->support, Support::later) << code_x10;
+    }
+    for (const int code_x10 :
+         {50, 51, 52, 53, 281, 301, 331, 382, 385, 411, 431, 432, 593, 611, 901, 911, 922})
+        EXPECT_NE(dialect_rs274ngc().find('G', code_x10), nullptr) << code_x10;
+    for (const int code_x10 : {480, 500, 530, 600, 610, 620, 660, 680, 700, 730, 1000, 1990}) {
+        const Code* code = dialect_rs274ngc().find('M', code_x10);
+        ASSERT_NE(code, nullptr) << code_x10;
+        EXPECT_EQ(code->support, Support::full) << code_x10;
+    }
+    EXPECT_EQ(dialect_rs274ngc().find('M', 2000), nullptr);
+    EXPECT_EQ(dialect_rs274ngc().find('G', 650), nullptr);
+}
+
+/// LinuxCNC's documented order: feed mode, F, S, T, M6, spindle, coolant, overrides, dwell, plane, units,
+/// compensation, lengths, coordinate system, path mode, distance mode, cycle level, data, motion, stop.
+TEST(Dialect, OrderOfExecutionOfRs274Ngc) {
+    const Dialect& ngc = dialect_rs274ngc();
+    const std::vector<Phase> order = {
+        Phase::feed_mode, Phase::feed,         Phase::spindle_speed, Phase::tool,       Phase::tool_change,
+        Phase::switch_on, Phase::switch_off,   Phase::pause,         Phase::dwell,      Phase::plane,
+        Phase::units,     Phase::compensation, Phase::tool_length,   Phase::work_frame, Phase::path_mode,
+        Phase::distance,  Phase::cycle,        Phase::data,          Phase::motion,     Phase::flow};
+    for (std::size_t i = 1; i < order.size(); ++i)
+        EXPECT_LT(ngc.rank(order[i - 1]), ngc.rank(order[i])) << name(order[i - 1]) << ", " << name(order[i]);
+    for (const Dialect* dialect : {&dialect_ab9(), &ngc}) {
+        std::set<int> ranks;
+        for (std::size_t phase = 0; phase < kPhaseCount; ++phase)
+            EXPECT_TRUE(ranks.insert(dialect->rank(static_cast<Phase>(phase))).second) << phase;
     }
 }
 
@@ -60,12 +131,26 @@ TEST(Dialect, ModalGroups) {
     for (const int g : {4, 9, 28, 52, 53, 92}) EXPECT_EQ(group(g), Group::none) << "G" << g;
 }
 
-TEST(Dialect, EveryGroupHasAName) {
+TEST(Dialect, EveryGroupAndPhaseHasAName) {
     std::set<std::string_view> names;
-    for (int g = 0; g <= static_cast<int>(Group::override_switch); ++g) {
+    for (std::size_t g = 0; g < kGroupCount; ++g) {
         EXPECT_FALSE(name(static_cast<Group>(g)).empty()) << g;
         EXPECT_TRUE(names.insert(name(static_cast<Group>(g))).second) << g;
     }
+    EXPECT_EQ(name(static_cast<Group>(kGroupCount)), "") << "the count is right";
+    names.clear();
+    for (std::size_t p = 0; p < kPhaseCount; ++p) {
+        EXPECT_FALSE(name(static_cast<Phase>(p)).empty()) << p;
+        EXPECT_TRUE(names.insert(name(static_cast<Phase>(p))).second) << p;
+    }
+    EXPECT_EQ(name(static_cast<Phase>(kPhaseCount)), "");
+}
+
+TEST(Dialect, Named) {
+    EXPECT_EQ(dialect_named("ab9"), &dialect_ab9());
+    EXPECT_EQ(dialect_named("rs274ngc"), &dialect_rs274ngc());
+    EXPECT_EQ(dialect_named("fanuc"), nullptr);
+    EXPECT_EQ(dialect_named(""), nullptr);
 }
 
 TEST(Dialect, Names) {
@@ -73,6 +158,10 @@ TEST(Dialect, Names) {
     EXPECT_EQ(lua_name(*dialect_ab9().find('G', 921)), "G92_1");
     EXPECT_EQ(lua_name(*dialect_ab9().find('M', 80)), "M8");
     EXPECT_EQ(lua_name(*dialect_ab9().find('G', 5050)), "G505");
+    EXPECT_EQ(lua_name(*dialect_ab9().find('M', 1010)), "M[101]");
+    EXPECT_EQ(code_name(*dialect_ab9().find('M', 9990)), "M999");
+    EXPECT_EQ(dialect_ab9().find('M', 10000), nullptr);
+    EXPECT_EQ(code_name(*dialect_rs274ngc().find('G', 593)), "G59.3");
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace gsim::grammar {
 namespace {
 
 std::string_view name(Operator op) {
-    static constexpr std::array<std::string_view, 29> kNames = {
-        "+",    "-",   "*",     "/",   "MOD", "AND", "OR",  "XOR",  "EQ",   "NE",
-        "GT",   "GE",  "LT",    "LE",  "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN",
-        "SQRT", "ABS", "ROUND", "FIX", "FUP", "LN",  "EXP", "BIN",  "BCD"};
+    static constexpr std::array<std::string_view, 33> kNames = {
+        "+",     "-",   "*",   "/",   "MOD", "AND", "OR",   "XOR",  "EQ",   "NE",   "GT",
+        "GE",    "LT",  "LE",  "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "SQRT", "ABS",
+        "ROUND", "FIX", "FUP", "LN",  "EXP", "BIN", "BCD",  "**",   "EQ~",  "NE~",  "EXISTS"};
     return kNames.at(static_cast<std::size_t>(op));
 }
 
@@ -27,6 +27,8 @@ std::string tree(const Block& block, std::int32_t index) {
         case NodeKind::negate: return fmt::format("(neg {})", tree(block, node.left));
         case NodeKind::binary:
             return fmt::format("({} {} {})", name(node.op), tree(block, node.left), tree(block, node.right));
+        case NodeKind::named: return fmt::format("#<{}>", block.text->view(node.number));
+        case NodeKind::exists: return fmt::format("(EXISTS {})", tree(block, node.left));
         case NodeKind::call: break;
     }
     const std::string second = node.right >= 0 ? fmt::format(" {}", tree(block, node.right)) : "";
@@ -52,6 +54,17 @@ std::string content(const Block& block) {
     return out;
 }
 
+std::string flow(const Block& block) {
+    static constexpr std::array<std::string_view, 16> kNames = {
+        "program", "sub",   "endsub",   "call", "return", "if",        "elseif", "else",
+        "endif",   "while", "endwhile", "do",   "repeat", "endrepeat", "break",  "continue"};
+    std::string out = fmt::format("{} o{}", kNames.at(static_cast<std::size_t>(block.flow)),
+                                  block.flow_node >= 0 ? tree(block, block.flow_node)
+                                                       : std::string(block.text->view(block.text->program)));
+    for (const std::int32_t argument : block.arguments) out += fmt::format(" {}", tree(block, argument));
+    return out;
+}
+
 std::string body(const Block& block) {
     switch (block.kind) {
         case BlockKind::words: return "words" + content(block);
@@ -64,6 +77,10 @@ std::string body(const Block& block) {
             return fmt::format("while {} do {}", tree(block, block.condition), block.loop);
         case BlockKind::end_loop: return fmt::format("end {}", block.loop);
         case BlockKind::jump: return fmt::format("goto {}", tree(block, block.target));
+        case BlockKind::print:
+            return fmt::format("print {} {}", static_cast<int>(block.print),
+                               block.text->view(block.text->print));
+        case BlockKind::flow: return flow(block);
         case BlockKind::tape: return "tape";
     }
     return "";
@@ -87,17 +104,21 @@ class Writer : public BlockSink {
 
 }  // namespace
 
-Parsed parse(std::string_view text) {
+Parsed parse(std::string_view text, lexer::Style style) {
     Parsed result;
     lexer::Source source = lexer::Source::from_text(std::string(text), "t");
     lexer::Diagnostics diagnostics(source, 1000, [&](std::string_view message) {
         result.messages += std::string(message.substr(2, message.find('\n') - 1));
     });
     const lexer::Aliases aliases;
-    lexer::Lexer lexer(source, diagnostics, aliases);
+    lexer::Lexer lexer(source, diagnostics, aliases, style);
     Writer writer(result.blocks);
     result.finished = Parser(lexer, diagnostics, writer).run();
     return result;
+}
+
+Parsed parse_ngc(std::string_view text) {
+    return parse(text, lexer::Style::rs274ngc);
 }
 
 std::string repeated(std::string before, std::string_view piece, std::size_t count) {

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lexer/style.h"
+
 namespace gsim::grammar {
 
 /// What the parser makes of a text, written down for comparison.
@@ -15,7 +17,9 @@ struct Parsed {
     bool finished = true;  ///< The parser came to the end by itself.
 };
 
-Parsed parse(std::string_view text);
+Parsed parse(std::string_view text, lexer::Style style = lexer::Style::ab9);
+/// RS274/NGC.
+Parsed parse_ngc(std::string_view text);
 
 /// `count` times `piece`, behind `before`.
 std::string repeated(std::string before, std::string_view piece, std::size_t count);

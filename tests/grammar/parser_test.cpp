@@ -83,6 +83,19 @@ TEST(Blocks, ControlStructures) {
     EXPECT_EQ(block("/2 IF[#1]GOTO5"), "/2 if #1 goto 5");
 }
 
+TEST(Blocks, WordsOfThe9Series) {
+    EXPECT_EQ(block("G1 X1 ,C5 ,R[#1] ,A-30"), "words G=1 X=1:axis ,C=5 ,R=#1 ,A=-30");
+    EXPECT_EQ(block(",A30"), "words ,A=30");
+    EXPECT_EQ(block("G65 P1 I1 J2 K3 I4 X5"), "words G=65 P=1:parameter I=1 J=2 K=3 I=4 X=5:axis");
+    EXPECT_EQ(block("X5 G65 P1"), "words X=5:axis G=65 P=1:parameter");
+    EXPECT_EQ(block("POPEN"), "print 0 ");
+    EXPECT_EQ(block("N5 /3 dprnt[X#1[53]]"), "N5 /3 print 2 X#1[53]");
+    EXPECT_EQ(block("PCLOS (c)"), "print 1 ");
+    EXPECT_EQ(parse("X1 POPEN\n").messages,
+              "1:4: error: POPEN, PCLOS and DPRNT[..] stand in a block of their own\n");
+    EXPECT_EQ(parse("POPEN X1\n").messages, "1:7: error: X is out of place\n");
+}
+
 TEST(Blocks, EachEndsAtItsLineOrSemicolon) {
     EXPECT_THAT(parse("%\nO1\nG0 X1;Y2\n\nM2\n%\n").blocks,
                 ElementsAre("tape", "words", "O1 words", "words G=0 X=1:axis", "words Y=2", "words",

@@ -79,5 +79,15 @@ TEST(NearestName, TakesTheBestWithinTwoChanges) {
     EXPECT_EQ(nearest_name("G", std::vector<std::string>{"A"}), "") << "nothing of the name would be left";
 }
 
+TEST(Aliases, StandForAWord) {
+    Aliases aliases;
+    ASSERT_FALSE(aliases.add("GoBack", "M099"));
+    ASSERT_FALSE(aliases.add("Jet", "M08.0"));
+    EXPECT_TRUE(aliases.stand_for('M', 99));
+    EXPECT_TRUE(aliases.stand_for('M', 8));
+    EXPECT_FALSE(aliases.stand_for('G', 99));
+    EXPECT_FALSE(aliases.stand_for('M', 9));
+}
+
 }  // namespace
 }  // namespace gsim::lexer

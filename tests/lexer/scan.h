@@ -15,19 +15,22 @@ struct Scan {
     std::vector<Token> tokens;
     std::vector<std::string> words;
     std::vector<std::string> comments;
-    std::vector<std::string> programs;
-    std::vector<Value> values;  ///< One for each token.
-    std::string messages;       ///< "line:column: text" of the errors, one a line.
+    std::vector<std::string> programs;  ///< Names behind O.
+    std::vector<std::string> names;     ///< Of named parameters.
+    std::vector<std::string> printed;   ///< Texts of DPRNT.
+    std::vector<Value> values;          ///< One for each token.
+    std::string messages;               ///< "line:column: text" of the errors, one a line.
 };
 
-inline Scan scan(std::string_view text, const Aliases& aliases = {}) {
+/// RS274/NGC: as the writer does it, a block with M2 or M30 ends the main program.
+inline Scan scan(std::string_view text, const Aliases& aliases = {}, Style style = Style::ab9) {
     Scan result;
     Source source = Source::from_text(std::string(text), "t");
     Diagnostics diagnostics(source, 1000, [&](std::string_view message) {
         const std::string_view line = message.substr(0, message.find('\n'));
         result.messages += std::string(line.substr(2)) + "\n";  // without "t:"
     });
-    Lexer lexer(source, diagnostics, aliases);
+    Lexer lexer(source, diagnostics, aliases, style);
     while (true) {
         Value value{};
         const Token token = lexer.next(value);
@@ -35,13 +38,22 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {}) {
         result.tokens.push_back(token);
         result.values.push_back(value);
         const BlockText& block = lexer.block();
-        if (token == kProgram) result.programs.emplace_back(block.view(block.program));
+        if (token == kProgram || token == kFlowName) result.programs.emplace_back(block.view(block.program));
+        if (token == kNamedVariable) result.names.emplace_back(block.view(block.numbers[value.index]));
+        if (token == kPrint) result.printed.emplace_back(block.view(block.print));
         if (token != kEob && token != kTape) continue;
-        for (const Word& word : block.words)
+        for (const Word& word : block.words) {
+            const bool ends = word.address == 'M' && (word.code_x10 == 20 || word.code_x10 == 300);
+            if (ends && style == Style::rs274ngc) lexer.end_main_program();
             result.words.push_back(fmt::format("{}={}", address_name(word.address), block.view(word.number)));
+        }
         for (const Slice comment : block.comments) result.comments.emplace_back(block.view(comment));
         lexer.start_block();
     }
+}
+
+inline Scan scan_ngc(std::string_view text) {
+    return scan(text, {}, Style::rs274ngc);
 }
 
 }  // namespace gsim::lexer

@@ -70,7 +70,48 @@ TEST(Tokens, TheLongerAddresses) {
                 ElementsAre("CIP=", "X=1", "I1==5", "J1==-6", "K1==.5"));
     EXPECT_THAT(scan("G2 AR=90 ar = 45.\n").words, ElementsAre("G=2", "AR==90", "AR==45."));
     EXPECT_THAT(scan("I1 J1\n").words, ElementsAre("I=1", "J=1")) << "without '=' they are ordinary words";
-    EXPECT_THAT(scan("X1 ,C5\n").words, ElementsAre("X=1", ",=5"));
+}
+
+TEST(Tokens, CornerWords) {
+    EXPECT_THAT(scan("X1 ,C5,R.5 , a - 30\n").words, ElementsAre("X=1", ",C=5", ",R=.5", ",A=-30"));
+    EXPECT_THAT(scan("X1 ,C#5 ,R[1]\n").tokens,
+                ElementsAre(kAxisOrTime, kOtherLetter, kVariable, kOtherLetter, '[', kNumber, ']', kEob));
+    EXPECT_EQ(scan("X1 ,B5\n").messages, "1:4: error: unexpected character ','\n");
+    EXPECT_EQ(scan("X1 ,\n").messages, "1:4: error: unexpected character ','\n");
+    EXPECT_THAT(scan("C5 R6 A7\n").words, ElementsAre("C=5", "R=6", "A=7")) << "without a comma";
+}
+
+TEST(Tokens, StatementsThatPrint) {
+    const Scan result = scan("POPEN\ndprnt [X#1[53]*Y#[2]] (a [note])\nPclos\n");
+    EXPECT_EQ(result.messages, "");
+    EXPECT_THAT(result.tokens, ElementsAre(kPrint, kEob, kPrint, kEob, kPrint, kEob));
+    EXPECT_THAT(result.printed, ElementsAre("", "X#1[53]*Y#[2]", ""));
+    EXPECT_THAT(result.comments, ElementsAre("a [note]")) << "is no part of what is printed";
+    EXPECT_EQ(result.values[0].index, static_cast<std::uint32_t>(Print::open));
+    EXPECT_EQ(result.values[4].index, static_cast<std::uint32_t>(Print::close));
+    EXPECT_THAT(scan("X1;POPEN;DPRNT[A];PCLOS\n").tokens,
+                ElementsAre(kAxisOrTime, kEob, kPrint, kEob, kPrint, kEob, kPrint, kEob))
+        << "behind ';' they are no remark";
+    for (const char* text : {"DPRNT\n", "DPRNT X\n", "DPRNT[A\n", "DPRNT[A[B]\n"}) {
+        EXPECT_EQ(scan(text).messages,
+                  "1:1: error: DPRNT takes its text in brackets, as in DPRNT[X#100[53]]\n")
+            << text;
+    }
+    EXPECT_EQ(scan("DPRNT[" + std::string(400, 'A') + "]\n").messages, "");
+    EXPECT_EQ(scan("DPRNT[" + std::string(60000, 'A') + "]\n").messages,
+              "1:1: error: DPRNT takes at most 400 characters\n");
+}
+
+TEST(Tokens, WhatOnlyRs274NgcHas) {
+    EXPECT_EQ(scan("#1=2**3\n").messages,
+              "1:5: error: '**' is no operator of the 9/Series; a power is EXP[#2*LN[#1]], or a product\n");
+    EXPECT_EQ(scan("X[#<a>]\n").messages, "1:3: error: unexpected character '<'\n");
+    EXPECT_EQ(scan("X#<a>\n").messages, "1:3: error: unexpected character '<'\n");
+    EXPECT_EQ(scan("#1=#<\n").messages, "1:4: error: unexpected character '<'\n");
+    EXPECT_EQ(scan("#1=EXISTS[#2]\n").messages,
+              "1:4: error: 'EXISTS' is no function or operator of an expression\n");
+    EXPECT_EQ(scan("@5\n").messages, "1:1: error: unexpected character '@'\n");
+    EXPECT_EQ(scan("$1\n").messages, "1:1: error: unexpected character '$'\n");
 }
 
 TEST(Tokens, KindsOfWords) {

@@ -28,7 +28,7 @@ TEST(Programs, NestToEightLevels) {
     std::string chain = "O1\nM98 P2\nM2\n";
     for (int n = 2; n <= 8; ++n) chain += fmt::format("O{}\nM98 P{}\nM99\n", n, n + 1);
     expect_end(run(chain + "O9\nG0 X1\nM99\n"), 1, 0, 0);
-    expect_alarm(run(chain + "O9\nM98 P10\nM99\nO10\nG0 X1\nM99\n"), 26, {"P10", "8"});
+    expect_alarm(run(chain + "O9\nM98 P10\nM99\nO10\nG0 X1\nM99\n"), 26, {"O10", "8"});
     expect_alarm(run("O1\nM98 P2\nM2\nO2\nM98 P2\nM99\n"), 5, {"nested", "8"});
 }
 
@@ -45,11 +45,11 @@ TEST(Programs, AMissingOneIsAnAlarm) {
 TEST(Programs, OneIsFoundBesideTheFile) {
     Conditions setup;
     setup.options.find_program =
-        [](std::uint32_t number) -> tl::expected<std::optional<Script>, std::string> {
-        if (number == 7)
+        [](const std::string& number) -> tl::expected<std::optional<Script>, std::string> {
+        if (number == "7")
             return Script::from_text("local _ENV = require \"gsim\" program(nil, function()\nG0{x=7.0}\nend)",
                                      "O0007.nc", -1);
-        if (number == 8) return tl::unexpected(std::string("it is broken"));
+        if (number == "8") return tl::unexpected(std::string("it is broken"));
         return std::nullopt;
     };
     const Outcome r = run("O1\nM98 P7\nM98 P7\nM98 P8\nM2\n", setup);

@@ -21,6 +21,12 @@ class Collector : public simulation::RunOutput {
     Outcome& run_;
 };
 
+codegen::TranslateOptions in_dialect(std::string_view dialect) {
+    codegen::TranslateOptions options;
+    options.dialect = grammar::dialect_named(dialect);
+    return options;
+}
+
 }  // namespace
 
 double Outcome::to(std::size_t n, char letter) const {
@@ -60,7 +66,8 @@ Outcome run_script(Script script, Conditions setup) {
 }
 
 Outcome run(std::string_view gcode, Conditions setup) {
-    const codegen::TextTranslation translation = codegen::translate_text(gcode, {});
+    const codegen::TextTranslation translation =
+        codegen::translate_text(gcode, in_dialect(setup.options.dialect));
     EXPECT_TRUE(translation.ok) << translation.diagnostics;
     if (!translation.ok) return {};
     Outcome result = run_script(Script::from_text(translation.lua, "part.nc", -1), std::move(setup));
@@ -74,8 +81,8 @@ Outcome run_lua(std::string_view lua, Conditions setup) {
     return result;
 }
 
-std::string errors_of(std::string_view gcode) {
-    const codegen::TextTranslation translation = codegen::translate_text(gcode, {});
+std::string errors_of(std::string_view gcode, std::string_view dialect) {
+    const codegen::TextTranslation translation = codegen::translate_text(gcode, in_dialect(dialect));
     EXPECT_FALSE(translation.ok) << translation.lua;
     return translation.diagnostics;
 }

@@ -51,7 +51,7 @@ Outcome run_lua(std::string_view lua, Conditions setup = {});
 /// Runs any script.
 Outcome run_script(Script script, Conditions setup);
 /// The diagnostics of a program that must not translate.
-std::string errors_of(std::string_view gcode);
+std::string errors_of(std::string_view gcode, std::string_view dialect = "ab9");
 
 /// The least time from rest to rest, from first principles.
 double trapezoid_s(double length, double speed, double acceleration);

@@ -100,7 +100,7 @@ TEST(Variables, ThatDoNotExist) {
     expect_alarm(run("G0 X1\n#0=1\n"), 2, {"#0"});
     expect_alarm(run("G0 X1\n#[1.5]=1\n"), 2, {"#1.5"});
     expect_alarm(run("G0 X1\n#[0-1]=1\n"), 2, {"#-1"});
-    expect_alarm(run("G0 X1\nG0 X#1000\n"), 2, {"#1000"});
+    expect_alarm(run("G0 X1\nG0 X#1999\n"), 2, {"#1999", "system variables"});
 }
 
 TEST(Flow, IfThen) {

@@ -52,12 +52,36 @@ TEST(MachineData, Frame) {
     EXPECT_EQ(error_of("NCFILE x\n"), "m.txt:1:8: 'x' is one word too many");
 }
 
+TEST(MachineData, Tools) {
+    const auto data = read_machine_data("NCFILE\nTOOL\n1 100 6\n22 1 0.25 inch\nENDFILE\n", "m.txt");
+    ASSERT_TRUE(data) << data.error();
+    ASSERT_EQ(data->tools.size(), 2U);
+    EXPECT_EQ(data->tools.at(1).length_mm, 100);
+    EXPECT_EQ(data->tools.at(1).diameter_mm, 6);
+    EXPECT_DOUBLE_EQ(data->tools.at(22).length_mm, 25.4);
+    EXPECT_DOUBLE_EQ(data->tools.at(22).diameter_mm, 6.35);
+    EXPECT_EQ(error_of("NCFILE\nTOOL\n1 100\n"),
+              "m.txt:3:1: a tool has its number, its length and its diameter");
+    EXPECT_EQ(error_of("NCFILE\nTOOL\n1 1 1\n1 2 2\n"),
+              "m.txt:4:1: the tool 1 is given twice; first in line 3");
+}
+
+TEST(MachineData, HomePositions) {
+    const auto data = read_machine_data("NCFILE\nHOME\n2 1 2 3\n4 0 0 1 inch\nENDFILE\n", "m.txt");
+    ASSERT_TRUE(data) << data.error();
+    EXPECT_EQ(data->homes.at(2).at('Y'), 2);
+    EXPECT_DOUBLE_EQ(data->homes.at(4).at('Z'), 25.4);
+    EXPECT_EQ(error_of("NCFILE\nHOME\n1 1 2 3\n"),
+              "m.txt:3:1: home positions are 2 to 4; the first one is in the machine file");
+}
+
 TEST(MachineData, Sections) {
     EXPECT_EQ(error_of("NCFILE\n OFSET\n"),
-              "m.txt:2:2: 'OFSET' is no keyword; a section begins with OFFSET, FIXED, ALIAS or VARIABLE; did "
-              "you mean OFFSET?");
-    EXPECT_EQ(error_of("NCFILE\n54 1 2 3\n"),
-              "m.txt:2:1: '54' is no keyword; a section begins with OFFSET, FIXED, ALIAS or VARIABLE");
+              "m.txt:2:2: 'OFSET' is no keyword; a section begins with OFFSET, FIXED, ALIAS, VARIABLE, TOOL "
+              "or HOME; did you mean OFFSET?");
+    EXPECT_EQ(
+        error_of("NCFILE\n54 1 2 3\n"),
+        "m.txt:2:1: '54' is no keyword; a section begins with OFFSET, FIXED, ALIAS, VARIABLE, TOOL or HOME");
     EXPECT_EQ(error_of("NCFILE\nFIXED\nOFFSET\nFIXED\n"),
               "m.txt:4:1: the section FIXED is given twice; first in line 2");
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n...\n"),

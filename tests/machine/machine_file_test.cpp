@@ -32,7 +32,7 @@ TEST_P(SampleMachine, ReadsAndPrintsBackEqual) {
 
 INSTANTIATE_TEST_SUITE_P(All, SampleMachine,
                          testing::Values("af5.toml", "af5-table-letters.toml", "af5-measured.toml",
-                                         "router3.toml"),
+                                         "router3.toml", "unlimited.toml"),
                          [](const auto& sample) {
                              std::string name = sample.param;
                              for (char& c : name) {

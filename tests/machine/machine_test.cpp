@@ -1,8 +1,10 @@
 #include "runtime/machine/machine.h"
 
+#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -54,6 +56,34 @@ TEST(Machine, RouterMovesAlongTheWorldsAxes) {
     const rrs::CartPos pose = make_kinematics(machine)->forward(joints);
     EXPECT_LT((pose.translation() - Eigen::Vector3d(10, 20, -30)).norm(), 1e-12);
     EXPECT_LT((pose.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+}
+
+// X Y Z carry the tip whatever the others do; A B C turn about it; U V W slide along what the rotary axes
+// carry.
+TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
+    const Machine machine = load_machine(GSIM_SAMPLES "/machines/unlimited.toml").value();
+    std::string letters;
+    for (const Axis& axis : machine.axes) {
+        letters += axis.letter;
+        EXPECT_EQ(axis.min, -std::numeric_limits<double>::infinity()) << axis.letter;
+        EXPECT_EQ(axis.max, std::numeric_limits<double>::infinity()) << axis.letter;
+    }
+    EXPECT_EQ(letters, "XYZABCUVW");
+    const auto kinematics = make_kinematics(machine);
+    std::mt19937 random(21);
+    std::uniform_real_distribution<double> mm(-600, 600), rad(-4, 4);
+    for (int i = 0; i < 200; ++i) {
+        rrs::JointPos joints(9);
+        joints << mm(random), mm(random), mm(random), rad(random), rad(random), rad(random), mm(random),
+            mm(random), mm(random);
+        const rrs::CartPos pose = kinematics->forward(joints);
+        const Eigen::Matrix3d turned = about(joints[3], Eigen::Vector3d::UnitX()) *
+                                       about(joints[4], Eigen::Vector3d::UnitY()) *
+                                       about(joints[5], Eigen::Vector3d::UnitZ());
+        EXPECT_LT((pose.linear() - turned).norm(), 1e-12) << joints.transpose();
+        EXPECT_LT((pose.translation() - joints.head<3>() - turned * joints.tail<3>()).norm(), 1e-9)
+            << joints.transpose();
+    }
 }
 
 TEST(Machine, AxisValuesCountFromZeroAndInDegrees) {

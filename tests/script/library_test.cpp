@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "lua_lib/embedded_lua.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script {
@@ -19,11 +20,7 @@ class LibraryFolder : public testing::Test {
         folder_ = fs::temp_directory_path() / ("gsim_library_" + std::to_string(::getpid()) + "_" +
                                                testing::UnitTest::GetInstance()->current_test_info()->name());
         fs::create_directories(folder_);
-        for (const char* name : {"init", "state", "variables", "programs", "frames", "feed", "motion", "arcs",
-                                 "polar", "switches", "neutral"}) {
-            const std::string file = std::string(name) + ".lua";
-            write(file, Library().read(file).value());
-        }
+        for (const auto& [name, text] : embedded::embedded_lua()) write(std::string(name), std::string(text));
     }
     ~LibraryFolder() override { fs::remove_all(folder_); }
 
@@ -78,8 +75,8 @@ TEST_F(LibraryFolder, AMissingFileIsNamed) {
 }
 
 TEST_F(LibraryFolder, AMistakeInAWordIsAnErrorOfTheRun) {
-    write("feed.lua", read("feed.lua") + "\nword(\"M6\", function() local t = nil; t.x = 1 end)\n");
-    const Outcome r = run_here("G0{x=1}\nM6()\n");
+    write("feed.lua", read("feed.lua") + "\nword(\"M77\", function() local t = nil; t.x = 1 end)\n");
+    const Outcome r = run_here("G0{x=1}\nM77()\n");
     EXPECT_EQ(r.report.status, simulation::RunStatus::alarm);
     EXPECT_NE(r.message().find("lua_lib/feed.lua"), std::string::npos) << r.message();
     EXPECT_EQ(r.line(), 2U);

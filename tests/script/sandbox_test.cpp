@@ -64,8 +64,9 @@ TEST(Sandbox, RequireFindsTheLibraryAlone) {
     EXPECT_TRUE(run_lua("local _ENV = require \"gsim\"\nG0{x=1}").completed());
     for (const char* name : {"io", "os", "/etc/passwd", "", "gsim.core", "package"})
         expect_alarm(run_lua(fmt::format("local _ENV = require \"gsim\"\nlocal m = require \"{}\"", name)), 2,
-                     {"\"gsim\" alone", name});
+                     {"\"gsim.rs274ngc\" alone", name});
     EXPECT_EQ(run_lua("require()").report.status, simulation::RunStatus::alarm);
+    expect_alarm(run_lua("local _ENV = require \"gsim.rs274ngc\""), 1, {"dialect ab9", "another one"});
 }
 
 TEST(Sandbox, BytecodeIsRefused) {

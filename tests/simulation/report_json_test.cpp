@@ -85,11 +85,24 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
                                            {"line", 4},
                                            {"axis", "X"},
                                            {"value", 12.0},
-                                           {"limit", 10.0}}));
+                                           {"limit", 10.0},
+                                           {"calls", ordered_json::array()}}));
     report.alarm = Alarm{.message = "no such program", .place = {9, 0}, .value = {}, .limit = {}};
     json = ordered_json::parse(to_json(report));
-    EXPECT_THAT(keys(json["alarm"]), ElementsAre("message", "file", "line", "axis", "value", "limit"));
+    EXPECT_THAT(keys(json["alarm"]),
+                ElementsAre("message", "file", "line", "axis", "value", "limit", "calls"));
     for (const char* key : {"file", "line", "axis", "value", "limit"}) EXPECT_EQ(json["alarm"][key], nullptr);
+}
+
+TEST(ReportJson, AnAlarmNamesTheCallsThatAreOpen) {
+    Report report = sample();
+    report.alarm = Alarm{
+        .message = "m", .place = {0, 9}, .calls = {{"O3", {0, 5}}, {"O2", {0, 2}}}, .value = {}, .limit = {}};
+    const auto calls = ordered_json::parse(to_json(report))["alarm"]["calls"];
+    ASSERT_EQ(calls.size(), 2U);
+    EXPECT_EQ(calls[0], (ordered_json{{"program", "O3"}, {"file", "part.nc"}, {"line", 5}}));
+    EXPECT_EQ(calls[1]["program"], "O2");
+    EXPECT_NE(to_text(report).find("O3 at part.nc:5"), std::string::npos) << to_text(report);
 }
 
 TEST(ReportJson, EmptyListsStayLists) {

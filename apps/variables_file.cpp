@@ -1,0 +1,42 @@
+#include "apps/variables_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "runtime/simulation/output_file.h"
+
+namespace gsim::apps {
+
+tl::expected<std::map<int, double>, std::string> read_variables(const std::string& path) {
+    std::map<int, double> values;
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return values;
+    std::ifstream file(path);
+    if (!file) return tl::unexpected(path + ": cannot be read");
+    std::string line;
+    for (int number = 1; std::getline(file, line); ++number) {
+        std::istringstream words(line);
+        int variable = 0;
+        double value = 0;
+        std::string rest;
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        if (!(words >> variable >> value) || words >> rest)
+            return tl::unexpected(
+                fmt::format("{}:{}: a line is the number of a variable and its value", path, number));
+        values[variable] = value;
+    }
+    return values;
+}
+
+tl::expected<void, std::string> write_variables(const std::string& path,
+                                                const std::map<int, double>& values) {
+    tl::expected<simulation::OutputFile, std::string> file = simulation::OutputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    for (const auto& [number, value] : values) fmt::print(file->stream(), "{}\t{}\n", number, value);
+    return file->commit();
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <tl/expected.hpp>
+
+namespace gsim::apps {
+
+/// Values of permanent variables by number, as a control keeps them from one run to the next: a text file
+/// with `number value` in each line, as LinuxCNC's .var files are. Without such a file there are none. The
+/// error is a sentence with file and line.
+tl::expected<std::map<int, double>, std::string> read_variables(const std::string& path);
+
+/// Writes them; the file appears when it is complete. The error is a sentence.
+tl::expected<void, std::string> write_variables(const std::string& path, const std::map<int, double>& values);
+
+}  // namespace gsim::apps

@@ -1,0 +1,73 @@
+// What the codes of a block cannot do without.
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "codegen/block_plan.h"
+
+namespace gsim::codegen {
+
+using grammar::Block;
+using grammar::Code;
+using lexer::Word;
+
+namespace {
+
+constexpr std::uint64_t kAxisBit = 1;
+constexpr std::uint64_t kArcBit = 2;
+constexpr std::uint64_t kProgramBit = 8;
+
+}  // namespace
+
+std::uint64_t BlockPlan::need_bits(const Word& word) const {
+    if (word.address == 'P') return kProgramBit;
+    if (is_axis(word)) return kAxisBit;
+    return is_arc_word(word.address) ? kArcBit : 0;
+}
+
+bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t addresses) {
+    const auto lacks = [&](std::uint64_t bits) { return (addresses & bits) == 0; };
+    if (call.kind == Call::Kind::via_point) {
+        return !lacks(kArcBit) || fail(block, call.word, "CIP needs a point on the way: I1=, J1= or K1=");
+    }
+    if (call.kind != Call::Kind::code) return true;
+    const Code& code = *call.code;
+    const std::string name = grammar::code_name(code);
+    if (code.code_x10 == 40 && code.letter == 'G' && call.operand_count != 1) {
+        return fail(block, call.word,
+                    lexer_.is_ngc() ? "G4 needs P, its seconds" : "G4 takes one of P, X and U, its seconds");
+    }
+    if (code.letter == 'G' && (code.code_x10 == 20 || code.code_x10 == 30) && lacks(kArcBit) &&
+        !lacks(kAxisBit)) {
+        return fail(block, call.word,
+                    fmt::format("{} needs the centre (I, J, K){}", name,
+                                lexer_.is_ngc() ? " or the radius (R) of the arc"
+                                                : ", the radius (R) or the angle (AR=) of the arc"));
+    }
+    if (code.letter == 'G' && (code.code_x10 == 920 || code.code_x10 == 520) && lacks(kAxisBit)) {
+        return fail(block, call.word, fmt::format("{} needs the axis words whose coordinates it sets", name));
+    }
+    const bool macro = code.letter == 'G' && code.code_x10 / 10 >= 65 && code.code_x10 / 10 <= 66;
+    if ((macro || (code.letter == 'M' && code.code_x10 == 980)) && lacks(kProgramBit)) {
+        return fail(block, call.word, fmt::format("{} needs P, the program that it calls", name));
+    }
+    return true;
+}
+
+bool BlockPlan::check_all_needs(const Block& block) {
+    const std::vector<Word>& words = block.text->words;
+    std::vector<std::uint64_t> bits(calls_.size(), 0);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (owners_[i] == kUnowned) continue;
+        const auto owner = static_cast<std::size_t>(owners_[i]);
+        bits[owner] |= need_bits(words[i]);
+        ++calls_[owner].operand_count;
+    }
+    for (std::size_t i = 0; i < calls_.size(); ++i) {
+        if (!check_needs(block, calls_[i], bits[i])) return false;
+    }
+    return true;
+}
+
+}  // namespace gsim::codegen

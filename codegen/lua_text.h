@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gsim::codegen {
+
+/// True where `name` can stand behind a dot in Lua: letters, digits and _, no digit first, no keyword.
+bool is_lua_name(std::string_view name);
+
+/// Appends `text` as a quoted string of Lua; bytes that are no printable ASCII are escaped.
+void write_lua_string(std::string_view text, std::string& out);
+
+}  // namespace gsim::codegen

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grammar/syntax.h"
+#include "lexer/diagnostics.h"
+
+namespace gsim::codegen {
+
+/// The O-words of RS274/NGC as control structures of Lua. They nest by their names (o100 if .. o100 endif);
+/// what does not fit is reported where it stands.
+class OWordFlow {
+  public:
+    explicit OWordFlow(lexer::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    /// Appends the Lua of a block of BlockKind::flow and a blank. `weight`: instructions of Lua before it in
+    /// its program, as an upper bound.
+    void write(const grammar::Block& block, std::uint64_t weight, std::string& out);
+    /// A block with an O-word could not be understood: what is open is not certain any more, and no error of
+    /// nesting is reported in this program.
+    void lose_track() { lost_ = true; }
+    /// True inside of any structure.
+    bool open() const { return !open_.empty(); }
+    bool inside_sub() const;
+    /// Levels of Lua's nesting that the open structures take.
+    int levels() const;
+    /// Reports what is left open, and begins anew.
+    void end_program();
+
+  private:
+    struct Structure {
+        grammar::Flow kind;  ///< sub, if_, while_, do_ or repeat
+        std::string name;
+        lexer::Location location;
+        std::uint32_t id;  ///< For labels.
+        std::uint64_t weight;
+        bool has_else = false;
+        bool continued = false;  ///< Its end needs a label for `continue`,
+        bool left = false;       ///< or one behind it for `break` out of a loop further in.
+    };
+
+    void open_structure(const grammar::Block& block, std::string& out);
+    void fail_to_close(const grammar::Block& block, std::string_view end);
+    bool close_structure(const grammar::Block& block, grammar::Flow kind, std::string& out);
+    void write_end(const Structure& structure, std::string& out) const;
+    void check_length(const Structure& structure, const lexer::Location& end);
+    void write_sub_end(const grammar::Block& block, std::string& out);
+    void write_else(const grammar::Block& block, std::string& out);
+    void write_while(const grammar::Block& block, std::string& out);
+    void write_jump(const grammar::Block& block, std::string& out);
+    void write_call(const grammar::Block& block, std::string& out) const;
+    void write_return(const grammar::Block& block, std::string& out);
+    void fail(const grammar::Block& block, const std::string& message);
+
+    lexer::Diagnostics& diagnostics_;
+    std::vector<Structure> open_;
+    std::uint32_t next_id_ = 1;
+    std::uint64_t weight_ = 0;
+    bool lost_ = false;
+};
+
+}  // namespace gsim::codegen

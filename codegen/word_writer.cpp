@@ -1,0 +1,196 @@
+#include "codegen/word_writer.h"
+
+#include <algorithm>
+#include <bitset>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "codegen/expression_writer.h"
+
+namespace gsim::codegen {
+
+using grammar::Block;
+using lexer::Address;
+using lexer::Role;
+using lexer::Word;
+
+namespace {
+
+// Upper bounds of what Lua's compiler makes of a call and of an operand.
+constexpr std::uint64_t kInstructionsPerCall = 6;
+constexpr std::uint64_t kInstructionsPerOperand = 5;
+
+bool is_code(const Call& call, char letter, std::int32_t code_x10) {
+    return call.kind == Call::Kind::code && call.code->letter == letter && call.code->code_x10 == code_x10;
+}
+
+std::string function_name(const Call& call, const Word& word) {
+    switch (call.kind) {
+        case Call::Kind::move: return "move";
+        case Call::Kind::via_point: return "CIP";
+        case Call::Kind::code: return grammar::lua_name(*call.code);
+        case Call::Kind::letter:
+        case Call::Kind::unknown: break;
+    }
+    switch (word.address) {
+        case lexer::kChamfer: return "chamfer";
+        case lexer::kCornerRadius: return "corner";
+        case lexer::kLineAngle: return "line_angle";
+        default: return std::string(1, static_cast<char>(word.address));
+    }
+}
+
+void write_value(const Block& block, const Word& word, std::string& out) {
+    if (word.expression >= 0) {
+        write_number(block, word.expression, out);
+    } else if (word.role == Role::program) {
+        out += normal_number(block.text->view(word.number));
+    } else {
+        out += block.text->view(word.number);
+    }
+}
+
+/// A macro call may have I, J and K several times.
+bool is_repeatable(Address address) {
+    return address >= 'I' && address <= 'K';
+}
+
+bool repeats_letters(const Block& block, const BlockPlan& plan, const Call& call) {
+    if (call.code == nullptr || call.code->words.find('*') == std::string_view::npos) return false;
+    std::bitset<256> seen;
+    for (const std::uint32_t index : plan.operands(call)) {
+        const Address address = block.text->words[index].address;
+        if (seen[address]) return true;
+        seen[address] = true;
+    }
+    return false;
+}
+
+/// x=1, y=2; letters that stand twice, as a macro call may have them, in their order: {"i", 1}, {"i", 2}.
+void write_operands(const Block& block, const BlockPlan& plan, const Call& call, std::string& out) {
+    if (call.operand_count == 0) {
+        out += "()";
+        return;
+    }
+    const bool in_order = repeats_letters(block, plan, call);
+    char separator = '{';
+    for (const std::uint32_t index : plan.operands(call)) {
+        const Word& word = block.text->words[index];
+        out += separator;
+        if (separator == ',') out += ' ';
+        if (in_order && is_repeatable(word.address)) {
+            fmt::format_to(std::back_inserter(out), "{{\"{}\", ", lua_key(word.address));
+        } else {
+            out += lua_key(word.address);
+            out += '=';
+        }
+        write_value(block, word, out);
+        if (in_order && is_repeatable(word.address)) out += '}';
+        separator = ',';
+    }
+    out += '}';
+}
+
+}  // namespace
+
+std::string normal_number(std::string_view digits) {
+    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
+    return std::string(digits.substr(first));
+}
+
+bool all_digits(std::string_view text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::uint64_t weight(const Call& call) {
+    return kInstructionsPerCall + kInstructionsPerOperand * call.operand_count;
+}
+
+void write_call(const Block& block, const BlockPlan& plan, const Call& call, std::string& out,
+                std::string_view further) {
+    const Word& word = block.text->words[call.word];
+    if (call.kind == Call::Kind::unknown) {
+        fmt::format_to(std::back_inserter(out), "unknown_code(\"{}{}\") ", static_cast<char>(word.address),
+                       block.text->view(word.number));
+        return;
+    }
+    const bool returns = is_code(call, 'M', 990);
+    if (returns) out += "do return ";
+    out += function_name(call, word);
+    if (call.kind == Call::Kind::letter) {
+        out += '(';
+        write_value(block, word, out);
+        out += ')';
+    } else {
+        if (!further.empty()) out += '(';
+        write_operands(block, plan, call, out);
+        out += further;
+        if (!further.empty()) out += ')';
+    }
+    out += returns ? " end " : " ";
+}
+
+void write_assignments(const Block& block, std::string& out) {
+    for (const grammar::Assignment& assignment : block.assignments) {
+        write_number(block, assignment.target, out);
+        out += " = ";
+        write_number(block, assignment.value, out);
+        out += ' ';
+    }
+}
+
+Settings::Settings(const Block& block) : block_(block) {
+    bool computed = false;
+    for (const grammar::Assignment& assignment : block.assignments) {
+        std::string target;
+        write_number(block, assignment.target, target);
+        std::erase_if(settings_, [&](const Setting& setting) { return setting.target == target; });
+        settings_.push_back({target, assignment.value});
+        computed |= block.node(assignment.target).kind == grammar::NodeKind::indirect;
+    }
+    // Two of them may be the same parameter: the later one holds, and Lua assigns from right to left.
+    if (computed) std::reverse(settings_.begin(), settings_.end());
+}
+
+void Settings::write_targets(std::string& out) const {
+    std::string_view separator;
+    for (const Setting& setting : settings_) {
+        out += separator;
+        out += setting.target;
+        separator = ", ";
+    }
+    out += " = ";
+}
+
+void Settings::write_at_once(std::string& out) const {
+    write_targets(out);
+    std::string_view separator;
+    for (const Setting& setting : settings_) {
+        out += separator;
+        write_number(block_, setting.value, out);
+        separator = ", ";
+    }
+    out += ' ';
+}
+
+void Settings::open(std::string& out) const {
+    out += "do local ";
+    for (std::size_t i = 0; i < settings_.size(); ++i) out += fmt::format("{}s{}", i > 0 ? ", " : "", i + 1);
+    out += " = ";
+    for (std::size_t i = 0; i < settings_.size(); ++i) {
+        if (i > 0) out += ", ";
+        write_number(block_, settings_[i].value, out);
+    }
+    out += ' ';
+}
+
+void Settings::close(std::string& out) const {
+    write_targets(out);
+    for (std::size_t i = 0; i < settings_.size(); ++i) out += fmt::format("{}s{}", i > 0 ? ", " : "", i + 1);
+    out += " end ";
+}
+
+}  // namespace gsim::codegen

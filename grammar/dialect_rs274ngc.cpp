@@ -1,0 +1,200 @@
+#include <array>
+
+#include "grammar/dialect.h"
+
+namespace gsim::grammar {
+
+namespace {
+
+using enum Group;
+using enum Support;
+using P = Phase;
+using A = AxisUse;
+
+// Modal groups, words and order of execution after the LinuxCNC 2.9 documentation ("G Codes", "M Codes",
+// "RS274/NGC Programming Overview: Modal Groups, Order of Execution").
+constexpr std::array kFixedCodes = {
+    Code{'G', 0, motion, P::motion, A::motion, "", full, "rapid move"},
+    Code{'G', 10, motion, P::motion, A::motion, "", full, "linear move"},
+    Code{'G', 20, motion, P::motion, A::motion, "IJKRP", full, "arc, clockwise"},
+    Code{'G', 30, motion, P::motion, A::motion, "IJKRP", full, "arc, counterclockwise"},
+    Code{'G', 40, one_action, P::dwell, A::none, "P", full, "dwell in seconds"},
+    Code{'G', 50, motion, P::motion, A::motion, "IJPQ", full, "cubic spline"},
+    Code{'G', 51, motion, P::motion, A::motion, "IJ", full, "quadratic spline"},
+    Code{'G', 52, motion, P::motion, A::motion, "PL", full, "NURBS, control point"},
+    Code{'G', 53, motion, P::motion, A::none, "", full, "NURBS, end"},
+    Code{'G', 70, lathe_diameter, P::compensation, A::none, "", later, "lathe diameter mode"},
+    Code{'G', 80, lathe_diameter, P::compensation, A::none, "", later, "lathe radius mode"},
+    Code{'G', 100, one_action, P::data, A::data, "LPRIJQ", full, "coordinate and tool data"},
+    Code{'G', 170, plane, P::plane, A::none, "", full, "XY plane"},
+    Code{'G', 180, plane, P::plane, A::none, "", full, "ZX plane"},
+    Code{'G', 190, plane, P::plane, A::none, "", full, "YZ plane"},
+    Code{'G', 171, plane, P::plane, A::none, "", later, "UV plane"},
+    Code{'G', 181, plane, P::plane, A::none, "", later, "WU plane"},
+    Code{'G', 191, plane, P::plane, A::none, "", later, "VW plane"},
+    Code{'G', 200, units, P::units, A::none, "", full, "inches"},
+    Code{'G', 210, units, P::units, A::none, "", full, "millimetres"},
+    Code{'G', 280, one_action, P::data, A::data, "", full, "go to the first predefined position"},
+    Code{'G', 281, one_action, P::data, A::none, "", full, "set the first predefined position"},
+    Code{'G', 300, one_action, P::data, A::data, "", full, "go to the second predefined position"},
+    Code{'G', 301, one_action, P::data, A::none, "", full, "set the second predefined position"},
+    Code{'G', 330, motion, P::motion, A::motion, "K$", full, "spindle-synchronised move"},
+    Code{'G', 331, motion, P::motion, A::motion, "KI$", full, "rigid tapping"},
+    Code{'G', 382, motion, P::motion, A::motion, "", full, "probe toward, alarm on failure"},
+    Code{'G', 383, motion, P::motion, A::motion, "", full, "probe toward"},
+    Code{'G', 384, motion, P::motion, A::motion, "", full, "probe away, alarm on failure"},
+    Code{'G', 385, motion, P::motion, A::motion, "", full, "probe away"},
+    Code{'G', 400, cutter_compensation, P::compensation, A::none, "", full, "cutter compensation off"},
+    Code{'G', 410, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, left"},
+    Code{'G', 420, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, right"},
+    Code{'G', 411, cutter_compensation, P::compensation, A::none, "DL", full,
+         "cutter compensation, left, by diameter"},
+    Code{'G', 421, cutter_compensation, P::compensation, A::none, "DL", full,
+         "cutter compensation, right, by diameter"},
+    Code{'G', 430, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset"},
+    Code{'G', 431, Group::tool_length, P::tool_length, A::data, "", full, "tool offset by its values"},
+    Code{'G', 432, Group::tool_length, P::tool_length, A::data, "H", full, "additional tool offset"},
+    Code{'G', 490, Group::tool_length, P::tool_length, A::none, "", full, "tool length offset off"},
+    Code{'G', 520, one_action, P::data, A::data, "", full, "local coordinate system offset"},
+    Code{'G', 530, one_action, P::one_shot, A::none, "", full, "move in machine coordinates, in this block"},
+    Code{'G', 540, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 1"},
+    Code{'G', 550, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 2"},
+    Code{'G', 560, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 3"},
+    Code{'G', 570, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 4"},
+    Code{'G', 580, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 5"},
+    Code{'G', 590, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 6"},
+    Code{'G', 591, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 7"},
+    Code{'G', 592, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 8"},
+    Code{'G', 593, Group::work_frame, P::work_frame, A::none, "", full, "coordinate system 9"},
+    Code{'G', 610, Group::path_mode, P::path_mode, A::none, "", full, "exact path mode"},
+    Code{'G', 611, Group::path_mode, P::path_mode, A::none, "", full, "exact stop mode"},
+    Code{'G', 640, Group::path_mode, P::path_mode, A::none, "PQ", full, "blending within a tolerance"},
+    Code{'G', 700, motion, P::motion, A::none, "", later, "lathe finishing cycle"},
+    Code{'G', 710, motion, P::motion, A::none, "", later, "lathe roughing cycle"},
+    Code{'G', 711, motion, P::motion, A::none, "", later, "lathe roughing cycle with pockets"},
+    Code{'G', 712, motion, P::motion, A::none, "", later, "lathe roughing cycle with pockets"},
+    Code{'G', 720, motion, P::motion, A::none, "", later, "lathe facing cycle"},
+    Code{'G', 721, motion, P::motion, A::none, "", later, "lathe facing cycle with pockets"},
+    Code{'G', 722, motion, P::motion, A::none, "", later, "lathe facing cycle with pockets"},
+    Code{'G', 730, motion, P::motion, A::motion, "LQR", full, "drilling with chip breaking"},
+    Code{'G', 740, motion, P::motion, A::motion, "LPR$", full, "left-hand tapping"},
+    Code{'G', 760, motion, P::motion, A::motion, "EHIJKLPQR$", full, "threading cycle"},
+    Code{'G', 800, Group::cycle, P::cycle, A::none, "", full, "end of the modal motion"},
+    Code{'G', 810, motion, P::motion, A::motion, "LR", full, "drilling"},
+    Code{'G', 820, motion, P::motion, A::motion, "LPR", full, "drilling with dwell"},
+    Code{'G', 830, motion, P::motion, A::motion, "LQR", full, "peck drilling"},
+    Code{'G', 840, motion, P::motion, A::motion, "LPR$", full, "right-hand tapping"},
+    Code{'G', 850, motion, P::motion, A::motion, "LR", full, "boring, out at feed"},
+    Code{'G', 860, motion, P::motion, A::motion, "LPR$", full, "boring, spindle stop, out at rapid"},
+    Code{'G', 870, motion, P::motion, A::motion, "IJKLR", full, "back boring"},
+    Code{'G', 880, motion, P::motion, A::motion, "LPR", full, "boring, spindle stop, out by hand"},
+    Code{'G', 890, motion, P::motion, A::motion, "LPR", full, "boring with dwell, out at feed"},
+    Code{'G', 900, Group::distance, P::distance, A::none, "", full, "absolute dimensions"},
+    Code{'G', 910, Group::distance, P::distance, A::none, "", full, "incremental dimensions"},
+    Code{'G', 901, arc_distance, P::distance, A::none, "", full, "arc centres absolute"},
+    Code{'G', 911, arc_distance, P::distance, A::none, "", full, "arc centres from the start"},
+    Code{'G', 920, one_action, P::data, A::data, "", full, "coordinate system offset"},
+    Code{'G', 921, one_action, P::data, A::none, "", full, "offset off, and its values 0"},
+    Code{'G', 922, one_action, P::data, A::none, "", full, "offset off, its values kept"},
+    Code{'G', 923, one_action, P::data, A::none, "", full, "offset on again"},
+    Code{'G', 930, Group::feed_mode, P::feed_mode, A::none, "", full, "inverse time feed"},
+    Code{'G', 940, Group::feed_mode, P::feed_mode, A::none, "", full, "feed per minute"},
+    Code{'G', 950, Group::feed_mode, P::feed_mode, A::none, "", full, "feed per revolution"},
+    Code{'G', 960, spindle_mode, P::feed_mode, A::none, "D$", full, "constant surface speed"},
+    Code{'G', 970, spindle_mode, P::feed_mode, A::none, "$", full, "spindle speed in revolutions per minute"},
+    Code{'G', 980, return_level, P::cycle, A::none, "", full, "cycles return to the initial level"},
+    Code{'G', 990, return_level, P::cycle, A::none, "", full, "cycles return to the R level"},
+    Code{'M', 0, stop, P::flow, A::none, "", full, "program stop"},
+    Code{'M', 10, stop, P::flow, A::none, "", full, "optional program stop"},
+    Code{'M', 20, stop, P::flow, A::none, "", full, "program end"},
+    Code{'M', 30, spindle, P::switch_on, A::none, "$", full, "spindle on, clockwise"},
+    Code{'M', 40, spindle, P::switch_on, A::none, "$", full, "spindle on, counterclockwise"},
+    Code{'M', 50, spindle, P::switch_on, A::none, "$", full, "spindle off"},
+    Code{'M', 60, Group::tool_change, P::tool_change, A::none, "", full, "tool change"},
+    Code{'M', 70, coolant, P::switch_off, A::none, "", full, "mist on"},
+    Code{'M', 80, coolant, P::switch_off, A::none, "", full, "flood on"},
+    Code{'M', 90, coolant, P::switch_off, A::none, "", full, "mist and flood off"},
+    Code{'M', 190, spindle, P::switch_on, A::none, "PQR$", full, "spindle orientation"},
+    Code{'M', 300, stop, P::flow, A::none, "", full, "program end, pallet change"},
+    Code{'M', 480, override_switch, P::pause, A::none, "", full, "overrides on"},
+    Code{'M', 490, override_switch, P::pause, A::none, "", full, "overrides off"},
+    Code{'M', 500, override_switch, P::pause, A::none, "P", full, "feed override"},
+    Code{'M', 510, override_switch, P::pause, A::none, "P$", full, "spindle speed override"},
+    Code{'M', 520, override_switch, P::pause, A::none, "P", full, "adaptive feed"},
+    Code{'M', 530, override_switch, P::pause, A::none, "P", full, "feed stop"},
+    Code{'M', 600, stop, P::flow, A::none, "", full, "program stop, pallet change"},
+    Code{'M', 610, Group::tool_change, P::tool_change, A::none, "Q", full,
+         "number of the tool in the spindle"},
+    Code{'M', 620, Group::input_output, P::input_output, A::none, "P", full, "output on, with the next move"},
+    Code{'M', 630, Group::input_output, P::input_output, A::none, "P", full,
+         "output off, with the next move"},
+    Code{'M', 640, Group::input_output, P::input_output, A::none, "P", full, "output on"},
+    Code{'M', 650, Group::input_output, P::input_output, A::none, "P", full, "output off"},
+    Code{'M', 660, Group::input_output, P::input_output, A::none, "ELPQ", full, "wait for an input"},
+    Code{'M', 670, Group::input_output, P::input_output, A::none, "EQ", full,
+         "analog output, with the next move"},
+    Code{'M', 680, Group::input_output, P::input_output, A::none, "EQ", full, "analog output"},
+    Code{'M', 700, modal_state, P::input_output, A::none, "", full, "save the modal state"},
+    Code{'M', 710, modal_state, P::input_output, A::none, "", full, "make the saved modal state invalid"},
+    Code{'M', 720, modal_state, P::input_output, A::none, "", full, "restore the modal state"},
+    Code{'M', 730, modal_state, P::input_output, A::none, "", full,
+         "save the modal state, restore it at the end of the subroutine"},
+    Code{'M', 980, subprogram, P::flow, A::none, "PL", full, "call of a numbered program"},
+    Code{'M', 990, subprogram, P::flow, A::none, "", full, "return from a numbered program"},
+};
+
+constexpr int kFirstUserCode = 100;
+constexpr int kLastUserCode = 199;
+
+constexpr auto make_codes() {
+    std::array<Code, kFixedCodes.size() + (kLastUserCode - kFirstUserCode + 1)> codes{};
+    std::size_t row = 0;
+    for (const Code& code : kFixedCodes) codes[row++] = code;
+    for (int number = kFirstUserCode; number <= kLastUserCode; ++number)
+        codes[row++] = Code{'M', number * 10, user, P::pause, A::none, "PQ", full, "user code"};
+    return codes;
+}
+
+constexpr auto kCodes = make_codes();
+
+constexpr std::array kLetters = {
+    Letter{"A B C U V W X Y Z", "axes: target in mm, inch or deg (by G20, G21, G90, G91)"},
+    Letter{"@ ^", "target in polar form: radius and angle"},
+    Letter{"I J K",
+           "centre of an arc from its start (G91.1) or as a point (G90.1); control points of splines"},
+    Letter{"R", "radius of an arc; level of cycles; rotation of G10 L2"},
+    Letter{"P", "turns of an arc; seconds; system or tool of G10; tolerance of G64; weight of a NURBS point"},
+    Letter{"Q", "peck; tolerance of G64; tool of M61; value of M66 to M68"},
+    Letter{"L", "repeats; kind of data of G10; order of a NURBS"},
+    Letter{"F", "feed in units/min, 1/min (G93) or units/rev (G95)"},
+    Letter{"S $", "spindle speed in rev/min; number of the spindle"},
+    Letter{"T", "tool"},
+    Letter{"D H", "tool whose diameter or length is used; D: diameter of G41.1 and G42.1"},
+    Letter{"E", "taper of G76; input of M66; output of M67 and M68"},
+    Letter{"N O /", "block number, O-word, block delete"},
+};
+
+constexpr std::array kOrder = {
+    P::feed_mode,    P::feed,        P::spindle_speed, P::tool,      P::input_output, P::tool_change,
+    P::switch_on,    P::switch_off,  P::pause,         P::dwell,     P::plane,        P::units,
+    P::compensation, P::tool_length, P::work_frame,    P::path_mode, P::distance,     P::cycle,
+    P::data,         P::one_shot,    P::motion,        P::flow,
+};
+
+}  // namespace
+
+const Dialect& dialect_rs274ngc() {
+    static const Dialect dialect({.name = "rs274ngc",
+                                  .title = "RS274/NGC",
+                                  .style = lexer::Style::rs274ngc,
+                                  .lua_module = "gsim.rs274ngc",
+                                  .alone = "FST",
+                                  .move_words = "IJKRPLQEHD",
+                                  .initial = " G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
+                                  .letters = kLetters,
+                                  .order = kOrder},
+                                 kCodes);
+    return dialect;
+}
+
+}  // namespace gsim::grammar

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+namespace gsim::lexer {
+
+/// The two ways in which part programs are written.
+enum class Style : std::uint8_t {
+    ab9,       ///< ISO with macro statements: #1=.., IF [..] GOTO, WHILE [..] DO, aliases.
+    rs274ngc,  ///< RS274/NGC: O-words, named parameters, blanks without meaning, ';' before a remark.
+};
+
+}  // namespace gsim::lexer

@@ -1,0 +1,194 @@
+-- Angles of lines (,A, degrees from the plane's first axis). With one coordinate of the plane the other one follows;
+-- with none the line ends where it meets the line of the next block, which has ,A and both coordinates. In Lua:
+-- `line_angle(30) G1{x=10}`.
+
+local STRAIGHT = plane_geometry.straight
+
+local angle     -- { degrees, place } of the block being executed, until its motion takes it
+local waiting   -- a line given by its angle alone: { degrees, words, start = {first, second}, plane, rapid, feed, place }
+
+local function direction_of(degrees) return { math.cos(math.rad(degrees)), math.sin(math.rad(degrees)) } end
+
+-- Where the program stands, in program units.
+local function program_point(p)
+  local position = core.to_program(core.target(nil))
+  return { position[p.first] / state.unit_mm, position[p.second] / state.unit_mm }
+end
+
+local function copied(words)
+  local copy = {}
+  for key, value in pairs(words) do copy[key] = value end
+  return copy
+end
+
+-- One coordinate is given: the other one lies on the line.
+local function complete(words, p, degrees)
+  local way = direction_of(degrees)
+  local letters = { p.first, p.second }
+  local known = words[p.first] ~= nil and 1 or 2
+  if math.abs(way[known]) < STRAIGHT then
+    alarm(",A%.10g: a line at this angle does not change %s", degrees, letters[known]:upper())
+  end
+  local base = state.incremental and { 0, 0 } or program_point(p)
+  local reach = (words[letters[known]] - base[known]) / way[known]
+  local full = copied(words)
+  full[letters[3 - known]] = base[3 - known] + reach * way[3 - known]
+  return full
+end
+
+-- The first of two lines with the end at which it meets the second, which is given by its end and its angle.
+local function crossing(words, p, degrees)
+  if degrees == nil or words[p.first] == nil or words[p.second] == nil or state.incremental then
+    alarm(",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
+  end
+  local point = plane_geometry.meet(
+    { from = waiting.start, direction = direction_of(waiting.degrees) },
+    { from = { words[p.first], words[p.second] }, direction = direction_of(degrees) })[1]
+  if point == nil then
+    alarm("the lines at ,A%.10g and ,A%.10g do not cross: they are parallel", waiting.degrees, degrees)
+  end
+  local full = copied(waiting.words)
+  full[p.first], full[p.second] = point[1], point[2]
+  return full
+end
+
+-- Stands in the path while an angle waits for its motion or the end of a line is open: nothing else may move.
+local guard = { rank = 5 }
+local guarding = false
+
+local function guard_path(on)
+  if on == guarding then return end
+  guarding = on
+  if on then path.add_filter(guard) else path.remove_filter(guard) end
+end
+
+local function check_nothing_open()
+  if angle then
+    angle = nil
+    alarm(",A belongs to a straight move (G0, G1) in its block")
+  elseif waiting then
+    waiting = nil
+    alarm(",A without an end needs a next block with ,A and both coordinates of the plane")
+  end
+end
+
+function guard:rapid(...)
+  check_nothing_open()
+  self.next:rapid(...)
+end
+
+function guard:line(...)
+  check_nothing_open()
+  self.next:line(...)
+end
+
+function guard:arc(...)
+  check_nothing_open()
+  self.next:arc(...)
+end
+
+function guard:act(f) self.next:act(f) end
+function guard:flush() check_nothing_open() end
+
+local function hold_back(words, degrees)
+  if modal_macro_code() ~= 67 then alarm(",A without an end does not go with a modal macro (G66)") end
+  local rapid = state.motion == "G0"
+  waiting = {
+    degrees = degrees, words = words, start = program_point(planes[state.plane]), plane = state.plane, rapid = rapid,
+    feed = not rapid and core.take_feed() or nil, place = core.place(), corner = exchange_corner(nil),
+  }
+end
+
+-- The line that waited goes out with the feed, the corner and the place of its own block.
+local function put_first(words)
+  local first = waiting
+  waiting = nil
+  local target = core.target(words)
+  local second_corner = exchange_corner(first.corner)
+  if first.rapid then
+    guard.next:rapid(target, first.place)
+  else
+    guard.next:line(target, first.feed, nil, first.place)
+  end
+  core.set_programmed(target)
+  exchange_corner(second_corner)
+end
+
+local function check_words(words)
+  if state.motion ~= "G0" and state.motion ~= "G1" then alarm(",A belongs to straight moves (G0, G1)") end
+  if state.polar then alarm(",A does not go with polar programming (G16)") end
+  for _, letter in ipairs { "u", "v", "w" } do
+    if words[letter] ~= nil and is_rotary[letter] == nil then
+      alarm(",A goes with X, Y and Z, and not with the increment %s", letter:upper())
+    end
+  end
+end
+
+-- The words of a move to which ,A belongs; none where it waits for the next one.
+local function resolve(words, degrees)
+  local p = planes[state.plane]
+  if degrees then check_words(words) end
+  if waiting then
+    if waiting.plane ~= state.plane then alarm(",A: the plane changes before the end of the line is known") end
+    put_first(crossing(words, p, degrees))
+    return words
+  end
+  local has_first, has_second = words[p.first] ~= nil, words[p.second] ~= nil
+  if has_first and has_second then
+    alarm(",A with both %s and %s says the line twice; leave one out", p.first:upper(), p.second:upper())
+  end
+  if has_first or has_second then return complete(words, p, degrees) end
+  hold_back(words, degrees)
+  return {}
+end
+
+-- A motion without axis words, which elsewhere does nothing, may be a line that is given by its angle alone: for one
+-- call the words of motion get a table.
+local acting
+
+local function give_words_back()
+  for name, meaning in pairs(acting) do env[name] = meaning end
+  acting = nil
+end
+
+local function stand_in()
+  acting = {}
+  for _, name in ipairs { "G0", "G1", "move" } do
+    local meaning = env[name]
+    acting[name] = meaning
+    env[name] = function(words)
+      give_words_back()
+      return meaning(words or {})
+    end
+  end
+end
+
+-- What changes the plain lines does so behind these.
+local set_shape = shape
+function shape(reason, on)
+  local standing_in = acting ~= nil
+  if standing_in then give_words_back() end
+  set_shape(reason, on)
+  if standing_in then stand_in() end
+end
+
+local resolve_others = resolve_words
+function resolve_words(words)
+  if angle == nil and waiting == nil then return resolve_others(words) end
+  if acting then give_words_back() end
+  local degrees = angle and angle.degrees
+  if angle and angle.place ~= core.place() then check_nothing_open() end
+  angle = nil
+  local resolved = resolve(words, degrees)
+  guard_path(waiting ~= nil)
+  return resolved
+end
+
+word("line_angle", function(degrees)
+  if not given(degrees, ",A") then return end
+  if angle then check_nothing_open() end
+  angle = { degrees = degrees, place = core.place() }
+  guard_path(true)
+  if acting then give_words_back() end
+  stand_in()
+end)

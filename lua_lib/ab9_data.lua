@@ -1,0 +1,135 @@
+-- Data setting (G10): L2 and L20 work coordinate systems, L10 to L13 the tables of tool offsets. G90: the value itself,
+-- G91: added to what the table holds. A tool offset in force stays as it is until it is called again.
+
+local LAST_TOOL = 999
+local FIRST_SETTABLE, LAST_SETTABLE = 505, 599
+
+-- G10 L2 P1 .. P9.
+local systems = { "54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3" }
+
+local tables = {
+  [10] = { field = "length", part = "geometry", what = "the length" },
+  [11] = { field = "length", part = "wear", what = "the wear of the length" },
+  [12] = { field = "diameter", part = "geometry", what = "the diameter" },
+  [13] = { field = "diameter", part = "wear", what = "the wear of the diameter" },
+}
+
+local function whole(words, letter, least, most)
+  local value = words[letter]
+  local number = type(value) == "number" and math.tointeger(math.floor(value + 0.5))
+  if not number or math.abs(value - number) > 1e-6 or number < least or number > most then
+    alarm("G10: %s is a whole number from %d to %d, not %s", letter:upper(), least, most,
+      value == nil and "left out" or tostring(value))
+  end
+  return number
+end
+
+local function new_value(old, value) return state.incremental and (old or 0) + value or value end
+
+-- Calls set(letter, value in mm or deg) for each axis word of G10.
+local function each_axis(words, set)
+  local any = false
+  for key, value in pairs(words) do
+    if key ~= "l" and key ~= "p" then
+      if is_rotary[key] == nil then
+        alarm("G10 takes axis words here; the machine has no axis %s", tostring(key):upper())
+      end
+      if type(value) ~= "number" then alarm("G10: the value of '%s' is no number", key) end
+      set(key, is_rotary[key] and value or value * state.unit_mm)
+      any = true
+    end
+  end
+  if not any then alarm("G10 needs the axis words that it is to set") end
+end
+
+-- The offsets of a work coordinate system by its code, as written in machine data.
+function set_work_offset(code, letter, value)
+  core.offsets[code] = core.offsets[code] or {}
+  core.offsets[code][letter] = value
+  apply_offsets()
+end
+
+function work_offset(code, letter)
+  local offsets = core.offsets[code]
+  return offsets and offsets[letter] or 0
+end
+
+local function set_system(code, words)
+  each_axis(words, function(letter, value)
+    set_work_offset(code, letter, new_value(work_offset(code, letter), value))
+  end)
+end
+
+local function work_system(words)
+  local number = whole(words, "p", 0, #systems)
+  if number == 0 then
+    each_axis(words, function(letter, value)
+      set_external_offset(letter, new_value(external_offset(letter), value))
+    end)
+  else
+    set_system(systems[number], words)
+  end
+end
+
+-- The settable frames by their number: 1 to 4 are G54 to G57, 5 to 99 are G505 to G599.
+local function settable_frame(words)
+  local number = whole(words, "p", 1, LAST_SETTABLE - 500)
+  local code = number <= 4 and systems[number] or tostring(math.max(500 + number, FIRST_SETTABLE))
+  set_system(code, words)
+end
+
+-- One part of a tool's length or diameter: "geometry" or "wear", mm.
+function tool_part(number, field, part)
+  local tool = tool_table[number]
+  if tool == nil then return 0 end
+  local wear = tool[field .. "_wear"] or 0
+  return part == "wear" and wear or (tool[field] or 0) - wear
+end
+
+-- The offset in use is the sum of both parts.
+function set_tool_part(number, field, part, value)
+  local tool = tool_table[number]
+  if tool == nil then
+    tool = { length = 0, diameter = 0 }
+    tool_table[number] = tool
+  end
+  local geometry, wear = tool_part(number, field, "geometry"), tool_part(number, field, "wear")
+  if part == "wear" then wear = value else geometry = value end
+  tool[field], tool[field .. "_wear"] = geometry + wear, wear
+end
+
+local function tool_offset(words, place)
+  local number = whole(words, "p", 1, LAST_TOOL)
+  for key in pairs(words) do
+    if key ~= "l" and key ~= "p" and key ~= "r" then
+      alarm("G10 L%d sets %s of offset P by R; it takes no word %s", words.l, place.what, tostring(key):upper())
+    end
+  end
+  if type(words.r) ~= "number" then alarm("G10 L%d needs R, %s in program units", words.l, place.what) end
+  local old = tool_part(number, place.field, place.part)
+  set_tool_part(number, place.field, place.part, new_value(old, words.r * state.unit_mm))
+end
+
+word("G10", function(words)
+  check_table(words, "G10")
+  if words == nil or words.l == nil then
+    alarm("G10 needs L: L2 (work coordinate systems), L20 (settable frames), L10 to L13 (tool offsets)")
+  end
+  refuse_with_compensation("G10")
+  local list = whole(words, "l", 0, 99)
+  if list == 2 then
+    work_system(words)
+  elseif list == 20 then
+    settable_frame(words)
+  elseif tables[list] then
+    tool_offset(words, tables[list])
+  else
+    alarm("G10 L%d sets nothing here; there are L2, L20 and L10 to L13", list)
+  end
+end)
+
+-- Each G10 is complete in its block: there is no mode to end.
+word("G11", function() end)
+
+-- In the thesis's grammar beside G10 and G11, without any data of its own.
+word("G12", function() alarm("G12 sets nothing on this control; data setting is G10") end)

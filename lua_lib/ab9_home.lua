@@ -1,0 +1,120 @@
+-- Home positions: G28 and G30 go there by a point on the way, G29 comes back by the same point, G27 checks; and the
+-- skip function G31. The first home is that of the machine file, the second to fourth are in `core.homes`.
+
+local SAME = 1e-6   -- mm or deg
+
+local way   -- letter -> machine coordinate of the point on the way, for the axes that G28 or G30 named
+
+local increment = { x = "u", y = "v", z = "w" }
+
+local function is_named(words, letter)
+  return words == nil or words[letter] ~= nil or words[increment[letter]] ~= nil
+end
+
+local function homes(number)
+  if number == 1 then
+    local first = {}
+    for _, axis in ipairs(axes) do first[axis.letter] = axis.home end
+    return first
+  end
+  local stored = core.homes and core.homes[number]
+  if stored == nil then
+    alarm("G30 P%d: home position %d is not defined; machine data defines it, in section HOME", number, number)
+  end
+  return stored
+end
+
+-- A target for all axes of which these alone change.
+local function with_others(values)
+  local target = core.target(nil)
+  for letter, value in pairs(values) do target[letter] = value end
+  return target
+end
+
+local function go_home(words, number, code)
+  check_table(words, code)
+  refuse_with_compensation(code)
+  local home, target = homes(number), {}
+  for _, axis in ipairs(axes) do
+    if is_named(words, axis.letter) then
+      target[axis.letter] = home[axis.letter]
+      if target[axis.letter] == nil then
+        alarm("%s P%d: home position %d has no value for axis %s", code, number, number, axis.letter:upper())
+      end
+    end
+  end
+  way = nil
+  if words ~= nil then
+    local point = core.target(words)
+    path.rapid(point)
+    way = {}
+    for letter in pairs(target) do way[letter] = point[letter] end
+  end
+  path.rapid(with_others(target))
+end
+
+word("G28", function(words) go_home(words, 1, "G28") end)
+
+word("G30", function(words)
+  check_table(words, "G30")
+  local rest, number = nil, 2
+  for key, value in pairs(words or {}) do
+    if key == "p" then
+      number = value
+    else
+      rest = rest or {}
+      rest[key] = value
+    end
+  end
+  if type(number) ~= "number" or number % 1 ~= 0 or number < 2 or number > 4 then
+    alarm("G30: P is the number of a home position, 2 to 4, not %s", tostring(number))
+  end
+  go_home(rest, math.tointeger(number), "G30")
+end)
+
+-- G29 moves the axes that it names; an increment counts from the point on the way.
+word("G29", function(words)
+  check_table(words, "G29")
+  if words == nil then alarm("G29 needs the axis words of its target") end
+  refuse_with_compensation("G29")
+  local through = {}
+  for letter, value in pairs(way or {}) do
+    if is_named(words, letter) then through[letter] = value end
+  end
+  if next(through) then path.rapid(with_others(through)) end
+  path.rapid(core.target(words))
+end)
+
+word("G27", function(words)
+  check_table(words, "G27")
+  refuse_with_compensation("G27")
+  if words ~= nil then path.rapid(core.target(words)) end
+  path.flush()
+  for _, axis in ipairs(axes) do
+    local position = core.machine_position(axis.letter)
+    if is_named(words, axis.letter) and math.abs(position - axis.home) > SAME then
+      alarm("G27: axis %s stands at %.10g, not at its home %.10g", axis.letter:upper(), position, axis.home)
+    end
+  end
+end)
+
+local skipped_at   -- machine coordinates by axis letter
+
+-- Where the last skip signal came, machine coordinates; nil before the first G31.
+function skip_position() return skipped_at end
+
+-- G31: a straight move that a signal cuts short. Without a signal it goes to its end, and that is the skip position.
+word("G31", function(words)
+  check_table(words, "G31")
+  local target, named = core.target(words)
+  if not named then alarm("G31 needs the axis words of its target") end
+  refuse_with_compensation("G31")
+  if move_until_signal ~= nil then
+    move_until_signal(target)
+  else
+    path.line(target, nil, "probe")
+  end
+  path.flush()
+  skipped_at = {}
+  for _, axis in ipairs(axes) do skipped_at[axis.letter] = core.machine_position(axis.letter) end
+end)

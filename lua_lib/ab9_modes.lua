@@ -1,0 +1,128 @@
+-- Modes of the path and the spindle, and switches that only the machine itself knows.
+
+-- Says once in a run what a mode does not do here.
+local told = {}
+local function tell(code, text)
+  if told[code] then return end
+  told[code] = true
+  core.warn(text)
+end
+
+-- Path modes: each move comes to rest at its end, which is what exact stop asks for.
+local path_mode = 61
+
+local function mode(name, number, text)
+  word(name, function()
+    path_mode = number
+    if text then tell(name, text) end
+  end)
+end
+mode("G61", 61)
+mode("G62", 62,
+  "G62 (automatic corner override): the feed is not lowered at inside corners; each move comes to rest there")
+mode("G63", 63, "G63 (tapping mode): there are no feed overrides and no feed hold here that it could lock")
+mode("G64", 64, "G64 (cutting mode): this version brings every move to rest; a control that does not is faster")
+word("G9", function() end)
+
+-- The path mode in force, for the system variables.
+function path_mode_code() return path_mode end
+
+-- Spindle: G97 S is its speed in rev/min, G96 S the speed of the surface in m/min (ft/min in inch mode) at the radius
+-- X, counted from the zero point of the program. A move has the speed that belongs to the middle of its way along X,
+-- so that in feed per revolution a facing cut takes its true time.
+
+local MM_IN_M, MM_IN_FOOT = 1000, 304.8
+local LEAST_RADIUS_MM = 1e-3
+
+local limit_rpm = math.huge
+local surface_mm_min   -- nil: G97
+local is_constant_surface = false
+
+local function turn(rpm)
+  state.spindle_rpm = math.min(rpm, limit_rpm)
+  core.set_spindle(state.spindle_rpm)
+end
+
+local function rpm_at(radius_mm)
+  if radius_mm < LEAST_RADIUS_MM and limit_rpm == math.huge then
+    alarm("G96: at X0 the spindle would turn without limit; give the limit with G50 S (rev/min)")
+  end
+  return surface_mm_min / (2 * math.pi * math.max(radius_mm, LEAST_RADIUS_MM))
+end
+
+-- Before a move to the target: the spindle speed for the middle of it.
+local function adapt(target)
+  if surface_mm_min == nil then return end
+  local start = core.target(nil)
+  local from, to = core.to_program(start).x, core.to_program(target).x
+  turn(rpm_at(math.abs(from + to) / 2))
+end
+
+local direct_line, direct_arc
+
+local function constant_surface(on)
+  if on == is_constant_surface then return end
+  is_constant_surface = on
+  if on then
+    direct_line, direct_arc = path.line, path.arc
+    function path.line(target, ...)
+      adapt(target)
+      direct_line(target, ...)
+    end
+    function path.arc(plane, ccw, first, second, sweep, target, ...)
+      adapt(target)
+      direct_arc(plane, ccw, first, second, sweep, target, ...)
+    end
+  else
+    path.line, path.arc, surface_mm_min = direct_line, direct_arc, nil
+  end
+  shape("constant surface speed", on)
+end
+
+word("G96", function()
+  if is_rotary.x ~= false then alarm("G96 needs the axis X, whose position is the radius") end
+  constant_surface(true)
+end)
+
+word("G97", function() constant_surface(false) end)
+
+local function speed(value, name)
+  if not (value >= 0 and value < math.huge) then alarm("%s is a speed from 0 on, not %.10g", name, value) end
+  return value
+end
+
+word("S", function(value)
+  if not given(value, "S") then return end
+  if is_constant_surface then
+    surface_mm_min = speed(value, "S") * (state.unit_mm == 1 and MM_IN_M or MM_IN_FOOT)
+  else
+    turn(speed(value, "S"))
+  end
+end)
+
+word("G50", function(words)
+  check_table(words, "G50")
+  if words == nil or words.s == nil then
+    alarm("G50 sets the limit of the spindle speed: G50 S2000; scaling is G14.1 with P, and bare it ends")
+  end
+  for key in pairs(words) do
+    if key ~= "s" then alarm("G50 takes S alone, not %s", tostring(key):upper()) end
+  end
+  if type(words.s) ~= "number" then alarm("S of G50 is no number") end
+  limit_rpm = speed(words.s, "S of G50")
+  if state.spindle_rpm ~= nil and not is_constant_surface then turn(state.spindle_rpm) end
+end)
+
+-- Events of the machine.
+local function switch(name, kind)
+  word(name, function() path.event(kind) end)
+end
+switch("M7", "coolant_2_on")
+switch("M48", "overrides_on")
+switch("M49", "overrides_off")
+
+-- The spindle stops at its marked angle.
+word("M19", function()
+  state.spindle = nil
+  path.event("spindle_orient")
+end)

@@ -1,0 +1,119 @@
+-- Canned cycles: what both dialects share. A hole lies on the two axes of the plane in force, the tool goes in along
+-- the third. Cycles are worked out in program coordinates, so that offsets, rotation and mirror image hold for
+-- each stroke.
+
+local SAME_MM = 1e-9    -- a stroke below this length is no move
+local MOST_PECKS = 100000
+local MOST_REPEATS = 9999
+
+local cycle_names = {}
+for _, name in ipairs { "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89" } do
+  cycle_names[name] = true
+end
+if core.dialect == "rs274ngc" then cycle_names.G76 = nil end  -- there it cuts a thread, and is not modal
+
+-- Whether the modal motion of that name is a canned cycle.
+function is_cycle(name) return cycle_names[name] == true end
+
+-- Where a cycle leaves the tool: "initial" (G98) or "r" (G99).
+state.return_level = core.dialect == "rs274ngc" and "r" or "initial"
+local function return_level(name, level)
+  word(name, function()
+    if core.dialect == "rs274ngc" then refuse_with_compensation(name) end
+    state.return_level = level
+  end)
+end
+return_level("G98", "initial")
+return_level("G99", "r")
+
+-- The spindle turns "cw" or "ccw", or stands (nil).
+function turn_spindle(direction)
+  state.spindle = direction
+  path.event(direction and "spindle_" .. direction or "spindle_off")
+end
+
+-- It stands still at its marked angle, so that the tool can be moved off the wall.
+function orient_spindle()
+  state.spindle = nil
+  path.event("spindle_off")
+  path.event("spindle_orient")
+end
+
+-- A word of a cycle: a number, or nil where it is left out.
+function cycle_word(words, letter, name)
+  local value = words[letter]
+  if value ~= nil and type(value) ~= "number" then alarm("%s: the value of %s is no number", name, letter:upper()) end
+  return value
+end
+
+function cycle_dwell(words, name)
+  local seconds = cycle_word(words, "p", name)
+  if seconds ~= nil and seconds < 0 then alarm("P of %s is a dwell of 0 s or more, not %.10g", name, seconds) end
+  return seconds
+end
+
+function cycle_repeats(value, letter, name)
+  if value == nil then return 1 end
+  if value % 1 ~= 0 or value < 0 or value > MOST_REPEATS then
+    alarm("%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MOST_REPEATS, value)
+  end
+  return math.tointeger(value)
+end
+
+-- The program coordinates of the programmed point, in mm and deg.
+function program_position() return core.to_program {} end
+
+-- A tool over a plane, moved by the plane's three axes in program coordinates (mm).
+function cycle_tool(plane, start)
+  local tool = { start[plane.first], start[plane.second], start[plane.third] }
+
+  local function target(first, second, third)
+    local near = math.abs(first - tool[1]) < SAME_MM and math.abs(second - tool[2]) < SAME_MM
+      and math.abs(third - tool[3]) < SAME_MM
+    if near then return nil end
+    tool[1], tool[2], tool[3] = first, second, third
+    return core.to_machine { [plane.first] = first, [plane.second] = second, [plane.third] = third }
+  end
+
+  function tool.rapid_to(first, second, third)
+    local point = target(first, second, third)
+    if point ~= nil then path.rapid(point) end
+  end
+  function tool.feed_to(first, second, third)
+    local point = target(first, second, third)
+    if point ~= nil then path.line(point) end
+  end
+  function tool.rapid(third) tool.rapid_to(tool[1], tool[2], third) end
+  function tool.feed(third) tool.feed_to(tool[1], tool[2], third) end
+  return tool
+end
+
+-- The depths at which a hole drilled in pecks of `step` is left, above its bottom. What only rounding leaves above the
+-- bottom is no peck.
+function pecks(from, bottom, step, name)
+  if not (step > 0) then alarm("Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
+  if (from - bottom) / step > MOST_PECKS then
+    alarm("Q %.10g of %s is too small: the hole of %.10g would take more than %d pecks", step, name, from - bottom,
+      MOST_PECKS)
+  end
+  local depths = {}
+  local depth = from - step
+  while depth - bottom > SAME_MM do
+    depths[#depths + 1] = depth
+    depth = depth - step
+  end
+  return depths
+end
+
+-- Levels count in the work coordinate system, time per stroke has no meaning, nor has a path beside the hole.
+function check_cycle_modes(name)
+  if core.in_machine_frame() then alarm("%s cannot be used with G53, which holds for G0 and G1", name) end
+  if state.feed_mode == "inverse" then
+    alarm("%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
+  end
+  if state.compensation ~= nil then
+    alarm("%s is not possible while cutter compensation is on; G40 first", name)
+  end
+end
+
+include(core.dialect == "rs274ngc" and "cycles_ngc" or "cycles_ab9")

@@ -1,0 +1,267 @@
+-- Canned cycles of the 9/Series; where its manual is silent they are those of its nearest relatives. R and the depth
+-- are levels of the series: in incremental dimensions R counts from the initial level and the depth from R. They
+-- and P, Q and the shift hold, for all cycles, until G80 or a motion code ends the series.
+
+-- Set by the builder of a machine on the control; these are usual values.
+local CHIP_BREAK_RETRACT_MM = 1   -- G73: how far the tool is drawn back after each peck
+local PECK_CLEARANCE_MM = 1       -- G83: where the rapid move back into the hole ends, above the last depth
+
+local held = {}
+local before_series   -- the modal motion to which G80 leads back
+
+-- Each cycle begins at the hole, at the R level. `hole` has r, bottom, clear (levels, mm), p (s, or nil), q (mm).
+local strokes = {}
+
+local function dwell(hole)
+  if hole.p ~= nil and hole.p > 0 then path.dwell(hole.p) end
+end
+
+-- Calls reach(depth, back) for each peck above the bottom; `back` is the level `retract` before it, at most R. A hole
+-- may lead to either side.
+local function each_peck(hole, name, retract, reach)
+  local up = hole.bottom <= hole.r and 1 or -1
+  for _, depth in ipairs(pecks(up * hole.r, up * hole.bottom, hole.q, name)) do
+    reach(up * depth, up * math.min(depth + retract, up * hole.r))
+  end
+end
+
+function strokes.G73(tool, hole)
+  each_peck(hole, "G73", CHIP_BREAK_RETRACT_MM, function(depth, back)
+    tool.feed(depth)
+    dwell(hole)
+    tool.rapid(back)
+  end)
+  tool.feed(hole.bottom)
+  dwell(hole)
+  tool.rapid(hole.clear)
+end
+
+function strokes.G81(tool, hole)
+  tool.feed(hole.bottom)
+  tool.rapid(hole.clear)
+end
+
+function strokes.G82(tool, hole)
+  tool.feed(hole.bottom)
+  dwell(hole)
+  tool.rapid(hole.clear)
+end
+
+function strokes.G83(tool, hole)
+  each_peck(hole, "G83", PECK_CLEARANCE_MM, function(depth, back)
+    tool.feed(depth)
+    tool.rapid(hole.r)
+    tool.rapid(back)
+  end)
+  tool.feed(hole.bottom)
+  dwell(hole)
+  tool.rapid(hole.clear)
+end
+
+local function tap(tool, hole, forth, back)
+  if state.spindle ~= forth then turn_spindle(forth) end
+  tool.feed(hole.bottom)
+  turn_spindle(nil)
+  dwell(hole)
+  turn_spindle(back)
+  tool.feed(hole.r)
+  turn_spindle(nil)
+  turn_spindle(forth)
+  tool.rapid(hole.clear)
+end
+
+function strokes.G74(tool, hole) tap(tool, hole, "ccw", "cw") end
+function strokes.G84(tool, hole) tap(tool, hole, "cw", "ccw") end
+
+function strokes.G85(tool, hole)
+  tool.feed(hole.bottom)
+  tool.feed(hole.r)
+  tool.rapid(hole.clear)
+end
+
+function strokes.G86(tool, hole)
+  local direction = state.spindle or "cw"
+  tool.feed(hole.bottom)
+  dwell(hole)
+  turn_spindle(nil)
+  tool.rapid(hole.clear)
+  turn_spindle(direction)
+end
+
+-- Fine boring: out of the hole with the tool's point off the wall.
+function strokes.G76(tool, hole)
+  local direction = state.spindle or "cw"
+  local first, second = tool[1], tool[2]
+  tool.feed(hole.bottom)
+  dwell(hole)
+  orient_spindle()
+  tool.rapid_to(first + hole.shift_first, second + hole.shift_second, hole.bottom)
+  tool.rapid(hole.clear)
+  tool.rapid_to(first, second, hole.clear)
+  turn_spindle(direction)
+end
+
+-- Back boring: past the wall to R, which lies below, then up to the depth; it always ends at the initial level.
+function strokes.G87(tool, hole)
+  local direction = state.spindle or "cw"
+  local first, second = tool[1], tool[2]
+  local aside_first, aside_second = first + hole.shift_first, second + hole.shift_second
+  orient_spindle()
+  tool.rapid_to(aside_first, aside_second, tool[3])
+  tool.rapid(hole.r)
+  tool.rapid_to(first, second, hole.r)
+  turn_spindle(direction)
+  tool.feed(hole.bottom)
+  dwell(hole)
+  orient_spindle()
+  tool.rapid_to(aside_first, aside_second, hole.bottom)
+  tool.rapid(hole.initial)
+  tool.rapid_to(first, second, hole.initial)
+  turn_spindle(direction)
+end
+
+-- The operator draws the tool out of the hole, at least to R, and starts the program again.
+function strokes.G88(tool, hole)
+  local direction = state.spindle or "cw"
+  tool.feed(hole.bottom)
+  dwell(hole)
+  turn_spindle(nil)
+  path.event("stop", "G88: the operator retracts the tool")
+  tool.rapid(hole.r)
+  tool.rapid(hole.clear)
+  turn_spindle(direction)
+end
+
+function strokes.G89(tool, hole)
+  tool.feed(hole.bottom)
+  dwell(hole)
+  tool.feed(hole.r)
+  tool.rapid(hole.clear)
+end
+
+local is_shifted = { G76 = true, G87 = true }
+local increment = { x = "u", y = "v", z = "w" }
+local no_place = { r = true, p = true, q = true, i = true, j = true, k = true, l = true, f = true }
+
+local function length(words, letter, name)
+  local value = cycle_word(words, letter, name)
+  return value and value * state.unit_mm
+end
+
+-- Takes note of the levels that the block gives.
+local function read_levels(words, name, p)
+  local r, depth = length(words, "r", name), length(words, p.third, name)
+  local from_r = is_rotary[increment[p.third]] == nil and length(words, increment[p.third], name) or nil
+  if r ~= nil then held.r = state.incremental and held.initial + r or r end
+  if held.r == nil and (from_r ~= nil or state.incremental and depth ~= nil) then
+    alarm("%s needs R, the level from which its depth counts", name)
+  end
+  if depth ~= nil then held.bottom = state.incremental and held.r + depth or depth end
+  if from_r ~= nil then held.bottom = held.r + from_r end
+end
+
+-- The shift of G76 and G87: along the centre words, or Q along the first axis of the plane.
+local function read_shift(words, name, p)
+  local first, second = length(words, p.i, name), length(words, p.j, name)
+  if first ~= nil or second ~= nil then
+    held.shift_first, held.shift_second = first or 0, second or 0
+  elseif words.q ~= nil then
+    held.shift_first, held.shift_second = length(words, "q", name), 0
+  end
+end
+
+local function read_words(words, name, p)
+  read_levels(words, name, p)
+  held.p = cycle_dwell(words, name) or held.p
+  if is_shifted[name] then
+    read_shift(words, name, p)
+  else
+    held.q = length(words, "q", name) or held.q
+  end
+end
+
+-- The words that say where the hole is, and whether the block drills at all.
+local function split(words, p)
+  local place, drills = {}, words.r ~= nil or words[p.third] ~= nil
+  for key, value in pairs(words) do
+    local depth = key == p.third or key == increment[p.third] and is_rotary[key] == nil
+    if depth then
+      drills = true
+    elseif not no_place[key] then
+      place[key], drills = value, true
+    end
+  end
+  return place, drills
+end
+
+-- Rapid to the hole, at the level at which the tool is; other axes named in the block move along.
+local function move_over(place, p)
+  local over = core.to_program((core.target(resolve_words(place))))
+  over[p.third] = program_position()[p.third]
+  path.rapid(core.to_machine(over))
+end
+
+local function repeats_of(words, name)
+  if words.l ~= nil and words.k ~= nil and not is_shifted[name] then
+    alarm("%s takes its repeats as L or as K, not as both", name)
+  end
+  if words.l == nil and not is_shifted[name] then return cycle_repeats(cycle_word(words, "k", name), "K", name) end
+  return cycle_repeats(cycle_word(words, "l", name), "L", name)
+end
+
+local function check_words(name, p)
+  if held.r == nil then alarm("%s needs R, the level of retraction", name) end
+  if held.bottom == nil then alarm("%s needs %s, the depth of the hole", name, p.third:upper()) end
+  if (name == "G73" or name == "G83") and held.q == nil then alarm("%s needs Q, the depth of a peck", name) end
+  if is_shifted[name] and held.shift_first == 0 and held.shift_second == 0 then
+    alarm("%s needs the shift off the wall: Q, or %s and %s", name, p.i:upper(), p.j:upper())
+  end
+end
+
+local function begin_series(p)
+  held = { initial = program_position()[p.third], plane = state.plane, shift_first = 0, shift_second = 0 }
+end
+
+local function drill(name, words)
+  check_table(words, name)
+  words = words or {}
+  check_cycle_modes(name)
+  local p = planes[state.plane]
+  if held.plane ~= state.plane then begin_series(p) end
+  read_words(words, name, p)
+  local place, drills = split(words, p)
+  local repeats = repeats_of(words, name)
+  if not drills or repeats == 0 then return end
+  check_words(name, p)
+  local hole = setmetatable({}, { __index = held })
+  hole.clear = state.return_level == "r" and held.r or held.initial
+  for _ = 1, repeats do
+    move_over(place, p)
+    local tool = cycle_tool(p, program_position())
+    if name ~= "G87" then tool.rapid(held.r) end
+    strokes[name](tool, hole)
+  end
+end
+
+for name in pairs(strokes) do
+  local modal = core.word(word_id(), function(words) drill(name, words) end)
+  word(name, function(words)
+    if not is_cycle(state.motion) then
+      before_series = { name = state.motion, move = env.move }
+      begin_series(planes[state.plane])
+    end
+    make_modal(name, modal)
+    drill(name, words)
+  end)
+end
+
+-- The end of a series: the motion before it is modal again.
+word("G80", function()
+  if not is_cycle(state.motion) then return end
+  local name = before_series.name
+  if name == "G0" or name == "G1" then
+    env[name]()   -- which G0 and G1 are in use may have changed meanwhile
+  else
+    make_modal(name, before_series.move)
+  end
+end)

@@ -1,0 +1,106 @@
+-- RS274/NGC: M70 to M73 keep the modal state and bring it back. The words of each modal group are watched as they
+-- are called, so this file comes after all others that define words.
+
+local active = {
+  units = state.unit_mm == 1 and "G21" or "G20", plane = "G17", distance = "G90", ["arc centre"] = "G91_1",
+  feed = "G94", compensation = "G40", length = "G49", retract = "G99", ["spindle speed"] = "G97", path = "G64",
+}
+local words_of = {}   -- by group, the words with which its code was called
+
+function ngc.active(group) return active[group] end
+
+local function watch(group, names)
+  for _, name in ipairs(names) do
+    local meaning = rawget(env, name)
+    if meaning ~= nil then
+      env[name] = function(words)
+        meaning(words)
+        active[group], words_of[group] = name, words
+      end
+    end
+  end
+end
+watch("units", { "G20", "G21" })
+watch("plane", { "G17", "G18", "G19" })
+watch("distance", { "G90", "G91" })
+watch("arc centre", { "G90_1", "G91_1" })
+watch("feed", { "G93", "G94", "G95" })
+watch("compensation", { "G40", "G41", "G41_1", "G42", "G42_1" })
+watch("length", { "G43", "G43_1", "G43_2", "G49" })
+watch("retract", { "G98", "G99" })
+watch("spindle speed", { "G96", "G97" })
+watch("path", { "G61", "G61_1", "G64" })
+
+local function copy(values)
+  local copied = {}
+  for key, value in pairs(values) do copied[key] = value end
+  return copied
+end
+
+local function keep(automatic)
+  ngc.saved_modes = {
+    automatic = automatic,
+    active = copy(active), words_of = copy(words_of), overrides = ngc.keep_overrides(), system = ngc.system,
+    feed = state.feed, feed_unit_mm = state.feed_unit_mm, speed = state.spindle_word, spindle = state.spindle,
+    mist = state.mist, flood = state.flood,
+  }
+end
+
+-- Calls the group's code again where another one is in force now.
+local function bring_back(saved, group)
+  local name = saved.active[group]
+  if active[group] ~= name then env[name](saved.words_of[group]) end
+end
+
+local function restore_coolant(saved)
+  if saved.mist == state.mist and saved.flood == state.flood then return end
+  env.M9()
+  if saved.mist then env.M7() end
+  if saved.flood then env.M8() end
+end
+
+local function restore_spindle(saved)
+  if state.spindle_word ~= saved.speed then env.S(saved.speed) end
+  if state.spindle == saved.spindle then return end
+  if saved.spindle == "cw" then env.M3() elseif saved.spindle == "ccw" then env.M4() else env.M5() end
+end
+
+local function restore_feed(saved)
+  local same = state.feed == saved.feed and state.feed_unit_mm == saved.feed_unit_mm
+  if saved.feed > 0 and not same then env.F(saved.feed) end
+end
+
+-- A tool's length comes back as the one of the tool that is loaded, as in LinuxCNC.
+local function restore_length(saved)
+  if saved.active.length == active.length then return end
+  if saved.active.length == "G49" then env.G49() else env.G43() end
+end
+
+local groups = {
+  "units", "plane", "compensation", "distance", "arc centre", "retract", "path", "spindle speed", "feed",
+}
+
+local function restore(saved)
+  for _, group in ipairs(groups) do bring_back(saved, group) end
+  if saved.system ~= ngc.system then env[ngc.system_word(saved.system)]() end
+  restore_length(saved)
+  restore_feed(saved)
+  restore_spindle(saved)
+  restore_coolant(saved)
+  ngc.restore_overrides(saved.overrides)
+end
+
+word("M70", function() keep(false) end)
+word("M71", function() ngc.saved_modes = nil end)
+word("M73", function() keep(true) end)
+word("M72", function()
+  if ngc.saved_modes == nil then
+    alarm("M72 brings back what M70 or M73 has kept in the same subroutine, and there is nothing")
+  end
+  restore(ngc.saved_modes)
+end)
+
+-- The end of a subroutine that M73 has marked.
+function ngc.restore_on_return()
+  if ngc.saved_modes and ngc.saved_modes.automatic then restore(ngc.saved_modes) end
+end

@@ -1,0 +1,49 @@
+-- RS274/NGC: G28 and G30 go to a stored point by a point on the way, G28.1 and G30.1 store where the machine stands.
+
+-- The stored point in machine coordinates, as its parameters have it (inches and degrees).
+local function stored(first)
+  local point = {}
+  for i, letter in ipairs(ngc.letters) do
+    if is_rotary[letter] ~= nil then point[letter] = ngc.from_stored(letter, env.v[first + i - 1]) end
+  end
+  return point
+end
+
+local function store(first, point)
+  for i, letter in ipairs(ngc.letters) do
+    ngc.set_parameter(first + i - 1, ngc.to_stored(letter, point[letter] or 0))
+  end
+end
+
+-- Only the named axes go on to the stored point, in the directions of the program; all where none is named.
+local function go(words, first)
+  local way, any = ngc.programmed(), false
+  if words ~= nil then way, any = core.target(resolve_words(words)) end
+  path.rapid(way)
+  local home = stored(first)
+  if any then
+    local program, home_program = core.to_program(way), core.to_program(home)
+    for letter in pairs(resolve_words(words)) do program[letter] = home_program[letter] end
+    home = core.to_machine(program)
+  end
+  path.rapid(home)
+end
+
+local function define(name, first)
+  for i, letter in ipairs(ngc.letters) do
+    for _, axis in ipairs(axes) do
+      if axis.letter == letter then ngc.set_parameter(first + i - 1, ngc.to_stored(letter, axis.home)) end
+    end
+  end
+  word(name, function(words)
+    check_table(words, name)
+    ngc.not_in_compensation(name)
+    go(words, first)
+  end)
+  word(name .. "_1", function()
+    ngc.not_in_compensation(name .. ".1")
+    store(first, ngc.programmed())
+  end)
+end
+define("G28", 5161)
+define("G30", 5181)

@@ -1,0 +1,172 @@
+-- RS274/NGC: feed modes, spindle and coolant, path modes, the centre of arcs.
+
+local MM_PER_M, MM_PER_FOOT = 1000, 304.8
+local WHOLE_TURN = 360
+
+state.feed_mode = "minute"
+state.feed = 0             -- as F was programmed
+state.spindle_word = 0     -- as S was programmed
+
+core.set_letters_uvw(false)            -- U, V and W are axes or nothing
+core.set_inverse_time_of_arcs(false)   -- 60/F s for a whole arc, as for a line
+
+-- There is one spindle, $0; $-1 means all of them.
+function ngc.check_spindle(words, name)
+  local number = words.spindle
+  if number ~= nil and number ~= 0 and number ~= -1 then
+    alarm("%s: there is one spindle, $0, and no $%.10g", name, number)
+  end
+end
+
+word("F", function(value)
+  if not given(value, "F") then return end
+  if value < 0 then alarm("F is a feed from 0 on, not %.10g", value) end
+  state.feed, state.feed_unit_mm = value, state.unit_mm
+  if value > 0 then core.set_feed(value) else core.clear_feed() end
+end)
+
+local function feed_mode(name, mode)
+  word(name, function()
+    if mode ~= state.feed_mode and mode ~= "inverse" then state.feed = 0 end
+    state.feed_mode = mode
+    core.set_feed_mode(mode)
+  end)
+end
+feed_mode("G93", "inverse")
+feed_mode("G94", "minute")
+feed_mode("G95", "revolution")
+
+-- --- Spindle ---
+
+-- Constant surface speed (G96): S is m/min or feet/min, D the most turns a minute; nil with G97.
+local surface
+
+-- The speed at the X where it is programmed; the path does not change it afterwards.
+local function surface_rpm()
+  if state.spindle_word == 0 then return 0 end
+  local radius_mm = math.abs(core.to_program(ngc.programmed()).x or 0)
+  local unit_mm = state.unit_mm == 1 and MM_PER_M or MM_PER_FOOT
+  return math.min(surface.most_rpm, state.spindle_word * unit_mm / (2 * math.pi * radius_mm))
+end
+
+local function set_speed()
+  local rpm = surface and surface_rpm() or state.spindle_word
+  if rpm == math.huge then alarm("G96 at X0 has no highest speed; give it by D") end
+  state.spindle_rpm = rpm
+  core.set_spindle(rpm)
+end
+
+local function speed(value, name)
+  if type(value) ~= "number" or value < 0 then alarm("S%s is a speed from 0 on, not %s", name, tostring(value)) end
+  state.spindle_word = value
+end
+
+word("S", function(value)
+  if not given(value, "S") then return end
+  speed(value, "")
+  set_speed()
+end)
+
+word("G96", function(words)
+  check_table(words, "G96")
+  words = words or {}
+  ngc.check_spindle(words, "G96")
+  if words.s then speed(words.s, " of G96") end
+  local most = math.abs(words.d or 0)
+  surface = { most_rpm = most > 0 and most or math.huge }
+  core.warn("G96: the spindle speed is worked out where S is programmed, and does not follow X from there")
+  set_speed()
+end)
+
+word("G97", function(words)
+  check_table(words, "G97")
+  ngc.check_spindle(words or {}, "G97")
+  surface = nil
+  if words and words.s then speed(words.s, " of G97") end
+  set_speed()
+end)
+
+-- There is one spindle: $0, or $-1 for all of them.
+local function one_spindle(words, name)
+  check_table(words, name)
+  local number = words and words.spindle
+  if number ~= nil and number ~= 0 and number ~= -1 then alarm("%s $%.10g: there is one spindle, $0", name, number) end
+end
+
+local function spindle(name, direction)
+  word(name, function(words)
+    one_spindle(words, name)
+    turn_spindle(direction)
+  end)
+end
+spindle("M3", "cw")
+spindle("M4", "ccw")
+spindle("M5", nil)
+
+local ways = { [0] = "shortest way", [1] = "clockwise", [2] = "counterclockwise" }
+
+word("M19", function(words)
+  one_spindle(words, "M19")
+  words = words or {}
+  local angle, way = words.r or 0, ways[words.p or 0]
+  if angle < 0 or angle > WHOLE_TURN then alarm("R of M19 is an angle from 0 to 360 degrees, not %.10g", angle) end
+  if way == nil then alarm("P of M19 is 0, 1 or 2: the shortest way, clockwise or counterclockwise") end
+  if words.q ~= nil and words.q <= 0 then alarm("Q of M19 is a time above 0 s, not %.10g", words.q) end
+  state.spindle = nil
+  path.event("spindle_orient", ("%.10g deg, %s"):format(angle, way))
+end)
+
+-- --- Coolant ---
+
+word("M7", function()
+  state.mist = true
+  path.event("mist_on")
+end)
+
+word("M8", function()
+  state.flood = true
+  path.event("flood_on")
+end)
+
+word("M9", function()
+  state.mist, state.flood = false, false
+  path.event("coolant_off")
+end)
+
+-- --- Modes of the path ---
+
+for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
+  word(name, function()
+    if plane ~= state.plane then ngc.not_in_compensation(name .. ", a change of the plane,") end
+    state.plane = plane
+  end)
+end
+
+word("G90_1", function() state.arc_absolute = true end)
+word("G91_1", function() state.arc_absolute = false end)
+
+word("G61", function() ngc.not_in_compensation("G61") end)
+word("G61_1", function() ngc.not_in_compensation("G61.1") end)
+
+-- The tolerances of G64 say how far a path may be rounded; this control keeps to the path, which is within any of them.
+word("G64", function(words)
+  check_table(words, "G64")
+  ngc.not_in_compensation("G64")
+  for letter, value in pairs(words or {}) do
+    if (letter ~= "p" and letter ~= "q") or type(value) ~= "number" then
+      alarm("G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'", tostring(letter))
+    end
+  end
+  core.warn("G64 (cutting mode): this version brings every move to rest; a control that does not is faster")
+end)
+
+local function refused(name, shown, reason)
+  word(name, function() alarm("%s is not supported: %s", shown, reason) end)
+end
+refused("G7", "G7 (diameter mode)", "X is a radius here")
+for plane, axes_of_plane in pairs { G17_1 = "UV", G18_1 = "WU", G19_1 = "VW" } do
+  refused(plane, plane:sub(1, 3) .. ".1", ("arcs and cycles are in XY, ZX and YZ, not in " .. axes_of_plane))
+end
+refused("G8", "G8 (radius mode)", "it is always in force, and G7 is not supported")
+
+end_motion()   -- axis words need a motion of the program's own

@@ -1,0 +1,143 @@
+-- RS274/NGC: named parameters #<name> as p.name. A name that begins with _ is global, any other belongs to the
+-- subroutine; some global ones are the control's own and read-only.
+
+local predefined = {}   -- functions by name
+
+local UNDERSCORE = ("_"):byte()
+
+local function missing(_, name)
+  local value = predefined[name]
+  if value == nil then
+    alarm("the parameter #<%s> has no value here; give it one first (names without _ belong to their subroutine)",
+      tostring(name))
+  end
+  return value() + 0.0
+end
+
+local globals = setmetatable({}, { __index = missing })
+
+local scope = {
+  __index = globals,
+  __newindex = function(locals, name, value)
+    if predefined[name] then alarm("#<%s> is read-only: the control itself sets it", name) end
+    rawset(name:byte() == UNDERSCORE and globals or locals, name, value)
+  end,
+}
+
+function ngc.new_scope() return setmetatable({}, scope) end
+env.p = ngc.new_scope()
+
+local function defined(name)
+  return rawget(env.p, name) ~= nil or rawget(globals, name) ~= nil or predefined[name] ~= nil
+end
+
+function env.exists(name) return defined(name) and 1.0 or 0.0 end
+
+-- For comments: nil where there is no such parameter.
+function ngc.named(name)
+  if defined(name) then return env.p[name] end
+end
+
+-- predefine("_line", function() return number or boolean end)
+function ngc.predefine(name, value)
+  predefined[name] = function()
+    local now = value()
+    if now == true then return 1 end
+    return now or 0
+  end
+end
+local predefine = ngc.predefine
+
+predefine("_vmajor", function() return 2.9 end)   -- the version of LinuxCNC whose words these are
+predefine("_vminor", function() return 0 end)
+predefine("_task", function() return false end)
+predefine("_remap_level", function() return 0 end)
+predefine("_call_level", function() return state.depth end)
+predefine("_value", function() return ngc.value end)
+predefine("_value_returned", function() return ngc.value ~= nil end)
+
+predefine("_line", function()
+  core.note_place()
+  return core.place() & 0xffffffff
+end)
+
+-- Ten times the number of a code by its name: G38_2 and G38.2 are 382.
+local function ten_times(name)
+  local dot = name:find(".", 2, true) or name:find("_", 2, true)
+  if dot then return tonumber(name:sub(2, dot - 1)) * 10 + tonumber(name:sub(dot + 1)) end
+  return (tonumber(name:sub(2)) or 80) * 10
+end
+ngc.ten_times = ten_times
+
+predefine("_motion_mode", function() return ten_times(state.motion) end)
+local plane_codes = { xy = 170, zx = 180, yz = 190 }
+predefine("_plane", function() return plane_codes[state.plane] end)
+predefine("_coord_system", function() return ten_times("G" .. ngc.system_name(ngc.system)) end)
+
+predefine("_metric", function() return state.unit_mm == 1 end)
+predefine("_imperial", function() return state.unit_mm ~= 1 end)
+predefine("_absolute", function() return not state.incremental end)
+predefine("_incremental", function() return state.incremental end)
+predefine("_ijk_absolute_mode", function() return state.arc_absolute end)
+predefine("_lathe_diameter_mode", function() return false end)
+predefine("_lathe_radius_mode", function() return true end)   -- coordinates are never diameters here
+
+predefine("_inverse_time", function() return state.feed_mode == "inverse" end)
+predefine("_units_per_minute", function() return state.feed_mode == "minute" end)
+predefine("_units_per_rev", function() return state.feed_mode == "revolution" end)
+predefine("_feed", function() return state.feed end)
+predefine("_rpm", function() return state.spindle_word end)
+predefine("_spindle_on", function() return state.spindle ~= nil end)
+predefine("_spindle_cw", function() return state.spindle == "cw" end)
+predefine("_spindle_rpm_mode", function() return ngc.active("spindle speed") ~= "G96" end)
+predefine("_spindle_css_mode", function() return ngc.active("spindle speed") == "G96" end)
+predefine("_mist", function() return state.mist end)
+predefine("_flood", function() return state.flood end)
+
+predefine("_ccomp", function() return ten_times(state.compensation or "G40") end)
+predefine("_retract_r_plane", function() return ngc.active("retract") == "G99" end)
+predefine("_retract_old_z", function() return ngc.active("retract") == "G98" end)
+predefine("_speed_override", function() return ngc.override("speed") end)
+predefine("_feed_override", function() return ngc.override("feed") end)
+predefine("_adaptive_feed", function() return ngc.override("adaptive") end)
+predefine("_feed_hold", function() return ngc.override("hold") end)
+
+predefine("_current_tool", function() return current_tool() end)
+predefine("_selected_tool", function() return selected_tool() end)
+
+-- The table has no pockets of its own: each tool stands in that of its number, and -1 is none.
+predefine("_current_pocket", function() return math.max(current_tool(), 1) end)
+predefine("_selected_pocket", function() return selected_tool() > 0 and selected_tool() or -1 end)
+
+predefine("_tool_offset", function()
+  for _, length in pairs(state.tool_offset) do
+    if length ~= 0 then return true end
+  end
+  return false
+end)
+
+-- Where the program stands: in its own coordinates, and in those of the machine.
+local function position(letter)
+  if is_rotary[letter] == nil then return 0 end
+  return ngc.to_program_unit(letter, core.to_program(ngc.programmed())[letter])
+end
+
+-- The programmed point in machine coordinates.
+function ngc.programmed()
+  local point = {}
+  for _, axis in ipairs(axes) do point[axis.letter] = core.position(axis.letter) end
+  return point
+end
+
+local FIRST_POSITION = 5420
+for i, letter in ipairs(ngc.letters) do
+  local function here() return position(letter) end
+  predefine("_" .. letter, here)
+  ngc.compute(FIRST_POSITION + i - 1, function()
+    ngc.not_in_compensation(("reading #%d"):format(FIRST_POSITION + i - 1))
+    return here()
+  end)
+  predefine("_abs_" .. letter, function()
+    return is_rotary[letter] ~= nil and ngc.to_program_unit(letter, core.position(letter)) or 0
+  end)
+end

@@ -1,0 +1,33 @@
+-- RS274/NGC: a target in polar form, @5 ^30 as G1{radius=5, angle=30}. Absolute: distance and angle in the XY plane
+-- from the zero point of the program; incremental: both are added to those of the present point. What is not given
+-- stays as it is.
+
+local SAME_POINT = 1e-9
+
+core.on_polar(function(words)
+  if words.x ~= nil or words.y ~= nil then
+    alarm("a target is given by @ and ^ or by X and Y, not by both")
+  end
+  local program = core.to_program {}
+  local x, y = program.x / state.unit_mm, program.y / state.unit_mm
+  local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
+  if radius < SAME_POINT and (state.incremental or words.radius == nil or words.angle == nil) then
+    alarm("@ without ^, ^ without @ and increments of them need a present point that is not the zero point")
+  end
+  if state.incremental then
+    radius, angle = radius + (words.radius or 0), angle + math.rad(words.angle or 0)
+  else
+    radius, angle = words.radius or radius, words.angle and math.rad(words.angle) or angle
+  end
+  local cartesian = {}
+  for key, value in pairs(words) do cartesian[key] = value end
+  cartesian.radius, cartesian.angle = nil, nil
+  cartesian.x, cartesian.y = radius * math.cos(angle), radius * math.sin(angle)
+  if state.incremental then cartesian.x, cartesian.y = cartesian.x - x, cartesian.y - y end
+  return cartesian
+end)
+
+-- A code that the translator put off: the subroutine around it is called after all.
+function env.unknown_code(code)
+  alarm("%s is no code of RS274/NGC", code)
+end

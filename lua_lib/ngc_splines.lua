@@ -1,0 +1,147 @@
+-- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), put out as chords.
+
+local SAME_MM = 1e-9
+local DEFAULT_ORDER = 3
+local MOST_CONTROL_POINTS = 10000
+local AXES = { "x", "y", "z" }
+
+-- Time per block (G93) is shared among the chords by their lengths.
+local function shared(feed, part)
+  if feed.motion_s == nil then return feed end
+  return { linear_mm_min = feed.linear_mm_min, rotary_deg_min = feed.rotary_deg_min, motion_s = feed.motion_s * part }
+end
+
+local function on_machine(point)
+  local target = {}
+  for _, letter in ipairs(AXES) do
+    if is_rotary[letter] ~= nil then target[letter] = point[letter] end
+  end
+  return target
+end
+
+local function put_out(from, ends)
+  local lengths, whole, last = {}, 0, from
+  for i, point in ipairs(ends) do
+    lengths[i] = splines.distance(last, point)
+    whole, last = whole + lengths[i], point
+  end
+  local feed = core.take_feed()
+  for i, point in ipairs(ends) do
+    if lengths[i] > SAME_MM then
+      path.line(on_machine(point), shared(feed, lengths[i] / whole), "spline")
+    end
+  end
+end
+
+-- --- The words ---
+
+local function here()
+  local point = {}
+  for _, letter in ipairs(AXES) do point[letter] = is_rotary[letter] ~= nil and core.position(letter) or 0 end
+  return point
+end
+
+-- A point at a vector of the program from `point`.
+local function moved(point, x, y)
+  local dx, dy, dz = core.direction(x * state.unit_mm, y * state.unit_mm, 0)
+  return { x = point.x + dx, y = point.y + dy, z = point.z + dz }
+end
+
+local function check(words, name, letters)
+  check_table(words, name)
+  ngc.not_in_compensation(name)
+  if state.plane ~= "xy" then alarm("%s is a curve in the XY plane (G17)", name) end
+  for letter, value in pairs(words) do
+    if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
+      alarm("%s is a curve in X and Y, and takes no word '%s'", name, tostring(letter))
+    end
+    if type(value) ~= "number" then alarm("%s: the value of %s is no number", name, letter:upper()) end
+  end
+end
+
+local function only_once(name)
+  return core.word(word_id(), function()
+    alarm("%s holds for its own block only; name the motion of these axis words", name)
+  end)
+end
+
+-- Both of `a` and `b`, or neither where that is allowed.
+local function pair(words, a, b, name, optional)
+  if words[a] == nil and words[b] == nil and optional then return nil end
+  if words[a] == nil or words[b] == nil then alarm("%s needs %s and %s", name, a:upper(), b:upper()) end
+  return { words[a], words[b] }
+end
+
+local leaving   -- direction and length in which the last G5 ended, where the next one may go on
+
+-- G5: I J lead from the start to the first control point, P Q from the end to the second.
+local after_g5 = only_once("G5")
+word("G5", function(words)
+  words = words or {}
+  check(words, "G5", " x y i j p q ")
+  local continued = state.motion == "G5" and leaving or { 0, 0 }
+  make_modal("G5", after_g5)
+  local first = pair(words, "i", "j", "G5", true) or continued
+  local last = pair(words, "p", "q", "G5")
+  local target, named = core.target(words, " i j p q ")
+  if not named then alarm("G5 needs X or Y, its end") end
+  local start = here()
+  put_out(start, splines.bezier_chords {
+    start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target })
+  leaving = { -last[1], -last[2] }
+end)
+
+-- G5.1: I J lead from the start to the only control point between start and end.
+local after_g5_1 = only_once("G5.1")
+word("G5_1", function(words)
+  words = words or {}
+  check(words, "G5.1", " x y i j ")
+  make_modal("G5.1", after_g5_1)
+  local middle = pair(words, "i", "j", "G5.1")
+  local target, named = core.target(words, " i j ")
+  if not named then alarm("G5.1 needs X or Y, its end") end
+  local start = here()
+  put_out(start, splines.bezier_chords { start, moved(start, middle[1], middle[2]), target })
+end)
+
+local nurbs   -- control points, weights and order of the curve between G5.2 and G5.3
+
+local function add_control_point(words, first)
+  check(words, "G5.2", " x y p l ")
+  if words.l ~= nil and words.l > 1 then
+    if words.l % 1 ~= 0 then alarm("L of G5.2 is the order of the curve, a whole number, not %.10g", words.l) end
+    nurbs.order = math.tointeger(words.l)
+  end
+  if words.p ~= nil and words.p <= 0 then alarm("P of G5.2 is a weight above 0, not %.10g", words.p) end
+  if words.x == nil and words.y == nil then
+    if not first then alarm("a control point needs X and Y") end
+    nurbs.weights[1] = words.p or 1   -- of the start
+    return
+  end
+  if not first and words.p == nil then alarm("a control point needs P, its weight") end
+  if words.x == nil or words.y == nil then alarm("a control point needs X and Y") end
+  if #nurbs.points == MOST_CONTROL_POINTS then alarm("a curve has up to %d control points", MOST_CONTROL_POINTS) end
+  nurbs.points[#nurbs.points + 1] = core.target(words, " p l ")
+  nurbs.weights[#nurbs.weights + 1] = words.p or 1
+end
+
+local next_point = core.word(word_id(), function(words) add_control_point(words or {}, false) end)
+
+word("G5_2", function(words)
+  local going_on = nurbs ~= nil and state.motion == "G5.2"
+  if not going_on then nurbs = { points = { here() }, weights = { 1 }, order = DEFAULT_ORDER } end
+  make_modal("G5.2", next_point)
+  add_control_point(words or {}, not going_on)
+end)
+
+word("G5_3", function()
+  if nurbs == nil or state.motion ~= "G5.2" then alarm("G5.3 ends a curve that G5.2 begins, and there is none") end
+  local curve = nurbs
+  nurbs = nil
+  end_motion()
+  if #curve.points < curve.order then
+    alarm("a curve of order %d needs %d control points, the start among them, and has %d", curve.order, curve.order,
+      #curve.points)
+  end
+  put_out(curve.points[1], splines.nurbs_chords(curve.points, curve.weights, curve.order))
+end)

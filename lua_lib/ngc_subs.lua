@@ -1,0 +1,95 @@
+-- RS274/NGC: O-word subroutines. `sub(100, function() ... end)` defines one as the program comes by,
+-- `call(100, 1.5, 2)` calls it with #1 = 1.5 and #2 = 2.
+
+local MAX_DEPTH = 9
+local MAX_ARGUMENTS = 30
+
+local subs = {}   -- { body, place } by number or name
+
+local function key_of(name)
+  if type(name) == "string" then return name:lower() end
+  return ngc.whole(name) or alarm("the number of a subroutine is whole, not %s", tostring(name))
+end
+
+local function shown(key) return type(key) == "string" and ("o<%s>"):format(key) or ("o%d"):format(key) end
+
+function env.sub(name, body)
+  local key = key_of(name)
+  core.note_place()
+  local place = core.place()
+  if subs[key] and subs[key].place ~= place then
+    alarm("%s sub stands twice; the first one is in line %d", shown(key), subs[key].place & 0xffffffff)
+  end
+  subs[key] = { body = body, place = place }
+end
+
+-- A file beside is run for what it defines only: its end ends it, not the run.
+local AT_ITS_END = {}
+local function stop_here() error(AT_ITS_END) end
+
+local function run_definitions(body)
+  local m2, m30 = env.M2, env.M30
+  env.M2, env.M30 = stop_here, stop_here
+  local done, reason = pcall(body)
+  env.M2, env.M30 = m2, m30
+  if not done and reason ~= AT_ITS_END then error(reason, 0) end
+end
+
+local function find(key)
+  if subs[key] == nil then
+    local found, body = load_definitions(key)
+    if found and body then run_definitions(body) end
+  end
+  return subs[key]
+    or alarm("%s call: there is no such subroutine, neither above this line nor in a file beside this one", shown(key))
+end
+
+-- Begins a call: named parameters are new, and so are #1 to #30 where arguments are given (without them the
+-- caller's stay in force, as for M98). The result is for leave_call().
+function enter_call(what, arguments)
+  if state.depth >= MAX_DEPTH then alarm("%s call: subroutines are nested more than %d deep", what, MAX_DEPTH) end
+  state.depth = state.depth + 1
+  core.enter_program(what)
+  local frame = { names = env.p, saved = ngc.saved_modes, numbered = arguments and ngc.swap_locals(arguments) }
+  env.p = ngc.new_scope()
+  ngc.saved_modes = nil
+  return frame
+end
+
+function leave_call(frame)
+  ngc.restore_on_return()
+  ngc.saved_modes = frame.saved
+  env.p = frame.names
+  if frame.numbered then ngc.swap_locals(frame.numbered) end
+  core.leave_program()
+  core.leave_program()
+  state.depth = state.depth - 1
+end
+
+function env.call(name, ...)
+  local key = key_of(name)
+  if select("#", ...) > MAX_ARGUMENTS then
+    alarm("%s call has %d arguments; a subroutine takes up to %d", shown(key), select("#", ...), MAX_ARGUMENTS)
+  end
+  local found = find(key)
+  core.note_place()
+  local frame = enter_call(shown(key), { ... })
+  ngc.value = nil
+  local value = found.body()
+  leave_call(frame)
+  ngc.value = type(value) == "number" and value or nil
+end
+
+-- The value with which a subroutine ends: `do return result(5) end`.
+function env.result(value) return env.number(value) end
+
+-- Passes of o-repeat: the nearest whole number, of two the even one; below 0 there are none.
+function env.times(count)
+  if type(count) ~= "number" or count ~= count or math.abs(count) > 2^53 then
+    alarm("the number of repeats is a number, not %s", tostring(count))
+  end
+  local below = math.floor(count)
+  local part = count - below
+  if part > 0.5 or (part == 0.5 and below % 2 == 1) then below = below + 1 end
+  return math.max(0, math.tointeger(below))
+end

@@ -1,0 +1,154 @@
+-- RS274/NGC: numbered parameters #1 to #5601 as v[1].., and the functions of expressions where they differ from
+-- variables.lua. An unset parameter is 0. #1 to #30 are local to a subroutine (ngc_subs.lua).
+
+local LAST = 5601
+local INDEX_TOLERANCE = 1e-4   -- of a number that stands for a whole one
+local EQUAL_TOLERANCE = 1e-4   -- of EQ and NE; the other comparisons are exact
+
+-- What the files of this dialect share.
+ngc = {
+  letters = { "x", "y", "z", "a", "b", "c", "u", "v", "w" },   -- axes in the order of their parameters
+  stored_mm = 25.4,   -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
+}
+
+local rotary = { a = true, b = true, c = true }
+
+-- Whether a letter stands for an angle, also where the machine has no such axis.
+function ngc.is_angle(letter)
+  local known = is_rotary[letter]
+  if known == nil then return rotary[letter] or false end
+  return known
+end
+
+function ngc.to_stored(letter, value) return ngc.is_angle(letter) and value or value / ngc.stored_mm end
+function ngc.from_stored(letter, value) return ngc.is_angle(letter) and value or value * ngc.stored_mm end
+
+-- Lengths of the program in mm and back, angles as they are.
+function ngc.from_program(letter, value) return ngc.is_angle(letter) and value or value * state.unit_mm end
+function ngc.to_program_unit(letter, value) return ngc.is_angle(letter) and value or value / state.unit_mm end
+
+-- The whole number that a value means, or nil.
+function ngc.whole(value)
+  if type(value) ~= "number" or value ~= value then return nil end
+  local whole = math.tointeger(math.floor(value + 0.5))
+  if whole == nil or math.abs(value - whole) > INDEX_TOLERANCE then return nil end
+  return whole
+end
+
+local function index(number)
+  local whole = ngc.whole(number)
+  if whole == nil then
+    alarm("the number of a parameter is whole, not %s", tostring(number))
+  end
+  if whole < 1 or whole > LAST then
+    alarm("there is no parameter #%d; there are #1 to #%d", whole, LAST)
+  end
+  return whole
+end
+
+-- Parameters that the control works out when they are read; nothing can be put into them.
+local computed = {}
+
+function ngc.compute(number, value) computed[number] = value end
+
+local values = {}
+env.v = setmetatable(values, {
+  __index = function(held, number)
+    local whole = index(number)
+    if computed[whole] then return computed[whole]() + 0.0 end
+    return rawget(held, whole) or 0.0
+  end,
+  __newindex = function(held, number, value)
+    local whole = index(number)
+    if computed[whole] then alarm("#%d is read-only: the control itself sets it", whole) end
+    rawset(held, whole, value)
+  end,
+})
+
+-- Values from the machine data or the file of permanent variables.
+for number, value in pairs(core.variables) do
+  if number > 30 and number <= LAST then values[number] = value + 0.0 end
+end
+
+-- What LinuxCNC keeps from one run to the next: what was there at the start, home points and offsets.
+local FIRST_KEPT, LAST_KEPT = 5161, 5390
+function permanent_variables()
+  local kept = {}
+  for number in pairs(core.variables) do kept[number] = rawget(values, number) end
+  for number = FIRST_KEPT, LAST_KEPT do
+    local value = rawget(values, number)
+    if value and value ~= 0 then kept[number] = value end
+  end
+  return kept
+end
+
+-- For the control itself, past the checks.
+function ngc.set_parameter(number, value) rawset(values, number, value + 0.0) end
+
+-- #1 to #30 always have values, so that reading and writing them here is plain and fast.
+local LAST_LOCAL = 30
+for i = 1, LAST_LOCAL do values[i] = 0.0 end
+
+-- They get new values, 0 where there is none; the old ones are the result.
+function ngc.swap_locals(new)
+  local old = {}
+  for i = 1, LAST_LOCAL do
+    old[i], values[i] = values[i], new[i] or 0.0
+  end
+  return old
+end
+
+values[5599] = 1.0   -- debug messages are shown
+
+-- Expressions. A comparison may stand where a number is wanted.
+local function number_of(value)
+  if value == true then return 1 end
+  if not value then return 0 end
+  if type(value) ~= "number" then alarm("an expression has a value that is no number") end
+  return value
+end
+
+local function finite(value, what)
+  if value ~= value or value == math.huge or value == -math.huge then alarm("%s has no finite value", what) end
+  return value + 0.0
+end
+
+function env.truth(value) return number_of(value) ~= 0 end
+function env.number(condition) return number_of(condition) + 0.0 end
+
+function env.equal(a, b) return math.abs(number_of(a) - number_of(b)) <= EQUAL_TOLERANCE end
+
+local function logical(value) return value and 1.0 or 0.0 end
+function env.AND(a, b) return logical(number_of(a) ~= 0 and number_of(b) ~= 0) end
+function env.OR(a, b) return logical(number_of(a) ~= 0 or number_of(b) ~= 0) end
+function env.XOR(a, b) return logical((number_of(a) ~= 0) ~= (number_of(b) ~= 0)) end
+
+-- From 0 up to below the size of b, whatever the signs.
+function env.MOD(a, b)
+  a, b = number_of(a), math.abs(number_of(b))
+  if b == 0 then alarm("MOD by zero") end
+  return finite(a - b * math.floor(a / b), "MOD")
+end
+
+function env.POW(a, b)
+  a, b = number_of(a), number_of(b)
+  if a < 0 and b % 1 ~= 0 then alarm("%.10g ** %.10g: a negative number has whole powers only", a, b) end
+  return finite(a ^ b, ("%.10g ** %.10g"):format(a, b))
+end
+
+function env.EXP(a) return finite(math.exp(number_of(a)), "EXP") end
+
+-- The angle of the point (b, a), from -180 to 180.
+function env.ATAN(a, b)
+  if b == nil then alarm("ATAN takes two sides: ATAN[1]/[2]") end
+  return math.deg(math.atan(number_of(a), number_of(b)))
+end
+
+function env.FIX(a) return math.floor(number_of(a)) + 0.0 end
+function env.FUP(a) return math.ceil(number_of(a)) + 0.0 end
+
+-- Both are of other dialects.
+local function unknown(name)
+  return function() alarm("%s is no function of RS274/NGC", name) end
+end
+env.BIN, env.BCD = unknown("BIN"), unknown("BCD")

@@ -1,0 +1,117 @@
+-- The way of every move from the words to the machine. Between them stand filters, such as cutter compensation: each
+-- hands on what it lets through to the next one, and may hold moves back until it knows those that follow.
+
+local SHAPE_BY_FILTER = "a filter of the path"
+
+-- The end of the chain: the machine.
+local machine = {}
+function machine:rapid(target, place) core.rapid_to(target, place) end
+function machine:line(target, feed, kind, place) core.line_to(target, feed, place, kind) end
+function machine:arc(plane, ccw, first, second, sweep, target, feed, place)
+  core.arc(plane, ccw, first, second, sweep, target, feed, place)
+end
+function machine:act(f) f() end
+function machine:flush() end
+
+local filters = {}   -- first to last
+local head = machine
+local after_move     -- called behind each programmed move, or nil
+
+path = {}
+
+local function link()
+  local following = machine
+  for i = #filters, 1, -1 do
+    filters[i].next = following
+    following = filters[i]
+  end
+  head = following
+  shape(SHAPE_BY_FILTER, head ~= machine)
+  if head == machine then core.set_programmed(nil) end
+end
+
+-- A filter holds rapid, line, arc, act and flush as the machine above has them. Moves come to the filter with the least
+-- `rank` first (50 where it has none).
+local MIDDLE_RANK = 50
+
+function path.add_filter(filter)
+  local place = #filters + 1
+  while place > 1 and (filters[place - 1].rank or MIDDLE_RANK) > (filter.rank or MIDDLE_RANK) do place = place - 1 end
+  table.insert(filters, place, filter)
+  link()
+end
+
+-- What the filter still holds back goes out first.
+function path.remove_filter(filter)
+  filter:flush()
+  for i = #filters, 1, -1 do
+    if filters[i] == filter then table.remove(filters, i) end
+  end
+  link()
+end
+
+local function moved(target)
+  if head ~= machine then core.set_programmed(target) end
+  if after_move then after_move() end
+end
+
+function path.rapid(target)
+  head:rapid(target, head ~= machine and core.place() or nil)
+  moved(target)
+end
+
+function path.line(target, feed, kind)
+  if head == machine then
+    core.line_to(target, feed, nil, kind)
+  else
+    head:line(target, feed or core.take_feed(), kind, core.place())
+  end
+  moved(target)
+end
+
+function path.arc(plane, ccw, first, second, sweep, target, feed)
+  if head == machine then
+    core.arc(plane, ccw, first, second, sweep, target, feed)
+    if after_move then after_move() end
+    return
+  end
+  head:arc(plane, ccw, first, second, sweep, target, feed or core.take_feed(sweep), core.place())
+  moved(target)
+end
+
+-- Something that happens between the moves, in their order.
+function path.act(f)
+  head:act(f)
+end
+
+function path.dwell(seconds)
+  if head == machine then
+    core.dwell(seconds)
+  else
+    local place = core.place()
+    head:act(function() core.dwell(seconds, place) end)
+  end
+end
+
+function path.event(kind, detail)
+  if head == machine then
+    core.event(kind, detail)
+  else
+    local place = core.place()
+    head:act(function() core.event(kind, detail, place) end)
+  end
+end
+
+-- All that filters hold back goes to the machine: it is where the program is, as far as they let it.
+function path.flush()
+  for _, filter in ipairs(filters) do filter:flush() end
+end
+
+function path.is_filtered() return head ~= machine end
+
+-- f() is called behind each programmed move (modal macro calls); nil: no more.
+local SHAPE_BY_CALLS = "a call behind each move"
+function each_move(f)
+  after_move = f
+  shape(SHAPE_BY_CALLS, f ~= nil)
+end

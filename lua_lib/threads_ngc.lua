@@ -1,0 +1,158 @@
+-- G33, G33.1 and G76 of RS274/NGC, as LinuxCNC 2.9 executes them.
+
+local function needed(words, letter, name)
+  local value = cycle_word(words, letter, name)
+  if value == nil then alarm("%s needs %s", name, letter:upper()) end
+  return value
+end
+
+local function check_spindle(words, name)
+  if words.spindle ~= nil and words.spindle ~= 0 then alarm("%s: there is no spindle %s", name, words.spindle) end
+end
+
+local function check_modes(name)
+  if core.in_machine_frame() then alarm("%s cannot be used with G53, which holds for G0 and G1", name) end
+  if state.compensation ~= nil then
+    alarm("%s is not possible while cutter compensation is on; G40 first", name)
+  end
+end
+
+local function axis_words(words, name)
+  check_table(words, name)
+  check_modes(name)
+  local target, moved = core.target(words or {}, " i k spindle ")
+  if not moved then alarm("%s needs axis words", name) end
+  check_spindle(words, name)
+  return target
+end
+
+local function thread(words)
+  local target = axis_words(words, "G33")
+  path.line(target, thread_feed(needed(words, "k", "G33") * state.unit_mm, "G33"), "thread")
+end
+
+-- Down and, with the spindle reversed, back to the start; I is how many times faster the way back is.
+local function rigid_tap(words)
+  local target = axis_words(words, "G33.1")
+  for _, axis in ipairs(axes) do
+    if axis.rotary and words[axis.letter] ~= nil then
+      alarm("G33.1 moves linear axes only; %s cannot stand in its block", axis.letter:upper())
+    end
+  end
+  local pitch = needed(words, "k", "G33.1") * state.unit_mm
+  local faster = cycle_word(words, "i", "G33.1") or 1
+  if not (faster > 0) then alarm("I of G33.1 is a factor of speed above 0, not %.10g", faster) end
+  local start = {}
+  for _, axis in ipairs(axes) do start[axis.letter] = core.position(axis.letter) end
+  local forth = state.spindle
+  path.line(target, thread_feed(pitch, "G33.1"), "thread")
+  turn_spindle(forth == "cw" and "ccw" or "cw")
+  path.line(start, thread_feed(pitch * faster, "G33.1"), "thread")
+  turn_spindle(forth)
+end
+
+local MOST_PASSES = 10000
+
+-- The words of a threading cycle, lengths in mm.
+local function thread_words(words)
+  local unit = state.unit_mm
+  local t = {
+    pitch = needed(words, "p", "G76") * unit,
+    peak = needed(words, "i", "G76") * unit,        -- from the drive line to the crest, below 0 for an outside thread
+    first_cut = needed(words, "j", "G76") * unit,
+    full_depth = needed(words, "k", "G76") * unit,
+    degression = math.max(cycle_word(words, "r", "G76") or 1, 1),
+    slant = math.rad(cycle_word(words, "q", "G76") or 0),
+    spring_passes = cycle_repeats(cycle_word(words, "h", "G76") or 0, "H", "G76"),
+    taper = (cycle_word(words, "e", "G76") or 0) * unit,
+    tapered_ends = cycle_word(words, "l", "G76") or 0,
+  }
+  if t.peak == 0 then alarm("I of G76, from the drive line to the crest of the thread, is not 0") end
+  if t.first_cut <= 0 then alarm("J of G76, the depth of the first cut, is above 0, not %.10g", words.j) end
+  if t.full_depth <= t.first_cut then
+    alarm("K of G76, the full depth, is above J: K%.10g is not above J%.10g", words.k, words.j)
+  end
+  if math.abs(t.slant) >= math.pi / 2 then alarm("Q of G76 is an angle below 90 degrees, not %.10g", words.q) end
+  if t.taper < 0 then alarm("E of G76, the length of a taper, is 0 or more, not %.10g", words.e) end
+  if t.tapered_ends % 1 ~= 0 or t.tapered_ends < 0 or t.tapered_ends > 3 then
+    alarm("L of G76 is 0 (no taper), 1 (at the entry), 2 (at the exit) or 3 (both), not %.10g", words.l)
+  end
+  return t
+end
+
+-- Strokes over X and Z, with the feed for a pitch.
+local function lathe_tool(start)
+  local y = start.y
+  local tool = {}
+  function tool.rapid(x, z) path.rapid(core.to_machine { x = x, y = y, z = z }) end
+  function tool.cut(x, z, pitch)
+    path.line(core.to_machine { x = x, y = y, z = z }, thread_feed(pitch, "G76"), "thread")
+  end
+  return tool
+end
+
+-- One pass at a depth below the crest; `t` holds the words, `from` and `to` the drive line along Z.
+local function pass(tool, t, depth)
+  local out = t.peak > 0 and -1 or 1              -- from the work to the drive line
+  local ahead = t.to > t.from and 1 or -1
+  local left = t.full_depth - depth
+  local safe = t.drive + out * left               -- X of the drive line of this pass
+  local crest = safe + t.peak
+  local bottom = crest - out * t.full_depth
+  local from = t.from + ahead * depth * math.tan(t.slant)
+  local to = t.to - ahead * left * math.tan(t.slant)
+  local tapered = t.taper > 0 and t.pitch * math.sqrt(t.taper ^ 2 + t.full_depth ^ 2) / t.taper
+  local entry = tapered and t.tapered_ends % 2 == 1
+  local exit = tapered and t.tapered_ends >= 2
+
+  tool.rapid(safe, from)
+  if entry then
+    tool.cut(crest, from, tapered)
+    tool.cut(bottom, from + ahead * t.taper, tapered)
+  else
+    tool.rapid(bottom, from)
+  end
+  tool.cut(bottom, exit and to - ahead * t.taper or to, t.pitch)
+  if exit then tool.cut(crest, to, tapered) end
+  tool.rapid(safe, to)
+end
+
+local function threading_cycle(words)
+  check_table(words, "G76")
+  if words == nil then alarm("G76 needs P, Z, I, J and K") end
+  check_modes("G76")
+  local target, moved = core.target(words, " p i j k r q h e l spindle ")
+  if not moved then alarm("G76 needs axis words") end
+  check_spindle(words, "G76")
+  for _, axis in ipairs(axes) do
+    if axis.rotary and words[axis.letter] ~= nil then
+      alarm("G76 cannot move the rotary axis %s", axis.letter:upper())
+    end
+  end
+  local t, here = thread_words(words), program_position()
+  t.drive, t.from, t.to = here.x, here.z, core.to_program(target).z
+  local tool = lathe_tool(here)
+  local depth, number = t.first_cut, 1
+  while depth < t.full_depth do
+    if number > MOST_PASSES then
+      alarm("G76 would take more than %d passes; J is too small or R too large", MOST_PASSES)
+    end
+    pass(tool, t, depth)
+    number = number + 1
+    depth = t.first_cut * number ^ (1 / t.degression)
+  end
+  for _ = 0, t.spring_passes do pass(tool, t, t.full_depth) end
+  path.rapid(target)
+end
+
+-- G33 and its kin are modal, but need their words in each block.
+local function define(name, meaning)
+  local modal = core.word(word_id(), meaning)
+  word(name, function(words)
+    make_modal(name, modal)
+    meaning(words)
+  end)
+end
+define("G33", thread)
+define("G33_1", rigid_tap)
+define("G76", threading_cycle)

@@ -1,0 +1,44 @@
+-- User M codes: a script, or the machine data, defines `M[101] = function(words) ... end`; a program calls it by its
+-- number.
+
+local LAST = 999
+
+local defined = {}
+local ids = {}   -- word id by number: a code that is defined anew keeps its id
+
+local function undefined(number)
+  return function()
+    alarm("M%s means nothing on this machine; define it before the program runs: M[%s] = function(words) ... end",
+      tostring(number), tostring(number))
+  end
+end
+
+local function check(number, meaning)
+  local whole = math.tointeger(number)
+  if whole == nil or whole < 0 or whole > LAST then
+    alarm("M[%s]: the number of an M code is a whole number from 0 to %d", tostring(number), LAST)
+  end
+  if rawget(env, "M" .. whole) ~= nil then alarm("M[%d]: M%d is a code of the control itself", whole, whole) end
+  if meaning ~= nil and type(meaning) ~= "function" then
+    alarm("M[%d] takes a function: M[%d] = function(words) ... end", whole, whole)
+  end
+  return whole
+end
+
+local function define(number, meaning)
+  local whole = check(number, meaning)
+  if meaning == nil then
+    defined[whole] = nil
+    return
+  end
+  ids[whole] = ids[whole] or word_id()
+  defined[whole] = core.word(ids[whole], function(words)
+    check_table(words, ("M[%d]"):format(whole))
+    return meaning(words or {})
+  end)
+end
+
+env.M = setmetatable({}, {
+  __index = function(_, number) return defined[number] or undefined(number) end,
+  __newindex = function(_, number, meaning) define(number, meaning) end,
+})

@@ -1,0 +1,140 @@
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "runtime/script/axis_table.h"
+#include "runtime/script/bindings.h"
+#include "runtime/script/lua_state.h"
+
+namespace gsim::script {
+
+using simulation::AxisVector;
+
+namespace {
+
+Controller& self(lua_State* state) {
+    return bound<Controller>(state);
+}
+
+int check_axis(lua_State* state, int argument) {
+    const std::string_view letter = luaL_checkstring(state, argument);
+    const int axis = letter.size() == 1 ? self(state).axis(letter[0]) : -1;
+    luaL_argcheck(state, axis >= 0, argument, "no axis of the machine");
+    return axis;
+}
+
+int set_offset(lua_State* state) {
+    self(state).frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2));
+    return 0;
+}
+
+/// core.set_matrix(nil or {nine numbers, row by row})
+int set_matrix(lua_State* state) {
+    Controller& controller = self(state);
+    if (lua_isnoneornil(state, 1)) {
+        controller.frame().set_matrix(std::nullopt);
+        return 0;
+    }
+    luaL_checktype(state, 1, LUA_TTABLE);
+    Eigen::Matrix3d matrix;
+    for (int i = 0; i < 9; ++i) {
+        lua_rawgeti(state, 1, i + 1);
+        matrix(i / 3, i % 3) = luaL_checknumber(state, -1);
+        lua_pop(state, 1);
+    }
+    if (!controller.frame().set_matrix(matrix))
+        controller.alarm(state, "a scale of 0 leaves nothing of the program; scales are other than 0");
+    return 0;
+}
+
+int machine_frame_once(lua_State* state) {
+    self(state).modal().machine_frame_once = true;
+    return 0;
+}
+
+/// core.in_machine_frame(): true where G53 holds for the move of this block.
+int in_machine_frame(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(self(state).modal().machine_frame_once));
+    return 1;
+}
+
+int position(lua_State* state) {
+    lua_pushnumber(state, self(state).programmed()[check_axis(state, 1)]);
+    return 1;
+}
+
+int machine_position(lua_State* state) {
+    lua_pushnumber(state, self(state).simulator().position()[check_axis(state, 1)]);
+    return 1;
+}
+
+int set_programmed(lua_State* state) {
+    Controller& controller = self(state);
+    if (lua_isnoneornil(state, 1)) {
+        controller.set_programmed(std::nullopt);
+    } else {
+        controller.set_programmed(check_axes(state, controller, 1));
+    }
+    return 0;
+}
+
+/// core.target(words, others): machine coordinates of all axes after the move, and whether any axis is named.
+int target(lua_State* state) {
+    AxisVector values;
+    const bool any = self(state).read_target(state, 1, luaL_optstring(state, 2, ""), values);
+    push_axes(state, self(state), values);
+    lua_pushboolean(state, static_cast<int>(any));
+    return 2;
+}
+
+/// core.to_program(target): program coordinates in mm and deg of a point in machine coordinates.
+int to_program(lua_State* state) {
+    Controller& controller = self(state);
+    push_axes(state, controller, controller.frame().to_program(check_axes(state, controller, 1)));
+    return 1;
+}
+
+/// core.to_machine(values): the way back; axes that are not named stay where they are.
+int to_machine(lua_State* state) {
+    Controller& controller = self(state);
+    const ProgramFrame& frame = controller.frame();
+    const AxisVector values = check_axes(state, controller, 1, frame.to_program(controller.programmed()));
+    push_axes(state, controller, frame.to_machine(values));
+    return 1;
+}
+
+/// core.on_polar(function): turns words with `radius` and `angle` into Cartesian ones.
+int set_on_polar(lua_State* state) {
+    luaL_checktype(state, 1, LUA_TFUNCTION);
+    lua_settop(state, 1);
+    self(state).on_polar = luaL_ref(state, LUA_REGISTRYINDEX);
+    return 0;
+}
+
+/// core.direction(x, y, z): a vector of the program in machine coordinates.
+int direction(lua_State* state) {
+    const Eigen::Vector3d vector = self(state).frame().direction(
+        {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});
+    for (const double part : vector) lua_pushnumber(state, part);
+    return 3;
+}
+
+}  // namespace
+
+void add_frames(lua_State* state, Controller& controller) {
+    set_function<set_offset>(state, "set_offset", &controller);
+    set_function<set_matrix>(state, "set_matrix", &controller);
+    set_function<machine_frame_once>(state, "machine_frame_once", &controller);
+    set_function<in_machine_frame>(state, "in_machine_frame", &controller);
+    set_function<position>(state, "position", &controller);
+    set_function<machine_position>(state, "machine_position", &controller);
+    set_function<set_programmed>(state, "set_programmed", &controller);
+    set_function<target>(state, "target", &controller);
+    set_function<to_program>(state, "to_program", &controller);
+    set_function<to_machine>(state, "to_machine", &controller);
+    set_function<set_on_polar>(state, "on_polar", &controller);
+    set_function<direction>(state, "direction", &controller);
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,186 @@
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "runtime/script/axis_table.h"
+#include "runtime/script/bindings.h"
+#include "runtime/script/lua_state.h"
+
+namespace gsim::script {
+
+using simulation::AxisVector;
+using simulation::Feed;
+using simulation::MoveKind;
+using simulation::Place;
+
+namespace {
+
+Controller& self(lua_State* state) {
+    return bound<Controller>(state);
+}
+
+// --- Feeds and places that travel with a move which is put out later ---
+
+void push_feed(lua_State* state, const Feed& feed) {
+    lua_createtable(state, 0, 3);
+    lua_pushnumber(state, feed.linear_mm_min);
+    lua_setfield(state, -2, "linear_mm_min");
+    lua_pushnumber(state, feed.rotary_deg_min);
+    lua_setfield(state, -2, "rotary_deg_min");
+    if (feed.motion_s) {
+        lua_pushnumber(state, *feed.motion_s);
+        lua_setfield(state, -2, "motion_s");
+    }
+}
+
+double number_field(lua_State* state, int index, const char* name) {
+    lua_getfield(state, index, name);
+    const double value = luaL_optnumber(state, -1, 0);
+    lua_pop(state, 1);
+    return value;
+}
+
+/// The feed at `index`, or where there is none the one in force; `sweep_rad` of an arc.
+Feed check_feed(lua_State* state, int index, std::optional<double> sweep_rad) {
+    if (lua_isnoneornil(state, index)) return self(state).feed(state, sweep_rad);
+    luaL_checktype(state, index, LUA_TTABLE);
+    Feed feed;
+    feed.linear_mm_min = number_field(state, index, "linear_mm_min");
+    feed.rotary_deg_min = number_field(state, index, "rotary_deg_min");
+    if (const double motion_s = number_field(state, index, "motion_s"); motion_s > 0)
+        feed.motion_s = motion_s;
+    return feed;
+}
+
+Place check_place(lua_State* state, int index) {
+    if (lua_isnoneornil(state, index)) return self(state).place();
+    const auto code = static_cast<std::uint64_t>(luaL_checkinteger(state, index));
+    return {static_cast<std::uint32_t>(code >> 32U), static_cast<std::uint32_t>(code)};
+}
+
+/// core.take_feed(sweep_rad or nil): the feed in force; an F of inverse time feed is used up.
+int take_feed(lua_State* state) {
+    std::optional<double> sweep_rad;
+    if (!lua_isnoneornil(state, 1)) sweep_rad = luaL_checknumber(state, 1);
+    push_feed(state, self(state).feed(state, sweep_rad));
+    return 1;
+}
+
+/// core.feed_mm_min(value): a feed of that many mm/min, or deg/min where rotary axes move alone.
+int feed_mm_min(lua_State* state) {
+    Feed feed;
+    feed.linear_mm_min = luaL_checknumber(state, 1);
+    feed.rotary_deg_min = feed.linear_mm_min;
+    push_feed(state, feed);
+    return 1;
+}
+
+int place(lua_State* state) {
+    const Place current = self(state).place();
+    lua_pushinteger(
+        state, static_cast<lua_Integer>((static_cast<std::uint64_t>(current.file) << 32U) | current.line));
+    return 1;
+}
+
+// --- Moves to machine coordinates ---
+
+/// core.rapid_to(target, place)
+int rapid_to(lua_State* state) {
+    Controller& controller = self(state);
+    simulation::LineMove move;
+    move.kind = MoveKind::rapid;
+    move.target = check_axes(state, controller, 1);
+    move.place = check_place(state, 2);
+    controller.check(state, controller.simulator().move(move));
+    return 0;
+}
+
+/// core.line_to(target, feed, place, kind)
+int line_to(lua_State* state) {
+    static const char* const kNames[] = {"linear", "probe", "thread", "spline", nullptr};
+    static constexpr MoveKind kKinds[] = {MoveKind::linear, MoveKind::probe, MoveKind::thread,
+                                          MoveKind::spline};
+    Controller& controller = self(state);
+    simulation::LineMove move;
+    move.target = check_axes(state, controller, 1);
+    move.feed = check_feed(state, 2, std::nullopt);
+    move.place = check_place(state, 3);
+    move.kind = kKinds[luaL_checkoption(state, 4, "linear", kNames)];
+    controller.check(state, controller.simulator().move(move));
+    return 0;
+}
+
+/// core.joint_to(target): all joints together, the slowest at its limits.
+int joint_to(lua_State* state) {
+    Controller& controller = self(state);
+    simulation::LineMove move;
+    move.kind = MoveKind::rapid;
+    move.target = check_axes(state, controller, 1);
+    move.place = controller.place();
+    controller.check(state, controller.simulator().move(move));
+    return 0;
+}
+
+/// core.arc(plane, counterclockwise, center_first, center_second, sweep_rad, target, feed, place)
+int arc(lua_State* state) {
+    static const char* const kPlanes[] = {"xy", "zx", "yz", nullptr};
+    Controller& controller = self(state);
+    simulation::ArcMove move;
+    move.plane = static_cast<simulation::Plane>(luaL_checkoption(state, 1, nullptr, kPlanes));
+    move.kind = lua_toboolean(state, 2) != 0 ? MoveKind::arc_ccw : MoveKind::arc_cw;
+    move.center_first_mm = luaL_checknumber(state, 3);
+    move.center_second_mm = luaL_checknumber(state, 4);
+    move.sweep_rad = luaL_checknumber(state, 5);
+    move.target = check_axes(state, controller, 6);
+    move.feed = check_feed(state, 7, move.sweep_rad);
+    move.place = check_place(state, 8);
+    controller.check(state, controller.simulator().move(move));
+    return 0;
+}
+
+/// core.arc_via(via, target, sweep_rad): an arc through a point.
+int arc_via(lua_State* state) {
+    Controller& controller = self(state);
+    simulation::ViaMove move;
+    move.via = check_axes(state, controller, 1);
+    move.target = check_axes(state, controller, 2);
+    move.feed = controller.feed(state, luaL_checknumber(state, 3));
+    move.place = controller.place();
+    controller.check(state, controller.simulator().move(move));
+    return 0;
+}
+
+int dwell(lua_State* state) {
+    Controller& controller = self(state);
+    const double seconds = luaL_checknumber(state, 1);
+    if (!(seconds >= 0) || !std::isfinite(seconds))
+        controller.alarm(state, fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
+    controller.check(state, controller.simulator().dwell(seconds, check_place(state, 2)));
+    return 0;
+}
+
+/// core.event(kind, detail, place)
+int event(lua_State* state) {
+    Controller& controller = self(state);
+    controller.simulator().event(luaL_checkstring(state, 1), luaL_optstring(state, 2, ""),
+                                 check_place(state, 3));
+    return 0;
+}
+
+}  // namespace
+
+void add_moves(lua_State* state, Controller& controller) {
+    set_function<take_feed>(state, "take_feed", &controller);
+    set_function<feed_mm_min>(state, "feed_mm_min", &controller);
+    set_function<place>(state, "place", &controller);
+    set_function<rapid_to>(state, "rapid_to", &controller);
+    set_function<line_to>(state, "line_to", &controller);
+    set_function<joint_to>(state, "joint_to", &controller);
+    set_function<arc>(state, "arc", &controller);
+    set_function<arc_via>(state, "arc_via", &controller);
+    set_function<dwell>(state, "dwell", &controller);
+    set_function<event>(state, "event", &controller);
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,173 @@
+// Blocks of RS274/NGC: who takes which word, order of execution, settings, codes that are not there.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/codegen/lua_compiler.h"
+#include "tests/codegen/translated.h"
+
+namespace gsim::codegen {
+namespace {
+
+TEST(NgcBlocks, CodesTakeTheirWords) {
+    EXPECT_EQ(ngc_lua_of("g 0 x 1 2 . 5"), "G0{x=12.5}");
+    EXPECT_EQ(ngc_lua_of("X5 U6 @7 ^30"), "move{x=5, u=6, radius=7, angle=30}");
+    EXPECT_EQ(ngc_lua_of("G2 X1 Y2 I3 J4 P2"), "G2{x=1, y=2, i=3, j=4, p=2}");
+    EXPECT_EQ(ngc_lua_of("G4 P1.5"), "G4{p=1.5}");
+    EXPECT_EQ(ngc_lua_of("G5.2 X1 Y2 P1 L3"), "G5_2{x=1, y=2, p=1, l=3}");
+    EXPECT_EQ(ngc_lua_of("X1 Y2 P1"), "move{x=1, y=2, p=1}") << "goes on with G5.2";
+    EXPECT_EQ(ngc_lua_of("G10 L2 P1 X5 R30"), "G10{l=2, p=1, x=5, r=30}");
+    EXPECT_EQ(ngc_lua_of("G43 H5 Z1"), "G43{h=5} move{z=1}");
+    EXPECT_EQ(ngc_lua_of("G43.1 Z5"), "G43_1{z=5}");
+    EXPECT_EQ(ngc_lua_of("G64 P0.1 Q0.2 X1"), "G64{p=0.1, q=0.2} move{x=1}");
+    EXPECT_EQ(ngc_lua_of("G76 P1 Z-2 I-1 J0.5 R1.5 K2 Q30 H2 E1 L2"),
+              "G76{p=1, z=-2, i=-1, j=0.5, r=1.5, k=2, q=30, h=2, e=1, l=2}");
+    EXPECT_EQ(ngc_lua_of("M3 $1 S100"), "S(100) M3{spindle=1}");
+    EXPECT_EQ(ngc_lua_of("M66 P0 L3 Q5"), "M66{p=0, l=3, q=5}");
+    EXPECT_EQ(ngc_lua_of("M199 P1 Q#<x>"), "M[199]{p=1, q=p.x}");
+    EXPECT_EQ(ngc_lua_of("F#<feed> S[#1*2] T#2"), "F(p.feed) S(v[1] * 2.0) T(v[2])");
+    EXPECT_EQ(ngc_lua_of("G92.1"), "G92_1()");
+}
+
+/// The order that LinuxCNC documents, in blocks that give the words in another.
+TEST(NgcBlocks, OrderOfExecution) {
+    EXPECT_EQ(ngc_lua_of("M2 G1 X1 G98 G90 G64 G54 G40 G20 G17 M48 M8 M3 T1 S5 F6 G94"),
+              "G94() F(6) S(5) T(1) M3() M8() M48() G17() G20() G40() G54() G64() G90() G98() G1{x=1} M2()");
+    EXPECT_EQ(ngc_lua_of("X1 M6 T2"), "T(2) M6() move{x=1}");
+    EXPECT_EQ(ngc_lua_of("G1 X1 M9 M5"), "M5() M9() G1{x=1}")
+        << "before the move, other than in the 9/Series";
+    EXPECT_EQ(lua_of("G1 X1 M9 M5"), "G1{x=1} M9() M5()");
+    EXPECT_EQ(ngc_lua_of("X1 G4 P2"), "G4{p=2} move{x=1}") << "the dwell first";
+    EXPECT_EQ(ngc_lua_of("X1 G55 G91 G20"), "G20() G55() G91() move{x=1}");
+    EXPECT_EQ(lua_of("X1 G55 G91 G20"), "G20() G91() G55() move{x=1}");
+    EXPECT_EQ(ngc_lua_of("X1 G92 F5 G1"), "F(5) G92{x=1} G1()");
+    EXPECT_EQ(ngc_lua_of("M0 X1"), "move{x=1} M0()");
+    EXPECT_EQ(ngc_lua_of("X1 M62 P1"), "M62{p=1} move{x=1}");
+    EXPECT_EQ(ngc_lua_of("G53 G0 X1 G43 H1"), "G43{h=1} G53() G0{x=1}");
+    EXPECT_EQ(ngc_lua_of("G0 G80 G28 X1"), "G80() G28{x=1} G0()");
+    EXPECT_EQ(ngc_lua_of("S5 G96 D100"), "G96{d=100} S(5)");
+}
+
+TEST(NgcBlocks, Errors) {
+    const auto error = [](const char* block, const char* message) {
+        EXPECT_EQ(ngc_lua_of(block), fmt::format("1:{}\n", message)) << block;
+    };
+    error("G4", "1: error: G4 needs P, its seconds");
+    error("G4 X1", "1: error: G4 needs P, its seconds");
+    error("G2 X1", "1: error: G2 needs the centre (I, J, K) or the radius (R) of the arc");
+    error("G92", "1: error: G92 needs the axis words whose coordinates it sets");
+    error("G1 X1 I5", "7: error: I has no meaning in a block with G1");
+    error("P5", "1: error: P has no meaning in this block: no code of the block takes it");
+    error("M3 P5", "4: error: P has no meaning in this block: no code of the block takes it");
+    error("H5", "1: error: H has no meaning in this block: no code of the block takes it");
+    error("$1", "1: error: $ has no meaning in this block: no code of the block takes it");
+    error("G10 L2 P1 G92 X1",
+          "11: error: G10 and G92 are of one modal group (one action a block); a block takes one of them");
+    error("G43.1 Z1 G10 L1", "10: error: G43.1 and G10 both take the axis words of the block");
+    error("G90 G91",
+          "5: error: G90 and G91 are of one modal group (distance mode); a block takes one of them");
+    error("G1 G81 X1 R1", "4: error: G1 and G81 are of one modal group (motion); a block takes one of them");
+    error("M7 M8", "4: error: M7 and M8 are of one modal group (coolant); a block takes one of them");
+    error("@1 @2", "4: error: @ stands twice in the block");
+    error("G7", "1: error: G7 (lathe diameter mode) is not supported");
+    error("G17.1", "1: error: G17.1 (UV plane) is not supported");
+    error("G65 P1",
+          "1: error: G65 is no code of RS274/NGC; Allen-Bradley 9/Series has it (macro call), see --dialect");
+    error("G38.9 X1", "1: error: G38.9 is no code of RS274/NGC");
+    error("G1.5 X1", "1: error: G1.5 is no code of RS274/NGC; there is G1 (linear move)");
+    error("M200", "1: error: M200 is no code of RS274/NGC");
+    error("G[1] X1", "1: error: the number of a G code must be written out; a computed one is not supported");
+}
+
+TEST(NgcBlocks, SettingsTakeEffectAtOnceBehindTheWords) {
+    EXPECT_EQ(ngc_lua_of("#1=2 #2=#1"), "v[1], v[2] = 2.0, v[1]");
+    EXPECT_EQ(ngc_lua_of("#1=2 X#1"), "do local s1 = 2.0 move{x=v[1]} v[1] = s1 end")
+        << "X sees the old value";
+    EXPECT_EQ(ngc_lua_of("G38.2 X1 #1=#5061 #2=#1"),
+              "do local s1, s2 = v[5061], v[1] G38_2{x=1} v[1], v[2] = s1, s2 end")
+        << "values from before the block, set behind it";
+    EXPECT_EQ(ngc_lua_of("/M2 #1=2"), "if not skipped(1) then do local s1 = 2.0 M2() v[1] = s1 end end");
+    EXPECT_EQ(ngc_lua_of("#1=1 #1=2"), "v[1] = 2.0") << "the last one holds";
+    EXPECT_EQ(ngc_lua_of("#<a>=1 #<A >=#<a> #2=3"), "p.a, v[2] = p.a, 3.0");
+    EXPECT_EQ(ngc_lua_of("/#1=2"), "if not skipped(1) then v[1] = 2.0 end");
+    EXPECT_EQ(lua_of("#1=2 #2=#1"), "v[1] = 2.0 v[2] = v[1]") << "one by one in the 9/Series";
+    std::string most;
+    for (int i = 1; i <= 50; ++i) most += fmt::format("#[#{}]=[#{}+1] ", i, i);
+    EXPECT_EQ(compile_error(translated_ngc(most + "\n").lua), std::nullopt);
+    EXPECT_EQ(ngc_lua_of(most + "#1=2"), "1:1: error: a block sets at most 50 parameters\n");
+    std::string fewer = "X1 ";
+    for (int i = 1; i <= 25; ++i) fewer += fmt::format("#[#{}]=[#{}+1] ", i + 300, i + 300);
+    EXPECT_EQ(compile_error(translated_ngc(fewer + "\n").lua), std::nullopt);
+    EXPECT_EQ(ngc_lua_of(fewer + "#1=2"),
+              "1:1: error: a block sets at most 25 parameters where it has words\n");
+}
+
+/// Two settings of one variable that only the run can tell to be one: the later holds, whatever Lua's order
+/// is.
+TEST(NgcBlocks, TheLaterOfTwoSettingsHolds) {
+    for (const auto& [block, expected] :
+         {std::pair{"#[1]=1 #1=2", 2.0}, std::pair{"#1=2 #[1]=1", 1.0}, std::pair{"#1=1 #[1]=2 #1=3", 3.0},
+          std::pair{"#[#2]=5 #[#3]=6 #[1+0]=7", 7.0}, std::pair{"#1=5 #[#1+1]=#1", 0.0}}) {
+        const std::string lua = ngc_lua_of(block);
+        const std::string script = "local v = {[0] = 0, 0, 1, 1} " + lua + " return v[1]";
+        EXPECT_EQ(run_number(script), expected) << block << ": " << lua;
+    }
+}
+
+TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
+    TranslateOptions options;
+    options.unknown = Unknown::warn;
+    const Translated result =
+        translated_ngc("G777 X1\nM777\nG1 G777 X2\nG65\nG777\nM200 M201\nX1 M777 F5\n", options);
+    ASSERT_TRUE(result.ok) << result.messages;
+    const auto warning = [](const char* place, const char* code, int count) {
+        return fmt::format(
+            "{}: warning: {} is no code of RS274/NGC; it is left out, a G code with all of its block ({} in "
+            "all)\n",
+            place, code, count);
+    };
+    EXPECT_EQ(result.messages, warning("4:1", "G65", 1) + warning("1:1", "G777", 3) +
+                                   warning("6:1", "M200", 1) + warning("6:6", "M201", 1) +
+                                   warning("2:1", "M777", 2));
+    EXPECT_EQ(result.code(1), "");
+    EXPECT_EQ(result.code(2), "");
+    EXPECT_EQ(result.code(3), "") << "what its words mean is not known";
+    EXPECT_EQ(result.code(7), "F(5) move{x=1}") << "an M code goes alone";
+    EXPECT_EQ(translated("G777\nG7\n", options).messages,
+              "2:1: warning: G7 is no code of Allen-Bradley 9/Series; it is left out, a G code with all of "
+              "its block (1 in "
+              "all)\n"
+              "1:1: warning: G777 is no code of Allen-Bradley 9/Series; it is left out, a G code with all of "
+              "its block (1 "
+              "in all)\n");
+    EXPECT_TRUE(translated("G777 P5\n", options).ok) << "its word goes with it";
+    EXPECT_FALSE(translated("G47\n", options).ok) << "a code that is there, but not done, stays an error";
+}
+
+TEST(UnknownCodes, PutOffInsideOfSubroutines) {
+    const Translated result =
+        translated_ngc("o1 sub\nG777 X1 P5\no2 if [#1]\nM428\no2 endif\nG1.5\no1 endsub\nX1\n");
+    ASSERT_TRUE(result.ok) << result.messages;
+    EXPECT_EQ(result.code(2), "unknown_code(\"G777\")") << "the whole block";
+    EXPECT_EQ(result.code(4), "unknown_code(\"M428\")");
+    EXPECT_EQ(result.code(6), "unknown_code(\"G1.5\")");
+    EXPECT_EQ(result.messages,
+              "6:1: warning: G1.5 is no code of RS274/NGC; a call of the subroutine around it would end in "
+              "an alarm (1 "
+              "in all)\n"
+              "2:1: warning: G777 is no code of RS274/NGC; a call of the subroutine around it would end in "
+              "an alarm (1 "
+              "in all)\n"
+              "4:1: warning: M428 is no code of RS274/NGC; a call of the subroutine around it would end in "
+              "an alarm (1 "
+              "in all)\n");
+    EXPECT_EQ(translated_ngc("o1 sub\no1 endsub\nG777\n").messages,
+              "3:1: error: G777 is no code of RS274/NGC\n");
+    EXPECT_EQ(translated_ngc("o1 if [1]\nG777\no1 endif\n").messages,
+              "2:1: error: G777 is no code of RS274/NGC\n");
+    TranslateOptions options;
+    options.unknown = Unknown::warn;
+    EXPECT_EQ(translated_ngc("o1 sub\nG777 X1\no1 endsub\n", options).code(2), "");
+}
+
+}  // namespace
+}  // namespace gsim::codegen

@@ -1,0 +1,139 @@
+// Compares runs of gsim with canonical output that LinuxCNC's interpreter recorded.
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "tests/conformance/compare.h"
+#include "tests/conformance/moves_reader.h"
+#include "tests/conformance/programs.h"
+
+namespace gsim::conformance {
+
+namespace {
+
+constexpr int kAgree = 0;
+constexpr int kDiffer = 1;
+constexpr int kUsage = 2;
+constexpr int kSkipped = 77;  // what CTest is told to take for a test that was not run
+
+struct Arguments {
+    std::string folder;
+    GsimOptions gsim;
+    double least_percent = 100;
+    bool failures_only = false;
+    std::string moves_file;
+    std::string canon_file;
+};
+
+using Outcome = tl::expected<Verdict, std::string>;
+
+Outcome compare_with(const std::filesystem::path& canon_file, const std::vector<Move>& moves) {
+    return read_text(canon_file).and_then([&moves](const std::string& text) -> Outcome {
+        std::istringstream canon(text);
+        const auto expected = read_canon(canon);
+        if (!expected) return tl::unexpected(expected.error());
+        return compare(*expected, moves);
+    });
+}
+
+// Prints how a file fared; whether it agrees wholly.
+bool print(const std::string& name, const Outcome& outcome, bool failures_only) {
+    if (!outcome) {
+        fmt::print("{}: refused: {}\n", name, outcome.error());
+        return false;
+    }
+    if (!outcome->difference) {
+        if (!failures_only) fmt::print("{}: agree {} moves\n", name, outcome->agreed);
+        return true;
+    }
+    const Difference& difference = *outcome->difference;
+    fmt::print("{}: differs after {} moves: {}\n    expected {}\n    found    {}\n", name, outcome->agreed,
+               difference.what, difference.expected, difference.found);
+    return false;
+}
+
+int compare_two_files(const Arguments& arguments) {
+    const Outcome outcome = read_text(arguments.moves_file).and_then([&](const std::string& text) -> Outcome {
+        std::istringstream lines(text);
+        const auto moves = read_moves(lines);
+        if (!moves) return tl::unexpected(moves.error());
+        return compare_with(arguments.canon_file, *moves);
+    });
+    return print(arguments.moves_file, outcome, arguments.failures_only) ? kAgree : kDiffer;
+}
+
+int compare_folder(const Arguments& arguments) {
+    if (!std::filesystem::is_directory(arguments.folder)) {
+        fmt::print("skipped: there is no folder '{}' of recorded programs (GSIM_CORPUS)\n", arguments.folder);
+        return kSkipped;
+    }
+    const auto programs = find_recorded(arguments.folder);
+    if (!programs) throw std::runtime_error(programs.error());
+    if (programs->empty()) throw std::runtime_error("no recorded programs in " + arguments.folder);
+    const GsimRuns gsim(arguments.gsim);
+    std::size_t agreeing = 0;
+    for (const Recorded& recorded : *programs) {
+        const auto moves = gsim.moves(recorded);
+        const Outcome outcome = moves ? compare_with(recorded.canon, *moves) : tl::unexpected(moves.error());
+        const std::string name = recorded.program.lexically_relative(arguments.folder);
+        if (print(name, outcome, arguments.failures_only)) ++agreeing;
+        std::fflush(stdout);
+    }
+    const double percent = 100.0 * static_cast<double>(agreeing) / static_cast<double>(programs->size());
+    fmt::print("{} of {} files agree wholly ({:.1f} %)\n", agreeing, programs->size(), percent);
+    return percent >= arguments.least_percent ? kAgree : kDiffer;
+}
+
+void add_options(CLI::App& app, Arguments& arguments) {
+    app.add_option("folder", arguments.folder,
+                   "folder of part programs FILE with canonical output FILE.canon.gz beside them")
+        ->envname("GSIM_CORPUS");
+    app.add_option("--gsim-run", arguments.gsim.gsim_run, "the program gsim-run")->capture_default_str();
+    app.add_option("--machine", arguments.gsim.machine,
+                   "machine file without limits, axes X Y Z A B C U V W");
+    app.add_option("--gsim-option", arguments.gsim.extra, "a further option for gsim-run");
+    app.add_option("--least", arguments.least_percent, "percentage of files that must agree wholly")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    app.add_flag("--failures", arguments.failures_only, "list only the files that do not agree");
+    auto* moves = app.add_option("--moves", arguments.moves_file, "compare this file of moves ...");
+    auto* canon = app.add_option("--canon", arguments.canon_file, "... with this canonical output (or .gz)");
+    moves->needs(canon);
+    canon->needs(moves);
+}
+
+int run(const Arguments& arguments) {
+    if (!arguments.moves_file.empty()) return compare_two_files(arguments);
+    if (!arguments.folder.empty() && arguments.gsim.machine.empty()) {
+        throw std::runtime_error("--machine is needed to run a folder");
+    }
+    return compare_folder(arguments);
+}
+
+}  // namespace
+
+}  // namespace gsim::conformance
+
+int main(int argc, char** argv) {
+    try {
+        gsim::conformance::Arguments arguments;
+        CLI::App app("Compares moves of gsim with canonical output of LinuxCNC's interpreter",
+                     "gsim-conformance");
+        gsim::conformance::add_options(app, arguments);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? gsim::conformance::kAgree : gsim::conformance::kUsage;
+        }
+        return gsim::conformance::run(arguments);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "gsim-conformance: {}\n", error.what());
+        return gsim::conformance::kUsage;
+    }
+}

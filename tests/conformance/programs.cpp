@@ -1,0 +1,101 @@
+#include "tests/conformance/programs.h"
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "runtime/simulation/child_process.h"
+#include "tests/conformance/moves_reader.h"
+
+namespace gsim::conformance {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The recorded table holds tools 1 to 99 with a diameter of 6, and the stand-alone interpreter takes that for
+// inches.
+constexpr int kTools = 99;
+constexpr double kToolDiameter_mm = 6 * 25.4;
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string machine_data_text() {
+    std::string text = "NCFILE\nTOOL\n";
+    for (int tool = 1; tool <= kTools; ++tool) text += fmt::format("{} 0 {}\n", tool, kToolDiameter_mm);
+    return text + "ENDFILE\n";
+}
+
+std::string read_all(std::FILE* file) {
+    std::string text;
+    char buffer[1 << 16];
+    std::rewind(file);
+    for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof buffer, file)) > 0;)
+        text.append(buffer, count);
+    return text;
+}
+
+tl::expected<std::string, std::string> run(const std::vector<std::string>& command, const fs::path& input) {
+    const File in(std::fopen(input.c_str(), "rb"));
+    if (!in) return tl::unexpected("cannot read " + input.string());
+    const File out(std::tmpfile());
+    if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
+    if (const auto ran = simulation::run_child(command, in.get(), out.get()); !ran)
+        return tl::unexpected(ran.error());
+    return read_all(out.get());
+}
+
+}  // namespace
+
+GsimRuns::GsimRuns(GsimOptions options)
+    : options_(std::move(options)), machine_data_(scratch_.write("tools.txt", machine_data_text())) {}
+
+// Each program is run alone, as the reference was: a name of its own in a folder without its neighbours. A
+// short one also leaves room for the message.
+tl::expected<fs::path, std::string> GsimRuns::place(const Recorded& recorded) const {
+    const fs::path alone = scratch_.path() / ("program" + recorded.program.extension().string());
+    fs::remove(alone);
+    if (!recorded.without_kinematics) {
+        fs::create_symlink(fs::absolute(recorded.program), alone);
+        return alone;
+    }
+    return read_text(recorded.program).map([&](const std::string& text) {
+        return scratch_.write(alone.filename(), without_kinematics_switches(text));
+    });
+}
+
+tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& recorded) const {
+    const auto program = place(recorded);
+    if (!program) return tl::unexpected(program.error());
+    const fs::path moves_file = scratch_.path() / "moves.jsonl";
+    std::vector<std::string> command{options_.gsim_run, "--dialect",      "rs274ngc",    "--machine",
+                                     options_.machine,  "--machine-data", machine_data_, "--quiet",
+                                     "--max-time",      "1e12",           "--moves",     moves_file};
+    command.insert(command.end(), options_.extra.begin(), options_.extra.end());
+    command.push_back(*program);
+    if (const auto ran = run(command, "/dev/null"); !ran) return tl::unexpected(without_paths(ran.error()));
+    std::ifstream moves(moves_file);
+    return read_moves(moves);
+}
+
+// gsim-run's own words.
+std::string GsimRuns::without_paths(std::string message) const {
+    for (const std::string& part : {options_.gsim_run + " failed: ", scratch_.path().string() + "/"}) {
+        if (const std::size_t at = message.find(part); at != std::string::npos)
+            message.erase(at, part.size());
+    }
+    return message;
+}
+
+tl::expected<std::string, std::string> read_text(const fs::path& file) {
+    if (file.extension() == ".gz") return run({"gzip", "-dc"}, file);
+    return run({"cat"}, file);
+}
+
+}  // namespace gsim::conformance

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "tests/conformance/corpus.h"
+#include "tests/conformance/move.h"
+#include "tests/conformance/scratch_folder.h"
+
+namespace gsim::conformance {
+
+/// What gsim is run with.
+struct GsimOptions {
+    std::string gsim_run = "gsim-run";  ///< The program.
+    std::string machine;                ///< Machine file.
+    std::vector<std::string> extra;     ///< Further options for it.
+};
+
+/// Runs recorded programs.
+class GsimRuns {
+  public:
+    explicit GsimRuns(GsimOptions options);
+
+    /// The moves of a program in the dialect rs274ngc; the error is the first one that gsim-run reports.
+    tl::expected<std::vector<Move>, std::string> moves(const Recorded& recorded) const;
+
+  private:
+    tl::expected<std::filesystem::path, std::string> place(const Recorded& recorded) const;
+    std::string without_paths(std::string message) const;
+
+    GsimOptions options_;
+    ScratchFolder scratch_;
+    std::filesystem::path machine_data_;
+};
+
+/// A file's text; one whose name ends in .gz goes through gzip. The error is a sentence.
+tl::expected<std::string, std::string> read_text(const std::filesystem::path& file);
+
+}  // namespace gsim::conformance

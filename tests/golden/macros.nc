@@ -1,0 +1,17 @@
+(macro calls, user codes, messages, print)
+O0001
+G65 P9010 A1 B-2. C#3 X[#1+2] F5 S6 T7
+G65 P9010 I1 J2 K3 I4 J5 K6 A.5
+G66 P9010 L2 Z5
+G66.1 P9010 E1 Q2
+G67
+X5 M101 P1 Q#2
+M999
+IF[#1 GT 5]THEN #3000=1 (TOOL "BROKEN")
+#3006 = 1 (load part \n 2)
+POPEN
+DPRNT[X#100[53]*Y#2[40]*100%]
+DPRNT[say *"hello*\] (note [a])
+X1;PCLOS;M30
+O9010
+M99

@@ -1,0 +1,18 @@
+local _ENV = require "gsim.rs274ngc" program(nil, function() -- from ngc_comments.ngc; line n there is line n+1 here; hash 1c874c1bd262daf1
+MSG("hello \"world\" \\")                               -- (MSG,hello "world" \)
+DEBUG(" %f is %.0f, %.2f %.2f 100%%", v[1], v[1], parameter("_xy"), parameter("2nd")) -- (debug, #1 is %d#1, %.2f#<_x y> #<2nd> 100%)
+PRINT("%f %f %f #%f #", parameter(""), v[5601], parameter(""), v[1]) -- (PRINT,#99999 #5601 #5602 ##1 #)
+LOGOPEN("file\\name.txt")                               -- (LOGOPEN,file\name.txt)
+LOG("text") F(5) G1{x=1}                                -- (log,text)
+LOGCLOSE()                                              -- (LOGAPPEND,a) (LOGCLOSE)
+MSG("second")                                           -- (MSG,first) (MSG,second)
+                                                        -- (MSG,not shown) (a note)
+MSG("shown")                                            -- (MSG,shown) (a remark)
+                                                        -- (MSG,not shown)
+if not skipped(1) then MSG("perhaps") end               -- (MSG,perhaps)
+PROBEOPEN("probe.txt")                                  -- (PROBEOPEN probe.txt)
+PROBECLOSE()                                            -- (PROBECLOSE)
+                                                        -- (probeclosed) (debug , no)
+MSG("bye") M2()                                         -- (MSG,bye)
+
+end)

@@ -1,0 +1,183 @@
+// RS274/NGC: O-words, settings among words, and how its operators bind.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/grammar/parse.h"
+
+namespace gsim::grammar {
+namespace {
+
+using testing::ElementsAre;
+
+std::string block(const std::string& text) {
+    const Parsed parsed = parse_ngc(text + "\n");
+    EXPECT_EQ(parsed.messages, "") << text;
+    return parsed.blocks.size() == 1 ? parsed.blocks[0] : "not one block";
+}
+
+std::string messages(const std::string& text) {
+    const Parsed parsed = parse_ngc(text + "\nX1\n");
+    EXPECT_TRUE(parsed.finished) << text;
+    EXPECT_THAT(parsed.blocks, ElementsAre("bad", "words X=1")) << text;
+    return parsed.messages;
+}
+
+TEST(OWords, EveryKeyword) {
+    EXPECT_EQ(block("o100 sub"), "sub o100");
+    EXPECT_EQ(block("o100 endsub"), "endsub o100");
+    EXPECT_EQ(block("o100 endsub [#1+2]"), "endsub o100 (+ #1 2)");
+    EXPECT_EQ(block("o100 call"), "call o100");
+    EXPECT_EQ(block("o100 call [1] [-2]#3 #<a>"), "call o100 1 (neg 2) #3 #<a>");
+    EXPECT_EQ(block("o100 return"), "return o100");
+    EXPECT_EQ(block("o100 return [1]"), "return o100 1");
+    EXPECT_EQ(block("o100 if [#1 GT 2]"), "if o100 (GT #1 2)");
+    EXPECT_EQ(block("o100 elseif [#1]"), "elseif o100 #1");
+    EXPECT_EQ(block("o100 else"), "else o100");
+    EXPECT_EQ(block("o100 endif"), "endif o100");
+    EXPECT_EQ(block("o100 while [1]"), "while o100 1");
+    EXPECT_EQ(block("o100 endwhile"), "endwhile o100");
+    EXPECT_EQ(block("o100 do"), "do o100");
+    EXPECT_EQ(block("o100 repeat [5]"), "repeat o100 5");
+    EXPECT_EQ(block("o100 endrepeat"), "endrepeat o100");
+    EXPECT_EQ(block("o100 break"), "break o100");
+    EXPECT_EQ(block("o100 continue"), "continue o100");
+    EXPECT_EQ(block("o100"), "O100 words") << "a program";
+}
+
+TEST(OWords, TheirNames) {
+    EXPECT_EQ(block("O 0 1 SUB"), "sub o1");
+    EXPECT_EQ(block("o<A Name>call[1]"), "call oaname 1");
+    EXPECT_EQ(block("o[#1+1] call"), "call o(+ #1 1)");
+    EXPECT_EQ(block("o#1 call [2]"), "call o#1 2");
+    EXPECT_EQ(block("o#<a> call"), "call o#<a>");
+    EXPECT_EQ(block("/2 N10 o1 call"), "N10 /2 call o1");
+    const char* message =
+        "an O-word whose number is an expression can only be called; others are numbers or <names>";
+    for (const char* keyword : {"sub", "endsub", "if [1]", "while [1]", "do", "break", "return"}) {
+        EXPECT_EQ(messages(fmt::format("o#1 {}", keyword)), fmt::format("1:2: error: {}\n", message))
+            << keyword;
+        EXPECT_EQ(messages(fmt::format("o[1] {}", keyword)), fmt::format("1:3: error: {}\n", message))
+            << keyword;
+    }
+    EXPECT_EQ(messages("o#1"),
+              "1:2: error: a program begins with a number or a name, not with an expression\n");
+}
+
+TEST(OWords, WrongNumbersOfValues) {
+    for (const char* keyword : {"sub", "else", "endif", "endwhile", "do", "endrepeat", "break", "continue"}) {
+        EXPECT_EQ(messages(fmt::format("o1 {} [1]", keyword)),
+                  "1:4: error: behind this keyword stands nothing\n");
+        EXPECT_EQ(messages(fmt::format("o1 {} [1] [2]", keyword)),
+                  "1:4: error: behind this keyword stands nothing\n");
+    }
+    for (const char* keyword : {"if", "elseif", "while"}) {
+        for (const char* values : {"", " [1] [2]"}) {
+            EXPECT_EQ(messages(fmt::format("o1 {}{}", keyword, values)),
+                      "1:4: error: behind this keyword stands its condition in brackets\n");
+        }
+    }
+    EXPECT_EQ(messages("o1 repeat"),
+              "1:4: error: behind this keyword stands the number of passes in brackets\n");
+    EXPECT_EQ(messages("o1 repeat [1][2]"),
+              "1:4: error: behind this keyword stands the number of passes in brackets\n");
+    EXPECT_EQ(messages("o1 endsub [1][2]"), "1:4: error: behind this keyword stands at most one value\n");
+    EXPECT_EQ(messages("o1 return [1][2]"), "1:4: error: behind this keyword stands at most one value\n");
+    EXPECT_EQ(parse_ngc(repeated("o1 call", " [1]", 30) + "\n").messages, "");
+    EXPECT_EQ(messages(repeated("o1 call", " [1]", 31)),
+              "1:4: error: behind this keyword stands up to 30 values, each in brackets\n");
+    EXPECT_EQ(messages(repeated("o1 call", " [1]", 600)),
+              "1:4: error: behind this keyword stands up to 30 values, each in brackets\n");
+}
+
+TEST(OWords, ErrorsAroundThem) {
+    EXPECT_EQ(messages("o1 call 5"), "1:9: error: values behind an O-word stand in brackets\n");
+    EXPECT_EQ(block("o1 5"), "O15 words") << "blanks mean nothing: a program";
+    EXPECT_EQ(messages("G1 X1 o1 call"), "1:7: error: an O-word stands at the start of a block, and once\n");
+    EXPECT_EQ(messages("o1 call o2 call"), "1:9: error: 'o' is no keyword behind an O-word\n");
+    EXPECT_EQ(messages("o1 call [1"), "1:11: error: ']' is missing at the end of the block\n");
+    EXPECT_EQ(messages("o1 call []"), "1:10: error: ']' is out of place\n");
+    EXPECT_EQ(messages("o1 else if"),
+              "1:9: error: behind an O-word stands one keyword, and its values in brackets\n");
+    EXPECT_EQ(messages("o1 sub G1 X1"), "1:8: error: 'G' is no keyword behind an O-word\n");
+    EXPECT_EQ(messages("o1 if #1 = 2"), "1:10: error: '=' is out of place\n");
+    EXPECT_EQ(messages("IF[#1 EQ 2]GOTO5"),
+              "1:1: error: I has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect\n");
+    EXPECT_EQ(messages("WHILE[#1]DO1"),
+              "1:1: error: W has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect\n");
+}
+
+TEST(Settings, StandAmongWords) {
+    EXPECT_EQ(block("G1 #1=2 X#1 #<a>=#1 F5"), "words G=1 X=#1 F=5 #1:=2 #<a>:=#1");
+    EXPECT_EQ(block("# 1 = 2"), "words #1:=2");
+    EXPECT_EQ(block("#1=exists[#<a>] #2=exists[#3]"), "words #1:=(EXISTS #<a>) #2:=(EXISTS #3)");
+    EXPECT_EQ(block("X[exists[#[1+2]]+1]"), "words X=(+ (EXISTS (# (+ 1 2))) 1)");
+    EXPECT_EQ(messages("#1=#2+3"), "1:6: error: '+' is out of place\n");
+    EXPECT_EQ(messages("#1=2+3"), "1:5: error: '+' is out of place\n");
+    EXPECT_EQ(messages("X1=2"), "1:3: error: '=' is out of place\n");
+    EXPECT_EQ(messages("X[** 2]"), "1:3: error: the operator has no value before it\n");
+    EXPECT_EQ(messages("X[1 AND OR 2]"), "1:9: error: the operator has no value before it\n");
+    EXPECT_EQ(messages("SIN[1]"),
+              "1:1: error: a function stands in the value of a word or in an expression\n");
+    EXPECT_EQ(messages("#atan[1]/[1]=3"),
+              "1:2: error: a function stands in the value of a word or in an expression\n");
+    EXPECT_EQ(messages("#1"),
+              "1:1: error: a variable stands here neither as the value of a word nor before '='\n");
+    EXPECT_EQ(messages("X1 #<a>"),
+              "1:4: error: a variable stands here neither as the value of a word nor before '='\n");
+    EXPECT_EQ(messages("X[EXISTS[1]]"), "1:10: error: a number without its letter\n");
+    EXPECT_EQ(messages("X[EXISTS[#1+1]]"), "1:12: error: '+' is out of place\n");
+}
+
+std::string tree(const std::string& expression, lexer::Style style) {
+    const Parsed parsed = parse("F[" + expression + "]\n", style);
+    EXPECT_EQ(parsed.messages, "") << expression;
+    const std::string start = "words F=";
+    return parsed.blocks.size() == 1 && parsed.blocks[0].starts_with(start)
+               ? parsed.blocks[0].substr(start.size())
+               : "no expression";
+}
+
+std::string ngc(const std::string& expression) {
+    return tree(expression, lexer::Style::rs274ngc);
+}
+
+TEST(NgcExpressions, PowersBindStrongestFromLeftToRight) {
+    EXPECT_EQ(ngc("2**3**2"), "(** (** 2 3) 2)");
+    EXPECT_EQ(ngc("2*3**2*4"), "(* (* 2 (** 3 2)) 4)");
+    EXPECT_EQ(ngc("-2**2"), "(** (neg 2) 2)") << "the sign belongs to the number";
+    EXPECT_EQ(ngc("2**-1"), "(** 2 (neg 1))");
+    EXPECT_EQ(ngc("-#1**[2+1]"), "(** (neg #1) (+ 2 1))");
+    EXPECT_EQ(ngc("[1+2]**SIN[3]"), "(** (+ 1 2) (SIN 3))");
+    EXPECT_EQ(ngc("8/2**2 MOD 3"), "(MOD (/ 8 (** 2 2)) 3)");
+    EXPECT_EQ(ngc("1+2**3 EQ 9"), "(EQ~ (+ 1 (** 2 3)) 9)");
+}
+
+TEST(NgcExpressions, ComparisonsMayBeChained) {
+    EXPECT_EQ(ngc("1 LT 2 LT 3"), "(LT (LT 1 2) 3)");
+    EXPECT_EQ(ngc("1 EQ 2 NE 3 GE 4"), "(GE (NE~ (EQ~ 1 2) 3) 4)");
+    EXPECT_EQ(ngc("1+2 GT 3-4 LE 5*6"), "(LE (GT (+ 1 2) (- 3 4)) (* 5 6))");
+}
+
+TEST(NgcExpressions, LogicBindsWeakest) {
+    EXPECT_EQ(ngc("1 OR 2 AND 3"), "(AND (OR 1 2) 3)") << "all three alike";
+    EXPECT_EQ(ngc("1 XOR 2 OR 3 AND 4"), "(AND (OR (XOR 1 2) 3) 4)");
+    EXPECT_EQ(ngc("#1 GT 2 AND #3 LT 4 OR 5"), "(OR (AND (GT #1 2) (LT #3 4)) 5)");
+    EXPECT_EQ(ngc("1+2 AND 3*4"), "(AND (+ 1 2) (* 3 4))");
+    EXPECT_EQ(ngc("1 AND [2 OR 3]"), "(AND 1 (OR 2 3))");
+}
+
+/// In the 9/Series AND binds as *, OR and XOR as +, and comparisons weakest.
+TEST(NgcExpressions, DifferFromThoseOfThe9Series) {
+    const auto ab9 = [](const std::string& expression) { return tree(expression, lexer::Style::ab9); };
+    EXPECT_EQ(ab9("1 OR 2 AND 3"), "(OR 1 (AND 2 3))");
+    EXPECT_EQ(ab9("1+2 AND 3*4"), "(+ 1 (* (AND 2 3) 4))");
+    EXPECT_EQ(ab9("1 XOR 2+3"), "(+ (XOR 1 2) 3)");
+    EXPECT_EQ(ab9("1 EQ 2 AND 3"), "(EQ 1 (AND 2 3))");
+    EXPECT_EQ(ngc("1 EQ 2 AND 3"), "(AND (EQ~ 1 2) 3)");
+    EXPECT_EQ(parse("F[1 LT 2 LT 3]\n").messages,
+              "1:10: error: a comparison is out of place; comparisons are joined as [..] AND [..]\n");
+}
+
+}  // namespace
+}  // namespace gsim::grammar

@@ -1,0 +1,48 @@
+// Home positions and the skip function.
+
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+const std::string kAway = "F(6000.0) G0{x=100, y=100, z=50}\n";
+
+TEST(FurtherHomes, G29MovesTheAxesItNames) {
+    // Y has moved since; the point on the way is X's alone.
+    const Outcome r = run_lua(kAway + "G28{x=120} G0{y=30}\nG29{x=10}");
+    expect_end(r, 10, 30, 50);
+    ASSERT_EQ(r.moves.size(), 6U);
+    EXPECT_NEAR(r.to(4, 'X'), 120, 1e-9);
+    EXPECT_NEAR(r.to(4, 'Y'), 30, 1e-9);
+}
+
+TEST(FurtherHomes, AnIncrementOfG29CountsFromThePointOnTheWay) {
+    expect_end(run_lua(kAway + "G28{x=120} G91() G29{x=5}"), 125, 100, 50);
+}
+
+TEST(FurtherHomes, MustBeDefined) {
+    expect_alarm(run_lua(kAway + "G30{x=10}"), 2, {"P2", "home position 2 is not defined"});
+    expect_alarm(run_lua(kAway + "G30{p=4}"), 2, {"home position 4"});
+    expect_alarm(run_lua(kAway + "G30{p=5, x=0}"), 2, {"2 to 4", "5"});
+    expect_alarm(run_lua(kAway + "G30{p=1, x=0}"), 2, {"2 to 4", "1"});
+}
+
+TEST(Skip, WithoutASignalItGoesToItsEnd) {
+    const Outcome r = run_lua(kAway + "G31{x=150}\nG0{y=v[5061], z=v[5062]}");
+    expect_end(r, 150, 150, 100);
+    EXPECT_EQ(r.moves.at(1).info.kind, simulation::MoveKind::probe);
+}
+
+TEST(Skip, ASignalCutsItShort) {
+    const std::string answer = "on_probe(function(from, to) return 0.25 end) ";
+    expect_end(run_lua(answer + kAway + "G31{x=200}"), 125, 100, 50);
+    expect_end(run_lua(answer + kAway + "G52{x=10} G31{x=190} G0{y=v[5061]}"), 125, 115, 50);
+}
+
+TEST(Skip, NeedsATarget) {
+    expect_alarm(run_lua("G31()"), 1, {"G31 needs"});
+    expect_alarm(run_lua("v[1]=v[5061]"), 1, {"before the first G31"});
+}
+
+}  // namespace
+}  // namespace gsim::script

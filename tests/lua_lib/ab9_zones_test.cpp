@@ -1,0 +1,112 @@
+// Programmable zones: moves are checked along their whole way, not at their ends alone.
+
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+const std::string kBox = "F(6000.0) G22{x=200, y=200, z=50, i=100, j=100, k=0} ";
+
+void expect_enters(const std::string& lua, const std::vector<std::string>& texts) {
+    std::vector<std::string> all{"enters the zone of G22"};
+    all.insert(all.end(), texts.begin(), texts.end());
+    expect_alarm(run_lua(kBox + "\n" + lua), 2, all);
+}
+
+TEST(Zones, AMoveIntoOne) {
+    expect_enters("G0{x=150, y=150}", {"axis X", "X100.0000 Y100.0000"});
+    expect_enters("G1{y=150} G1{x=300}", {"axis X", "X100.0000 Y150.0000", "X 100 to 200"});
+}
+
+TEST(Zones, AMoveThroughOneWithBothEndsOutside) {
+    expect_enters("G0{x=150} G0{x=0, y=300}", {"axis Y"});
+    expect_enters("G1{x=300, y=300}", {"X100.0000 Y100.0000"});
+    expect_enters("G1{z=51} G1{x=150} G1{y=150} G1{z=0}", {"axis Z", "Z50.0000"});
+}
+
+TEST(Zones, PastItsWalls) {
+    EXPECT_TRUE(run_lua(kBox + "G1{x=99} G1{x=99, y=300} G1{x=300, y=300} G1{x=300, y=0}").completed());
+    EXPECT_TRUE(run_lua(kBox + "G1{z=50.1} G1{x=150, y=150} G1{z=60}").completed());
+    EXPECT_TRUE(run_lua(kBox + "G1{y=200} G1{x=50, y=250} G1{x=150, y=200.1}").completed());
+}
+
+// The walls belong to the zone.
+TEST(Zones, AlongAWall) {
+    expect_enters("G1{x=100} G1{y=300}", {"axis Y", "X100.0000 Y100.0000"});
+    expect_enters("G1{y=150} G1{x=100}", {"axis X", "X100.0000 Y150.0000"});
+    expect_enters("G1{z=50} G1{x=150, y=150}", {"Z50.0000"});
+}
+
+TEST(Zones, ArcsAtTheirDeepestPoint) {
+    // Half circles about X150 Y0: radius 90 stays below the wall at Y100, radius 110 does not.
+    EXPECT_TRUE(run_lua(kBox + "G1{x=60} G2{x=240, y=0, i=90}").completed());
+    EXPECT_TRUE(run_lua(kBox + "G1{x=50.1} G2{x=249.9, y=0, i=99.9}").completed());
+    expect_enters("G1{x=40} G2{x=260, y=0, i=110}",
+                  {"axis Y", fmt::format("X{:.4f}", 150 - std::sqrt(2100.0))});
+    // A helix that is above the box where it is over it.
+    EXPECT_TRUE(run_lua(kBox + "G1{x=40, z=100} G2{x=260, y=0, z=90, i=110}").completed());
+}
+
+TEST(Zones, WhereTheToolStandsInsideItMustStayInside) {
+    const std::string inside = "F(6000.0) G0{x=150, y=150} G22{x=200, y=200, i=100, j=100}\n";
+    EXPECT_TRUE(run_lua(inside + "G1{x=200, y=200, z=300} G1{x=100}").completed());
+    expect_alarm(run_lua(inside + "G1{x=201}"), 2, {"leaves the zone", "axis X", "stay inside"});
+    // Both ends of the arc are inside, its top is not.
+    expect_alarm(run_lua(inside + "G1{x=100, y=160} G2{x=200, i=50}"), 2, {"leaves the zone"});
+    expect_alarm(run_lua(inside + "G1{x=110, y=180} G2{x=190, i=40}"), 2, {"axis Y", "Y200.0000"});
+}
+
+TEST(Zones, OffAndOnAgain) {
+    EXPECT_TRUE(run_lua(kBox + "G23() G1{x=300, y=300}").completed());
+    expect_alarm(run_lua(kBox + "G23() G1{x=0, y=300}\nG22()\nG1{x=300, y=0}"), 3, {"enters"});
+    expect_alarm(run_lua("G22()"), 1, {"G22 needs its zone"});
+    EXPECT_TRUE(run_lua("G23()").completed());
+}
+
+TEST(Zones, CornersMayBeGivenInAnyOrder) {
+    expect_alarm(run_lua("G22{x=100, y=200, i=200, j=100}\nG0{x=150, y=150}"), 2, {"enters"});
+    expect_alarm(run_lua("G20() G22{x=4, i=8}\nG0{x=5}"), 2, {"X 101.6 to 203.2"});
+    expect_alarm(run_lua("G22{x=100}"), 1, {"both X and I"});
+    expect_alarm(run_lua("G22{x=100, i=100}"), 1, {"no extent"});
+    expect_alarm(run_lua("G22{x=100, i=200, p=1}"), 1, {"no word P"});
+}
+
+TEST(Zones, AreInMachineCoordinates) {
+    expect_alarm(run_lua(kBox + "G52{x=1000}\nG0{y=150}\nG0{x=-850}"), 3, {"X100.0000"});
+}
+
+// Against a fine walk along each straight move.
+TEST(Zones, AgreeWithAWalkAlongTheMove) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(0, 300);
+    for (int n = 0; n < 150; ++n) {
+        const double a[3] = {place(random), place(random), place(random)};
+        const double b[3] = {place(random), place(random), place(random)};
+        double depth = -1e9;  // how deep the walk goes into the box
+        for (int i = 0; i <= 3000; ++i) {
+            const double t = i / 3000.0;
+            double here = 1e9;
+            for (int k = 0; k < 3; ++k) {
+                const double at = a[k] + t * (b[k] - a[k]);
+                here = std::min({here, at - 100, 200 - at});
+            }
+            depth = std::max(depth, here);
+        }
+        if (std::abs(depth) < 0.1) continue;
+        bool starts_inside = true;
+        for (const double value : a) starts_inside = starts_inside && value > 100 && value < 200;
+        if (starts_inside) continue;
+        const std::string lua = fmt::format(
+            "G0{{x={}, y={}, z={}}} G22{{x=200, y=200, z=200, i=100, j=100, k=100}} G0{{x={}, y={}, z={}}}",
+            a[0], a[1], a[2], b[0], b[1], b[2]);
+        EXPECT_EQ(run_lua(lua).completed(), depth < 0) << lua;
+    }
+}
+
+}  // namespace
+}  // namespace gsim::script

@@ -1,0 +1,275 @@
+// RS274/NGC: parameters, subroutines, frames, home points, modal state, inputs and outputs. The expected
+// values are those that LinuxCNC's interpreter gives for the same programs, or worked out by hand.
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/lua_lib/ngc_run.h"
+
+namespace gsim::script {
+namespace {
+
+// What an expression is, printed with six decimals.
+std::string value_of(const std::string& expression) {
+    return debug_texts(run_ngc("#100=" + expression + "\n(debug,#100)\nM2\n"));
+}
+
+TEST(NgcExpressions, LogicIsOfZeroAndOther) {
+    EXPECT_EQ(value_of("[2 and 3]"), "1.000000\n");
+    EXPECT_EQ(value_of("[0 or 5]"), "1.000000\n");
+    EXPECT_EQ(value_of("[2 xor 3]"), "0.000000\n");
+    EXPECT_EQ(value_of("[1 and 0.00000001]"), "1.000000\n");
+}
+
+TEST(NgcExpressions, OnlyEqualityHasATolerance) {
+    EXPECT_EQ(value_of("[1 eq 1.00009]"), "1.000000\n");
+    EXPECT_EQ(value_of("[1 eq 1.00011]"), "0.000000\n");
+    EXPECT_EQ(value_of("[1 ne 1.00009]"), "0.000000\n");
+    EXPECT_EQ(value_of("[1 lt 1.00000001]"), "1.000000\n");
+    EXPECT_EQ(value_of("[1 ge 1.0000001]"), "0.000000\n");
+}
+
+TEST(NgcExpressions, RemainderRoundingAndAngles) {
+    EXPECT_EQ(value_of("[-7 mod 3]"), "2.000000\n");
+    EXPECT_EQ(value_of("[7 mod -3]"), "1.000000\n");
+    EXPECT_EQ(value_of("[-5.5 mod 2]"), "0.500000\n");
+    EXPECT_EQ(value_of("round[-2.5]"), "-3.000000\n");
+    EXPECT_EQ(value_of("fix[-2.5]"), "-3.000000\n");
+    EXPECT_EQ(value_of("fup[-2.5]"), "-2.000000\n");
+    EXPECT_EQ(value_of("atan[-1]/[-1]"), "-135.000000\n");
+    EXPECT_EQ(value_of("atan[0]/[-1]"), "180.000000\n");
+    EXPECT_EQ(value_of("[2 ** -1]"), "0.500000\n");
+}
+
+TEST(NgcExpressions, WhatHasNoValueIsAnAlarm) {
+    for (const char* expression : {"[1/0]", "[5 mod 0]", "[[0-2]**0.5]", "[0**[0-1]]", "exp[1000]",
+                                   "sqrt[-1]", "ln[0]", "acos[2]", "#0", "#5602", "#[1.5]", "#<nothing>"}) {
+        const Outcome r = run_ngc(std::string("#100=") + expression + "\nM2\n");
+        EXPECT_EQ(r.report.status, simulation::RunStatus::alarm) << expression;
+        EXPECT_EQ(r.line(), 1U) << expression;
+    }
+}
+
+TEST(NgcParameters, UnsetOnesAreZeroAndNamedOnesAreNot) {
+    EXPECT_EQ(value_of("[#77+1]"), "1.000000\n");
+    expect_alarm(run_ngc("G21\n#1=#<width>\nM2\n"), 2, {"#<width>", "no value"});
+    EXPECT_EQ(debug_texts(run_ngc("(debug,#<width> #5)\nM2\n")), "###### 0.000000\n");
+    EXPECT_EQ(debug_texts(run_ngc(
+                  "#<a>=1\n#1=exists[#<a>] #2=exists[#<b>] #3=exists[#<_x>]\n(debug,#1 #2 #3)\nM2\n")),
+              "1.000000 0.000000 1.000000\n");
+}
+
+TEST(NgcParameters, TheControlsOwnAreReadOnly) {
+    for (const char* parameter : {"#5420", "#5400", "#5401", "#5413", "#<_x>", "#<_value>"})
+        expect_alarm(run_ngc(std::string("G21\n") + parameter + "=1\nM2\n"), 2, {parameter, "read-only"});
+    EXPECT_EQ(debug_texts(run_ngc("#5399=5\n(debug,#5399)\nM2\n")), "5.000000\n");
+}
+
+TEST(NgcParameters, TellTheStateOfTheControl) {
+    EXPECT_EQ(debug_texts(run_ngc(
+                  "G20 G18 G91 F3\nG1 X1 Z2\n\n"
+                  "(debug,#<_x> #<_z> #5420 #<_plane> #<_metric> #<_incremental> #<_feed> #<_line>)\nM2\n")),
+              "1.000000 2.000000 1.000000 180.000000 0.000000 1.000000 3.000000 4.000000\n");
+    EXPECT_EQ(
+        debug_texts(run_ngc(
+            "G59.2 G95 G98 S70 M4\n"
+            "(debug,#<_coord_system> #<_units_per_rev> #<_retract_old_z> #<_rpm> #<_spindle_cw>)\nM2\n")),
+        "592.000000 1.000000 1.000000 70.000000 0.000000\n");
+}
+
+TEST(NgcSubroutines, HaveParametersOfTheirOwnAndGiveAValue) {
+    const Outcome r = run_ngc(
+        "#1=5 #<a>=1\n"
+        "o1 sub\n(debug,#1 #2 #30 #<_call_level>)\n#1=7 #<a>=3\no1 endsub [#1+1]\n"
+        "o2 sub\no2 endsub\n"
+        "o1 call [2] [3]\n(debug,#1 #<a> #<_value> #<_value_returned>)\n"
+        "o2 call\n(debug,#<_value> #<_value_returned>)\nM2\n");
+    EXPECT_EQ(
+        debug_texts(r),
+        "2.000000 3.000000 0.000000 1.000000\n5.000000 1.000000 8.000000 1.000000\n0.000000 0.000000\n");
+}
+
+TEST(NgcSubroutines, GlobalNamesAreSeenEverywhere) {
+    EXPECT_EQ(
+        debug_texts(run_ngc("o1 sub\n#<_g>=[#<_g>+1]\no1 endsub\n#<_g>=1\no1 call\n(debug,#<_g>)\nM2\n")),
+        "2.000000\n");
+    expect_alarm(run_ngc("o1 sub\n#5=#<local>\no1 endsub\n#<local>=1\no1 call\nM2\n"), 2, {"#<local>"});
+}
+
+TEST(NgcSubroutines, NestToNineLevels) {
+    const std::string program = "o1 sub\no2 if [#1 gt 1]\no1 call [#1-1]\no2 endif\no1 endsub\no1 call [";
+    EXPECT_TRUE(run_ngc(program + "9]\nM2\n").completed());
+    expect_alarm(run_ngc(program + "10]\nM2\n"), 3, {"o1", "9 deep"});
+}
+
+TEST(NgcSubroutines, OneThatIsMissingIsNamed) {
+    expect_alarm(run_ngc("G21\no<drill> call [1]\nM2\n"), 2, {"o<drill>", "no such subroutine"});
+}
+
+TEST(NgcSubroutines, RepeatsAreRoundedToEven) {
+    const std::string count = "o1 repeat [%]\n#9=[#9+1]\no1 endrepeat\n";
+    const auto passes = [&](const std::string& n) {
+        std::string program = count;
+        return debug_texts(run_ngc(program.replace(program.find('%'), 1, n) + "(debug,%d#9)\nM2\n"));
+    };
+    EXPECT_EQ(passes("2.5"), "2\n");
+    EXPECT_EQ(passes("3.5"), "4\n");
+    EXPECT_EQ(passes("0.6"), "1\n");
+    EXPECT_EQ(passes("-1"), "0\n");
+}
+
+TEST(NgcMessages, AreFormattedAsWritten) {
+    EXPECT_EQ(debug_texts(run_ngc("#1=1.6 #2=-3.25\n(debug,#1 %d#1 %.2f#2 %.4f#1)\nM2\n")),
+              "1.600000 2 -3.25 1.6000\n");
+    const Outcome r =
+        run_ngc("(msg, as it is #1)\n(print,#1)\n(log,a)\n(logopen,x.txt)\n#5599=0\n(debug,not shown)\nM2\n");
+    EXPECT_EQ(r.events(), "message print log log_open");
+    EXPECT_EQ(r.report.events.at(0).detail, " as it is #1");
+}
+
+TEST(NgcExpressions, SettingsBesideWordsSeeTheStateBeforeTheBlock) {
+    const Outcome r = run_ngc("G21 F100\nG1 X5\nX9 #1=[#5420+1] #1=[#5420+2]\nX#1\nM2\n");
+    EXPECT_NEAR(r.to(2, 'X'), 7, 1e-9);
+}
+
+// --- Frames ---
+
+TEST(NgcFrames, ASystemIsTurnedAboutItsOrigin) {
+    const Outcome r = run_ngc("G21 G10 L2 P1 X10 Y20 R30\nG0 X2 Y0\nX0 Y2\nG91 X1\nM2\n");
+    const double c = std::sqrt(0.75);
+    EXPECT_NEAR(r.to(0, 'X'), 10 + 2 * c, 1e-9);
+    EXPECT_NEAR(r.to(0, 'Y'), 20 + 1, 1e-9);
+    EXPECT_NEAR(r.to(1, 'X'), 10 - 1, 1e-9);
+    EXPECT_NEAR(r.to(1, 'Y'), 20 + 2 * c, 1e-9);
+    EXPECT_NEAR(r.to(2, 'X'), 10 - 1 + c, 1e-9);
+    EXPECT_NEAR(r.to(2, 'Y'), 20 + 2 * c + 0.5, 1e-9);
+}
+
+TEST(NgcFrames, G92TurnsWithTheSystemAndSurvivesIt) {
+    EXPECT_EQ(
+        debug_texts(run_ngc(
+            "G21 G10 L2 P1 X1 Y2 R30\nG0 X10 Y4\nG92 X5 Y1\n(debug,%.4f#<_x> #<_y> #<_abs_x> #<_abs_y>)\n"
+            "G92.2\n(debug,%.4f#<_x> #<_y>)\nG92.3\n(debug,%.4f#<_x> #<_y>)\n"
+            "G52 X1 Y1\n(debug,%.4f#<_x> #<_y>)\nG92.1\n(debug,%.4f#<_x> #5210)\nM2\n")),
+        "5.0000 1.0000 7.6603 10.4641\n10.0000 4.0000\n5.0000 1.0000\n9.0000 3.0000\n10.0000 0.0000\n");
+}
+
+TEST(NgcFrames, G10L20MovesTheOriginToThePosition) {
+    EXPECT_EQ(
+        debug_texts(run_ngc("G21 G10 L2 P1 X10 Y20 R60\nG0 X1 Y2\nG10 L20 P0 X5 Y6\n"
+                            "(debug,%.4f#<_x> #<_y> #5230)\nG10 L20 P2 Z7\nG55\n(debug,%.4f#<_z>)\nM2\n")),
+        "5.0000 6.0000 60.0000\n7.0000\n");
+}
+
+TEST(NgcFrames, ParametersHoldInchesAndAreLoadedByWords) {
+    EXPECT_EQ(debug_texts(run_ngc(
+                  "G21 G10 L2 P1 X25.4\n(debug,#5221 #<_x>)\n#5221=2\n(debug,#<_x>)\nG54\n(debug,#<_x>)\n"
+                  "G55\nG54\n(debug,#<_x>)\nM2\n")),
+              "1.000000 -25.400000\n-25.400000\n-25.400000\n-50.800000\n");
+}
+
+TEST(NgcFrames, WrongWordsOfG10) {
+    expect_alarm(run_ngc("G21\nG10 L2 P10 X1\nM2\n"), 2, {"P", "0", "9"});
+    expect_alarm(run_ngc("G21\nG10 L20 P1 X1 R3\nM2\n"), 2, {"R"});
+    expect_alarm(run_ngc("G21\nG10 L1 P77 Z1\nM2\n"), 2, {"tool 77"});
+    expect_alarm(run_ngc("G21\nG10 L3 P1 X1\nM2\n"), 2, {"L"});
+}
+
+TEST(NgcFrames, ToolOffsetsLieOutsideTheRotation) {
+    const Outcome r = run_ngc("G21 G10 L2 P1 R90\nT1 M6\nG10 L1 P1 X3 Z5\nG43\nG0 X1 Y0 Z1\nM2\n");
+    EXPECT_NEAR(r.to(0, 'X'), 3, 1e-9);
+    EXPECT_NEAR(r.to(0, 'Y'), 1, 1e-9);
+    EXPECT_NEAR(r.to(0, 'Z'), 6, 1e-9);
+}
+
+TEST(NgcFrames, ToolTableByPosition) {
+    // With tool 2 in force the machine stands at X2 Y3 Z1 (values of LinuxCNC).
+    EXPECT_EQ(debug_texts(run_ngc("G21 T1 M6\nG10 L2 P1 X1 Z3 R30\nG0 X5 Y5 Z5\nG92 X3\nG10 L10 P2 X2 Y3 Z1\n"
+                                  "G43 H2\n(debug,%.4f#<_x> #<_y> #<_z>)\nM2\n")),
+              "2.0000 3.0000 1.0000\n");
+    EXPECT_EQ(
+        debug_texts(run_ngc("G21 T1 M6\nG10 L1 P1 Z0\nG10 L2 P1 X1 Z3 R30\nG0 X5 Y5 Z5\nG92 X3\n"
+                            "G10 L2 P9 X4 Z2 R10\nG10 L11 P1 X2 Y3 Z1\n(debug,%.4f#5401 #5402 #5403)\nM2\n")),
+        "-0.1031 0.1389 0.1969\n");
+}
+
+TEST(NgcFrames, G53NeedsAbsoluteDimensions) {
+    expect_alarm(run_ngc("G91\nG53 G0 X1\nM2\n"), 2, {"G53", "G90"});
+    const Outcome r = run_ngc("G21 G10 L2 P1 X10 R45\nG53 G0 X3 Y4\nM2\n");
+    EXPECT_NEAR(r.to(0, 'X'), 3, 1e-9);
+    EXPECT_NEAR(r.to(0, 'Y'), 4, 1e-9);
+}
+
+TEST(NgcHome, GoesByAPointInTheDirectionsOfTheProgram) {
+    const Outcome r =
+        run_ngc("G21 G10 L2 P1 X10 Y20 R90\nG0 X1 Y2 Z3\nG28.1\nG0 X5 Y5 Z6\nG28 X6 Z7\nG28\nM2\n");
+    // Only X and Z of the program go home; its X is the machine's Y.
+    EXPECT_NEAR(r.to(2, 'Y'), 26, 1e-9);
+    EXPECT_NEAR(r.to(3, 'X'), 5, 1e-9);
+    EXPECT_NEAR(r.to(3, 'Y'), 21, 1e-9);
+    EXPECT_NEAR(r.to(3, 'Z'), 3, 1e-9);
+    EXPECT_NEAR(r.end()[0], 8, 1e-9);
+    EXPECT_NEAR(r.end()[1], 21, 1e-9);
+}
+
+TEST(NgcFrames, NothingMovesThemOnACompensatedPath) {
+    for (const char* word : {"G92 X1", "G52 X1", "G55", "G10 L2 P1 X1", "G28", "G28.1", "G53 G0 X1", "G18",
+                             "M66 P1 L0", "M62 P1", "G64", "G61", "G38.2 X9", "G5.1 X1 Y1 I1 J1", "M48"}) {
+        const Outcome r = run_ngc("G21 F100 T1 M6\nG41 D1\nG1 X10 Y10\n" + std::string(word) + "\nM2\n");
+        expect_alarm(r, 4, {"compensation"});
+    }
+}
+
+// --- Modes ---
+
+TEST(NgcModes, AreKeptAndBroughtBack) {
+    EXPECT_EQ(
+        debug_texts(run_ngc(
+            "G21 F100 S200 M3\nM70\nG20 G91 F5 S7 G55 G18 M5 M8 G90.1 G98\nM72\n"
+            "(debug,%d#<_metric> #<_absolute> #<_feed> #<_rpm> #<_coord_system> #<_plane> #<_spindle_on> "
+            "#<_flood> #<_ijk_absolute_mode> #<_retract_old_z>)\nM2\n")),
+        "1 1 100 200 540 170 1 0 0 0\n");
+}
+
+TEST(NgcModes, ComeBackAtTheEndOfASubroutineThatAsksForIt) {
+    const std::string body = "G20 G91\no1 endsub\nG21 G90\no1 call\n(debug,%d#<_metric> #<_absolute>)\nM2\n";
+    EXPECT_EQ(debug_texts(run_ngc("o1 sub\nM73\n" + body)), "1 1\n");
+    EXPECT_EQ(debug_texts(run_ngc("o1 sub\nM73\nM71\n" + body)).substr(0, 3), "0 0");
+    expect_alarm(run_ngc("G21\nM72\nM2\n"), 2, {"M72", "M70"});
+}
+
+TEST(NgcModes, AxisWordsNeedAMotion) {
+    expect_alarm(run_ngc("G21\nX5\nM2\n"), 2, {"motion"});
+}
+
+// --- Inputs and outputs ---
+
+TEST(NgcInputs, AreZeroWithoutAScriptAndElseItsAnswer) {
+    EXPECT_EQ(debug_texts(run_ngc("#5399=3\nM66 P1 L3 Q2\n(debug,#5399)\nM2\n")), "0.000000\n");
+    const Outcome r = run_ngc_lua(
+        "on_input(function(kind, number, wait, timeout) if wait == 3 then return nil end return number + "
+        "0.5, 1 end)\n"
+        "M66{e=2, l=0} DEBUG('%f', v[5399])\n"
+        "M66{p=1, l=1, q=5} DEBUG('%f', v[5399])\n"
+        "M66{p=1, l=3, q=5} DEBUG('%f', v[5399])\n");
+    EXPECT_EQ(debug_texts(r), "2.500000\n1.500000\n-1.000000\n");
+    EXPECT_NEAR(r.report.cycle_time_s, 1 + 5, 1e-9);  // one answer after 1 s, none within 5 s
+}
+
+TEST(NgcInputs, WrongWords) {
+    expect_alarm(run_ngc("G21\nM66 P1 E1 L0\nM2\n"), 2, {"digital", "analog"});
+    expect_alarm(run_ngc("G21\nM66 P1 L3\nM2\n"), 2, {"Q"});
+    expect_alarm(run_ngc("G21\nM66 E1 L1 Q1\nM2\n"), 2, {"analog"});
+    expect_alarm(run_ngc_lua("M68{e=1}"), 1, {"Q"});
+}
+
+TEST(NgcOutputs, AreEvents) {
+    const Outcome r = run_ngc("M62 P1\nM65 P2\nM67 E3 Q1.5\nM2\n");
+    ASSERT_EQ(r.events(), "digital_output digital_output analog_output");
+    EXPECT_EQ(r.report.events.at(0).detail, "P1 on with the next move");
+    EXPECT_EQ(r.report.events.at(1).detail, "P2 off");
+    EXPECT_EQ(r.report.events.at(2).detail, "E3 1.5 with the next move");
+}
+
+}  // namespace
+}  // namespace gsim::script
