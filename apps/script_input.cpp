@@ -95,7 +95,7 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
     script.size = spool->size();
     if (translation.lua_lines > kLinesInOnePiece) {
         for (const codegen::ProgramPart& part : translation.programs)
-            script.programs.push_back({part.name, chunks_of(part)});
+            script.functions.push_back({part.head, chunks_of(part)});
     }
     script.read = [spool](std::uint64_t begin, std::uint64_t end) { return spool->read(begin, end); };
     return script;

@@ -125,19 +125,20 @@ class JumpCollector : public grammar::BlockSink {
     bool returns_to_blocks_ = false;
 };
 
-/// Finds out whether the first block that says anything starts a program.
+/// Finds out whether the first block that says anything begins a program or a subroutine.
 class FirstBlock : public grammar::BlockSink {
   public:
     void take(const grammar::Block& block) override {
-        program_ = block.has_program;
+        begins_part_ =
+            block.has_program || (block.kind == grammar::BlockKind::flow && block.flow == grammar::Flow::sub);
         done_ = !grammar::is_blank(block);
     }
     bool done() const { return done_; }
-    bool program() const { return program_; }
+    bool begins_part() const { return begins_part_; }
 
   private:
     bool done_ = false;
-    bool program_ = false;
+    bool begins_part_ = false;
 };
 
 }  // namespace
@@ -156,7 +157,7 @@ FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::
         lexer::Lexer lexer(source, diagnostics, aliases, style);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
-        scan.starts_with_program = first.program();
+        scan.starts_with_part = first.begins_part();
         source.rewind();
     }
     const bool return_alias = aliases.stand_for('M', kReturnCode / 10);

@@ -21,8 +21,8 @@ struct ProgramJumps {
 
 /// What a first reading of the file tells, before a line is written.
 struct FileScan {
-    bool starts_with_program = false;  ///< An O-word stands before any other block.
-    std::vector<ProgramJumps> jumps;   ///< By program in the order of the file; empty where there is no GOTO.
+    bool starts_with_part = false;    ///< A program or a subroutine begins before any other block.
+    std::vector<ProgramJumps> jumps;  ///< By program in the order of the file; empty where there is no GOTO.
 
     /// Jumps of the program with this ordinal number.
     const ProgramJumps& program(std::size_t ordinal) const;

@@ -191,7 +191,7 @@ constexpr std::string_view kNgcStatements = R"(
 | `#<width>=5`, `#<_global>` | `p.width = 5.0`, `p._global` |
 | `EXISTS[#<width>]` | `exists("width")` |
 | `[#1 EQ 2]`, `[#1 ** 2]` | `equal(v[1], 2.0)`, `POW(v[1], 2.0)` |
-| `o100 sub` .. `o100 endsub [#1]` | `sub(100, function()` .. `do return result(v[1]) end end)` |
+| `o100 sub` .. `o100 endsub [#1]` | `end) sub(100, function()` .. `do return result(v[1]) end end)`; the program goes on with `more(function()` |
 | `o<drill> call [1] [2]` | `call("drill", 1.0, 2.0)` |
 | `o1 if [#1 GT 0]`, `o1 while [#1 GT 0]` | `if v[1] > 0.0 then`, `while v[1] > 0.0 do` |
 | `o1 repeat [3]` | `for _ = 1, times(3.0) do` |

@@ -23,7 +23,6 @@ using lexer::Word;
 namespace {
 
 constexpr std::size_t kCommentColumn = 56;
-constexpr std::uint32_t kLinesBetweenCuts = 5000;
 constexpr std::size_t kMaxSettings = 100;  // of one statement; Lua has 200 locals and some 250 registers
 constexpr int kMaxBareLabels = 100;        // labels one behind the other; Lua's parser nests them, up to 200
 
@@ -82,18 +81,15 @@ LuaWriter::LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexe
       oword_flow_(diagnostics) {}
 
 void LuaWriter::begin_file(std::string_view source_name) {
-    std::string head = fmt::format("local _ENV = require \"{}\"", plan_.dialect().rules().lua_module);
-    if (!scan_.starts_with_program) head += " program(nil, function()";
-    const std::size_t body_begin = head.size();
-    head += fmt::format(" -- from {}; line n there is line n+1 here", lexer::printable(source_name));
-    spool_.write_head(head);
-    written_ = spool_.size();
-    if (!scan_.starts_with_program) {
-        start_function("nil");
-        map_.back().body_begin = body_begin;
-        map_.back().first_line = 1;
+    std::string head = fmt::format("local _ENV = require \"{}\" ", plan_.dialect().rules().lua_module);
+    flow_.begin_program(scan_.program(0));
+    if (!scan_.starts_with_part) {
+        ++next_ordinal_;
+        parts_.begin_program("nil", head);
     }
-    lua_line_ = 2;
+    head += fmt::format("-- from {}; line n there is line n+1 here", lexer::printable(source_name));
+    spool_.write_head(head);
+    parts_.end_line(spool_.size(), false);
 }
 
 void LuaWriter::take(const Block& block) {
@@ -113,42 +109,67 @@ void LuaWriter::note_bad_block(const Block& block) {
         flow_.lose_track();
         oword_flow_.lose_track();
     }
-    if (in_program_ && block.sequence)
+    if (parts_.open() && block.sequence)
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
-void LuaWriter::start_function(const std::string& name) {
-    in_program_ = true;
-    flow_.begin_program(scan_.program(next_ordinal_++));
-    ProgramPart part;
-    part.name = name;
-    map_.push_back(std::move(part));
-    last_cut_line_ = lua_line_;
-}
-
 void LuaWriter::open_program(const Block& block) {
-    if (in_program_) close_program();
+    close_program();
+    main_ended_ = false;
     const std::string_view name = block.text->view(block.text->program);
     const std::string lua_name = lua_program_name(name);
     if (!defined_.insert(lua_name).second) {
         lexer_.fail(block.prefix_column, fmt::format("the program O{} stands twice in this file", name));
     }
-    start_function(lua_name);
-    fmt::format_to(std::back_inserter(code_), "{}program({}, function()", code_.empty() ? "" : " ", lua_name);
-    map_.back().body_begin = written_ + code_.size();
-    map_.back().first_line = lua_line_;
-    code_ += ' ';
+    flow_.begin_program(scan_.program(next_ordinal_++));
+    parts_.begin_program(lua_name, code_);
     comment_ += fmt::format("{}O{}", comment_.empty() ? "" : " ", name);
+}
+
+bool LuaWriter::says_nothing(const Block& block) {
+    if (!grammar::is_blank(block)) return false;
+    std::string action;
+    if (lexer_.is_ngc()) write_comment_action(block, action);
+    return action.empty();
+}
+
+/// Every statement stands in a function; a subroutine brings its own.
+void LuaWriter::begin_function(const Block& block) {
+    if (block.kind != BlockKind::flow || block.flow != grammar::Flow::sub) parts_.begin_rest(code_);
+}
+
+/// A subroutine is a function of its own, so that it can be called from above.
+void LuaWriter::open_sub(const Block& block) {
+    if (parts_.open()) parts_.end(code_);
+    const std::string name = oword_name(block);
+    const auto [first, is_new] = subs_.try_emplace(name, block.text->at(block.flow_column));
+    if (!is_new) {
+        lexer_.fail(block.flow_column,
+                    fmt::format("the subroutine o{} stands twice in this file, first in line {}",
+                                block.text->view(block.text->program), first->second.line));
+    }
+    parts_.begin_sub(name, code_);
+}
+
+void LuaWriter::write_flow(const Block& block) {
+    flow_.add_weight(kInstructionsPerTest * (1 + block.arguments.size()));
+    if (block.flow == grammar::Flow::sub && !oword_flow_.open()) open_sub(block);
+    const bool inside = oword_flow_.inside_sub();
+    oword_flow_.write(block, flow_.weight(), code_);
+    if (inside && !oword_flow_.inside_sub()) {
+        parts_.end(code_);
+        if (main_ended_) lexer_.end_main_program();
+    }
+    plan_.put_off_unknown(oword_flow_.inside_sub() ? &put_off_ : nullptr);
 }
 
 void LuaWriter::close_program() {
     flow_.end_program();
     oword_flow_.end_program();
+    if (!parts_.open()) return;
     if (flow_.computed()) write_dispatcher();
-    map_.back().body_end = written_ + code_.size();
-    if (flow_.has_jumps()) map_.back().cuts.clear();
-    code_ += code_.empty() ? "end)" : " end)";
-    in_program_ = false;
+    if (flow_.has_jumps()) parts_.forbid_cuts();
+    parts_.end(code_);
 }
 
 void LuaWriter::check_skip(const Block& block) {
@@ -166,9 +187,9 @@ void LuaWriter::check_skip(const Block& block) {
 void LuaWriter::write_block(const Block& block) {
     check_skip(block);
     if (block.has_program) open_program(block);
-    if (!in_program_) {
-        if (grammar::is_blank(block)) return;
-        start_function("nil");
+    if (!parts_.open()) {
+        if (says_nothing(block)) return;
+        begin_function(block);
     }
     const bool label =
         block.sequence && flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
@@ -194,7 +215,7 @@ void LuaWriter::write_statements(const Block& block) {
     const std::size_t body = code_.size();
     flow_.add_weight(block.nodes.size() * kInstructionsPerNode +
                      (block.skip_level > 0 ? kInstructionsPerTest : 0));
-    if (lexer_.is_ngc()) write_comment_action(block);
+    if (lexer_.is_ngc()) write_comment_action(block, code_);
     write_body(block);
     if (block.skip_level == 0) return;
     if (code_.size() == body) {
@@ -218,11 +239,11 @@ int LuaWriter::levels_around(const Block& block) {
 }
 
 /// Of several comments the last one in ( ) may act; a remark behind ';' does not.
-void LuaWriter::write_comment_action(const Block& block) {
+void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
     if (count == 0) return;
-    if (const auto error = write_active_comment(block.text->view(comments[count - 1]), code_))
+    if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
         lexer_.fail(1, *error);
 }
 
@@ -261,11 +282,7 @@ void LuaWriter::write_body(const Block& block) {
         case BlockKind::print:
             if (const auto error = write_print(block, code_)) lexer_.fail(1, *error);
             return;
-        case BlockKind::flow:
-            flow_.add_weight(kInstructionsPerTest * (1 + block.arguments.size()));
-            oword_flow_.write(block, flow_.weight(), code_);
-            plan_.put_off_unknown(oword_flow_.inside_sub() ? &put_off_ : nullptr);
-            return;
+        case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;
     }
 }
@@ -315,8 +332,10 @@ void LuaWriter::write_words(const Block& block) {
                    !write_goto_of_return(block, call)) {
             write_call(block, plan_, call, code_);
         }
-        if (ends_program(call) && lexer_.is_ngc() && !oword_flow_.open() && block.skip_level == 0)
+        if (ends_program(call) && lexer_.is_ngc() && !oword_flow_.open() && block.skip_level == 0) {
+            main_ended_ = true;
             lexer_.end_main_program();
+        }
     }
 }
 
@@ -347,18 +366,12 @@ void LuaWriter::end_line() {
     }
     code_ += '\n';
     spool_.write(code_);
-    written_ += code_.size();
+    parts_.end_line(code_.size(), !flow_.in_loop() && !oword_flow_.open());
     code_.clear();
-    ++lua_line_;
-    if (in_program_ && !flow_.in_loop() && !oword_flow_.open() &&
-        lua_line_ - last_cut_line_ >= kLinesBetweenCuts) {
-        map_.back().cuts.push_back({written_, lua_line_});
-        last_cut_line_ = lua_line_;
-    }
 }
 
 void LuaWriter::end_file() {
-    if (in_program_) close_program();
+    close_program();
     if (!code_.empty() || !comment_.empty()) end_line();
     unknown_.report(diagnostics_, plan_.dialect().title(), "it is left out, a G code with all of its block");
     put_off_.report(diagnostics_, plan_.dialect().title(),

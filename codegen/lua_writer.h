@@ -12,7 +12,7 @@
 #include "codegen/jump_scan.h"
 #include "codegen/lua_spool.h"
 #include "codegen/oword_flow.h"
-#include "codegen/program_map.h"
+#include "codegen/part_writer.h"
 #include "grammar/parser.h"
 
 namespace gsim::codegen {
@@ -35,16 +35,16 @@ class LuaWriter : public grammar::BlockSink {
     /// Closes the last program; after all blocks. Reports calls of programs that are not in the file.
     void end_file();
 
-    const ProgramMap& map() const { return map_; }
+    const ProgramMap& map() const { return parts_.map(); }
     /// Lines written so far.
-    std::uint32_t lua_lines() const { return lua_line_ - 1; }
+    std::uint32_t lua_lines() const { return parts_.line_number() - 1; }
 
   private:
     void write_block(const grammar::Block& block);
     void note_bad_block(const grammar::Block& block);
     void write_statements(const grammar::Block& block);
     int levels_around(const grammar::Block& block);
-    void write_comment_action(const grammar::Block& block);
+    void write_comment_action(const grammar::Block& block, std::string& out);
     void write_body(const grammar::Block& block);
     void write_content(const grammar::Block& block);
     void write_words(const grammar::Block& block);
@@ -55,7 +55,10 @@ class LuaWriter : public grammar::BlockSink {
     void write_goto(const grammar::Block& block);
     void note_call(const grammar::Block& block, const Call& call);
     void open_program(const grammar::Block& block);
-    void start_function(const std::string& name);
+    bool says_nothing(const grammar::Block& block);
+    void begin_function(const grammar::Block& block);
+    void write_flow(const grammar::Block& block);
+    void open_sub(const grammar::Block& block);
     void close_program();
     void write_dispatcher();
     void add_comment(const grammar::Block& block);
@@ -72,16 +75,14 @@ class LuaWriter : public grammar::BlockSink {
     BlockPlan plan_;
     ControlFlow flow_;
     OWordFlow oword_flow_;
-    ProgramMap map_;
+    PartWriter parts_;
     std::string code_;
     std::string comment_;
-    std::uint64_t written_ = 0;   ///< Bytes in the spool.
-    std::uint32_t lua_line_ = 1;  ///< Number of the line in the buffers.
-    std::uint32_t last_cut_line_ = 0;
     std::size_t next_ordinal_ = 0;
-    bool in_program_ = false;
+    bool main_ended_ = false;  ///< By M2 or M30: subroutines may follow, and nothing else.
     int bare_labels_ = 0;  ///< Labels since the last statement.
     std::set<std::string> defined_;
+    std::map<std::string, lexer::Location> subs_;  ///< By name as Lua has it.
     std::map<std::uint32_t, lexer::Location> called_;
 };
 

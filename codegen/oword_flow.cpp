@@ -38,19 +38,20 @@ std::string_view name_of(const Block& block) {
     return block.text->view(block.text->program);
 }
 
-/// The name of a subroutine as Lua has it: a number, or a quoted text.
-void write_name(std::string_view name, std::string& out) {
-    const bool number = name.find_first_not_of("0123456789") == std::string_view::npos && name.size() <= 9;
-    if (!number) return write_lua_string(name, out);
-    const std::size_t first = std::min(name.find_first_not_of('0'), name.size() - 1);
-    out += name.substr(first);
-}
-
 bool is_loop(Flow flow) {
     return flow == Flow::while_ || flow == Flow::do_ || flow == Flow::repeat;
 }
 
 }  // namespace
+
+std::string oword_name(const Block& block) {
+    const std::string_view name = name_of(block);
+    const bool number = name.find_first_not_of("0123456789") == std::string_view::npos && name.size() <= 9;
+    if (number) return std::string(name.substr(std::min(name.find_first_not_of('0'), name.size() - 1)));
+    std::string quoted;
+    write_lua_string(name, quoted);
+    return quoted;
+}
 
 void OWordFlow::fail(const Block& block, const std::string& message) {
     if (!lost_) diagnostics_.error(block.text->at(block.flow_column), message);
@@ -84,11 +85,7 @@ void OWordFlow::open_structure(const Block& block, std::string& out) {
         fail(block, "a subroutine cannot begin inside of another one or of a control structure");
     if (levels() + levels_of(block.flow) > kMaxLevels) fail(block, "O-words are nested too deep for Lua");
     switch (block.flow) {
-        case Flow::sub:
-            out += "sub(";
-            write_name(name_of(block), out);
-            out += ", function() ";
-            break;
+        case Flow::sub: break;
         case Flow::if_:
             out += "if ";
             write_condition(block, block.arguments[0], out);
@@ -140,7 +137,7 @@ void OWordFlow::check_length(const Structure& structure, const lexer::Location& 
 
 void OWordFlow::write_end(const Structure& structure, std::string& out) const {
     if (structure.continued) fmt::format_to(std::back_inserter(out), "::continue_{}:: ", structure.id);
-    out += structure.kind == Flow::sub ? "end) " : "end ";
+    if (structure.kind != Flow::sub) out += "end ";
     if (structure.left) fmt::format_to(std::back_inserter(out), "::break_{}:: ", structure.id);
 }
 
@@ -211,7 +208,7 @@ void OWordFlow::write_call(const Block& block, std::string& out) const {
     if (block.flow_node >= 0) {
         write_number(block, block.flow_node, out);
     } else {
-        write_name(name_of(block), out);
+        out += oword_name(block);
     }
     for (const std::int32_t argument : block.arguments) {
         out += ", ";

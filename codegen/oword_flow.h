@@ -10,14 +10,17 @@
 
 namespace gsim::codegen {
 
+/// The name in the O-word of a block as Lua has it: a number, or a quoted text.
+std::string oword_name(const grammar::Block& block);
+
 /// The O-words of RS274/NGC as control structures of Lua. They nest by their names (o100 if .. o100 endif);
 /// what does not fit is reported where it stands.
 class OWordFlow {
   public:
     explicit OWordFlow(lexer::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-    /// Appends the Lua of a block of BlockKind::flow and a blank. `weight`: instructions of Lua before it in
-    /// its program, as an upper bound.
+    /// Appends the Lua of a block of BlockKind::flow and a blank; the function around a subroutine's body is
+    /// the caller's to write. `weight`: instructions of Lua before it in its program, as an upper bound.
     void write(const grammar::Block& block, std::uint64_t weight, std::string& out);
     /// A block with an O-word could not be understood: what is open is not certain any more, and no error of
     /// nesting is reported in this program.

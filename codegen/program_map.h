@@ -12,17 +12,19 @@ struct Cut {
     std::uint32_t line;  ///< Of the Lua, from 1.
 };
 
-/// Where one program stands in the Lua that was written: the body of its function, and places at which the
-/// body may be taken apart, since no loop is open there and nothing jumps across.
+/// One of the functions that a file of Lua consists of: a program, a subroutine, or the rest of a program
+/// behind a subroutine. Its body may be taken apart at the cuts, since no loop is open there and nothing
+/// jumps across.
 struct ProgramPart {
-    std::string name;  ///< As in `program(NAME, ...`: a number, a quoted text, or nil.
+    std::string
+        head;  ///< The call that takes the function, up to it: `program(12, `, `sub("drill", `, `more(`.
     std::uint64_t body_begin = 0;
     std::uint64_t body_end = 0;
     std::uint32_t first_line = 0;
     std::vector<Cut> cuts;  ///< Ascending; none where the program has jumps.
 };
 
-/// The programs of one translation in their order.
+/// The parts of one translation in their order.
 using ProgramMap = std::vector<ProgramPart>;
 
 }  // namespace gsim::codegen

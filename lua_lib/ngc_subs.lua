@@ -1,4 +1,4 @@
--- RS274/NGC: O-word subroutines. `sub(100, function() ... end)` defines one as the program comes by,
+-- RS274/NGC: O-word subroutines. `sub(100, function() ... end)` defines one when the file is loaded,
 -- `call(100, 1.5, 2)` calls it with #1 = 1.5 and #2 = 2.
 
 local MAX_DEPTH = 9
@@ -23,25 +23,9 @@ function env.sub(name, body)
   subs[key] = { body = body, place = place }
 end
 
--- A file beside is run for what it defines only: its end ends it, not the run.
-local AT_ITS_END = {}
-local function stop_here() error(AT_ITS_END) end
-
-local function run_definitions(body)
-  local m2, m30 = env.M2, env.M30
-  env.M2, env.M30 = stop_here, stop_here
-  local done, reason = pcall(body)
-  env.M2, env.M30 = m2, m30
-  if not done and reason ~= AT_ITS_END then error(reason, 0) end
-end
-
 local function find(key)
-  if subs[key] == nil then
-    local found, body = load_definitions(key)
-    if found and body then run_definitions(body) end
-  end
-  return subs[key]
-    or alarm("%s call: there is no such subroutine, neither above this line nor in a file beside this one", shown(key))
+  if subs[key] == nil then load_file(key) end
+  return subs[key] or alarm("%s call: there is no such subroutine, neither in this file nor in a file beside it", shown(key))
 end
 
 -- Begins a call: named parameters are new, and so are #1 to #30 where arguments are given (without them the

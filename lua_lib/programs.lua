@@ -6,11 +6,26 @@ local TO_START = "M99"   -- what a program returns where it ends in M99
 
 local programs = {}
 local first
+local parts   -- of the program that was defined last
 
 -- program(number or nil, function): a program of this file; the first one of the file runs once the file is loaded.
 function env.program(name, body)
-  first = first or body
-  if name ~= nil then programs[name] = body end
+  local own = { body }
+  parts = own
+  local function run()
+    for _, part in ipairs(own) do
+      local ended = part()
+      if ended ~= nil then return ended end
+    end
+  end
+  first = first or run
+  if name ~= nil then programs[name] = run end
+end
+
+-- more(function): that program goes on, behind the definition of a subroutine.
+function env.more(body)
+  if parts == nil then alarm("more() goes on with a program, and none has begun") end
+  parts[#parts + 1] = body
 end
 
 -- M99 in the main program goes back to its start, for as long as the limits of the run allow; a pass in which no
@@ -29,13 +44,20 @@ function run_first()
   path.flush()
 end
 
+-- Loads a file beside this one, for a number or a name: whether there is one, and its first program or nil.
+function load_file(name)
+  local outer, outer_parts = first, parts
+  first = nil
+  local found = core.load_program(name)
+  local body = first
+  first, parts = outer, outer_parts
+  return found, body
+end
+
 -- The program of a file beside this one: the one with that number, or the first of the file.
 local function load_beside(number)
-  local outer = first
-  first = nil
-  local found = core.load_program(number)
-  local body = programs[number] or first
-  first = outer
+  local found, body = load_file(number)
+  body = programs[number] or body
   programs[number] = found and body or nil
   return programs[number]
 end
@@ -44,16 +66,6 @@ end
 function find_program(number)
   return programs[number] or load_beside(number)
     or alarm("there is no program O%d, neither in this file nor beside it", number)
-end
-
--- The first program of a file that is loaded for what it defines, or nil.
-function load_definitions(name)
-  local outer = first
-  first = nil
-  local found = core.load_program(name)
-  local body = first
-  first = outer
-  return found, body
 end
 
 local function whole(value, name)

@@ -1,6 +1,5 @@
 #include "runtime/script/engine.h"
 
-#include <charconv>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -16,19 +15,6 @@ namespace {
 
 void push_reference(lua_State* state, int reference) {
     lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
-}
-
-/// Pushes the value of a program's name as the translator writes it: 12, "PART7" with its quotes, or nil.
-void push_name(lua_State* state, const std::string& name) {
-    if (name == "nil") {
-        lua_pushnil(state);
-    } else if (name.size() >= 2 && name.front() == '"') {
-        lua_pushlstring(state, name.data() + 1, name.size() - 2);
-    } else {
-        lua_Integer number = 0;
-        std::from_chars(name.data(), name.data() + name.size(), number);
-        lua_pushinteger(state, number);
-    }
 }
 
 /// Compiles a text and gives it the environment at `environment`; leaves the function on the stack, or
@@ -247,29 +233,33 @@ void Engine::call_library(const char* function) {
     lua_pop(state, 1);
 }
 
-/// Loads a script: its programs are registered, its other statements run.
+/// Loads a script: its functions are registered, its other statements run.
 void Engine::load_script(Script script) {
     lua_State* state = lua_.get();
     loaded_.push_back(std::make_unique<Loaded>());
     Loaded& loaded = *loaded_.back();
     loaded.script = std::move(script);
     loaded.file = simulator_.add_file(loaded.script.file_name);
-    if (loaded.script.programs.empty()) {
+    if (loaded.script.functions.empty()) {
         compile(loaded, {0, loaded.script.size, 1});
         lua_call(state, 0, 0);
         return;
     }
-    for (std::size_t i = 0; i < loaded.script.programs.size(); ++i) {
-        push_reference(state, environment_);
-        lua_getfield(state, -1, "program");
-        push_name(state, loaded.script.programs[i].name);
-        lua_pushlightuserdata(state, this);
-        lua_pushlightuserdata(state, &loaded);
-        lua_pushinteger(state, static_cast<lua_Integer>(i));
-        lua_pushcclosure(state, trampoline<program_body>, 3);
-        lua_call(state, 2, 0);
-        lua_pop(state, 1);
-    }
+    for (std::size_t i = 0; i < loaded.script.functions.size(); ++i) register_function(loaded, i);
+}
+
+/// Calls what the script would call with this function, `program(12, ...)` say, with one that compiles its
+/// pieces.
+void Engine::register_function(Loaded& loaded, std::size_t index) {
+    lua_State* state = lua_.get();
+    const ScriptFunction& function = loaded.script.functions[index];
+    const std::int64_t line = loaded.script.line_difference + function.chunks.front().line;
+    load_text(state, function.head + "...)", places_.add({loaded.file, line - 1}).c_str(), environment_);
+    lua_pushlightuserdata(state, this);
+    lua_pushlightuserdata(state, &loaded);
+    lua_pushinteger(state, static_cast<lua_Integer>(index));
+    lua_pushcclosure(state, trampoline<function_body>, 3);
+    lua_call(state, 1, 0);
 }
 
 /// Compiles one stretch of a script; the function is left on the stack.
@@ -279,14 +269,14 @@ void Engine::compile(Loaded& loaded, const ScriptChunk& chunk) {
     load_text(lua_.get(), loaded.script.read(chunk.begin, chunk.end), name.c_str(), environment_);
 }
 
-/// The body of a program that runs in pieces; upvalues: engine, script, number of the program in it.
-int Engine::program_body(lua_State* state) {
+/// The body of a function that runs in pieces; upvalues: engine, script, number of the function in it.
+int Engine::function_body(lua_State* state) {
     Engine& engine = bound<Engine>(state);
     auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
-    const auto program = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
-    const std::vector<ScriptChunk>& chunks = loaded.script.programs[program].chunks;
+    const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
+    const std::vector<ScriptChunk>& chunks = loaded.script.functions[index].chunks;
     if (chunks.size() == 1) {  // a subprogram, likely called again: compiled once
-        const auto [place, is_new] = loaded.compiled.try_emplace(program, LUA_NOREF);
+        const auto [place, is_new] = loaded.compiled.try_emplace(index, LUA_NOREF);
         if (is_new) {
             engine.compile(loaded, chunks.front());
             place->second = luaL_ref(state, LUA_REGISTRYINDEX);

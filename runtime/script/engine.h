@@ -24,14 +24,14 @@ struct ScriptChunk {
     std::uint32_t line = 1;  ///< Line of the Lua on which it begins.
 };
 
-/// One program of a long script, to be run chunk by chunk.
-struct ScriptProgram {
-    std::string name;  ///< A Lua literal: number, quoted text, or nil.
+/// One function of a long script, to be run chunk by chunk.
+struct ScriptFunction {
+    std::string head;  ///< The call in Lua that takes it, up to it: `program(12, `.
     std::vector<ScriptChunk> chunks;
 };
 
-/// The Lua that is run, as a whole or, where `programs` is not empty, in pieces, so that memory does not grow
-/// with it. `read` gives bytes [begin, end) of it.
+/// The Lua that is run, as a whole or, where `functions` is not empty, in pieces, so that memory does not
+/// grow with it. `read` gives bytes [begin, end) of it.
 struct Script {
     std::string dialect = "ab9";  ///< Whose words it calls: "ab9" or "rs274ngc".
     std::string file_name;  ///< For places: of the G-code where lines are known to match, else of the Lua.
@@ -39,7 +39,7 @@ struct Script {
         0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
     std::uint64_t size = 0;
     std::function<std::string(std::uint64_t begin, std::uint64_t end)> read;
-    std::vector<ScriptProgram> programs;
+    std::vector<ScriptFunction> functions;
 
     static Script from_text(std::string text, std::string file_name, std::int64_t line_difference);
 };
@@ -78,7 +78,7 @@ class Engine {
         Script script;
         std::uint32_t file = 0;
         std::map<std::uint64_t, std::string> chunk_names;  ///< By where the chunk begins, once compiled.
-        std::map<std::size_t, int> compiled;               ///< By program: the function of its only chunk.
+        std::map<std::size_t, int> compiled;               ///< By function: what its only chunk became.
     };
 
     int call_protected(void (*work)(Engine&));
@@ -95,7 +95,8 @@ class Engine {
 
     static int do_work(lua_State* state);
     static int handle_error(lua_State* state);
-    static int program_body(lua_State* state);
+    void register_function(Loaded& loaded, std::size_t index);
+    static int function_body(lua_State* state);
     static int include_file(lua_State* state);
     static int load_program(lua_State* state);
     static int require_gsim(lua_State* state);

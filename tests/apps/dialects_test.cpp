@@ -56,6 +56,16 @@ TEST_F(Dialects, UnknownCodesAreLeftOutOnRequestAndCounted) {
     EXPECT_TRUE(holds(e.out, "move{x=2}")) << e.out;
 }
 
+TEST_F(Dialects, SubroutinesOfALongProgramThatRunsInPieces) {
+    std::string part = "g21\no<far> call [3]\no<near> sub\ng0 x[#1 + 0.5]\no<near> endsub\n";
+    for (int i = 0; i < 60000; ++i) part += "g1 y1 f1000\n";
+    part += "o<near> call [8]\nm2\no<far> sub\no<near> call [#1]\ng0 z[1/0]\no<far> endsub\n";
+    write("part.ngc", part);
+    const json r = report({"--dialect", "rs274ngc", "part.ngc"}, 1);
+    EXPECT_EQ(r["alarm"]["line"], 60010);
+    EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 3.5, 1e-9) << "a subroutine called out of another";
+}
+
 TEST_F(Dialects, ASubroutineIsFoundBesideTheProgram) {
     write("part.ngc", "o<hole> call [7]\n(debug, #<_value>)\nm2\n");
     write("hole.ngc", "o<hole> sub\ng0 x#1\no<hole> endsub [#1 * 2]\nm2\n");

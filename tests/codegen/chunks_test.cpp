@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/codegen/lua_compiler.h"
@@ -16,11 +17,11 @@ struct Mapped {
     std::string lua;
 };
 
-Mapped mapped(const std::string& gcode) {
+Mapped mapped(const std::string& gcode, const TranslateOptions& options = {}) {
     lexer::Source source = lexer::Source::from_text(gcode, "t");
     LuaSpool spool;
     Mapped result;
-    result.translation = translate(source, spool, {}, [](std::string_view) {});
+    result.translation = translate(source, spool, options, [](std::string_view) {});
     EXPECT_TRUE(result.translation.ok) << result.translation.first_error;
     result.lua = spool.read(0, spool.size());
     return result;
@@ -45,7 +46,7 @@ std::uint32_t line_of(const std::string& text, std::uint64_t offset) {
 void expect_sound_map(const Mapped& whole) {
     for (const ProgramPart& part : whole.translation.programs) {
         ASSERT_LE(part.body_begin, part.body_end);
-        EXPECT_EQ(part.first_line, line_of(whole.lua, part.body_begin)) << part.name;
+        EXPECT_EQ(part.first_line, line_of(whole.lua, part.body_begin)) << part.head;
         std::string body;
         for (const std::string& piece : pieces(whole, part)) {
             EXPECT_EQ(compile_error(piece), std::nullopt) << piece.substr(0, 200);
@@ -56,7 +57,7 @@ void expect_sound_map(const Mapped& whole) {
             EXPECT_EQ(whole.lua[cut.offset - 1], '\n');
             EXPECT_EQ(cut.line, line_of(whole.lua, cut.offset));
         }
-        const std::string head = fmt::format("program({}, function()", part.name);
+        const std::string head = part.head + "function()";
         EXPECT_EQ(whole.lua.substr(part.body_begin - head.size(), head.size()), head);
         EXPECT_EQ(whole.lua.substr(whole.lua.find_first_not_of(" \n", part.body_end), 4), "end)");
     }
@@ -65,10 +66,10 @@ void expect_sound_map(const Mapped& whole) {
 TEST(ProgramMap, ProgramsAndTheirBodies) {
     const Mapped whole = mapped("%\nO0001\nX1\nM98 P2\nM2\n%\nO2\nM99\nOPART\nM99\n");
     ASSERT_EQ(whole.translation.programs.size(), 3U);
-    EXPECT_EQ(whole.translation.programs[0].name, "1");
+    EXPECT_EQ(whole.translation.programs[0].head, "program(1, ");
     EXPECT_EQ(whole.translation.programs[0].first_line, 3U);
-    EXPECT_EQ(whole.translation.programs[1].name, "2");
-    EXPECT_EQ(whole.translation.programs[2].name, "\"PART\"");
+    EXPECT_EQ(whole.translation.programs[1].head, "program(2, ");
+    EXPECT_EQ(whole.translation.programs[2].head, "program(\"PART\", ");
     EXPECT_EQ(whole.translation.lua_lines, 12U);
     expect_sound_map(whole);
 }
@@ -76,8 +77,18 @@ TEST(ProgramMap, ProgramsAndTheirBodies) {
 TEST(ProgramMap, WithoutAnOWord) {
     const Mapped whole = mapped("X1\nX2\n");
     ASSERT_EQ(whole.translation.programs.size(), 1U);
-    EXPECT_EQ(whole.translation.programs[0].name, "nil");
+    EXPECT_EQ(whole.translation.programs[0].head, "program(nil, ");
     EXPECT_EQ(whole.translation.programs[0].first_line, 1U);
+    expect_sound_map(whole);
+}
+
+TEST(ProgramMap, SubroutinesAndWhatIsBehindThem) {
+    TranslateOptions options;
+    options.dialect = &grammar::dialect_rs274ngc();
+    const Mapped whole = mapped("X1\no<a> sub\nX2\no<a> endsub\n\no7 sub\no7 endsub\nX3\n", options);
+    std::vector<std::string> heads;
+    for (const ProgramPart& part : whole.translation.programs) heads.push_back(part.head);
+    EXPECT_THAT(heads, testing::ElementsAre("program(nil, ", "sub(\"a\", ", "sub(7, ", "more("));
     expect_sound_map(whole);
 }
 

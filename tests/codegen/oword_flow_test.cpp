@@ -21,14 +21,24 @@ std::string body(const std::string& gcode) {
     return out;
 }
 
-TEST(OWordFlow, Subroutines) {
+TEST(OWordFlow, SubroutinesAreFunctionsOfTheFile) {
     EXPECT_EQ(body("o100 sub\nG0 X#1\no100 endsub\no100 call [1+2] [#5]\n"),
-              "sub(100, function()\nG0{x=v[1]}\nend)\ncall(100, 1.0 + 2.0, v[5])\n");
-    EXPECT_EQ(
-        body("o<A b> sub\no<ab> return [#1]\no<ab> endsub [2]\nO0100 call\n"),
-        "sub(\"ab\", function()\ndo return result(v[1]) end\ndo return result(2.0) end end)\ncall(100)\n");
+              "sub(100, function()\nG0{x=v[1]}\nend)\nprogram(nil, function() call(100, 1.0 + 2.0, v[5])\n");
+    EXPECT_EQ(body("X1\no100 call\nM2\no100 sub\nG0 X#1\no100 endsub\n"),
+              "move{x=1}\ncall(100)\nM2()\nend) sub(100, function()\nG0{x=v[1]}\nend)\n");
+    EXPECT_EQ(body("X1\no1 sub\no1 endsub\n(rest)\nX2\no2 sub\no2 endsub\n(MSG,a)\n"),
+              "move{x=1}\nend) sub(1, function()\nend)\n\nmore(function() move{x=2}\n"
+              "end) sub(2, function()\nend)\nmore(function() MSG(\"a\")\n");
+    EXPECT_EQ(body("o<A b> sub\no<ab> return [#1]\no<ab> endsub [2]\nO0100 call\n"),
+              "sub(\"ab\", function()\ndo return result(v[1]) end\ndo return result(2.0) end end)\n"
+              "program(nil, function() call(100)\n");
     EXPECT_EQ(body("o1 sub\no2 if [#1]\no1 return\no2 endif\no1 endsub\n"),
               "sub(1, function()\nif truth(v[1]) then\ndo return end\nend\nend)\n");
+    EXPECT_EQ(translated_ngc("o1 sub\no1 endsub\no01 sub\no1 endsub\n").messages,
+              "3:1: error: the subroutine o1 stands twice in this file, first in line 1\n");
+}
+
+TEST(OWordFlow, Calls) {
     EXPECT_EQ(body("o[#1+1] call [2]\no#<a> call\n"), "call(v[1] + 1.0, 2.0)\ncall(p.a)\n");
     EXPECT_EQ(body("o1234567890 call\n"), "call(\"1234567890\")\n") << "too long for a number";
     EXPECT_EQ(body("o<100> call\no<1.5> call\n"), "call(100)\ncall(\"1.5\")\n");
@@ -149,10 +159,11 @@ TEST(OWordFlow, ProgramsByNumber) {
 
 TEST(OWordFlow, EndOfTheMainProgram) {
     EXPECT_EQ(body("M2\nnot read @\no1 sub\nX1\no1 endsub\n"),
-              "M2()\n\nsub(1, function()\nmove{x=1}\nend)\n");
+              "M2()\n\nend) sub(1, function()\nmove{x=1}\nend)\n");
     EXPECT_EQ(body("/M2\nX1\n"), "if not skipped(1) then M2() end\nmove{x=1}\n") << "may be left out";
     EXPECT_EQ(body("o1 if [#1]\nM2\no1 endif\nX1\n"), "if truth(v[1]) then\nM2()\nend\nmove{x=1}\n");
-    EXPECT_EQ(body("o1 sub\nM30\no1 endsub\nX1\n"), "sub(1, function()\nM30()\nend)\nmove{x=1}\n");
+    EXPECT_EQ(body("o1 sub\nM30\no1 endsub\nX1\n"),
+              "sub(1, function()\nM30()\nend)\nprogram(nil, function() move{x=1}\n");
 }
 
 struct Kind {

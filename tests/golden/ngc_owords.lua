@@ -1,4 +1,4 @@
-local _ENV = require "gsim.rs274ngc" program(nil, function() -- from ngc_owords.ngc; line n there is line n+1 here; hash 87b5fab84e87e95c
+local _ENV = require "gsim.rs274ngc" -- from ngc_owords.ngc; line n there is line n+1 here; hash 9ccba9c6b75e3231
 sub("drill", function()                                 -- (with a name)
 if (v[1] > 0.0) and (not equal(v[2], 5.0)) then
 G0{x=v[1]}
@@ -21,12 +21,12 @@ repeat
 goto continue_6
 ::continue_6:: until not (POW(v[2], 2.0) < 5.0)
 do return result(p._result) end end)
-call("drill", 1.0 + 2.0, v[5], v[6])
+program(nil, function() call("drill", 1.0 + 2.0, v[5], v[6])
 call(v[1] + 100.0)
-sub(1001, function()
+end) sub(1001, function()
 if not skipped(1) then do return end end
 end)
-call(1001)                                              -- N50
+more(function() call(1001)                              -- N50
 if truth(exists("ab")) then
 M2()
 end

@@ -1,13 +1,13 @@
-local _ENV = require "gsim.rs274ngc" program(nil, function() -- from rosette.ngc; line n there is line n+1 here; hash 64ab35035cf61191
+local _ENV = require "gsim.rs274ngc" program(nil, function() -- from rosette.ngc; line n there is line n+1 here; hash f5f11d3b46378ee2
                                                         -- (Rosette: a circle on a circle, by a subroutine with arguments and a result)
 G94() F(3000) G17() G21() G90()
-sub("petal", function()
+end) sub("petal", function()
                                                         -- (#1 angle in degrees, #2 radius of the circle, #3 radius of the circle on it)
 p.reach = v[2] + v[3] * COS(6.0 * v[1])
 G1{x=p.reach * COS(v[1]), y=p.reach * SIN(v[1])}
 do return result(p.reach) end end)
 
-G0{x=50, y=0, z=5}
+more(function() G0{x=50, y=0, z=5}
 G1{z=-1}
 p.angle = 0.0
 p.longest = 0.0

@@ -102,6 +102,14 @@ TEST(NgcSubroutines, NestToNineLevels) {
     expect_alarm(run_ngc(program + "10]\nM2\n"), 3, {"o1", "9 deep"});
 }
 
+TEST(NgcSubroutines, MayStandBelowTheirCallsAndBehindTheEnd) {
+    EXPECT_EQ(
+        debug_texts(run_ngc("#1=1\no1 call [2]\no1 sub\n(debug,sub #1)\no2 call\no1 endsub\n(debug,main #1)\n"
+                            "o1 call [3]\nM2\no2 sub\n(debug,two)\no2 endsub\nnot read @\n")),
+        "sub 2.000000\ntwo\nmain 1.000000\nsub 3.000000\ntwo\n");
+    expect_alarm(run_ngc("o1 call\nM2\no1 sub\n\n#5=[1/0]\no1 endsub\n"), 5, {"zero"});
+}
+
 TEST(NgcSubroutines, OneThatIsMissingIsNamed) {
     expect_alarm(run_ngc("G21\no<drill> call [1]\nM2\n"), 2, {"o<drill>", "no such subroutine"});
 }

@@ -13,7 +13,7 @@ Script in_pieces(const std::string& gcode, std::size_t lines) {
     const std::string& lua = translation.lua;
     Script script = Script::from_text(lua, "part.nc", -1);
     const std::size_t body_end = lua.rfind("end)");
-    ScriptProgram program{"nil", {}};
+    ScriptFunction program{"program(nil, ", {}};
     std::uint32_t line = 2;
     for (std::size_t at = lua.find('\n') + 1; at < body_end;) {
         ScriptChunk chunk{at, at, line};
@@ -22,7 +22,7 @@ Script in_pieces(const std::string& gcode, std::size_t lines) {
         at = chunk.end;
         program.chunks.push_back(chunk);
     }
-    script.programs.push_back(std::move(program));
+    script.functions.push_back(std::move(program));
     return script;
 }
 
@@ -77,8 +77,8 @@ TEST(Chunks, EndsAndRepeatsComeThrough) {
 TEST(Chunks, SubprogramsAreCalledAgain) {
     Script script = Script::from_text("M98{p=2, l=3}\nM98{p=2}\nG91() G0{x=10.0}\n", "part.nc", 0);
     const std::uint64_t sub = std::string("M98{p=2, l=3}\nM98{p=2}\n").size();
-    script.programs.push_back({"1", {{0, 14, 1}, {14, sub, 2}}});
-    script.programs.push_back({"2", {{sub, script.size, 3}}});
+    script.functions.push_back({"program(1, ", {{0, 14, 1}, {14, sub, 2}}});
+    script.functions.push_back({"program(2, ", {{sub, script.size, 3}}});
     const Outcome r = run_script(std::move(script), {});
     expect_end(r, 40, 0, 0);
     EXPECT_EQ(r.moves[0].info.place.line, 3U);
