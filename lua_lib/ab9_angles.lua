@@ -11,14 +11,8 @@ local function direction_of(degrees) return { math.cos(math.rad(degrees)), math.
 
 -- Where the program stands, in program units.
 local function program_point(p)
-  local position = core.to_program(core.target(nil))
+  local position = program_position()
   return { position[p.first] / state.unit_mm, position[p.second] / state.unit_mm }
-end
-
-local function copied(words)
-  local copy = {}
-  for key, value in pairs(words) do copy[key] = value end
-  return copy
 end
 
 -- One coordinate is given: the other one lies on the line.

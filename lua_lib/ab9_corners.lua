@@ -39,16 +39,6 @@ local function check_plane(move, other_plane, mark)
   end
 end
 
--- The same feed for a part of a move: where a feed is a time, it is that part of the time.
-local function feed_for(move, part)
-  local feed = move.feed
-  if feed == nil or feed.motion_s == nil then return feed end
-  local same = {}
-  for key, value in pairs(feed) do same[key] = value end
-  same.motion_s = feed.motion_s * part
-  return same
-end
-
 -- Values for all axes: those that are not given stay at the start of the move.
 local function all_axes(values, move)
   local all = {}
@@ -74,13 +64,12 @@ local function part_of(move, piece, from, to)
   if left < SAME_MM then return nil end
   from, to = from or piece.from, to or piece.to
   local p = planes[move.plane]
-  local part = {}
-  for key, value in pairs(move) do part[key] = value end
+  local part = copied(move)
   part.start, part.target = all_axes(move.start, move), all_axes(move.target, move)
   part.start[p.first], part.start[p.second] = from[1], from[2]
   part.target[p.first], part.target[p.second] = to[1], to[2]
   if move.arc then part.sweep = left / piece.radius end
-  part.feed = feed_for(move, left / geometry.piece_length(piece))
+  part.feed = feed_of_part(move.feed, left / geometry.piece_length(piece))
   return part
 end
 
@@ -95,7 +84,7 @@ local function corner_move(first, piece, corner)
     move.sweep = geometry.swept_between(corner.from, corner.to, corner.centre, corner.sense)
     size = move.sweep * geometry.length(geometry.minus(corner.from, corner.centre))
   end
-  move.feed = feed_for(first, size / geometry.piece_length(piece))
+  move.feed = feed_of_part(first.feed, size / geometry.piece_length(piece))
   return move
 end
 
@@ -150,12 +139,6 @@ local function uninstall()
   path.remove_filter(filter)
 end
 
-local function start_here()
-  local start = {}
-  for _, axis in ipairs(axes) do start[axis.letter] = core.position(axis.letter) end
-  return start
-end
-
 local function goes_anywhere(move)
   if move.arc then return true end
   for letter, value in pairs(move.target) do
@@ -196,13 +179,13 @@ local function take(move)
 end
 
 function filter:line(target, feed, kind, place)
-  take { start = start_here(), target = target, feed = feed, kind = kind, place = place }
+  take { start = programmed_point(), target = target, feed = feed, kind = kind, place = place }
   uninstall()
 end
 
 function filter:arc(plane, ccw, first, second, sweep, target, feed, place)
   take {
-    start = start_here(), arc = true, plane = plane, ccw = ccw, first = first, second = second, sweep = sweep,
+    start = programmed_point(), arc = true, plane = plane, ccw = ccw, first = first, second = second, sweep = sweep,
     target = target, feed = feed, place = place,
   }
   uninstall()
@@ -238,11 +221,8 @@ end
 
 -- The factor by which scaling changes lengths in a plane.
 local function plane_scale(p, mark)
-  local function image(letter)
-    local x, y, z = core.direction(letter == "x" and 1 or 0, letter == "y" and 1 or 0, letter == "z" and 1 or 0)
-    return math.sqrt(x * x + y * y + z * z)
-  end
-  local a, b = image(p.first), image(p.second)
+  local function factor(letter) return space_between({}, axis_direction(letter)) end
+  local a, b = factor(p.first), factor(p.second)
   if math.abs(a - b) > 1e-9 * a then
     alarm("%s needs both axes of the plane scaled alike, and they are scaled by %.10g and %.10g", mark, a, b)
   end

@@ -26,36 +26,18 @@ end
 
 local function new_value(old, value) return state.incremental and (old or 0) + value or value end
 
--- Calls set(letter, value in mm or deg) for each axis word of G10.
-local function each_axis(words, set)
-  local any = false
-  for key, value in pairs(words) do
-    if key ~= "l" and key ~= "p" then
-      if is_rotary[key] == nil then
-        alarm("G10 takes axis words here; the machine has no axis %s", tostring(key):upper())
-      end
-      if type(value) ~= "number" then alarm("G10: the value of '%s' is no number", key) end
-      set(key, is_rotary[key] and value or value * state.unit_mm)
-      any = true
-    end
-  end
-  if not any then alarm("G10 needs the axis words that it is to set") end
+local function set_axes(words, set)
+  if not each_axis(words, "G10", " l p ", set) then alarm("G10 needs the axis words that it is to set") end
 end
 
--- The offsets of a work coordinate system by its code, as written in machine data.
 function set_work_offset(code, letter, value)
   core.offsets[code] = core.offsets[code] or {}
   core.offsets[code][letter] = value
   apply_offsets()
 end
 
-function work_offset(code, letter)
-  local offsets = core.offsets[code]
-  return offsets and offsets[letter] or 0
-end
-
 local function set_system(code, words)
-  each_axis(words, function(letter, value)
+  set_axes(words, function(letter, value)
     set_work_offset(code, letter, new_value(work_offset(code, letter), value))
   end)
 end
@@ -63,7 +45,7 @@ end
 local function work_system(words)
   local number = whole(words, "p", 0, #systems)
   if number == 0 then
-    each_axis(words, function(letter, value)
+    set_axes(words, function(letter, value)
       set_external_offset(letter, new_value(external_offset(letter), value))
     end)
   else

@@ -5,17 +5,9 @@ local SAME_MM = 1e-6
 local STRAIGHT = 1e-9   -- sine of the angle below which two directions are one
 local TURN = 2 * math.pi
 
-local function minus(a, b) return { a[1] - b[1], a[2] - b[2] } end
-local function plus(a, b, factor) return { a[1] + factor * b[1], a[2] + factor * b[2] } end
-local function length(a) return math.sqrt(a[1] * a[1] + a[2] * a[2]) end
-local function cross(a, b) return a[1] * b[2] - a[2] * b[1] end
-local function dot(a, b) return a[1] * b[1] + a[2] * b[2] end
-local function left_of(a) return { -a[2], a[1] } end
-
-local function unit(a)
-  local size = length(a)
-  return { a[1] / size, a[2] / size }
-end
+local g = comp_geometry
+local minus, plus, length, cross, dot, unit = g.minus, g.plus, g.length, g.cross, g.dot, g.unit
+local function left_of(a) return g.normal(a, 1) end
 
 local function direction_at(piece, point)
   if piece.centre == nil then return unit(minus(piece.to, piece.from)) end

@@ -17,7 +17,7 @@ local function homes(number)
     for _, axis in ipairs(axes) do first[axis.letter] = axis.home end
     return first
   end
-  local stored = core.homes and core.homes[number]
+  local stored = core.homes[number]
   if stored == nil then
     alarm("G30 P%d: home position %d is not defined; machine data defines it, in section HOME", number, number)
   end
@@ -26,7 +26,7 @@ end
 
 -- A target for all axes of which these alone change.
 local function with_others(values)
-  local target = core.target(nil)
+  local target = programmed_point()
   for letter, value in pairs(values) do target[letter] = value end
   return target
 end
@@ -109,12 +109,7 @@ word("G31", function(words)
   local target, named = core.target(words)
   if not named then alarm("G31 needs the axis words of its target") end
   refuse_with_compensation("G31")
-  if move_until_signal ~= nil then
-    move_until_signal(target)
-  else
-    path.line(target, nil, "probe")
-  end
+  move_until_signal(target)
   path.flush()
-  skipped_at = {}
-  for _, axis in ipairs(axes) do skipped_at[axis.letter] = core.machine_position(axis.letter) end
+  skipped_at = machine_point()
 end)

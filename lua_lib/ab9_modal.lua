@@ -75,7 +75,7 @@ local kept_elsewhere = {
     return number and number < 70 and number or 0
   end,
   [9] = function()
-    local number = is_cycle ~= nil and is_cycle(state.motion) and code_number(state.motion)
+    local number = is_cycle(state.motion) and code_number(state.motion)
     return number or 80
   end,
   [12] = function() return modal_macro_code() end,

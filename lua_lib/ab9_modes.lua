@@ -1,20 +1,12 @@
 -- Modes of the path and the spindle, and switches that only the machine itself knows.
 
--- Says once in a run what a mode does not do here.
-local told = {}
-local function tell(code, text)
-  if told[code] then return end
-  told[code] = true
-  core.warn(text)
-end
-
 -- Path modes: each move comes to rest at its end, which is what exact stop asks for.
 local path_mode = 61
 
 local function mode(name, number, text)
   word(name, function()
     path_mode = number
-    if text then tell(name, text) end
+    if text then core.warn(text) end
   end)
 end
 mode("G61", 61)
@@ -53,8 +45,7 @@ end
 -- Before a move to the target: the spindle speed for the middle of it.
 local function adapt(target)
   if surface_mm_min == nil then return end
-  local start = core.target(nil)
-  local from, to = core.to_program(start).x, core.to_program(target).x
+  local from, to = program_position().x, core.to_program(target).x
   turn(rpm_at(math.abs(from + to) / 2))
 end
 

@@ -12,9 +12,11 @@ local scale         -- { factor = {x=,y=,z=}, centre = {x=,y=,z=} in mm } or nil
 local rotation      -- { plane, centre = {letter = mm}, angle_deg, frame } or nil
 local external = {} -- offset of all work coordinate systems, mm (G10 L2 P0)
 
--- A map p -> m*p + shift; `then_do` is the map that follows.
+local function origin() return { x = 0, y = 0, z = 0 } end
+
+-- A map p -> m*p + shift.
 local function identity()
-  return { m = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, shift = { x = 0, y = 0, z = 0 } }
+  return { m = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, shift = origin() }
 end
 
 local function applied(map, p)
@@ -38,12 +40,10 @@ end
 
 -- `map`, then the matrix about the point that `map` makes of the centre.
 local function about(map, matrix, centre)
-  local c = applied(map, centre)
-  local turned = applied({ m = matrix, shift = { x = 0, y = 0, z = 0 } }, c)
-  local s = applied({ m = matrix, shift = { x = 0, y = 0, z = 0 } }, map.shift)
+  local c, s = applied(map, centre), map.shift
   return {
     m = product(matrix, map.m),
-    shift = { x = s.x + c.x - turned.x, y = s.y + c.y - turned.y, z = s.z + c.z - turned.z },
+    shift = applied({ m = matrix, shift = c }, { x = s.x - c.x, y = s.y - c.y, z = s.z - c.z }),
   }
 end
 
@@ -52,7 +52,7 @@ local function diagonal(values)
 end
 
 local function mirrored(map)
-  local signs, centre = { x = 1, y = 1, z = 1 }, { x = 0, y = 0, z = 0 }
+  local signs, centre = { x = 1, y = 1, z = 1 }, origin()
   for letter, at in pairs(mirror) do signs[letter], centre[letter] = -1, at end
   return about(map, diagonal(signs), centre)
 end
@@ -66,7 +66,7 @@ local function rotated(map)
   local m = identity().m
   m[3 * (first - 1) + first], m[3 * (first - 1) + second] = c, -s
   m[3 * (second - 1) + first], m[3 * (second - 1) + second] = s, c
-  local centre = { x = 0, y = 0, z = 0 }
+  local centre = origin()
   for letter, value in pairs(rotation.centre) do centre[letter] = value end
   return about(map, m, centre)
 end
@@ -144,7 +144,7 @@ local function scaling(name, code)
       if words.p == nil and words.i == nil and words.j == nil and words.k == nil then
         alarm("%s needs its factor: P for X, Y and Z alike, or I, J, K for each (bare, it ends scaling)", code)
       end
-      scale = { factor = {}, centre = { x = 0, y = 0, z = 0 } }
+      scale = { factor = {}, centre = origin() }
       for _, letter in ipairs(LETTERS) do scale.factor[letter] = factor_of(words, letter, code) end
       each_length(words, code, function(letter, value) scale.centre[letter] = value end)
     end

@@ -12,22 +12,7 @@ local function range(first, last, what, get, set)
   ranges[#ranges + 1] = { first = first, last = last, what = what, get = get, set = set }
 end
 
-local told = {}
-local function tell(key, text)
-  if told[key] then return end
-  told[key] = true
-  core.warn(text)
-end
-
 -- Lengths and axes ------------------------------------------------------------------------------------------------------
-
-local function in_program_units(letter, value)
-  return is_rotary[letter] and value or value / state.unit_mm
-end
-
-local function in_mm(letter, value)
-  return is_rotary[letter] and value or value * state.unit_mm
-end
 
 local function letter_of(number, index)
   local axis = axes[index + 1]
@@ -46,12 +31,6 @@ local function axis_range(first, what, get, set)
   end)
 end
 
-local function machine_point()
-  local point = {}
-  for _, axis in ipairs(axes) do point[axis.letter] = core.machine_position(axis.letter) end
-  return point
-end
-
 -- Inputs and outputs ----------------------------------------------------------------------------------------------------
 
 local ALL = 32       -- #1032 and #1132: the 32 signals before as one number
@@ -67,7 +46,7 @@ end
 
 local function input_is_on(number)
   if answer == nil then
-    tell(1000, "inputs (#1000 on) are read as 0; a script answers with on_input(function(kind, number) return 1 end)")
+    core.warn("inputs (#1000 on) are read as 0; a script answers with on_input(function(kind, number) return 1 end)")
     return false
   end
   local value = answer("digital", number)
@@ -135,7 +114,7 @@ end)
 range(3003, 3004, "control of single blocks, feed hold and override", function(number) return blocks[number] end,
   function(number, value)
     blocks[number] = value
-    tell(number, ("#%d is set; single blocks, feed hold and overrides do not exist here, so that it changes nothing")
+    core.warn(("#%d is set; single blocks, feed hold and overrides do not exist here, so that it changes nothing")
       :format(number))
   end)
 

@@ -20,15 +20,7 @@ local function tool_end(point)
   return at
 end
 
-local function here()
-  local point = {}
-  for _, letter in ipairs(LETTERS) do
-    if is_rotary[letter] == false then point[letter] = core.machine_position(letter) end
-  end
-  return tool_end(point)
-end
-
--- A target may leave axes out; they stay.
+-- Where a move ends; a target may leave axes out, and they stay.
 local function there(target)
   local point = {}
   for _, letter in ipairs(LETTERS) do
@@ -36,6 +28,8 @@ local function there(target)
   end
   return tool_end(point)
 end
+
+local function here() return there {} end
 
 -- Whether a point is in the zone; its walls belong to it.
 local function within(at)

@@ -115,22 +115,16 @@ local function centre_by_words(words, p, start)
     return { point[p.first], point[p.second] }
   end
   if not state.has_matrix then return { start[1] + first, start[2] + second } end
-  local vector = {}
-  vector.x, vector.y, vector.z = core.direction(
-    p.first == "x" and first or p.second == "x" and second or 0,
-    p.first == "y" and first or p.second == "y" and second or 0,
-    p.first == "z" and first or p.second == "z" and second or 0)
-  return { start[1] + vector[p.first], start[2] + vector[p.second] }
+  local a, b = axis_direction(p.first), axis_direction(p.second)
+  return {
+    start[1] + first * a[p.first] + second * b[p.first],
+    start[2] + first * a[p.second] + second * b[p.second],
+  }
 end
 
 -- Rotation, scaling and mirror image: the factor of the plane's lengths, and whether the sense of turning is kept.
 local function plane_map(p)
-  local function image(letter)
-    local v = {}
-    v.x, v.y, v.z = core.direction(letter == "x" and 1 or 0, letter == "y" and 1 or 0, letter == "z" and 1 or 0)
-    return v
-  end
-  local a, b = image(p.first), image(p.second)
+  local a, b = axis_direction(p.first), axis_direction(p.second)
   local scale = distance(a[p.first], a[p.second])
   local determinant = a[p.first] * b[p.second] - a[p.second] * b[p.first]
   if math.abs(a[p.third]) > 1e-9 or math.abs(b[p.third]) > 1e-9 then
@@ -184,16 +178,8 @@ local function arc(ccw, words)
   path.arc(state.plane, turns_left, centre[1], centre[2], angle, target)
 end
 
-local function define(name, ccw)
-  local meaning = function(words) arc(ccw, words) end
-  local modal = core.word(word_id(), meaning)
-  word(name, function(words)
-    make_modal(name, modal)
-    meaning(words)
-  end)
-end
-define("G2", false)
-define("G3", true)
+modal_word("G2", function(words) arc(false, words) end)
+modal_word("G3", function(words) arc(true, words) end)
 
 -- CIP: through the point I1=, J1=, K1= (or I, J, K), which is absolute or incremental as the end is. The circle
 -- may lie in any plane of space.
@@ -201,12 +187,11 @@ local via_words = { x = { "i1", "i" }, y = { "j1", "j" }, z = { "k1", "k" } }
 
 -- Swept angle of the circle through three points, for inverse time feed.
 local function swept_via(a, m, b)
-  local function side(p, q) return math.sqrt((p.x - q.x) ^ 2 + (p.y - q.y) ^ 2 + (p.z - q.z) ^ 2) end
   local function angle_at(c, opposite, near, far)  -- inscribed angle, law of cosines
     if near == 0 or far == 0 then return 0 end
     return math.acos(math.max(-1, math.min(1, (near * near + far * far - opposite * opposite) / (2 * near * far))))
   end
-  local am, mb, ab = side(a, m), side(m, b), side(a, b)
+  local am, mb, ab = space_between(a, m), space_between(m, b), space_between(a, b)
   return TURN - 2 * angle_at(m, ab, am, mb)
 end
 
@@ -218,15 +203,10 @@ local function through_point(words)
   if next(via) == nil then alarm("CIP needs a point on the way: I1=, J1= or K1=") end
   local middle = core.target(via)
   local target = core.target(words, " i j k i1 j1 k1 ")
-  local start = { x = core.position("x"), y = core.position("y"), z = core.position("z") }
   if path.is_filtered() then
     alarm("CIP is not possible while something watches or shapes the path (compensation, a corner word, a zone)")
   end
-  core.arc_via(middle, target, swept_via(start, middle, target))
+  core.arc_via(middle, target, swept_via(programmed_point(), middle, target))
 end
 
-local cip = core.word(word_id(), through_point)
-word("CIP", function(words)
-  make_modal("CIP", cip)
-  through_point(words)
-end)
+modal_word("CIP", through_point)

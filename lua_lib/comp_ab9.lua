@@ -49,12 +49,17 @@ function ab9:put_circle(item, point)
   end
 end
 
+-- What came after the move that waited.
+function ab9:put_between()
+  for _, other in ipairs(self.between) do self:put_beside(other) end
+  self.between, self.waiting = {}, false
+end
+
 -- Ends the waiting move at that point, and puts out what came after it.
 function ab9:finish(point)
   local item = self.before
   if item.kind == "arc" then self:put_circle(item, point) else self:put_line(item, point) end
-  for _, other in ipairs(self.between) do self:put_beside(other) end
-  self.between, self.waiting = {}, false
+  self:put_between()
 end
 
 -- Generated blocks: straight on through these points, at the feed of the move that follows them, while all other axes
@@ -193,8 +198,7 @@ function ab9:interrupt()
   if item then
     if self.waiting and item.kind ~= "arc" then
       self:put_straight(item, item.segment.to)
-      for _, other in ipairs(self.between) do self:put_beside(other) end
-      self.between, self.waiting = {}, false
+      self:put_between()
     else
       self:close()
       if item.kind == "arc" then item.kind = "line" end
@@ -243,12 +247,6 @@ function ab9:take(item)
   item.begin = self.at
   self.before, self.waiting = item, true
 end
-
-function ab9:rapid(target, place) self:take(self:straight("rapid", target, nil, nil, place)) end
-
-function ab9:line(target, feed, kind, place) self:take(self:straight("line", target, feed, kind, place)) end
-
-function ab9:arc(...) self:take(self:circular(...)) end
 
 function ab9:act(f) self:take_other({ kind = "act", f = f }) end
 

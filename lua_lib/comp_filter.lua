@@ -25,19 +25,12 @@ function comp_filter.make(class, fields)
   local filter = setmetatable(fields, class)
   local p = planes[filter.plane]
   filter.first, filter.second = p.first, p.second
-  filter.programmed = {}
-  for _, axis in ipairs(axes) do filter.programmed[axis.letter] = core.position(axis.letter) end
+  filter.programmed = programmed_point()
   filter.at = { core.machine_position(p.first), core.machine_position(p.second) }
   return filter
 end
 
 function comp_filter:point(target) return { target[self.first], target[self.second] } end
-
-local function copied(target)
-  local copy = {}
-  for letter, value in pairs(target) do copy[letter] = value end
-  return copy
-end
 
 function comp_filter:complete(target)
   local all = copied(self.programmed)
@@ -49,12 +42,6 @@ end
 local function at_programmed_speed(feed, length_mm)
   if not feed.motion_s or length_mm == 0 then return feed end
   return core.feed_mm_min(math.max(length_mm / feed.motion_s * 60, SLOWEST * state.unit_mm))
-end
-
-local function space_between(a, b)
-  local sum = 0
-  for _, letter in ipairs { "x", "y", "z" } do sum = sum + ((b[letter] or 0) - (a[letter] or 0)) ^ 2 end
-  return math.sqrt(sum)
 end
 
 -- A straight move as an item. Only moves in the plane get a segment.
@@ -90,6 +77,11 @@ function comp_filter:circular(plane, ccw, first, second, sweep_rad, target, feed
   self.programmed = item.target
   return item
 end
+
+-- Moves as they come: take(item) of the class holds each until what follows is known.
+function comp_filter:rapid(target, place) self:take(self:straight("rapid", target, nil, nil, place)) end
+function comp_filter:line(target, feed, kind, place) self:take(self:straight("line", target, feed, kind, place)) end
+function comp_filter:arc(...) self:take(self:circular(...)) end
 
 -- How far the tool's own zero point lies from the middle of its edge radius: nowhere, except on a lathe.
 comp_filter.origin = { 0, 0 }

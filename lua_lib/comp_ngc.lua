@@ -210,12 +210,6 @@ function ngc:take(item)
   self.queue[#self.queue + 1] = item
 end
 
-function ngc:rapid(target, place) self:take(self:straight("rapid", target, nil, nil, place)) end
-
-function ngc:line(target, feed, kind, place) self:take(self:straight("line", target, feed, kind, place)) end
-
-function ngc:arc(...) self:take(self:circular(...)) end
-
 function ngc:act(f)
   local item = { kind = "act", f = f }
   if #self.queue == 0 then self:put(item) else self.queue[#self.queue + 1] = item end

@@ -5,11 +5,12 @@
 --   G10 L2, L20 of the system in force   G18, G19 (G17 if another plane is in force)
 --   G28, G28.1, G30, G30.1, G53          G33, G33.1, G38.2..5, G5, G5.1, G73, G76, G81..G89
 --   G41, G42, G41.1, G42.1               G43, G43.1, G43.2, G49
---   G52, G92, G54..G59.3                 G61, G61.1, G64, G98, G99
+--   G52, G92, G92.3, G54..G59.3          G61, G61.1, G64, G98, G99
 --   M6, M48..M53, M62..M68               reading #5420..#5428
--- and allows: G4, G20, G21, G90, G91, G90.1, G91.1, G92.1..G92.3, G93..G97, M0, M1, M3..M9, M61, T, S, F.
--- The 9/Series leads the tool out and in again where offsets or work coordinate systems change:
--- interrupt_compensation(name). G10, G27 to G31, G33 and cycles are refused there too.
+-- and allows: G4, G20, G21, G90, G91, G90.1, G91.1, G93..G97, M0, M1, M3..M9, M61, T, S, F. (It allows G92.1 to G92.3
+-- too; here they are refused where they would change the offset, since the tool would be led wrong.)
+-- The 9/Series leads the tool out and in again where offsets or work coordinate systems change. G10, G27 to G31, G33
+-- and cycles are refused there too.
 
 include "comp_geometry"
 include "comp_filter"
@@ -22,42 +23,21 @@ local filter            -- while on with a radius
 local on = false
 local plane             -- in which it was switched on
 
--- True between G41 or G42 and G40. state.compensation is the name of the word that holds, or nil.
-function compensation_on() return on end
-
+-- `state.compensation` is the name of the word that holds between G41 or G42 and G40, else nil.
 function refuse_with_compensation(what)
   if on then alarm("%s is not possible while cutter compensation is on; G40 first", what) end
 end
 
--- A word that leaves the path: refused in rs274ngc; on the 9/Series the last move leads out to its programmed end, and
--- the next one leads in again.
-function interrupt_compensation(what)
-  if ngc then
-    refuse_with_compensation(what)
-  elseif on then
-    filter:interrupt()
-  end
-end
-
 -- rs274ngc: a stop (M0, M1, M60) comes when the tool is at the end of the move before it, whatever corner follows.
 function stop_in_compensation()
-  if ngc and on and filter then filter:flush() end
-end
-
--- A change to this plane: only the one that is in force already.
-function check_plane_with_compensation(name)
-  if on and name ~= plane then refuse_with_compensation("a change of plane") end
+  if on and filter then filter:flush() end
 end
 
 -- True where the program's coordinates are a mirror image of the machine's in this plane: left and right change over.
 function comp_mirrored(name)
   local p = planes[name]
-  local function image(letter)
-    local x, y, z = core.direction(letter == "x" and 1 or 0, letter == "y" and 1 or 0, letter == "z" and 1 or 0)
-    local found = { x = x, y = y, z = z }
-    return { found[p.first], found[p.second] }
-  end
-  return comp_geometry.cross(image(p.first), image(p.second)) < 0
+  local a, b = axis_direction(p.first), axis_direction(p.second)
+  return comp_geometry.cross({ a[p.first], a[p.second] }, { b[p.first], b[p.second] }) < 0
 end
 
 -- --- Tools ---
@@ -201,10 +181,20 @@ end
 local function ab9_words()
   local side, round = 1, false
 
+  -- The last move leads out to its programmed end, and the next one leads in again.
+  local function interrupt()
+    if on then filter:interrupt() end
+  end
+
+  -- A change to this plane: only the one that is in force already.
+  local function check_plane(name)
+    if on and name ~= plane then refuse_with_compensation("a change of plane") end
+  end
+
   local function define_side(name, new_side)
     word(name, function(words)
       words = check_words(words, name, { d = true })
-      if on then check_plane_with_compensation(state.plane) end
+      check_plane(state.plane)
       if words.d ~= nil then
         radius_of(words.d, name)
         state.offset_number_d = words.d
@@ -226,14 +216,14 @@ local function ab9_words()
     end)
   end
 
-  before("G17", function() check_plane_with_compensation("xy") end)
-  before("G18", function() check_plane_with_compensation("zx") end)
-  before("G19", function() check_plane_with_compensation("yz") end)
+  before("G17", function() check_plane("xy") end)
+  before("G18", function() check_plane("zx") end)
+  before("G19", function() check_plane("yz") end)
   for _, name in ipairs { "G52", "G92", "G92_1", "G92_2", "G59_1", "G59_2", "G59_3" } do
-    before(name, interrupt_compensation)
+    before(name, interrupt)
   end
-  for code = 54, 59 do before("G" .. code, interrupt_compensation) end
-  for code = 505, 599 do before("G" .. code, interrupt_compensation) end
+  for code = 54, 59 do before("G" .. code, interrupt) end
+  for code = 505, 599 do before("G" .. code, interrupt) end
 
   define_side("G41", 1)
   define_side("G42", -1)

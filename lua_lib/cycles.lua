@@ -60,9 +60,6 @@ function cycle_repeats(value, letter, name)
   return math.tointeger(value)
 end
 
--- The program coordinates of the programmed point, in mm and deg.
-function program_position() return core.to_program {} end
-
 -- A tool over a plane, moved by the plane's three axes in program coordinates (mm).
 function cycle_tool(plane, start)
   local tool = { start[plane.first], start[plane.second], start[plane.third] }
@@ -111,9 +108,7 @@ function check_cycle_modes(name)
   if state.feed_mode == "inverse" then
     alarm("%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
   end
-  if state.compensation ~= nil then
-    alarm("%s is not possible while cutter compensation is on; G40 first", name)
-  end
+  refuse_with_compensation(name)
 end
 
 include(core.dialect == "rs274ngc" and "cycles_ngc" or "cycles_ab9")

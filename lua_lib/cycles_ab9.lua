@@ -25,17 +25,6 @@ local function each_peck(hole, name, retract, reach)
   end
 end
 
-function strokes.G73(tool, hole)
-  each_peck(hole, "G73", CHIP_BREAK_RETRACT_MM, function(depth, back)
-    tool.feed(depth)
-    dwell(hole)
-    tool.rapid(back)
-  end)
-  tool.feed(hole.bottom)
-  dwell(hole)
-  tool.rapid(hole.clear)
-end
-
 function strokes.G81(tool, hole)
   tool.feed(hole.bottom)
   tool.rapid(hole.clear)
@@ -47,15 +36,22 @@ function strokes.G82(tool, hole)
   tool.rapid(hole.clear)
 end
 
+function strokes.G73(tool, hole)
+  each_peck(hole, "G73", CHIP_BREAK_RETRACT_MM, function(depth, back)
+    tool.feed(depth)
+    dwell(hole)
+    tool.rapid(back)
+  end)
+  strokes.G82(tool, hole)
+end
+
 function strokes.G83(tool, hole)
   each_peck(hole, "G83", PECK_CLEARANCE_MM, function(depth, back)
     tool.feed(depth)
     tool.rapid(hole.r)
     tool.rapid(back)
   end)
-  tool.feed(hole.bottom)
-  dwell(hole)
-  tool.rapid(hole.clear)
+  strokes.G82(tool, hole)
 end
 
 local function tap(tool, hole, forth, back)
@@ -88,36 +84,30 @@ function strokes.G86(tool, hole)
   turn_spindle(direction)
 end
 
--- Fine boring: out of the hole with the tool's point off the wall.
-function strokes.G76(tool, hole)
+-- Along the hole to a level with the tool's point off the wall.
+local function pass_aside(tool, hole, level)
   local direction = state.spindle or "cw"
   local first, second = tool[1], tool[2]
+  orient_spindle()
+  tool.rapid_to(first + hole.shift_first, second + hole.shift_second, tool[3])
+  tool.rapid(level)
+  tool.rapid_to(first, second, level)
+  turn_spindle(direction)
+end
+
+-- Fine boring.
+function strokes.G76(tool, hole)
   tool.feed(hole.bottom)
   dwell(hole)
-  orient_spindle()
-  tool.rapid_to(first + hole.shift_first, second + hole.shift_second, hole.bottom)
-  tool.rapid(hole.clear)
-  tool.rapid_to(first, second, hole.clear)
-  turn_spindle(direction)
+  pass_aside(tool, hole, hole.clear)
 end
 
 -- Back boring: past the wall to R, which lies below, then up to the depth; it always ends at the initial level.
 function strokes.G87(tool, hole)
-  local direction = state.spindle or "cw"
-  local first, second = tool[1], tool[2]
-  local aside_first, aside_second = first + hole.shift_first, second + hole.shift_second
-  orient_spindle()
-  tool.rapid_to(aside_first, aside_second, tool[3])
-  tool.rapid(hole.r)
-  tool.rapid_to(first, second, hole.r)
-  turn_spindle(direction)
+  pass_aside(tool, hole, hole.r)
   tool.feed(hole.bottom)
   dwell(hole)
-  orient_spindle()
-  tool.rapid_to(aside_first, aside_second, hole.bottom)
-  tool.rapid(hole.initial)
-  tool.rapid_to(first, second, hole.initial)
-  turn_spindle(direction)
+  pass_aside(tool, hole, hole.initial)
 end
 
 -- The operator draws the tool out of the hole, at least to R, and starts the program again.

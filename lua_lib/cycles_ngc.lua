@@ -45,8 +45,7 @@ local function peck(hole, name, retract)
     if retract then hole.rapid(hole.r) end
     hole.rapid(depth + CHIP_CLEARANCE_MM / state.unit_mm)
   end
-  hole.feed(hole.bottom)
-  hole.rapid(hole.clear)
+  strokes.G81(hole)
 end
 
 function strokes.G73(hole) peck(hole, "G73", false) end
@@ -165,7 +164,7 @@ local function check_axes(words, name, p)
   if (words.radius ~= nil or words.angle ~= nil) and (state.plane ~= "xy" or words.x ~= nil or words.y ~= nil) then
     alarm("%s takes @ and ^ in the XY plane only, and not beside X or Y", name)
   end
-  if words.spindle ~= nil and words.spindle ~= 0 then alarm("%s: there is no spindle %s", name, words.spindle) end
+  ngc.check_spindle(words, name)
 end
 
 local function number_in(words, letter, name) return cycle_word(words, letter, name) or 0 end
@@ -237,27 +236,7 @@ local function leaves_tool(name)
   return name == "G88" or state.plane ~= "xy" and (name == "G74" or name == "G84")
 end
 
--- A filter of the path until the next move, which leads from where the tool is to where the program means.
-local astray = {}
-local is_astray = false
 local NOWHERE = 0 / 0
-local function move_on(self, method, ...)
-  self.next[method](self.next, ...)
-  is_astray = false
-  path.remove_filter(self)
-end
-function astray:rapid(...) move_on(self, "rapid", ...) end
-function astray:line(...) move_on(self, "line", ...) end
-function astray:arc(...) move_on(self, "arc", ...) end
-function astray:act(...) self.next:act(...) end
-function astray:flush() end
-
-local function stand_elsewhere(program_point)
-  local point = core.to_machine(program_point)
-  is_astray = true
-  path.add_filter(astray)
-  core.set_programmed(point)
-end
 
 local function drill(name, words, before)
   check_table(words, name)
@@ -272,7 +251,7 @@ local function drill(name, words, before)
   if not is_cycle(before) then held.initial = current end
   local hole = { first = snapped(here[p.first] / unit), second = snapped(here[p.second] / unit) }
   local tool = cycle_tool(p, here)
-  if is_astray then tool[3] = NOWHERE end   -- whatever the first stroke, it is a move
+  if path.stands_elsewhere() then tool[3] = NOWHERE end   -- whatever the first stroke, it is a move
   add_strokes(hole, tool)
   current = levels(hole, words, name, p, again, current)
   read_words(hole, words, name, p, again)
@@ -287,7 +266,8 @@ local function drill(name, words, before)
     strokes[name](hole)
   end
   if leaves_tool(name) then
-    stand_elsewhere { [p.first] = hole.first * unit, [p.second] = hole.second * unit, [p.third] = hole.clear * unit }
+    path.go_on_from(core.to_machine {
+      [p.first] = hole.first * unit, [p.second] = hole.second * unit, [p.third] = hole.clear * unit })
   end
 end
 

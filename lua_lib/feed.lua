@@ -1,4 +1,4 @@
--- Feed, feed modes, spindle speed, dwell.
+-- Feed, feed modes, dwell.
 
 word("F", function(value)
   if given(value, "F") then core.set_feed(value) end
@@ -14,12 +14,13 @@ word("G93", feed_mode("inverse"))
 word("G94", feed_mode("minute"))
 word("G95", feed_mode("revolution"))
 
-word("S", function(value)
-  if not given(value, "S") then return end
-  if value < 0 then alarm("S is a speed from 0 on, not %.10g", value) end
-  state.spindle_rpm = value
-  core.set_spindle(value)
-end)
+-- The same feed for a part of a move: where a feed is a time, it is that part of the time.
+function feed_of_part(feed, part)
+  if feed == nil or feed.motion_s == nil then return feed end
+  local same = copied(feed)
+  same.motion_s = feed.motion_s * part
+  return same
+end
 
 word("G4", function(words)
   if type(words) ~= "table" then alarm("G4 takes one of P, X and U, its seconds") end

@@ -16,6 +16,21 @@ function make_modal(name, meaning)
   env.move = meaning
 end
 
+-- A motion that becomes modal, and what `move` then is: the same without the change of mode.
+local function modal_motion(name, meaning)
+  local modal = core.word(word_id(), meaning)
+  local motion = core.word(word_id(), function(words)
+    make_modal(name, modal)
+    meaning(words)
+  end)
+  return motion, modal
+end
+
+-- Defines the word of a motion that is modal.
+function modal_word(name, meaning)
+  env[name] = modal_motion(name, meaning)
+end
+
 core.on_modal_line(function(rapid)
   state.motion = rapid and "G0" or "G1"
   env.move = plain_move[state.motion]
@@ -32,19 +47,9 @@ local function line_in_lua(rapid)
   end
 end
 
-local function shaped_line(name, rapid)
-  local meaning = line_in_lua(rapid)
-  local modal = core.word(word_id(), meaning)
-  local motion = core.word(word_id(), function(words)
-    make_modal(name, modal)
-    meaning(words)
-  end)
-  return motion, modal
-end
-
 local shaped, shaped_move = {}, {}
-shaped.G0, shaped_move.G0 = shaped_line("G0", true)
-shaped.G1, shaped_move.G1 = shaped_line("G1", false)
+shaped.G0, shaped_move.G0 = modal_motion("G0", line_in_lua(true))
+shaped.G1, shaped_move.G1 = modal_motion("G1", line_in_lua(false))
 
 -- Plain lines are C++ as long as nothing shapes them: polar programming, a filter, a modal macro call.
 local reasons = {}

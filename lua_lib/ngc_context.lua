@@ -31,16 +31,10 @@ watch("retract", { "G98", "G99" })
 watch("spindle speed", { "G96", "G97" })
 watch("path", { "G61", "G61_1", "G64" })
 
-local function copy(values)
-  local copied = {}
-  for key, value in pairs(values) do copied[key] = value end
-  return copied
-end
-
 local function keep(automatic)
   ngc.saved_modes = {
     automatic = automatic,
-    active = copy(active), words_of = copy(words_of), overrides = ngc.keep_overrides(), system = ngc.system,
+    active = copied(active), words_of = copied(words_of), overrides = ngc.keep_overrides(), system = ngc.system,
     feed = state.feed, feed_unit_mm = state.feed_unit_mm, speed = state.spindle_word, spindle = state.spindle,
     mist = state.mist, flood = state.flood,
   }

@@ -70,45 +70,20 @@ end
 -- The system's parameters come into force.
 function ngc.load_system(system)
   ngc.system = system
-  state.frame = names[system]
   ngc.set_parameter(NUMBER_OF_SYSTEM, system)
   origin, rotation_deg = ngc.system_data(system)
   apply_offsets()
 end
 
--- What must not happen while cutter compensation is on.
-function ngc.not_in_compensation(what)
-  if compensation_on and compensation_on() then
-    alarm("%s is not possible while cutter compensation is on; end it with G40 first", what)
-  end
-end
-
 for system, name in ipairs(names) do
   word(ngc.system_word(system), function()
-    ngc.not_in_compensation("G" .. name)
+    refuse_with_compensation("G" .. name)
     if system ~= ngc.system then ngc.load_system(system) end
   end)
 end
 
--- Calls set(letter, value in mm or deg) for each axis word; other keys are in `others`, each between blanks. False
--- where no axis is named.
-function ngc.each_axis(words, name, others, set)
-  if type(words) ~= "table" then alarm("%s takes its words in braces: %s{x=1}", name, name) end
-  local any = false
-  for letter, value in pairs(words) do
-    if type(value) ~= "number" then alarm("%s: the value of '%s' is no number", name, tostring(letter)) end
-    if is_rotary[letter] ~= nil then
-      any = true
-      set(letter, ngc.from_program(letter, value))
-    elseif others:find(" " .. tostring(letter) .. " ", 1, true) == nil then
-      ngc.no_axis(letter, value, name)
-    end
-  end
-  return any
-end
-
 -- 0 for an axis that the machine does not have changes nothing.
-function ngc.no_axis(letter, value, name)
+function no_axis(letter, value, name)
   for _, known in ipairs(ngc.letters) do
     if letter == known then
       if value == 0 then return end
@@ -129,9 +104,9 @@ end
 
 -- G92: where the program stands gets the given coordinates.
 word("G92", function(words)
-  ngc.not_in_compensation("G92")
-  local here = core.to_program(ngc.programmed())
-  local any = ngc.each_axis(words, "G92", "", function(letter, value)
+  refuse_with_compensation("G92")
+  local here = program_position()
+  local any = each_axis(words, "G92", "", function(letter, value)
     state.g92[letter] = (state.g92[letter] or 0) + here[letter] - value
   end)
   if not any then alarm("G92 needs axis words") end
@@ -140,15 +115,15 @@ end)
 
 -- G52: the same offset, given as itself.
 word("G52", function(words)
-  ngc.not_in_compensation("G52")
-  if not ngc.each_axis(words, "G52", "", function(letter, value) state.g92[letter] = value end) then
+  refuse_with_compensation("G52")
+  if not each_axis(words, "G52", "", function(letter, value) state.g92[letter] = value end) then
     alarm("G52 needs axis words")
   end
   keep_g92()
 end)
 
 local function drop_g92(name)
-  if next(state.g92) ~= nil then ngc.not_in_compensation(name) end
+  if next(state.g92) ~= nil then refuse_with_compensation(name) end
   state.g92 = {}
   ngc.set_parameter(G92_IN_FORCE, 0)
   apply_offsets()
@@ -161,17 +136,21 @@ end)
 
 word("G92_2", function() drop_g92("G92.2") end)
 
-word("G92_3", function()
-  ngc.not_in_compensation("G92.3")
+local function load_g92()
   for i, letter in ipairs(ngc.letters) do
     state.g92[letter] = ngc.from_stored(letter, env.v[FIRST_G92 + i - 1])
   end
-  ngc.set_parameter(G92_IN_FORCE, 1)
   apply_offsets()
+end
+
+word("G92_3", function()
+  refuse_with_compensation("G92.3")
+  ngc.set_parameter(G92_IN_FORCE, 1)
+  load_g92()
 end)
 
 word("G53", function()
-  ngc.not_in_compensation("G53")
+  refuse_with_compensation("G53")
   if state.incremental then alarm("G53 moves in machine coordinates, which are absolute: it needs G90") end
   core.machine_frame_once()
 end)
@@ -181,3 +160,4 @@ for system, name in ipairs(names) do
   for letter, value in pairs(core.offsets[name] or {}) do ngc.store_origin(system, letter, value) end
 end
 ngc.load_system(1)
+if env.v[G92_IN_FORCE] ~= 0 then load_g92() end   -- kept from the run before

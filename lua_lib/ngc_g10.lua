@@ -18,7 +18,7 @@ local function system_of(words, name)
     alarm("%s needs P from 1 (G54) to %d (G59.3), or 0 for the system in force", name, SYSTEMS)
   end
   if number == 0 then number = ngc.system end
-  if number == ngc.system then ngc.not_in_compensation(name .. " for the system in force") end
+  if number == ngc.system then refuse_with_compensation(name .. " for the system in force") end
   return number
 end
 
@@ -29,14 +29,14 @@ end
 local function set_origin(words)
   not_allowed(words, { "i", "j", "q" }, "G10 L2")
   local system = system_of(words, "G10 L2")
-  ngc.each_axis(words, "G10 L2", " l p r ", function(letter, value) ngc.store_origin(system, letter, value) end)
+  each_axis(words, "G10 L2", " l p r ", function(letter, value) ngc.store_origin(system, letter, value) end)
   if words.r ~= nil then ngc.store_rotation(system, words.r) end
   reload(system)
 end
 
 -- The machine without its tool offset, and the same point in the coordinates of a system.
 local function carriage()
-  local point = ngc.programmed()
+  local point = programmed_point()
   for letter, value in pairs(point) do point[letter] = value - (state.tool_offset[letter] or 0) end
   return point
 end
@@ -56,7 +56,7 @@ local function set_origin_by_position(words)
   local at, degrees = ngc.system_data(system)
   local here = carriage()
   local wanted = in_system(here, at, degrees, state.g92)
-  local any = ngc.each_axis(words, "G10 L20", " l p ", function(letter, value) wanted[letter] = value end)
+  local any = each_axis(words, "G10 L20", " l p ", function(letter, value) wanted[letter] = value end)
   if not any then return end
   for letter, value in pairs(ngc.placed(wanted, {}, degrees, state.g92)) do
     ngc.store_origin(system, letter, here[letter] - value)
@@ -74,7 +74,7 @@ end
 
 -- R, I, J and Q of a tool: radius, front and back angle, orientation.
 local function set_shape(tool, words, name)
-  if words.r ~= nil then tool.diameter = 2 * ngc.from_program("x", words.r) end
+  if words.r ~= nil then tool.diameter = 2 * in_mm("x", words.r) end
   tool.front_angle = words.i or tool.front_angle
   tool.back_angle = words.j or tool.back_angle
   if words.q ~= nil then
@@ -104,7 +104,7 @@ local TOOL_WORDS = " l p r i j q "
 
 local function set_tool(words)
   local tool = tool_of(words, "G10 L1")
-  ngc.each_axis(words, "G10 L1", TOOL_WORDS, function(letter, value) set_tool_offset(tool, letter, value) end)
+  each_axis(words, "G10 L1", TOOL_WORDS, function(letter, value) set_tool_offset(tool, letter, value) end)
   set_shape(tool, words, "G10 L1")
 end
 
@@ -116,7 +116,7 @@ local function set_tool_by_position(name, words, system, g92)
   for letter, value in pairs(here) do here[letter] = value + (state.tool_offset[letter] or 0) end
   local wanted = in_system(carriage(), at, degrees, g92)
   local named = {}
-  ngc.each_axis(words, name, TOOL_WORDS, function(letter, value)
+  each_axis(words, name, TOOL_WORDS, function(letter, value)
     wanted[letter] = value
     named[letter] = true
   end)

@@ -17,7 +17,7 @@ end
 
 -- Only the named axes go on to the stored point, in the directions of the program; all where none is named.
 local function go(words, first)
-  local way, any = ngc.programmed(), false
+  local way, any = programmed_point(), false
   if words ~= nil then way, any = core.target(resolve_words(words)) end
   path.rapid(way)
   local home = stored(first)
@@ -29,20 +29,23 @@ local function go(words, first)
   path.rapid(home)
 end
 
+local homes = {}
+for _, axis in ipairs(axes) do homes[axis.letter] = axis.home end
+
+-- At the start the point is that of the machine file, unless one has been kept from the run before.
 local function define(name, first)
   for i, letter in ipairs(ngc.letters) do
-    for _, axis in ipairs(axes) do
-      if axis.letter == letter then ngc.set_parameter(first + i - 1, ngc.to_stored(letter, axis.home)) end
-    end
+    local number, home = first + i - 1, homes[letter]
+    if home and not core.variables[number] then ngc.set_parameter(number, ngc.to_stored(letter, home)) end
   end
   word(name, function(words)
     check_table(words, name)
-    ngc.not_in_compensation(name)
+    refuse_with_compensation(name)
     go(words, first)
   end)
   word(name .. "_1", function()
-    ngc.not_in_compensation(name .. ".1")
-    store(first, ngc.programmed())
+    refuse_with_compensation(name .. ".1")
+    store(first, programmed_point())
   end)
 end
 define("G28", 5161)

@@ -25,7 +25,7 @@ end
 local function digital(name, on, with_move)
   word(name, function(words)
     check_table(words, name)
-    ngc.not_in_compensation(name)
+    refuse_with_compensation(name)
     local number = number_of(words and words.p, name, "P")
     path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""))
   end)
@@ -38,7 +38,7 @@ digital("M65", false, false)
 local function analog(name, with_move)
   word(name, function(words)
     check_table(words, name)
-    ngc.not_in_compensation(name)
+    refuse_with_compensation(name)
     local number = number_of(words and words.e, name, "E")
     if words.q == nil then alarm("%s needs Q, the value of the output", name) end
     path.event("analog_output", ("E%d %.10g%s"):format(number, words.q, with_move and WITH_MOVE or ""))
@@ -65,7 +65,7 @@ end
 
 word("M66", function(words)
   check_table(words, "M66")
-  ngc.not_in_compensation("M66")
+  refuse_with_compensation("M66")
   local kind, number = input_of(words or {})
   local wait, timeout = ngc.whole(words.l or 0), words.q or 0
   if wait == nil or wait < 0 or wait > LAST_WAIT then alarm("L of M66 is a way to wait, from 0 to %d", LAST_WAIT) end

@@ -10,10 +10,11 @@ state.spindle_word = 0     -- as S was programmed
 core.set_letters_uvw(false)            -- U, V and W are axes or nothing
 core.set_inverse_time_of_arcs(false)   -- 60/F s for a whole arc, as for a line
 
--- There is one spindle, $0; $-1 means all of them.
-function ngc.check_spindle(words, name)
-  local number = words.spindle
-  if number ~= nil and number ~= 0 and number ~= -1 then
+-- There is one spindle, $0; for words that may be for `all` of them $-1 is another name of it.
+function ngc.check_spindle(words, name, all)
+  check_table(words, name)
+  local number = words and words.spindle
+  if number ~= nil and number ~= 0 and not (all and number == -1) then
     alarm("%s: there is one spindle, $0, and no $%.10g", name, number)
   end
 end
@@ -44,7 +45,7 @@ local surface
 -- The speed at the X where it is programmed; the path does not change it afterwards.
 local function surface_rpm()
   if state.spindle_word == 0 then return 0 end
-  local radius_mm = math.abs(core.to_program(ngc.programmed()).x or 0)
+  local radius_mm = math.abs(program_position().x or 0)
   local unit_mm = state.unit_mm == 1 and MM_PER_M or MM_PER_FOOT
   return math.min(surface.most_rpm, state.spindle_word * unit_mm / (2 * math.pi * radius_mm))
 end
@@ -68,9 +69,8 @@ word("S", function(value)
 end)
 
 word("G96", function(words)
-  check_table(words, "G96")
+  ngc.check_spindle(words, "G96", true)
   words = words or {}
-  ngc.check_spindle(words, "G96")
   if words.s then speed(words.s, " of G96") end
   local most = math.abs(words.d or 0)
   surface = { most_rpm = most > 0 and most or math.huge }
@@ -79,23 +79,15 @@ word("G96", function(words)
 end)
 
 word("G97", function(words)
-  check_table(words, "G97")
-  ngc.check_spindle(words or {}, "G97")
+  ngc.check_spindle(words, "G97", true)
   surface = nil
   if words and words.s then speed(words.s, " of G97") end
   set_speed()
 end)
 
--- There is one spindle: $0, or $-1 for all of them.
-local function one_spindle(words, name)
-  check_table(words, name)
-  local number = words and words.spindle
-  if number ~= nil and number ~= 0 and number ~= -1 then alarm("%s $%.10g: there is one spindle, $0", name, number) end
-end
-
 local function spindle(name, direction)
   word(name, function(words)
-    one_spindle(words, name)
+    ngc.check_spindle(words, name, true)
     turn_spindle(direction)
   end)
 end
@@ -106,7 +98,7 @@ spindle("M5", nil)
 local ways = { [0] = "shortest way", [1] = "clockwise", [2] = "counterclockwise" }
 
 word("M19", function(words)
-  one_spindle(words, "M19")
+  ngc.check_spindle(words, "M19", true)
   words = words or {}
   local angle, way = words.r or 0, ways[words.p or 0]
   if angle < 0 or angle > WHOLE_TURN then alarm("R of M19 is an angle from 0 to 360 degrees, not %.10g", angle) end
@@ -137,7 +129,7 @@ end)
 
 for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
   word(name, function()
-    if plane ~= state.plane then ngc.not_in_compensation(name .. ", a change of the plane,") end
+    if plane ~= state.plane then refuse_with_compensation(name .. ", a change of the plane,") end
     state.plane = plane
   end)
 end
@@ -145,13 +137,13 @@ end
 word("G90_1", function() state.arc_absolute = true end)
 word("G91_1", function() state.arc_absolute = false end)
 
-word("G61", function() ngc.not_in_compensation("G61") end)
-word("G61_1", function() ngc.not_in_compensation("G61.1") end)
+word("G61", function() refuse_with_compensation("G61") end)
+word("G61_1", function() refuse_with_compensation("G61.1") end)
 
 -- The tolerances of G64 say how far a path may be rounded; this control keeps to the path, which is within any of them.
 word("G64", function(words)
   check_table(words, "G64")
-  ngc.not_in_compensation("G64")
+  refuse_with_compensation("G64")
   for letter, value in pairs(words or {}) do
     if (letter ~= "p" and letter ~= "q") or type(value) ~= "number" then
       alarm("G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'", tostring(letter))
@@ -168,5 +160,10 @@ for plane, axes_of_plane in pairs { G17_1 = "UV", G18_1 = "WU", G19_1 = "VW" } d
   refused(plane, plane:sub(1, 3) .. ".1", ("arcs and cycles are in XY, ZX and YZ, not in " .. axes_of_plane))
 end
 refused("G8", "G8 (radius mode)", "it is always in force, and G7 is not supported")
+
+-- A code that the translator put off: the subroutine around it is called after all.
+function env.unknown_code(code)
+  alarm("%s is no code of RS274/NGC", code)
+end
 
 end_motion()   -- axis words need a motion of the program's own

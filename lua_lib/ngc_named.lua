@@ -119,14 +119,7 @@ end)
 -- Where the program stands: in its own coordinates, and in those of the machine.
 local function position(letter)
   if is_rotary[letter] == nil then return 0 end
-  return ngc.to_program_unit(letter, core.to_program(ngc.programmed())[letter])
-end
-
--- The programmed point in machine coordinates.
-function ngc.programmed()
-  local point = {}
-  for _, axis in ipairs(axes) do point[axis.letter] = core.position(axis.letter) end
-  return point
+  return in_program_units(letter, program_position()[letter])
 end
 
 local FIRST_POSITION = 5420
@@ -134,10 +127,10 @@ for i, letter in ipairs(ngc.letters) do
   local function here() return position(letter) end
   predefine("_" .. letter, here)
   ngc.compute(FIRST_POSITION + i - 1, function()
-    ngc.not_in_compensation(("reading #%d"):format(FIRST_POSITION + i - 1))
+    refuse_with_compensation(("reading #%d"):format(FIRST_POSITION + i - 1))
     return here()
   end)
   predefine("_abs_" .. letter, function()
-    return is_rotary[letter] ~= nil and ngc.to_program_unit(letter, core.position(letter)) or 0
+    return is_rotary[letter] ~= nil and in_program_units(letter, core.position(letter)) or 0
   end)
 end

@@ -14,7 +14,7 @@ end
 
 for name, on in pairs { M48 = true, M49 = false } do
   word(name, function()
-    ngc.not_in_compensation(name)
+    refuse_with_compensation(name)
     set({ "feed", "speed" }, on)
   end)
 end
@@ -22,9 +22,8 @@ end
 -- With P0 it is off, with another P or none it is on.
 for name, what in pairs { M50 = "feed", M51 = "speed", M52 = "adaptive", M53 = "hold" } do
   word(name, function(words)
-    check_table(words, name)
-    ngc.check_spindle(words or {}, name)
-    ngc.not_in_compensation(name)
+    ngc.check_spindle(words, name, true)
+    refuse_with_compensation(name)
     set({ what }, words == nil or words.p ~= 0)
   end)
 end
@@ -35,14 +34,10 @@ word("M60", function()
 end)
 
 -- For M70 to M73: the state, and its return.
-function ngc.keep_overrides()
-  local kept = {}
-  for name, on in pairs(enabled) do kept[name] = on end
-  return kept
-end
+function ngc.keep_overrides() return copied(enabled) end
 
 function ngc.restore_overrides(kept)
-  for name, on in pairs(kept) do
-    if enabled[name] ~= on then set({ name }, on) end
+  for _, name in ipairs { "feed", "speed", "adaptive", "hold" } do
+    if enabled[name] ~= kept[name] then set({ name }, kept[name]) end
   end
 end

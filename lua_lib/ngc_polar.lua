@@ -8,7 +8,7 @@ core.on_polar(function(words)
   if words.x ~= nil or words.y ~= nil then
     alarm("a target is given by @ and ^ or by X and Y, not by both")
   end
-  local program = core.to_program {}
+  local program = program_position()
   local x, y = program.x / state.unit_mm, program.y / state.unit_mm
   local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
   if radius < SAME_POINT and (state.incremental or words.radius == nil or words.angle == nil) then
@@ -19,15 +19,9 @@ core.on_polar(function(words)
   else
     radius, angle = words.radius or radius, words.angle and math.rad(words.angle) or angle
   end
-  local cartesian = {}
-  for key, value in pairs(words) do cartesian[key] = value end
+  local cartesian = copied(words)
   cartesian.radius, cartesian.angle = nil, nil
   cartesian.x, cartesian.y = radius * math.cos(angle), radius * math.sin(angle)
   if state.incremental then cartesian.x, cartesian.y = cartesian.x - x, cartesian.y - y end
   return cartesian
 end)
-
--- A code that the translator put off: the subroutine around it is called after all.
-function env.unknown_code(code)
-  alarm("%s is no code of RS274/NGC", code)
-end

@@ -5,12 +5,6 @@ local DEFAULT_ORDER = 3
 local MOST_CONTROL_POINTS = 10000
 local AXES = { "x", "y", "z" }
 
--- Time per block (G93) is shared among the chords by their lengths.
-local function shared(feed, part)
-  if feed.motion_s == nil then return feed end
-  return { linear_mm_min = feed.linear_mm_min, rotary_deg_min = feed.rotary_deg_min, motion_s = feed.motion_s * part }
-end
-
 local function on_machine(point)
   local target = {}
   for _, letter in ipairs(AXES) do
@@ -22,13 +16,14 @@ end
 local function put_out(from, ends)
   local lengths, whole, last = {}, 0, from
   for i, point in ipairs(ends) do
-    lengths[i] = splines.distance(last, point)
+    lengths[i] = space_between(last, point)
     whole, last = whole + lengths[i], point
   end
   local feed = core.take_feed()
   for i, point in ipairs(ends) do
     if lengths[i] > SAME_MM then
-      path.line(on_machine(point), shared(feed, lengths[i] / whole), "spline")
+      -- Time per block (G93) is shared among the chords by their lengths.
+      path.line(on_machine(point), feed_of_part(feed, lengths[i] / whole), "spline")
     end
   end
 end
@@ -49,7 +44,7 @@ end
 
 local function check(words, name, letters)
   check_table(words, name)
-  ngc.not_in_compensation(name)
+  refuse_with_compensation(name)
   if state.plane ~= "xy" then alarm("%s is a curve in the XY plane (G17)", name) end
   for letter, value in pairs(words) do
     if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
@@ -59,12 +54,6 @@ local function check(words, name, letters)
   end
 end
 
-local function only_once(name)
-  return core.word(word_id(), function()
-    alarm("%s holds for its own block only; name the motion of these axis words", name)
-  end)
-end
-
 -- Both of `a` and `b`, or neither where that is allowed.
 local function pair(words, a, b, name, optional)
   if words[a] == nil and words[b] == nil and optional then return nil end
@@ -72,31 +61,29 @@ local function pair(words, a, b, name, optional)
   return { words[a], words[b] }
 end
 
-local leaving   -- direction and length in which the last G5 ended, where the next one may go on
+-- G5 and G5.1 hold for their own block; the motion before them stays modal.
+
+local last_g5   -- its end, and how it led there: a next one that begins there goes on in that direction
 
 -- G5: I J lead from the start to the first control point, P Q from the end to the second.
-local after_g5 = only_once("G5")
 word("G5", function(words)
   words = words or {}
   check(words, "G5", " x y i j p q ")
-  local continued = state.motion == "G5" and leaving or { 0, 0 }
-  make_modal("G5", after_g5)
-  local first = pair(words, "i", "j", "G5", true) or continued
+  local start = here()
+  local goes_on = last_g5 ~= nil and space_between(last_g5.point, start) < SAME_MM
+  local first = pair(words, "i", "j", "G5", true) or goes_on and last_g5.lead or { 0, 0 }
   local last = pair(words, "p", "q", "G5")
   local target, named = core.target(words, " i j p q ")
   if not named then alarm("G5 needs X or Y, its end") end
-  local start = here()
   put_out(start, splines.bezier_chords {
     start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target })
-  leaving = { -last[1], -last[2] }
+  last_g5 = { point = target, lead = { -last[1], -last[2] } }
 end)
 
 -- G5.1: I J lead from the start to the only control point between start and end.
-local after_g5_1 = only_once("G5.1")
 word("G5_1", function(words)
   words = words or {}
   check(words, "G5.1", " x y i j ")
-  make_modal("G5.1", after_g5_1)
   local middle = pair(words, "i", "j", "G5.1")
   local target, named = core.target(words, " i j ")
   if not named then alarm("G5.1 needs X or Y, its end") end

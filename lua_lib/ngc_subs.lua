@@ -46,7 +46,6 @@ function leave_call(frame)
   env.p = frame.names
   if frame.numbered then ngc.swap_locals(frame.numbered) end
   core.leave_program()
-  core.leave_program()
   state.depth = state.depth - 1
 end
 

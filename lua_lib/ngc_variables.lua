@@ -23,10 +23,6 @@ end
 function ngc.to_stored(letter, value) return ngc.is_angle(letter) and value or value / ngc.stored_mm end
 function ngc.from_stored(letter, value) return ngc.is_angle(letter) and value or value * ngc.stored_mm end
 
--- Lengths of the program in mm and back, angles as they are.
-function ngc.from_program(letter, value) return ngc.is_angle(letter) and value or value * state.unit_mm end
-function ngc.to_program_unit(letter, value) return ngc.is_angle(letter) and value or value / state.unit_mm end
-
 -- The whole number that a value means, or nil.
 function ngc.whole(value)
   if type(value) ~= "number" or value ~= value then return nil end
@@ -127,7 +123,7 @@ function env.XOR(a, b) return logical((number_of(a) ~= 0) ~= (number_of(b) ~= 0)
 function env.MOD(a, b)
   a, b = number_of(a), math.abs(number_of(b))
   if b == 0 then alarm("MOD by zero") end
-  return finite(a - b * math.floor(a / b), "MOD")
+  return finite(a % b, "MOD")
 end
 
 function env.POW(a, b)

@@ -2,6 +2,7 @@
 -- hands on what it lets through to the next one, and may hold moves back until it knows those that follow.
 
 local SHAPE_BY_FILTER = "a filter of the path"
+local SAME_MM = 1e-9
 
 -- The end of the chain: the machine.
 local machine = {}
@@ -54,6 +55,46 @@ local function moved(target)
   if head ~= machine then core.set_programmed(target) end
   if after_move then after_move() end
 end
+
+-- The machine stands elsewhere than the program takes it to be, until the next move leads it on.
+local elsewhere = {}
+local stands_elsewhere = false
+
+local function lead_on()
+  stands_elsewhere = false
+  path.remove_filter(elsewhere)
+end
+
+function elsewhere:rapid(...)
+  lead_on()
+  self.next:rapid(...)
+end
+
+function elsewhere:line(...)
+  lead_on()
+  self.next:line(...)
+end
+
+-- An arc begins where the program is, as far as its plane goes.
+function elsewhere:arc(plane, ccw, first, second, sweep, target, feed, place)
+  local start, p = programmed_point(), planes[plane]
+  local function apart(letter) return math.abs(start[letter] - core.machine_position(letter)) > SAME_MM end
+  lead_on()
+  if apart(p.first) or apart(p.second) then self.next:rapid(start, place) end
+  self.next:arc(plane, ccw, first, second, sweep, target, feed, place)
+end
+
+function elsewhere:act(f) self.next:act(f) end
+function elsewhere:flush() end
+
+-- The program goes on from `point`, in machine coordinates of all axes, and the machine stays where it is.
+function path.go_on_from(point)
+  stands_elsewhere = true
+  path.add_filter(elsewhere)
+  core.set_programmed(point)
+end
+
+function path.stands_elsewhere() return stands_elsewhere end
 
 function path.rapid(target)
   head:rapid(target, head ~= machine and core.place() or nil)

@@ -19,8 +19,7 @@ function resolve_words(words)
     reach = reach or radius[state.plane]
     radius[state.plane] = reach
   end
-  local resolved = {}
-  for letter, value in pairs(words) do resolved[letter] = value end
+  local resolved = copied(words)
   resolved[p.first] = reach * math.cos(math.rad(angle[state.plane]))
   resolved[p.second] = reach * math.sin(math.rad(angle[state.plane]))
   return resolved

@@ -20,8 +20,6 @@ end
 
 local function place_of(point) return { x = point[1] / point[4], y = point[2] / point[4], z = point[3] / point[4] } end
 
-function splines.distance(a, b) return math.sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2 + (a.z - b.z) ^ 2) end
-
 -- Distance of p from the chord a b.
 local function beside(p, a, b)
   local along, length = 0, 0
@@ -32,7 +30,7 @@ local function beside(p, a, b)
   local part = length > 0 and math.max(0, math.min(1, along / length)) or 0
   local foot = {}
   for _, letter in ipairs(AXES) do foot[letter] = a[letter] + part * (b[letter] - a[letter]) end
-  return splines.distance(p, foot)
+  return space_between(p, foot)
 end
 
 local function is_flat(piece)

@@ -8,7 +8,6 @@ state = {
   g52 = {}, g92 = {},   -- offsets by axis letter, mm or deg
   polar = false,
   motion = "G0",        -- the modal motion: G0, G1, G2, G3 or CIP
-  jet = false,
   feed_mode = "minute", -- or "inverse", "revolution"
   spindle_rpm = 0,
   arc_absolute = false, -- centres of arcs are points, not vectors from the start
@@ -20,6 +19,37 @@ state = {
 axes = core.axes()
 is_rotary = {}
 for _, axis in ipairs(axes) do is_rotary[axis.letter] = axis.rotary end
+
+local function point_of(position)
+  local point = {}
+  for _, axis in ipairs(axes) do point[axis.letter] = position(axis.letter) end
+  return point
+end
+
+-- Where the program stands and where the machine stands, in machine coordinates of all axes. They differ while a filter
+-- of the path moves or holds back moves.
+function programmed_point() return point_of(core.position) end
+function machine_point() return point_of(core.machine_position) end
+
+-- The program coordinates of the programmed point, in mm and deg.
+function program_position() return core.to_program {} end
+
+-- The value of an axis in mm or deg, and in program units.
+function in_mm(letter, value) return is_rotary[letter] and value or value * state.unit_mm end
+function in_program_units(letter, value) return is_rotary[letter] and value or value / state.unit_mm end
+
+-- The direction of a program axis in the machine; with scaling its length is the factor.
+function axis_direction(letter)
+  local x, y, z = core.direction(letter == "x" and 1 or 0, letter == "y" and 1 or 0, letter == "z" and 1 or 0)
+  return { x = x, y = y, z = z }
+end
+
+-- Distance of two points in space; axes that the machine does not have count as 0.
+function space_between(a, b)
+  local sum = 0
+  for _, letter in ipairs { "x", "y", "z" } do sum = sum + ((b[letter] or 0) - (a[letter] or 0)) ^ 2 end
+  return math.sqrt(sum)
+end
 
 local next_id = 0
 
@@ -35,6 +65,12 @@ end
 
 function alarm(text, ...)
   core.alarm(text:format(...))
+end
+
+function copied(values)
+  local copy = {}
+  for key, value in pairs(values) do copy[key] = value end
+  return copy
 end
 
 -- The words of a move, in a table by their letters; nil counts as none.

@@ -21,8 +21,4 @@ local function thread(words)
   path.line(target, thread_feed(lead_mm, "G33"), "thread")
 end
 
-local modal = core.word(word_id(), thread)
-word("G33", function(words)
-  make_modal("G33", modal)
-  thread(words)
-end)
+modal_word("G33", thread)

@@ -6,45 +6,42 @@ local function needed(words, letter, name)
   return value
 end
 
-local function check_spindle(words, name)
-  if words.spindle ~= nil and words.spindle ~= 0 then alarm("%s: there is no spindle %s", name, words.spindle) end
-end
-
 local function check_modes(name)
   if core.in_machine_frame() then alarm("%s cannot be used with G53, which holds for G0 and G1", name) end
-  if state.compensation ~= nil then
-    alarm("%s is not possible while cutter compensation is on; G40 first", name)
-  end
+  refuse_with_compensation(name)
 end
 
-local function axis_words(words, name)
+-- The target; other words that may stand there are in `others`, each between blanks.
+local function axis_words(words, name, others)
   check_table(words, name)
   check_modes(name)
-  local target, moved = core.target(words or {}, " i k spindle ")
+  local target, moved = core.target(words or {}, others)
   if not moved then alarm("%s needs axis words", name) end
-  check_spindle(words, name)
+  ngc.check_spindle(words, name)
   return target
 end
 
+local function refuse_rotary(words, name)
+  for _, axis in ipairs(axes) do
+    if axis.rotary and words[axis.letter] ~= nil then
+      alarm("%s moves linear axes only; %s cannot stand in its block", name, axis.letter:upper())
+    end
+  end
+end
+
 local function thread(words)
-  local target = axis_words(words, "G33")
+  local target = axis_words(words, "G33", " k spindle ")
   path.line(target, thread_feed(needed(words, "k", "G33") * state.unit_mm, "G33"), "thread")
 end
 
 -- Down and, with the spindle reversed, back to the start; I is how many times faster the way back is.
 local function rigid_tap(words)
-  local target = axis_words(words, "G33.1")
-  for _, axis in ipairs(axes) do
-    if axis.rotary and words[axis.letter] ~= nil then
-      alarm("G33.1 moves linear axes only; %s cannot stand in its block", axis.letter:upper())
-    end
-  end
+  local target = axis_words(words, "G33.1", " i k spindle ")
+  refuse_rotary(words, "G33.1")
   local pitch = needed(words, "k", "G33.1") * state.unit_mm
   local faster = cycle_word(words, "i", "G33.1") or 1
   if not (faster > 0) then alarm("I of G33.1 is a factor of speed above 0, not %.10g", faster) end
-  local start = {}
-  for _, axis in ipairs(axes) do start[axis.letter] = core.position(axis.letter) end
-  local forth = state.spindle
+  local start, forth = programmed_point(), state.spindle
   path.line(target, thread_feed(pitch, "G33.1"), "thread")
   turn_spindle(forth == "cw" and "ccw" or "cw")
   path.line(start, thread_feed(pitch * faster, "G33.1"), "thread")
@@ -118,17 +115,8 @@ local function pass(tool, t, depth)
 end
 
 local function threading_cycle(words)
-  check_table(words, "G76")
-  if words == nil then alarm("G76 needs P, Z, I, J and K") end
-  check_modes("G76")
-  local target, moved = core.target(words, " p i j k r q h e l spindle ")
-  if not moved then alarm("G76 needs axis words") end
-  check_spindle(words, "G76")
-  for _, axis in ipairs(axes) do
-    if axis.rotary and words[axis.letter] ~= nil then
-      alarm("G76 cannot move the rotary axis %s", axis.letter:upper())
-    end
-  end
+  local target = axis_words(words, "G76", " p i j k r q h e l spindle ")
+  refuse_rotary(words, "G76")
   local t, here = thread_words(words), program_position()
   t.drive, t.from, t.to = here.x, here.z, core.to_program(target).z
   local tool = lathe_tool(here)
@@ -145,14 +133,7 @@ local function threading_cycle(words)
   path.rapid(target)
 end
 
--- G33 and its kin are modal, but need their words in each block.
-local function define(name, meaning)
-  local modal = core.word(word_id(), meaning)
-  word(name, function(words)
-    make_modal(name, modal)
-    meaning(words)
-  end)
-end
-define("G33", thread)
-define("G33_1", rigid_tap)
-define("G76", threading_cycle)
+-- They are modal, but need their words in each block.
+modal_word("G33", thread)
+modal_word("G33_1", rigid_tap)
+modal_word("G76", threading_cycle)

@@ -67,9 +67,7 @@ end)
 
 -- LinuxCNC does not change tool or offset on a compensated path.
 local function check_compensation(name)
-  if is_ngc and state.compensation ~= nil then
-    alarm("%s is not possible while cutter compensation is on; G40 first", name)
-  end
+  if is_ngc then refuse_with_compensation(name) end
 end
 
 -- A change is a stop of the spindle, where it turns.
@@ -103,7 +101,7 @@ local function h_word(words, name)
   check_table(words, name)
   if words == nil or words.h == nil then return nil end
   local number = whole(words.h, "H")
-  if number == 0 and core.dialect == "rs274ngc" then return nil end   -- as without H: the tool in the spindle
+  if number == 0 and is_ngc then return nil end   -- as without H: the tool in the spindle
   return number
 end
 
@@ -135,25 +133,6 @@ word("H", function(value)
 end)
 
 -- RS274/NGC: offsets of any axes, of a tool or as written.
-local function axis_offsets(words, name, set)
-  local any = false
-  for letter, value in pairs(words) do
-    if letter ~= "h" then
-      if is_rotary[letter] == nil then alarm("%s: the machine has no axis %s", name, tostring(letter):upper()) end
-      if type(value) ~= "number" then alarm("%s: the value of '%s' is no number", name, letter) end
-      set(letter, is_rotary[letter] and value or value * state.unit_mm)
-      any = true
-    end
-  end
-  return any
-end
-
-local function changed_offset()
-  local offset = {}
-  for letter, value in pairs(state.tool_offset) do offset[letter] = value end
-  return offset
-end
-
 local function ngc_words()
   word("G43", function(words)
     check_compensation("G43")
@@ -164,17 +143,17 @@ local function ngc_words()
   word("G43_1", function(words)
     check_table(words, "G43.1")
     check_compensation("G43.1")
-    local offset = changed_offset()
-    axis_offsets(words or {}, "G43.1", function(letter, value) offset[letter] = value end)
+    local offset = copied(state.tool_offset)
+    each_axis(words or {}, "G43.1", "", function(letter, value) offset[letter] = value end)
     offset_in_force(offset)
   end)
 
   word("G43_2", function(words)
     local number = h_word(words, "G43.2")
     check_compensation("G43.2")
-    local offset = changed_offset()
+    local offset = copied(state.tool_offset)
     local function add(letter, value) offset[letter] = (offset[letter] or 0) + value end
-    local named = axis_offsets(words or {}, "G43.2", add)
+    local named = each_axis(words or {}, "G43.2", " h ", add)
     if named == (number ~= nil) then
       alarm("G43.2 adds the offset of a tool (H), or those of its axis words")
     end

@@ -16,7 +16,7 @@ end
 
 local function unknown(number)
   alarm("there is no variable #%d; there are #1 to #33, #100 to #199, #500 to #999, and %s", number,
-    system_variables and system_variables() or "no system variables")
+    system_variables())
 end
 
 -- A text for the system variable that is set next: the remark of its block (#3000, #3006).
@@ -30,8 +30,7 @@ env.v = setmetatable(variables, {
   __index = function(held, number)
     local whole, exists = index(number)
     if exists then return rawget(held, whole) end
-    local known, value
-    if system_variable_get then known, value = system_variable_get(whole) end
+    local known, value = system_variable_get(whole)
     if not known then unknown(whole) end
     return value
   end,
@@ -42,7 +41,7 @@ env.v = setmetatable(variables, {
     text = nil
     if exists then
       rawset(held, whole, value)
-    elseif not (system_variable_set and system_variable_set(whole, value, remark)) then
+    elseif not system_variable_set(whole, value, remark) then
       unknown(whole)
     end
   end,

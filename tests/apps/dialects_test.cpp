@@ -83,6 +83,13 @@ TEST_F(Dialects, AnAlarmNamesTheChainOfCalls) {
     EXPECT_TRUE(holds(gsim_run({"part.nc"}).out, "O3 at part.nc:5"));
 }
 
+TEST_F(Dialects, TheChainIsWholeBehindACallThatHasEnded) {
+    write("part.ngc", "o1 sub\no1 endsub\no2 sub\no1 call\n#1=[1/0]\no2 endsub\no2 call\nm2\n");
+    const json r = report({"--dialect", "rs274ngc", "part.ngc"}, 1);
+    ASSERT_EQ(r["alarm"]["calls"].size(), 1U);
+    EXPECT_EQ(r["alarm"]["calls"][0], (json{{"program", "o2"}, {"file", "part.ngc"}, {"line", 7}}));
+}
+
 TEST_F(Dialects, ASetupScriptDefinesUserCodes) {
     write("part.nc", "M101 P2\nM30\n");
     EXPECT_EQ(gsim_run({"part.nc"}).status, 1);

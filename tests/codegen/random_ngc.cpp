@@ -3,21 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "tests/codegen/random_choice.h"
 #include "tests/codegen/random_program.h"
 
 namespace gsim::codegen {
 namespace {
-
-using Random = std::mt19937;
-
-unsigned below(Random& random, unsigned bound) {
-    return static_cast<unsigned>(random() % bound);
-}
-
-template <std::size_t size>
-std::string one_of(Random& random, const std::array<std::string_view, size>& choices) {
-    return std::string(choices[below(random, size)]);
-}
 
 std::string parameter(Random& random) {
     static constexpr std::array<std::string_view, 6> kParameters = {"#1",          "# 30",      "#<a>",

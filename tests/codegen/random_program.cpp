@@ -4,19 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "tests/codegen/random_choice.h"
+
 namespace gsim::codegen {
 namespace {
-
-using Random = std::mt19937;
-
-unsigned below(Random& random, unsigned bound) {
-    return static_cast<unsigned>(random() % bound);
-}
-
-template <std::size_t size>
-std::string_view one_of(Random& random, const std::array<std::string_view, size>& choices) {
-    return choices[below(random, size)];
-}
 
 std::string expression(Random& random, int depth) {
     static constexpr std::array<std::string_view, 9> kOperators = {"+",     "-",    "*",    "/", " MOD ",
@@ -39,13 +30,13 @@ std::string expression(Random& random, int depth) {
 std::string value(Random& random) {
     static constexpr std::array<std::string_view, 7> kNumbers = {"5",   "-.5", "5.",      "+7",
                                                                  "007", "0",   "-123.456"};
-    if (below(random, 4) > 0) return std::string(one_of(random, kNumbers));
+    if (below(random, 4) > 0) return one_of(random, kNumbers);
     return fmt::format("[{}]", expression(random, 3));
 }
 
 std::string move(Random& random) {
     static constexpr std::array<std::string_view, 6> kCodes = {"", "G0", "G01", "g1", "G91 G1", "M8 G1"};
-    std::string out(one_of(random, kCodes));
+    std::string out = one_of(random, kCodes);
     for (const char letter : {'X', 'Y', 'Z', 'B', 'C', 'F'}) {
         if (below(random, 3) == 0)
             out += fmt::format("{}{}", below(random, 2) == 0 ? " " : "", letter) + value(random);
@@ -77,9 +68,9 @@ std::string plain_block(Random& random, bool errors) {
                                                                  "G81 X1 Z-2 R1 L3"};
     static constexpr std::array<std::string_view, 6> kErrors = {"X", "G0 G1", "X1 X2", "@", "G47 X1", "[["};
     switch (below(random, errors ? 5 : 4)) {
-        case 0: return std::string(one_of(random, kBlocks));
+        case 0: return one_of(random, kBlocks);
         case 1: return fmt::format("#{}={}", below(random, 100), expression(random, 4));
-        case 4: return std::string(one_of(random, kErrors));
+        case 4: return one_of(random, kErrors);
         default: return move(random);
     }
 }

@@ -5,28 +5,17 @@
 
 #include <fmt/format.h>
 
-#include "tests/lua_lib/run.h"
+#include "tests/lua_lib/ngc_run.h"
 
 namespace gsim::script {
 namespace {
 
-Conditions with_tools() {
-    Conditions setup;
-    setup.options.data.tools[1] = {.length_mm = 10, .diameter_mm = 6};
-    return setup;
-}
-
-Outcome run_ngc(const std::string& lua, Conditions setup = with_tools()) {
-    setup.options.dialect = "rs274ngc";
-    Script script = Script::from_text("local _ENV = require \"gsim.rs274ngc\"\n" + lua, "part.lua", 0);
-    script.dialect = "rs274ngc";
-    Outcome result = run_script(std::move(script), std::move(setup));
-    result.lua = lua;
-    return result;
-}
-
 Outcome run_ab9(const std::string& lua) {
-    return run_lua("local _ENV = require \"gsim\"\n" + lua, with_tools());
+    return run_lua(lua);
+}
+
+Outcome run_rs274(const std::string& lua) {
+    return run_ngc_lua(lua, {});
 }
 
 // Where the examples begin: F, S, the spindle on, and the tool above X10 Y10.
@@ -63,15 +52,10 @@ void expect_strokes(const Outcome& run, const std::string& wanted) {
     EXPECT_EQ(strokes(run), wanted) << run.lua;
 }
 
-void expect_alarm_text(const Outcome& run, const std::string& text) {
-    EXPECT_EQ(run.report.status, simulation::RunStatus::alarm) << run.lua;
-    EXPECT_NE(run.message().find(text), std::string::npos) << run.message() << "\n" << run.lua;
-}
-
 // --- Both dialects ---
 
 TEST(Cycles, DrillAndComeBackToTheInitialLevelOrToR) {
-    for (const auto& run_it : {run_ab9, +[](const std::string& lua) { return run_ngc(lua); }}) {
+    for (const auto& run_it : {run_ab9, run_rs274}) {
         expect_strokes(run_it(kStart + "G98() G81{x=20, y=30, z=40, r=60}\nG80()"),
                        "r 20 30 100, r 20 30 60, f 20 30 40, r 20 30 100");
         expect_strokes(run_it(kStart + "G99() G81{x=20, z=40, r=60}\nmove{x=30}\nmove{x=40, z=50}"),
@@ -81,7 +65,7 @@ TEST(Cycles, DrillAndComeBackToTheInitialLevelOrToR) {
 }
 
 TEST(Cycles, RepeatInIncrementalDimensions) {
-    for (const auto& run_it : {run_ab9, +[](const std::string& lua) { return run_ngc(lua); }}) {
+    for (const auto& run_it : {run_ab9, run_rs274}) {
         expect_strokes(run_it(kStart + "G99() G91() G81{x=5, z=-20, r=-40, l=3}"),
                        "r 15 10 100, r 15 10 60, f 15 10 40, r 15 10 60, r 20 10 60, f 20 10 40, r 20 10 60, "
                        "r 25 10 60, f 25 10 40, r 25 10 60");
@@ -89,7 +73,7 @@ TEST(Cycles, RepeatInIncrementalDimensions) {
 }
 
 TEST(Cycles, DrillAlongTheAxisOfThePlane) {
-    for (const auto& run_it : {run_ab9, +[](const std::string& lua) { return run_ngc(lua); }}) {
+    for (const auto& run_it : {run_ab9, run_rs274}) {
         const std::string start = "F(600) G90() G98() G0{x=100, y=100, z=100}\n";
         expect_strokes(run_it(start + "G18() G81{x=20, z=30, y=40, r=60}"),
                        "r 20 100 30, r 20 60 30, f 20 40 30, r 20 100 30");
@@ -99,7 +83,7 @@ TEST(Cycles, DrillAlongTheAxisOfThePlane) {
 }
 
 TEST(Cycles, InInches) {
-    expect_strokes(run_ngc("F(600) G0{x=0, y=0, z=100}\nG20() G99() G81{x=1, y=2, z=1, r=2}"),
+    expect_strokes(run_rs274("F(600) G0{x=0, y=0, z=100}\nG20() G99() G81{x=1, y=2, z=1, r=2}"),
                    "r 25.4 50.8 100, r 25.4 50.8 50.8, f 25.4 50.8 25.4, r 25.4 50.8 50.8");
 }
 
@@ -110,16 +94,16 @@ TEST(Cycles, GoNoFasterThanTheFeed) {
 }
 
 TEST(Cycles, RefuseWhatHasNoMeaning) {
-    for (const auto& run_it : {run_ab9, +[](const std::string& lua) { return run_ngc(lua); }}) {
-        expect_alarm_text(run_it(kStart + "G81{x=20, z=40}"), "needs R");
-        expect_alarm_text(run_it(kStart + "G81{x=20, r=40}"), "needs Z");
-        expect_alarm_text(run_it(kStart + "G83{x=20, z=40, r=60}"), "needs Q");
-        expect_alarm_text(run_it(kStart + "G83{x=20, z=40, r=60, q=0}"), "above 0");
-        expect_alarm_text(run_it(kStart + "G83{x=20, z=40, r=60, q=1e-12}"), "too small");
-        expect_alarm_text(run_it(kStart + "G82{x=20, z=40, r=60, p=-1}"), "0 s or more");
-        expect_alarm_text(run_it(kStart + "G81{x=20, z=40, r=60, l=1.5}"), "whole number");
-        expect_alarm_text(run_it(kStart + "G93() G81{x=20, z=40, r=60}"), "inverse time");
-        expect_alarm_text(run_it(kStart + "G53() G81{x=20, z=40, r=60}"), "G53");
+    for (const auto& run_it : {run_ab9, run_rs274}) {
+        expect_alarm(run_it(kStart + "G81{x=20, z=40}"), "needs R");
+        expect_alarm(run_it(kStart + "G81{x=20, r=40}"), "needs Z");
+        expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60}"), "needs Q");
+        expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60, q=0}"), "above 0");
+        expect_alarm(run_it(kStart + "G83{x=20, z=40, r=60, q=1e-12}"), "too small");
+        expect_alarm(run_it(kStart + "G82{x=20, z=40, r=60, p=-1}"), "0 s or more");
+        expect_alarm(run_it(kStart + "G81{x=20, z=40, r=60, l=1.5}"), "whole number");
+        expect_alarm(run_it(kStart + "G93() G81{x=20, z=40, r=60}"), "inverse time");
+        expect_alarm(run_it(kStart + "G53() G81{x=20, z=40, r=60}"), "G53");
     }
 }
 
@@ -127,50 +111,50 @@ TEST(Cycles, RefuseWhatHasNoMeaning) {
 
 TEST(CyclesNgc, PeckByTheRulesOfLinuxCnc) {
     expect_strokes(
-        run_ngc(kStart + "G99() G83{z=55, r=60, q=2}"),
+        run_rs274(kStart + "G99() G83{z=55, r=60, q=2}"),
         "r 10 10 60, f 10 10 58, r 10 10 60, r 10 10 58.254, f 10 10 56, r 10 10 60, r 10 10 56.254, "
         "f 10 10 55, r 10 10 60");
-    expect_strokes(run_ngc(kStart + "G98() G73{z=55, r=60, q=3}"),
+    expect_strokes(run_rs274(kStart + "G98() G73{z=55, r=60, q=3}"),
                    "r 10 10 60, f 10 10 57, r 10 10 57.254, f 10 10 55, r 10 10 100");
 }
 
 TEST(CyclesNgc, BelowRTheToolFirstGoesStraightUp) {
-    expect_strokes(run_ngc(kStart + "G98() G81{x=20, z=40, r=120}"),
+    expect_strokes(run_rs274(kStart + "G98() G81{x=20, z=40, r=120}"),
                    "r 10 10 120, r 20 10 120, f 20 10 40, r 20 10 120");
 }
 
 // Between G99 and G98 the first move to the next hole slants up to the initial level, as LinuxCNC has it.
 TEST(CyclesNgc, FromRBackToTheInitialLevel) {
-    expect_strokes(run_ngc(kStart + "G99() G81{z=40, r=60}\nG98() move{x=20}"),
+    expect_strokes(run_rs274(kStart + "G99() G81{z=40, r=60}\nG98() move{x=20}"),
                    "r 10 10 60, f 10 10 40, r 10 10 60, r 20 10 100, r 20 10 60, f 20 10 40, r 20 10 100");
 }
 
 TEST(CyclesNgc, WordsHoldOnlyWhileTheSameCycleRepeats) {
-    expect_alarm_text(run_ngc(kStart + "G81{z=40, r=60}\nG82{x=20, z=40, p=1}"), "needs R");
-    expect_alarm_text(run_ngc(kStart + "G81{z=40, r=60}\nG82{x=20, z=40, r=60}"), "needs P");
-    expect_alarm_text(run_ngc(kStart + "G81{z=40, r=60}\nG80() move{x=20}"), "need a motion");
-    expect_alarm_text(run_ngc(kStart + "G81{z=40, r=60, b=5}"), "B cannot stand in its block");
-    expect_alarm_text(run_ngc(kStart + "G81{z=70, r=60}"), "below the bottom");
-    expect_alarm_text(run_ngc(kStart + "G81{z=40, r=60, l=0}"), "0 times");
+    expect_alarm(run_rs274(kStart + "G81{z=40, r=60}\nG82{x=20, z=40, p=1}"), "needs R");
+    expect_alarm(run_rs274(kStart + "G81{z=40, r=60}\nG82{x=20, z=40, r=60}"), "needs P");
+    expect_alarm(run_rs274(kStart + "G81{z=40, r=60}\nG80() move{x=20}"), "need a motion");
+    expect_alarm(run_rs274(kStart + "G81{z=40, r=60, b=5}"), "B cannot stand in its block");
+    expect_alarm(run_rs274(kStart + "G81{z=70, r=60}"), "below the bottom");
+    expect_alarm(run_rs274(kStart + "G81{z=40, r=60, l=0}"), "0 times");
 }
 
 TEST(CyclesNgc, TapReversesTheSpindle) {
-    const Outcome r = run_ngc(kStart + "G99() G84{z=40, r=60, p=0.5}");
+    const Outcome r = run_rs274(kStart + "G99() G84{z=40, r=60, p=0.5}");
     expect_strokes(r, "r 10 10 60, f 10 10 40, d 0.5, f 10 10 60");
     EXPECT_EQ(r.events(), "spindle_cw spindle_off spindle_ccw spindle_off spindle_cw");
-    expect_alarm_text(run_ngc(kStart + "G74{z=40, r=60}"), "counterclockwise");
-    expect_alarm_text(run_ngc(kStart + "M5() G84{z=40, r=60}"), "spindle turning");
+    expect_alarm(run_rs274(kStart + "G74{z=40, r=60}"), "counterclockwise");
+    expect_alarm(run_rs274(kStart + "M5() G84{z=40, r=60}"), "spindle turning");
 }
 
 TEST(CyclesNgc, Bore) {
-    expect_strokes(run_ngc(kStart + "G98() G85{z=40, r=60}"),
+    expect_strokes(run_rs274(kStart + "G98() G85{z=40, r=60}"),
                    "r 10 10 60, f 10 10 40, f 10 10 60, r 10 10 100");
-    expect_strokes(run_ngc(kStart + "G98() G89{z=40, r=60, p=1}"),
+    expect_strokes(run_rs274(kStart + "G98() G89{z=40, r=60, p=1}"),
                    "r 10 10 60, f 10 10 40, d 1, f 10 10 100");
-    const Outcome stop = run_ngc(kStart + "G98() G86{z=40, r=60, p=1}");
+    const Outcome stop = run_rs274(kStart + "G98() G86{z=40, r=60, p=1}");
     expect_strokes(stop, "r 10 10 60, f 10 10 40, d 1, r 10 10 100");
     EXPECT_EQ(stop.events(), "spindle_cw spindle_off spindle_cw");
-    const Outcome back = run_ngc(kStart + "G99() G87{z=40, r=60, i=1, j=2, k=45}");
+    const Outcome back = run_rs274(kStart + "G99() G87{z=40, r=60, i=1, j=2, k=45}");
     expect_strokes(
         back,
         "r 10 10 60, r 11 12 60, r 11 12 40, r 10 10 40, f 10 10 45, f 10 10 40, r 11 12 40, r 11 12 60, "
@@ -181,7 +165,7 @@ TEST(CyclesNgc, Bore) {
 
 // The operator retracts the tool; the program goes on from the clearance level.
 TEST(CyclesNgc, AfterABoreWithManualRetractTheProgramGoesOnFromAbove) {
-    const Outcome r = run_ngc(kStart + "G98() G88{z=40, r=60, p=1}\nmove{x=20}\nG0{x=30}\nG0{y=20}");
+    const Outcome r = run_rs274(kStart + "G98() G88{z=40, r=60, p=1}\nmove{x=20}\nG0{x=30}\nG0{y=20}");
     expect_strokes(r,
                    "r 10 10 60, f 10 10 40, d 1, r 20 10 100, r 20 10 60, f 20 10 40, d 1, r 30 10 100, "
                    "r 30 20 100");
@@ -190,21 +174,21 @@ TEST(CyclesNgc, AfterABoreWithManualRetractTheProgramGoesOnFromAbove) {
 
 TEST(CyclesNgc, PolarPlaces) {
     expect_strokes(
-        run_ngc(kStart + "G99() G81{radius=50, angle=0, z=40, r=60}\nmove{angle=90}\nmove{radius=20}"),
+        run_rs274(kStart + "G99() G81{radius=50, angle=0, z=40, r=60}\nmove{angle=90}\nmove{radius=20}"),
         "r 50 0 100, r 50 0 60, f 50 0 40, r 50 0 60, r 0 50 60, f 0 50 40, r 0 50 60, r 0 20 60, "
         "f 0 20 40, r 0 20 60");
 }
 
 TEST(Threads, GoInStepWithTheSpindle) {
-    const Outcome r = run_ngc(kStart + "G33{z=40, k=2}");
+    const Outcome r = run_rs274(kStart + "G33{z=40, k=2}");
     expect_strokes(r, "t 10 10 40");
     EXPECT_NEAR(r.seconds(1), trapezoid_s(60, 2 * 100 / 60.0, kAcceleration_mm_s2), 1e-6);
-    expect_alarm_text(run_ngc(kStart + "M5() G33{z=40, k=2}"), "does not turn");
-    expect_alarm_text(run_ngc(kStart + "G33{z=40}"), "needs K");
+    expect_alarm(run_rs274(kStart + "M5() G33{z=40, k=2}"), "does not turn");
+    expect_alarm(run_rs274(kStart + "G33{z=40}"), "needs K");
 }
 
 TEST(Threads, ARigidTapComesBack) {
-    const Outcome r = run_ngc(kStart + "G33_1{z=40, k=2}");
+    const Outcome r = run_rs274(kStart + "G33_1{z=40, k=2}");
     expect_strokes(r, "t 10 10 40, t 10 10 100");
     EXPECT_EQ(r.events(), "spindle_cw spindle_ccw spindle_cw");
 }
@@ -212,7 +196,7 @@ TEST(Threads, ARigidTapComesBack) {
 // I outwards of the thread, two passes by degression and one spring pass: drive line X50, crest X48.
 TEST(Threads, ACycleOfPasses) {
     const Outcome r =
-        run_ngc("F(600) S(100) M3() G18() G0{x=50, y=10, z=100}\nG76{p=2, z=60, i=-2, j=1, k=1.5, h=1}");
+        run_rs274("F(600) S(100) M3() G18() G0{x=50, y=10, z=100}\nG76{p=2, z=60, i=-2, j=1, k=1.5, h=1}");
     expect_strokes(r,
                    "r 50.5 10 100, r 47 10 100, t 47 10 60, r 50.5 10 60, "
                    "r 50 10 100, r 46.5 10 100, t 46.5 10 60, r 50 10 60, "
@@ -220,7 +204,7 @@ TEST(Threads, ACycleOfPasses) {
 }
 
 TEST(Threads, ATaperLeadsInAndOut) {
-    const Outcome r = run_ngc(
+    const Outcome r = run_rs274(
         "F(600) S(100) M3() G18() G0{x=50, y=10, z=100}\nG76{p=2, z=60, i=-2, j=1, k=1.5, r=0, e=5, l=3}");
     expect_strokes(r,
                    "r 50.5 10 100, t 48.5 10 100, t 47 10 95, t 47 10 65, t 48.5 10 60, r 50.5 10 60, "
@@ -229,11 +213,11 @@ TEST(Threads, ATaperLeadsInAndOut) {
 
 TEST(Threads, RefuseWordsThatMakeNoThread) {
     const std::string start = "S(100) M3() G18() G0{x=50, y=10, z=100}\n";
-    expect_alarm_text(run_ngc(start + "G76{p=2, z=60, i=0, j=1, k=1.5}"), "I of G76");
-    expect_alarm_text(run_ngc(start + "G76{p=2, z=60, i=-1, j=2, k=1.5}"), "above J");
-    expect_alarm_text(run_ngc(start + "G76{z=60, i=-1, j=1, k=1.5}"), "needs P");
-    expect_alarm_text(run_ngc(start + "G76{p=2, z=60, i=-1, j=1, k=1.5, q=90}"), "below 90");
-    expect_alarm_text(run_ngc(start + "G76{p=2, z=60, i=-1, j=1, k=1.5, l=4}"), "L of G76");
+    expect_alarm(run_rs274(start + "G76{p=2, z=60, i=0, j=1, k=1.5}"), "I of G76");
+    expect_alarm(run_rs274(start + "G76{p=2, z=60, i=-1, j=2, k=1.5}"), "above J");
+    expect_alarm(run_rs274(start + "G76{z=60, i=-1, j=1, k=1.5}"), "needs P");
+    expect_alarm(run_rs274(start + "G76{p=2, z=60, i=-1, j=1, k=1.5, q=90}"), "below 90");
+    expect_alarm(run_rs274(start + "G76{p=2, z=60, i=-1, j=1, k=1.5, l=4}"), "L of G76");
 }
 
 // --- ab9 ---
@@ -248,8 +232,8 @@ TEST(CyclesAb9, LevelsHoldForTheWholeSeries) {
     expect_strokes(run_ab9(kStart + "G99() G81{x=20, z=40, r=60}\nG85{x=30}\nG91() move{x=5}"),
                    "r 20 10 100, r 20 10 60, f 20 10 40, r 20 10 60, r 30 10 60, f 30 10 40, f 30 10 60, "
                    "r 35 10 60, f 35 10 40, f 35 10 60");
-    expect_alarm_text(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG80() G81{x=30}"), "needs R");
-    expect_alarm_text(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG0{x=0} G81{x=30, r=60}"), "needs Z");
+    expect_alarm(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG80() G81{x=30}"), "needs R");
+    expect_alarm(run_ab9(kStart + "G81{x=20, z=40, r=60}\nG0{x=0} G81{x=30, r=60}"), "needs Z");
 }
 
 TEST(CyclesAb9, TheEndOfASeriesLeadsBackToTheMotionBefore) {
@@ -274,7 +258,7 @@ TEST(CyclesAb9, FineBoringShiftsOffTheWall) {
     EXPECT_EQ(r.events(), "spindle_cw spindle_off spindle_orient spindle_cw");
     expect_strokes(run_ab9(kStart + "G99() G76{z=40, r=60, i=1, j=-2}"),
                    "r 10 10 60, f 10 10 40, r 11 8 40, r 11 8 60, r 10 10 60");
-    expect_alarm_text(run_ab9(kStart + "G76{z=40, r=60}"), "shift");
+    expect_alarm(run_ab9(kStart + "G76{z=40, r=60}"), "shift");
 }
 
 TEST(CyclesAb9, BackBoringEntersBesideTheAxis) {
@@ -292,7 +276,7 @@ TEST(CyclesAb9, AThreadHasItsLeadFromFOrE) {
     const Outcome r = run_ab9(kStart + "G33{z=40, f=2}\nmove{z=30}\nG33{z=20, e=12.7}");
     expect_strokes(r, "t 10 10 40, t 10 10 30, t 10 10 20");
     EXPECT_NEAR(r.seconds(2), r.seconds(3), 1e-9);
-    expect_alarm_text(run_ab9(kStart + "G33{z=40}"), "needs its lead");
+    expect_alarm(run_ab9(kStart + "G33{z=40}"), "needs its lead");
 }
 
 }  // namespace

@@ -10,12 +10,10 @@ namespace gsim::script {
 
 /// The dialect rs274ngc on the machine of nine axes without limits, with two tools.
 inline Conditions ngc_conditions() {
-    Conditions setup;
+    Conditions setup = with_tools();
     setup.machine =
         machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/unlimited.toml").value();
     setup.options.dialect = "rs274ngc";
-    setup.options.data.tools[1] = {.length_mm = 10, .diameter_mm = 6};
-    setup.options.data.tools[2] = {.length_mm = 25, .diameter_mm = 4};
     return setup;
 }
 
@@ -27,7 +25,7 @@ inline Outcome run_ngc(const std::string& gcode, Conditions setup = ngc_conditio
 /// Runs a script of that dialect; its first line is the one given here.
 inline Outcome run_ngc_lua(const std::string& lua, Conditions setup = ngc_conditions()) {
     Script script = Script::from_text("local _ENV = require \"gsim.rs274ngc\" " + lua, "part.lua", 0);
-    script.dialect = "rs274ngc";
+    script.dialect = setup.options.dialect = "rs274ngc";
     Outcome result = run_script(std::move(script), std::move(setup));
     result.lua = lua;
     return result;

@@ -33,6 +33,8 @@ TEST(NgcExpressions, RemainderRoundingAndAngles) {
     EXPECT_EQ(value_of("[-7 mod 3]"), "2.000000\n");
     EXPECT_EQ(value_of("[7 mod -3]"), "1.000000\n");
     EXPECT_EQ(value_of("[-5.5 mod 2]"), "0.500000\n");
+    EXPECT_EQ(value_of("[1 mod 0.1]"), "0.100000\n") << "0.1 is a little more than a tenth";
+    EXPECT_EQ(value_of("[2 ** 80 mod 10]"), "6.000000\n");
     EXPECT_EQ(value_of("round[-2.5]"), "-3.000000\n");
     EXPECT_EQ(value_of("fix[-2.5]"), "-3.000000\n");
     EXPECT_EQ(value_of("fup[-2.5]"), "-2.000000\n");
@@ -220,6 +222,17 @@ TEST(NgcHome, GoesByAPointInTheDirectionsOfTheProgram) {
     EXPECT_NEAR(r.end()[1], 21, 1e-9);
 }
 
+TEST(NgcHome, AndG92AreThoseOfTheRunBefore) {
+    Conditions setup = ngc_conditions();
+    setup.options.data.variables = {{5161, 1}, {5210, 1}, {5211, 0.5}};
+    const Outcome r = run_ngc("G21 G90\nG0 X0\nG28\nM2\n", setup);
+    ASSERT_EQ(r.moves.size(), 2U) << r.message();
+    EXPECT_NEAR(r.to(0, 'X'), 12.7, 1e-9);
+    EXPECT_NEAR(r.to(1, 'X'), 25.4, 1e-9);
+    setup.options.data.variables[5210] = 0;
+    EXPECT_NEAR(run_ngc("G21 G90\nG0 X1\nM2\n", setup).to(0, 'X'), 1, 1e-9) << "G92.2 has ended it";
+}
+
 TEST(NgcFrames, NothingMovesThemOnACompensatedPath) {
     for (const char* word : {"G92 X1", "G52 X1", "G55", "G10 L2 P1 X1", "G28", "G28.1", "G53 G0 X1", "G18",
                              "M66 P1 L0", "M62 P1", "G64", "G61", "G38.2 X9", "G5.1 X1 Y1 I1 J1", "M48"}) {
@@ -237,6 +250,13 @@ TEST(NgcModes, AreKeptAndBroughtBack) {
             "(debug,%d#<_metric> #<_absolute> #<_feed> #<_rpm> #<_coord_system> #<_plane> #<_spindle_on> "
             "#<_flood> #<_ijk_absolute_mode> #<_retract_old_z>)\nM2\n")),
         "1 1 100 200 540 170 1 0 0 0\n");
+}
+
+TEST(NgcModes, OverridesComeBackInOneOrder) {
+    const Outcome r = run_ngc("M49\nM52\nM53 P0\nM70\nM48\nM52 P0\nM53\nM72\nM2\n");
+    ASSERT_EQ(r.report.events.size(), 12U) << r.message();
+    const char* const wanted[] = {"feed disabled", "speed disabled", "adaptive enabled", "hold disabled"};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(r.report.events[8 + i].detail, wanted[i]);
 }
 
 TEST(NgcModes, ComeBackAtTheEndOfASubroutineThatAsksForIt) {

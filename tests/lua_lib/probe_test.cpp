@@ -55,6 +55,18 @@ TEST(Probe, WithoutAScriptIsThatOfADryRun) {
     EXPECT_NEAR(r.to(4, 'Z'), 4.746, 1e-9);
 }
 
+// A rapid leads to the arc's start only where the probe has left it in the arc's plane.
+TEST(Probe, AnArcBehindADryRunBeginsWhereTheProgramIs) {
+    const Outcome along = run_ngc("G21 F50\nG38.3 Z-5\nG2 X10 R5\nM2\n");
+    ASSERT_EQ(along.moves.size(), 2U) << along.message();
+    EXPECT_EQ(along.moves[1].info.kind, simulation::MoveKind::arc_cw);
+    EXPECT_NEAR(along.to(1, 'Z'), -4.746, 1e-9);
+    const Outcome across = run_ngc("G21 F50\nG38.3 X5\nG2 X10 R5\nM2\n");
+    ASSERT_EQ(across.moves.size(), 3U) << across.message();
+    EXPECT_EQ(across.moves[1].info.kind, simulation::MoveKind::rapid);
+    EXPECT_NEAR(across.to(1, 'X'), 4.746, 1e-9);
+}
+
 TEST(Probe, WrongWords) {
     expect_alarm(run_ngc("G21 F50\nG38.2\nM2\n"), 2, {"G38.2"});
     expect_alarm(run_ngc("G21 F50\nG38.2 X0\nM2\n"), 2, {"begins at its end"});

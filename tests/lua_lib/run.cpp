@@ -50,6 +50,12 @@ machine::Machine built_in_machine() {
     return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value();
 }
 
+Conditions with_tools(Conditions setup) {
+    setup.options.data.tools[1] = {.length_mm = 10, .diameter_mm = 6};
+    setup.options.data.tools[2] = {.length_mm = 25, .diameter_mm = 4};
+    return setup;
+}
+
 Outcome run_script(Script script, Conditions setup) {
     Outcome result;
     result.machine = setup.machine;
@@ -106,6 +112,11 @@ void expect_alarm(const Outcome& run, std::uint32_t line, const std::vector<std:
     for (const std::string& text : texts)
         EXPECT_NE(run.message().find(text), std::string::npos)
             << "wanted: " << text << "\ngot: " << run.message();
+}
+
+void expect_alarm(const Outcome& run, const std::string& text) {
+    EXPECT_EQ(run.report.status, simulation::RunStatus::alarm) << run.lua;
+    EXPECT_NE(run.message().find(text), std::string::npos) << run.message() << "\n" << run.lua;
 }
 
 void expect_stopped(const Outcome& run, const std::string& text) {

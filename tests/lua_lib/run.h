@@ -24,6 +24,9 @@ struct Conditions {
     simulation::RunLimits limits;
 };
 
+/// The same with two tools in the table: 10 and 25 mm long, 6 and 4 mm in diameter.
+Conditions with_tools(Conditions setup = {});
+
 /// What came of a run.
 struct Outcome {
     machine::Machine machine;
@@ -65,6 +68,8 @@ inline constexpr double kTurn_deg_s2 = 20;
 void expect_end(const Outcome& run, double x, double y, double z, double b = 0, double c = 0);
 /// The run ends with an alarm in that line, and all these texts are in its message.
 void expect_alarm(const Outcome& run, std::uint32_t line, const std::vector<std::string>& texts);
+/// The same in any line.
+void expect_alarm(const Outcome& run, const std::string& text);
 /// A limit of the run ends it, and that text is in the message.
 void expect_stopped(const Outcome& run, const std::string& text);
 

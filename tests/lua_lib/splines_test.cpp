@@ -90,6 +90,15 @@ TEST(Splines, TakeTheTimeOfTheirBlockTogether) {
     EXPECT_NEAR(r.report.cycle_time_s, 30, 1e-6);
 }
 
+TEST(Splines, TheMotionBeforeThemStaysModal) {
+    for (const char* spline : {"G5 X2 Y0 I1 J1 P-1 Q1", "G5.1 X2 Y0 I1 J1"}) {
+        const Outcome r = run_ngc(fmt::format("G21 F100\nG0 X0\n{}\nX5\nM2\n", spline));
+        ASSERT_TRUE(r.completed()) << r.message();
+        EXPECT_EQ(r.moves.back().info.kind, simulation::MoveKind::rapid) << spline;
+        EXPECT_NEAR(r.to(r.moves.size() - 1, 'X'), 5, 1e-12) << spline;
+    }
+}
+
 TEST(Splines, WrongWords) {
     expect_alarm(run_ngc("G21 F100\nG5 X1 Y1 I1 P1 Q1\nM2\n"), 2, {"I and J"});
     expect_alarm(run_ngc("G21 F100\nG5 X1 Y1 I1 J1 P1\nM2\n"), 2, {"P and Q"});
@@ -98,7 +107,7 @@ TEST(Splines, WrongWords) {
     expect_alarm(run_ngc("G21 F100\nG5.3\nM2\n"), 2, {"G5.2"});
     expect_alarm(run_ngc("G21 F100\nG5.2 X1 Y1 P1 L4\nX2 Y2 P1\nG5.3\nM2\n"), 4, {"order 4", "3"});
     expect_alarm(run_ngc("G21 F100\nG5.2 X1 Y1 P1\nX2 Y2\nM2\n"), 3, {"P", "weight"});
-    expect_alarm(run_ngc("G21 F100\nG5.1 X1 Y1 I1 J1\nX2\nM2\n"), 3, {"G5.1"});
+    expect_alarm(run_ngc("G21 F100\nG5.1 X1 Y1 I1 J1\nX2\nM2\n"), 3, {"need a motion"});
     expect_alarm(run_ngc("G21\nG5.1 X1 Y1 I1 J1\nM2\n"), 2, {"feed"});
 }
 

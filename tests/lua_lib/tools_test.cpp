@@ -1,87 +1,70 @@
 // Tools and their offsets: what T, M6, H, D, G43, G44 and G49 do in each dialect; every value is worked out
 // by hand.
 
-#include "tests/lua_lib/run.h"
+#include "tests/lua_lib/ngc_run.h"
 
 namespace gsim::script {
 namespace {
 
-Conditions with_tools() {
-    Conditions setup;
-    setup.options.data.tools[1] = {.length_mm = 10, .diameter_mm = 6};
-    setup.options.data.tools[2] = {.length_mm = 25, .diameter_mm = 4};
-    return setup;
-}
-
-Outcome run_ngc(const std::string& lua, Conditions setup = with_tools()) {
-    setup.options.dialect = "rs274ngc";
-    Script script = Script::from_text("local _ENV = require \"gsim.rs274ngc\"\n" + lua, "part.lua", 0);
-    script.dialect = "rs274ngc";
-    Outcome result = run_script(std::move(script), std::move(setup));
-    result.lua = lua;
-    return result;
-}
-
 Outcome run_ab9(const std::string& lua) {
-    return run_lua("local _ENV = require \"gsim\"\n" + lua, with_tools());
+    return run_lua(lua, with_tools());
 }
 
-void expect_alarm_text(const Outcome& run, const std::string& text) {
-    EXPECT_EQ(run.report.status, simulation::RunStatus::alarm) << run.lua;
-    EXPECT_NE(run.message().find(text), std::string::npos) << run.message() << "\n" << run.lua;
+Outcome run_rs274(const std::string& lua, const Conditions& setup = with_tools()) {
+    return run_ngc_lua(lua, setup);
 }
 
 TEST(ToolsNgc, SelectAndChange) {
-    const Outcome r = run_ngc("T(1)\nM6()\nT(2)\nM6()");
+    const Outcome r = run_rs274("T(1)\nM6()\nT(2)\nM6()");
     EXPECT_EQ(r.events(), "tool_select tool_change tool_select tool_change");
     EXPECT_EQ(r.report.events.at(1).detail, "T1");
     EXPECT_EQ(r.report.events.at(3).detail, "T2");
 }
 
 TEST(ToolsNgc, AChangeStopsTheSpindle) {
-    EXPECT_EQ(run_ngc("M3() T(1) M6()").events(), "spindle_cw tool_select spindle_off tool_change");
+    EXPECT_EQ(run_rs274("M3() T(1) M6()").events(), "spindle_cw tool_select spindle_off tool_change");
 }
 
 TEST(ToolsNgc, TheLengthIsThatOfTheLoadedToolOrOfH) {
-    expect_end(run_ngc("G43() G0{z=5}"), 0, 0, 5);
-    expect_end(run_ngc("T(1) M6()\nG43() G0{z=5}"), 0, 0, 15);
-    expect_end(run_ngc("T(1) M6()\nG43{h=2} G0{z=5}"), 0, 0, 30);
-    expect_end(run_ngc("G43{h=2} G0{z=5}\nG49() G0{z=5}"), 0, 0, 5);
-    expect_end(run_ngc("G43{h=2} G0{z=5}\nG43{h=0} G0{z=5}"), 0, 0, 5);
-    expect_end(run_ngc("M61{q=2} G43() G0{z=5}"), 0, 0, 30);
+    expect_end(run_rs274("G43() G0{z=5}"), 0, 0, 5);
+    expect_end(run_rs274("T(1) M6()\nG43() G0{z=5}"), 0, 0, 15);
+    expect_end(run_rs274("T(1) M6()\nG43{h=2} G0{z=5}"), 0, 0, 30);
+    expect_end(run_rs274("G43{h=2} G0{z=5}\nG49() G0{z=5}"), 0, 0, 5);
+    expect_end(run_rs274("G43{h=2} G0{z=5}\nG43{h=0} G0{z=5}"), 0, 0, 5);
+    expect_end(run_rs274("M61{q=2} G43() G0{z=5}"), 0, 0, 30);
 }
 
 TEST(ToolsNgc, AnOffsetMovesNothingByItself) {
-    const Outcome r = run_ngc("G0{z=100}\nG43{h=2}\nG0{x=10}\nG91() G0{z=1}");
+    const Outcome r = run_rs274("G0{z=100}\nG43{h=2}\nG0{x=10}\nG91() G0{z=1}");
     expect_end(r, 10, 0, 101);
     EXPECT_EQ(r.moves.size(), 3U);
 }
 
 TEST(ToolsNgc, OffsetsOfAnyAxesAsWritten) {
-    expect_end(run_ngc("G43_1{x=5, z=7} G0{x=1, y=2, z=3}"), 6, 2, 10);
-    expect_end(run_ngc("G43_1{x=5} G43_1{z=7} G0{x=1, z=3}"), 6, 0, 10);
-    expect_end(run_ngc("G20() G43_1{z=1} G0{z=1}"), 0, 0, 50.8);
-    expect_end(run_ngc("G43{h=1} G43_2{h=2} G0{z=5}"), 0, 0, 40);
-    expect_end(run_ngc("G43{h=1} G43_2{x=3, z=1} G0{x=1, z=5}"), 4, 0, 16);
-    expect_alarm_text(run_ngc("G43_2()"), "G43.2");
-    expect_alarm_text(run_ngc("G43_2{h=1, z=2}"), "G43.2");
+    expect_end(run_rs274("G43_1{x=5, z=7} G0{x=1, y=2, z=3}"), 6, 2, 10);
+    expect_end(run_rs274("G43_1{x=5} G43_1{z=7} G0{x=1, z=3}"), 6, 0, 10);
+    expect_end(run_rs274("G20() G43_1{z=1} G0{z=1}"), 0, 0, 50.8);
+    expect_end(run_rs274("G43{h=1} G43_2{h=2} G0{z=5}"), 0, 0, 40);
+    expect_end(run_rs274("G43{h=1} G43_2{x=3, z=1} G0{x=1, z=5}"), 4, 0, 16);
+    expect_alarm(run_rs274("G43_2()"), "G43.2");
+    expect_alarm(run_rs274("G43_2{h=1, z=2}"), "G43.2");
 }
 
 TEST(ToolsNgc, NumbersThatTheTableDoesNotKnow) {
-    expect_alarm_text(run_ngc("T(5)"), "it has 1, 2");
-    expect_alarm_text(run_ngc("G43{h=5}"), "H5");
-    expect_alarm_text(run_ngc("M61{q=5}"), "Q5");
-    expect_alarm_text(run_ngc("M61()"), "needs Q");
-    expect_alarm_text(run_ngc("T(1.5)"), "whole number");
+    expect_alarm(run_rs274("T(5)"), "it has 1, 2");
+    expect_alarm(run_rs274("G43{h=5}"), "H5");
+    expect_alarm(run_rs274("M61{q=5}"), "Q5");
+    expect_alarm(run_rs274("M61()"), "needs Q");
+    expect_alarm(run_rs274("T(1.5)"), "whole number");
 }
 
 // Lengths can be taken as 0 where nobody has given any, a diameter cannot.
 TEST(ToolsNgc, WithoutATableLengthsAreNoneAndSaidSo) {
-    const Outcome r = run_ngc("T(1) M6() G43() G0{z=5}", {});
+    const Outcome r = run_rs274("T(1) M6() G43() G0{z=5}", {});
     expect_end(r, 0, 0, 5);
     ASSERT_EQ(r.report.warnings.size(), 1U);
     EXPECT_NE(r.report.warnings[0].find("section TOOL"), std::string::npos);
-    expect_alarm_text(run_ngc("T(1) M6() G41{d=1} G1{x=10}", {}), "section TOOL");
+    expect_alarm(run_rs274("T(1) M6() G41{d=1} G1{x=10}", {}), "section TOOL");
 }
 
 TEST(ToolsAb9, TheLengthIsAddedOrTakenAway) {
@@ -103,9 +86,9 @@ TEST(ToolsAb9, NumbersOfToolsAreNotThoseOfOffsets) {
     const Outcome r = run_ab9("T(7) M6()\nD(3)");
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.events(), "tool_select tool_change");
-    expect_alarm_text(run_ab9("G43{h=5}"), "it has 1, 2");
-    expect_alarm_text(run_ab9("H(-1)"), "whole number");
-    expect_alarm_text(run_ab9("D(0.5)"), "whole number");
+    expect_alarm(run_ab9("G43{h=5}"), "it has 1, 2");
+    expect_alarm(run_ab9("H(-1)"), "whole number");
+    expect_alarm(run_ab9("D(0.5)"), "whole number");
 }
 
 }  // namespace

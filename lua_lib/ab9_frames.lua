@@ -1,0 +1,67 @@
+-- Work coordinate systems and offsets.
+-- machine = transform(program value * unit) + frame + G52 + G92 + tool offset
+
+-- The offset of a work coordinate system by its code, as written in machine data.
+function work_offset(code, letter)
+  local offsets = core.offsets[code]
+  return offsets and offsets[letter] or 0
+end
+
+local shift = {}   -- of the transform, by letter
+
+-- Hands the sum of all offsets to the C++ side.
+function apply_offsets()
+  for _, axis in ipairs(axes) do
+    local letter = axis.letter
+    core.set_offset(letter, work_offset(state.frame, letter) + (state.g52[letter] or 0) + (state.g92[letter] or 0)
+      + (state.tool_offset[letter] or 0) + (shift[letter] or 0))
+  end
+end
+
+-- Rotation, scaling and mirror image: p' = m * p + by, before the offsets; m is nine numbers row by row, or nil.
+function set_transform(m, by)
+  core.set_matrix(m)
+  state.has_matrix = m ~= nil
+  shift = by or {}
+  apply_offsets()
+end
+
+local function select_frame(code)
+  return function()
+    state.frame = code
+    apply_offsets()
+  end
+end
+
+for code = 54, 59 do word("G" .. code, select_frame(tostring(code))) end
+for part = 1, 3 do word("G59_" .. part, select_frame("59." .. part)) end
+for code = 505, 599 do word("G" .. code, select_frame(tostring(code))) end
+
+-- G92: where the machine stands gets the given coordinates.
+word("G92", function(words)
+  local program = program_position()
+  local move = {}
+  each_axis(words, "G92", "", function(letter, value) move[letter] = program[letter] - value end)
+  local space = {}
+  space.x, space.y, space.z = core.direction(move.x, move.y, move.z)
+  for letter in pairs(is_rotary) do
+    state.g92[letter] = (state.g92[letter] or 0) + (space[letter] or move[letter] or 0)
+  end
+  apply_offsets()
+end)
+
+word("G92_1", function()
+  state.g92 = {}
+  apply_offsets()
+end)
+
+-- G52: the zero point moves by the given distances, measured from the work coordinate system.
+word("G52", function(words)
+  each_axis(words, "G52", "", function(letter, value) state.g52[letter] = value end)
+  apply_offsets()
+end)
+
+-- G53: this block moves in machine coordinates, absolute.
+word("G53", core.machine_frame_once)
+
+apply_offsets()
