@@ -9,7 +9,7 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test setup build bench docs fuzz golden format lint install clean
+.PHONY: help run test setup build bench accuracy docs fuzz golden format lint install clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
@@ -17,6 +17,7 @@ help:
 	@echo 'make setup    install the Debian packages that are missing'
 	@echo 'make build    build the programs into build/bin'
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
+	@echo 'make accuracy GSIM_REFERENCE=FOLDER  compare cycle times and positions with recorded controllers'
 	@echo 'make fuzz     fuzz the translator for FUZZ_SECONDS=$(FUZZ_SECONDS)'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
 	@echo 'make docs     renew docs/language.md from the tables'
@@ -45,6 +46,16 @@ golden: setup
 bench: setup
 	@$(call build_into,release) --target gcode2lua gsim-run gsim-bench-generate gsim-bench-floor gsim-bench-compare
 	@bench/run.sh build
+
+# The recordings are no part of the project. An empty name must not become the folder '/'.
+ifeq ($(and $(GSIM_REFERENCE),$(wildcard $(GSIM_REFERENCE)/.)),)
+accuracy:
+	@echo "accuracy: there is no folder '$(GSIM_REFERENCE)' of recorded controllers; name it: make accuracy GSIM_REFERENCE=FOLDER"
+else
+accuracy: setup
+	@$(call build_into,release) --target gsim-run gsim-accuracy
+	@build/bin/gsim-accuracy --gsim-run build/bin/gsim-run --machines samples/machines --positions '$(GSIM_REFERENCE)'
+endif
 
 docs: setup
 	@$(call build_into,release) --target gcode2lua

@@ -63,6 +63,8 @@ void add_options(CLI::App& app, Arguments& a) {
                    "keep permanent variables in this file: read at the start, written at the end");
     app.add_flag("--json", a.json, "the report as JSON on standard output");
     app.add_flag("--quiet", a.quiet, "no report for people, no progress");
+    app.add_flag("--explain", a.outputs.explain,
+                 "the report tells where the time goes, and the least time that the path allows");
     app.add_option("--report", a.outputs.report, "write the report as JSON to this file");
     app.add_option("--moves", a.outputs.moves, "write each move as a line of JSON to this file");
     app.add_option("--trajectory", a.outputs.trajectory, "write samples of the trajectory to this CSV file");
@@ -70,7 +72,7 @@ void add_options(CLI::App& app, Arguments& a) {
         ->check(CLI::Range(simulation::TrajectoryWriter::kMinStep_s, 1e6))
         ->capture_default_str();
     app.add_option("--plot", a.outputs.plot,
-                   "draw path and speed into this .svg or .png file (needs gnuplot)");
+                   "draw path, speed and acceleration into this .svg or .png file (needs gnuplot)");
     app.add_flag("--block-delete", a.block_delete, "leave out blocks that begin with /");
     app.add_flag("--optional-stop", a.optional_stop, "M01 stops");
     app.add_option("--max-time", a.limits.max_time_s, "end the run after this many seconds of machine time")
@@ -192,7 +194,8 @@ int run(const Arguments& arguments) {
     engine.run(std::move(*input));
     progress.clear();
 
-    const simulation::Report report = simulator.finish(program);
+    simulation::Report report = simulator.finish(program);
+    outputs->explain(report);
     tl::expected<void, std::string> written = outputs->commit(report);
     if (written && !arguments.variables.empty())
         written = apps::write_variables(arguments.variables, engine.permanent_variables());

@@ -35,7 +35,20 @@ tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simul
         outputs.plot_ = std::make_unique<simulation::PlotData>(simulator.machine());
         simulator.add_output(*outputs.plot_);
     }
+    if (names.explain) outputs.add_explanation(simulator);
     return outputs;
+}
+
+void Outputs::add_explanation(simulation::Simulator& simulator) {
+    causes_ = std::make_unique<Causes>(simulator.machine());
+    simulator.add_output(causes_->times);
+    simulator.add_output(causes_->bound);
+}
+
+void Outputs::explain(simulation::Report& report) const {
+    if (causes_ == nullptr) return;
+    report.explanation =
+        simulation::Explanation{causes_->times.list(causes_->machine), causes_->bound.bound_s()};
 }
 
 tl::expected<void, std::string> Outputs::commit(const simulation::Report& report) {

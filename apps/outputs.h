@@ -9,19 +9,22 @@
 
 #include "runtime/simulation/moves_writer.h"
 #include "runtime/simulation/output_file.h"
+#include "runtime/simulation/path_bound.h"
 #include "runtime/simulation/plot_data.h"
 #include "runtime/simulation/simulator.h"
 #include "runtime/simulation/text_stream.h"
+#include "runtime/simulation/time_by_limit.h"
 #include "runtime/simulation/trajectory_writer.h"
 
 namespace gsim::apps {
 
-/// Which files a run writes; an empty name: not wanted.
+/// What a run writes; an empty name: not wanted.
 struct OutputNames {
     std::string report;
     std::string moves;
     std::string trajectory;
     std::string plot;
+    bool explain = false;  ///< The report tells where the time goes.
     double step_s = 0.01;  ///< Of the trajectory's samples.
 };
 
@@ -32,6 +35,8 @@ class Outputs {
     static tl::expected<Outputs, std::string> open(const OutputNames& names,
                                                    simulation::Simulator& simulator);
 
+    /// After the run: adds to the report what was asked for.
+    void explain(simulation::Report& report) const;
     /// After the run: writes report and plot, and gives all files their names. The error is a sentence.
     tl::expected<void, std::string> commit(const simulation::Report& report);
 
@@ -42,12 +47,22 @@ class Outputs {
         simulation::TextStream text;
     };
     tl::expected<TextFile*, std::string> add_file(const std::string& name);
+    void add_explanation(simulation::Simulator& simulator);
+
+    /// What an explanation is made of.
+    struct Causes {
+        explicit Causes(const machine::Machine& of) : machine(of), bound(of) {}
+        const machine::Machine& machine;
+        simulation::TimeByLimit times;
+        simulation::PathBound bound;
+    };
 
     OutputNames names_;
     std::vector<std::unique_ptr<TextFile>> files_;
     std::unique_ptr<simulation::MovesWriter> moves_;
     std::unique_ptr<simulation::TrajectoryWriter> trajectory_;
     std::unique_ptr<simulation::PlotData> plot_;
+    std::unique_ptr<Causes> causes_;
 };
 
 }  // namespace gsim::apps

@@ -1,20 +1,25 @@
 -- Modes of the path and the spindle, and switches that only the machine itself knows.
 
--- Path modes: each move comes to rest at its end, which is what exact stop asks for.
-local path_mode = 61
+-- Path modes. Cutting mode is in force at the start.
+local path_mode = 64
 
-local function mode(name, number, text)
+local function mode(name, number, path_name, text)
   word(name, function()
     path_mode = number
+    path.set_mode(path_name)
     if text then core.warn(text) end
+    if number == 64 then path.warn_of_stops("G64 (cutting mode)") end
   end)
 end
-mode("G61", 61)
-mode("G62", 62,
-  "G62 (automatic corner override): the feed is not lowered at inside corners; each move comes to rest there")
-mode("G63", 63, "G63 (tapping mode): there are no feed overrides and no feed hold here that it could lock")
-mode("G64", 64, "G64 (cutting mode): this version brings every move to rest; a control that does not is faster")
-word("G9", function() end)
+mode("G61", 61, "exact_stop")
+mode("G62", 62, "continuous", "G62 (automatic corner override): the feed is not lowered at inside corners")
+mode("G63", 63, "continuous",
+  "G63 (tapping mode): there are no feed overrides and no feed hold here that it could lock")
+mode("G64", 64, "continuous")
+path.set_mode("continuous")
+
+-- One block that ends in an exact stop.
+word("G9", function() path.act(core.exact_stop_once) end)
 
 -- The path mode in force, for the system variables.
 function path_mode_code() return path_mode end
@@ -89,6 +94,7 @@ word("S", function(value)
   else
     turn(speed(value, "S"))
   end
+  if state.spindle then path.wait() end
 end)
 
 word("G50", function(words)

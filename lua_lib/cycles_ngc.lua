@@ -257,14 +257,17 @@ local function drill(name, words, before)
   read_words(hole, words, name, p, again)
   local step = state.incremental and stepper(words, name, p)
   if not step then absolute_place(hole, words, name, p) end
-  for pass = 1, repeats do
-    if step then step(hole) end
-    -- The way to the first hole is at the level of the tool, that between repeats at the clearance level.
-    local level = pass == 1 and above(current, hole.r) and current or hole.clear
-    hole.rapid_to(hole.first, hole.second, level)
-    hole.rapid(hole.r)
-    strokes[name](hole)
-  end
+  -- The moves of a cycle keep to the path, whatever the path mode.
+  path.in_mode("exact_path", function()
+    for pass = 1, repeats do
+      if step then step(hole) end
+      -- The way to the first hole is at the level of the tool, that between repeats at the clearance level.
+      local level = pass == 1 and above(current, hole.r) and current or hole.clear
+      hole.rapid_to(hole.first, hole.second, level)
+      hole.rapid(hole.r)
+      strokes[name](hole)
+    end
+  end)
   if leaves_tool(name) then
     path.go_on_from(core.to_machine {
       [p.first] = hole.first * unit, [p.second] = hole.second * unit, [p.third] = hole.clear * unit })

@@ -27,7 +27,7 @@ local function digital(name, on, with_move)
     check_table(words, name)
     refuse_with_compensation(name)
     local number = number_of(words and words.p, name, "P")
-    path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""))
+    path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""), with_move)
   end)
 end
 digital("M62", true, true)
@@ -41,7 +41,7 @@ local function analog(name, with_move)
     refuse_with_compensation(name)
     local number = number_of(words and words.e, name, "E")
     if words.q == nil then alarm("%s needs Q, the value of the output", name) end
-    path.event("analog_output", ("E%d %.10g%s"):format(number, words.q, with_move and WITH_MOVE or ""))
+    path.event("analog_output", ("E%d %.10g%s"):format(number, words.q, with_move and WITH_MOVE or ""), with_move)
   end)
 end
 analog("M67", true)

@@ -66,6 +66,7 @@ word("S", function(value)
   if not given(value, "S") then return end
   speed(value, "")
   set_speed()
+  if state.spindle then path.wait() end
 end)
 
 word("G96", function(words)
@@ -137,10 +138,19 @@ end
 word("G90_1", function() state.arc_absolute = true end)
 word("G91_1", function() state.arc_absolute = false end)
 
-word("G61", function() refuse_with_compensation("G61") end)
-word("G61_1", function() refuse_with_compensation("G61.1") end)
+path.set_mode("continuous")
 
--- The tolerances of G64 say how far a path may be rounded; this control keeps to the path, which is within any of them.
+word("G61", function()
+  refuse_with_compensation("G61")
+  path.set_mode("exact_path")
+end)
+
+word("G61_1", function()
+  refuse_with_compensation("G61.1")
+  path.set_mode("exact_stop")
+end)
+
+-- P: how far corners may be cut; Q: within what lines are merged, like P where it is left out.
 word("G64", function(words)
   check_table(words, "G64")
   refuse_with_compensation("G64")
@@ -149,7 +159,11 @@ word("G64", function(words)
       alarm("G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'", tostring(letter))
     end
   end
-  core.warn("G64 (cutting mode): this version brings every move to rest; a control that does not is faster")
+  local tolerance = words and words.p or 0
+  local merging = words and words.q or tolerance
+  if tolerance < 0 or merging < 0 then alarm("P and Q of G64 are tolerances from 0 on") end
+  path.set_mode("continuous", tolerance * state.unit_mm, merging * state.unit_mm)
+  path.warn_of_stops("G64 (continuous mode)")
 end)
 
 local function refused(name, shown, reason)

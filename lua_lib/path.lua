@@ -134,12 +134,55 @@ function path.dwell(seconds)
   end
 end
 
-function path.event(kind, detail)
+-- Events for which the machine does not stop.
+local in_passing = {}
+for _, kind in ipairs { "message", "print", "debug", "log", "log_open", "log_append", "log_close", "probe_open",
+                        "probe_close", "print_open", "print_close", "tool_select", "override" } do
+  in_passing[kind] = true
+end
+
+-- `passing`: the machine does not stop for it, whatever the kind.
+function path.event(kind, detail, passing)
+  passing = passing or in_passing[kind]
   if head == machine then
-    core.event(kind, detail)
+    core.event(kind, detail, nil, passing)
   else
     local place = core.place()
-    head:act(function() core.event(kind, detail, place) end)
+    head:act(function() core.event(kind, detail, place, passing) end)
+  end
+end
+
+-- The control reads on when all moves so far have been made.
+function path.wait()
+  head:act(core.wait)
+end
+
+-- How the moves that follow pass their ends: "exact_stop", "exact_path" (without a stop where the path goes straight on)
+-- or "continuous", within tolerances of the path and of merged lines (mm; 0: as the controller does).
+local mode, tolerance, merging
+
+local function set_mode()
+  local m, t, q = mode, tolerance, merging
+  head:act(function() core.set_path_mode(m, t, q) end)
+end
+
+function path.set_mode(name, tolerance_mm, merge_tolerance_mm)
+  mode, tolerance, merging = name, tolerance_mm or 0, merge_tolerance_mm or 0
+  set_mode()
+end
+
+-- f() moves in another mode than that of the program.
+function path.in_mode(name, f)
+  head:act(function() core.set_path_mode(name, 0, 0) end)
+  f()
+  set_mode()
+end
+
+-- Where the machine's controller brings each move to rest, a mode that would not is said to make no difference.
+function path.warn_of_stops(name)
+  if core.stops_at_each_move then
+    core.warn(name .. ": the controller of this machine brings each move to rest; one that does not is faster "
+      .. "([controller] of the machine file)")
   end
 end
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/kinematics/kinematics.h"
+#include "runtime/rrs/controller_rules.h"
 
 namespace gsim::machine {
 
@@ -32,6 +33,10 @@ struct Axis {
     double max = 0;
     double max_speed = std::numeric_limits<double>::infinity();         ///< mm/s or deg/s
     double max_acceleration = std::numeric_limits<double>::infinity();  ///< mm/s2 or deg/s2
+    double max_jerk = std::numeric_limits<double>::infinity();          ///< mm/s3 or deg/s3
+    /// Jump of speed that the axis stands at a corner, mm/s or deg/s.
+    double max_speed_step = std::numeric_limits<double>::infinity();
+    double step = 0;  ///< Smallest step of the axis, mm or deg; 0: none.
     double home = 0;
     double zero = 0;  ///< Reading of the axis at the joint's zero.
     DhRow dh = {};
@@ -66,6 +71,7 @@ struct Machine {
     Frame base;  ///< World to the chain's first frame.
     Frame tool;  ///< Last joint's frame to the tool centre point.
     InverseKind inverse = InverseKind::none;
+    rrs::ControllerRules controller;
 
     /// Index of the axis with this (upper case) letter.
     std::optional<std::size_t> find(char letter) const;

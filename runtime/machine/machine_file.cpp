@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "runtime/machine/controller_file.h"
+#include "runtime/machine/controller_keys.h"
 #include "runtime/machine/embedded_machines.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
@@ -15,7 +17,7 @@ using std::string_view_literals::operator""sv;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr std::string_view kLetters = "ABCUVWXYZ";
 
-constexpr std::array kFileKeys{"machine"sv, "path"sv, "base"sv, "tool"sv, "axis"sv};
+constexpr std::array kFileKeys{"machine"sv, "path"sv, "base"sv, "tool"sv, "controller"sv, "axis"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
 constexpr std::array kFrameKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
@@ -24,17 +26,27 @@ constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 // The keys of an axis, whose units go by its kind.
 struct AxisKeys {
     std::string_view title;
-    std::string_view min, max, max_speed, max_acceleration, home, zero;
+    std::string_view min, max, max_speed, max_acceleration, max_jerk, max_speed_step, step, home, zero;
 
-    std::array<std::string_view, 9> all() const {
-        return {"letter", "kind", min, max, max_speed, max_acceleration, home, zero, "dh"};
+    std::array<std::string_view, 12> all() const {
+        return {"letter", "kind",         min,  max,  max_speed, max_acceleration,
+                max_jerk, max_speed_step, step, home, zero,      "dh"};
     }
 };
 
-constexpr AxisKeys kLinearKeys{"a linear [[axis]]",      "min_mm",  "max_mm", "max_speed_mm_s",
-                               "max_acceleration_mm_s2", "home_mm", "zero_mm"};
-constexpr AxisKeys kRotaryKeys{"a rotary [[axis]]",       "min_deg",  "max_deg", "max_speed_deg_s",
-                               "max_acceleration_deg_s2", "home_deg", "zero_deg"};
+constexpr AxisKeys kLinearKeys{
+    "a linear [[axis]]",   "min_mm",  "max_mm",  "max_speed_mm_s", "max_acceleration_mm_s2", "max_jerk_mm_s3",
+    "max_speed_step_mm_s", "step_mm", "home_mm", "zero_mm"};
+constexpr AxisKeys kRotaryKeys{"a rotary [[axis]]",
+                               "min_deg",
+                               "max_deg",
+                               "max_speed_deg_s",
+                               "max_acceleration_deg_s2",
+                               "max_jerk_deg_s3",
+                               "max_speed_step_deg_s",
+                               "step_deg",
+                               "home_deg",
+                               "zero_deg"};
 
 Frame read_frame(FirstError& error, const toml::table* table, std::string title) {
     if (!table) return {};
@@ -116,6 +128,9 @@ Axis read_axis(FirstError& error, const toml::table& table) {
     axis.max = section.number(keys.max, kUnlimited, NumberRule::any);
     axis.max_speed = section.number(keys.max_speed, kUnlimited, NumberRule::positive);
     axis.max_acceleration = section.number(keys.max_acceleration, kUnlimited, NumberRule::positive);
+    axis.max_jerk = section.number(keys.max_jerk, kUnlimited, NumberRule::positive);
+    axis.max_speed_step = section.number(keys.max_speed_step, kUnlimited, NumberRule::positive);
+    axis.step = section.number(keys.step, 0, NumberRule::step);
     axis.home = section.number(keys.home, 0, NumberRule::finite);
     axis.zero = section.number(keys.zero, 0, NumberRule::finite);
     check_range(section, keys, axis);
@@ -151,7 +166,14 @@ InverseKind read_inverse(TomlSection& section) {
     return InverseKind::none;
 }
 
-Machine read_tables(FirstError& error, const toml::table& root) {
+rrs::ControllerRules read_controller_table(FirstError& error, const toml::table* table,
+                                           const std::filesystem::path& folder) {
+    if (!table) return {};
+    TomlSection section(error, *table, "[controller]", controller_keys());
+    return read_controller_section(section, folder);
+}
+
+Machine read_tables(FirstError& error, const toml::table& root, const std::filesystem::path& folder) {
     Machine machine;
     TomlSection file(error, root, "a machine file", kFileKeys);
     file.require("machine");
@@ -163,6 +185,7 @@ Machine read_tables(FirstError& error, const toml::table& root) {
     machine.path = read_path_limits(error, file.table("path"));
     machine.base = read_frame(error, file.table("base"), "[base]");
     machine.tool = read_frame(error, file.table("tool"), "[tool]");
+    machine.controller = read_controller_table(error, file.table("controller"), folder);
     machine.axes = read_axes(error, file);
     if (error.text()) return machine;
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
@@ -173,12 +196,8 @@ Machine read_tables(FirstError& error, const toml::table& root) {
 
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
-    const toml::parse_result parsed = toml::parse(toml_text);
-    if (!parsed) {
-        error.report(parsed.error().source().begin, parsed.error().description());
-        return tl::unexpected(*error.text());
-    }
-    Machine machine = read_tables(error, parsed.table());
+    const toml::table root = parse_toml(error, toml_text);
+    Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path());
     if (error.text()) return tl::unexpected(*error.text());
     return machine;
 }

@@ -11,7 +11,8 @@
 namespace gsim::machine {
 
 /// Reads a machine file (docs/machine-file.md) strictly: what it does not know or does not understand is an
-/// error. The error is "file:line:column: sentence"; `file_name` is only for that.
+/// error. The error is "file:line:column: sentence". `file_name` is for that, and for a controller file of
+/// one's own, which is looked for in the folder of the machine file.
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name);
 
 /// read_machine() of a file on disk.

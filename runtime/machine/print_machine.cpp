@@ -1,56 +1,12 @@
-#include <cmath>
-#include <iterator>
-
 #include <fmt/format.h>
 
+#include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/machine/toml_text.h"
 
 namespace gsim::machine {
 
 namespace {
-
-std::string toml_string(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += c;
-        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
-        } else {
-            out += c;
-        }
-    }
-    return out + '"';
-}
-
-// Writes tables line by line; values that are as if the key were left out are left out.
-class TomlText {
-  public:
-    void section(std::string_view header) {
-        if (!text_.empty()) text_ += '\n';
-        text_ += header;
-        text_ += '\n';
-    }
-    void line(std::string_view key, std::string_view value) {
-        fmt::format_to(std::back_inserter(text_), "{} = {}\n", key, value);
-    }
-    void number(std::string_view key, double value) { line(key, number_text(value)); }
-    void limit(std::string_view key, double value) {
-        if (std::isfinite(value)) number(key, value);
-    }
-    std::string take() { return std::move(text_); }
-
-    /// A float of TOML in its shortest form, 254 as "254.0".
-    static std::string number_text(double value) {
-        std::string text = fmt::format("{}", value);
-        if (std::isfinite(value) && text.find_first_of(".e") == std::string::npos) text += ".0";
-        return text;
-    }
-
-  private:
-    std::string text_;
-};
 
 void print_path_limits(TomlText& out, const PathLimits& path) {
     if (path == PathLimits{}) return;
@@ -76,7 +32,6 @@ void print_axis(TomlText& out, const Axis& axis) {
     const auto key = [unit = linear ? "mm" : "deg"](std::string_view name, std::string_view per = "") {
         return fmt::format("{}_{}{}", name, unit, per);
     };
-    const auto number = TomlText::number_text;
     out.section("[[axis]]");
     out.line("letter", toml_string({&axis.letter, 1}));
     out.line("kind", linear ? "\"linear\"" : "\"rotary\"");
@@ -84,11 +39,14 @@ void print_axis(TomlText& out, const Axis& axis) {
     out.limit(key("max"), axis.max);
     out.limit(key("max_speed", "_s"), axis.max_speed);
     out.limit(key("max_acceleration", "_s2"), axis.max_acceleration);
+    out.limit(key("max_jerk", "_s3"), axis.max_jerk);
+    out.limit(key("max_speed_step", "_s"), axis.max_speed_step);
+    if (axis.step != 0) out.number(key("step"), axis.step);
     out.number(key("home"), axis.home);
     out.number(key("zero"), axis.zero);
     out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
-                               number(axis.dh.theta_deg), number(axis.dh.d_mm), number(axis.dh.a_mm),
-                               number(axis.dh.alpha_deg)));
+                               toml_number(axis.dh.theta_deg), toml_number(axis.dh.d_mm),
+                               toml_number(axis.dh.a_mm), toml_number(axis.dh.alpha_deg)));
 }
 
 }  // namespace
@@ -101,6 +59,7 @@ std::string print_machine(const Machine& machine) {
     print_path_limits(out, machine.path);
     print_frame(out, "[base]", machine.base);
     print_frame(out, "[tool]", machine.tool);
+    print_controller(out, machine.controller);
     for (const Axis& axis : machine.axes) print_axis(out, axis);
     return out.take();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// For machine_file.cpp alone: toml++ is slow to compile and belongs into one translation unit.
+// For the readers of TOML files alone: toml++ is slow to compile. Its parser is in toml_section.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,7 @@
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 0
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
@@ -37,18 +38,42 @@ class FirstError {
     void report(const toml::source_position& where, std::string_view sentence) {
         if (text_) return;
         text_ = fmt::format("{}:{}:{}: {}", file_name_, std::max<unsigned>(1, where.line),
-                            std::max<unsigned>(1, where.column), sentence);
+                            std::max<unsigned>(1, where.column), in_one_line(sentence));
+    }
+
+    /// Takes over the error of another file, which says where it is itself.
+    void adopt(std::string text) {
+        if (!text_) text_ = std::move(text);
     }
 
     const std::optional<std::string>& text() const { return text_; }
 
   private:
+    // What is quoted from a file may hold line breaks.
+    static std::string in_one_line(std::string_view sentence) {
+        std::string line(sentence);
+        std::replace_if(
+            line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+        return line;
+    }
+
     std::string_view file_name_;
     std::optional<std::string> text_;
 };
 
+/// The tables of a file; where it is no TOML, none and an error.
+toml::table parse_toml(FirstError& error, std::string_view toml_text);
+
 /// What a number may be.
-enum class NumberRule { finite, any, positive };
+enum class NumberRule {
+    finite,
+    any,
+    positive,      ///< Or infinite.
+    not_negative,  ///< And finite.
+    step,          ///< 0 (none), or not so small that its multiples get out of hand.
+    share,         ///< Of something that must not be used up; or infinite.
+    count,         ///< A whole number of things to keep in memory.
+};
 
 /// One table of the file with the keys that it may hold.
 class TomlSection {
@@ -67,6 +92,8 @@ class TomlSection {
         return node ? node->source().begin : table_.source().begin;
     }
     void fail(std::string_view key, std::string_view sentence) { error_.report(where(key), sentence); }
+    /// Takes over the error of a file that this section names.
+    void adopt_error(std::string text) { error_.adopt(std::move(text)); }
 
     /// The value of `key`, or null; it is an error if there is none.
     const toml::node* require(std::string_view key) {
@@ -96,6 +123,26 @@ class TomlSection {
             return fallback;
         }
         return value;
+    }
+
+    bool flag(std::string_view key, bool fallback) {
+        const toml::node* node = table_.get(key);
+        if (!node) return fallback;
+        if (const auto* value = node->as_boolean()) return value->get();
+        fail_type(key, "true or false", *node);
+        return fallback;
+    }
+
+    /// Which of `names` stands under `key`, as an index.
+    std::size_t choice(std::string_view key, std::size_t fallback, std::span<const std::string_view> names) {
+        const toml::node* node = table_.get(key);
+        if (!node) return fallback;
+        const auto value = node->value<std::string_view>();
+        const auto found = value ? std::find(names.begin(), names.end(), *value) : names.end();
+        if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+        fail(key, fmt::format("'{}' must be \"{}\" or \"{}\"", key,
+                              fmt::join(names.first(names.size() - 1), "\", \""), names.back()));
+        return fallback;
     }
 
     /// The table under `key`, or null where there is none.
@@ -128,18 +175,7 @@ class TomlSection {
     }
 
   private:
-    static constexpr double kGreatest = 1e9;  // mm or deg; far beyond any machine, far from overflow
-
-    static std::optional<std::string> find_fault(double value, NumberRule rule) {
-        if (std::isnan(value)) return "a number";
-        if (std::isinf(value)) {
-            if (rule == NumberRule::finite) return "finite";
-        } else if (std::abs(value) > kGreatest) {
-            return "between -1e9 and 1e9";
-        }
-        if (rule == NumberRule::positive && value <= 0) return "greater than 0";
-        return std::nullopt;
-    }
+    static std::optional<std::string_view> find_fault(double value, NumberRule rule);
 
     void check_known(const toml::key& key, std::span<const std::string_view> known_keys) {
         const std::string_view name = key.str();

@@ -78,6 +78,25 @@ double Arc::phi_at(double s_mm) const {
     return sweep_rad * std::log1p(change / radius_mm * share) / log_growth(*this);
 }
 
+double Arc::length_to(double phi_rad) const {
+    return length_mm() * share_at(*this, phi_rad);
+}
+
+Arc Arc::part(double from_mm, double to_mm) const {
+    const double from_rad = phi_at(from_mm);
+    const double to_rad = phi_at(to_mm);
+    const double from_share = share_at(*this, from_rad);
+    Arc part = *this;
+    part.center += from_share * lift;
+    part.u = outward(*this, from_rad);
+    part.v = forward(*this, from_rad);
+    part.radius_mm = radius_at(*this, from_rad);
+    part.end_radius_mm = radius_at(*this, to_rad);
+    part.sweep_rad = to_rad - from_rad;
+    part.lift = (share_at(*this, to_rad) - from_share) * lift;
+    return part;
+}
+
 Vector3d Arc::at(double phi_rad) const {
     const double share = share_at(*this, phi_rad);
     return center + radius_at(*this, phi_rad) * outward(*this, phi_rad) + share * lift;

@@ -27,6 +27,10 @@ struct Arc {
     double length_mm() const;
     /// The angle after a way of `s_mm` along the arc.
     double phi_at(double s_mm) const;
+    /// The way along the arc up to an angle.
+    double length_to(double phi_rad) const;
+    /// The part of the arc between two lengths of way.
+    Arc part(double from_mm, double to_mm) const;
     Eigen::Vector3d at(double phi_rad) const;
     /// Unit tangent of the travel at phi.
     Eigen::Vector3d tangent(double phi_rad) const;

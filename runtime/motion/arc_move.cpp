@@ -1,7 +1,5 @@
 #include "runtime/motion/arc_move.h"
 
-#include <algorithm>
-
 #include "runtime/motion/followers.h"
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
@@ -15,15 +13,13 @@ constexpr double kNoShare = 1e-9;
 
 LeadPath arc_path(const PlannerSetup& setup, const MoveRules& rules, const Segment& segment) {
     LeadPath lead{.length = segment.length_mm};
-    lead.max_speed = std::min(rules.programmed_speed_mm_s, rules.max_path_speed_mm_s);
-    lead.max_acceleration = rules.path_acceleration_mm_s2;
+    limit_by_path(rules, lead);
     for (int axis = 0; axis < 3; ++axis) {
         const double share = segment.arc.max_share(axis);
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0 || share < kNoShare) continue;
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-        lead.limit_speed(limits.max_speed / share);
-        lead.limit_acceleration(limits.max_acceleration / share);
+        lead.limit_by_joint(joint, limits, share);
     }
     return lead;
 }
@@ -38,14 +34,19 @@ bool leaves_the_machine(const PlannerSetup& setup, const Arc& arc) {
 
 }  // namespace
 
-Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
+Planned shape_arc(const PlannerSetup& setup, Segment& segment) {
     segment.kind = SegmentKind::circular;
     segment.length_mm = segment.arc.length_mm();
     if (leaves_the_machine(setup, segment.arc)) {
         return refused(rrs::Status::RRS_INVALID_PARAMETER,
                        "The arc needs a direction in which the machine has no joint.");
     }
-    const JointChanges changes(setup, segment);
+    return {};
+}
+
+Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
+    if (Planned shaped = shape_arc(setup, segment); !shaped) return shaped;
+    const JointChanges changes(setup, segment.start, segment.end);
     const MoveRules resolved = rules.resolved(changes.norm(JointRole::rotary) > 0);
     if (resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
     const Followers followers(setup, resolved, changes, JointRole::position);

@@ -7,6 +7,10 @@
 
 namespace gsim::motion {
 
+/// Makes the segment a circular one along segment.arc, without a time law. RRS_INVALID_PARAMETER where the
+/// arc leaves the position joints that the machine has.
+Planned shape_arc(const PlannerSetup& setup, Segment& segment);
+
 /// Plans circular motion along segment.arc, which goes from segment.start to segment.end in the position
 /// joints; all other moving joints follow. Tangential speed and acceleration keep the programmed values, the
 /// limits of the path and, for the direction of travel in which each is worst, those of the position joints.

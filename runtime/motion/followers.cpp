@@ -25,7 +25,10 @@ Followers::Followers(const PlannerSetup& setup, const MoveRules& rules, const Jo
 void Followers::add(int joint, double change, double max_speed, double max_acceleration) {
     const double fastest_s = TimeLaw::fastest_s(std::abs(change), max_speed, max_acceleration);
     moves_[count_++] = {joint, change, max_speed, max_acceleration, fastest_s};
-    fastest_s_ = std::max(fastest_s_, fastest_s);
+    if (fastest_s <= fastest_s_) return;
+    fastest_s_ = fastest_s;
+    const bool reached = max_speed * max_speed <= std::abs(change) * max_acceleration;
+    slowest_ = {reached ? LimitKind::joint_speed : LimitKind::acceleration, static_cast<std::int8_t>(joint)};
 }
 
 void Followers::write(Segment& segment, double duration_s) const {

@@ -19,6 +19,8 @@ class Followers {
 
     /// The least time in which all of them can do their way.
     double fastest_s() const { return fastest_s_; }
+    /// What limits the slowest of them.
+    LimitedBy slowest() const { return slowest_; }
     /// Gives them to the segment, stretched to `duration_s` >= fastest_s().
     void write(Segment& segment, double duration_s) const;
 
@@ -36,6 +38,7 @@ class Followers {
     std::array<Move, rrs::kMaxJoints> moves_;  // only the first count_ hold values
     std::size_t count_ = 0;
     double fastest_s_ = 0;
+    LimitedBy slowest_;
 };
 
 /// The fastest law within the limits where `duration_s` is its time, otherwise the law stretched to

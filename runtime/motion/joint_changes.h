@@ -3,15 +3,16 @@
 #include <array>
 
 #include "runtime/motion/planner_setup.h"
-#include "runtime/motion/segment.h"
+#include "runtime/rrs/types.h"
 
 namespace gsim::motion {
 
-/// How far each joint goes in a move (mm or rad, signed). A change of up to 1e-9 counts as none: it is
+/// How far each joint goes in a move (mm or rad, signed). A change of up to `least` counts as none: it is
 /// rounding of frames and inverse kinematics, not motion.
 class JointChanges {
   public:
-    JointChanges(const PlannerSetup& setup, const Segment& segment);
+    JointChanges(const PlannerSetup& setup, const rrs::JointPos& start, const rrs::JointPos& end,
+                 double least = 1e-9);
 
     double of(int joint) const { return changes_[static_cast<std::size_t>(joint)]; }
     JointRole role(int joint) const { return roles_[static_cast<std::size_t>(joint)]; }

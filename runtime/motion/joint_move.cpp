@@ -9,7 +9,7 @@
 namespace gsim::motion {
 
 Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed, Segment& segment) {
-    const JointChanges changes(setup, segment);
+    const JointChanges changes(setup, segment.start, segment.end);
     segment.kind = SegmentKind::joint;
     LeadPath lead;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
@@ -17,8 +17,10 @@ Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed,
         if (change == 0) continue;
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
         lead.length = 1;
-        lead.limit_speed(programmed.joint_speed(limits, joint) / change);
-        lead.limit_acceleration(programmed.joint_acceleration(limits, joint) / change);
+        const auto index = static_cast<std::int8_t>(joint);
+        lead.limit_speed(programmed.joint_speed(limits, joint) / change, {LimitKind::joint_speed, index});
+        lead.limit_acceleration(programmed.joint_acceleration(limits, joint) / change,
+                                {LimitKind::acceleration, index});
     }
     if (lead.length == 0) {
         plan_stay(segment, 0);

@@ -13,7 +13,22 @@ namespace {
 
 constexpr double kShortest_s = 1e-15;  // below, speeds are no physical values and may not even be finite
 
+LimitedBy limit_of(const Segment& segment, const LeadPath& lead, const Followers* followers, double lead_s) {
+    if (segment.duration_s <= lead_s) {
+        const bool reached = segment.lead.peak_speed() >= lead.max_speed * (1 - 1e-12);
+        return reached ? lead.speed_limit : lead.acceleration_limit;
+    }
+    const bool follower = followers != nullptr && segment.duration_s <= followers->fastest_s();
+    return follower ? followers->slowest() : LimitedBy{LimitKind::time, -1};
+}
+
 }  // namespace
+
+void limit_by_path(const MoveRules& rules, LeadPath& lead) {
+    lead.limit_speed(rules.programmed_speed_mm_s, {LimitKind::feed, -1});
+    lead.limit_speed(rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
+    lead.limit_acceleration(rules.path_acceleration_mm_s2, {LimitKind::path_acceleration, -1});
+}
 
 Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* followers,
                    double least_duration_s) {
@@ -32,6 +47,7 @@ Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* foll
     segment.duration_s = duration_s;
     segment.lead = law_within(lead.length, lead.max_speed, lead.max_acceleration, lead_s, duration_s);
     if (followers != nullptr) followers->write(segment, duration_s);
+    segment.limited_by = limit_of(segment, lead, followers, lead_s);
     return {};
 }
 

@@ -21,18 +21,15 @@ LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const 
                        JointRole role) {
     LeadPath lead{.length = changes.norm(role)};
     if (role == JointRole::rotary) {
-        lead.max_speed = rules.orientation_speed_rad_s;
-        lead.max_acceleration = rules.orientation_acceleration_rad_s2;
+        lead.limit_speed(rules.orientation_speed_rad_s, {LimitKind::feed, -1});
+        lead.limit_acceleration(rules.orientation_acceleration_rad_s2, {LimitKind::path_acceleration, -1});
     } else {
-        lead.max_speed = std::min(rules.programmed_speed_mm_s, rules.max_path_speed_mm_s);
-        lead.max_acceleration = rules.path_acceleration_mm_s2;
+        limit_by_path(rules, lead);
     }
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         if (changes.of(joint) == 0 || changes.role(joint) != role) continue;
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-        const double path_per_joint = lead.length / std::abs(changes.of(joint));
-        lead.limit_speed(limits.max_speed * path_per_joint);
-        lead.limit_acceleration(limits.max_acceleration * path_per_joint);
+        lead.limit_by_joint(joint, limits, std::abs(changes.of(joint)) / lead.length);
     }
     return lead;
 }
@@ -40,7 +37,7 @@ LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const 
 }  // namespace
 
 Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
-    const JointChanges changes(setup, segment);
+    const JointChanges changes(setup, segment.start, segment.end);
     const JointRole role = leading_role(changes);
     segment.kind = SegmentKind::linear;
     if (changes.norm(role) == 0) {

@@ -6,15 +6,30 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/linuxcnc/linuxcnc_model.h"
+#include "runtime/motion/look_ahead.h"
+
 namespace gsim::motion {
 
 using rrs::Status;
 
 namespace {
 
+constexpr rrs::TargetId kNoTarget = -1;  // of the time in which the controller waits for its program
+
 PlannerSetup valid(PlannerSetup setup) {
     if (auto trouble = setup.validate()) throw std::invalid_argument(*trouble);
     return setup;
+}
+
+std::unique_ptr<MotionModel> make_model(const PlannerSetup& setup, SegmentOutput& output) {
+    switch (setup.controller.planner) {
+        case rrs::PlannerKind::look_ahead: return std::make_unique<LookAhead>(setup, output);
+        case rrs::PlannerKind::linuxcnc:
+            return std::make_unique<LinuxcncModel>(setup, setup.controller, output);
+        case rrs::PlannerKind::rest_to_rest: break;
+    }
+    return nullptr;
 }
 
 }  // namespace
@@ -25,7 +40,8 @@ DefaultPlanner::DefaultPlanner(PlannerSetup setup, SegmentSink* sink)
       axis_space_(AxisSpace::of(setup_)),
       queue_(setup_.queue_capacity),
       programmed_(setup_.joint_count()),
-      position_(rrs::JointPos::Zero(setup_.joint_count())) {}
+      position_(rrs::JointPos::Zero(setup_.joint_count())),
+      model_(make_model(setup_, output_)) {}
 
 Status DefaultPlanner::Initialize() {
     start_over();
@@ -53,16 +69,46 @@ Status DefaultPlanner::GetMessage(std::string& message) {
 
 void DefaultPlanner::start_over() {
     queue_.clear();
+    if (model_) model_->clear();
     programmed_ = Programmed(setup_.joint_count());
     position_.setZero();
     via_.reset();
     error_ = {};
     end_s_ = 0;
     step_s_ = 0;
+    waited_s_ = 0;
     has_position_ = false;
 }
 
+void DefaultPlanner::come_to_rest(bool waits) {
+    if (model_) model_->come_to_rest();
+    if (!waits || end_s_ == waited_s_) return;
+    const double rest_s = setup_.controller.rest_s;
+    if (rest_s > 0) append_rest(kNoTarget, rest_s);
+    waited_s_ = end_s_;
+}
+
+// LinuxCNC's position loop delays by a period, and smooths over another one.
+void DefaultPlanner::end_program() {
+    come_to_rest();
+    if (end_s_ > 0 && setup_.controller.servo_period_s > 0)
+        append_rest(kNoTarget, 2 * setup_.controller.servo_period_s);
+    flush();
+}
+
+Segment& DefaultPlanner::Output::begin(rrs::TargetId id) {
+    DefaultPlanner& planner = planner_;
+    if (planner.queue_.room() == 0 && planner.sink_ != nullptr) planner.emit_front();
+    return planner.begin_segment(planner.queue_.next(), id);
+}
+
+void DefaultPlanner::Output::finish() {
+    planner_.end_s_ = planner_.queue_.next().end_s();
+    planner_.queue_.push();
+}
+
 void DefaultPlanner::flush() {
+    come_to_rest();
     while (!queue_.empty()) emit_front();
 }
 
@@ -80,6 +126,7 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
     if (!has_position_)
         return refuse(Status::RRS_NO_INITIAL_POSITION, "There is no position to step from yet.");
     const double from_s = step_s_;
+    if (from_s + programmed_.interpolation_s > end_s_) come_to_rest();
     Status status = queue_.empty() ? Status::RRS_NEED_MORE_DATA : Status::RRS_SUCCESS;
     step_s_ = std::min(from_s + programmed_.interpolation_s, end_s_);
     joints = position_;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "runtime/motion/axis_space.h"
+#include "runtime/motion/motion_model.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/programmed.h"
@@ -17,19 +19,22 @@
 namespace gsim::motion {
 
 /// The planner for machines whose maker gives none (thesis 5.3.2): joint, linear and circular motion that
-/// comes to rest at each target.
+/// comes to rest at each target, or, where the setup names a controller that does not, linear and circular
+/// motion by that controller's MotionModel.
 ///
-/// Each target (and each rest) becomes one segment at the end of a queue. Segments leave the queue in order,
-/// each exactly once, to the sink: all of them with flush(), those that GetNextStep passes, and the oldest by
-/// itself when the queue is full. Without a sink a full queue answers RRS_QUEUE_FULL. The step clock of
-/// GetNextStep never stands before the end of what has left. A target where the robot stands already becomes
-/// a segment of no duration, so that target ids arrive complete and in order; the dwell of SetRestParameter
-/// is a segment of its own with its target's id. A via point has no segment.
+/// Each target (and each rest) becomes segments at the end of a queue: one, or with a model as many as it
+/// makes of it. Segments leave the queue in order, each exactly once, to the sink: all of them with flush(),
+/// those that GetNextStep passes, and the oldest by itself when the queue is full. Without a sink a full
+/// queue answers RRS_QUEUE_FULL. The step clock of GetNextStep never stands before the end of what has left.
+/// Without a model a target where the robot stands already becomes a segment of no duration, so that target
+/// ids arrive complete and in order; the dwell of SetRestParameter is a segment of its own with its target's
+/// id. A via point has no segment. A model may hold targets back until it knows those that follow: joint
+/// motion, dwells, flush() and GetNextStep past the end of what is planned make it come to rest.
 ///
-/// Mixed moves: the path of the position joints leads by the programmed speed; each other joint follows by
-/// its own fastest trapezoid; the slowest of all sets the time, and the others run slower to take as long.
-/// `configuration` and `param_value` of targets are not looked at. A via point's rotary joints are not,
-/// either.
+/// Mixed moves at rest to rest: the path of the position joints leads by the programmed speed; each other
+/// joint follows by its own fastest trapezoid; the slowest of all sets the time, and the others run slower to
+/// take as long. `configuration` and `param_value` of targets are not looked at. A via point's rotary joints
+/// are not, either.
 class DefaultPlanner final : public rrs::Shell {
   public:
     /// `sink`, where there is one, must outlive the planner, and must not call its services while it takes a
@@ -38,11 +43,17 @@ class DefaultPlanner final : public rrs::Shell {
 
     /// Makes all queued segments final and passes them on; the step clock goes to their end.
     void flush();
-    /// End of the last queued segment on the planner's clock, which starts at 0 with Initialize and Reset.
+    /// Plans what a model holds back to end at rest. `waits`: the controller then waits for its program,
+    /// which takes its rest_s if anything has moved since it did so last.
+    void come_to_rest(bool waits = false);
+    /// flush() at the end of a program, whose last positions go through the controller's position loop.
+    void end_program();
+    /// End of the last planned segment on the planner's clock, which starts at 0 with Initialize and Reset;
+    /// what a model holds back is not counted.
     double time_s() const { return end_s_; }
     /// Where GetNextStep stands on the planner's clock.
     double step_time_s() const { return step_s_; }
-    /// Joint values at the end of the last queued segment.
+    /// Joint values at the last target.
     const rrs::JointPos& position() const { return position_; }
     /// The last answer other than plain success, with its numbers; GetMessage gives its sentence.
     const PlanError& last_error() const { return error_; }
@@ -77,6 +88,7 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status SelectMotionType(rrs::MotionType type) override;
     rrs::Status SelectDominantInterpolation(rrs::Dominance dominance) override;
     rrs::Status SelectFlybyMode(bool on) override;
+    rrs::Status SetPathMode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) override;
     rrs::Status SetRapid(bool on) override;
 
     rrs::Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) override;
@@ -95,6 +107,17 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status not_supported(std::string_view service) override;
 
   private:
+    // Where the model puts its segments: the end of the queue.
+    class Output final : public SegmentOutput {
+      public:
+        explicit Output(DefaultPlanner& planner) : planner_(planner) {}
+        Segment& begin(rrs::TargetId id) override;
+        void finish() override;
+
+      private:
+        DefaultPlanner& planner_;
+    };
+
     rrs::Status tell(PlanError error);
     rrs::Status refuse(rrs::Status status, std::string message);
     rrs::Status not_initialized();
@@ -112,10 +135,13 @@ class DefaultPlanner final : public rrs::Shell {
     Planned solve_pose(const rrs::CartPos& pose, rrs::JointPos& target) const;
     rrs::Status keep_via(const rrs::CartPos& cartesian, const rrs::JointPos& joints);
 
-    Segment& begin_segment(rrs::TargetId id);
+    Segment& begin_target(rrs::TargetId id, bool along_path);
+    Segment& begin_segment(Segment& slot, rrs::TargetId id);
     rrs::Status finish_target(const Segment& segment, Planned planned);
+    Planned add_to_model(const Segment& segment);
     void append(const Segment& segment);
     void append_rest(rrs::TargetId id, double rest_s);
+    double dwell_s(double programmed_s) const;
     void emit_front();
 
     Planned plan_selected(Segment& segment) const;
@@ -133,8 +159,12 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::JointPos position_;
     std::optional<rrs::JointPos> via_;
     PlanError error_;
+    Output output_{*this};
+    std::unique_ptr<MotionModel> model_;  ///< None where each move ends at rest.
+    Segment draft_;                       ///< Of the target that goes to the model.
     double end_s_ = 0;
     double step_s_ = 0;
+    double waited_s_ = 0;  ///< When the controller waited for its program last.
     bool initialized_ = false;
     bool has_position_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,11 @@ Trouble check_positive(const std::string& what, double value) {
     return fmt::format("{} is {}; it must be greater than 0 (infinity for no limit).", what, value);
 }
 
+Trouble check_not_negative(const std::string& what, double value) {
+    if (value >= 0 && std::isfinite(value)) return std::nullopt;
+    return fmt::format("{} is {}; it must be 0 or greater.", what, value);
+}
+
 Trouble check_joint(int index, const JointSetup& joint) {
     if (!(joint.min <= joint.max)) {
         return fmt::format("The range of joint {} goes from {} to {}; min must not be above max.", index,
@@ -23,13 +29,53 @@ Trouble check_joint(int index, const JointSetup& joint) {
     }
     if (auto trouble = check_positive(fmt::format("max_speed of joint {}", index), joint.max_speed))
         return trouble;
-    return check_positive(fmt::format("max_acceleration of joint {}", index), joint.max_acceleration);
+    if (auto trouble =
+            check_positive(fmt::format("max_acceleration of joint {}", index), joint.max_acceleration))
+        return trouble;
+    if (auto trouble = check_positive(fmt::format("max_jerk of joint {}", index), joint.max_jerk))
+        return trouble;
+    if (auto trouble = check_positive(fmt::format("max_speed_step of joint {}", index), joint.max_speed_step))
+        return trouble;
+    return check_not_negative(fmt::format("step of joint {}", index), joint.step);
 }
 
 Trouble check_path(const PathLimits& path) {
     if (auto trouble = check_positive("max_feed_mm_s of the path", path.max_feed_mm_s)) return trouble;
     if (auto trouble = check_positive("max_rapid_mm_s of the path", path.max_rapid_mm_s)) return trouble;
     return check_positive("max_acceleration_mm_s2 of the path", path.max_acceleration_mm_s2);
+}
+
+Trouble check_corners(const rrs::ControllerRules& controller) {
+    if (controller.look_ahead_blocks < 1) {
+        return fmt::format("look_ahead_blocks of the controller is {}; it must be at least 1.",
+                           controller.look_ahead_blocks);
+    }
+    const double share = controller.centripetal_share;
+    if ((share > 0 && share < 1) || share == kUnlimited) return std::nullopt;
+    return fmt::format(
+        "centripetal_share of the controller is {}; it must be greater than 0 and less than 1 (infinity: "
+        "curves do not slow the motion).",
+        share);
+}
+
+Trouble check_controller(const rrs::ControllerRules& controller) {
+    if (auto trouble = check_corners(controller)) return trouble;
+    if (auto trouble = check_positive("speed_step_s of the controller", controller.speed_step_s))
+        return trouble;
+    const std::pair<const char*, double> not_negative[] = {
+        {"junction_deviation_mm", controller.junction_deviation_mm},
+        {"arc_chord_tolerance_mm", controller.arc_chord_tolerance_mm},
+        {"least_feed_mm_min", controller.least_feed_mm_min},
+        {"settle_s", controller.settle_s},
+        {"rest_s", controller.rest_s},
+        {"dwell_step_s", controller.dwell_step_s},
+        {"servo_period_s", controller.servo_period_s},
+    };
+    for (const auto& [name, value] : not_negative) {
+        if (auto trouble = check_not_negative(fmt::format("{} of the controller", name), value))
+            return trouble;
+    }
+    return std::nullopt;
 }
 
 Trouble check_position_joints(const PlannerSetup& setup) {
@@ -60,15 +106,14 @@ std::optional<std::string> PlannerSetup::validate() const {
         if (auto trouble = check_joint(joint, joints[static_cast<std::size_t>(joint)])) return trouble;
     }
     if (auto trouble = check_path(path)) return trouble;
+    if (auto trouble = check_controller(controller)) return trouble;
     if (auto trouble = check_position_joints(*this)) return trouble;
     if (!kinematics) return "There are no kinematics.";
     if (kinematics->joint_count() != joint_count()) {
         return fmt::format("The kinematics have {} joints, the planner {}.", kinematics->joint_count(),
                            joint_count());
     }
-    if (!(arc_tolerance_mm >= 0) || !std::isfinite(arc_tolerance_mm)) {
-        return fmt::format("arc_tolerance_mm is {}; it must be 0 or greater.", arc_tolerance_mm);
-    }
+    if (auto trouble = check_not_negative("arc_tolerance_mm", arc_tolerance_mm)) return trouble;
     if (queue_capacity < 2)
         return fmt::format("queue_capacity is {}; it must be at least 2.", queue_capacity);
     return std::nullopt;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/kinematics/kinematics.h"
+#include "runtime/rrs/controller_rules.h"
 #include "runtime/rrs/types.h"
 
 namespace gsim::motion {
@@ -22,6 +23,9 @@ struct JointSetup {
     double max = kUnlimited;
     double max_speed = kUnlimited;
     double max_acceleration = kUnlimited;
+    double max_jerk = kUnlimited;
+    double max_speed_step = kUnlimited;  ///< Jump of speed that the joint stands at a corner.
+    double step = 0;                     ///< Smallest step of the joint; 0: none.
 };
 
 /// Limits of the tool's path, whatever the joints could do.
@@ -42,6 +46,7 @@ enum class JointRole : unsigned char {
 struct PlannerSetup {
     std::vector<JointSetup> joints;
     PathLimits path;
+    rrs::ControllerRules controller;
     /// The prismatic joints whose values are x, y, z of the tool tip in the axis space (but for a rigid
     /// motion of the space); -1 where absent. All -1: a machine whose tip position is not carried by joints
     /// so, which has joint motion alone.

@@ -31,6 +31,7 @@ Status DefaultPlanner::SetInitialPosition(const rrs::CartPos& cartesian, const r
     if (Planned solved = solve_target(cartesian, joints, position); !solved)
         return tell(std::move(solved.error()));
     flush();
+    if (model_) model_->clear();
     position_ = position;
     has_position_ = true;
     via_.reset();
@@ -46,7 +47,7 @@ Status DefaultPlanner::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, c
     if (param != rrs::TargetParam::end) {
         return refuse(Status::RRS_INVALID_PARAMETER, "A target is the end of a motion or a via point.");
     }
-    Segment& segment = begin_segment(id);
+    Segment& segment = begin_target(id, programmed_.motion_type != rrs::MotionType::joint);
     Planned planned = solve_target(cartesian, joints, segment.end);
     if (planned) planned = plan_selected(segment);
     return finish_target(segment, std::move(planned));
@@ -66,7 +67,7 @@ Status DefaultPlanner::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d&
                                         const Eigen::Vector3d& axis, double sweep_rad,
                                         const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
     if (Planned ready = ready_for_target(); !ready) return tell(std::move(ready.error()));
-    Segment& segment = begin_segment(id);
+    Segment& segment = begin_target(id, true);
     Planned planned = solve_target(cartesian, joints, segment.end);
     if (planned) planned = plan_center_arc(center_mm, axis, sweep_rad, segment);
     return finish_target(segment, std::move(planned));
@@ -78,8 +79,15 @@ Status DefaultPlanner::SetNextRest(rrs::TargetId id, double rest_s) {
         return refuse(Status::RRS_INVALID_PARAMETER,
                       fmt::format("A rest takes from 0 to {} s; {} was asked for.", kLongest_s, rest_s));
     }
-    append_rest(id, rest_s);
+    append_rest(id, dwell_s(rest_s));
     return Status::RRS_SUCCESS;
+}
+
+/// A dwell as the controller counts it.
+double DefaultPlanner::dwell_s(double programmed_s) const {
+    const double step_s = setup_.controller.dwell_step_s;
+    if (step_s <= 0) return programmed_s;
+    return step_s * std::ceil(programmed_s / step_s * (1 - 1e-12));
 }
 
 Planned DefaultPlanner::ready_for_target() {
@@ -149,47 +157,80 @@ Status DefaultPlanner::keep_via(const rrs::CartPos& cartesian, const rrs::JointP
     return Status::RRS_SUCCESS;
 }
 
-Segment& DefaultPlanner::begin_segment(rrs::TargetId id) {
-    Segment& segment = queue_.next();
-    segment.target_id = id;
-    segment.start_s = end_s_;
-    segment.start = position_;
-    segment.position_joints = setup_.position_joints;
-    segment.clear_followers();
-    return segment;
+/// A motion along a path goes to the model, if there is one: it is put together beside the queue, whose slots
+/// the model fills. Joint motion is no model's.
+Segment& DefaultPlanner::begin_target(rrs::TargetId id, bool along_path) {
+    if (!model_) return begin_segment(queue_.next(), id);
+    if (along_path) return begin_segment(draft_, id);
+    model_->come_to_rest();
+    model_->clear();
+    return begin_segment(queue_.next(), id);
+}
+
+Segment& DefaultPlanner::begin_segment(Segment& slot, rrs::TargetId id) {
+    slot.target_id = id;
+    slot.start_s = end_s_;
+    slot.start = position_;
+    slot.position_joints = setup_.position_joints;
+    slot.clear_followers();
+    slot.limited_by = {};
+    slot.beside.reset();
+    return slot;
 }
 
 Status DefaultPlanner::finish_target(const Segment& segment, Planned planned) {
+    const bool held_back = &segment == &draft_;
+    if (planned && held_back) planned = add_to_model(segment);
     if (!planned) return tell(std::move(planned.error()));
-    append(segment);
+    position_ = segment.end;
+    if (!held_back) append(segment);
     const double asked_s = std::exchange(programmed_.motion_time_s, 0);
     const double rest_s = std::exchange(programmed_.rest_s, 0);
     via_.reset();
-    if (rest_s > 0) append_rest(segment.target_id, rest_s);
-    if (asked_s <= 0 || segment.duration_s <= asked_s) return Status::RRS_SUCCESS;
+    if (rest_s > 0) append_rest(segment.target_id, dwell_s(rest_s));
+    if (held_back || asked_s <= 0 || segment.duration_s <= asked_s) return Status::RRS_SUCCESS;
     return refuse(Status::RRS_MOTION_TIME_RAISED,
                   fmt::format("The move takes {} s, not {} s: the machine can do it no faster.",
                               segment.duration_s, asked_s));
 }
 
-void DefaultPlanner::append(const Segment& segment) {
-    queue_.push();
-    position_ = segment.end;
-    end_s_ = segment.end_s();
+Planned DefaultPlanner::add_to_model(const Segment& segment) {
+    Move move;
+    move.target_id = segment.target_id;
+    move.kind = segment.kind;
+    move.start = segment.start;
+    move.end = segment.end;
+    move.arc = segment.arc;
+    move.rules = programmed_.rules(setup_.path);
+    move.rapid = programmed_.rapid;
+    move.mode = programmed_.path_mode;
+    move.tolerance_mm = programmed_.tolerance_mm;
+    move.merge_tolerance_mm = programmed_.merge_tolerance_mm;
+    return model_->add(move);
 }
 
+void DefaultPlanner::append(const Segment& segment) {
+    end_s_ = segment.end_s();
+    queue_.push();
+}
+
+/// A dwell waits for the program's next block: what was queued before it ends at rest.
 void DefaultPlanner::append_rest(rrs::TargetId id, double rest_s) {
-    Segment& segment = begin_segment(id);
+    if (model_) model_->come_to_rest();
+    Segment& segment = output_.begin(id);
     segment.kind = SegmentKind::rest;
-    segment.end = position_;
+    segment.start = segment.end = position_;
     plan_stay(segment, rest_s);
-    append(segment);
+    output_.finish();
 }
 
 Planned DefaultPlanner::plan_selected(Segment& segment) const {
     switch (programmed_.motion_type) {
         case rrs::MotionType::joint: return plan_joint_move(setup_, programmed_, segment);
-        case rrs::MotionType::linear: return plan_line(setup_, programmed_.rules(setup_.path), segment);
+        case rrs::MotionType::linear:
+            segment.kind = SegmentKind::linear;
+            if (model_) return {};
+            return plan_line(setup_, programmed_.rules(setup_.path), segment);
         case rrs::MotionType::circular: break;
     }
     return plan_via_arc(segment);
@@ -224,7 +265,8 @@ Planned DefaultPlanner::plan_center_arc(const Eigen::Vector3d& center_mm, const 
 }
 
 Planned DefaultPlanner::plan_along_arc(Segment& segment) const {
-    Planned planned = plan_arc(setup_, programmed_.rules(setup_.path), segment);
+    Planned planned =
+        model_ ? shape_arc(setup_, segment) : plan_arc(setup_, programmed_.rules(setup_.path), segment);
     return planned ? check_arc_ranges(setup_, segment) : planned;
 }
 

@@ -86,9 +86,24 @@ Status DefaultPlanner::SelectDominantInterpolation(rrs::Dominance dominance) {
 
 Status DefaultPlanner::SelectFlybyMode(bool on) {
     if (!initialized_) return not_initialized();
-    if (on)
+    if (on && !model_)
         return refuse(Status::RRS_MODE_NOT_SUPPORTED,
                       "The default planner stops at each target; it has no fly-by.");
+    programmed_.path_mode = on ? rrs::PathMode::continuous : rrs::PathMode::exact_stop;
+    return Status::RRS_SUCCESS;
+}
+
+Status DefaultPlanner::SetPathMode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
+    if (!initialized_) return not_initialized();
+    if (!(tolerance_mm >= 0 && tolerance_mm < kUnlimited && merge_tolerance_mm >= 0 &&
+          merge_tolerance_mm < kUnlimited)) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("The tolerances of a path are 0 or greater; {} and {} were asked for.",
+                                  tolerance_mm, merge_tolerance_mm));
+    }
+    programmed_.path_mode = mode;
+    programmed_.tolerance_mm = tolerance_mm;
+    programmed_.merge_tolerance_mm = merge_tolerance_mm;
     return Status::RRS_SUCCESS;
 }
 

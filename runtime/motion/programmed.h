@@ -15,6 +15,9 @@ struct Programmed {
     rrs::MotionType motion_type = rrs::MotionType::joint;
     rrs::Dominance dominance = rrs::Dominance::automatic;
     bool rapid = false;
+    rrs::PathMode path_mode = rrs::PathMode::exact_stop;
+    double tolerance_mm = 0;  ///< In continuous mode; 0: as the controller does.
+    double merge_tolerance_mm = 0;
     double position_speed_mm_s = 0;  ///< 0: none was programmed.
     double orientation_speed_rad_s = kUnlimited;
     double position_acceleration_mm_s2 = kUnlimited;

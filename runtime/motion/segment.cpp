@@ -1,6 +1,7 @@
 #include "runtime/motion/segment.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gsim::motion {
 
@@ -27,10 +28,31 @@ void put_arc_state(const Segment& segment, const LawState& lead, JointState& sta
                      state.acceleration);
 }
 
+// Two motions at once have no simple extremes; blends are short.
+Range sampled_range(const Segment& segment, int joint) {
+    constexpr int kSteps = 32;
+    Range range{segment.start[joint], segment.start[joint]};
+    for (int i = 1; i <= kSteps; ++i) {
+        const double value = segment.position_at(segment.duration_s * i / kSteps)[joint];
+        range = {std::min(range.min, value), std::max(range.max, value)};
+    }
+    return range;
+}
+
+void add(const JointState& other, const rrs::JointPos& other_start, JointState& state) {
+    state.position += other.position - other_start;
+    state.velocity += other.velocity;
+    state.acceleration += other.acceleration;
+}
+
 }  // namespace
 
+rrs::JointPos Segment::end_position() const {
+    return beside ? end + (beside->end - beside->start) : end;
+}
+
 rrs::JointPos Segment::position_at(double t_s) const {
-    if (t_s >= duration_s) return end;
+    if (t_s >= duration_s) return end_position();
     if (t_s <= 0) return start;
     const double s = lead.at(t_s).s;
     rrs::JointPos position = start + share_of(lead, s) * (end - start);
@@ -38,6 +60,7 @@ rrs::JointPos Segment::position_at(double t_s) const {
     for (const Follower& follower : followers()) {
         position[follower.joint] = start[follower.joint] + follower.sign * follower.law.at(t_s).s;
     }
+    if (beside) position += beside->position_at(t_s) - beside->start;
     return position;
 }
 
@@ -53,13 +76,18 @@ JointState Segment::at(double t_s) const {
         state.velocity[follower.joint] = follower.sign * own.v;
         state.acceleration[follower.joint] = follower.sign * own.a;
     }
-    if (t_s >= duration_s) state.position = end;
+    if (beside) add(beside->at(t_s), beside->start, state);
+    if (t_s >= duration_s) state.position = end_position();
     if (t_s <= 0 && duration_s > 0) state.position = start;
     return state;
 }
 
 double Segment::path_speed_mm_s(double t_s) const {
-    return lead.at(t_s).v * share_of(lead, length_mm);
+    if (!beside) return lead.at(t_s).v * share_of(lead, length_mm);
+    const rrs::JointPos velocity = at(t_s).velocity;
+    double square = 0;
+    for (const int joint : position_joints) square += joint < 0 ? 0 : velocity[joint] * velocity[joint];
+    return std::sqrt(square);
 }
 
 double Segment::peak_centripetal_mm_s2() const {
@@ -68,6 +96,7 @@ double Segment::peak_centripetal_mm_s2() const {
 }
 
 Range Segment::joint_range(int joint) const {
+    if (beside) return sampled_range(*this, joint);
     const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
     const Range ends{std::min(start[joint], end[joint]), std::max(start[joint], end[joint])};
     if (kind != SegmentKind::circular || axis == position_joints.end()) return ends;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <span>
 
 #include "runtime/motion/arc.h"
@@ -26,6 +28,28 @@ struct Follower {
     TimeLaw law;
 };
 
+/// What kept a move from being faster.
+enum class LimitKind : std::uint8_t {
+    feed,        ///< The programmed speed.
+    path_speed,  ///< The machine's limit of speeds along the path.
+    joint_speed,
+    acceleration,  ///< Of a joint: the speed was not reached.
+    path_acceleration,
+    centripetal,  ///< The acceleration round a curve.
+    corner,       ///< A slow corner at one of its ends.
+    stop,         ///< A stop at one of its ends.
+    jerk,
+    look_ahead,  ///< The controller did not know further blocks.
+    time,        ///< A programmed time (inverse time feed, dwell).
+};
+
+struct LimitedBy {
+    LimitKind kind = LimitKind::feed;
+    std::int8_t joint = -1;  ///< Of joint_speed, acceleration and jerk.
+
+    bool operator==(const LimitedBy&) const = default;
+};
+
 /// One finished piece of trajectory: a path and its time law. Starts and ends at the given joint values.
 /// Joints that are neither on an arc nor followers go from start to end in proportion to the lead law.
 struct Segment {
@@ -41,6 +65,10 @@ struct Segment {
     Arc arc;                                         ///< Of a circular segment, in the position joints.
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.
     TimeLaw lead;  ///< Along the path: of its length in mm, or of the lead joints' norm.
+    LimitedBy limited_by;
+    /// A motion at the same time, as long as this one, whose way adds to this one's; null in most (parabolic
+    /// blends).
+    std::shared_ptr<const Segment> beside;
 
     std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
     void add_follower(int joint, double sign, const TimeLaw& law) {
@@ -49,7 +77,9 @@ struct Segment {
     void clear_followers() { follower_count_ = 0; }
 
     double end_s() const { return start_s + duration_s; }
-    /// Positions only, at `t_s` since the start of the segment; exact start and end at the ends.
+    /// Where the segment leads: `end`, and what a motion beside it adds.
+    rrs::JointPos end_position() const;
+    /// Positions only, at `t_s` since the start of the segment; exact start and end_position() at the ends.
     rrs::JointPos position_at(double t_s) const;
     /// Positions, velocities and accelerations at `t_s` since the start of the segment.
     JointState at(double t_s) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "runtime/motion/segment.h"
@@ -18,9 +19,10 @@ class SegmentQueue {
     std::size_t room() const { return slots_.size() - count_; }
     const Segment& front() const { return slots_[first_]; }
 
-    /// The free slot behind the last segment, with what it held before; part of the queue after push(). There
-    /// must be room.
+    /// The free slot behind the last segment, with what it held before; part of the queue after push().
+    /// Without room the queue grows.
     Segment& next() {
+        if (room() == 0) grow();
         const std::size_t index = first_ + count_;
         return slots_[index < slots_.size() ? index : index - slots_.size()];
     }
@@ -32,6 +34,16 @@ class SegmentQueue {
     void clear() { count_ = 0; }
 
   private:
+    void grow() {
+        std::vector<Segment> more;
+        more.reserve(2 * slots_.size());
+        for (std::size_t i = 0; i < count_; ++i)
+            more.push_back(std::move(slots_[(first_ + i) % slots_.size()]));
+        more.resize(2 * slots_.size());
+        slots_ = std::move(more);
+        first_ = 0;
+    }
+
     std::vector<Segment> slots_;
     std::size_t first_ = 0;
     std::size_t count_ = 0;

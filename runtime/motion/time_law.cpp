@@ -1,9 +1,28 @@
 #include "runtime/motion/time_law.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "runtime/motion/ramp.h"
+
 namespace gsim::motion {
+
+namespace {
+
+LawState state_at(const LawPiece& piece, double t) {
+    return {piece.s0 + t * (piece.v0 + t * (piece.a0 / 2 + t * piece.jerk / 6)),
+            piece.v0 + t * (piece.a0 + t * piece.jerk / 2), piece.a0 + t * piece.jerk};
+}
+
+double peak_speed_of(const LawPiece& piece) {
+    const double ends = std::max(piece.v0, state_at(piece, piece.duration_s).v);
+    const double turn_s = -piece.a0 / piece.jerk;
+    if (!(turn_s > 0 && turn_s < piece.duration_s)) return ends;
+    return std::max(ends, state_at(piece, turn_s).v);
+}
+
+}  // namespace
 
 double TimeLaw::fastest_s(double length, double max_speed, double max_acceleration) {
     if (length <= 0) return 0;
@@ -40,8 +59,86 @@ TimeLaw::TimeLaw(double length, double duration_s, double cruise_speed, double a
     add_piece(ramp_s, length - ramp_length, cruise_speed, -ramp_acceleration);
 }
 
+TimeLaw TimeLaw::between(double length, double start_speed, double end_speed, const LawLimits& limits) {
+    TimeLaw law;
+    law.start_speed_ = start_speed;
+    law.end_speed_ = end_speed;
+    law.peak_speed_ = std::max(start_speed, end_speed);
+    if (!(length > 0)) return law;
+    law.length_ = length;
+    const SpeedShape shape = fastest_shape(length, start_speed, end_speed, limits);
+    if (!std::isfinite(shape.cruise_speed)) return law;  // nothing is limited
+    law.peak_speed_ = std::max(law.peak_speed_, shape.cruise_speed);
+    double s = 0;
+    law.add_ramp(start_speed, shape.first_change, shape.cruise_speed, limits, s);
+    law.add_piece(shape.cruise_length / shape.cruise_speed, s, shape.cruise_speed, 0);
+    s += shape.cruise_length;
+    law.add_ramp(shape.cruise_speed, shape.second_change, end_speed, limits, s);
+    law.fit_length(s);
+    return law;
+}
+
+TimeLaw TimeLaw::of_pieces(std::span<const LawPiece> pieces) {
+    assert(pieces.size() <= kMaxPieces);
+    TimeLaw law;
+    for (const LawPiece& piece : pieces.first(std::min(pieces.size(), kMaxPieces))) {
+        if (!(piece.duration_s > 0)) continue;
+        law.add_piece(piece.duration_s, piece.s0, piece.v0, piece.a0, piece.jerk);
+        law.start_speed_ = law.pieces_[0].v0;
+        const LawState end = state_at(piece, piece.duration_s);
+        law.duration_s_ += piece.duration_s;
+        law.length_ = end.s;
+        law.end_speed_ = std::max(end.v, 0.0);
+        law.peak_speed_ = std::max(law.peak_speed_, peak_speed_of(piece));
+    }
+    return law;
+}
+
+// From `s` on, which it moves on. Speeds are counted from that end of the ramp which is nearer, so that both
+// are met without rounding.
+void TimeLaw::add_ramp(double from_speed, double change, double to_speed, const LawLimits& limits,
+                       double& s) {
+    const double sign = change < 0 ? -1 : 1;
+    const double limit = change < 0 ? limits.deceleration : limits.acceleration;
+    const RampPhases ramp = ramp_phases(std::abs(change), limit, limits.jerk);
+    const double acceleration = sign * ramp.acceleration;
+    const double jerk = ramp.jerk_s > 0 ? sign * limits.jerk : 0;
+    const double bend = acceleration * ramp.jerk_s / 2;  // change of speed in a phase of jerk
+    add_piece(ramp.jerk_s, s, from_speed, 0, jerk);
+    s += ramp.jerk_s * (from_speed + bend / 3);
+    add_piece(ramp.constant_s, s, from_speed + bend, acceleration);
+    s += ramp.constant_s * (from_speed + bend + acceleration * ramp.constant_s / 2);
+    add_piece(ramp.jerk_s, s, to_speed - bend, acceleration, -jerk);
+    s += ramp.jerk_s * (to_speed - bend / 3);
+}
+
+// Pieces that reach `reached` are made to reach length_ by running time faster or slower, the speeds kept.
+void TimeLaw::fit_length(double reached) {
+    if (!(reached > 0)) {  // not of valid limits and speeds
+        count_ = 0;
+        return;
+    }
+    const double factor = length_ / reached;
+    for (std::size_t i = 0; i < count_; ++i) {
+        LawPiece& piece = pieces_[i];
+        piece.duration_s *= factor;
+        piece.s0 *= factor;
+        piece.a0 /= factor;
+        piece.jerk /= factor * factor;
+        duration_s_ += piece.duration_s;
+    }
+}
+
+double TimeLaw::peak_acceleration() const {
+    double peak = 0;
+    for (const LawPiece& piece : pieces()) {
+        peak = std::max({peak, std::abs(piece.a0), std::abs(piece.a0 + piece.duration_s * piece.jerk)});
+    }
+    return peak;
+}
+
 LawState TimeLaw::at(double t_s) const {
-    if (count_ == 0) return {length_, 0, 0};
+    if (count_ == 0) return {length_, end_speed_, 0};
     double t = t_s;
     std::size_t index = 0;
     const bool over = t_s >= duration_s_;
@@ -50,10 +147,9 @@ LawState TimeLaw::at(double t_s) const {
     // Counted from the end, the last piece comes to rest exactly, however long the others are.
     if (index + 1 == count_) t = piece.duration_s - (duration_s_ - t_s);
     t = std::clamp(t, 0.0, piece.duration_s);
-    const double s = piece.s0 + t * (piece.v0 + t * (piece.a0 / 2 + t * piece.jerk / 6));
-    const double v = piece.v0 + t * (piece.a0 + t * piece.jerk / 2);
+    const LawState state = state_at(piece, t);
     // A path is never run backwards: a negative speed at the end is rounding.
-    return {over ? length_ : std::clamp(s, 0.0, length_), std::max(v, 0.0), piece.a0 + t * piece.jerk};
+    return {over ? length_ : std::clamp(state.s, 0.0, length_), std::max(state.v, 0.0), state.a};
 }
 
 }  // namespace gsim::motion

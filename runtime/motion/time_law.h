@@ -3,6 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
+
+#include "runtime/motion/s_curve.h"
 
 namespace gsim::motion {
 
@@ -44,26 +47,49 @@ class TimeLaw {
     static TimeLaw in_time(double length, double duration_s, double max_acceleration,
                            double max_speed = std::numeric_limits<double>::infinity());
 
+    /// The least time over `length` >= 0 from start_speed to end_speed, both >= 0, with acceleration 0 at
+    /// both ends where the jerk is finite. A start_speed above max_speed is braked first, with the
+    /// deceleration. The length must suffice for the ramp between both speeds (reachable_speed()). A
+    /// shortfall is made up for by doing that ramp in less time, speeds as they are: one of rounding costs
+    /// the limits no more than rounding. No length takes no time, whatever the speeds.
+    static TimeLaw between(double length, double start_speed, double end_speed, const LawLimits& limits);
+
+    /// The law made of `pieces`, at most kMaxPieces of them. They must begin at s0 = 0, each where the one
+    /// before it ends, and must not run backwards. Pieces without duration are left out.
+    static TimeLaw of_pieces(std::span<const LawPiece> pieces);
+
+    static constexpr std::size_t kMaxPieces = 7;  ///< Two jerk-limited ramps and a cruise.
+
     double length() const { return length_; }
     double duration_s() const { return duration_s_; }
     /// The highest speed of the law.
     double peak_speed() const { return peak_speed_; }
+    /// The highest acceleration or deceleration of the law, not counting jumps of the speed.
+    double peak_acceleration() const;
+    /// The speeds that the law comes from and goes to. Where nothing limits the acceleration the speed jumps
+    /// at the ends, and at() has the one inside.
+    double start_speed() const { return start_speed_; }
+    double end_speed() const { return end_speed_; }
+    std::span<const LawPiece> pieces() const { return {pieces_.data(), count_}; }
     /// The state at `t_s`, clamped to [0, duration]; the end returns `length` exactly.
     LawState at(double t_s) const;
 
   private:
     TimeLaw(double length, double duration_s, double cruise_speed, double acceleration);
 
-    void add_piece(double duration_s, double s0, double v0, double a0) {
-        if (duration_s > 0) pieces_[count_++] = {duration_s, s0, v0, a0, 0};
+    void add_piece(double duration_s, double s0, double v0, double a0, double jerk = 0) {
+        if (duration_s > 0) pieces_[count_++] = {duration_s, s0, v0, a0, jerk};
     }
+    void add_ramp(double from_speed, double change, double to_speed, const LawLimits& limits, double& s);
+    void fit_length(double reached);
 
-    static constexpr std::size_t kMaxPieces = 7;  // a jerk-limited ramp up, cruise and ramp down
-    std::array<LawPiece, kMaxPieces> pieces_;     // only the first count_ hold values
+    std::array<LawPiece, kMaxPieces> pieces_;  // only the first count_ hold values
     std::size_t count_ = 0;
     double length_ = 0;
     double duration_s_ = 0;
     double peak_speed_ = 0;
+    double start_speed_ = 0;
+    double end_speed_ = 0;
 };
 
 }  // namespace gsim::motion

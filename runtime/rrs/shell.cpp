@@ -196,6 +196,10 @@ Status Shell::SetRapid(bool) {
     return not_supported("SetRapid");
 }
 
+Status Shell::SetPathMode(PathMode, double, double) {
+    return not_supported("SetPathMode");
+}
+
 Status Shell::SetNextArcTarget(TargetId, const Eigen::Vector3d&, const Eigen::Vector3d&, double,
                                const CartPos&, const JointPos&) {
     return not_supported("SetNextArcTarget");

@@ -181,6 +181,10 @@ class Shell {
     virtual Status SetNextArcTarget(TargetId id, const Eigen::Vector3d& center_mm,
                                     const Eigen::Vector3d& axis, double sweep_rad, const CartPos& cartesian,
                                     const JointPos& joints);
+    /// Extension. How the targets that follow are passed, and in continuous mode how far corners may be cut
+    /// (tolerance_mm >= 0; 0: as far as the controller does) and within what lines may be merged. Default:
+    /// exact stop. SelectFlybyMode selects continuous mode or exact stop by this.
+    virtual Status SetPathMode(PathMode mode, double tolerance_mm, double merge_tolerance_mm);
     /// Extension. Queues a dwell of `rest_s` >= 0.
     virtual Status SetNextRest(TargetId id, double rest_s);
 

@@ -29,6 +29,10 @@ enum class TargetType { cartesian = 0, joint = 1 };
 /// looked at, only its joint limits.
 enum class Dominance { automatic = 0, position = 1, orientation = 2 };
 
+/// How targets are passed: with a stop at each (G61.1, G09), without one only where the path goes on straight
+/// (G61), or without stops, within a tolerance (G64).
+enum class PathMode { exact_stop, exact_path, continuous };
+
 /// What a target is: the end of a motion, or the via point of the circular motion whose end follows.
 enum class TargetParam { end = 0, via = 1 };
 

@@ -39,16 +39,7 @@ int Controller::axis(char letter) const {
     return index >= 0 && index < 26 ? axis_by_letter_[static_cast<std::size_t>(index)] : -1;
 }
 
-void* Controller::defined() {
-    static char mark = 0;
-    return &mark;
-}
-
 void Controller::enter(lua_State* state, std::size_t word_id) {
-    if (defining_) {
-        lua_pushlightuserdata(state, defined());
-        lua_error(state);
-    }
     const Place place = places_.current(state);
     if (place.line != place_.line || place.file != place_.file || words_in_block_[word_id]) {
         words_in_block_.reset();

@@ -55,8 +55,6 @@ class Controller {
     /// Index of the axis with this lower or upper case letter, or -1.
     int axis(char letter) const;
 
-    /// While a file is loaded for the subroutines that it defines, its first word ends it (see core.define).
-    void set_defining(bool on) { defining_ = on; }
 
     /// A word of the library is called: finds its place, and counts a block where the line is another one or
     /// the word has been called in this block before. Raises the end of the run at its limit.
@@ -81,8 +79,6 @@ class Controller {
     /// The move of a plain rapid or linear word with its words at `index`.
     void line(lua_State* state, bool rapid, int index);
 
-    /// What enter() raises while defining.
-    static void* defined();
 
     /// Reference in the registry of the function that turns words with `radius` and `angle` into Cartesian
     /// ones.
@@ -100,7 +96,6 @@ class Controller {
     simulation::Simulator& simulator_;
     PlaceFinder& places_;
     ModalState modal_;
-    bool defining_ = false;
     simulation::Place place_;
     std::array<int, 26> axis_by_letter_{};
     ProgramFrame frame_;

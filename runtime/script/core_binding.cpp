@@ -65,18 +65,6 @@ int leave_program(lua_State* state) {
     return 0;
 }
 
-/// core.define(body): runs the body of a program up to its first word, for the subroutines that it defines.
-int define(lua_State* state) {
-    Controller& controller = self(state);
-    luaL_checktype(state, 1, LUA_TFUNCTION);
-    lua_settop(state, 1);
-    controller.set_defining(true);
-    const int status = lua_pcall(state, 0, 0, 0);
-    controller.set_defining(false);
-    if (status == LUA_OK || lua_touserdata(state, -1) == Controller::defined()) return 0;
-    return lua_error(state);
-}
-
 /// core.stop(message): ends the run as a limit does.
 int stop(lua_State* state) {
     Controller& controller = self(state);
@@ -187,7 +175,6 @@ void add_core(lua_State* state, Controller& controller) {
     set_function<alarm>(state, "alarm", &controller);
     set_function<note_place>(state, "note_place", &controller);
     set_function<alarm_at_noted_place>(state, "alarm_at_noted_place", &controller);
-    set_function<define>(state, "define", &controller);
     set_function<enter_program>(state, "enter_program", &controller);
     set_function<leave_program>(state, "leave_program", &controller);
     set_function<stop>(state, "stop", &controller);

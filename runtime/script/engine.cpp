@@ -140,7 +140,7 @@ int Engine::require_gsim(lua_State* state) {
     return 1;
 }
 
-/// Fields of `core` that the command line decides; the table is on top of the stack.
+/// Fields of `core` that the command line and the machine decide; the table is on top of the stack.
 void Engine::set_options(lua_State* state) {
     lua_pushlstring(state, options_.dialect.data(), options_.dialect.size());
     lua_setfield(state, -2, "dialect");
@@ -148,6 +148,9 @@ void Engine::set_options(lua_State* state) {
     lua_setfield(state, -2, "block_delete");
     lua_pushboolean(state, static_cast<int>(options_.optional_stop));
     lua_setfield(state, -2, "optional_stop");
+    const bool stops = simulator_.machine().controller.planner == rrs::PlannerKind::rest_to_rest;
+    lua_pushboolean(state, static_cast<int>(stops));
+    lua_setfield(state, -2, "stops_at_each_move");
 }
 
 /// core.offsets["54"].x in mm or deg, core.variables[500], core.tools[1].length and .diameter in mm; the

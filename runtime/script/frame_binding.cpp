@@ -24,14 +24,18 @@ int check_axis(lua_State* state, int argument) {
     return axis;
 }
 
+// A control changes its frames when the moves so far have been made: it has planned them in the old ones.
 int set_offset(lua_State* state) {
-    self(state).frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2));
+    Controller& controller = self(state);
+    if (controller.frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2)))
+        controller.simulator().wait();
     return 0;
 }
 
 /// core.set_matrix(nil or {nine numbers, row by row})
 int set_matrix(lua_State* state) {
     Controller& controller = self(state);
+    if (controller.frame().has_matrix() || !lua_isnoneornil(state, 1)) controller.simulator().wait();
     if (lua_isnoneornil(state, 1)) {
         controller.frame().set_matrix(std::nullopt);
         return 0;

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -160,11 +161,31 @@ int dwell(lua_State* state) {
     return 0;
 }
 
-/// core.event(kind, detail, place)
+/// core.event(kind, detail, place, in_passing)
 int event(lua_State* state) {
     Controller& controller = self(state);
     controller.simulator().event(luaL_checkstring(state, 1), luaL_optstring(state, 2, ""),
-                                 check_place(state, 3));
+                                 check_place(state, 3), lua_toboolean(state, 4) != 0);
+    return 0;
+}
+
+/// core.exact_stop_once(): the next move ends in an exact stop.
+int exact_stop_once(lua_State* state) {
+    self(state).simulator().exact_stop_once();
+    return 0;
+}
+
+/// core.wait(): the control reads on when all moves have been made.
+int wait(lua_State* state) {
+    self(state).simulator().wait();
+    return 0;
+}
+
+/// core.set_path_mode("exact_stop" | "exact_path" | "continuous", tolerance_mm, merge_tolerance_mm)
+int set_path_mode(lua_State* state) {
+    static constexpr std::array<const char*, 4> kNames{"exact_stop", "exact_path", "continuous", nullptr};
+    const auto mode = static_cast<rrs::PathMode>(luaL_checkoption(state, 1, nullptr, kNames.data()));
+    self(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0));
     return 0;
 }
 
@@ -181,6 +202,9 @@ void add_moves(lua_State* state, Controller& controller) {
     set_function<arc_via>(state, "arc_via", &controller);
     set_function<dwell>(state, "dwell", &controller);
     set_function<event>(state, "event", &controller);
+    set_function<exact_stop_once>(state, "exact_stop_once", &controller);
+    set_function<wait>(state, "wait", &controller);
+    set_function<set_path_mode>(state, "set_path_mode", &controller);
 }
 
 }  // namespace gsim::script

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "runtime/simulation/simulator.h"
 
@@ -17,7 +18,8 @@ class ProgramFrame {
     ProgramFrame(std::size_t axis_count, const std::array<int, 3>& space_axes);
 
     double offset(int axis) const { return offset_[axis]; }
-    void set_offset(int axis, double value) { offset_[axis] = value; }
+    /// True where it changes.
+    bool set_offset(int axis, double value) { return std::exchange(offset_[axis], value) != value; }
     /// False where the matrix cannot be inverted; it is not set then.
     bool set_matrix(const std::optional<Eigen::Matrix3d>& matrix);
     bool has_matrix() const { return matrix_.has_value(); }

@@ -27,6 +27,7 @@ struct MoveInfo {
     int turns = 0;  ///< Of an arc: 1 up to a full circle, 2 for one more turn, ...
     Place place = {};
     double feed_per_min = 0;  ///< mm/min or deg/min; no meaning in a rapid or a dwell.
+    bool timed = false;       ///< A time is programmed for the move (inverse time feed), no speed.
     bool jet_on = false;
 };
 

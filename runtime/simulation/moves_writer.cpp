@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "runtime/simulation/json_text.h"
+#include "runtime/simulation/limit_name.h"
 
 namespace gsim::simulation {
 
@@ -46,6 +47,7 @@ void MovesWriter::take(const RecordedMove& move) {
     append_number(out, move.start_s);
     append(out, R"(,"end_s":)");
     append_number(out, move.end_s);
+    append_limit(move);
     append(out, "}");
     out_.end_line();
 }
@@ -85,6 +87,15 @@ void MovesWriter::append_center(const RecordedMove& move) {
         append_number(out, axis_value(axis, move.arc->center[static_cast<Eigen::Index>(i)]));
     }
     append(out, separator == '{' ? "{}" : "}");
+}
+
+void MovesWriter::append_limit(const RecordedMove& move) {
+    fmt::memory_buffer& out = out_.buffer();
+    append(out, R"(,"limited_by":)");
+    if (!move.limited_by) return append(out, "null");
+    out.push_back('"');
+    append(out, describe(*move.limited_by, machine_));
+    out.push_back('"');
 }
 
 const std::string& MovesWriter::file_text(std::size_t file) {

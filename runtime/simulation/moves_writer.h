@@ -23,6 +23,7 @@ class MovesWriter : public RunOutput {
     void append_target(const rrs::JointPos& joints);
     void append_arc(const RecordedMove& move);
     void append_center(const RecordedMove& move);
+    void append_limit(const RecordedMove& move);
     const std::string& file_text(std::size_t file);
 
     TextStream& out_;

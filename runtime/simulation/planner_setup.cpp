@@ -30,6 +30,9 @@ motion::PlannerSetup planner_setup(const machine::Machine& machine) {
         joint.max = (axis.max - axis.zero) * unit;
         joint.max_speed = axis.max_speed * unit;
         joint.max_acceleration = axis.max_acceleration * unit;
+        joint.max_jerk = axis.max_jerk * unit;
+        joint.max_speed_step = axis.max_speed_step * unit;
+        joint.step = axis.step * unit;
         setup.joints.push_back(joint);
         if (!rotary && axis.letter >= 'X' && axis.letter <= 'Z') {
             setup.position_joints[static_cast<std::size_t>(axis.letter - 'X')] = static_cast<int>(i);
@@ -38,6 +41,7 @@ motion::PlannerSetup planner_setup(const machine::Machine& machine) {
     setup.path.max_feed_mm_s = machine.path.max_feed_mm_s;
     setup.path.max_rapid_mm_s = machine.path.max_rapid_mm_s;
     setup.path.max_acceleration_mm_s2 = machine.path.max_acceleration_mm_s2;
+    setup.controller = machine.controller;
     setup.arc_tolerance_mm = kArcTolerance_mm;
     setup.kinematics = machine::make_kinematics(machine);
     return setup;

@@ -16,10 +16,12 @@ namespace {
 constexpr double kArcStep_rad = 2 * std::numbers::pi / 180;
 constexpr int kMaxArcSteps = 3600;
 constexpr int kJointSteps = 8;  // a joint motion need not be straight
+constexpr double kSecondsPerMinute = 60;
 constexpr int kMinSpeedSteps = 8;
 constexpr int kMaxSpeedSteps = 512;
 
 int path_steps(const Segment& segment) {
+    if (segment.beside) return kJointSteps;
     switch (segment.kind) {
         case SegmentKind::circular:
             return static_cast<int>(
@@ -29,6 +31,22 @@ int path_steps(const Segment& segment) {
         case SegmentKind::rest: break;
     }
     return 0;
+}
+
+int time_steps(double duration_s, double slot_s) {
+    return static_cast<int>(std::clamp(std::ceil(duration_s / slot_s), 1.0, double{kMaxSpeedSteps}));
+}
+
+double acceleration_along_path(const Segment& segment, double t_s) {
+    const motion::JointState state = segment.at(t_s);
+    double along = 0;
+    double speed2 = 0;
+    for (const int joint : segment.position_joints) {
+        if (joint < 0) continue;
+        along += state.velocity[joint] * state.acceleration[joint];
+        speed2 += state.velocity[joint] * state.velocity[joint];
+    }
+    return speed2 > 0 ? along / std::sqrt(speed2) : 0;
 }
 
 PathStyle style_of(const MoveInfo& info) {
@@ -55,6 +73,8 @@ void PlotData::begin(const rrs::JointPos& start) {
 void PlotData::take(const Segment& segment, const MoveInfo& info) {
     add_path(segment, style_of(info));
     add_speed(segment, info.jet_on);
+    add_acceleration(segment, info.jet_on);
+    add_feed(segment, info);
 }
 
 Eigen::Vector2d PlotData::seen_from_above(const rrs::JointPos& joints) const {
@@ -74,12 +94,50 @@ void PlotData::add_path(const Segment& segment, PathStyle style) {
 }
 
 void PlotData::add_speed(const Segment& segment, bool jet_on) {
-    const double slots = std::ceil(segment.duration_s / speed_.width_s());
-    const int steps = static_cast<int>(std::clamp(slots, double{kMinSpeedSteps}, double{kMaxSpeedSteps}));
+    const int steps = std::max(kMinSpeedSteps, time_steps(segment.duration_s, speed_.width_s()));
     for (int i = 0; i <= steps; ++i) {
         const double t_s = segment.duration_s * i / steps;
         speed_.add({segment.start_s + t_s, segment.path_speed_mm_s(t_s), jet_on});
     }
+}
+
+// The acceleration is a straight line in each piece of the law, and jumps between them. Points in between
+// keep a slot that holds a jump from hiding what comes behind it.
+void PlotData::add_acceleration(const Segment& segment, bool jet_on) {
+    if (segment.beside) return add_acceleration_of_two(segment, jet_on);
+    const double length = segment.lead.length();
+    const double scale = length > 0 ? segment.length_mm / length : 0;
+    double start_s = segment.start_s;
+    for (const motion::LawPiece& piece : segment.lead.pieces()) {
+        const int steps = time_steps(piece.duration_s, acceleration_.width_s());
+        for (int i = 0; i <= steps; ++i) {
+            const double t_s = piece.duration_s * i / steps;
+            acceleration_.add({start_s + t_s, scale * (piece.a0 + piece.jerk * t_s), jet_on});
+        }
+        start_s += piece.duration_s;
+    }
+    if (segment.lead.pieces().empty()) add_rest(segment, jet_on);
+}
+
+void PlotData::add_rest(const Segment& segment, bool jet_on) {
+    const int steps = time_steps(segment.duration_s, acceleration_.width_s());
+    for (int i = 0; i <= steps; ++i)
+        acceleration_.add({segment.start_s + segment.duration_s * i / steps, 0, jet_on});
+}
+
+void PlotData::add_acceleration_of_two(const Segment& segment, bool jet_on) {
+    const int steps = std::max(kMinSpeedSteps, time_steps(segment.duration_s, acceleration_.width_s()));
+    for (int i = 0; i <= steps; ++i) {
+        const double t_s = segment.duration_s * i / steps;
+        acceleration_.add({segment.start_s + t_s, acceleration_along_path(segment, t_s), jet_on});
+    }
+}
+
+void PlotData::add_feed(const Segment& segment, const MoveInfo& info) {
+    const bool programmed = info.kind != MoveKind::rapid && !info.timed && info.feed_per_min > 0;
+    if (!programmed || !(segment.length_mm > 0)) return;
+    for (const double t_s : {segment.start_s, segment.end_s()})
+        feed_.add({t_s, info.feed_per_min / kSecondsPerMinute, false});
 }
 
 }  // namespace gsim::simulation

@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kWidth_px = 1100;
 constexpr double kTitle_px = 50;
-constexpr double kSpeed_px = 330;
-constexpr double kMargin_px = 130;  // of the path panel: labels and legend
+constexpr double kOverTime_px = 300;  // of each of the panels over time
+constexpr double kMostOverCurve = 2;  // a dashed limit further above the curve would press it flat
+constexpr double kMargin_px = 130;    // of the path panel: labels and legend
 constexpr double kMinPath_px = 200;
 constexpr double kMaxPath_px = 900;
 constexpr std::size_t kLongestTitle = 90;
@@ -97,18 +98,33 @@ bool add_path_data(Script& script, std::string_view name, const std::vector<Path
     return any;
 }
 
-bool add_speed_data(Script& script, std::string_view name, const std::vector<SpeedPoint>& speed,
-                    bool jet_on) {
+// The same of values over time, with the jet on or off.
+bool add_time_data(Script& script, std::string_view name, const std::vector<TimePoint>& points, bool jet_on) {
     bool any = false;
     script.begin_data(name);
-    for (std::size_t i = 0; i < speed.size(); ++i) {
-        if (speed[i].jet_on != jet_on) continue;
-        if (any && speed[i - 1].jet_on != jet_on) script.gap();
-        script.point(speed[i].t_s, speed[i].speed_mm_s);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].jet_on != jet_on) continue;
+        if (any && points[i - 1].jet_on != jet_on) script.gap();
+        script.point(points[i].t_s, points[i].value);
         any = true;
     }
     script.end_data();
     return any;
+}
+
+// Each value holds until the next one; where they change nothing is drawn from one to the other, so that
+// feeds which change often do not fill the picture.
+bool add_steps_data(Script& script, std::string_view name, const std::vector<TimePoint>& points) {
+    script.begin_data(name);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0 && points[i].value != points[i - 1].value) {
+            script.point(points[i].t_s, points[i - 1].value);
+            script.gap();
+        }
+        script.point(points[i].t_s, points[i].value);
+    }
+    script.end_data();
+    return !points.empty();
 }
 
 void add_plot_command(Script& script, const std::vector<std::string>& curves) {
@@ -138,24 +154,64 @@ void add_path_panel(Script& script, const PlotData& data, const Extents& extents
     add_plot_command(script, curves);
 }
 
+Range values(const std::vector<TimePoint>& points) {
+    Range range;
+    for (const TimePoint& point : points) range.include(point.value);
+    return range;
+}
+
+void set_time_axes(Script& script, double end_s, const Range& y) {
+    script.line("set size noratio");
+    script.line("set xrange [0:{:.9g}]", end_s > 0 ? end_s : 1);
+    script.line("set yrange [{:.9g}:{:.9g}]", 1.08 * y.min, y.size() > 0 ? 1.08 * y.max : 1);
+    script.line("set xlabel 'time (s)'");
+}
+
 void add_speed_panel(Script& script, const PlotData& data) {
-    const std::vector<SpeedPoint> speed = data.speed();
-    Range top{0, 0};
-    for (const SpeedPoint& point : speed) top.include(point.speed_mm_s);
-    const double end_s = speed.empty() ? 0 : speed.back().t_s;
+    const std::vector<TimePoint> speed = data.speed();
+    const std::vector<TimePoint> feed = data.feed();
     std::vector<std::string> curves;
-    if (add_speed_data(script, "speed_off", speed, false)) {
+    if (add_time_data(script, "speed_off", speed, false)) {
         curves.push_back("$speed_off with lines linewidth 1.2 linecolor rgb '#7c828c' title 'jet off'");
     }
-    if (add_speed_data(script, "speed_on", speed, true)) {
+    if (add_time_data(script, "speed_on", speed, true)) {
         curves.push_back("$speed_on with filledcurves y1=0 fillcolor rgb '#c9d7e8' notitle");
         curves.push_back("$speed_on with lines linewidth 1.5 linecolor rgb '#12355b' title 'jet on'");
     }
-    script.line("set size noratio");
-    script.line("set xrange [0:{:.9g}]", end_s > 0 ? end_s : 1);
-    script.line("set yrange [0:{:.9g}]", top.max > 0 ? 1.08 * top.max : 1);
-    script.line("set xlabel 'time (s)'");
+    if (add_steps_data(script, "programmed", feed)) {
+        curves.push_back(
+            "$programmed with lines linewidth 1.2 dashtype '-' linecolor rgb '#a23b3b' title 'feed as "
+            "programmed'");
+    }
+    Range range = values(speed);
+    range.include(std::min(values(feed).max, kMostOverCurve * range.max));
+    set_time_axes(script, speed.empty() ? 0 : speed.back().t_s, range);
     script.line("set ylabel 'speed (mm/s)'");
+    add_plot_command(script, curves);
+}
+
+void add_acceleration_panel(Script& script, const PlotData& data) {
+    const std::vector<TimePoint> acceleration = data.acceleration();
+    Range range = values(acceleration);
+    std::vector<std::string> curves;
+    if (add_time_data(script, "acceleration_off", acceleration, false)) {
+        curves.push_back(
+            "$acceleration_off with lines linewidth 1.2 linecolor rgb '#7c828c' title 'jet off'");
+    }
+    if (add_time_data(script, "acceleration_on", acceleration, true)) {
+        curves.push_back("$acceleration_on with lines linewidth 1.2 linecolor rgb '#12355b' title 'jet on'");
+    }
+    const double limit = data.max_acceleration_mm_s2();
+    if (range.size() > 0 && limit <= kMostOverCurve * std::max(range.max, -range.min)) {
+        curves.push_back(fmt::format(
+            "{0:.9g} with lines linewidth 1.2 dashtype '-' linecolor rgb '#a23b3b' title 'limit of feed "
+            "moves', -{0:.9g} with lines linewidth 1.2 dashtype '-' linecolor rgb '#a23b3b' notitle",
+            limit));
+        range.include(limit);
+        range.include(-limit);
+    }
+    set_time_axes(script, acceleration.empty() ? 0 : acceleration.back().t_s, range);
+    script.line("set ylabel 'acceleration (mm/s^2)' noenhanced");
     add_plot_command(script, curves);
 }
 
@@ -170,8 +226,8 @@ double path_height_px(const Extents& extents) {
 std::string plot_script(const PlotData& data, PictureFormat format, std::string_view title) {
     const Extents path_extents = extents(data.path());
     const double path_px = path_height_px(path_extents) + kMargin_px;
-    const double height_px = kTitle_px + path_px + kSpeed_px;
-    const double speed_share = kSpeed_px / height_px;
+    const double height_px = kTitle_px + path_px + 2 * kOverTime_px;
+    const double time_share = kOverTime_px / height_px;
 
     Script script;
     const bool svg = format == PictureFormat::svg;
@@ -187,13 +243,15 @@ std::string plot_script(const PlotData& data, PictureFormat format, std::string_
     script.line("set lmargin 10");
     script.line("set rmargin 4");
     script.line("set key outside top center horizontal samplen 3 width 1 textcolor rgb '#333333'");
-    script.line("set origin 0, {:.6f}", speed_share);
+    script.line("set origin 0, {:.6f}", 2 * time_share);
     script.line("set size 1, {:.6f}", path_px / height_px);
     add_path_panel(script, data, path_extents);
     script.line("unset label 1");
-    script.line("set origin 0, 0");
-    script.line("set size 1, {:.6f}", speed_share);
+    script.line("set size 1, {:.6f}", time_share);
+    script.line("set origin 0, {:.6f}", time_share);
     add_speed_panel(script, data);
+    script.line("set origin 0, 0");
+    add_acceleration_panel(script, data);
     script.line("unset multiplot");
     return script.take();
 }

@@ -1,30 +1,46 @@
 #include "runtime/simulation/recorder.h"
 
 #include <algorithm>
-#include <cmath>
+#include <span>
+
+#include "runtime/simulation/limit_name.h"
 
 namespace gsim::simulation {
 
 using motion::Segment;
 using motion::SegmentKind;
 
-void Recorder::Sum::add(double term) {
-    const double next = sum_ + term;
-    lost_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
-    sum_ = next;
+namespace {
+
+double duration_s(const RecordedMove& move) {
+    return move.end_s - move.start_s;
 }
 
-void Recorder::Slowest::add(const SlowBlock& block) {
-    const auto begin = blocks_.begin();
-    const bool full = count_ == std::ssize(blocks_);
-    if (full && block.duration_s <= blocks_.back().duration_s) return;
+}  // namespace
+
+void Recorder::Slowest::add(const RecordedMove& move) {
+    const auto begin = moves_.begin();
+    const bool full = count_ == std::ssize(moves_);
+    if (full && duration_s(move) <= duration_s(moves_.back())) return;
     if (!full) ++count_;
     const auto last = begin + count_ - 1;
-    const auto place = std::upper_bound(begin, last, block, [](const SlowBlock& a, const SlowBlock& b) {
-        return a.duration_s > b.duration_s;
+    const auto place = std::upper_bound(begin, last, move, [](const RecordedMove& a, const RecordedMove& b) {
+        return duration_s(a) > duration_s(b);
     });
     std::move_backward(place, last, last + 1);
-    *place = block;
+    *place = move;
+}
+
+std::vector<SlowBlock> Recorder::Slowest::list(const machine::Machine& machine) const {
+    std::vector<SlowBlock> blocks;
+    for (const RecordedMove& move : std::span(moves_.data(), static_cast<std::size_t>(count_))) {
+        blocks.push_back({.place = move.info.place,
+                          .kind = move.info.kind,
+                          .duration_s = duration_s(move),
+                          .length_mm = move.length_mm,
+                          .limited_by = move.limited_by ? describe(*move.limited_by, machine) : ""});
+    }
+    return blocks;
 }
 
 Recorder::Recorder(const machine::Machine& machine, const rrs::JointPos& start)
@@ -43,11 +59,12 @@ void Recorder::add_output(RunOutput& output) {
 
 void Recorder::take(const Segment& segment) {
     if (!in_move_ || move_.info.target_id != segment.target_id) go_to_move(segment.target_id);
+    add_limit(segment);
     add_to_sums(segment);
     add_to_bounds(segment);
     end_s_ = segment.end_s();
     move_.end_s = end_s_;
-    move_.end = segment.end;
+    move_.end = segment.end_position();
     move_.length_mm += segment.length_mm;
     if (segment.kind == SegmentKind::circular) {
         move_.arc = segment.arc;
@@ -81,6 +98,8 @@ void Recorder::begin_move(const MoveInfo& info) {
     move_.start_s = move_.end_s = end_s_;
     move_.length_mm = 0;
     move_.arc.reset();
+    move_.limited_by.reset();
+    longest_s_ = 0;
 }
 
 void Recorder::end_move() {
@@ -88,11 +107,14 @@ void Recorder::end_move() {
     in_move_ = false;
     if (!counts) return;
     move_.n = ++moves_;
-    slowest_.add({.place = move_.info.place,
-                  .kind = move_.info.kind,
-                  .duration_s = move_.end_s - move_.start_s,
-                  .length_mm = move_.length_mm});
+    slowest_.add(move_);
     for (RunOutput* output : outputs_) output->take(move_);
+}
+
+void Recorder::add_limit(const Segment& segment) {
+    if (segment.kind == SegmentKind::rest || segment.duration_s <= longest_s_) return;
+    longest_s_ = segment.duration_s;
+    move_.limited_by = segment.limited_by;
 }
 
 void Recorder::add_to_sums(const Segment& segment) {
@@ -146,7 +168,7 @@ void Recorder::finish(Report& report) {
     report.jet_on_mm = jet_on_mm_.value();
     report.moves = moves_;
     report.bounds = bounds();
-    report.slowest = slowest_.list();
+    report.slowest = slowest_.list(machine_);
 }
 
 }  // namespace gsim::simulation

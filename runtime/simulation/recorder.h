@@ -7,6 +7,7 @@
 
 #include "runtime/machine/machine.h"
 #include "runtime/motion/segment.h"
+#include "runtime/simulation/exact_sum.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"
@@ -40,31 +41,21 @@ class Recorder : public motion::SegmentSink {
     void finish(Report& report);
 
   private:
-    // A sum whose rounding errors do not grow with the number of terms (Neumaier).
-    class Sum {
-      public:
-        void add(double term);
-        double value() const { return sum_ + lost_; }
-
-      private:
-        double sum_ = 0;
-        double lost_ = 0;
-    };
-
     // Highest first; the earlier of equals first.
     class Slowest {
       public:
-        void add(const SlowBlock& block);
-        std::vector<SlowBlock> list() const { return {blocks_.begin(), blocks_.begin() + count_}; }
+        void add(const RecordedMove& move);
+        std::vector<SlowBlock> list(const machine::Machine& machine) const;
 
       private:
-        std::array<SlowBlock, 10> blocks_;
+        std::array<RecordedMove, 10> moves_;
         std::ptrdiff_t count_ = 0;
     };
 
     void go_to_move(rrs::TargetId id);
     void begin_move(const MoveInfo& info);
     void end_move();
+    void add_limit(const motion::Segment& segment);
     void add_to_sums(const motion::Segment& segment);
     void add_to_bounds(const motion::Segment& segment);
     std::vector<AxisBounds> bounds() const;
@@ -74,10 +65,11 @@ class Recorder : public motion::SegmentSink {
     rrs::JointPos start_;
     std::deque<MoveInfo> waiting_;
     RecordedMove move_;     // the one whose segments arrive
+    double longest_s_ = 0;  // of its segments
     bool in_move_ = false;  // move_ was expected, so that it may count
     double end_s_ = 0;
     std::uint64_t moves_ = 0;
-    Sum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
+    ExactSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
     std::array<motion::Range, rrs::kMaxJoints> ranges_;  // of joint values; the first joint_count hold them
     Slowest slowest_;
 };

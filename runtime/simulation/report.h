@@ -46,6 +46,19 @@ struct SlowBlock {
     MoveKind kind = MoveKind::linear;
     double duration_s = 0;
     double length_mm = 0;
+    std::string limited_by = {};  ///< What kept it from being faster (describe()); empty in a dwell.
+};
+
+/// How long something was what kept the machine from being faster.
+struct LimitTime {
+    std::string limited_by;  ///< As describe() names it, or "dwell".
+    double time_s = 0;
+};
+
+/// Why the run took as long as it did.
+struct Explanation {
+    std::vector<LimitTime> time_by_limit;  ///< The most time first; together the cycle time.
+    double lower_bound_s = 0;              ///< In which no controller could go the same path (PathBound).
 };
 
 /// The whole result of a run; units are in the names, and in the JSON as well.
@@ -63,6 +76,7 @@ struct Report {
     std::vector<Event> events;
     std::vector<std::string> warnings;
     std::vector<SlowBlock> slowest;  ///< At most ten, longest first.
+    std::optional<Explanation> explanation;
     std::vector<std::string> files;  ///< Names that Place::file indexes.
 };
 

@@ -80,15 +80,24 @@ Json slowest(const Report& report) {
                           {"line", line(block.place)},
                           {"kind", std::string(name(block.kind))},
                           {"duration_s", number(block.duration_s)},
-                          {"length_mm", number(block.length_mm)}});
+                          {"length_mm", number(block.length_mm)},
+                          {"limited_by", block.limited_by.empty() ? Json(nullptr) : Json(block.limited_by)}});
     }
     return blocks;
+}
+
+Json time_by_limit(const Explanation& explanation) {
+    Json times = Json::array();
+    for (const LimitTime& limit : explanation.time_by_limit) {
+        times.push_back({{"limited_by", limit.limited_by}, {"time_s", number(limit.time_s)}});
+    }
+    return times;
 }
 
 }  // namespace
 
 std::string to_json(const Report& report) {
-    const Json json = {
+    Json json = {
         {"program", report.program},
         {"machine", report.machine},
         {"status", std::string(name(report.status))},
@@ -109,6 +118,10 @@ std::string to_json(const Report& report) {
         {"warnings", report.warnings},
         {"slowest", slowest(report)},
     };
+    if (report.explanation) {
+        json["time_by_limit"] = time_by_limit(*report.explanation);
+        json["lower_bound_s"] = number(report.explanation->lower_bound_s);
+    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -90,19 +90,34 @@ void add_head(Text& out, const Report& report) {
     out.line("{:<12}{} executed, {} moves", "blocks", report.blocks, report.moves);
 }
 
+double percent(const Report& report, double time_s) {
+    return report.cycle_time_s > 0 ? 100 * time_s / report.cycle_time_s : 0.0;
+}
+
 void add_times(Text& out, const Report& report) {
-    const auto percent = [&](double time_s) {
-        return report.cycle_time_s > 0 ? 100 * time_s / report.cycle_time_s : 0.0;
-    };
     out.blank();
     out.line("{:<10}{:>14}{:>10}{:>16}", "", "time (s)", "share", "length (mm)");
     const auto row = [&](std::string_view what, double time_s, double length_mm) {
-        out.line("{:<10}{:>14.3f}{:>8.1f} %{:>16.3f}", what, time_s, percent(time_s), length_mm);
+        out.line("{:<10}{:>14.3f}{:>8.1f} %{:>16.3f}", what, time_s, percent(report, time_s), length_mm);
     };
     row("rapid", report.rapid_s, report.rapid_mm);
     row("feed", report.feed_s, report.feed_mm);
     out.line("{:<10}{:>14}{:>10}{:>16.3f}", " jet on", "", "", report.jet_on_mm);
-    out.line("{:<10}{:>14.3f}{:>8.1f} %", "dwell", report.dwell_s, percent(report.dwell_s));
+    out.line("{:<10}{:>14.3f}{:>8.1f} %", "dwell", report.dwell_s, percent(report, report.dwell_s));
+}
+
+void add_explanation(Text& out, const Report& report) {
+    if (!report.explanation) return;
+    out.blank();
+    out.line("{:<24}{:>12}{:>10}", "where the time goes", "time (s)", "share");
+    for (const LimitTime& limit : report.explanation->time_by_limit) {
+        out.line("{:<24}{:>12.3f}{:>8.1f} %", limit.limited_by, limit.time_s, percent(report, limit.time_s));
+    }
+    const double bound_s = report.explanation->lower_bound_s;
+    const std::string times =
+        bound_s > 0 ? fmt::format("  (the program takes {:.2f} times as long)", report.cycle_time_s / bound_s)
+                    : "";
+    out.line("lower bound  {:.3f} s{}", bound_s, times);
 }
 
 // The axis's range as a bar, the part that was reached as '='.
@@ -161,10 +176,11 @@ void add_events(Text& out, const Report& report) {
 void add_slowest(Text& out, const Report& report) {
     if (report.slowest.empty()) return;
     out.blank();
-    out.line("{:<40}  {:<8}{:>12}{:>14}", "slowest blocks", "kind", "time (s)", "length (mm)");
+    out.line("{:<40}  {:<8}{:>12}{:>14}  {}", "slowest blocks", "kind", "time (s)", "length (mm)",
+             "limited by");
     for (const SlowBlock& block : report.slowest) {
-        out.line("{:<40}  {:<8}{:>12.3f}{:>14.3f}", place_text(report, block.place), name(block.kind),
-                 block.duration_s, block.length_mm);
+        out.line("{:<40}  {:<8}{:>12.3f}{:>14.3f}  {}", place_text(report, block.place), name(block.kind),
+                 block.duration_s, block.length_mm, block.limited_by);
     }
 }
 
@@ -182,6 +198,7 @@ std::string to_text(const Report& report) {
     Text out;
     add_head(out, report);
     add_times(out, report);
+    add_explanation(out, report);
     add_bounds(out, report);
     add_slowest(out, report);
     add_events(out, report);

@@ -16,6 +16,8 @@ struct RecordedMove {
     double start_s = 0;
     double end_s = 0;
     double length_mm = 0;  ///< Of the tool's path.
+    /// What kept its longest segment from being faster; none where it only rests.
+    std::optional<motion::LimitedBy> limited_by;
     rrs::JointPos end;
     std::optional<motion::Arc> arc;                  ///< If it was circular.
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.

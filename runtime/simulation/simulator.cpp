@@ -17,7 +17,6 @@ constexpr double kSamePlace = 1e-9;
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kSecondsPerMinute = 60.0;
-constexpr std::size_t kMaxEvents = 100'000;
 constexpr std::size_t kMaxWarnings = 1'000;
 
 /// Targets given as joint values have no Cartesian value.
@@ -68,6 +67,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits)
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
     recorder_.add_output(centripetal_);
+    recorder_.add_output(events_);
     planner_.Initialize();
     planner_.SetInitialPosition(no_pose(), to_joints(position_), {});
 }
@@ -112,6 +112,17 @@ bool Simulator::rotary_alone(const AxisVector& target) const {
         rotary = true;
     }
     return rotary;
+}
+
+void Simulator::exact_stop_once() {
+    exact_stop_once_ = true;
+    planner_.SetPathMode(rrs::PathMode::exact_stop, 0, 0);
+}
+
+void Simulator::leave_exact_stop() {
+    if (!exact_stop_once_) return;
+    exact_stop_once_ = false;
+    planner_.SetPathMode(passing_.mode, passing_.tolerance_mm, passing_.merge_tolerance_mm);
 }
 
 void Simulator::select_rapid(bool on) {
@@ -171,6 +182,7 @@ MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per
 }
 
 bool Simulator::finish_move(Status status, const Place& place) {
+    leave_exact_stop();
     if (static_cast<int>(status) < 0) return refused(place);
     if (status == Status::RRS_MOTION_TIME_RAISED) {
         warn(
@@ -199,7 +211,8 @@ bool Simulator::move(const LineMove& move) {
     } else if (!set_feed(move.feed, rotary, move.place)) {
         return false;
     }
-    const MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
+    MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
+    info.timed = move.feed.motion_s.has_value();
     recorder_.expect(info);
     const Status status = planner_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
                                                  to_joints(move.target), {}, 0);
@@ -222,6 +235,7 @@ bool Simulator::move(const ArcMove& move) {
     const double feed_mm_min =
         move.feed.motion_s ? length / *move.feed.motion_s * kSecondsPerMinute : move.feed.linear_mm_min;
     MoveInfo info = next_move(move.kind, move.place, feed_mm_min);
+    info.timed = move.feed.motion_s.has_value();
     info.plane = move.plane;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
     recorder_.expect(info);
@@ -244,6 +258,7 @@ Eigen::Vector3d Simulator::space_point(const AxisVector& axes) const {
 bool Simulator::move(const ViaMove& move) {
     if (!set_feed(move.feed, false, move.place)) return false;
     MoveInfo info = next_move(MoveKind::arc_ccw, move.place, move.feed.linear_mm_min);
+    info.timed = move.feed.motion_s.has_value();
     info.turns = 1;
     set_plane_and_sense(info, space_point(position_), space_point(move.via), space_point(move.target));
     recorder_.expect(info);
@@ -272,7 +287,7 @@ bool Simulator::dwell(double seconds, const Place& place) {
 }
 
 rrs::Status Simulator::set_start(const std::function<Status()>& set) {
-    if (planner_.time_s() > 0) return Status::RRS_INVALID_PARAMETER;
+    if (time_s() > 0) return Status::RRS_INVALID_PARAMETER;
     const Status status = set();
     position_ = to_axes(planner_.position());
     return status;
@@ -287,12 +302,21 @@ rrs::Status Simulator::queue_target(MoveKind kind, const Place& place,
     return status;
 }
 
-void Simulator::event(std::string kind, std::string detail, const Place& place) {
-    if (events_.size() == kMaxEvents) {
-        ++dropped_events_;
-        return;
-    }
-    events_.push_back({planner_.time_s(), place, std::move(kind), std::move(detail)});
+double Simulator::time_s() {
+    planner_.come_to_rest();
+    return planner_.time_s();
+}
+
+void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
+    passing_ = {mode, tolerance_mm, merge_tolerance_mm};
+    planner_.SetPathMode(mode, tolerance_mm, merge_tolerance_mm);
+}
+
+void Simulator::event(std::string kind, std::string detail, const Place& place, bool in_passing) {
+    Event event{.place = place, .kind = std::move(kind), .detail = std::move(detail)};
+    if (in_passing) return events_.add_before(next_id_, std::move(event));
+    wait();
+    events_.add(planner_.time_s(), std::move(event));
 }
 
 void Simulator::set_jet(bool on) {
@@ -341,19 +365,19 @@ bool Simulator::refused(const Place& place) {
 }
 
 Report Simulator::finish(std::string program) {
-    planner_.flush();
+    planner_.end_program();
     Report report;
     recorder_.finish(report);
     report.program = std::move(program);
     report.status = status_;
     report.alarm = alarm_;
     report.blocks = blocks_;
-    report.events = std::move(events_);
+    report.events = events_.release();
     report.warnings = std::move(warnings_);
     if (const auto warning = centripetal_.warning(files_)) report.warnings.push_back(*warning);
-    if (dropped_events_ > 0) {
+    if (events_.dropped() > 0) {
         report.warnings.push_back(
-            fmt::format("{} more events than the report lists were left out", dropped_events_));
+            fmt::format("{} more events than the report lists were left out", events_.dropped()));
     }
     report.files = files_;
     return report;

@@ -11,6 +11,7 @@
 #include "runtime/machine/machine.h"
 #include "runtime/motion/planner.h"
 #include "runtime/simulation/centripetal_watch.h"
+#include "runtime/simulation/event_log.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
@@ -61,6 +62,13 @@ struct ViaMove {
     Place place;
 };
 
+/// How the ends of moves are passed.
+struct PathPassing {
+    rrs::PathMode mode = rrs::PathMode::exact_stop;
+    double tolerance_mm = 0;
+    double merge_tolerance_mm = 0;
+};
+
 /// A run of one machine: takes moves, dwells and events in the order of the program, plans them through the
 /// services of its controller, and records what happens. Knows nothing of the language they came from.
 ///
@@ -78,7 +86,8 @@ class Simulator {
     const machine::Machine& machine() const { return machine_; }
     /// Axis values at the end of the last move.
     const AxisVector& position() const { return position_; }
-    double time_s() const { return planner_.time_s(); }
+    /// Where the clock stands when all moves so far have been made: reading it brings the machine to rest.
+    double time_s();
 
     /// The index for Place::file of a file name; adds it where it is new.
     std::uint32_t add_file(const std::string& name);
@@ -90,8 +99,15 @@ class Simulator {
     bool move(const ArcMove& move);
     bool move(const ViaMove& move);
     bool dwell(double seconds, const Place& place);
-    /// Something that happens at rest, after all that came before.
-    void event(std::string kind, std::string detail, const Place& place);
+    /// How the moves that follow are passed, and within what tolerances (mm; 0: as the controller does).
+    void set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm);
+    /// The next move ends in an exact stop, whatever the mode.
+    void exact_stop_once();
+    /// The controller waits until all moves have been made, before it reads on.
+    void wait() { planner_.come_to_rest(true); }
+    /// Something that happens after all that came before: at rest, or, `in_passing`, when the next move
+    /// begins.
+    void event(std::string kind, std::string detail, const Place& place, bool in_passing = false);
     void set_jet(bool on);
     bool jet() const { return jet_; }
     /// A warning for the report; the same text is given once.
@@ -128,6 +144,7 @@ class Simulator {
 
   private:
     void select_rapid(bool on);
+    void leave_exact_stop();
     rrs::JointPos to_joints(const AxisVector& axes) const;
     AxisVector to_axes(const rrs::JointPos& joints) const;
     Eigen::Vector3d space_point(const AxisVector& axes) const;
@@ -142,12 +159,11 @@ class Simulator {
     RunLimits limits_;
     Recorder recorder_;
     CentripetalWatch centripetal_;
+    EventLog events_;
     motion::DefaultPlanner planner_;
     AxisVector position_;
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;
-    std::vector<Event> events_;
-    std::uint64_t dropped_events_ = 0;
     std::optional<Alarm> alarm_;
     std::vector<OpenCall> calls_;
     RunStatus status_ = RunStatus::completed;
@@ -157,6 +173,8 @@ class Simulator {
     double orientation_rad_s_ = -1;
     int rapid_ = -1;  ///< What the planner's selections are at: rapid 1, feed 0, unknown -1.
     bool jet_ = false;
+    PathPassing passing_;  ///< As the program has selected it.
+    bool exact_stop_once_ = false;
 };
 
 /// What the planner must know of a machine: X, Y and Z, where they are linear, carry the tool.

@@ -45,7 +45,7 @@ void TrajectoryWriter::take(const motion::Segment& segment, const MoveInfo& info
         const double t_s = std::max(0.0, next_s() - segment.start_s);
         write_sample(next_s(), segment.position_at(t_s), segment.path_speed_mm_s(t_s));
     }
-    position_ = segment.end;
+    position_ = segment.end_position();
 }
 
 void TrajectoryWriter::end(double end_s) {

@@ -1,5 +1,7 @@
 // gsim-run from the outside: exit statuses, reports, limits, and what it says where something is wrong.
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"
@@ -41,6 +43,27 @@ TEST_F(GsimRun, TheReportInJson) {
     EXPECT_EQ(r["events"][0]["kind"], "jet_on");
     EXPECT_EQ(r["events"][0]["line"], 2);
     EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 100, 1e-9);
+}
+
+// 100 mm at 100 mm/s, a dwell, and 10 mm on which full speed is not reached.
+TEST_F(GsimRun, ExplainsWhereTheTimeGoes) {
+    const std::string part = write("part.nc", "G1 X100 F6000\nG4 P1\nX110\nM2\n");
+    const json r = report({part, "--explain"});
+    const double line_s = 1 + 100.0 / 490.33;
+    const double short_s = 2 * std::sqrt(10 / 490.33);
+    ASSERT_EQ(r["time_by_limit"].size(), 3U) << r;
+    EXPECT_EQ(r["time_by_limit"][0]["limited_by"], "feed");
+    EXPECT_NEAR(r["time_by_limit"][0]["time_s"].get<double>(), line_s, 1e-6);
+    EXPECT_EQ(r["time_by_limit"][1]["limited_by"], "dwell");
+    EXPECT_NEAR(r["time_by_limit"][2]["time_s"].get<double>(), short_s, 1e-6);
+    EXPECT_NEAR(r["lower_bound_s"].get<double>(), line_s + 1 + short_s, 1e-6);
+    EXPECT_EQ(r["slowest"][0]["limited_by"], "feed");
+    const std::string text = gsim_run({part, "--explain"}).out;
+    EXPECT_TRUE(holds(text, "where the time goes")) << text;
+    EXPECT_TRUE(holds(text, "(the program takes 1.00 times as long)")) << text;
+    EXPECT_FALSE(holds(gsim_run({part}).out, "lower bound"));
+    EXPECT_FALSE(report({part}).contains("time_by_limit"));
+    EXPECT_FALSE(report({part}).contains("lower_bound_s"));
 }
 
 TEST_F(GsimRun, AnAlarmIsStatusOneWithWhatCameBefore) {

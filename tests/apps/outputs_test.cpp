@@ -43,7 +43,9 @@ TEST_F(Outputs, Moves) {
     EXPECT_NEAR(arc["center"]["X"].get<double>(), 100, 1e-9);
     EXPECT_NEAR(arc["to"]["Y"].get<double>(), 110, 1e-9);
     EXPECT_TRUE(json::parse(moves[0])["feed"].is_null());
+    EXPECT_EQ(json::parse(moves[1])["limited_by"], "feed");
     EXPECT_EQ(json::parse(moves[3])["kind"], "dwell");
+    EXPECT_TRUE(json::parse(moves[3])["limited_by"].is_null());
 }
 
 TEST_F(Outputs, Trajectory) {
@@ -65,6 +67,11 @@ TEST_F(Outputs, ReportIsTheJsonOfStandardOutput) {
     const Ended e = gsim_run({part_, "--json", "--report", "report.json"});
     EXPECT_EQ(e.status, 0);
     EXPECT_EQ(json::parse(read("report.json")), json::parse(e.out));
+}
+
+TEST_F(Outputs, AReportFileIsExplainedToo) {
+    EXPECT_EQ(gsim_run({part_, "--quiet", "--explain", "--report", "report.json"}).status, 0);
+    EXPECT_TRUE(json::parse(read("report.json")).contains("lower_bound_s"));
 }
 
 TEST_F(Outputs, Plot) {

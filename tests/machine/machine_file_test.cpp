@@ -32,7 +32,9 @@ TEST_P(SampleMachine, ReadsAndPrintsBackEqual) {
 
 INSTANTIATE_TEST_SUITE_P(All, SampleMachine,
                          testing::Values("af5.toml", "af5-table-letters.toml", "af5-measured.toml",
-                                         "router3.toml", "unlimited.toml"),
+                                         "router3.toml", "unlimited.toml", "linuxcnc-gantry.toml",
+                                         "linuxcnc-gantry254.toml", "linuxcnc-router.toml",
+                                         "grbl-gantry3.toml", "grbl-router.toml"),
                          [](const auto& sample) {
                              std::string name = sample.param;
                              for (char& c : name) {
@@ -75,8 +77,32 @@ TEST(MachineFile, WhatIsLeftOutIsUnlimited) {
     EXPECT_EQ(axis.max, inf);
     EXPECT_EQ(axis.max_speed, inf);
     EXPECT_EQ(axis.max_acceleration, inf);
+    EXPECT_EQ(axis.max_jerk, inf);
+    EXPECT_EQ(axis.max_speed_step, inf);
+    EXPECT_EQ(axis.step, 0);
     EXPECT_EQ(machine->path, PathLimits{});
     EXPECT_EQ(read_machine(print_machine(*machine), "").value(), *machine);
+}
+
+TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
+    const auto linear = read_machine(
+        with_axis_line("max_jerk_mm_s3 = 5000\nmax_speed_step_mm_s = 2.5\nstep_mm = 0.004"), "m.toml");
+    ASSERT_TRUE(linear) << linear.error();
+    EXPECT_EQ(linear->axes[0].max_jerk, 5000);
+    EXPECT_EQ(linear->axes[0].max_speed_step, 2.5);
+    EXPECT_EQ(linear->axes[0].step, 0.004);
+    EXPECT_EQ(read_machine(print_machine(*linear), "").value(), *linear);
+
+    const auto rotary =
+        read_machine(std::string(kHead) +
+                         "[[axis]]\nletter = \"B\"\nkind = \"rotary\"\ndh = {}\n"
+                         "max_jerk_deg_s3 = 900\nmax_speed_step_deg_s = 0.5\nstep_deg = 1e-6\n",
+                     "m.toml");
+    ASSERT_TRUE(rotary) << rotary.error();
+    EXPECT_EQ(rotary->axes[0].max_jerk, 900);
+    EXPECT_EQ(rotary->axes[0].max_speed_step, 0.5);
+    EXPECT_EQ(rotary->axes[0].step, 1e-6);
+    EXPECT_EQ(read_machine(print_machine(*rotary), "").value(), *rotary);
 }
 
 TEST(MachineFile, NameMayHoldAnyCharacter) {
@@ -129,6 +155,15 @@ TEST(MachineFile, MissingKeys) {
 TEST(MachineFile, ValuesOutOfRange) {
     EXPECT_EQ(error_of(with_axis_line("max_speed_mm_s = -5")),
               "m.toml:7:18: 'max_speed_mm_s' must be greater than 0; it is -5");
+    EXPECT_EQ(error_of(with_axis_line("max_jerk_mm_s3 = 0")),
+              "m.toml:7:18: 'max_jerk_mm_s3' must be greater than 0; it is 0");
+    EXPECT_EQ(error_of(with_axis_line("max_speed_step_mm_s = 0")),
+              "m.toml:7:23: 'max_speed_step_mm_s' must be greater than 0; it is 0");
+    EXPECT_EQ(error_of(with_axis_line("step_mm = -0.1")),
+              "m.toml:7:11: 'step_mm' must be 0, or 1e-6 or greater; it is -0.1");
+    EXPECT_EQ(error_of(with_axis_line("step_mm = 1e-7")),
+              "m.toml:7:11: 'step_mm' must be 0, or 1e-6 or greater; it is 1e-07");
+    EXPECT_EQ(error_of(with_axis_line("step_mm = inf")), "m.toml:7:11: 'step_mm' must be finite; it is inf");
     EXPECT_EQ(error_of(with_axis_line("min_mm = nan")), "m.toml:7:10: 'min_mm' must be a number; it is nan");
     EXPECT_EQ(error_of(with_axis_line("home_mm = inf")), "m.toml:7:11: 'home_mm' must be finite; it is inf");
     EXPECT_EQ(error_of(with_axis_line("max_mm = 1e300")),
@@ -158,6 +193,9 @@ TEST(MachineFile, InverseThatDoesNotFitTheChain) {
 TEST(MachineFile, SyntaxErrorsOfToml) {
     EXPECT_EQ(error_of("[machine\n").substr(0, 11), "m.toml:1:9:");
     EXPECT_EQ(error_of("[machine]\nname = \"m\"\nname = \"n\"\n").substr(0, 9), "m.toml:3:");
+    EXPECT_EQ(error_of("[machine]\nname = t\n").find('\n'), std::string::npos);
+    EXPECT_EQ(error_of("[machine]\n\"na\\nme\" = 4\n"),
+              "m.toml:2:1: unknown key 'na me' in [machine]; did you mean 'name'?");
 }
 
 TEST(MachineFile, FileThatCannotBeRead) {

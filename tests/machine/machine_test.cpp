@@ -86,6 +86,25 @@ TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
     }
 }
 
+// B turns about Y and carries C, which turns about Z; both through the tip.
+TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
+    std::mt19937 random(22);
+    std::uniform_real_distribution<double> mm(-600, 600), rad(-4, 4);
+    for (const std::string name : {"linuxcnc-gantry", "linuxcnc-gantry254", "linuxcnc-router"}) {
+        const Machine machine = load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
+        const auto kinematics = make_kinematics(machine);
+        for (int i = 0; i < 100; ++i) {
+            rrs::JointPos joints(5);
+            joints << mm(random), mm(random), mm(random), rad(random), rad(random);
+            const rrs::CartPos pose = kinematics->forward(joints);
+            const Eigen::Matrix3d wanted =
+                about(joints[3], Eigen::Vector3d::UnitY()) * about(joints[4], Eigen::Vector3d::UnitZ());
+            EXPECT_LT((pose.translation() - joints.head<3>()).norm(), 1e-9) << joints.transpose();
+            EXPECT_LT((pose.linear() - wanted).norm(), 1e-12) << joints.transpose();
+        }
+    }
+}
+
 TEST(Machine, AxisValuesCountFromZeroAndInDegrees) {
     Axis axis{.letter = 'B', .kind = AxisKind::rotary, .zero = 30};
     EXPECT_DOUBLE_EQ(axis_value(axis, std::numbers::pi), 210);

@@ -57,6 +57,30 @@ TEST(MangledFile, MachineFile) {
     }
 }
 
+// With every key of [controller]. The model is a built-in one: mangled, it names files that do not exist.
+TEST(MangledFile, ControllerOfAMachineFile) {
+    Random random(3);
+    const std::string whole =
+        "[machine]\nname = \"m\"\n[controller]\nmodel = \"grbl-1.1\"\nname = \"own.toml\"\n"
+        "planner = \"look-ahead\"\nlook_ahead_blocks = 20\ncorner = \"velocity-step\"\n"
+        "exact_path_corner = \"stop\"\njunction_deviation_mm = 0.02\nspeed_step_s = 0.01\n"
+        "stop_between_rapid_and_feed = true\nlimit_jerk = true\ncentripetal_share = 0.5\n"
+        "arc_chord_tolerance_mm = 0.01\ninverse_time_of_chords = false\nleast_feed_mm_min = 2\nsettle_s = "
+        "0.1\n"
+        "rest_s = 0.2\ndwell_step_s = 0.5\nservo_period_s = 0.001\n"
+        "[[axis]]\nletter = \"X\"\nkind = \"linear\"\nmax_jerk_mm_s3 = 5\nstep_mm = 0.1\ndh = {}\n";
+    ASSERT_TRUE(read_machine(whole, "f"));
+    for (int i = 0; i < 5000; ++i) {
+        const std::string text = mangled(random, whole);
+        const auto machine = read_machine(text, "f");
+        if (machine) {
+            EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
+        } else {
+            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+        }
+    }
+}
+
 TEST(MangledFile, DeepNesting) {
     for (const std::string open : {"[", "{a=", "[[", "[{a="}) {
         std::string text = "machine = ";

@@ -53,6 +53,22 @@ TEST(PlannerSetup, sentence_names_field_and_value) {
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.kinematics.reset(); }), "There are no kinematics.");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.arc_tolerance_mm = kNan; }),
               "arc_tolerance_mm is nan; it must be 0 or greater.");
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[1].max_jerk = 0; }),
+              "max_jerk of joint 1 is 0; it must be greater than 0 (infinity for no limit).");
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[1].max_speed_step = -1; }),
+              "max_speed_step of joint 1 is -1; it must be greater than 0 (infinity for no limit).");
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[1].step = kNan; }),
+              "step of joint 1 is nan; it must be 0 or greater.");
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.look_ahead_blocks = 0; }),
+              "look_ahead_blocks of the controller is 0; it must be at least 1.");
+    EXPECT_EQ(
+        trouble_after([](PlannerSetup& s) { s.controller.centripetal_share = 1; }),
+        "centripetal_share of the controller is 1; it must be greater than 0 and less than 1 (infinity: "
+        "curves do not slow the motion).");
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.speed_step_s = 0; }),
+              "speed_step_s of the controller is 0; it must be greater than 0 (infinity for no limit).");
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.settle_s = -1; }),
+              "settle_s of the controller is -1; it must be 0 or greater.");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.queue_capacity = 1; }),
               "queue_capacity is 1; it must be at least 2.");
 }

@@ -93,6 +93,60 @@ TEST(TimeLaw, standing_still_may_take_time) {
     EXPECT_EQ(law.at(3).v, 0);
 }
 
+TEST(TimeLaw, rest_to_rest_begins_and_ends_at_rest) {
+    const TimeLaw law = TimeLaw::fastest(300, 100, 100);
+    EXPECT_EQ(law.start_speed(), 0);
+    EXPECT_EQ(law.end_speed(), 0);
+    EXPECT_DOUBLE_EQ(law.peak_acceleration(), 100);
+    EXPECT_EQ(TimeLaw{}.peak_acceleration(), 0);
+}
+
+TEST(TimeLaw, trapezoid_between_moving_ends_by_hand) {
+    // 1 s from 50 to 100 at 50 mm/s2, 1 s at 100, 1 s down to 20 at 80 mm/s2: 75 + 100 + 60 mm.
+    const TimeLaw law = TimeLaw::between(235, 50, 20, {100, 50, 80, kInfinity});
+    EXPECT_EQ(law.pieces().size(), 3U);
+    EXPECT_DOUBLE_EQ(law.duration_s(), 3);
+    EXPECT_DOUBLE_EQ(law.at(1).s, 75);
+    EXPECT_DOUBLE_EQ(law.at(0.5).a, 50);
+    EXPECT_DOUBLE_EQ(law.at(2.5).a, -80);
+    EXPECT_DOUBLE_EQ(law.at(3).v, 20);
+    EXPECT_DOUBLE_EQ(law.peak_acceleration(), 80);
+}
+
+TEST(TimeLaw, brakes_first_where_the_start_is_too_fast) {
+    // 1 s down to 60 at 40 mm/s2, 1 s at 60, 1 s down to 20: 80 + 60 + 40 mm.
+    const TimeLaw law = TimeLaw::between(180, 100, 20, {60, 1000, 40, kInfinity});
+    EXPECT_DOUBLE_EQ(law.duration_s(), 3);
+    EXPECT_DOUBLE_EQ(law.at(1).v, 60);
+    EXPECT_DOUBLE_EQ(law.at(2).v, 60);
+    EXPECT_DOUBLE_EQ(law.peak_speed(), 100);
+}
+
+TEST(TimeLaw, of_pieces_has_the_values_of_its_pieces) {
+    // Up by jerk and past the peak at 2 s, then constant speed; the piece without duration is not in it.
+    const LawPiece pieces[] = {{3, 0, 1, 4, -2}, {0, 12, 4, 0, 0}, {2, 12, 4, 0, 0}};
+    const TimeLaw law = TimeLaw::of_pieces(pieces);
+    EXPECT_EQ(law.pieces().size(), 2U);
+    EXPECT_DOUBLE_EQ(law.duration_s(), 5);
+    EXPECT_DOUBLE_EQ(law.length(), 20);
+    EXPECT_DOUBLE_EQ(law.start_speed(), 1);
+    EXPECT_DOUBLE_EQ(law.end_speed(), 4);
+    EXPECT_DOUBLE_EQ(law.peak_speed(), 5);
+    EXPECT_DOUBLE_EQ(law.peak_acceleration(), 4);
+    EXPECT_DOUBLE_EQ(law.at(2).v, 5);
+    EXPECT_DOUBLE_EQ(law.at(4).s, 16);
+    EXPECT_EQ(TimeLaw::of_pieces({}).duration_s(), 0);
+}
+
+TEST(TimeLaw, of_pieces_copies_a_law) {
+    const TimeLaw law = TimeLaw::between(70, 3, 5, {20, 15, 10, 40});
+    const TimeLaw copy = TimeLaw::of_pieces(law.pieces());
+    EXPECT_DOUBLE_EQ(copy.length(), 70);
+    EXPECT_DOUBLE_EQ(copy.duration_s(), law.duration_s());
+    EXPECT_DOUBLE_EQ(copy.peak_speed(), law.peak_speed());
+    EXPECT_NEAR(copy.end_speed(), 5, 1e-12);
+}
+
 struct Case {
     double length, speed, acceleration, stretch;
 };

@@ -32,6 +32,7 @@ RecordedMove move(MoveKind kind) {
     move.info.feed_per_min = 6350;
     move.start_s = 1.5;
     move.end_s = 4;
+    move.limited_by = motion::LimitedBy{motion::LimitKind::joint_speed, 3};
     move.end = joints(100, -0.0, 1.0 / 3, std::numbers::pi / 2, -1e-15);
     return move;
 }
@@ -39,7 +40,8 @@ RecordedMove move(MoveKind kind) {
 TEST_F(MovesWriterTest, Line) {
     EXPECT_EQ(written(move(MoveKind::linear)),
               R"({"n":3,"file":"part.nc","line":12,"kind":"linear",)"
-              R"("to":{"X":100,"Y":0,"Z":0.333333333,"B":90,"C":0},"feed":6350,"start_s":1.5,"end_s":4})"
+              R"("to":{"X":100,"Y":0,"Z":0.333333333,"B":90,"C":0},"feed":6350,"start_s":1.5,"end_s":4,)"
+              R"("limited_by":"rotary B speed"})"
               "\n");
 }
 
@@ -49,6 +51,12 @@ TEST_F(MovesWriterTest, RapidAndDwellHaveNoFeed) {
         MovesWriter(other.out(), machine, files).take(move(kind));
         EXPECT_EQ(nlohmann::json::parse(other.text())["feed"], nullptr);
     }
+}
+
+TEST_F(MovesWriterTest, NothingLimitsADwell) {
+    RecordedMove recorded = move(MoveKind::dwell);
+    recorded.limited_by.reset();
+    EXPECT_EQ(nlohmann::json::parse(written(recorded))["limited_by"], nullptr);
 }
 
 TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {

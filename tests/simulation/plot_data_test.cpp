@@ -81,18 +81,18 @@ TEST(PathThinner, RandomWalkStaysBounded) {
     EXPECT_LE(thinner.points().size(), PathThinner::kMaxPoints + 1);
 }
 
-TEST(SpeedBuckets, EveryPeakSurvives) {
-    SpeedBuckets buckets;
+TEST(TimeBuckets, EveryPeakSurvives) {
+    TimeBuckets buckets;
     for (int i = 0; i < 1000000; ++i) {
         const double speed = i == 654321 ? 99 : i % 2 == 0 ? 10 : 20;
         buckets.add({0.01 * i, speed, i >= 500000});
     }
     const auto points = buckets.points();
-    EXPECT_LE(points.size(), 4 * SpeedBuckets::kMaxBuckets);
+    EXPECT_LE(points.size(), 4 * TimeBuckets::kMaxBuckets);
     double greatest = 0, least = 100;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        greatest = std::max(greatest, points[i].speed_mm_s);
-        least = std::min(least, points[i].speed_mm_s);
+        greatest = std::max(greatest, points[i].value);
+        least = std::min(least, points[i].value);
         EXPECT_EQ(points[i].jet_on, points[i].t_s >= 5000) << points[i].t_s;
         EXPECT_GE(points[i].t_s, points[i > 0 ? i - 1 : 0].t_s);
     }
@@ -113,11 +113,62 @@ TEST(PlotData, SeesArcsAsArcsAndSpeedAsItIs) {
         EXPECT_NEAR((point.at_mm - Vector2d(500, 600)).norm(), 100, 1e-9);
     }
     double top = 0;
-    for (const SpeedPoint& point : data.speed()) {
+    for (const TimePoint& point : data.speed()) {
         EXPECT_TRUE(point.jet_on);
-        top = std::max(top, point.speed_mm_s);
+        top = std::max(top, point.value);
     }
     EXPECT_NEAR(top, kSpeed_mm_s, 1e-9);
+}
+
+// 12.5 mm up to speed at 100 mm/s2 in 0.5 s, 75 mm in 1.5 s, and down again.
+TEST(PlotData, AccelerationIsThatOfTheLaw) {
+    const machine::Machine machine = af5();
+    PlotData data(machine);
+    data.begin(joints(0, 0));
+    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear});
+    data.take(rest(2, 2.5, joints(100, 0), 1), {.kind = MoveKind::dwell});
+    EXPECT_EQ(data.acceleration().back().t_s, 3.5);
+    for (const TimePoint& point : data.acceleration()) {
+        const bool at_jump = point.t_s == 0.5 || point.t_s == 2 || point.t_s == 2.5;
+        const double value = point.t_s < 0.5 ? 100 : point.t_s > 2 && point.t_s < 2.5 ? -100 : 0;
+        if (!at_jump) {
+            EXPECT_NEAR(point.value, value, 1e-9) << point.t_s;
+        }
+    }
+}
+
+TEST(PlotData, ALongCruiseIsNotHiddenByItsRamps) {
+    const machine::Machine machine = af5();
+    PlotData data(machine);
+    data.begin(joints(0, 0));
+    for (int i = 0; i < 100; ++i) {
+        motion::Segment segment = line(i, 100.0 * i, joints(0, 0), joints(100, 0));
+        segment.lead = motion::TimeLaw::fastest(100, 1, 1000);  // ramps of 1 ms
+        segment.duration_s = segment.lead.duration_s();
+        data.take(segment, {.kind = MoveKind::linear});
+    }
+    const auto points = data.acceleration();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double slope = std::abs(points[i].value - points[i - 1].value);
+        EXPECT_TRUE(slope == 0 || points[i].t_s - points[i - 1].t_s < 10) << points[i].t_s;
+    }
+}
+
+TEST(PlotData, TheFeedIsThatOfMovesThatHaveOneInMmPerMinute) {
+    const machine::Machine machine = af5();
+    PlotData data(machine);
+    data.begin(joints(0, 0));
+    const motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
+    data.take(segment, {.kind = MoveKind::rapid, .feed_per_min = 3000});
+    data.take(segment, {.kind = MoveKind::linear, .feed_per_min = 3000, .timed = true});
+    motion::Segment turn = segment;
+    turn.length_mm = 0;
+    data.take(turn, {.kind = MoveKind::linear, .feed_per_min = 3000});
+    EXPECT_TRUE(data.feed().empty());
+    data.take(segment, {.kind = MoveKind::linear, .feed_per_min = 3000});
+    ASSERT_EQ(data.feed().size(), 2u);
+    EXPECT_EQ(data.feed()[1].t_s, 2.5);
+    EXPECT_EQ(data.feed()[1].value, 50);
 }
 
 TEST(PlotData, MachineWithoutXAndY) {

@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class PlotTest : public testing::Test {
@@ -74,6 +75,29 @@ TEST_F(PlotTest, EachStyleHasItsCurve) {
     EXPECT_THAT(script, HasSubstr("$feed << EOD\n100 0\n100 100\nEOD\n"));
     EXPECT_THAT(script, HasSubstr("$jet << EOD\n100 100\n"));
     EXPECT_THAT(script, HasSubstr("title 'jet on'"));
+}
+
+TEST_F(PlotTest, AFeedHoldsUntilTheNextOne) {
+    data.begin(joints(0, 0));
+    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear, .feed_per_min = 3000});
+    data.take(line(2, 2.5, joints(100, 0), joints(0, 0)), {.kind = MoveKind::rapid});
+    data.take(line(3, 5, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear, .feed_per_min = 2400});
+    EXPECT_THAT(plot_script(data, PictureFormat::svg, "t"),
+                HasSubstr("$programmed << EOD\n0 50\n2.5 50\n5 50\n\n5 40\n7.5 40\nEOD\n"));
+}
+
+TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
+    data.begin(joints(0, 0));
+    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear, .feed_per_min = 6000});
+    const std::string far = plot_script(data, PictureFormat::svg, "t");
+    EXPECT_THAT(far, HasSubstr("$programmed << EOD\n0 100\n2.5 100\nEOD\n"));
+    EXPECT_THAT(far, HasSubstr("set yrange [0:108]"));
+    EXPECT_THAT(far, HasSubstr("set yrange [-108:108]"));  // of +-100 mm/s2
+    EXPECT_THAT(far, Not(HasSubstr("limit of feed moves")));
+    machine.path.max_acceleration_mm_s2 = 150;
+    const std::string near = plot_script(data, PictureFormat::svg, "t");
+    EXPECT_THAT(near, HasSubstr("-150 with lines"));
+    EXPECT_THAT(near, HasSubstr("set yrange [-162:162]"));
 }
 
 TEST_F(PlotTest, NameWithoutAKnownEnding) {

@@ -120,6 +120,28 @@ TEST_F(RecorderTest, SegmentThatNobodyExpectsCountsInTimeAlone) {
     EXPECT_EQ(report.moves, 1u);
 }
 
+TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
+    using motion::LimitKind;
+    const auto take = [&](double start_s, double x0, double x1, motion::LimitedBy limited_by) {
+        motion::Segment segment = line(1, start_s, joints(x0, 0), joints(x1, 0));
+        segment.limited_by = limited_by;
+        recorder.take(segment);
+    };
+    recorder.expect(info(1, MoveKind::linear));
+    recorder.expect(info(2, MoveKind::dwell));
+    take(0, 0, 100, {LimitKind::corner, -1});          // 2.5 s
+    take(2.5, 100, 300, {LimitKind::joint_speed, 0});  // 4.5 s
+    take(7, 300, 400, {LimitKind::acceleration, 0});   // 2.5 s
+    recorder.take(rest(1, 9.5, joints(400, 0), 100));
+    recorder.take(rest(2, 109.5, joints(400, 0), 1));
+    const Report report = finish();
+    ASSERT_EQ(output.moves.size(), 2u);
+    EXPECT_EQ(output.moves[0].limited_by, (motion::LimitedBy{LimitKind::joint_speed, 0}));
+    EXPECT_FALSE(output.moves[1].limited_by);
+    EXPECT_EQ(report.slowest[0].limited_by, "joint X speed");
+    EXPECT_EQ(report.slowest[1].limited_by, "");
+}
+
 TEST_F(RecorderTest, EmptyRun) {
     const Report report = finish();
     EXPECT_EQ(report.cycle_time_s, 0);

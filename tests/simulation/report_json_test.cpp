@@ -31,7 +31,7 @@ Report sample() {
         {.letter = 'B', .rotary = true, .min = -90, .max = 0, .limit_min = -360, .limit_max = 360}};
     report.events = {{1.5, {1, 3}, "jet_on", ""}, {2, {0, 0}, "stop", "by the operator"}};
     report.warnings = {"something"};
-    report.slowest = {{{0, 9}, MoveKind::arc_cw, 3.5, 20}};
+    report.slowest = {{{0, 9}, MoveKind::arc_cw, 3.5, 20, "feed"}, {{0, 10}, MoveKind::dwell, 1, 0}};
     return report;
 }
 
@@ -50,7 +50,8 @@ TEST(ReportJson, KeysInTheirOrder) {
     EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
     EXPECT_THAT(keys(json["bounds"]), ElementsAre("X", "B"));
     EXPECT_THAT(keys(json["bounds"]["X"]), ElementsAre("min", "max", "limit_min", "limit_max"));
-    EXPECT_THAT(keys(json["slowest"][0]), ElementsAre("file", "line", "kind", "duration_s", "length_mm"));
+    EXPECT_THAT(keys(json["slowest"][0]),
+                ElementsAre("file", "line", "kind", "duration_s", "length_mm", "limited_by"));
 }
 
 TEST(ReportJson, Values) {
@@ -71,6 +72,21 @@ TEST(ReportJson, Values) {
                                                {"detail", "by the operator"}}));
     EXPECT_EQ(json["warnings"], ordered_json::array({"something"}));
     EXPECT_EQ(json["slowest"][0]["kind"], "arc_cw");
+    EXPECT_EQ(json["slowest"][0]["limited_by"], "feed");
+    EXPECT_EQ(json["slowest"][1]["limited_by"], nullptr);
+}
+
+TEST(ReportJson, AnExplanationComesLastAndOnlyWhereThereIsOne) {
+    Report report = sample();
+    EXPECT_FALSE(ordered_json::parse(to_json(report)).contains("time_by_limit"));
+    report.explanation = Explanation{{{"feed", 0.25}, {"dwell", 0.05}}, 0.2};
+    const auto json = ordered_json::parse(to_json(report));
+    const std::vector<std::string> all = keys(json);
+    EXPECT_EQ(all[all.size() - 2], "time_by_limit");
+    EXPECT_EQ(all.back(), "lower_bound_s");
+    EXPECT_EQ(json["time_by_limit"], ordered_json::parse(R"([{"limited_by":"feed","time_s":0.25},)"
+                                                         R"({"limited_by":"dwell","time_s":0.05}])"));
+    EXPECT_EQ(json["lower_bound_s"], 0.2);
 }
 
 TEST(ReportJson, AlarmHasItsAxisAndNumbers) {

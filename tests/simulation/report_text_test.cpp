@@ -31,7 +31,7 @@ Report sample() {
                       .limit_min = -std::numeric_limits<double>::infinity(),
                       .limit_max = 10}};
     report.events = {{1.5, {0, 3}, "jet_on", ""}};
-    report.slowest = {{{0, 9}, MoveKind::arc_cw, 3.5, 20}};
+    report.slowest = {{{0, 9}, MoveKind::arc_cw, 3.5, 20, "rotary B acceleration"}};
     return report;
 }
 
@@ -44,8 +44,22 @@ TEST(ReportText, TellsTheResult) {
     EXPECT_THAT(text, HasSubstr("[=============...........]  50.0 %\n"));
     EXPECT_THAT(text, HasSubstr("none"));
     EXPECT_THAT(text, HasSubstr("part.nc:9"));
+    EXPECT_THAT(text, HasSubstr("arc_cw         3.500        20.000  rotary B acceleration\n"));
     EXPECT_THAT(text, HasSubstr("jet_on"));
     EXPECT_THAT(text, Not(HasSubstr("warning")));
+    EXPECT_THAT(text, Not(HasSubstr("where the time goes")));
+}
+
+TEST(ReportText, TellsWhereTheTimeGoes) {
+    Report report = sample();
+    report.explanation = Explanation{{{"feed", 2794.125}, {"dwell", 931.375}}, 2980.4};
+    EXPECT_THAT(to_text(report), HasSubstr("where the time goes         time (s)     share\n"
+                                           "feed                        2794.125    75.0 %\n"
+                                           "dwell                        931.375    25.0 %\n"
+                                           "lower bound  2980.400 s  (the program takes 1.25 times as "
+                                           "long)\n"));
+    report.explanation = Explanation{};
+    EXPECT_THAT(to_text(report), HasSubstr("lower bound  0.000 s\n"));
 }
 
 TEST(ReportText, TellsTheAlarm) {
@@ -65,6 +79,8 @@ TEST(ReportText, NoLineIsLongerThan100AndNothingReachesTheTerminalRaw) {
     report.alarm = Alarm{.message = long_name + " " + long_name, .place = {0, 4}, .value = {}, .limit = {}};
     report.warnings.assign(30, "a warning of many words " + long_name + "\x1b[31m");
     report.events.assign(30, {1e6, {0, 1000000}, long_name, long_name});
+    report.slowest.assign(10, {{0, 1000000}, MoveKind::thread, 1e7, 1e9, "rotary B acceleration"});
+    report.explanation = Explanation{{{"rotary B acceleration", 1e7}}, 1e7};
     report.bounds[0].max = 1e9;
     report.bounds[0].min = -1e9;
     std::istringstream lines(to_text(report));

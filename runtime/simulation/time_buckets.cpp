@@ -1,24 +1,24 @@
-#include "runtime/simulation/speed_buckets.h"
+#include "runtime/simulation/time_buckets.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace gsim::simulation {
 
-void SpeedBuckets::add(const SpeedPoint& point) {
+void TimeBuckets::add(const TimePoint& point) {
     while (point.t_s >= width_s_ * static_cast<double>(kMaxBuckets)) halve();
     const auto index = static_cast<std::size_t>(std::max(0.0, point.t_s) / width_s_);
     if (buckets_.size() <= index) buckets_.resize(index + 1);
     merge(buckets_[index][point.jet_on ? 1 : 0], {point, count_++});
 }
 
-void SpeedBuckets::merge(std::optional<Extremes>& into, const Numbered& sample) {
+void TimeBuckets::merge(std::optional<Extremes>& into, const Numbered& sample) {
     if (!into) into = {sample, sample};
-    if (sample.point.speed_mm_s < into->low.point.speed_mm_s) into->low = sample;
-    if (sample.point.speed_mm_s > into->high.point.speed_mm_s) into->high = sample;
+    if (sample.point.value < into->low.point.value) into->low = sample;
+    if (sample.point.value > into->high.point.value) into->high = sample;
 }
 
-void SpeedBuckets::halve() {
+void TimeBuckets::halve() {
     width_s_ *= 2;
     for (std::size_t i = 1; i < buckets_.size(); ++i) {
         for (std::size_t jet = 0; jet < 2; ++jet) {
@@ -32,7 +32,7 @@ void SpeedBuckets::halve() {
     buckets_.resize((buckets_.size() + 1) / 2);
 }
 
-std::vector<SpeedPoint> SpeedBuckets::points() const {
+std::vector<TimePoint> TimeBuckets::points() const {
     std::vector<Numbered> samples;
     for (const Bucket& bucket : buckets_) {
         for (const std::optional<Extremes>& extremes : bucket) {
@@ -43,7 +43,7 @@ std::vector<SpeedPoint> SpeedBuckets::points() const {
     }
     std::sort(samples.begin(), samples.end(),
               [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
-    std::vector<SpeedPoint> points;
+    std::vector<TimePoint> points;
     points.reserve(samples.size());
     for (const Numbered& sample : samples) points.push_back(sample.point);
     return points;

@@ -8,30 +8,30 @@
 
 namespace gsim::simulation {
 
-/// A speed at an instant, with the jet on or off.
-struct SpeedPoint {
+/// A speed or an acceleration (mm/s, mm/s2) at an instant, with the jet on or off.
+struct TimePoint {
     double t_s = 0;
-    double speed_mm_s = 0;
+    double value = 0;
     bool jet_on = false;
 };
 
 /// Keeps lowest and highest of many samples in slots of time, which grow with the length of the run, so that
 /// a curve of few points shows every peak.
-class SpeedBuckets {
+class TimeBuckets {
   public:
     static constexpr std::size_t kMaxBuckets = 4096;
 
     /// Samples come in the order of time.
-    void add(const SpeedPoint& point);
+    void add(const TimePoint& point);
     /// At most four points for each slot, in the order of time.
-    std::vector<SpeedPoint> points() const;
+    std::vector<TimePoint> points() const;
     /// The width of a slot now.
     double width_s() const { return width_s_; }
 
   private:
     // With the number of the sample, as the end of a move and the start of the next share an instant.
     struct Numbered {
-        SpeedPoint point;
+        TimePoint point;
         std::uint64_t number;
     };
     struct Extremes {

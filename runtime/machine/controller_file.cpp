@@ -1,0 +1,119 @@
+#include "runtime/machine/controller_file.h"
+
+#include <array>
+
+#include "runtime/machine/controller_keys.h"
+#include "runtime/machine/embedded_controllers.h"
+#include "runtime/machine/text_file.h"
+#include "runtime/machine/toml_section.h"
+#include "runtime/machine/toml_text.h"
+
+namespace gsim::machine {
+
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::array kFileKeys{"controller"sv};
+constexpr std::string_view kExtension = ".toml";
+
+std::string unknown_model(std::string_view model) {
+    const std::vector<std::string_view> known = built_in_controllers();
+    const auto nearest = nearest_name(model, known);
+    return fmt::format(
+        "unknown controller {}; {}built in are {}; the name of a file of one's own ends in .toml",
+        toml_string(model), nearest ? fmt::format("did you mean {}? ", toml_string(*nearest)) : std::string(),
+        fmt::join(known, ", "));
+}
+
+// A control character would cut the name short for the operating system, or spread its errors over two lines.
+bool is_printable(std::string_view text) {
+    return std::none_of(text.begin(), text.end(),
+                        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+}
+
+rrs::ControllerRules read_own_file(TomlSection& section, const std::string& model,
+                                   const std::filesystem::path& folder) {
+    if (!is_printable(model)) {
+        section.fail(kModelKey, "'model' must not hold control characters");
+        return {};
+    }
+    const std::filesystem::path path = folder / model;
+    const auto text = read_text_file(path);
+    if (!text) {
+        section.fail(kModelKey, text.error());
+        return {};
+    }
+    auto rules = read_controller(*text, path.string(), model);
+    if (rules) return *std::move(rules);
+    section.adopt_error(std::move(rules).error());
+    return {};
+}
+
+// What the section's other keys change. Own files are read from `folder`; without it there are none.
+rrs::ControllerRules read_model(TomlSection& section, const std::filesystem::path* folder) {
+    if (!section.has(kModelKey)) return {};
+    const std::string model = section.text(kModelKey);
+    if (const auto rules = built_in_controller(model)) return *rules;
+    if (!model.ends_with(kExtension)) {
+        section.fail(kModelKey, unknown_model(model));
+        return {};
+    }
+    if (folder) return read_own_file(section, model, *folder);
+    section.fail(kModelKey, fmt::format("'model' of a controller file must be one of {}",
+                                        fmt::join(built_in_controllers(), ", ")));
+    return {};
+}
+
+}  // namespace
+
+tl::expected<rrs::ControllerRules, std::string> read_controller(std::string_view toml_text,
+                                                                std::string_view file_name,
+                                                                std::string model) {
+    FirstError error(file_name);
+    const toml::table root = parse_toml(error, toml_text);
+    TomlSection file(error, root, "a controller file", kFileKeys);
+    rrs::ControllerRules rules;
+    file.require("controller");
+    if (const toml::table* table = file.table("controller")) {
+        TomlSection section(error, *table, "[controller]", controller_keys());
+        rules = read_model(section, nullptr);
+        rules.model = std::move(model);
+        read_controller_keys(section, rules);
+    }
+    if (error.text()) return tl::unexpected(*error.text());
+    return rules;
+}
+
+std::vector<std::string_view> built_in_controllers() {
+    std::vector<std::string_view> names;
+    for (const auto& [file_name, text] : embedded::embedded_controllers())
+        names.push_back(file_name.substr(0, file_name.size() - kExtension.size()));
+    return names;
+}
+
+std::string_view built_in_controller_toml(std::string_view model) {
+    return embedded::embedded_controllers(fmt::format("{}{}", model, kExtension));
+}
+
+std::optional<rrs::ControllerRules> built_in_controller(std::string_view model) {
+    const std::string_view text = built_in_controller_toml(model);
+    if (!text.data()) return std::nullopt;
+    return read_controller(text, model, std::string(model)).value();
+}
+
+rrs::ControllerRules read_controller_section(TomlSection& section, const std::filesystem::path& folder) {
+    rrs::ControllerRules rules = read_model(section, &folder);
+    read_controller_keys(section, rules);
+    return rules;
+}
+
+void print_controller(TomlText& out, const rrs::ControllerRules& rules) {
+    if (rules == rrs::ControllerRules{}) return;
+    const rrs::ControllerRules base = built_in_controller(rules.model).value_or(rrs::ControllerRules{});
+    out.section("[controller]");
+    out.line(kModelKey, toml_string(base.model));
+    print_controller_keys(out, rules, base);
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,115 @@
+#include "runtime/machine/controller_keys.h"
+
+#include <array>
+
+#include "runtime/machine/toml_section.h"
+#include "runtime/machine/toml_text.h"
+
+namespace gsim::machine {
+
+namespace {
+
+using Rules = rrs::ControllerRules;
+
+struct NumberKey {
+    std::string_view key;
+    double Rules::*value;
+    NumberRule rule;
+};
+
+struct FlagKey {
+    std::string_view key;
+    bool Rules::*value;
+};
+
+struct CornerKey {
+    std::string_view key;
+    rrs::CornerRule Rules::*value;
+};
+
+constexpr std::string_view kName = "name";
+constexpr std::string_view kPlanner = "planner";
+constexpr std::string_view kLookAhead = "look_ahead_blocks";
+
+// Names of rrs::PlannerKind and rrs::CornerRule in their order.
+constexpr std::array<std::string_view, 3> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc"};
+constexpr std::array<std::string_view, 3> kCorners{"stop", "velocity-step", "junction-deviation"};
+
+constexpr std::array kCornerKeys{
+    CornerKey{"corner", &Rules::corner},
+    CornerKey{"exact_path_corner", &Rules::exact_path_corner},
+};
+
+constexpr std::array kNumberKeys{
+    NumberKey{"junction_deviation_mm", &Rules::junction_deviation_mm, NumberRule::not_negative},
+    NumberKey{"speed_step_s", &Rules::speed_step_s, NumberRule::positive},
+    NumberKey{"centripetal_share", &Rules::centripetal_share, NumberRule::share},
+    NumberKey{"arc_chord_tolerance_mm", &Rules::arc_chord_tolerance_mm, NumberRule::step},
+    NumberKey{"least_feed_mm_min", &Rules::least_feed_mm_min, NumberRule::not_negative},
+    NumberKey{"settle_s", &Rules::settle_s, NumberRule::not_negative},
+    NumberKey{"rest_s", &Rules::rest_s, NumberRule::not_negative},
+    NumberKey{"dwell_step_s", &Rules::dwell_step_s, NumberRule::step},
+    NumberKey{"servo_period_s", &Rules::servo_period_s, NumberRule::step},
+};
+
+constexpr std::array kFlagKeys{
+    FlagKey{"stop_between_rapid_and_feed", &Rules::stop_between_rapid_and_feed},
+    FlagKey{"limit_jerk", &Rules::limit_jerk},
+    FlagKey{"inverse_time_of_chords", &Rules::inverse_time_of_chords},
+};
+
+constexpr auto kKeys = [] {
+    std::array<std::string_view, 4 + kCornerKeys.size() + kNumberKeys.size() + kFlagKeys.size()> keys{
+        kModelKey, kName, kPlanner, kLookAhead};
+    std::size_t end = 4;
+    for (const CornerKey& corner : kCornerKeys) keys[end++] = corner.key;
+    for (const NumberKey& number : kNumberKeys) keys[end++] = number.key;
+    for (const FlagKey& flag : kFlagKeys) keys[end++] = flag.key;
+    return keys;
+}();
+
+template <typename Kind>
+Kind read_kind(TomlSection& section, std::string_view key, Kind fallback,
+               std::span<const std::string_view> names) {
+    return static_cast<Kind>(section.choice(key, static_cast<std::size_t>(fallback), names));
+}
+
+template <typename Kind>
+void print_kind(TomlText& out, std::string_view key, Kind kind, std::span<const std::string_view> names) {
+    out.line(key, toml_string(names[static_cast<std::size_t>(kind)]));
+}
+
+}  // namespace
+
+std::span<const std::string_view> controller_keys() {
+    return kKeys;
+}
+
+void read_controller_keys(TomlSection& section, Rules& rules) {
+    if (section.has(kName)) rules.model = section.text(kName);
+    rules.planner = read_kind(section, kPlanner, rules.planner, kPlanners);
+    rules.look_ahead_blocks = static_cast<std::size_t>(
+        section.number(kLookAhead, static_cast<double>(rules.look_ahead_blocks), NumberRule::count));
+    for (const auto& [key, value] : kCornerKeys)
+        rules.*value = read_kind(section, key, rules.*value, kCorners);
+    for (const auto& [key, value, rule] : kNumberKeys) rules.*value = section.number(key, rules.*value, rule);
+    for (const auto& [key, value] : kFlagKeys) rules.*value = section.flag(key, rules.*value);
+}
+
+void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base) {
+    if (rules.model != base.model) out.line(kName, toml_string(rules.model));
+    if (rules.planner != base.planner) print_kind(out, kPlanner, rules.planner, kPlanners);
+    if (rules.look_ahead_blocks != base.look_ahead_blocks)
+        out.line(kLookAhead, fmt::format("{}", rules.look_ahead_blocks));
+    for (const auto& [key, value] : kCornerKeys) {
+        if (rules.*value != base.*value) print_kind(out, key, rules.*value, kCorners);
+    }
+    for (const auto& [key, value, rule] : kNumberKeys) {
+        if (rules.*value != base.*value) out.number(key, rules.*value);
+    }
+    for (const auto& [key, value] : kFlagKeys) {
+        if (rules.*value != base.*value) out.line(key, rules.*value ? "true" : "false");
+    }
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "runtime/rrs/controller_rules.h"
+
+namespace gsim::machine {
+
+class TomlSection;
+class TomlText;
+
+/// Where the values come from that the other keys change.
+inline constexpr std::string_view kModelKey = "model";
+
+/// The keys that a table [controller] may hold, kModelKey among them (docs/machine-file.md).
+std::span<const std::string_view> controller_keys();
+
+/// Sets what `section` gives, but for the model.
+void read_controller_keys(TomlSection& section, rrs::ControllerRules& rules);
+
+/// Writes what is another value in `rules` than in `base`, but for the model.
+void print_controller_keys(TomlText& out, const rrs::ControllerRules& rules,
+                           const rrs::ControllerRules& base);
+
+}  // namespace gsim::machine

@@ -1,0 +1,158 @@
+#include "runtime/motion/block.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "runtime/motion/joint_changes.h"
+#include "runtime/motion/lead_path.h"
+#include "runtime/motion/line_move.h"
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kNoShare = 1e-9;
+
+/// Greatest change of each joint by length of way, all along it.
+rrs::JointPos shares_of(const Move& move, const PlannerSetup& setup, const Block& block) {
+    rrs::JointPos shares = block.slope_in.cwiseAbs();
+    if (move.kind != SegmentKind::circular) return shares;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint >= 0) shares[joint] = move.arc.max_share(axis);
+    }
+    return shares;
+}
+
+void limit(double& value, LimitedBy& by, double other, LimitedBy other_by) {
+    if (other >= value) return;
+    value = other;
+    by = other_by;
+}
+
+void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Block& block) {
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const double share = shares[joint];
+        if (share < kNoShare) continue;
+        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+        const auto index = static_cast<std::int8_t>(joint);
+        limit(block.max_speed, block.speed_limit, limits.max_speed / share, {LimitKind::joint_speed, index});
+        limit(block.acceleration, block.acceleration_limit, limits.max_acceleration / share,
+              {LimitKind::acceleration, index});
+        if (setup.controller.limit_jerk) block.jerk = std::min(block.jerk, limits.max_jerk / share);
+    }
+}
+
+/// The programmed speed along the lead: of the tool, or of orientation where rotary joints alone move.
+double programmed_speed(const Move& move, const Block& block, const rrs::ControllerRules& controller) {
+    const MoveRules& rules = move.rules;
+    if (rules.least_duration_s > 0) return block.lead.length / rules.least_duration_s;
+    if (block.lead.role == JointRole::rotary) return rules.orientation_speed_rad_s;
+    if (move.rapid) return kUnlimited;
+    return std::max(rules.programmed_speed_mm_s, controller.least_feed_mm_min / 60);
+}
+
+void limit_by_program(const Move& move, const PlannerSetup& setup, double turn, Block& block) {
+    const MoveRules rules = move.rules.resolved(turn > 0 && block.lead.role != JointRole::rotary);
+    limit(block.max_speed, block.speed_limit, programmed_speed(move, block, setup.controller),
+          {move.rules.least_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
+    if (block.lead.role != JointRole::rotary) {
+        limit(block.max_speed, block.speed_limit, rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
+        limit(block.acceleration, block.acceleration_limit, rules.path_acceleration_mm_s2,
+              {LimitKind::path_acceleration, -1});
+    }
+    if (turn == 0) return;
+    const double way_per_turn = block.lead.length / turn;
+    limit(block.max_speed, block.speed_limit, rules.orientation_speed_rad_s * way_per_turn,
+          {LimitKind::feed, -1});
+    limit(block.acceleration, block.acceleration_limit, rules.orientation_acceleration_rad_s2 * way_per_turn,
+          {LimitKind::path_acceleration, -1});
+}
+
+/// What the joints can do towards the centre of an arc, all round it.
+double acceleration_in_plane(const PlannerSetup& setup, const Arc& arc) {
+    double acceleration = kUnlimited;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        const double share = std::hypot(arc.u[axis], arc.v[axis]);
+        if (joint < 0 || share < kNoShare) continue;
+        acceleration =
+            std::min(acceleration, setup.joints[static_cast<std::size_t>(joint)].max_acceleration / share);
+    }
+    return acceleration;
+}
+
+/// On a curve the acceleration of a joint is shared: one part keeps to the curve, the other one changes the
+/// speed, at right angles to each other.
+void limit_by_curvature(const Move& move, const PlannerSetup& setup, Block& block) {
+    const double share = setup.controller.centripetal_share;
+    if (!std::isfinite(share)) return;
+    const double curvature = move.arc.max_curvature();
+    const double towards_center = share * acceleration_in_plane(setup, move.arc);
+    limit(block.max_speed, block.speed_limit, std::sqrt(towards_center / curvature),
+          {LimitKind::centripetal, -1});
+    block.acceleration *= std::sqrt(1 - share * share);
+    if (std::isfinite(block.jerk))
+        limit(block.max_speed, block.speed_limit, std::cbrt(block.jerk / (curvature * curvature)),
+              {LimitKind::jerk, -1});
+}
+
+Lead lead_of(const Move& move, const JointChanges& changes) {
+    if (move.kind == SegmentKind::circular) return {JointRole::position, move.arc.length_mm()};
+    for (const JointRole role : {JointRole::position, JointRole::secondary}) {
+        if (changes.norm(role) > 0) return {role, changes.norm(role)};
+    }
+    return {JointRole::rotary, changes.norm(JointRole::rotary)};
+}
+
+void set_slopes(const Move& move, const PlannerSetup& setup, const JointChanges& changes, Block& block) {
+    block.slope_in.resize(setup.joint_count());
+    for (int joint = 0; joint < setup.joint_count(); ++joint)
+        block.slope_in[joint] = changes.of(joint) / block.lead.length;
+    block.slope_out = block.slope_in;
+    if (move.kind != SegmentKind::circular) return;
+    const Eigen::Vector3d in = move.arc.tangent(0);
+    const Eigen::Vector3d out = move.arc.tangent(move.arc.sweep_rad);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint < 0) continue;
+        block.slope_in[joint] = in[axis];
+        block.slope_out[joint] = out[axis];
+    }
+}
+
+Planned check(const Block& block) {
+    if (!std::isfinite(block.lead.length) || !(block.lead.length / block.max_speed <= kLongest_s)) {
+        return refused(
+            rrs::Status::RRS_INVALID_PARAMETER,
+            fmt::format("The move is too long or too slow: it would take more than {} s.", kLongest_s));
+    }
+    if (!std::isfinite(block.max_speed) && !std::isfinite(block.acceleration)) {
+        return refused(rrs::Status::RRS_ZERO_SPEED,
+                       "The move would take no time: no speed is programmed and the machine sets no limit.");
+    }
+    return {};
+}
+
+}  // namespace
+
+tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup) {
+    const JointChanges changes(setup, move.start, move.end);
+    Block block;
+    block.lead = lead_of(move, changes);
+    if (block.lead.length == 0) return std::nullopt;
+    const bool feed = block.lead.role != JointRole::rotary && !move.rapid && move.rules.least_duration_s <= 0;
+    if (feed && move.rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
+    block.move = move;
+    block.move.length_mm = block.lead.role == JointRole::rotary ? 0 : block.lead.length;
+    set_slopes(move, setup, changes, block);
+    limit_by_program(move, setup, changes.norm(JointRole::rotary), block);
+    limit_by_joints(setup, shares_of(move, setup, block), block);
+    if (move.kind == SegmentKind::circular) limit_by_curvature(move, setup, block);
+    if (Planned checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
+    return block;
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "runtime/motion/motion_model.h"
+#include "runtime/motion/planner_setup.h"
+
+namespace gsim::motion {
+
+/// The measure of a way: the joints of one role lead, and the others go in proportion.
+/// position: mm of the tool's way; secondary: mm of other prismatic joints; rotary: rad, the norm of the
+/// angles.
+struct Lead {
+    JointRole role = JointRole::position;
+    double length = 0;
+};
+
+/// A move in a look-ahead window: its way, the limits along it, and what is planned for its ends. All along
+/// the way by the measure of the lead joints (mm or rad).
+struct Block {
+    Move move;
+    Lead lead;
+    rrs::JointPos slope_in;   ///< Change of the joints by length of way at the start
+    rrs::JointPos slope_out;  ///< and at the end.
+    double max_speed = kUnlimited;
+    LimitedBy speed_limit;
+    double acceleration = kUnlimited;
+    LimitedBy acceleration_limit;
+    double jerk = kUnlimited;
+    double entry_cap = 0;                     ///< The speed at which its start may be passed at most,
+    LimitKind entry_limit = LimitKind::stop;  ///< and why.
+    double entry = 0;                         ///< The speed at its start by what is known so far.
+    bool by_window = false;                   ///< `entry` is low because nothing further is known.
+};
+
+/// The way of a move and its limits; no value where it goes nowhere (changes below 1e-9 mm or rad are none).
+/// All joints go in proportion, so the slowest sets the pace. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
+tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup);
+
+}  // namespace gsim::motion

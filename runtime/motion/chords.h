@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+#include "runtime/motion/motion_model.h"
+#include "runtime/motion/planner_setup.h"
+
+namespace gsim::motion {
+
+/// How many chords an arc becomes where each may lie off the circle by `tolerance_mm` > 0: at least 1
+/// (grbl 1.1: floor(|angle r / 2| / sqrt(tolerance (2 r - tolerance)))).
+int chord_count(const Arc& arc, double tolerance_mm);
+
+/// The lines that a circular move becomes, in their order, each a move of its own with the same target; what
+/// it has beside the position joints is shared out. An inverse time feed becomes a speed: the whole arc takes
+/// the time, or, where the controller counts it once for each chord, what that makes.
+void for_each_chord(const Move& move, const PlannerSetup& setup,
+                    const std::function<void(const Move&)>& take);
+
+}  // namespace gsim::motion

@@ -1,0 +1,94 @@
+#include "runtime/motion/corner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/axis_space.h"
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kStraight = 1e-9;  // difference of slopes that counts as none
+
+using rrs::CornerRule;
+
+double velocity_step_speed(const PlannerSetup& setup, const rrs::JointPos& turn) {
+    double speed = kUnlimited;
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const double change = std::abs(turn[joint]);
+        if (change < kStraight) continue;
+        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+        const double step = std::isfinite(limits.max_speed_step)
+                                ? limits.max_speed_step
+                                : limits.max_acceleration * setup.controller.speed_step_s;
+        speed = std::min(speed, step / change);
+    }
+    return speed;
+}
+
+/// The greatest acceleration along a direction that the joints allow.
+double acceleration_along(const PlannerSetup& setup, const Eigen::Vector3d& direction) {
+    double acceleration = kUnlimited;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint < 0 || std::abs(direction[axis]) < kStraight) continue;
+        const double limit = setup.joints[static_cast<std::size_t>(joint)].max_acceleration;
+        acceleration = std::min(acceleration, limit / std::abs(direction[axis]));
+    }
+    return acceleration;
+}
+
+/// As if the corner were an arc which touches both ways and misses the corner by the deviation: v^2 = a r
+/// with r = deviation sin(h) / (1 - sin(h)), h half of the angle between the ways (grbl 1.1). Its thresholds
+/// are grbl's.
+double junction_deviation_speed(const PlannerSetup& setup, const Block& from, const Block& to) {
+    constexpr double kStraightOn = -0.999999;
+    constexpr double kBack = 0.999999;
+    const Eigen::Vector3d in = position_of(setup, from.slope_out);
+    const Eigen::Vector3d out = position_of(setup, to.slope_in);
+    const double cosine = -in.dot(out);
+    if (cosine < kStraightOn) return kUnlimited;
+    if (cosine > kBack) return 0;
+    const double half_sine = std::sqrt((1 - cosine) / 2);
+    const double acceleration = acceleration_along(setup, (out - in).normalized());
+    return std::sqrt(acceleration * setup.controller.junction_deviation_mm * half_sine / (1 - half_sine));
+}
+
+/// Rotary and other joints have no place on an arc in space: where their slope changes, junction deviation
+/// stops.
+bool only_position_turns(const PlannerSetup& setup, const rrs::JointPos& turn) {
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        if (setup.role(joint) != JointRole::position && std::abs(turn[joint]) >= kStraight) return false;
+    }
+    return true;
+}
+
+double speed_by_rule(const PlannerSetup& setup, CornerRule rule, const Block& from, const Block& to) {
+    const rrs::JointPos turn = to.slope_in - from.slope_out;
+    if ((turn.array().abs() < kStraight).all()) return kUnlimited;
+    switch (rule) {
+        case CornerRule::stop: return 0;
+        case CornerRule::velocity_step: return velocity_step_speed(setup, turn);
+        case CornerRule::junction_deviation: break;
+    }
+    if (from.lead.role != JointRole::position || !only_position_turns(setup, turn)) return 0;
+    return junction_deviation_speed(setup, from, to);
+}
+
+}  // namespace
+
+CornerSpeed corner_speed(const PlannerSetup& setup, const Block& from, const Block& to) {
+    const rrs::ControllerRules& controller = setup.controller;
+    const bool changes_mode = controller.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
+    if (changes_mode || from.lead.role != to.lead.role || from.move.mode == rrs::PathMode::exact_stop)
+        return {};
+    const bool continuous = from.move.mode == rrs::PathMode::continuous;
+    const double speed =
+        speed_by_rule(setup, continuous ? controller.corner : controller.exact_path_corner, from, to);
+    if (speed == 0) return {};
+    const double most = std::min(from.max_speed, to.max_speed);
+    return speed < most ? CornerSpeed{speed, LimitKind::corner} : CornerSpeed{most, LimitKind::feed};
+}
+
+}  // namespace gsim::motion

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "runtime/motion/linuxcnc/axes.h"
+#include "runtime/motion/linuxcnc/blend_piece.h"
+#include "runtime/motion/linuxcnc/piece.h"
+
+namespace gsim::motion::linuxcnc {
+
+/// What junctions are decided by, besides the pieces.
+struct JoinRules {
+    double period_s = 0;
+    bool stop_between_rapid_and_feed = true;
+};
+
+/// Decides how `before` ends and how `after` starts: sets both pieces' terms and kinks. Where a blend arc is
+/// to stand between them it is answered, and both have been cut.
+std::optional<Blend> join(Piece& before, Piece& after, const Axes& axes, const JoinRules& rules);
+
+}  // namespace gsim::motion::linuxcnc

@@ -1,0 +1,116 @@
+#include "runtime/motion/linuxcnc/linuxcnc_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/motion/linuxcnc/piece_of_move.h"
+
+namespace gsim::motion {
+
+using linuxcnc::Piece;
+
+namespace {
+
+constexpr double kShortestPeriod_s = 1e-9;
+
+linuxcnc::Clock clock_of(const rrs::ControllerRules& rules) {
+    if (!(rules.servo_period_s >= kShortestPeriod_s)) return {.counts = false};
+    return {.period_s = rules.servo_period_s, .counts = true};
+}
+
+}  // namespace
+
+LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRules& rules,
+                             SegmentOutput& output)
+    : setup_(setup),
+      axes_(setup),
+      clock_(clock_of(rules)),
+      join_rules_{clock_.period_s, rules.stop_between_rapid_and_feed},
+      merged_(axes_),
+      pacer_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_),
+      writer_(axes_, output) {}
+
+/// The way of a move that is too short to be made is made with the next line.
+Planned LinuxcncModel::add(const Move& move) {
+    if (!left_out_ || move.kind == SegmentKind::circular) return add_whole(move);
+    Move line = move;
+    line.start = *left_out_;
+    return add_whole(line);
+}
+
+Planned LinuxcncModel::add_whole(const Move& move) {
+    auto piece = linuxcnc::piece_of(setup_, axes_, move, clock_.period_s);
+    if (!piece) return tl::unexpected(std::move(piece.error()));
+    if (piece->length == 0) {
+        left_out_ = move.start;
+        return {};
+    }
+    left_out_.reset();
+    if (piece->turns || !linuxcnc::may_merge(move)) {
+        end_merged();
+        take(*std::move(piece));
+        return {};
+    }
+    if (move.kind == SegmentKind::circular) {
+        const Move first = linuxcnc::line_to_middle(move, axes_);
+        merge(first);
+        merge(linuxcnc::line_to_end(move, first.end));
+    } else {
+        merge(move);
+    }
+    return {};
+}
+
+void LinuxcncModel::come_to_rest() {
+    end_merged();
+    put_out(true);
+    clear();
+}
+
+void LinuxcncModel::clear() {
+    merged_.clear();
+    queue_.clear();
+    pacer_.clear();
+    left_out_.reset();
+}
+
+void LinuxcncModel::merge(const Move& line) {
+    if (!merged_.empty() && !merged_.accepts(line)) end_merged();
+    merged_.add(line);
+}
+
+/// A line that replaces ones that could be planned can be planned, or goes nowhere.
+void LinuxcncModel::end_merged() {
+    if (merged_.empty()) return;
+    auto piece = linuxcnc::piece_of(setup_, axes_, merged_.line(), clock_.period_s);
+    merged_.clear();
+    if (piece && piece->length > 0) take(*std::move(piece));
+}
+
+void LinuxcncModel::take(Piece piece) {
+    if (queue_.empty()) {
+        push(piece);
+        return;
+    }
+    Piece& last = queue_.back().piece;
+    const auto blend = linuxcnc::join(last, piece, axes_, join_rules_);
+    if (blend && blend->takes_before) {
+        last = blend->piece;
+    } else {
+        linuxcnc::settle(last, clock_.period_s);
+        if (blend) push(blend->piece);
+    }
+    push(piece);
+    put_out(false);
+}
+
+void LinuxcncModel::push(const Piece& piece) {
+    queue_.push().piece = piece;
+}
+
+void LinuxcncModel::put_out(bool ended) {
+    pacer_.advance(queue_, ended);
+    pacer_.drop(writer_.write(queue_, pacer_.ready(), ended));
+}
+
+}  // namespace gsim::motion

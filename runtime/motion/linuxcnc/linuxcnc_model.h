@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+
+#include "runtime/motion/linuxcnc/axes.h"
+#include "runtime/motion/linuxcnc/held_piece.h"
+#include "runtime/motion/linuxcnc/join.h"
+#include "runtime/motion/linuxcnc/merged_lines.h"
+#include "runtime/motion/linuxcnc/pacer.h"
+#include "runtime/motion/linuxcnc/writer.h"
+#include "runtime/motion/motion_model.h"
+#include "runtime/motion/planner_setup.h"
+#include "runtime/rrs/controller_rules.h"
+
+namespace gsim::motion {
+
+/// The trajectory planner of LinuxCNC 2.9: straight ramps, tangent junctions passed at speed, corners rounded
+/// by blend arcs or by starting the next move while the last one comes to rest, stops in whole servo periods.
+/// It does what that controller does, which at blends takes single joints beyond their acceleration limits.
+///
+/// X, Y and Z are the position joints; moves of any other joint are passed by parabolic blends alone. Speeds
+/// are set by the joints' limits and the programmed ones; a move's path_acceleration counts, too, where it is
+/// finite. Lines that are merged into one have one segment, with the last one's target; a move that goes
+/// nowhere has none. With a servo period of 0 times are not counted in periods, and the rules that need one
+/// take 1 ms.
+///
+/// Held back are as many moves as the look-ahead is deep, and some more; the rest is put out.
+class LinuxcncModel final : public MotionModel {
+  public:
+    /// All must outlive the model.
+    LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRules& rules, SegmentOutput& output);
+    LinuxcncModel(const LinuxcncModel&) = delete;
+    LinuxcncModel& operator=(const LinuxcncModel&) = delete;
+
+    Planned add(const Move& move) override;
+    void come_to_rest() override;
+    void clear() override;
+
+  private:
+    Planned add_whole(const Move& move);
+    void merge(const Move& line);
+    void end_merged();
+    void take(linuxcnc::Piece piece);
+    void push(const linuxcnc::Piece& piece);
+    void put_out(bool ended);
+
+    const PlannerSetup& setup_;
+    linuxcnc::Axes axes_;
+    linuxcnc::Clock clock_;
+    linuxcnc::JoinRules join_rules_;
+    linuxcnc::MergedLines merged_;
+    linuxcnc::PieceQueue queue_;
+    linuxcnc::Pacer pacer_;
+    linuxcnc::Writer writer_;
+    std::optional<rrs::JointPos> left_out_;  ///< Where the moves since the last one made began.
+};
+
+}  // namespace gsim::motion

@@ -1,0 +1,77 @@
+#include "runtime/motion/linuxcnc/merged_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gsim::motion::linuxcnc {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t kMostLines = 100;
+constexpr double kLevel = 1e-9;  // slope of a plane that counts as that of XY
+
+bool flat(const Move& move) {
+    const Arc& arc = move.arc;
+    const bool level = std::abs(arc.u.z()) < kLevel && std::abs(arc.v.z()) < kLevel;
+    return level && arc.radius_mm * (1 - std::cos(arc.sweep_rad / 2)) < move.merge_tolerance_mm;
+}
+
+double distance(const Vector3d& point, const Vector3d& start, const Vector3d& way) {
+    const Vector3d to_point = point - start;
+    const double share = std::clamp(to_point.dot(way) / way.squaredNorm(), 0.0, 1.0);
+    return (to_point - share * way).norm();
+}
+
+bool same_rules(const Move& a, const Move& b) {
+    return a.rules.programmed_speed_mm_s == b.rules.programmed_speed_mm_s &&
+           a.rules.max_path_speed_mm_s == b.rules.max_path_speed_mm_s &&
+           a.rules.path_acceleration_mm_s2 == b.rules.path_acceleration_mm_s2 &&
+           a.rules.least_duration_s <= 0 && b.rules.least_duration_s <= 0 &&
+           a.tolerance_mm == b.tolerance_mm && a.merge_tolerance_mm == b.merge_tolerance_mm;
+}
+
+}  // namespace
+
+bool may_merge(const Move& move) {
+    if (move.rapid || move.mode != rrs::PathMode::continuous || !(move.merge_tolerance_mm > 0)) return false;
+    return move.kind != SegmentKind::circular || flat(move);
+}
+
+bool MergedLines::accepts(const Move& line) const {
+    if (ends_.size() > kMostLines || !same_rules(line, line_)) return false;
+    const Vector3d start = axes_.point(line_.start);
+    const Vector3d way = axes_.point(line.end) - start;
+    if (!(way.squaredNorm() > 0)) return false;
+    return std::all_of(ends_.begin(), ends_.end(), [&](const Vector3d& end) {
+        return distance(end, start, way) <= line.merge_tolerance_mm;
+    });
+}
+
+void MergedLines::add(const Move& line) {
+    const rrs::JointPos start = empty() ? line.start : line_.start;
+    line_ = line;
+    line_.start = start;
+    ends_.push_back(axes_.point(line.end));
+}
+
+Move line_to_end(const Move& move, const rrs::JointPos& start) {
+    Move line = move;
+    line.kind = SegmentKind::linear;
+    line.start = start;
+    if (move.kind == SegmentKind::circular && move.rules.least_duration_s > 0) {
+        line.rules.programmed_speed_mm_s = move.arc.length_mm() / move.rules.least_duration_s;
+        line.rules.least_duration_s = 0;
+    }
+    return line;
+}
+
+Move line_to_middle(const Move& move, const Axes& axes) {
+    Move line = line_to_end(move, move.start);
+    line.end = (move.start + move.end) / 2;
+    axes.put(move.arc.at(move.arc.sweep_rad / 2), line.end);
+    return line;
+}
+
+}  // namespace gsim::motion::linuxcnc

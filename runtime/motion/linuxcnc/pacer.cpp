@@ -1,0 +1,152 @@
+#include "runtime/motion/linuxcnc/pacer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/linuxcnc/parabola.h"
+
+namespace gsim::motion::linuxcnc {
+
+namespace {
+
+constexpr double kCount = 1e-9;         // a number of periods that is this near to a whole one is whole
+constexpr double kShortRamp_s = 0.01;   // feed pieces that take less time than this are one ramp
+constexpr std::size_t kKeptPieces = 4;  // a group's end never starts to be shared earlier than with these
+
+Stretch stretch_of(const Piece& piece) {
+    return {piece.length, target_speed(piece), acceleration(piece)};
+}
+
+// What kept the piece from being faster. `slowed_by` tells what limits the speed at its end.
+LimitedBy limit_of(const Piece& piece, const Law& law, bool from_rest, bool to_rest, LimitKind slowed_by) {
+    if (law.top_speed() >= target_speed(piece) * (1 - 1e-6)) return piece.speed_limit;
+    if (from_rest && to_rest) return piece.acceleration_limit;
+    if (from_rest || to_rest) return {LimitKind::stop, -1};
+    return {slowed_by, -1};
+}
+
+}  // namespace
+
+void Pacer::advance(PieceQueue& queue, bool ended) {
+    ended_ = ended;
+    final_ = ended || queue.empty() ? queue.size() : queue.size() - 1;
+    while (next_ < final_) {
+        look_for_end(queue);
+        if (!can_time(queue)) return;
+        time_next(queue);
+    }
+}
+
+std::size_t Pacer::ready() const {
+    return next_ - std::min(group_.pieces, kKeptPieces);
+}
+
+void Pacer::drop(std::size_t count) {
+    next_ -= count;
+    seen_ = std::max(seen_, count) - count;
+}
+
+void Pacer::clear() {
+    *this = Pacer(depth_, clock_);
+}
+
+// Each piece is looked at once: the next time the look goes on where it stopped.
+void Pacer::look_for_end(const PieceQueue& queue) {
+    seen_ = std::max(seen_, next_);
+    const auto tangent = [&](std::size_t index) {
+        return queue[index].piece.term == Term::tangent && !(ended_ && index + 1 == final_);
+    };
+    while (seen_ < final_ && tangent(seen_)) ++seen_;
+    end_known_ = seen_ < final_;
+}
+
+// At the end of a group the first piece of the next one must be known, too.
+bool Pacer::can_time(const PieceQueue& queue) const {
+    if (!end_known_) return next_ + depth_ < final_;
+    const bool blends = seen_ == next_ && queue[next_].piece.term == Term::parabola;
+    return !blends || ended_ || next_ + 1 < final_;
+}
+
+Horizon Pacer::horizon() const {
+    Horizon horizon;
+    if (end_known_) horizon.run_end = seen_;
+    horizon.run_end_is_last = ended_ && seen_ + 1 == final_;
+    horizon.depth = depth_;
+    return horizon;
+}
+
+void Pacer::time_next(PieceQueue& queue) {
+    HeldPiece& held = queue[next_];
+    const bool from_rest = group_.pieces == 0;
+    held.ends_group = end_known_ && seen_ == next_;
+    held.shared_s = held.written_s = 0;
+    LimitKind slowed_by = LimitKind::corner;
+    const Profile profile = held.ends_group ? last_of_group(queue) : pass_on(queue, slowed_by);
+    held.law = profile.law;
+    held.limited_by = limit_of(held.piece, held.law, from_rest, held.ends_group, slowed_by);
+    ++next_;
+    ++group_.pieces;
+    group_.duration_s += held.law.duration_s();
+    group_.speed = profile.end_speed;
+    if (held.ends_group) end_group(queue, profile);
+}
+
+Profile Pacer::pass_on(const PieceQueue& queue, LimitKind& slowed_by) const {
+    const Piece& piece = queue[next_].piece;
+    const JunctionSpeed junction = junction_speed(queue, next_, horizon());
+    slowed_by = junction.limit;
+    const double own = target_speed(piece);
+    const double end_speed = std::min({junction.speed, own, target_speed(queue[next_ + 1].piece)});
+    const double mean_speed = (group_.speed + std::min(junction.speed, own)) / 2;
+    const Stretch stretch = stretch_of(piece);
+    const bool gains_all =
+        group_.speed * group_.speed + 2 * stretch.acceleration * stretch.length <= end_speed * end_speed;
+    if (!gains_all && !piece.rapid && end_speed > 0 && piece.length < kShortRamp_s * mean_speed) {
+        return ramp(piece.length, group_.speed, end_speed);
+    }
+    return from_speed_to_speed(stretch, group_.speed, end_speed);
+}
+
+// A group takes whole periods: what is left of the last one it rests.
+Profile Pacer::last_of_group(const PieceQueue& queue) {
+    const Stretch stretch = stretch_of(queue[next_].piece);
+    if (group_.pieces == 0) return rest_to_rest(stretch, clock_);
+    Profile profile = from_speed_to_speed(stretch, group_.speed, 0);
+    if (!clock_.counts) return profile;
+    const double motion_s = group_.duration_s + profile.law.duration_s();
+    profile.law.rest(std::ceil(motion_s / clock_.period_s - kCount) * clock_.period_s - motion_s);
+    return profile;
+}
+
+void Pacer::end_group(PieceQueue& queue, const Profile& profile) {
+    const HeldPiece& last = queue[next_ - 1];
+    double overlap = 0;
+    if (last.piece.term == Term::parabola && next_ < queue.size()) {
+        overlap = overlap_s(queue, profile.brake_s);
+        overlap = std::clamp(overlap, 0.0, std::max(0.0, group_.duration_s - shared_before_s_));
+        share_end(queue, overlap);
+    }
+    shared_before_s_ = overlap;
+    group_ = {};
+}
+
+// The next piece starts in the first period in which the last one, as it brakes, is slow enough.
+double Pacer::overlap_s(const PieceQueue& queue, double brake_s) const {
+    const Piece& last = queue[next_ - 1].piece;
+    const double slow_s = parabola_between(last, queue[next_].piece).before / acceleration(last);
+    if (!clock_.counts) return std::min(slow_s, brake_s);
+    const double slow = slow_s / clock_.period_s, brake = brake_s / clock_.period_s;
+    const double periods = std::ceil(brake - kCount);
+    return clock_.period_s * (brake < slow ? periods + 1 : periods - std::floor(brake - slow + kCount));
+}
+
+void Pacer::share_end(PieceQueue& queue, double overlap_s) const {
+    const std::size_t first = next_ - std::min(next_, group_.pieces);
+    for (std::size_t index = next_; index > first && overlap_s > 0; --index) {
+        HeldPiece& held = queue[index - 1];
+        held.shared_s = std::min(overlap_s, held.left_s());
+        overlap_s -= held.shared_s;
+    }
+}
+
+}  // namespace gsim::motion::linuxcnc

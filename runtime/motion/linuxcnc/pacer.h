@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "runtime/motion/linuxcnc/held_piece.h"
+#include "runtime/motion/linuxcnc/look_ahead.h"
+#include "runtime/motion/linuxcnc/profile.h"
+
+namespace gsim::motion::linuxcnc {
+
+/// Gives the pieces of a queue their time laws, in order, as soon as enough of what follows is known.
+///
+/// Pieces that meet at speed form a group, which starts and ends at rest and takes whole periods. Where its
+/// end is a parabolic blend the next group starts before it is at rest.
+class Pacer {
+  public:
+    Pacer(std::size_t depth, const Clock& clock) : depth_(depth), clock_(clock) {}
+
+    /// Times what can be timed. The last piece of the queue is not final yet, unless the queue `ended`.
+    void advance(PieceQueue& queue, bool ended);
+    /// How many pieces at the front of the queue can be put out: timed ones, but for the last of a group
+    /// whose end is not known, with which the next group could start.
+    std::size_t ready() const;
+    /// The first `count` pieces have left the queue.
+    void drop(std::size_t count);
+    void clear();
+
+  private:
+    // What is known of the group under way.
+    struct Group {
+        std::size_t pieces = 0;  // timed
+        double duration_s = 0;
+        double speed = 0;  // at the end of the last timed piece
+    };
+
+    void look_for_end(const PieceQueue& queue);
+    bool can_time(const PieceQueue& queue) const;
+    Horizon horizon() const;
+    void time_next(PieceQueue& queue);
+    Profile pass_on(const PieceQueue& queue, LimitKind& slowed_by) const;
+    Profile last_of_group(const PieceQueue& queue);
+    void end_group(PieceQueue& queue, const Profile& profile);
+    double overlap_s(const PieceQueue& queue, double brake_s) const;
+    void share_end(PieceQueue& queue, double overlap_s) const;
+
+    std::size_t depth_;
+    Clock clock_;
+    std::size_t next_ = 0;    // first piece without a law
+    std::size_t seen_ = 0;    // pieces up to here, from next_ on, end tangent
+    std::size_t final_ = 0;   // number of final pieces
+    bool ended_ = false;      // the last final piece is the last of the queue
+    bool end_known_ = false;  // seen_ ends the run
+    Group group_;
+    double shared_before_s_ = 0;  // the group under way started so long before the end of the one before
+};
+
+}  // namespace gsim::motion::linuxcnc

@@ -1,0 +1,57 @@
+#include "runtime/motion/linuxcnc/parabola.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace gsim::motion::linuxcnc {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kStraight_rad = 0.001;  // a turn by less than twice this needs no tolerance
+
+// The speed that a piece reaches if it is to stop again.
+double reached_speed(const Piece& piece, double acceleration) {
+    const double length = piece.settled ? piece.length : piece.length / 2;
+    return std::min(std::sqrt(acceleration * length), target_speed(piece));
+}
+
+Vector3d level_tangent(const Arc& arc, double phi_rad) {
+    return std::cos(phi_rad) * arc.v - std::sin(phi_rad) * arc.u;
+}
+
+Vector3d end_direction_of(const Piece& piece) {
+    return piece.curved ? level_tangent(piece.arc, piece.arc.sweep_rad) : piece.direction;
+}
+
+// An arc starts into the direction of its whole acceleration at half of its speed.
+Vector3d start_direction_of(const Piece& piece) {
+    if (!piece.curved) return piece.direction;
+    const double speed = piece.requested_speed / 2;
+    const double across = speed * speed / piece.arc.radius_mm;
+    return (whole_acceleration(piece) * level_tangent(piece.arc, 0) - across * piece.arc.u).normalized();
+}
+
+}  // namespace
+
+Parabola parabola_between(const Piece& before, const Piece& after) {
+    const double a_before = acceleration(before), a_after = acceleration(after);
+    const double v_before = reached_speed(before, a_before), v_after = reached_speed(after, a_after);
+    const double blend_s = std::min(
+        {before.length / v_before, after.length / v_after, std::max(v_before / a_before, v_after / a_after)});
+    double from = std::min(v_before, blend_s * a_before);
+    double to = std::min(v_after, blend_s * a_after);
+    const double half_angle_rad =
+        std::acos(std::clamp(-end_direction_of(before).dot(start_direction_of(after)), -1.0, 1.0)) / 2;
+    const double sharpness = std::cos(half_angle_rad);
+    if (before.tolerance_mm > 0 && sharpness > std::sin(kStraight_rad)) {
+        const double within = 2 * std::sqrt(a_before * before.tolerance_mm / sharpness);
+        from = std::min(from, within);
+        to = std::min(to, within);
+    }
+    return {from, std::sin(half_angle_rad) * (from + to) / 2};
+}
+
+}  // namespace gsim::motion::linuxcnc

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "runtime/motion/linuxcnc/piece.h"
+
+namespace gsim::motion::linuxcnc {
+
+/// A parabolic blend: the second piece starts from rest while the first comes to rest, when this is below the
+/// speed `before`.
+struct Parabola {
+    double before = 0;     ///< Speed of the first piece when the second starts.
+    double net_speed = 0;  ///< Of both together on the way round the corner; 0 where neither moves X, Y or Z.
+};
+
+Parabola parabola_between(const Piece& before, const Piece& after);
+
+}  // namespace gsim::motion::linuxcnc

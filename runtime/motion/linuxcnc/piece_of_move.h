@@ -1,0 +1,18 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "runtime/motion/linuxcnc/axes.h"
+#include "runtime/motion/linuxcnc/piece.h"
+#include "runtime/motion/motion_model.h"
+#include "runtime/motion/planner_setup.h"
+
+namespace gsim::motion::linuxcnc {
+
+/// The piece of a move with the limits that follow from the joints'; of length 0 where the move goes nowhere.
+/// `period_s` is that of the controller's loop. RRS_ZERO_SPEED without a speed, RRS_INVALID_PARAMETER where
+/// positions or the time are no numbers of this world.
+tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const Move& move,
+                                        double period_s);
+
+}  // namespace gsim::motion::linuxcnc

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace gsim::motion::linuxcnc {
+
+/// A queue whose slots are used again: elements are put in behind, looked at by their index from the front,
+/// and leave at the front. It grows to the most that it ever held.
+template <class Element>
+class Ring {
+  public:
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    Element& operator[](std::size_t index) { return slots_[(first_ + index) & (slots_.size() - 1)]; }
+    const Element& operator[](std::size_t index) const {
+        return slots_[(first_ + index) & (slots_.size() - 1)];
+    }
+    Element& front() { return (*this)[0]; }
+    Element& back() { return (*this)[size_ - 1]; }
+
+    /// A new last element, with what its slot held before.
+    Element& push() {
+        if (size_ == slots_.size()) grow();
+        ++size_;
+        return back();
+    }
+    void pop() {
+        first_ = (first_ + 1) & (slots_.size() - 1);
+        --size_;
+    }
+    void clear() { size_ = 0; }
+
+  private:
+    void grow() {
+        std::vector<Element> larger(slots_.empty() ? 16 : 2 * slots_.size());  // a power of two
+        for (std::size_t i = 0; i < size_; ++i) larger[i] = std::move((*this)[i]);
+        slots_ = std::move(larger);
+        first_ = 0;
+    }
+
+    std::vector<Element> slots_;
+    std::size_t first_ = 0;
+    std::size_t size_ = 0;
+};
+
+}  // namespace gsim::motion::linuxcnc

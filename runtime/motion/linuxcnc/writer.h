@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+
+#include "runtime/motion/linuxcnc/axes.h"
+#include "runtime/motion/linuxcnc/held_piece.h"
+#include "runtime/motion/motion_model.h"
+
+namespace gsim::motion::linuxcnc {
+
+/// Puts timed pieces out as segments. Where two move at the same time there is a segment of both.
+class Writer {
+  public:
+    Writer(const Axes& axes, SegmentOutput& output) : axes_(axes), output_(output) {}
+
+    /// Puts out what it can of the first `ready` pieces and takes those that are done out of the queue;
+    /// answers how many. The end of a group that is shared waits for the pieces that share it, unless the
+    /// queue `ended`.
+    std::size_t write(PieceQueue& queue, std::size_t ready, bool ended);
+
+  private:
+    // Times of a piece between which it moves along one line or arc.
+    struct Span {
+        const HeldPiece* held;
+        double from_s;
+        double to_s;
+    };
+
+    // Whether the front piece is done.
+    bool write_front(PieceQueue& queue, std::size_t ready, bool ended);
+    void write_alone(HeldPiece& held, double until_s);
+    void write_shared(HeldPiece& tail, HeldPiece& head, const rrs::JointPos& corner);
+    void put(const Span& span);
+    void put_both(const Span& tail, const Span& head, const rrs::JointPos& corner);
+    void fill(const Span& span, Segment& segment) const;
+
+    const Axes& axes_;
+    SegmentOutput& output_;
+};
+
+}  // namespace gsim::motion::linuxcnc

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+#include "runtime/motion/block.h"
+#include "runtime/motion/motion_model.h"
+
+namespace gsim::motion {
+
+/// A controller that knows some blocks ahead and passes corners by a rule of speed: the way stays exact.
+///
+/// The window holds look_ahead_blocks blocks, the one under way included. The newest is planned to end at
+/// rest; from there back, a block's entry speed is what its corner allows and what its length lets slow down
+/// from. When the window is full the oldest block becomes final: its exit speed is the next one's entry
+/// speed, and its law the fastest one between the two (TimeLaw::between). With jerk limits the acceleration
+/// is 0 at the ends of blocks.
+class LookAhead final : public MotionModel {
+  public:
+    /// Both must outlive this.
+    LookAhead(const PlannerSetup& setup, SegmentOutput& output) : setup_(setup), output_(output) {}
+
+    Planned add(const Move& move) override;
+    void come_to_rest() override;
+    void clear() override;
+
+  private:
+    Planned add_line(const Move& move);
+    Planned add_block(const Move& move);
+    void plan_back();
+    void put_out_front(double exit_speed);
+    LimitedBy limited_by(const Block& block, const TimeLaw& law, double exit_speed) const;
+
+    const PlannerSetup& setup_;
+    SegmentOutput& output_;
+    std::deque<Block> window_;
+    double speed_ = 0;       ///< At the start of the oldest block, which cannot change any more.
+    rrs::JointPos rounded_;  ///< Where the last block ends, on the grid of the joints' steps.
+    bool has_rounded_ = false;
+};
+
+}  // namespace gsim::motion

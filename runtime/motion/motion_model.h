@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+#include "runtime/motion/arc.h"
+#include "runtime/motion/move_rules.h"
+#include "runtime/motion/plan_error.h"
+#include "runtime/motion/segment.h"
+#include "runtime/rrs/types.h"
+
+namespace gsim::motion {
+
+/// A move as a controller's planner gets it: the way, and what the program asks for on it.
+struct Move {
+    rrs::TargetId target_id = 0;
+    SegmentKind kind = SegmentKind::linear;  ///< linear or circular
+    rrs::JointPos start;                     ///< Where the move before ended, mm or rad.
+    rrs::JointPos end;
+    Arc arc;               ///< Of a circular move, in the position joints; the other joints go in proportion.
+    double length_mm = 0;  ///< Of the tool's way; 0 where rotary joints alone move.
+    MoveRules rules;       ///< Programmed speeds and the path's limits, overrides applied.
+    bool rapid = false;
+    rrs::PathMode mode = rrs::PathMode::exact_stop;
+    double tolerance_mm =
+        0;  ///< In continuous mode: how far corners may be cut; 0: as far as the controller does.
+    double merge_tolerance_mm = 0;  ///< In continuous mode: lines may be merged that lie within this.
+};
+
+/// Where a model puts finished segments, in the order of time.
+class SegmentOutput {
+  public:
+    virtual ~SegmentOutput() = default;
+    /// The slot of the next segment, with what it held before but for its target and its position joints: no
+    /// followers, nothing beside it. The model fills in kind, start, end, arc, length_mm, duration_s and
+    /// lead.
+    virtual Segment& begin(rrs::TargetId id) = 0;
+    /// The slot that begin() gave is filled: the segment starts where the one before ends.
+    virtual void finish() = 0;
+};
+
+/// How a controller turns moves into motion. It may hold moves back until it knows those that follow;
+/// segments come out in the order of the moves, and each move's before those of the next.
+class MotionModel {
+  public:
+    virtual ~MotionModel() = default;
+    /// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER; then nothing has changed.
+    virtual Planned add(const Move& move) = 0;
+    /// Plans what is held back to end at rest, and puts it out.
+    virtual void come_to_rest() = 0;
+    /// Forgets what is held back.
+    virtual void clear() = 0;
+};
+
+}  // namespace gsim::motion

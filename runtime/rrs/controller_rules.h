@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace gsim::rrs {
+
+/// Which planner plans for a controller. Another one is another implementation of motion::MotionModel.
+enum class PlannerKind {
+    rest_to_rest,  ///< Each move begins and ends at rest.
+    look_ahead,    ///< Speeds at the corners by one of the CornerRules, over a window of blocks.
+    linuxcnc,      ///< The trajectory planner of LinuxCNC 2.9: blend arcs, parabolic blends, servo cycles.
+};
+
+/// What limits the speed at a corner that is passed without a stop.
+enum class CornerRule {
+    stop,
+    velocity_step,       ///< No joint's speed may jump by more than it stands (its max_speed_step, or
+                         ///< speed_step_s).
+    junction_deviation,  ///< The speed on an arc that would miss the corner by junction_deviation_mm.
+};
+
+/// The rules by which a controller turns moves into motion: what its maker has built in and an operator
+/// cannot change. Read from a controller file, each key open to change in a machine file; see
+/// docs/machine-file.md.
+struct ControllerRules {
+    std::string model = "exact-stop";
+    PlannerKind planner = PlannerKind::rest_to_rest;
+
+    /// Blocks that are known ahead, the one under way included; the newest of them is planned to end at rest.
+    std::size_t look_ahead_blocks = 100;
+    /// Corners in continuous mode (G64), and in exact path mode (G61).
+    CornerRule corner = CornerRule::stop;
+    CornerRule exact_path_corner = CornerRule::stop;
+    double junction_deviation_mm = 0.01;
+    /// The jump of speed that a joint without a max_speed_step stands: what its acceleration makes in this
+    /// time.
+    double speed_step_s = 0.01;
+    bool stop_between_rapid_and_feed = true;
+    /// Ramps keep the joints' jerk limits (S-curves); else they are straight.
+    bool limit_jerk = false;
+    /// Share of the acceleration limit that the way round a curve may take; what is left of it is for
+    /// speeding up and slowing down. Infinite: curves do not slow the motion.
+    double centripetal_share = 0.866;
+    /// Arcs become chords that lie off the circle by this much; 0: they stay arcs.
+    double arc_chord_tolerance_mm = 0;
+    /// The feed of an arc in inverse time mode counts once for each chord, in mm/min (grbl 1.1).
+    bool inverse_time_of_chords = false;
+    double least_feed_mm_min = 0;  ///< A lower one is raised to it.
+
+    double settle_s = 0;      ///< Time at each exact stop until the axes are in position.
+    double rest_s = 0;        ///< Time at each stop that waits for the program's next block (dwell, M code).
+    double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
+    double servo_period_s = 0;  ///< Of the controller's position loop; 0: continuous.
+
+    bool operator==(const ControllerRules&) const = default;
+};
+
+}  // namespace gsim::rrs

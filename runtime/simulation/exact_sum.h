@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cmath>
+
+namespace gsim::simulation {
+
+/// A sum whose rounding errors do not grow with the number of terms (Neumaier).
+class ExactSum {
+  public:
+    void add(double term) {
+        const double next = sum_ + term;
+        lost_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
+        sum_ = next;
+    }
+    double value() const { return sum_ + lost_; }
+
+  private:
+    double sum_ = 0;
+    double lost_ = 0;
+};
+
+}  // namespace gsim::simulation

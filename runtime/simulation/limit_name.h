@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "runtime/machine/machine.h"
+#include "runtime/motion/segment.h"
+
+namespace gsim::simulation {
+
+/// What limited a move, for reports: "feed", "joint X speed", "rotary B acceleration", ... (docs/report.md).
+std::string describe(motion::LimitedBy limited_by, const machine::Machine& machine);
+
+}  // namespace gsim::simulation

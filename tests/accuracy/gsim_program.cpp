@@ -1,0 +1,113 @@
+#include "tests/accuracy/gsim_program.h"
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/simulation/child_process.h"
+
+namespace gsim::accuracy {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string read_all(std::FILE* file) {
+    std::string text;
+    char buffer[1 << 16];
+    std::rewind(file);
+    for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof buffer, file)) > 0;)
+        text.append(buffer, count);
+    return text;
+}
+
+tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
+                                                 const fs::path& input) {
+    const File in(std::fopen(input.c_str(), "rb"));
+    if (!in) return tl::unexpected(fmt::format("cannot read {}", input.string()));
+    const File out(std::tmpfile());
+    if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
+    if (const auto ran = simulation::run_child(command, in.get(), out.get()); !ran)
+        return tl::unexpected(ran.error());
+    return read_all(out.get());
+}
+
+// gsim-run's own words, without the folders.
+std::string without_paths(std::string message, const std::string& gsim_run, const fs::path& program) {
+    for (const std::string& part : {gsim_run + " failed: ", program.parent_path().string() + "/"}) {
+        if (const std::size_t at = message.find(part); at != std::string::npos)
+            message.erase(at, part.size());
+    }
+    return message.empty() ? "gsim-run failed without a word" : message;
+}
+
+}  // namespace
+
+GsimProgram::GsimProgram(std::string gsim_run, fs::path machines)
+    : gsim_run_(std::move(gsim_run)), machines_(std::move(machines)) {}
+
+tl::expected<std::string, std::string> GsimProgram::run(const Recording& recording,
+                                                        const std::vector<std::string>& outputs) const {
+    std::vector<std::string> command{
+        gsim_run_, "--dialect", "rs274ngc", "--machine", (machines_ / recording.machine_file).string(),
+        "--json"};
+    command.insert(command.end(), outputs.begin(), outputs.end());
+    command.push_back(recording.program.string());
+    return output_of(command, "/dev/null").map_error([&](const std::string& message) {
+        return without_paths(message, gsim_run_, recording.program);
+    });
+}
+
+tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& recording) const {
+    return run(recording, {}).and_then(read_cycle_time_s);
+}
+
+tl::expected<TimedPath, std::string> GsimProgram::path(const Recording& recording) const {
+    const fs::path trajectory_file = scratch_.path() / "trajectory.csv";
+    const fs::path moves_file = scratch_.path() / "moves.jsonl";
+    const auto ran =
+        run(recording, {"--trajectory", trajectory_file, "--step", "0.01", "--moves", moves_file});
+    if (!ran) return tl::unexpected(ran.error());
+    std::ifstream trajectory(trajectory_file);
+    auto samples = read_trajectory(trajectory);
+    if (!samples) return tl::unexpected(samples.error());
+    std::ifstream moves(moves_file);
+    auto blocks = read_blocks(moves);
+    if (!blocks) return tl::unexpected(blocks.error());
+    return TimedPath{*std::move(samples), *std::move(blocks)};
+}
+
+tl::expected<double, std::string> read_cycle_time_s(const std::string& report) {
+    try {
+        const json object = json::parse(report);
+        const std::string status = object.at("status").get<std::string>();
+        if (status == "completed") return object.at("cycle_time_s").get<double>();
+        return tl::unexpected(
+            fmt::format("{}: {}", status, object.at("alarm").at("message").get<std::string>()));
+    } catch (const std::exception& error) {  // nlohmann's
+        return tl::unexpected(fmt::format("the report cannot be understood: {}", error.what()));
+    }
+}
+
+tl::expected<TimedPath, std::string> recorded_path(const Recording& recording) {
+    const auto csv = output_of({"gzip", "-dc"}, recording.samples);
+    if (!csv) return tl::unexpected(csv.error());
+    std::istringstream lines(*csv);
+    auto samples = read_trajectory(lines);
+    if (!samples) return tl::unexpected(fmt::format("{}: {}", recording.samples.string(), samples.error()));
+    return TimedPath{*std::move(samples), recording.blocks};
+}
+
+}  // namespace gsim::accuracy

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "tests/accuracy/path_distance.h"
+#include "tests/accuracy/recording.h"
+#include "tests/conformance/scratch_folder.h"
+
+namespace gsim::accuracy {
+
+/// Runs recorded programs by gsim-run, each on the machine it was recorded on.
+class GsimProgram {
+  public:
+    /// `machines` is the folder of machine files.
+    GsimProgram(std::string gsim_run, std::filesystem::path machines);
+
+    /// The cycle time of a program in the dialect rs274ngc, s; the error is the first one that gsim-run
+    /// reports.
+    tl::expected<double, std::string> cycle_time_s(const Recording& recording) const;
+
+    /// The path of a program, sampled every 10 ms; the error as above.
+    tl::expected<TimedPath, std::string> path(const Recording& recording) const;
+
+  private:
+    tl::expected<std::string, std::string> run(const Recording& recording,
+                                               const std::vector<std::string>& outputs) const;
+
+    std::string gsim_run_;
+    std::filesystem::path machines_;
+    conformance::ScratchFolder scratch_;
+};
+
+/// The cycle time in a report of `gsim-run --json`, s; the error says why there is none.
+tl::expected<double, std::string> read_cycle_time_s(const std::string& report);
+
+/// The path of a recording; the error names the file that cannot be read or understood.
+tl::expected<TimedPath, std::string> recorded_path(const Recording& recording);
+
+}  // namespace gsim::accuracy

@@ -1,0 +1,95 @@
+#include "tests/accuracy/gsim_program.h"
+
+#include <cstdlib>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace gsim::accuracy {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A program in place of gsim-run.
+fs::path script(const conformance::ScratchFolder& folder, const std::string& body) {
+    fs::path file = folder.write("fake-gsim-run", fmt::format("#!/bin/sh\n{}", body));
+    fs::permissions(file, fs::perms::owner_all);
+    return file;
+}
+
+Recording recording(const conformance::ScratchFolder& folder) {
+    Recording made;
+    made.name = "router_a";
+    made.program = folder.path() / "router_a.ngc";
+    made.machine_file = "grbl-router.toml";
+    return made;
+}
+
+TEST(CycleTime, IsThatOfACompletedRun) {
+    EXPECT_EQ(read_cycle_time_s(R"({"status": "completed", "alarm": null, "cycle_time_s": 1.25})").value(),
+              1.25);
+    EXPECT_EQ(
+        read_cycle_time_s(R"({"status": "alarm", "alarm": {"message": "limit"}, "cycle_time_s": 1})").error(),
+        "alarm: limit");
+    EXPECT_FALSE(read_cycle_time_s(""));
+    EXPECT_FALSE(read_cycle_time_s("{}"));
+}
+
+TEST(GsimProgram, RunsAProgramOnItsMachine) {
+    const conformance::ScratchFolder folder;
+    const fs::path fake = script(folder,
+                                 "echo \"$@\" >\"$(dirname \"$0\")/arguments\"\n"
+                                 "echo '{\"status\": \"completed\", \"cycle_time_s\": 2.5}'\n");
+    const GsimProgram gsim(fake, "machines");
+    EXPECT_EQ(gsim.cycle_time_s(recording(folder)).value(), 2.5);
+    std::ifstream arguments(folder.path() / "arguments");
+    std::string line;
+    std::getline(arguments, line);
+    EXPECT_EQ(line, fmt::format("--dialect rs274ngc --machine machines/grbl-router.toml --json {}",
+                                (folder.path() / "router_a.ngc").string()));
+}
+
+TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
+    const conformance::ScratchFolder folder;
+    const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), "machines");
+    EXPECT_EQ(gsim.cycle_time_s(recording(folder)).error(), "router_a.ngc:3: no such code");
+    const GsimProgram silent(script(folder, "kill -9 $$\n"), "machines");
+    EXPECT_EQ(silent.cycle_time_s(recording(folder)).error(), "gsim-run failed without a word");
+    const GsimProgram missing(folder.path() / "missing", "machines");
+    EXPECT_FALSE(missing.cycle_time_s(recording(folder)));
+}
+
+TEST(GsimProgram, ReadsTrajectoryAndMoves) {
+    const conformance::ScratchFolder folder;
+    const GsimProgram gsim(
+        script(folder,
+               "printf 't_s,line,x_mm,y_mm,z_mm,speed_mm_s\\n0,3,0,0,0,0\\n0.5,3,7,0,0,0\\n' >\"$7\"\n"
+               "test \"$8 $9\" = '--step 0.01' || exit 1\n"
+               "echo '{\"line\": 3, \"start_s\": 0, \"end_s\": 0.5}' >\"${11}\"\n"),
+        "machines");
+    const auto path = gsim.path(recording(folder));
+    ASSERT_TRUE(path) << path.error();
+    ASSERT_EQ(path->trajectory.size(), 2U);
+    EXPECT_EQ(path->trajectory[1].at_mm[0], 7);
+    ASSERT_EQ(path->blocks.size(), 1U);
+    EXPECT_EQ(path->blocks[0].end_s, 0.5);
+}
+
+TEST(RecordedPath, IsUnpacked) {
+    const conformance::ScratchFolder folder;
+    const fs::path csv = folder.write("router_a.csv", "t,x,y,z,line\n0,0,0,0,0\n0.01,0.5,0,0,3\n");
+    ASSERT_EQ(std::system(fmt::format("gzip '{}'", csv.string()).c_str()), 0);
+    Recording made = recording(folder);
+    made.samples = folder.path() / "router_a.csv.gz";
+    made.blocks = {{3, 0, 0.01}};
+    const auto path = recorded_path(made);
+    ASSERT_TRUE(path) << path.error();
+    EXPECT_EQ(path->trajectory.size(), 2U);
+    EXPECT_EQ(path->blocks.size(), 1U);
+    made.samples = folder.path() / "missing.csv.gz";
+    EXPECT_FALSE(recorded_path(made));
+}
+
+}  // namespace
+}  // namespace gsim::accuracy

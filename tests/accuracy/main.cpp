@@ -1,0 +1,150 @@
+// Compares cycle times and positions of gsim with those that controllers were recorded with.
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "tests/accuracy/controller.h"
+#include "tests/accuracy/gsim_program.h"
+#include "tests/accuracy/known.h"
+#include "tests/accuracy/report.h"
+
+namespace gsim::accuracy {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kGood = 0;
+constexpr int kOff = 1;
+constexpr int kUsage = 2;
+constexpr int kSkipped = 77;  // what CTest is told to take for a test that was not run
+
+struct Arguments {
+    std::string folder;
+    std::string gsim_run = "gsim-run";
+    std::string machines;
+    bool markdown = false;
+    bool positions = false;
+};
+
+void add_options(CLI::App& app, Arguments& arguments) {
+    app.add_option("folder", arguments.folder, "folder with recordings in linuxcnc/ and grbl/")
+        ->envname("GSIM_REFERENCE");
+    app.add_option("--gsim-run", arguments.gsim_run, "the program gsim-run")->capture_default_str();
+    app.add_option("--machines", arguments.machines, "folder of the machine files CONTROLLER-MACHINE.toml")
+        ->required();
+    app.add_flag("--markdown", arguments.markdown, "tables in Markdown");
+    app.add_flag("--positions", arguments.positions,
+                 "compare the positions of programs in G61.1 too; they count for the exit status");
+}
+
+std::string known_difference(const Controller& controller, const std::string& program) {
+    const auto all = known_differences();
+    const auto found = all.find(fmt::format("{}/{}", controller.name, program));
+    return found == all.end() ? std::string() : found->second;
+}
+
+std::vector<TimeOutcome> compare_times(const std::vector<Recording>& recordings, const Controller& controller,
+                                       const GsimProgram& gsim) {
+    std::vector<TimeOutcome> outcomes;
+    outcomes.reserve(recordings.size());
+    for (const Recording& recording : recordings) {
+        outcomes.push_back({recording.name, recording.note, recording.counted, recording.cycle_time_s,
+                            gsim.cycle_time_s(recording), known_difference(controller, recording.name)});
+    }
+    return outcomes;
+}
+
+tl::expected<Distance, std::string> distance(const Recording& recording, const GsimProgram& gsim) {
+    const auto recorded = recorded_path(recording);
+    if (!recorded) return tl::unexpected(recorded.error());
+    return gsim.path(recording).and_then(
+        [&recorded](const TimedPath& found) { return largest_distance(*recorded, found); });
+}
+
+std::vector<PathOutcome> compare_paths(const std::vector<Recording>& recordings, const Controller& controller,
+                                       const GsimProgram& gsim) {
+    std::vector<PathOutcome> outcomes;
+    for (const Recording& recording : recordings) {
+        if (!recording.exact_stop || !recording.counted) continue;
+        outcomes.push_back(
+            {recording.name, distance(recording, gsim), known_difference(controller, recording.name)});
+    }
+    return outcomes;
+}
+
+bool all_good(const std::vector<PathOutcome>& outcomes) {
+    return std::all_of(outcomes.begin(), outcomes.end(),
+                       [](const PathOutcome& outcome) { return outcome.good() || !outcome.known.empty(); });
+}
+
+// Prints how a controller's programs fared; whether well enough.
+bool compare(const std::vector<Recording>& recordings, const Controller& controller, const GsimProgram& gsim,
+             const Arguments& arguments) {
+    const Format format = arguments.markdown ? Format::markdown : Format::plain;
+    const auto times = compare_times(recordings, controller, gsim);
+    fmt::print("{}", time_report(times, controller, format));
+    std::vector<PathOutcome> paths;
+    if (arguments.positions) paths = compare_paths(recordings, controller, gsim);
+    fmt::print("{}", path_report(paths, controller, format));
+    std::fflush(stdout);
+    return summarize(times, controller).good() && all_good(paths);
+}
+
+std::vector<Recording> recordings_of(const Controller& controller, const fs::path& folder) {
+    if (!fs::is_directory(folder)) return {};
+    auto recordings = find_recordings(folder, controller);
+    if (!recordings) throw std::runtime_error(recordings.error());
+    return *std::move(recordings);
+}
+
+int run(const Arguments& arguments) {
+    if (!fs::is_directory(arguments.folder)) {
+        fmt::print("skipped: there is no folder '{}' of recordings (GSIM_REFERENCE)\n", arguments.folder);
+        return kSkipped;
+    }
+    const GsimProgram gsim(arguments.gsim_run, arguments.machines);
+    bool any = false;
+    bool good = true;
+    for (const Controller& controller : kControllers) {
+        const auto recordings = recordings_of(controller, fs::path(arguments.folder) / controller.name);
+        if (recordings.empty()) {
+            fmt::print("no recordings of {}\n\n", controller.name);
+            continue;
+        }
+        any = true;
+        good = compare(recordings, controller, gsim, arguments) && good;
+    }
+    if (!any) throw std::runtime_error(fmt::format("no recordings in {}", arguments.folder));
+    return good ? kGood : kOff;
+}
+
+}  // namespace
+
+}  // namespace gsim::accuracy
+
+int main(int argc, char** argv) {
+    try {
+        gsim::accuracy::Arguments arguments;
+        CLI::App app("Compares cycle times and positions of gsim with those of recorded controllers",
+                     "gsim-accuracy");
+        gsim::accuracy::add_options(app, arguments);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? gsim::accuracy::kGood : gsim::accuracy::kUsage;
+        }
+        return gsim::accuracy::run(arguments);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "gsim-accuracy: {}\n", error.what());
+        return gsim::accuracy::kUsage;
+    }
+}

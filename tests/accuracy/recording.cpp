@@ -1,0 +1,129 @@
+#include "tests/accuracy/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace gsim::accuracy {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+tl::expected<std::string, std::string> read_file(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (!in) return tl::unexpected(fmt::format("cannot read {}", file.string()));
+    return text;
+}
+
+double time_in(const json& object) {
+    const double time_s = object.get<double>();
+    if (!std::isfinite(time_s) || time_s < 0) throw std::runtime_error("a time is negative");
+    return time_s;
+}
+
+std::vector<Block> blocks_in(const json& object) {
+    std::vector<LineTime> times;
+    for (const json& entry : object) times.push_back({entry.at(0).get<long>(), time_in(entry.at(1))});
+    return blocks_of(times);
+}
+
+// A program as its interpreter sees it: small letters, without comments and blanks.
+std::string bare(std::string_view program) {
+    std::string text;
+    char comment = 0;
+    for (const char c : program) {
+        if (c == '\n' || (comment == '(' && c == ')')) {
+            comment = 0;
+            text += '\n';
+        } else if (comment == 0 && (c == '(' || c == ';')) {
+            comment = c;
+        } else if (comment == 0 && c != ' ' && c != '\t' && c != '\r') {
+            text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        }
+    }
+    return text;
+}
+
+// A word's number, from its first character on, is 4: 4, 04, 4.0.
+bool is_four(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of('0'), text.size()));
+    if (!text.starts_with('4')) return false;
+    text.remove_prefix(1);
+    if (text.starts_with('.')) text.remove_prefix(std::min(text.find_first_not_of('0', 1), text.size()));
+    return text.empty() || text[0] < '0' || text[0] > '9';
+}
+
+tl::expected<Recording, std::string> read_recording(const fs::path& program, const Controller& controller) {
+    Recording recording;
+    recording.name = program.stem().string();
+    recording.program = program;
+    recording.samples = fs::path(program).replace_extension(".csv.gz");
+    recording.machine_file =
+        fmt::format("{}-{}.toml", controller.name, recording.name.substr(0, recording.name.find('_')));
+    const fs::path figures = fs::path(program).replace_extension(".json");
+    const auto json_text = read_file(figures);
+    if (!json_text) return tl::unexpected(json_text.error());
+    const auto program_text = read_file(program);
+    if (!program_text) return tl::unexpected(program_text.error());
+    if (const auto read = read_figures(*json_text, controller, recording); !read)
+        return tl::unexpected(fmt::format("{}: {}", figures.string(), read.error()));
+    recording.counted = controller.times_dwells || !has_dwell(*program_text);
+    return recording;
+}
+
+}  // namespace
+
+tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path& folder,
+                                                                  const Controller& controller) {
+    std::error_code error;
+    std::vector<fs::path> programs;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const fs::path& file = entry->path();
+        if (file.extension() == ".ngc" && fs::is_regular_file(fs::path(file).replace_extension(".json")))
+            programs.push_back(file);
+    }
+    if (error) return tl::unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+    std::sort(programs.begin(), programs.end());
+    std::vector<Recording> recordings;
+    for (const fs::path& program : programs) {
+        auto recording = read_recording(program, controller);
+        if (!recording) return tl::unexpected(recording.error());
+        recordings.push_back(*std::move(recording));
+    }
+    return recordings;
+}
+
+tl::expected<void, std::string> read_figures(const std::string& json_text, const Controller& controller,
+                                             Recording& recording) {
+    try {
+        const json figures = json::parse(json_text);
+        recording.cycle_time_s = time_in(figures.at(std::string(controller.time_key)));
+        recording.note = figures.at(std::string(controller.note_key)).get<std::string>();
+        recording.exact_stop = figures.value("mode", "") == "G61.1";
+        if (figures.contains("time_per_line")) recording.blocks = blocks_in(figures["time_per_line"]);
+    } catch (const std::exception& error) {  // nlohmann's and our own
+        return tl::unexpected<std::string>(error.what());
+    }
+    return {};
+}
+
+bool has_dwell(std::string_view program) {
+    const std::string text = bare(program);
+    for (std::size_t at = text.find('g'); at != std::string::npos; at = text.find('g', at + 1)) {
+        if (is_four(std::string_view(text).substr(at + 1))) return true;
+    }
+    return false;
+}
+
+}  // namespace gsim::accuracy

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "tests/accuracy/blocks.h"
+#include "tests/accuracy/controller.h"
+
+namespace gsim::accuracy {
+
+/// A program that a controller ran, and what was recorded: MACHINE_NAME.ngc, .json and .csv.gz.
+struct Recording {
+    std::string name;               ///< MACHINE_NAME
+    std::filesystem::path program;  ///< The part program.
+    std::filesystem::path samples;  ///< The trajectory, CSV compressed by gzip.
+    std::string machine_file;       ///< Name of the machine file: CONTROLLER-MACHINE.toml.
+    std::string note;               ///< The mode, or a word about the program.
+    double cycle_time_s = 0;
+    bool counted = true;        ///< Whether the controller timed all of it.
+    bool exact_stop = false;    ///< Whether it rests after each block (G61.1).
+    std::vector<Block> blocks;  ///< Where they were recorded.
+};
+
+/// The recordings in a folder, sorted by name: programs with a JSON beside them. The error names the folder
+/// or file that cannot be read.
+tl::expected<std::vector<Recording>, std::string> find_recordings(const std::filesystem::path& folder,
+                                                                  const Controller& controller);
+
+/// Puts what the JSON of a recording says into it; the error says what it lacks.
+tl::expected<void, std::string> read_figures(const std::string& json_text, const Controller& controller,
+                                             Recording& recording);
+
+/// Whether a program has G4 outside its comments.
+bool has_dwell(std::string_view program);
+
+}  // namespace gsim::accuracy

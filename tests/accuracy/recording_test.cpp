@@ -1,0 +1,98 @@
+#include "tests/accuracy/recording.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/conformance/scratch_folder.h"
+
+namespace gsim::accuracy {
+namespace {
+
+constexpr const Controller& kLinuxcnc = kControllers[0];
+constexpr const Controller& kGrbl = kControllers[1];
+
+TEST(Recording, HasTheTimeOfItsController) {
+    const std::string figures =
+        R"({"cycle_time_s": 3.618, "cycle_time_nominal_s": 3.5, "mode": "G61.1", "notes": "a square",
+            "time_per_line": [[3, 0.904], [4, 0.904], [0, 0.002]]})";
+    Recording linuxcnc;
+    ASSERT_TRUE(read_figures(figures, kLinuxcnc, linuxcnc));
+    EXPECT_EQ(linuxcnc.cycle_time_s, 3.618);
+    EXPECT_EQ(linuxcnc.note, "G61.1");
+    EXPECT_TRUE(linuxcnc.exact_stop);
+    ASSERT_EQ(linuxcnc.blocks.size(), 2U);
+    EXPECT_EQ(linuxcnc.blocks[1].line, 4);
+    EXPECT_EQ(linuxcnc.blocks[1].start_s, 0.904);
+
+    Recording grbl;
+    ASSERT_TRUE(read_figures(figures, kGrbl, grbl));
+    EXPECT_EQ(grbl.cycle_time_s, 3.5);
+    EXPECT_EQ(grbl.note, "a square");
+}
+
+TEST(Recording, SaysWhatItsFiguresLack) {
+    Recording recording;
+    EXPECT_FALSE(read_figures("{", kGrbl, recording));
+    EXPECT_FALSE(read_figures("[]", kGrbl, recording));
+    EXPECT_FALSE(read_figures(R"({"cycle_time_s": 1, "notes": ""})", kGrbl, recording));
+    EXPECT_FALSE(read_figures(R"({"cycle_time_s": "1", "mode": ""})", kLinuxcnc, recording));
+    const auto negative = read_figures(R"({"cycle_time_s": -1, "mode": ""})", kLinuxcnc, recording);
+    ASSERT_FALSE(negative);
+    EXPECT_EQ(negative.error(), "a time is negative");
+}
+
+TEST(Recording, DwellIsG4OutsideComments) {
+    for (const char* program :
+         {"G4 P1", "N10 g04p0.5", "G1 X1\nG 4 P1\n", "G4.0 P1", "G1 X1 (a) G4", "g004"}) {
+        EXPECT_TRUE(has_dwell(program)) << program;
+    }
+    for (const char* program : {"", "G", "G40 G41", "G04.1", "G43 H4", "G1 X4", "(G4 P1)", "; G4 P1\nG0 X1",
+                                "G54", "G64", "(open G4\nG1 X1"}) {
+        EXPECT_FALSE(has_dwell(program)) << program;
+    }
+}
+
+TEST(Recordings, AreProgramsWithFiguresByName) {
+    const conformance::ScratchFolder folder;
+    folder.write("router_b.ngc", "G1 X1 F10\n");
+    folder.write("router_b.json", R"({"cycle_time_s": 2, "mode": "G61"})");
+    folder.write("gantry254_a.ngc", "G4 P1\n");
+    folder.write("gantry254_a.json", R"({"cycle_time_s": 1, "mode": "G64"})");
+    folder.write("router_alone.ngc", "G1 X1 F10\n");
+    const auto recordings = find_recordings(folder.path(), kLinuxcnc);
+    ASSERT_TRUE(recordings) << recordings.error();
+    ASSERT_EQ(recordings->size(), 2U);
+    const Recording& first = (*recordings)[0];
+    EXPECT_EQ(first.name, "gantry254_a");
+    EXPECT_EQ(first.machine_file, "linuxcnc-gantry254.toml");
+    EXPECT_EQ(first.samples, folder.path() / "gantry254_a.csv.gz");
+    EXPECT_FALSE(first.counted);  // LinuxCNC times a dwell by the wall clock
+    const Recording& second = (*recordings)[1];
+    EXPECT_EQ(second.name, "router_b");
+    EXPECT_EQ(second.machine_file, "linuxcnc-router.toml");
+    EXPECT_TRUE(second.counted);
+    EXPECT_FALSE(second.exact_stop);
+}
+
+TEST(Recordings, CountDwellsThatTheControllerTimes) {
+    const conformance::ScratchFolder folder;
+    folder.write("router_dwell.ngc", "G4 P1\n");
+    folder.write("router_dwell.json", R"({"cycle_time_nominal_s": 1, "notes": ""})");
+    const auto recordings = find_recordings(folder.path(), kGrbl);
+    ASSERT_TRUE(recordings) << recordings.error();
+    ASSERT_EQ(recordings->size(), 1U);
+    EXPECT_TRUE(recordings->front().counted);
+    EXPECT_EQ(recordings->front().machine_file, "grbl-router.toml");
+}
+
+TEST(Recordings, NameTheFileThatCannotBeRead) {
+    const conformance::ScratchFolder folder;
+    folder.write("router_a.ngc", "");
+    const auto figures = folder.write("router_a.json", "{}");
+    const auto recordings = find_recordings(folder.path(), kLinuxcnc);
+    ASSERT_FALSE(recordings);
+    EXPECT_EQ(recordings.error().find(figures.string()), 0U) << recordings.error();
+    EXPECT_FALSE(find_recordings(folder.path() / "missing", kLinuxcnc));
+}
+
+}  // namespace
+}  // namespace gsim::accuracy

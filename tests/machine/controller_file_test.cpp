@@ -1,0 +1,237 @@
+#include "runtime/machine/controller_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::machine {
+namespace {
+
+using rrs::ControllerRules;
+using rrs::CornerRule;
+using rrs::PlannerKind;
+
+constexpr std::string_view kHead = "[machine]\nname = \"m\"\n[controller]\n";  // three lines
+constexpr std::string_view kAxis = "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndh = {}\n";
+
+// A machine file whose [controller] holds `lines`, from line 4 on.
+std::string with_controller(std::string_view lines) {
+    return fmt::format("{}{}\n{}", kHead, lines, kAxis);
+}
+
+ControllerRules rules_of(std::string_view lines) {
+    return read_machine(with_controller(lines), "m.toml").value().controller;
+}
+
+std::string error_of(std::string_view lines, std::string_view file_name = "m.toml") {
+    const auto machine = read_machine(with_controller(lines), file_name);
+    return machine ? "no error" : machine.error();
+}
+
+std::string file_error_of(std::string_view toml) {
+    const auto rules = read_controller(toml, "c.toml", "c");
+    return rules ? "no error" : rules.error();
+}
+
+// A folder of its own, which goes when the test ends.
+class OwnFile : public testing::Test {
+  protected:
+    OwnFile() : folder_(std::filesystem::path(testing::TempDir()) / "gsim_controller_file_test") {
+        std::filesystem::create_directories(folder_);
+    }
+    ~OwnFile() override { std::filesystem::remove_all(folder_); }
+
+    void write(const std::string& name, std::string_view text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+TEST(ControllerFile, WithoutTheTableEachMoveBeginsAndEndsAtRest) {
+    const Machine machine = read_machine(built_in_machine_toml(), "af5.toml").value();
+    EXPECT_EQ(machine.controller, ControllerRules{});
+    EXPECT_EQ(machine.controller.planner, PlannerKind::rest_to_rest);
+    EXPECT_EQ(machine.controller.model, "exact-stop");
+    EXPECT_EQ(rules_of(""), ControllerRules{});
+    EXPECT_EQ(rules_of("model = \"exact-stop\""), ControllerRules{});
+}
+
+TEST(ControllerFile, EveryOtherKeyOverridesOneValue) {
+    ControllerRules wanted = built_in_controller("grbl-1.1").value();
+    wanted.look_ahead_blocks = 250;
+    wanted.exact_path_corner = CornerRule::stop;
+    EXPECT_EQ(rules_of("look_ahead_blocks = 250.0\nexact_path_corner = \"stop\"\nmodel = \"grbl-1.1\""),
+              wanted);
+}
+
+// Each key with a value of its own, none of them a default.
+TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
+    const std::string lines =
+        "name = \"all\"\nplanner = \"look-ahead\"\nlook_ahead_blocks = 7\ncorner = \"velocity-step\"\n"
+        "exact_path_corner = \"junction-deviation\"\njunction_deviation_mm = 0.25\nspeed_step_s = 0.125\n"
+        "stop_between_rapid_and_feed = false\nlimit_jerk = true\ncentripetal_share = 0.5\n"
+        "arc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
+        "rest_s = 5\ndwell_step_s = 6\nservo_period_s = 8";
+    const ControllerRules wanted{.model = "all",
+                                 .planner = PlannerKind::look_ahead,
+                                 .look_ahead_blocks = 7,
+                                 .corner = CornerRule::velocity_step,
+                                 .exact_path_corner = CornerRule::junction_deviation,
+                                 .junction_deviation_mm = 0.25,
+                                 .speed_step_s = 0.125,
+                                 .stop_between_rapid_and_feed = false,
+                                 .limit_jerk = true,
+                                 .centripetal_share = 0.5,
+                                 .arc_chord_tolerance_mm = 0.75,
+                                 .inverse_time_of_chords = true,
+                                 .least_feed_mm_min = 3,
+                                 .settle_s = 4,
+                                 .rest_s = 5,
+                                 .dwell_step_s = 6,
+                                 .servo_period_s = 8};
+    const Machine machine = read_machine(with_controller(lines), "m.toml").value();
+    EXPECT_EQ(machine.controller, wanted);
+    EXPECT_EQ(read_machine(print_machine(machine), "printed").value(), machine) << print_machine(machine);
+    EXPECT_EQ(read_controller("[controller]\n" + lines, "c.toml", "c").value(), wanted);
+}
+
+TEST(ControllerFile, CurvesMayBeWithoutLimit) {
+    const double inf = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(rules_of("centripetal_share = inf").centripetal_share, inf);
+    EXPECT_EQ(rules_of("speed_step_s = inf").speed_step_s, inf);
+}
+
+TEST(ControllerFile, PrintsTheModelAndWhatDiffersFromIt) {
+    const std::string printed =
+        print_machine(read_machine(with_controller("model = \"ab9\"\nsettle_s = 0.02"), "m.toml").value());
+    EXPECT_THAT(printed, testing::HasSubstr("\n[controller]\nmodel = \"ab9\"\nsettle_s = 0.02\n\n[[axis]]"));
+    EXPECT_THAT(print_machine(read_machine(with_controller(""), "m.toml").value()),
+                testing::Not(testing::HasSubstr("controller")));
+}
+
+TEST_F(OwnFile, IsFoundBesideTheMachineFile) {
+    write("own.toml", "[controller]\nmodel = \"ab9\"\nsettle_s = 0.5\nrest_s = 0.25\n");
+    write("machine.toml", with_controller("model = \"own.toml\"\nrest_s = 0.75"));
+    ControllerRules wanted = built_in_controller("ab9").value();
+    wanted.model = "own.toml";
+    wanted.settle_s = 0.5;
+    wanted.rest_s = 0.75;
+    const auto machine = load_machine(path("machine.toml"));
+    ASSERT_TRUE(machine) << machine.error();
+    EXPECT_EQ(machine->controller, wanted);
+    EXPECT_EQ(read_machine(print_machine(*machine), "elsewhere.toml").value(), *machine)
+        << "a printed machine must stand for itself";
+}
+
+TEST_F(OwnFile, MayBeNamedByItsWholePath) {
+    write("own.toml", "[controller]\nname = \"hall 4\"\n");
+    const std::string lines = fmt::format("model = \"{}\"", path("own.toml"));
+    EXPECT_EQ(rules_of(lines).model, "hall 4");
+}
+
+TEST_F(OwnFile, ErrorsSayWhereTheyAre) {
+    write("own.toml", "[controller]\nsettle_s = -1\n");
+    EXPECT_EQ(error_of("model = \"own.toml\"", path("m.toml")),
+              path("own.toml") + ":2:12: 'settle_s' must be 0 or greater; it is -1");
+    EXPECT_EQ(error_of("model = \"none.toml\"", path("m.toml")),
+              path("m.toml") + ":4:9: cannot read '" + path("none.toml") + "': No such file or directory");
+    EXPECT_EQ(error_of("model = \"own.toml\\n.toml\""),
+              "m.toml:4:9: 'model' must not hold control characters");
+}
+
+TEST_F(OwnFile, DoesNotNameAnother) {
+    write("own.toml", "[controller]\nmodel = \"own.toml\"\n");
+    EXPECT_EQ(
+        error_of("model = \"own.toml\"", path("m.toml")),
+        path("own.toml") +
+            ":2:9: 'model' of a controller file must be one of exact-stop, ab9, linuxcnc-2.9, grbl-1.1");
+}
+
+TEST(ControllerFile, UnknownModels) {
+    EXPECT_EQ(
+        error_of("model = \"grbl\""),
+        "m.toml:4:9: unknown controller \"grbl\"; did you mean \"grbl-1.1\"? built in are exact-stop, ab9, "
+        "linuxcnc-2.9, grbl-1.1; the name of a file of one's own ends in .toml");
+    EXPECT_EQ(
+        error_of("model = \"siemens\\n840d\""),
+        "m.toml:4:9: unknown controller \"siemens\\u000A840d\"; built in are exact-stop, ab9, linuxcnc-2.9, "
+        "grbl-1.1; the name of a file of one's own ends in .toml");
+    EXPECT_EQ(error_of("model = 4"), "m.toml:4:9: 'model' must be a string, not a number");
+}
+
+TEST(ControllerFile, UnknownKeys) {
+    EXPECT_EQ(error_of("look_ahead = 4"),
+              "m.toml:4:1: unknown key 'look_ahead' in [controller]; did you mean 'look_ahead_blocks'?");
+    EXPECT_EQ(
+        error_of("x = 4"),
+        "m.toml:4:1: unknown key 'x' in [controller]; it may hold: model, name, planner, look_ahead_blocks, "
+        "corner, exact_path_corner, junction_deviation_mm, speed_step_s, centripetal_share, "
+        "arc_chord_tolerance_mm, least_feed_mm_min, settle_s, rest_s, dwell_step_s, servo_period_s, "
+        "stop_between_rapid_and_feed, limit_jerk, inverse_time_of_chords");
+}
+
+TEST(ControllerFile, WrongTypes) {
+    EXPECT_EQ(error_of("planner = \"look_ahead\""),
+              "m.toml:4:11: 'planner' must be \"rest-to-rest\", \"look-ahead\" or \"linuxcnc\"");
+    EXPECT_EQ(error_of("corner = 4"),
+              "m.toml:4:10: 'corner' must be \"stop\", \"velocity-step\" or \"junction-deviation\"");
+    EXPECT_EQ(
+        error_of("exact_path_corner = \"Stop\""),
+        "m.toml:4:21: 'exact_path_corner' must be \"stop\", \"velocity-step\" or \"junction-deviation\"");
+    EXPECT_EQ(error_of("limit_jerk = 1"), "m.toml:4:14: 'limit_jerk' must be true or false, not a number");
+    EXPECT_EQ(error_of("rest_s = true"), "m.toml:4:10: 'rest_s' must be a number, not true or false");
+    EXPECT_EQ(error_of("name = 4"), "m.toml:4:8: 'name' must be a string, not a number");
+    EXPECT_EQ(read_machine("controller = 4\n[machine]\nname = \"m\"\n", "m.toml").error(),
+              "m.toml:1:14: 'controller' must be a table, not a number");
+}
+
+TEST(ControllerFile, ValuesOutOfRange) {
+    for (const std::string value : {"0", "-1", "2.5", "100001"}) {
+        EXPECT_EQ(
+            error_of("look_ahead_blocks = " + value),
+            "m.toml:4:21: 'look_ahead_blocks' must be a whole number between 1 and 100000; it is " + value);
+    }
+    for (const std::string value : {"0", "1", "-0.5", "-inf"}) {
+        EXPECT_EQ(error_of("centripetal_share = " + value),
+                  "m.toml:4:21: 'centripetal_share' must be greater than 0 and less than 1, or inf; it is " +
+                      value);
+    }
+    for (const std::string key : {"junction_deviation_mm", "least_feed_mm_min", "settle_s", "rest_s"}) {
+        const std::string place = fmt::format("m.toml:4:{}: '{}' must be ", key.size() + 4, key);
+        EXPECT_EQ(error_of(key + " = -1"), place + "0 or greater; it is -1");
+        EXPECT_EQ(error_of(key + " = inf"), place + "finite; it is inf");
+        EXPECT_EQ(error_of(key + " = nan"), place + "a number; it is nan");
+        EXPECT_EQ(error_of(key + " = 1e300"), place + "between -1e9 and 1e9; it is 1e+300");
+    }
+    for (const std::string key : {"arc_chord_tolerance_mm", "dwell_step_s", "servo_period_s"}) {
+        const std::string place = fmt::format("m.toml:4:{}: '{}' must be ", key.size() + 4, key);
+        EXPECT_EQ(error_of(key + " = 1e-9"), place + "0, or 1e-6 or greater; it is 1e-09");
+        EXPECT_EQ(error_of(key + " = -1"), place + "0, or 1e-6 or greater; it is -1");
+        EXPECT_EQ(error_of(key + " = inf"), place + "finite; it is inf");
+    }
+    EXPECT_EQ(error_of("speed_step_s = 0"), "m.toml:4:16: 'speed_step_s' must be greater than 0; it is 0");
+}
+
+TEST(ControllerFile, HoldsOneTable) {
+    EXPECT_EQ(file_error_of(""), "c.toml:1:1: a controller file lacks the key 'controller'");
+    EXPECT_EQ(file_error_of("controller = true\n"),
+              "c.toml:1:14: 'controller' must be a table, not true or false");
+    EXPECT_EQ(file_error_of("[machine]\nname = \"m\"\n"),
+              "c.toml:1:2: unknown key 'machine' in a controller file; it may hold: controller");
+    EXPECT_EQ(file_error_of("[controller]\nrest = 1\n"),
+              "c.toml:2:1: unknown key 'rest' in [controller]; did you mean 'rest_s'?");
+    EXPECT_EQ(file_error_of("[controller\n").substr(0, 9), "c.toml:1:");
+}
+
+}  // namespace
+}  // namespace gsim::machine

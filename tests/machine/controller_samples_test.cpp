@@ -1,0 +1,150 @@
+// What the controllers and machines in samples/ say, against the figures that they stand for.
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/machine/controller_file.h"
+#include "runtime/machine/machine_file.h"
+#include "runtime/machine/text_file.h"
+
+namespace gsim::machine {
+namespace {
+
+using rrs::ControllerRules;
+using rrs::CornerRule;
+using rrs::PlannerKind;
+
+Machine sample(const std::string& name) {
+    return load_machine(GSIM_SAMPLES "/machines/" + name).value();
+}
+
+TEST(BuiltInControllers, AreThoseOfTheSamples) {
+    EXPECT_THAT(built_in_controllers(),
+                testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1"));
+    for (const std::string_view name : built_in_controllers()) {
+        const auto file = read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
+        ASSERT_TRUE(file) << file.error();
+        EXPECT_EQ(built_in_controller_toml(name), *file);
+        EXPECT_EQ(built_in_controller(name).value().model, name);
+    }
+    EXPECT_EQ(built_in_controller("grbl"), std::nullopt);
+    EXPECT_EQ(built_in_controller(""), std::nullopt);
+    EXPECT_EQ(built_in_controller_toml("grbl").data(), nullptr);
+}
+
+TEST(BuiltInControllers, ExactStopIsWhatHoldsWithoutAController) {
+    EXPECT_EQ(built_in_controller("exact-stop").value(), ControllerRules{});
+}
+
+TEST(BuiltInControllers, Ab9StopsInExactPathModeAlone) {
+    const ControllerRules rules = built_in_controller("ab9").value();
+    EXPECT_EQ(rules.planner, PlannerKind::look_ahead);
+    EXPECT_EQ(rules.look_ahead_blocks, 40u);
+    EXPECT_EQ(rules.corner, CornerRule::velocity_step);
+    EXPECT_EQ(rules.exact_path_corner, CornerRule::stop);
+    EXPECT_TRUE(rules.stop_between_rapid_and_feed);
+    EXPECT_NEAR(rules.centripetal_share, std::sqrt(0.75), 1e-4);  // half of the limit is left
+    EXPECT_EQ(rules.settle_s, 0);
+}
+
+TEST(BuiltInControllers, LinuxcncCountsInServoCycles) {
+    const ControllerRules rules = built_in_controller("linuxcnc-2.9").value();
+    EXPECT_EQ(rules.planner, PlannerKind::linuxcnc);
+    EXPECT_EQ(rules.look_ahead_blocks, 50u);
+    EXPECT_EQ(rules.servo_period_s, 0.001);
+    EXPECT_EQ(rules.rest_s, 0.0035);
+    EXPECT_TRUE(rules.stop_between_rapid_and_feed);
+    EXPECT_EQ(rules.centripetal_share, 0.866);
+}
+
+TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
+    const ControllerRules rules = built_in_controller("grbl-1.1").value();
+    EXPECT_EQ(rules.planner, PlannerKind::look_ahead);
+    EXPECT_EQ(rules.look_ahead_blocks, 15u);
+    EXPECT_EQ(rules.corner, CornerRule::junction_deviation);
+    EXPECT_EQ(rules.exact_path_corner, CornerRule::junction_deviation);
+    EXPECT_EQ(rules.junction_deviation_mm, 0.01);
+    EXPECT_FALSE(rules.stop_between_rapid_and_feed);
+    EXPECT_EQ(rules.centripetal_share, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(rules.arc_chord_tolerance_mm, 0.002);
+    EXPECT_TRUE(rules.inverse_time_of_chords);
+    EXPECT_EQ(rules.least_feed_mm_min, 1);
+    EXPECT_EQ(rules.dwell_step_s, 0.05);
+    EXPECT_EQ(rules.rest_s, 0);
+}
+
+struct Linuxcnc {
+    const char* file;
+    double path_mm_s, speed_mm_s, acceleration_mm_s2, acceleration_deg_s2;
+};
+
+class LinuxcncSample : public testing::TestWithParam<Linuxcnc> {};
+
+TEST_P(LinuxcncSample, HasTheLimitsOfItsConfiguration) {
+    const Machine machine = sample(GetParam().file);
+    EXPECT_EQ(machine.controller, built_in_controller("linuxcnc-2.9").value());
+    EXPECT_EQ(machine.inverse, InverseKind::none);
+    EXPECT_EQ(machine.path.max_feed_mm_s, GetParam().path_mm_s);
+    EXPECT_EQ(machine.path.max_rapid_mm_s, GetParam().path_mm_s);
+    EXPECT_EQ(machine.path.max_acceleration_mm_s2, std::numeric_limits<double>::infinity());
+    std::string letters;
+    for (const Axis& axis : machine.axes) {
+        letters += axis.letter;
+        const bool rotary = axis.letter == 'B' || axis.letter == 'C';
+        EXPECT_EQ(axis.kind, rotary ? AxisKind::rotary : AxisKind::linear);
+        EXPECT_EQ(axis.max, rotary ? 36000 : 10000);
+        EXPECT_EQ(axis.min, -axis.max);
+        EXPECT_EQ(axis.max_speed, rotary ? 90 : GetParam().speed_mm_s);
+        EXPECT_EQ(axis.max_acceleration,
+                  rotary ? GetParam().acceleration_deg_s2 : GetParam().acceleration_mm_s2);
+    }
+    EXPECT_EQ(letters, "XYZBC");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LinuxcncSample,
+                         testing::Values(Linuxcnc{"linuxcnc-gantry.toml", 2000, 508, 490.3, 20},
+                                         Linuxcnc{"linuxcnc-gantry254.toml", 254, 508, 490.3, 20},
+                                         Linuxcnc{"linuxcnc-router.toml", 1000, 100, 1000, 200}),
+                         [](const auto& tested) {
+                             const std::string name = tested.param.file;
+                             return name.substr(9, name.find('.') - 9);
+                         });
+
+struct Grbl {
+    const char* file;
+    double speed_mm_min, acceleration_mm_s2, steps_per_mm;
+};
+
+class GrblSample : public testing::TestWithParam<Grbl> {};
+
+TEST_P(GrblSample, HasTheLimitsOfItsSettings) {
+    const Machine machine = sample(GetParam().file);
+    EXPECT_EQ(machine.controller, built_in_controller("grbl-1.1").value());
+    EXPECT_EQ(machine.path, PathLimits{});
+    std::string letters;
+    for (const Axis& axis : machine.axes) {
+        letters += axis.letter;
+        EXPECT_EQ(axis.kind, AxisKind::linear);
+        EXPECT_EQ(axis.max, 10000);
+        EXPECT_EQ(axis.min, -axis.max);
+        EXPECT_DOUBLE_EQ(axis.max_speed, GetParam().speed_mm_min / 60);
+        EXPECT_EQ(axis.max_acceleration, GetParam().acceleration_mm_s2);
+        EXPECT_DOUBLE_EQ(axis.step, 1 / GetParam().steps_per_mm);
+    }
+    EXPECT_EQ(letters, "XYZ");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GrblSample,
+                         testing::Values(Grbl{"grbl-router.toml", 6000, 1000, 250},
+                                         Grbl{"grbl-gantry3.toml", 30480, 490.3, 80}),
+                         [](const auto& tested) {
+                             const std::string name = tested.param.file;
+                             return name.substr(5, name.find('.') - 5);
+                         });
+
+}  // namespace
+}  // namespace gsim::machine

@@ -1,0 +1,314 @@
+// A window of blocks, speeds at corners by the controller's rule, and limits that always hold.
+#include "runtime/motion/look_ahead.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/collected.h"
+#include "tests/motion/machines.h"
+#include "tests/motion/segment_checks.h"
+
+namespace gsim::motion {
+namespace {
+
+using rrs::CornerRule;
+using rrs::PathMode;
+
+/// Three linear joints; grbl's settings of a router.
+PlannerSetup router_setup() {
+    PlannerSetup setup;
+    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
+    setup.position_joints = {0, 1, 2};
+    setup.controller.planner = rrs::PlannerKind::look_ahead;
+    setup.controller.look_ahead_blocks = 15;
+    setup.controller.corner = setup.controller.exact_path_corner = CornerRule::junction_deviation;
+    setup.controller.stop_between_rapid_and_feed = false;
+    setup.controller.centripetal_share = kUnlimited;
+    return setup;
+}
+
+class Path {
+  public:
+    explicit Path(PlannerSetup setup)
+        : setup_(std::move(setup)), at_(rrs::JointPos::Zero(setup_.joint_count())) {}
+
+    void line(rrs::JointPos end, double speed_mm_s = 100) {
+        Move move = begin(speed_mm_s);
+        move.end = std::move(end);
+        add(move);
+    }
+    void line(double x, double y, double speed_mm_s = 100) {
+        rrs::JointPos end = at_;
+        end[0] = x;
+        end[1] = y;
+        line(end, speed_mm_s);
+    }
+    void arc(double radius_mm, double from_rad, double sweep_rad, double speed_mm_s, double lift_mm = 0) {
+        Move move = begin(speed_mm_s);
+        move.kind = SegmentKind::circular;
+        move.arc.u = {std::cos(from_rad), std::sin(from_rad), 0};
+        move.arc.v = {-std::sin(from_rad), std::cos(from_rad), 0};
+        move.arc.center = at_.head<3>() - radius_mm * move.arc.u;
+        move.arc.radius_mm = move.arc.end_radius_mm = radius_mm;
+        move.arc.sweep_rad = sweep_rad;
+        move.arc.lift = {0, 0, lift_mm};
+        move.end = at_;
+        move.end.head<3>() = move.arc.at(sweep_rad);
+        add(move);
+    }
+    void rest() { model_.come_to_rest(); }
+
+    PathMode mode = PathMode::continuous;
+    bool rapid = false;
+    const Collected& out() const { return out_; }
+    const rrs::JointPos& position() const { return at_; }
+    const PlannerSetup& setup() const { return setup_; }
+    double exit_speed(std::size_t segment) const { return out_.segments.at(segment).lead.end_speed(); }
+
+  private:
+    Move begin(double speed_mm_s) {
+        Move move;
+        move.target_id = ++id_;
+        move.start = at_;
+        move.rules.programmed_speed_mm_s = speed_mm_s;
+        move.rapid = rapid;
+        move.mode = mode;
+        return move;
+    }
+    void add(const Move& move) {
+        const Planned planned = model_.add(move);
+        ASSERT_TRUE(planned) << planned.error().message;
+        at_ = move.end;
+    }
+
+    PlannerSetup setup_;
+    Collected out_;
+    LookAhead model_{setup_, out_};
+    rrs::JointPos at_;
+    rrs::TargetId id_ = 0;
+};
+
+/// Ends where it should, without a jump of position or of speed.
+void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
+    for (std::size_t i = 0; i < out.segments.size(); ++i) {
+        const Segment& segment = out.segments[i];
+        const JointState first = segment.at(0);
+        ASSERT_LT((first.position - segment.start).norm(), 1e-9);
+        ASSERT_LT((segment.at(segment.duration_s).position - segment.end).norm(), 1e-9);
+        const double before = i == 0 ? 0 : out.segments[i - 1].lead.end_speed();
+        ASSERT_NEAR(segment.lead.start_speed(), before, 1e-9 * (1 + before)) << i;
+        const rrs::JointPos& left = i == 0 ? segment.start : out.segments[i - 1].end;
+        ASSERT_LT((segment.start - left).norm(), 1e-9);
+        for (int sample = 0; sample <= 20; ++sample) {
+            const JointState state = segment.at(segment.duration_s * sample / 20);
+            for (int joint = 0; joint < setup.joint_count(); ++joint) {
+                const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+                ASSERT_LE(std::abs(state.velocity[joint]), limits.max_speed * (1 + kRelative));
+                ASSERT_LE(std::abs(state.acceleration[joint]), limits.max_acceleration * (1 + 1e-8) + 1e-6);
+            }
+        }
+    }
+    EXPECT_EQ(out.segments.back().lead.end_speed(), 0);
+}
+
+TEST(LookAhead, OneLineIsATrapezoid) {
+    Path path(router_setup());
+    path.line(100, 0);
+    EXPECT_TRUE(path.out().segments.empty()) << "more may come";
+    path.rest();
+    EXPECT_NEAR(path.out().time_s(), 1.1, 1e-12);
+    EXPECT_EQ(path.out().segments[0].limited_by, (LimitedBy{LimitKind::feed, -1}));
+}
+
+/// Speeds that were measured on grbl 1.1 with these settings.
+TEST(LookAhead, JunctionDeviationIsGrbls) {
+    const std::pair<double, double> kMeasured[] = {
+        {15, 34.19}, {45, 11.46}, {90, 5.84}, {135, 2.59}, {180, 0}};
+    for (const auto& [turn_deg, speed] : kMeasured) {
+        Path path(router_setup());
+        path.line(50, 0);
+        const double turn = turn_deg * kPi / 180;
+        path.line(50 + 50 * std::cos(turn), 50 * std::sin(turn));
+        path.rest();
+        EXPECT_NEAR(path.exit_speed(0), speed, 0.01) << turn_deg;
+        EXPECT_TRUE(path.out().segments[0].limited_by.kind == LimitKind::feed);
+    }
+}
+
+TEST(LookAhead, AWindowOfShortBlocksHoldsTheSpeedDown) {
+    PlannerSetup setup = router_setup();
+    Path path(setup);
+    for (int i = 1; i <= 400; ++i) path.line(0.05 * i, 0);
+    path.rest();
+    const double expected = std::sqrt(2 * 1000 * 14 * 0.05);
+    EXPECT_NEAR(path.exit_speed(200), expected, 1e-9);
+    EXPECT_EQ(path.out().segments[200].limited_by.kind, LimitKind::look_ahead);
+    setup.controller.look_ahead_blocks = 1000;
+    Path far(setup);
+    for (int i = 1; i <= 400; ++i) far.line(0.05 * i, 0);
+    far.rest();
+    EXPECT_NEAR(far.out().time_s(), trapezoid_s(20, 100, 1000), 1e-9) << "as one line";
+    expect_one_motion(far.out(), setup);
+}
+
+TEST(LookAhead, ExactStopsStopAndStraightOnPassesInExactPathMode) {
+    PlannerSetup setup = router_setup();
+    setup.controller.exact_path_corner = CornerRule::stop;
+    Path path(setup);
+    path.mode = PathMode::exact_stop;
+    path.line(10, 0);
+    path.mode = PathMode::exact_path;
+    path.line(20, 0);
+    path.line(30, 0);
+    path.line(30, 10);
+    path.rest();
+    EXPECT_EQ(path.exit_speed(0), 0);
+    EXPECT_GT(path.exit_speed(1), 50);
+    EXPECT_EQ(path.exit_speed(2), 0);
+    EXPECT_NEAR(path.out().time_s(), 2 * trapezoid_s(10, 100, 1000) + trapezoid_s(20, 100, 1000), 1e-9);
+}
+
+TEST(LookAhead, VelocityStepOfEachJoint) {
+    PlannerSetup setup = router_setup();
+    setup.controller.corner = CornerRule::velocity_step;
+    setup.joints[0].max_speed_step = 12;
+    setup.joints[1].max_speed_step = 20;
+    Path path(setup);
+    path.line(50, 0);
+    path.line(50, 50);  // X loses all of the speed, Y gains it
+    path.rest();
+    EXPECT_NEAR(path.exit_speed(0), 12, 1e-9);
+    setup.joints[0].max_speed_step = setup.joints[1].max_speed_step = kUnlimited;
+    setup.controller.speed_step_s = 0.003;
+    Path by_time(setup);
+    by_time.line(50, 0);
+    by_time.line(50, 50);
+    by_time.rest();
+    EXPECT_NEAR(by_time.exit_speed(0), 3, 1e-9);
+}
+
+TEST(LookAhead, RapidAndFeedAreJoinedOrNot) {
+    for (const bool stops : {false, true}) {
+        PlannerSetup setup = router_setup();
+        setup.controller.stop_between_rapid_and_feed = stops;
+        Path path(setup);
+        path.rapid = true;
+        path.line(50, 0);
+        path.rapid = false;
+        path.line(100, 0, 20);
+        path.rest();
+        EXPECT_NEAR(path.exit_speed(0), stops ? 0 : 20, 1e-9);
+    }
+}
+
+TEST(LookAhead, ACurveSharesTheAcceleration) {
+    PlannerSetup setup = router_setup();
+    setup.controller.centripetal_share = 0.6;
+    Path path(setup);
+    path.arc(20, 0, 2 * kPi, 1000);
+    path.rest();
+    const Segment& segment = path.out().segments[0];
+    EXPECT_EQ(segment.limited_by.kind, LimitKind::joint_speed) << "100 mm/s is less";
+    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 500, 1000});
+    Path fast(setup);
+    fast.arc(20, 0, 2 * kPi, 1000);
+    fast.rest();
+    EXPECT_EQ(fast.out().segments[0].limited_by.kind, LimitKind::centripetal);
+    EXPECT_NEAR(fast.out().time_s(), trapezoid_s(40 * kPi, std::sqrt(0.6 * 1000 * 20), 800), 1e-9);
+    expect_one_motion(fast.out(), setup);
+}
+
+TEST(LookAhead, ArcsBecomeChords) {
+    PlannerSetup setup = router_setup();
+    setup.controller.arc_chord_tolerance_mm = 0.002;
+    Path path(setup);
+    path.arc(20, 0, 2 * kPi, 50);
+    path.rest();
+    ASSERT_EQ(path.out().segments.size(), 222U) << "grbl 1.1 makes that many";
+    for (const Segment& segment : path.out().segments) {
+        const Eigen::Vector3d middle = (segment.start + segment.end).head<3>() / 2;
+        EXPECT_NEAR((middle - Eigen::Vector3d(-20, 0, 0)).norm(), 20, 0.0021);
+        EXPECT_EQ(segment.target_id, 1);
+    }
+}
+
+TEST(LookAhead, StepsOfTheJointsAreTheEndsOfBlocks) {
+    PlannerSetup setup = router_setup();
+    setup.controller.arc_chord_tolerance_mm = 0.002;
+    for (JointSetup& joint : setup.joints) joint.step = 0.25;
+    Path path(setup);
+    path.line(1.1, 0.3);
+    path.line(1.12, 0.3);  // less than a step: no way at all
+    path.line(2.2, 0.3);
+    path.rest();
+    ASSERT_EQ(path.out().segments.size(), 2U);
+    EXPECT_NEAR(path.out().segments[0].end[0], 1.0, 1e-12);
+    EXPECT_NEAR(path.out().segments[1].start[0], 1.0, 1e-12);
+    EXPECT_NEAR(path.out().segments[1].end[0], 2.25, 1e-12);
+}
+
+TEST(LookAhead, InverseTimeIsALineAtThatSpeed) {
+    PlannerSetup setup = router_setup();
+    Collected out;
+    LookAhead model(setup, out);
+    Move move;
+    move.start = rrs::JointPos::Zero(3);
+    move.end = move.start;
+    move.end[0] = 60;
+    move.rules.least_duration_s = 3;
+    ASSERT_TRUE(model.add(move));
+    model.come_to_rest();
+    EXPECT_NEAR(out.time_s(), 3 + 20.0 / 1000, 1e-12) << "60 mm at 20 mm/s, the ramps on top";
+}
+
+TEST(LookAhead, WithoutASpeedItRefuses) {
+    PlannerSetup setup = router_setup();
+    Collected out;
+    LookAhead model(setup, out);
+    Move move;
+    move.start = move.end = rrs::JointPos::Zero(3);
+    move.rules.programmed_speed_mm_s = 0;
+    EXPECT_TRUE(model.add(move)) << "no way, no speed needed";
+    move.end[0] = 1;
+    EXPECT_EQ(model.add(move).error().status, rrs::Status::RRS_ZERO_SPEED);
+}
+
+/// Random paths of lines and arcs, with and without jerk limits, by each rule.
+TEST(LookAhead, LimitsHoldOnRandomPaths) {
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int run = 0; run < 60; ++run) {
+        PlannerSetup setup = router_setup();
+        setup.controller.corner = run % 2 == 0 ? CornerRule::junction_deviation : CornerRule::velocity_step;
+        setup.controller.centripetal_share = 0.866;
+        setup.controller.look_ahead_blocks = static_cast<std::size_t>(1 + 40 * unit(random));
+        setup.controller.limit_jerk = run % 3 == 0;
+        for (JointSetup& joint : setup.joints) {
+            joint.max_speed = 50 + 400 * unit(random);
+            joint.max_acceleration = 100 + 3000 * unit(random);
+            joint.max_jerk = 1e4 + 1e6 * unit(random);
+        }
+        Path path(setup);
+        double heading = 0;
+        Eigen::Vector2d at(0, 0);
+        for (int i = 0; i < 60; ++i) {
+            const double length = std::exp(6 * unit(random) - 3);
+            if (i % 4 == 3) {
+                const double sweep = unit(random) * 5 + 0.1;
+                const double lift_mm = i % 8 == 3 ? 20 * length * (unit(random) - 0.5) : 0;
+                path.arc(length, heading - kPi / 2, sweep, 10 + 500 * unit(random), lift_mm);
+                heading += sweep;
+                at = path.position().head<2>();
+                continue;
+            }
+            heading += (unit(random) - 0.5) * (i % 5 == 0 ? 6 : 0.2);
+            at += length * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+            path.line(at.x(), at.y(), 10 + 500 * unit(random));
+        }
+        path.rest();
+        expect_one_motion(path.out(), setup);
+        ASSERT_FALSE(testing::Test::HasFailure()) << "run " << run;
+    }
+}
+
+}  // namespace
+}  // namespace gsim::motion

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "runtime/simulation/simulator.h"
+
+/// Random machines, and random programs of all kinds of moves.
+namespace gsim::simulation {
+
+inline double between(std::mt19937& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// Spread evenly over the decades about `middle`.
+inline double around(std::mt19937& random, double middle, double decades) {
+    return middle * std::pow(10, between(random, -decades, decades));
+}
+
+/// The machine without limits of ranges, speeds and accelerations.
+inline machine::Machine unlimited(machine::Machine machine) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    machine.path = {};
+    for (machine::Axis& axis : machine.axes) {
+        axis.min = -kNone;
+        axis.max = axis.max_speed = axis.max_acceleration = axis.max_jerk = kNone;
+    }
+    return machine;
+}
+
+/// The machine with other limits, of which some are left out.
+inline machine::Machine random_machine(std::mt19937& random, const machine::Machine& like) {
+    machine::Machine machine = unlimited(like);
+    for (machine::Axis& axis : machine.axes) {
+        axis.max_speed = around(random, 200, 0.7);
+        axis.max_acceleration = around(random, 500, 0.7);
+        axis.max_jerk = around(random, 5000, 0.7);
+        axis.max_speed_step = around(random, 2, 1);
+    }
+    if (random() % 2 == 0) machine.path.max_feed_mm_s = around(random, 150, 0.5);
+    if (random() % 2 == 0) machine.path.max_rapid_mm_s = around(random, 250, 0.5);
+    if (random() % 2 == 0) machine.path.max_acceleration_mm_s2 = around(random, 500, 0.5);
+    return machine;
+}
+
+/// A full circle from where the machine stands.
+inline ArcMove circle_at(const Simulator& simulator, double radius_mm, double feed_mm_min) {
+    ArcMove move;
+    move.center_first_mm = simulator.position()[0] + radius_mm;
+    move.center_second_mm = simulator.position()[1];
+    move.sweep_rad = 2 * std::numbers::pi;
+    move.target = simulator.position();
+    move.feed.linear_mm_min = feed_mm_min;
+    return move;
+}
+
+class RandomMoves {
+  public:
+    RandomMoves(std::mt19937& random, Simulator& simulator) : random_(random), simulator_(simulator) {}
+
+    void make(int count) {
+        for (int i = 0; i < count; ++i) make_one();
+    }
+
+  private:
+    void make_one() {
+        switch (random_() % 12) {
+            case 0: simulator_.dwell(between(random_, 0, 0.2), {}); break;
+            case 1: simulator_.set_path_mode(static_cast<rrs::PathMode>(random_() % 3), 0, 0); break;
+            case 2: line(MoveKind::rapid, any_axis()); break;
+            case 3: line(MoveKind::linear, {3, 4}); break;
+            case 4: line(MoveKind::rapid, {3, 4}); break;
+            case 5: line(MoveKind::linear, {0, 4}); break;
+            case 6:
+            case 7:
+            case 8: arc(); break;
+            case 9: via(); break;
+            default: line(MoveKind::linear, any_axis());
+        }
+    }
+
+    struct Axes {
+        int first;
+        int last;
+    };
+    Axes any_axis() { return random_() % 3 == 0 ? Axes{0, 4} : Axes{0, 2}; }
+
+    AxisVector target(Axes axes) {
+        const double size = around(random_, 10, 1.5);
+        AxisVector target = simulator_.position();
+        for (int axis = axes.first; axis <= axes.last; ++axis) {
+            if (random_() % 3 != 0) target[axis] += between(random_, -size, size);
+        }
+        return target;
+    }
+
+    Feed feed() {
+        Feed feed{around(random_, 3000, 1), around(random_, 3000, 1), {}};
+        if (random_() % 8 == 0) feed.motion_s = around(random_, 0.3, 1);
+        return feed;
+    }
+
+    void line(MoveKind kind, Axes axes) {
+        simulator_.move(LineMove{.kind = kind, .target = target(axes), .feed = feed(), .place = {}});
+    }
+
+    // In one of the planes, with travel along its normal and of the rotary axes in some.
+    void arc() {
+        static constexpr int kAxes[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+        ArcMove move;
+        move.plane = static_cast<Plane>(random_() % 3);
+        move.kind = random_() % 2 == 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
+        const auto [first, second, normal] = kAxes[static_cast<int>(move.plane)];
+        const double radius = around(random_, 20, 1);
+        const double from = between(random_, 0, 2 * std::numbers::pi);
+        move.sweep_rad = between(random_, 0.05, 8);
+        const double to = from + (move.kind == MoveKind::arc_ccw ? 1 : -1) * move.sweep_rad;
+        const AxisVector start = simulator_.position();
+        move.center_first_mm = start[first] - radius * std::cos(from);
+        move.center_second_mm = start[second] - radius * std::sin(from);
+        move.target = start;
+        move.target[first] = move.center_first_mm + radius * std::cos(to);
+        move.target[second] = move.center_second_mm + radius * std::sin(to);
+        if (random_() % 2 == 0) move.target[normal] += between(random_, -3, 3) * radius;
+        if (random_() % 4 == 0) move.target[3] += between(random_, -20, 20);
+        move.feed = feed();
+        simulator_.move(move);
+    }
+
+    void via() {
+        ViaMove move;
+        move.via = target({0, 2});
+        move.target = simulator_.position();
+        const double size = (move.via - move.target).norm() + 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            move.via[axis] += between(random_, 0.1, 1) * size;
+            move.target[axis] += between(random_, -1, -0.1) * size;
+        }
+        move.feed = feed();
+        simulator_.move(move);
+    }
+
+    std::mt19937& random_;
+    Simulator& simulator_;
+};
+
+inline void make_random_moves(std::mt19937& random, Simulator& simulator, int count) {
+    RandomMoves(random, simulator).make(count);
+}
+
+}  // namespace gsim::simulation
