@@ -80,7 +80,7 @@ class LuaWriter : public grammar::BlockSink {
     std::string comment_;
     std::size_t next_ordinal_ = 0;
     bool main_ended_ = false;  ///< By M2 or M30: subroutines may follow, and nothing else.
-    int bare_labels_ = 0;  ///< Labels since the last statement.
+    int bare_labels_ = 0;      ///< Labels since the last statement.
     std::set<std::string> defined_;
     std::map<std::string, lexer::Location> subs_;  ///< By name as Lua has it.
     std::map<std::uint32_t, lexer::Location> called_;

@@ -55,7 +55,6 @@ class Controller {
     /// Index of the axis with this lower or upper case letter, or -1.
     int axis(char letter) const;
 
-
     /// A word of the library is called: finds its place, and counts a block where the line is another one or
     /// the word has been called in this block before. Raises the end of the run at its limit.
     void enter(lua_State* state, std::size_t word_id);
@@ -78,7 +77,6 @@ class Controller {
     bool read_target(lua_State* state, int index, std::string_view others, simulation::AxisVector& target);
     /// The move of a plain rapid or linear word with its words at `index`.
     void line(lua_State* state, bool rapid, int index);
-
 
     /// Reference in the registry of the function that turns words with `radius` and `angle` into Cartesian
     /// ones.
