@@ -84,10 +84,14 @@ class ValueText {
         return true;
     }
 
-    /// A number that no parameter has shows as one without a value.
+    /// A number that no parameter has shows as one without a value. Comments may read the position while
+    /// cutter compensation is on, where expressions may not read #5420 to #5428.
     static std::string numbered(std::string_view digits) {
         const std::string number = normal_number(digits);
         const int value = number.size() <= kMaxDigits ? std::stoi(number) : 0;
+        if (value >= kFirstPosition && value < kFirstPosition + static_cast<int>(kPositionNames.size()))
+            return fmt::format(", parameter(\"_{}\")",
+                               kPositionNames[static_cast<std::size_t>(value - kFirstPosition)]);
         return value >= 1 && value <= kLastParameter ? fmt::format(", v[{}]", value) : ", parameter(\"\")";
     }
 
@@ -107,7 +111,9 @@ class ValueText {
     }
 
     static constexpr int kLastParameter = 5601;
-    static constexpr std::size_t kMaxDigits = 4;  // of its number
+    static constexpr int kFirstPosition = 5420;
+    static constexpr std::string_view kPositionNames = "xyzabcuvw";  // of #5420 on: #<_x> and so on
+    static constexpr std::size_t kMaxDigits = 4;                     // of its number
 
     std::string_view rest_;
     std::string format_;

@@ -26,6 +26,12 @@ std::uint64_t BlockPlan::need_bits(const Word& word) const {
     return is_arc_word(word.address) ? kArcBit : 0;
 }
 
+/// In RS274/NGC a block that calls a program does nothing else.
+bool BlockPlan::check_alone(const Block& block, const Call& call) {
+    if (!lexer_.is_ngc() || (calls_.size() == 1 && block.assignments.empty())) return true;
+    return fail(block, call.word, "M98 stands in a block of its own, with nothing but its P and L");
+}
+
 bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t addresses) {
     const auto lacks = [&](std::uint64_t bits) { return (addresses & bits) == 0; };
     if (call.kind == Call::Kind::via_point) {
@@ -49,10 +55,11 @@ bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t 
         return fail(block, call.word, fmt::format("{} needs the axis words whose coordinates it sets", name));
     }
     const bool macro = code.letter == 'G' && code.code_x10 / 10 >= 65 && code.code_x10 / 10 <= 66;
-    if ((macro || (code.letter == 'M' && code.code_x10 == 980)) && lacks(kProgramBit)) {
+    const bool call_code = code.letter == 'M' && code.code_x10 == 980;
+    if ((macro || call_code) && lacks(kProgramBit)) {
         return fail(block, call.word, fmt::format("{} needs P, the program that it calls", name));
     }
-    return true;
+    return !call_code || check_alone(block, call);
 }
 
 bool BlockPlan::check_all_needs(const Block& block) {

@@ -53,6 +53,11 @@ bool takes_repeated(const Code* code, Address address) {
            code->words.find('*') != std::string_view::npos;
 }
 
+AxisUse use_of(const Call& call) {
+    if (call.kind == Call::Kind::via_point) return AxisUse::motion;
+    return call.code == nullptr ? AxisUse::none : call.code->axes;
+}
+
 std::string number_name(const Block& block, const Word& word) {
     return fmt::format("{}{}", static_cast<char>(word.address), block.text->view(word.number));
 }
@@ -136,6 +141,7 @@ bool BlockPlan::only_moves(const Block& block) {
 
 bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t index) {
     for (const Call& call : calls_) {
+        if (call.kind == Call::Kind::computed) continue;
         const bool motion = call.kind == Call::Kind::via_point;
         const Group group = motion ? Group::motion : call.code->group;
         const std::string other = motion ? "CIP" : grammar::code_name(*call.code);
@@ -162,14 +168,26 @@ std::string BlockPlan::hint(const Word& word) const {
                : "";
 }
 
-bool BlockPlan::add_code(const Block& block, std::uint32_t index) {
+/// It acts where most of those act that take no words: with the modal settings, or with the switches.
+bool BlockPlan::add_computed_code(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
-    if (word.expression >= 0) {
+    if (!lexer_.is_ngc()) {
         return fail(
             block, index,
             fmt::format("the number of a {} code must be written out; a computed one is not supported",
                         static_cast<char>(word.address)));
     }
+    Call call;
+    call.kind = Call::Kind::computed;
+    call.phase = word.address == 'G' ? Phase::work_frame : Phase::pause;
+    call.word = index;
+    calls_.push_back(call);
+    return true;
+}
+
+bool BlockPlan::add_code(const Block& block, std::uint32_t index) {
+    const Word& word = block.text->words[index];
+    if (word.expression >= 0) return add_computed_code(block, index);
     const Code* code = dialect_.find(static_cast<char>(word.address), word.code_x10);
     if (code == nullptr) {
         const std::string name = number_name(block, word);
@@ -220,24 +238,33 @@ bool BlockPlan::collect_codes(const Block& block) {
     return true;
 }
 
+/// True where two calls that use axis words cannot share a block. The 9/Series gives the words to the code
+/// that has them as its data, and makes the motion modal; in RS274/NGC such a code stands without a motion,
+/// but for the tool offset of a block that has no axis words.
+bool BlockPlan::quarrel(const Block& block, const Call& a, const Call& b) const {
+    const bool a_is_data = use_of(a) == AxisUse::data, b_is_data = use_of(b) == AxisUse::data;
+    if (a_is_data && b_is_data) return true;
+    if (!lexer_.is_ngc()) return false;
+    const std::vector<Word>& words = block.text->words;
+    return (a_is_data ? a : b).code->group != Group::tool_length ||
+           std::any_of(words.begin(), words.end(), [&](const Word& word) { return is_axis(word); });
+}
+
 /// The call that takes the axis words: a code that has them as its data, else the motion.
 bool BlockPlan::choose_axis_owner(const Block& block) {
     for (std::uint32_t i = 0; i < calls_.size(); ++i) {
         const Call& call = calls_[i];
-        const bool data = call.code != nullptr && call.code->axes == AxisUse::data;
-        const bool motion = call.kind == Call::Kind::via_point ||
-                            (call.code != nullptr && call.code->axes == AxisUse::motion);
-        if (!data && !motion) continue;
-        const bool owner_has_data = axis_owner_ != kUnowned &&
-                                    calls_[static_cast<std::size_t>(axis_owner_)].code != nullptr &&
-                                    calls_[static_cast<std::size_t>(axis_owner_)].code->axes == AxisUse::data;
-        if (data && owner_has_data) {
-            return fail(block, call.word,
-                        fmt::format("{} and {} both take the axis words of the block",
-                                    grammar::code_name(*calls_[static_cast<std::size_t>(axis_owner_)].code),
-                                    grammar::code_name(*call.code)));
+        if (use_of(call) == AxisUse::none) continue;
+        if (axis_owner_ != kUnowned) {
+            const Call& owner = calls_[static_cast<std::size_t>(axis_owner_)];
+            if (quarrel(block, owner, call)) {
+                return fail(block, call.word,
+                            fmt::format("{} and {} both take the axis words of the block",
+                                        grammar::code_name(*owner.code), grammar::code_name(*call.code)));
+            }
         }
-        if (axis_owner_ == kUnowned || data) axis_owner_ = static_cast<std::int32_t>(i);
+        if (axis_owner_ == kUnowned || use_of(call) == AxisUse::data)
+            axis_owner_ = static_cast<std::int32_t>(i);
     }
     return true;
 }

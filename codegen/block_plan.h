@@ -21,6 +21,7 @@ struct Call {
         move,       ///< Axis words that go on with the modal motion.
         via_point,  ///< CIP
         unknown,    ///< A code that the dialect does not have, where it is put off; stands alone.
+        computed,   ///< RS274/NGC: a G or M code without words whose number the run tells.
     };
     Kind kind = Kind::move;
     grammar::Phase phase = grammar::Phase::motion;
@@ -64,7 +65,9 @@ class BlockPlan {
     bool only_moves(const grammar::Block& block);
     bool collect_codes(const grammar::Block& block);
     bool add_code(const grammar::Block& block, std::uint32_t index);
+    bool add_computed_code(const grammar::Block& block, std::uint32_t index);
     bool check_group(const grammar::Block& block, const grammar::Code& code, std::uint32_t index);
+    bool quarrel(const grammar::Block& block, const Call& a, const Call& b) const;
     bool choose_axis_owner(const grammar::Block& block);
     bool assign_words(const grammar::Block& block);
     bool may_have_corner() const;
@@ -74,6 +77,7 @@ class BlockPlan {
     std::int32_t owner_of(const lexer::Word& word) const;
     bool check_needs(const grammar::Block& block, const Call& call, std::uint64_t addresses);
     bool check_all_needs(const grammar::Block& block);
+    bool check_alone(const grammar::Block& block, const Call& call);
     void gather_operands();
     void drop_idle_one_shots(const grammar::Block& block);
     bool fail(const grammar::Block& block, std::uint32_t word, const std::string& message);

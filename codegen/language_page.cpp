@@ -188,6 +188,9 @@ constexpr std::string_view kNgcStatements = R"(
 | G-code | Lua |
 | --- | --- |
 | `#1=2 #2=#1` | `v[1], v[2] = 2.0, v[1]` (right sides see the old values) |
+| `#1=2 X#1` | `do local w1 = v[1] v[1] = 2.0 move{x=w1} end` (so do words) |
+| `G20 X#5420` | `do local w1 = v[5420] G20() move{x=w1} end` (values first, where more than one code acts) |
+| `G[#<_plane>/10]`, `M#1` | `code("G", p._plane / 10.0)`, `code("M", v[1])` |
 | `#<width>=5`, `#<_global>` | `p.width = 5.0`, `p._global` |
 | `EXISTS[#<width>]` | `exists("width")` |
 | `[#1 EQ 2]`, `[#1 ** 2]` | `equal(v[1], 2.0)`, `POW(v[1], 2.0)` |

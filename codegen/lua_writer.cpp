@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "codegen/active_comment.h"
+#include "codegen/block_values.h"
 #include "codegen/expression_writer.h"
 #include "codegen/lua_text.h"
 #include "codegen/print_writer.h"
@@ -17,14 +18,11 @@ using grammar::Block;
 using grammar::BlockKind;
 using grammar::Node;
 using grammar::NodeKind;
-using lexer::Role;
-using lexer::Word;
 
 namespace {
 
 constexpr std::size_t kCommentColumn = 56;
-constexpr std::size_t kMaxSettings = 100;  // of one statement; Lua has 200 locals and some 250 registers
-constexpr int kMaxBareLabels = 100;        // labels one behind the other; Lua's parser nests them, up to 200
+constexpr int kMaxBareLabels = 100;  // labels one behind the other; Lua's parser nests them, up to 200
 
 // Upper bounds of what Lua's compiler makes of a test and of a node of an expression.
 constexpr std::uint64_t kInstructionsPerTest = 6;
@@ -36,23 +34,6 @@ std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(kBlanks);
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
-constexpr std::int32_t kCallCode = 980;    // M98
-constexpr std::int32_t kReturnCode = 990;  // M99
-constexpr std::int32_t kAlarmVariable = 3000;
-constexpr std::int32_t kStopVariable = 3006;
-
-bool is_m_code(const Call& call, std::int32_t code_x10) {
-    return call.kind == Call::Kind::code && call.code->letter == 'M' && call.code->code_x10 == code_x10;
-}
-
-bool is_macro_call(const Call& call) {
-    return call.kind == Call::Kind::code && call.code->letter == 'G' && call.code->code_x10 == 650;
-}
-
-bool ends_program(const Call& call) {
-    return is_m_code(call, 20) || is_m_code(call, 300);
 }
 
 /// O-words that can be left out by themselves.
@@ -215,7 +196,6 @@ void LuaWriter::write_statements(const Block& block) {
     const std::size_t body = code_.size();
     flow_.add_weight(block.nodes.size() * kInstructionsPerNode +
                      (block.skip_level > 0 ? kInstructionsPerTest : 0));
-    if (lexer_.is_ngc()) write_comment_action(block, code_);
     write_body(block);
     if (block.skip_level == 0) return;
     if (code_.size() == body) {
@@ -226,23 +206,19 @@ void LuaWriter::write_statements(const Block& block) {
 }
 
 /// Levels of Lua that are taken before an expression of the block begins; settings at once hold some too.
-int LuaWriter::levels_around(const Block& block) {
+int LuaWriter::levels_around(const Block& block) const {
     if (!lexer_.is_ngc()) return 0;
-    const bool around_words = !block.text->words.empty();
-    const std::size_t most = around_words ? 25 : 50;
-    const int levels_per_setting = around_words ? 4 : 2;
-    if (block.assignments.size() > most)
-        lexer_.fail(1, fmt::format("a block sets at most {} parameters{}", most,
-                                   around_words ? " where it has words" : ""));
-    return oword_flow_.levels() +
-           levels_per_setting * static_cast<int>(std::min(block.assignments.size(), most));
+    constexpr int kLevelsPerSetting = 2;
+    const std::size_t settings = std::min(block.assignments.size(), Settings::kMost);
+    return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
 }
 
-/// Of several comments the last one in ( ) may act; a remark behind ';' does not.
+/// Of several comments the last one in ( ) may act; a remark behind ';' does not, nor what stands behind an
+/// O-word.
 void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
-    if (count == 0) return;
+    if (count == 0 || block.has_program) return;
     if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
         lexer_.fail(1, *error);
 }
@@ -284,58 +260,6 @@ void LuaWriter::write_body(const Block& block) {
             return;
         case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;
-    }
-}
-
-void LuaWriter::write_content(const Block& block) {
-    const bool ngc = lexer_.is_ngc();
-    if (!ngc) write_message(block);
-    if (block.assignments.empty()) return write_words(block);
-    if (!ngc) return write_assignments(block, code_);
-    if (block.assignments.size() > kMaxSettings) {
-        lexer_.fail(1, fmt::format("a block sets at most {} parameters", kMaxSettings));
-        return;
-    }
-    const Settings settings(block);
-    if (block.text->words.empty()) return settings.write_at_once(code_);
-    settings.open(code_);
-    write_words(block);
-    settings.close(code_);
-}
-
-/// #3000 and #3006 (alarm, stop) show the comment of their block.
-void LuaWriter::write_message(const Block& block) {
-    const bool shows =
-        std::any_of(block.assignments.begin(), block.assignments.end(), [&](const auto& assignment) {
-            const Node& target = block.node(assignment.target);
-            return target.kind == NodeKind::variable &&
-                   (target.left == kAlarmVariable || target.left == kStopVariable);
-        });
-    if (!shows || block.text->comments.empty()) return;
-    code_ += "message(";
-    write_lua_string(block.text->view(block.text->comments.front()), code_);
-    code_ += ") ";
-}
-
-void LuaWriter::write_words(const Block& block) {
-    if (block.text->words.empty() || !plan_.plan(block)) return;
-    for (const Call& call : plan_.calls()) {
-        flow_.add_weight(weight(call));
-        if (is_m_code(call, kCallCode)) note_call(block, call);
-        const bool calls = is_m_code(call, kCallCode) || is_macro_call(call);
-        if (calls && flow_.has_returns()) {
-            // M99 P in the program that is called: this one goes on at that block.
-            code_ += "jump = ";
-            write_call(block, plan_, call, code_, ", true");
-            code_ += "if jump then goto computed end ";
-        } else if (!is_m_code(call, kReturnCode) || next_ordinal_ != 1 ||
-                   !write_goto_of_return(block, call)) {
-            write_call(block, plan_, call, code_);
-        }
-        if (ends_program(call) && lexer_.is_ngc() && !oword_flow_.open() && block.skip_level == 0) {
-            main_ended_ = true;
-            lexer_.end_main_program();
-        }
     }
 }
 

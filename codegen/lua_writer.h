@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codegen/block_plan.h"
+#include "codegen/block_values.h"
 #include "codegen/control_flow.h"
 #include "codegen/jump_scan.h"
 #include "codegen/lua_spool.h"
@@ -43,11 +44,12 @@ class LuaWriter : public grammar::BlockSink {
     void write_block(const grammar::Block& block);
     void note_bad_block(const grammar::Block& block);
     void write_statements(const grammar::Block& block);
-    int levels_around(const grammar::Block& block);
+    int levels_around(const grammar::Block& block) const;
     void write_comment_action(const grammar::Block& block, std::string& out);
     void write_body(const grammar::Block& block);
     void write_content(const grammar::Block& block);
-    void write_words(const grammar::Block& block);
+    void write_content_ngc(const grammar::Block& block);
+    void write_calls(const grammar::Block& block, const BlockValues& values);
     void write_message(const grammar::Block& block);
     bool write_goto_of_return(const grammar::Block& block, const Call& call);
     std::optional<std::uint32_t> block_number(const grammar::Block& block, lexer::Slice digits,

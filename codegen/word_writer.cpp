@@ -31,6 +31,7 @@ std::string function_name(const Call& call, const Word& word) {
         case Call::Kind::move: return "move";
         case Call::Kind::via_point: return "CIP";
         case Call::Kind::code: return grammar::lua_name(*call.code);
+        case Call::Kind::computed:
         case Call::Kind::letter:
         case Call::Kind::unknown: break;
     }
@@ -42,8 +43,11 @@ std::string function_name(const Call& call, const Word& word) {
     }
 }
 
-void write_value(const Block& block, const Word& word, std::string& out) {
-    if (word.expression >= 0) {
+void write_value(const Block& block, std::uint32_t index, const BlockValues& values, std::string& out) {
+    const Word& word = block.text->words[index];
+    if (values.has(index)) {
+        values.write_name(index, out);
+    } else if (word.expression >= 0) {
         write_number(block, word.expression, out);
     } else if (word.role == Role::program) {
         out += normal_number(block.text->view(word.number));
@@ -69,7 +73,8 @@ bool repeats_letters(const Block& block, const BlockPlan& plan, const Call& call
 }
 
 /// x=1, y=2; letters that stand twice, as a macro call may have them, in their order: {"i", 1}, {"i", 2}.
-void write_operands(const Block& block, const BlockPlan& plan, const Call& call, std::string& out) {
+void write_operands(const Block& block, const BlockPlan& plan, const Call& call, const BlockValues& values,
+                    std::string& out) {
     if (call.operand_count == 0) {
         out += "()";
         return;
@@ -86,7 +91,7 @@ void write_operands(const Block& block, const BlockPlan& plan, const Call& call,
             out += lua_key(word.address);
             out += '=';
         }
-        write_value(block, word, out);
+        write_value(block, index, values, out);
         if (in_order && is_repeatable(word.address)) out += '}';
         separator = ',';
     }
@@ -109,12 +114,18 @@ std::uint64_t weight(const Call& call) {
     return kInstructionsPerCall + kInstructionsPerOperand * call.operand_count;
 }
 
-void write_call(const Block& block, const BlockPlan& plan, const Call& call, std::string& out,
-                std::string_view further) {
+void write_call(const Block& block, const BlockPlan& plan, const Call& call, const BlockValues& values,
+                std::string& out, std::string_view further) {
     const Word& word = block.text->words[call.word];
     if (call.kind == Call::Kind::unknown) {
         fmt::format_to(std::back_inserter(out), "unknown_code(\"{}{}\") ", static_cast<char>(word.address),
                        block.text->view(word.number));
+        return;
+    }
+    if (call.kind == Call::Kind::computed) {
+        fmt::format_to(std::back_inserter(out), "code(\"{}\", ", static_cast<char>(word.address));
+        write_value(block, call.word, values, out);
+        out += ") ";
         return;
     }
     const bool returns = is_code(call, 'M', 990);
@@ -122,75 +133,15 @@ void write_call(const Block& block, const BlockPlan& plan, const Call& call, std
     out += function_name(call, word);
     if (call.kind == Call::Kind::letter) {
         out += '(';
-        write_value(block, word, out);
+        write_value(block, call.word, values, out);
         out += ')';
     } else {
         if (!further.empty()) out += '(';
-        write_operands(block, plan, call, out);
+        write_operands(block, plan, call, values, out);
         out += further;
         if (!further.empty()) out += ')';
     }
     out += returns ? " end " : " ";
-}
-
-void write_assignments(const Block& block, std::string& out) {
-    for (const grammar::Assignment& assignment : block.assignments) {
-        write_number(block, assignment.target, out);
-        out += " = ";
-        write_number(block, assignment.value, out);
-        out += ' ';
-    }
-}
-
-Settings::Settings(const Block& block) : block_(block) {
-    bool computed = false;
-    for (const grammar::Assignment& assignment : block.assignments) {
-        std::string target;
-        write_number(block, assignment.target, target);
-        std::erase_if(settings_, [&](const Setting& setting) { return setting.target == target; });
-        settings_.push_back({target, assignment.value});
-        computed |= block.node(assignment.target).kind == grammar::NodeKind::indirect;
-    }
-    // Two of them may be the same parameter: the later one holds, and Lua assigns from right to left.
-    if (computed) std::reverse(settings_.begin(), settings_.end());
-}
-
-void Settings::write_targets(std::string& out) const {
-    std::string_view separator;
-    for (const Setting& setting : settings_) {
-        out += separator;
-        out += setting.target;
-        separator = ", ";
-    }
-    out += " = ";
-}
-
-void Settings::write_at_once(std::string& out) const {
-    write_targets(out);
-    std::string_view separator;
-    for (const Setting& setting : settings_) {
-        out += separator;
-        write_number(block_, setting.value, out);
-        separator = ", ";
-    }
-    out += ' ';
-}
-
-void Settings::open(std::string& out) const {
-    out += "do local ";
-    for (std::size_t i = 0; i < settings_.size(); ++i) out += fmt::format("{}s{}", i > 0 ? ", " : "", i + 1);
-    out += " = ";
-    for (std::size_t i = 0; i < settings_.size(); ++i) {
-        if (i > 0) out += ", ";
-        write_number(block_, settings_[i].value, out);
-    }
-    out += ' ';
-}
-
-void Settings::close(std::string& out) const {
-    write_targets(out);
-    for (std::size_t i = 0; i < settings_.size(); ++i) out += fmt::format("{}s{}", i > 0 ? ", " : "", i + 1);
-    out += " end ";
 }
 
 }  // namespace gsim::codegen

@@ -168,13 +168,11 @@ parameter: p                        { parser.set_role($1.index, Role::parameter)
 program_number: p                   { parser.set_role($1.index, Role::program); } ;
 
 common: OTHER | OTHER_LETTER value  { parser.set_expression($1.index, $2.index); }
-  | reference SET set_value         { parser.add_assignment($1.index, $3.index); }
+  | reference SET any_value         { parser.add_assignment($1.index, $3.index); }
   ;
 /* RS274/NGC: settings stand among the words, with one value each. */
-set_value: value                    { $$ = $1; }
+any_value: value                    { $$ = $1; }
   | NUMBER                          { $$ = {parser.add_number($1), $1.column}; }
-  | '-' NUMBER                      { $$ = {parser.add_negative($2), $1.column}; }
-  | '+' NUMBER                      { $$ = {parser.add_number($2), $1.column}; }
   ;
 axis_word: AXIS | AXIS_LETTER value { parser.set_expression($1.index, $2.index); } ;
 axis_or_time: AXIS_OR_TIME          { $$ = $1; }
@@ -182,11 +180,12 @@ axis_or_time: AXIS_OR_TIME          { $$ = $1; }
 p: P                                { $$ = $1; }
   | P_LETTER value                  { parser.set_expression($1.index, $2.index); $$ = $1; } ;
 
-/* Behind a letter an expression stands in brackets, or is a variable. */
+/* Behind a letter an expression stands in brackets, or is a variable. Signs may follow each other; a number without or
+ * with one sign is part of the letter's token. */
 value: reference                    { $$ = $1; }
   | '[' expression ']'              { $$ = $2; }
-  | '-' value                       { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
-  | '+' value                       { $$ = $2; }
+  | '-' any_value                   { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | '+' any_value                   { $$ = $2; }
   | function                        { $$ = $1; }
   ;
 
@@ -233,14 +232,12 @@ operand: factor                     { $$ = $1; }
   | bracketed                       { $$ = $1; }
   ;
 factor: primary                     { $$ = $1; }
-  | '-' primary                     { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
-  | '-' bracketed                   { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
-  | '+' primary                     { $$ = $2; }
-  | '+' bracketed                   { $$ = $2; }
+  | '-' operand                     { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | '+' operand                     { $$ = $2; }
   ;
 signed_atan: atan                   { $$ = $1; }
-  | '-' atan                        { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
-  | '+' atan                        { $$ = $2; }
+  | '-' signed_atan                 { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | '+' signed_atan                 { $$ = $2; }
   ;
 
 primary: NUMBER                     { $$ = {parser.add_number($1), $1.column}; }

@@ -267,11 +267,6 @@ std::uint32_t Parser::add_named(Value name) {
     return push(node);
 }
 
-std::uint32_t Parser::add_negative(Value number) {
-    const Value value{add_number(number), number.column};
-    return add_node(NodeKind::negate, Operator::subtract, value);
-}
-
 std::uint32_t Parser::push(const Node& node) {
     block_.nodes.push_back(node);
     return static_cast<std::uint32_t>(block_.nodes.size() - 1);

@@ -52,7 +52,6 @@ class Parser {
     void set_flow(lexer::Value keyword);
     void add_argument(std::uint32_t node) { block_.arguments.push_back(static_cast<std::int32_t>(node)); }
     std::uint32_t add_named(lexer::Value name);
-    std::uint32_t add_negative(lexer::Value number);
     std::uint32_t add_number(lexer::Value number);
     std::uint32_t add_variable(lexer::Value variable);
     std::uint32_t add_node(NodeKind kind, Operator op, lexer::Value left,

@@ -46,4 +46,19 @@ bool is_condition(const Block& block, std::int32_t index) {
     }
 }
 
+bool reads_parameter(const Block& block, std::int32_t index) {
+    const Node& node = block.node(index);
+    switch (node.kind) {
+        case NodeKind::number: return false;
+        case NodeKind::variable:
+        case NodeKind::indirect:
+        case NodeKind::named:
+        case NodeKind::exists: return true;
+        case NodeKind::negate:
+        case NodeKind::call:
+        case NodeKind::binary: break;
+    }
+    return reads_parameter(block, node.left) || (node.right >= 0 && reads_parameter(block, node.right));
+}
+
 }  // namespace gsim::grammar

@@ -85,4 +85,7 @@ bool is_blank(const Block& block);
 /// True where the node's value is a truth value: a comparison, or AND, OR, XOR of two such.
 bool is_condition(const Block& block, std::int32_t index);
 
+/// True where the expression at `index` reads a parameter, or asks whether one exists.
+bool reads_parameter(const Block& block, std::int32_t index);
+
 }  // namespace gsim::grammar

@@ -77,7 +77,9 @@ class Lexer {
     Token letter(char c, Value& value);
     Token open_word(Address address, Value& value);
     Token identifier(std::string_view text, std::size_t& kept, Value& value);
-    Token expression_name(std::string_view text, Value& value);
+    /// `kept` becomes the length of the name where the next one is joined to it, as blanks mean nothing in
+    /// RS274/NGC.
+    Token expression_name(std::string_view text, std::size_t& kept, Value& value);
     Token sequence(std::string_view text, Value& value);
     Token skip(std::string_view text, Value& value);
     Token program(std::string_view text, Value& value);
@@ -103,6 +105,7 @@ class Lexer {
     Slice add_name(std::string_view text);
     Slice without_zeros(Slice name) const;
     std::optional<Slice> add_number(std::string_view digits, bool negative);
+    Token wrong_name(std::string_view text);
 
     struct CutLine {
         std::uint32_t line;

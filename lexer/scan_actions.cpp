@@ -6,16 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "lexer/blanks.h"
 #include "lexer/lexer.h"
 #include "lexer/names.h"
 
 namespace gsim::lexer {
 
 namespace {
-
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -45,14 +42,6 @@ SignedDigits split_sign(std::string_view text) {
     }
     result.digits = text;
     return result;
-}
-
-std::string remove_blanks(std::string_view text) {
-    std::string kept;
-    for (const char c : text) {
-        if (!is_blank(c)) kept += c;
-    }
-    return kept;
 }
 
 /// Ten times the number of a code with at most four digits and one decimal, such as 921 for "92.1"; else -1.
@@ -236,47 +225,6 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
     return kBad;
 }
 
-Token Lexer::expression_name(std::string_view text, Value& value) {
-    const std::string name = lexer::upper(text);
-    const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
-    const auto* place =
-        std::find_if(kExpressionNames.begin(), kExpressionNames.end(),
-                     [&](const ExpressionName& t) { return t.name == name && t.style != other; });
-    if (place != kExpressionNames.end()) {
-        value.index = static_cast<std::uint32_t>(place->op);
-        return is_ngc() && place->token == kRelation ? kComparison : place->token;
-    }
-    if (is_ngc() && brackets_ == 0) {
-        const auto* flow = std::find_if(kFlowNames.begin(), kFlowNames.end(),
-                                        [&](const FlowName& f) { return f.name == name; });
-        if (flow != kFlowNames.end()) {
-            value.index = static_cast<std::uint32_t>(flow->flow);
-            return kFlow;
-        }
-    }
-    if (!is_ngc() && brackets_ == 0 && name.size() == 1) {
-        fail(token_column_,
-             fmt::format("the word {} stands in the same block as an assignment; give it a block of its own",
-                         name));
-        return kBad;
-    }
-    std::vector<std::string> names;
-    const bool flow_expected = is_ngc() && brackets_ == 0;
-    if (flow_expected) {
-        for (const FlowName& flow : kFlowNames) names.emplace_back(flow.name);
-    } else {
-        for (const ExpressionName& t : kExpressionNames) {
-            if (t.style != other) names.emplace_back(t.name);
-        }
-    }
-    const std::string nearest = nearest_name(name, names);
-    fail(token_column_,
-         fmt::format("'{}' is no {}{}", text.substr(0, 40),
-                     flow_expected ? "keyword behind an O-word" : "function or operator of an expression",
-                     nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
-    return kBad;
-}
-
 Token Lexer::sequence(std::string_view text, Value& value) {
     const std::string digits = remove_blanks(text.substr(1));
     const std::optional<std::uint32_t> number =
@@ -311,7 +259,13 @@ Token Lexer::program(std::string_view text, Value&) {
 }
 
 Token Lexer::variable(std::string_view text, Value& value) {
-    const std::optional<std::uint32_t> number = small_number(skip_blanks(text.substr(1)));
+    const std::string digits = remove_blanks(text.substr(1));
+    const std::size_t dot = std::min(digits.find('.'), digits.size());
+    if (dot == 0 || digits.find_first_not_of('0', dot + 1) != std::string::npos) {
+        fail(token_column_, fmt::format("the number of a variable is whole, not {}", digits.substr(0, 40)));
+        return kBad;
+    }
+    const std::optional<std::uint32_t> number = small_number(std::string_view(digits).substr(0, dot));
     if (!number) {
         fail(token_column_, "the variable's number has more than 9 digits");
         return kBad;
@@ -321,7 +275,8 @@ Token Lexer::variable(std::string_view text, Value& value) {
 }
 
 Token Lexer::number(std::string_view text, Value& value) {
-    const std::optional<Slice> slice = add_number(text, false);
+    const bool has_gaps = std::any_of(text.begin(), text.end(), is_blank);
+    const std::optional<Slice> slice = add_number(has_gaps ? remove_blanks(text) : text, false);
     if (!slice) return kBad;
     value.index = static_cast<std::uint32_t>(block_.numbers.size());
     block_.numbers.push_back(*slice);

@@ -1,9 +1,14 @@
-// What the rules of gcode.l do with names: O-words and parameters of RS274/NGC, statements that print.
+// What the rules of gcode.l do with names: O-words and parameters of RS274/NGC, functions and operators,
+// statements that print.
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include "lexer/alias.h"
+#include "lexer/blanks.h"
 #include "lexer/lexer.h"
+#include "lexer/names.h"
 
 namespace gsim::lexer {
 
@@ -56,6 +61,75 @@ Token Lexer::named_variable(std::string_view text, Value& value) {
 Token Lexer::endless_name() {
     if (!is_ngc()) return unknown("<");
     fail(token_column_, "the name has no '>' behind it, or more than 100 characters");
+    return kBad;
+}
+
+namespace {
+
+/// The length of the start of `text` that has so many characters besides blanks.
+std::size_t length_with_blanks(std::string_view text, std::size_t characters) {
+    std::size_t length = 0;
+    for (; characters > 0; ++length) {
+        if (!is_blank(text[length])) --characters;
+    }
+    return length;
+}
+
+}  // namespace
+
+Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& value) {
+    const std::string name = lexer::upper(remove_blanks(text));
+    const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
+    const bool may_be_joined = is_ngc() && brackets_ > 0;
+    const auto* place =
+        std::find_if(kExpressionNames.begin(), kExpressionNames.end(), [&](const ExpressionName& t) {
+            return t.style != other && (t.name == name || (may_be_joined && name.starts_with(t.name)));
+        });
+    if (place != kExpressionNames.end()) {
+        kept = length_with_blanks(text, place->name.size());
+        value.index = static_cast<std::uint32_t>(place->op);
+        return is_ngc() && place->token == kRelation ? kComparison : place->token;
+    }
+    if (is_ngc() && brackets_ == 0) {
+        const auto* flow = std::find_if(kFlowNames.begin(), kFlowNames.end(),
+                                        [&](const FlowName& f) { return f.name == name; });
+        if (flow != kFlowNames.end()) {
+            value.index = static_cast<std::uint32_t>(flow->flow);
+            return kFlow;
+        }
+    }
+    const std::size_t blank = text.find_first_of(" \t");
+    if (blank != std::string_view::npos) {  // joined they are no name
+        kept = blank;
+        return expression_name(text.substr(0, blank), kept, value);
+    }
+    return wrong_name(text);
+}
+
+/// What stands where a name of an expression, or a keyword behind an O-word, is expected.
+Token Lexer::wrong_name(std::string_view text) {
+    const std::string name = lexer::upper(text);
+    if (!is_ngc() && brackets_ == 0 && name.size() == 1) {
+        fail(token_column_,
+             fmt::format("the word {} stands in the same block as an assignment; give it a block of its own",
+                         name));
+        return kBad;
+    }
+    const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
+    std::vector<std::string> names;
+    const bool flow_expected = is_ngc() && brackets_ == 0;
+    if (flow_expected) {
+        for (const FlowName& flow : kFlowNames) names.emplace_back(flow.name);
+    } else {
+        for (const ExpressionName& t : kExpressionNames) {
+            if (t.style != other) names.emplace_back(t.name);
+        }
+    }
+    const std::string nearest = nearest_name(name, names);
+    fail(token_column_,
+         fmt::format("'{}' is no {}{}", text.substr(0, 40),
+                     flow_expected ? "keyword behind an O-word" : "function or operator of an expression",
+                     nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
     return kBad;
 }
 

@@ -35,6 +35,7 @@ if core.dialect == "rs274ngc" then
   include "ngc_probe"
   include "splines"
   include "ngc_splines"
+  include "ngc_computed"
   include "ngc_context"   -- the last one: it watches the words that the others define
 else
   include "ab9_transform"

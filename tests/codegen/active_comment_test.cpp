@@ -53,7 +53,26 @@ TEST(ActiveComments, ActBeforeTheirBlock) {
     EXPECT_EQ(ngc_lua_of("M2 (MSG,end)"), "MSG(\"end\") M2()");
     EXPECT_EQ(ngc_lua_of("/G1 X1 (MSG,a)"), "if not skipped(1) then MSG(\"a\") G1{x=1} end");
     EXPECT_EQ(ngc_lua_of("/(MSG,a)"), "if not skipped(1) then MSG(\"a\") end");
-    EXPECT_EQ(ngc_lua_of("#1=2 (DEBUG,#1)"), "DEBUG(\"%f\", v[1]) v[1] = 2.0") << "the old value";
+    EXPECT_EQ(ngc_lua_of("#1=2 (DEBUG,#1)"), "v[1] = 2.0 DEBUG(\"%f\", v[1])") << "the new value";
+    EXPECT_EQ(ngc_lua_of("X#1 #1=2 (DEBUG,#1)"),
+              "do local w1 = v[1] v[1] = 2.0 DEBUG(\"%f\", v[1]) move{x=w1} end");
+}
+
+/// LinuxCNC reads what stands behind an O-word as part of it.
+TEST(ActiveComments, DoNothingBehindAnOWord) {
+    const Translated result =
+        translated_ngc("o1 if [1] (MSG,a)\n(MSG,b)\no1 endif (MSG,c)\nO12 (MSG,d)\nM2\n");
+    ASSERT_TRUE(result.ok) << result.messages;
+    EXPECT_EQ(result.code(1), "if truth(1.0) then");
+    EXPECT_EQ(result.code(2), "MSG(\"b\")");
+    EXPECT_EQ(result.code(3), "end");
+    EXPECT_EQ(result.code(4), "end) program(12, function()");
+}
+
+/// Comments may read the position at all times, expressions not while cutter compensation is on.
+TEST(ActiveComments, ShowThePosition) {
+    EXPECT_EQ(lua("PRINT,#5420 #5428"), "PRINT(\"%f %f\", parameter(\"_x\"), parameter(\"_w\"))");
+    EXPECT_EQ(lua("PRINT,#5419 #5429"), "PRINT(\"%f %f\", v[5419], v[5429])");
 }
 
 TEST(ActiveComments, Values) {
@@ -123,7 +142,8 @@ TEST(LuaText, NamesAndStrings) {
 
 TEST(LuaText, NamesOfParameters) {
     EXPECT_EQ(ngc_lua_of("#<end>=1 X#<2nd edge> Y#<_a> Z#<a-b>"),
-              "do local s1 = 1.0 move{x=p[\"2ndedge\"], y=p._a, z=p[\"a-b\"]} p[\"end\"] = s1 end");
+              "do local w1, w2, w3 = p[\"2ndedge\"], p._a, p[\"a-b\"] p[\"end\"] = 1.0 "
+              "move{x=w1, y=w2, z=w3} end");
     EXPECT_EQ(ngc_lua_of("#<a\"]b\\>=1"), "p[\"a\\\"]b\\\\\"] = 1.0");
     EXPECT_EQ(ngc_lua_of("#1=exists[#<a\"b>]"), "v[1] = exists(\"a\\\"b\")");
 }

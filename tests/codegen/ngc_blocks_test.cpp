@@ -24,7 +24,7 @@ TEST(NgcBlocks, CodesTakeTheirWords) {
     EXPECT_EQ(ngc_lua_of("M3 $1 S100"), "S(100) M3{spindle=1}");
     EXPECT_EQ(ngc_lua_of("M66 P0 L3 Q5"), "M66{p=0, l=3, q=5}");
     EXPECT_EQ(ngc_lua_of("M199 P1 Q#<x>"), "M[199]{p=1, q=p.x}");
-    EXPECT_EQ(ngc_lua_of("F#<feed> S[#1*2] T#2"), "F(p.feed) S(v[1] * 2.0) T(v[2])");
+    EXPECT_EQ(ngc_lua_of("F#<feed>"), "F(p.feed)");
     EXPECT_EQ(ngc_lua_of("G92.1"), "G92_1()");
 }
 
@@ -39,11 +39,11 @@ TEST(NgcBlocks, OrderOfExecution) {
     EXPECT_EQ(ngc_lua_of("X1 G4 P2"), "G4{p=2} move{x=1}") << "the dwell first";
     EXPECT_EQ(ngc_lua_of("X1 G55 G91 G20"), "G20() G55() G91() move{x=1}");
     EXPECT_EQ(lua_of("X1 G55 G91 G20"), "G20() G91() G55() move{x=1}");
-    EXPECT_EQ(ngc_lua_of("X1 G92 F5 G1"), "F(5) G92{x=1} G1()");
+    EXPECT_EQ(ngc_lua_of("X1 G92 F5"), "F(5) G92{x=1}");
     EXPECT_EQ(ngc_lua_of("M0 X1"), "move{x=1} M0()");
     EXPECT_EQ(ngc_lua_of("X1 M62 P1"), "M62{p=1} move{x=1}");
     EXPECT_EQ(ngc_lua_of("G53 G0 X1 G43 H1"), "G43{h=1} G53() G0{x=1}");
-    EXPECT_EQ(ngc_lua_of("G0 G80 G28 X1"), "G80() G28{x=1} G0()");
+    EXPECT_EQ(ngc_lua_of("G80 G28 X1"), "G80() G28{x=1}");
     EXPECT_EQ(ngc_lua_of("S5 G96 D100"), "G96{d=100} S(5)");
 }
 
@@ -63,6 +63,16 @@ TEST(NgcBlocks, Errors) {
     error("G10 L2 P1 G92 X1",
           "11: error: G10 and G92 are of one modal group (one action a block); a block takes one of them");
     error("G43.1 Z1 G10 L1", "10: error: G43.1 and G10 both take the axis words of the block");
+    error("G43.1 Z5 G0 X1", "10: error: G43.1 and G0 both take the axis words of the block");
+    error("G1 G92 X1", "4: error: G1 and G92 both take the axis words of the block");
+    error("G28 G0", "5: error: G28 and G0 both take the axis words of the block");
+    EXPECT_EQ(ngc_lua_of("G43.2 H1 G0"), "G43_2{h=1} G0()") << "no axis words";
+    EXPECT_EQ(lua_of("G92 X1 G1"), "G92{x=1} G1()") << "the 9/Series makes the motion modal";
+    const char* const alone = "error: M98 stands in a block of its own, with nothing but its P and L";
+    error("M98 P3 G0 X1", fmt::format("1: {}", alone).c_str());
+    error("F5 M98 P3 L2", fmt::format("4: {}", alone).c_str());
+    error("#1=2 M98 P#1", fmt::format("6: {}", alone).c_str());
+    EXPECT_EQ(ngc_lua_of("N5 M98 P[#1+1] L2 (c)"), "M98{p=v[1] + 1.0, l=2}");
     error("G90 G91",
           "5: error: G90 and G91 are of one modal group (distance mode); a block takes one of them");
     error("G1 G81 X1 R1", "4: error: G1 and G81 are of one modal group (motion); a block takes one of them");
@@ -75,30 +85,57 @@ TEST(NgcBlocks, Errors) {
     error("G38.9 X1", "1: error: G38.9 is no code of RS274/NGC");
     error("G1.5 X1", "1: error: G1.5 is no code of RS274/NGC; there is G1 (linear move)");
     error("M200", "1: error: M200 is no code of RS274/NGC");
-    error("G[1] X1", "1: error: the number of a G code must be written out; a computed one is not supported");
 }
 
-TEST(NgcBlocks, SettingsTakeEffectAtOnceBehindTheWords) {
+TEST(NgcBlocks, ComputedCodesActWithTheModalSettings) {
+    EXPECT_EQ(ngc_lua_of("G[#<_plane>/10]"), "code(\"G\", p._plane / 10.0)");
+    EXPECT_EQ(ngc_lua_of("X1 G#1 M#2 G90 G20"),
+              "do local w1, w2 = v[1], v[2] code(\"M\", w2) G20() code(\"G\", w1) G90() move{x=1} end");
+    EXPECT_EQ(ngc_lua_of("G[1] G1 X1"), "code(\"G\", 1.0) G1{x=1}");
+    EXPECT_EQ(ngc_lua_of("G[4] P1"),
+              "1:6: error: P has no meaning in this block: no code of the block takes it\n");
+    EXPECT_EQ(lua_of("G[1] X1"),
+              "1:1: error: the number of a G code must be written out; a computed one is not supported\n");
+}
+
+/// All values of a block are worked out, then its settings are made, then it acts.
+TEST(NgcBlocks, SettingsTakeEffectAtOnceBeforeTheBlockActs) {
     EXPECT_EQ(ngc_lua_of("#1=2 #2=#1"), "v[1], v[2] = 2.0, v[1]");
-    EXPECT_EQ(ngc_lua_of("#1=2 X#1"), "do local s1 = 2.0 move{x=v[1]} v[1] = s1 end")
+    EXPECT_EQ(ngc_lua_of("#1=2 X#1"), "do local w1 = v[1] v[1] = 2.0 move{x=w1} end")
         << "X sees the old value";
-    EXPECT_EQ(ngc_lua_of("G38.2 X1 #1=#5061 #2=#1"),
-              "do local s1, s2 = v[5061], v[1] G38_2{x=1} v[1], v[2] = s1, s2 end")
-        << "values from before the block, set behind it";
-    EXPECT_EQ(ngc_lua_of("/M2 #1=2"), "if not skipped(1) then do local s1 = 2.0 M2() v[1] = s1 end end");
+    EXPECT_EQ(ngc_lua_of("#1=[#1+1] G0 X5"), "v[1] = v[1] + 1.0 G0{x=5}") << "no word reads a parameter";
+    EXPECT_EQ(ngc_lua_of("G38.2 X1 #1=#5061 #2=#1"), "v[1], v[2] = v[5061], v[1] G38_2{x=1}")
+        << "values from before the block";
+    EXPECT_EQ(ngc_lua_of("/M2 #1=2"), "if not skipped(1) then v[1] = 2.0 M2() end");
     EXPECT_EQ(ngc_lua_of("#1=1 #1=2"), "v[1] = 2.0") << "the last one holds";
     EXPECT_EQ(ngc_lua_of("#<a>=1 #<A >=#<a> #2=3"), "p.a, v[2] = p.a, 3.0");
     EXPECT_EQ(ngc_lua_of("/#1=2"), "if not skipped(1) then v[1] = 2.0 end");
     EXPECT_EQ(lua_of("#1=2 #2=#1"), "v[1] = 2.0 v[2] = v[1]") << "one by one in the 9/Series";
-    std::string most;
-    for (int i = 1; i <= 50; ++i) most += fmt::format("#[#{}]=[#{}+1] ", i, i);
-    EXPECT_EQ(compile_error(translated_ngc(most + "\n").lua), std::nullopt);
+}
+
+/// A word's value is that before the block, whatever acts before the word.
+TEST(NgcBlocks, WordsOfSeveralCallsAreWorkedOutFirst) {
+    EXPECT_EQ(ngc_lua_of("G20 G0 Y#5420"), "do local w1 = v[5420] G20() G0{y=w1} end");
+    EXPECT_EQ(ngc_lua_of("G0 Y#5420 X#<a>"), "G0{y=v[5420], x=p.a}") << "nothing acts before";
+    EXPECT_EQ(ngc_lua_of("G20 G0 X1 Y[2+3]"), "G20() G0{x=1, y=2.0 + 3.0}") << "nothing to read";
+    EXPECT_EQ(ngc_lua_of("F[1+2] X##2 Y-[2*exists[#<a>]] Z5"),
+              "do local w1, w2 = v[v[2]], (-(2.0 * exists(\"a\"))) F(1.0 + 2.0) move{x=w1, y=w2, z=5} end");
+    EXPECT_EQ(ngc_lua_of("/G91 X#1"), "if not skipped(1) then do local w1 = v[1] G91() move{x=w1} end end");
+    EXPECT_EQ(lua_of("G20 G0 Y#5001"), "G20() G0{y=v[5001]}") << "each by itself in the 9/Series";
+}
+
+TEST(NgcBlocks, AsManySettingsAsLuaHoldsAtOnce) {
+    std::string most =
+        "A#1 B#1 C#1 U#1 V#1 W#1 X#1 Y#1 Z#1 F#1 S#1 T#1 M3 $#1 G64 P#1 Q#1 G2 I#1 J#1 K#1 R#1 ";
+    for (int i = 1; i <= 50; ++i) most += fmt::format("#[#[#{}]]=[#[#{}+1]+[#1*#2]] ", i + 300, i + 300);
+    const Translated result = translated_ngc(most + "\n");
+    ASSERT_TRUE(result.ok) << result.messages;
+    EXPECT_EQ(compile_error(result.lua), std::nullopt);
     EXPECT_EQ(ngc_lua_of(most + "#1=2"), "1:1: error: a block sets at most 50 parameters\n");
-    std::string fewer = "X1 ";
-    for (int i = 1; i <= 25; ++i) fewer += fmt::format("#[#{}]=[#{}+1] ", i + 300, i + 300);
-    EXPECT_EQ(compile_error(translated_ngc(fewer + "\n").lua), std::nullopt);
-    EXPECT_EQ(ngc_lua_of(fewer + "#1=2"),
-              "1:1: error: a block sets at most 25 parameters where it has words\n");
+    std::string deep = "X#1 Y#2";
+    for (int i = 1; i <= 50; ++i)
+        deep += fmt::format(" #[{0}]={1}#1{2}", i, std::string(45, '['), std::string(45, ']'));
+    EXPECT_EQ(compile_error(translated_ngc(deep + "\n").lua), std::nullopt);
 }
 
 /// Two settings of one variable that only the run can tell to be one: the later holds, whatever Lua's order

@@ -1,4 +1,4 @@
-local _ENV = require "gsim.rs274ngc" program(nil, function() -- from ngc_words.ngc; line n there is line n+1 here; hash 83bbc42cc503d76a
+local _ENV = require "gsim.rs274ngc" program(nil, function() -- from ngc_words.ngc; line n there is line n+1 here; hash 2c0c2d5720a5f876
 
                                                         -- ( words: blanks and case mean nothing )
 F(100) G17() G21() G90()
@@ -19,7 +19,7 @@ G43_1{z=5}
 G53() G0{z=0}
 G76{p=1, z=-2, i=-1, j=.5, r=1.5, k=2, q=30, h=2, e=1, l=2}
 G81{x=1, y=2, z=-3, r=1, l=4}
-G92{x=1} G1()
+G92{x=1}
 S(1000) M3{spindle=1} M8() G64{p=.1}
 M66{p=0, l=3, q=5}
 M[199]{p=1, q=2}

@@ -132,7 +132,7 @@ TEST(Conflicts, BlocksWithoutAReading) {
         EXPECT_EQ(parsed.blocks[1], "words X=1:axis") << text;
     }
     for (const char* text : {"X1 #1", "#1", "#1=", "#1=2=3", "#1=#2+3", "X#1=2", "#<a>", "#1=(c)", "#1=X1",
-                             "=2", "##=1", "#[1=2", "X1 #1= Y2", "#1=[ATAN[1]/]", "#1=2 3"}) {
+                             "=2", "##=1", "#[1=2", "X1 #1= Y2", "#1=[ATAN[1]/]", "#1=-", "#1=--Y2", "X-"}) {
         const Parsed parsed = parse_ngc(std::string(text) + "\nX1\n");
         EXPECT_TRUE(parsed.finished) << text;
         ASSERT_EQ(parsed.blocks.size(), 2U) << text;

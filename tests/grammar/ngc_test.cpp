@@ -97,14 +97,41 @@ TEST(OWords, ErrorsAroundThem) {
     EXPECT_EQ(messages("o1 call o2 call"), "1:9: error: 'o' is no keyword behind an O-word\n");
     EXPECT_EQ(messages("o1 call [1"), "1:11: error: ']' is missing at the end of the block\n");
     EXPECT_EQ(messages("o1 call []"), "1:10: error: ']' is out of place\n");
-    EXPECT_EQ(messages("o1 else if"),
+    EXPECT_EQ(messages("o1 else while"),
               "1:9: error: behind an O-word stands one keyword, and its values in brackets\n");
+    EXPECT_EQ(block("o1 else if [#1]"), block("o1 elseif [#1]"));
     EXPECT_EQ(messages("o1 sub G1 X1"), "1:8: error: 'G' is no keyword behind an O-word\n");
     EXPECT_EQ(messages("o1 if #1 = 2"), "1:10: error: '=' is out of place\n");
     EXPECT_EQ(messages("IF[#1 EQ 2]GOTO5"),
               "1:1: error: I has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect\n");
     EXPECT_EQ(messages("WHILE[#1]DO1"),
               "1:1: error: W has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect\n");
+}
+
+/// LinuxCNC takes all blanks out of a block before it reads it.
+TEST(NgcBlanks, MeanNothing) {
+    EXPECT_EQ(block("X[1 2 . 5] Y[. 5] Z#1 2"), "words X=12.5 Y=.5 Z=#12");
+    EXPECT_EQ(block("#1 2=1 2"), "words #12:=12");
+    EXPECT_EQ(block("X s i n [#1 m o d 2] Y[1 e q 2and3]"), "words X=(SIN (MOD #1 2)) Y=(AND (EQ~ 1 2) 3)");
+    EXPECT_EQ(block("X[4modsin[90]]"), "words X=(MOD 4 (SIN 90))") << "names end without blanks too";
+    EXPECT_EQ(block("o1 e n d i f"), block("o1 endif"));
+    EXPECT_EQ(messages("X[1 mod foo 2]"), "1:9: error: 'foo' is no function or operator of an expression\n");
+    EXPECT_EQ(parse("X[1 2]\n").messages, "1:5: error: a number without its letter\n")
+        << "but in the 9/Series";
+}
+
+TEST(NgcNumbers, OfParametersMayHaveZerosBehindThePoint) {
+    EXPECT_EQ(block("#1.0=2 X#1. Y[#2.00+1]"), "words X=#1 Y=(+ #2 1) #1:=2");
+    EXPECT_EQ(messages("X#1.5"), "1:2: error: the number of a variable is whole, not 1.5\n");
+    EXPECT_EQ(messages("X#.5"), "1:2: error: the number of a variable is whole, not .5\n");
+}
+
+TEST(NgcSigns, MayFollowEachOther) {
+    EXPECT_EQ(block("X--5 Y+-3 Z- -#1 #2=--3"),
+              "words X=(neg (neg 5)) Y=(neg 3) Z=(neg (neg #1)) #2:=(neg (neg 3))");
+    EXPECT_EQ(block("X[--3] Y[2---3] Z[--2**2] A--[3]"),
+              "words X=(neg (neg 3)) Y=(- 2 (neg (neg 3))) Z=(** (neg (neg 2)) 2) A=(neg (neg 3))");
+    EXPECT_EQ(block("X[--atan[1]/[2]] Y--sin[1]"), "words X=(neg (neg (ATAN 1 2))) Y=(neg (neg (SIN 1)))");
 }
 
 TEST(Settings, StandAmongWords) {
