@@ -138,8 +138,9 @@ local function plane_map(p)
 end
 
 local function sweep_of_turns(words, angle)
-  if words.p % 1 ~= 0 or words.p < 1 then alarm("P of an arc is its number of turns, a whole number from 1 on") end
-  return angle + (words.p - 1) * TURN
+  local turns = nearly_whole(words.p)
+  if turns % 1 ~= 0 or turns < 1 then alarm("P of an arc is its number of turns, a whole number from 1 on") end
+  return angle + (turns - 1) * TURN
 end
 
 local function arc(ccw, words)

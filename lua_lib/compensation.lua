@@ -5,10 +5,11 @@
 --   G10 L2, L20 of the system in force   G18, G19 (G17 if another plane is in force)
 --   G28, G28.1, G30, G30.1, G53          G33, G33.1, G38.2..5, G5, G5.1, G73, G76, G81..G89
 --   G41, G42, G41.1, G42.1               G43, G43.1, G43.2, G49
---   G52, G92, G92.3, G54..G59.3          G61, G61.1, G64, G98, G99
+--   G52, G92, G54..G59.3                 G61, G61.1, G64, G98, G99
 --   M6, M48..M53, M62..M68               reading #5420..#5428
--- and allows: G4, G20, G21, G90, G91, G90.1, G91.1, G93..G97, M0, M1, M3..M9, M61, T, S, F. (It allows G92.1 to G92.3
--- too; here they are refused where they would change the offset, since the tool would be led wrong.)
+-- and allows: G4, G20, G21, G90, G91, G90.1, G91.1, G93..G97, M0, M1, M3..M9, M61, T, S, F. (It allows G92.1 and
+-- G92.2 too; here they are refused where they would change the offset, since the tool would be led wrong. G92.3 it passes
+-- over.)
 -- The 9/Series leads the tool out and in again where offsets or work coordinate systems change. G10, G27 to G31, G33
 -- and cycles are refused there too.
 
@@ -33,6 +34,13 @@ function stop_in_compensation()
   if on and filter then filter:flush() end
 end
 
+-- rs274ngc: where the tool ends beside the path when all moves so far are done, in machine coordinates of the plane; nil
+-- without compensation. Behind G40 the program's own point counts again.
+function tool_beside_path()
+  local point = filter and filter.tool
+  return point and { [filter.first] = point[1], [filter.second] = point[2] } or nil
+end
+
 -- True where the program's coordinates are a mirror image of the machine's in this plane: left and right change over.
 function comp_mirrored(name)
   local p = planes[name]
@@ -43,6 +51,7 @@ end
 -- --- Tools ---
 
 local function radius_of(number, name)
+  number = nearly_whole(number)
   if type(number) ~= "number" or number % 1 ~= 0 or number < 0 then
     alarm("%s: D is the number of a tool, a whole number from 0 on, not %s", name, tostring(number))
   end

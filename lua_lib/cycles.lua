@@ -54,6 +54,7 @@ end
 
 function cycle_repeats(value, letter, name)
   if value == nil then return 1 end
+  value = nearly_whole(value)
   if value % 1 ~= 0 or value < 0 or value > MOST_REPEATS then
     alarm("%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MOST_REPEATS, value)
   end
@@ -95,7 +96,8 @@ function pecks(from, bottom, step, name)
   end
   local depths = {}
   local depth = from - step
-  while depth - bottom > SAME_MM do
+  local least = core.dialect == "rs274ngc" and 0 or SAME_MM   -- LinuxCNC compares exactly
+  while depth - bottom > least do
     depths[#depths + 1] = depth
     depth = depth - step
   end

@@ -143,8 +143,12 @@ local function load_g92()
   apply_offsets()
 end
 
+-- LinuxCNC passes over it while cutter compensation is on.
 word("G92_3", function()
-  refuse_with_compensation("G92.3")
+  if state.compensation then
+    core.warn("G92.3 does nothing while cutter compensation is on; G40 first")
+    return
+  end
   ngc.set_parameter(G92_IN_FORCE, 1)
   load_g92()
 end)

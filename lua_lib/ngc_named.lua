@@ -94,7 +94,7 @@ predefine("_spindle_css_mode", function() return ngc.active("spindle speed") == 
 predefine("_mist", function() return state.mist end)
 predefine("_flood", function() return state.flood end)
 
-predefine("_ccomp", function() return ten_times(state.compensation or "G40") end)
+predefine("_ccomp", function() return ten_times((state.compensation or "G40"):sub(1, 3)) end)
 predefine("_retract_r_plane", function() return ngc.active("retract") == "G99" end)
 predefine("_retract_old_z", function() return ngc.active("retract") == "G98" end)
 predefine("_speed_override", function() return ngc.override("speed") end)
@@ -116,10 +116,10 @@ predefine("_tool_offset", function()
   return false
 end)
 
--- Where the program stands: in its own coordinates, and in those of the machine.
+-- Where the tool stands after the moves so far: in coordinates of the program, and in those of the machine.
 local function position(letter)
   if is_rotary[letter] == nil then return 0 end
-  return in_program_units(letter, program_position()[letter])
+  return in_program_units(letter, core.to_program(tool_beside_path() or {})[letter])
 end
 
 local FIRST_POSITION = 5420

@@ -11,7 +11,7 @@ core.on_polar(function(words)
   local program = program_position()
   local x, y = program.x / state.unit_mm, program.y / state.unit_mm
   local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
-  if radius < SAME_POINT and (state.incremental or words.radius == nil or words.angle == nil) then
+  if radius < SAME_POINT and (state.incremental or words.angle == nil) then
     alarm("@ without ^, ^ without @ and increments of them need a present point that is not the zero point")
   end
   if state.incremental then

@@ -6,26 +6,32 @@ local TO_START = "M99"   -- what a program returns where it ends in M99
 
 local programs = {}
 local first
-local parts   -- of the program that was defined last
+local last    -- the program that was defined last: its parts, and `following`, the one behind it in the file
 
 -- program(number or nil, function): a program of this file; the first one of the file runs once the file is loaded.
 function env.program(name, body)
   local own = { body }
-  parts = own
   local function run()
-    for _, part in ipairs(own) do
-      local ended = part()
-      if ended ~= nil then return ended end
-    end
+    local parts = own
+    repeat
+      for _, part in ipairs(parts) do
+        local ended = part()
+        if ended ~= nil then return (parts == own or ended ~= TO_START) and ended or nil end
+      end
+      parts = parts.following
+    until parts == nil
   end
+  -- RS274/NGC: an O-word that a program comes upon is only a mark; M99 behind it ends the run.
+  if last and core.dialect == "rs274ngc" then last.following = own end
+  last = own
   first = first or run
   if name ~= nil then programs[name] = run end
 end
 
 -- more(function): that program goes on, behind the definition of a subroutine.
 function env.more(body)
-  if parts == nil then alarm("more() goes on with a program, and none has begun") end
-  parts[#parts + 1] = body
+  if last == nil then alarm("more() goes on with a program, and none has begun") end
+  last[#last + 1] = body
 end
 
 -- M99 in the main program goes back to its start, for as long as the limits of the run allow; a pass in which no
@@ -46,11 +52,11 @@ end
 
 -- Loads a file beside this one, for a number or a name: whether there is one, and its first program or nil.
 function load_file(name)
-  local outer, outer_parts = first, parts
-  first = nil
+  local outer, outer_last = first, last
+  first, last = nil, nil
   local found = core.load_program(name)
   local body = first
-  first, parts = outer, outer_parts
+  first, last = outer, outer_last
   return found, body
 end
 
@@ -69,6 +75,7 @@ function find_program(number)
 end
 
 local function whole(value, name)
+  value = nearly_whole(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MOST then
     alarm("%s of M98 is a whole number from 0 to %d, not %s", name, MOST, tostring(value))
   end

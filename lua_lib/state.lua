@@ -51,6 +51,13 @@ function space_between(a, b)
   return math.sqrt(sum)
 end
 
+-- RS274/NGC: a number within 0.0001 of a whole one counts as it, as in LinuxCNC; elsewhere it must be exact.
+function nearly_whole(value)
+  if core.dialect ~= "rs274ngc" or type(value) ~= "number" then return value end
+  local near = math.floor(value + 0.5)
+  return math.abs(value - near) <= 1e-4 and near or value
+end
+
 local next_id = 0
 
 function word_id()

@@ -41,6 +41,7 @@ local function tool_entry(number, name)
 end
 
 local function whole(value, name)
+  value = nearly_whole(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > 2^31 - 1 then
     alarm("%s is a whole number from 0 on, not %s", name, tostring(value))
   end
