@@ -52,7 +52,10 @@ end
 
 local function set_speed()
   local rpm = surface and surface_rpm() or state.spindle_word
-  if rpm == math.huge then alarm("G96 at X0 has no highest speed; give it by D") end
+  if rpm == math.huge then   -- LinuxCNC leaves that to its spindle
+    core.warn("G96 at X0 has no highest speed, and none is set; give it by D")
+    rpm = 0
+  end
   state.spindle_rpm = rpm
   core.set_spindle(rpm)
 end

@@ -1,6 +1,7 @@
 // RS274/NGC: parameters, subroutines, frames, home points, modal state, inputs and outputs. The expected
 // values are those that LinuxCNC's interpreter gives for the same programs, or worked out by hand.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -264,6 +265,16 @@ TEST(NgcModes, ComeBackAtTheEndOfASubroutineThatAsksForIt) {
     EXPECT_EQ(debug_texts(run_ngc("o1 sub\nM73\n" + body)), "1 1\n");
     EXPECT_EQ(debug_texts(run_ngc("o1 sub\nM73\nM71\n" + body)).substr(0, 3), "0 0");
     expect_alarm(run_ngc("G21\nM72\nM2\n"), 2, {"M72", "M70"});
+}
+
+TEST(NgcModes, SurfaceSpeedAtX0WithoutALimitIsNoAlarm) {
+    const Outcome r = run_ngc("G21\nG96 S100 M3\nG0 X10\nM2\n");
+    EXPECT_TRUE(r.completed()) << r.message();
+    EXPECT_EQ(r.moves.size(), 1U);
+    const auto& warnings = r.report.warnings;
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+        return warning.find("highest speed") != std::string::npos;
+    }));
 }
 
 TEST(NgcModes, AxisWordsNeedAMotion) {
