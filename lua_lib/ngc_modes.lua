@@ -164,8 +164,7 @@ word("G64", function(words)
   end
   local tolerance = words and words.p or 0
   local merging = words and words.q or tolerance
-  if tolerance < 0 or merging < 0 then alarm("P and Q of G64 are tolerances from 0 on") end
-  path.set_mode("continuous", tolerance * state.unit_mm, merging * state.unit_mm)
+  path.set_mode("continuous", math.max(tolerance, 0) * state.unit_mm, math.max(merging, 0) * state.unit_mm)
   path.warn_of_stops("G64 (continuous mode)")
 end)
 
