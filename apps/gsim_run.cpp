@@ -14,6 +14,8 @@
 #include "apps/script_input.h"
 #include "apps/variables_file.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/rcs/rcs_machine.h"
+#include "runtime/rrs/rcs_host.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/progress.h"
 #include "runtime/simulation/report.h"
@@ -31,6 +33,7 @@ struct Arguments {
     std::string setup;
     std::string variables;
     std::string lua_lib;
+    std::string rcs;
     apps::OutputNames outputs;
     simulation::RunLimits limits;
     std::size_t memory_mb = 2048;
@@ -91,6 +94,9 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--lua-lib", a.lua_lib,
                    "folder with the library in Lua, in place of the one that is built in")
         ->check(CLI::ExistingDirectory);
+    app.add_option("--rcs", a.rcs,
+                   "controller module (shared library) that plans in place of the built-in planner")
+        ->check(CLI::ExistingFile);
     app.set_version_flag("--version", "gsim-run " GSIM_VERSION);
 }
 
@@ -104,6 +110,19 @@ tl::expected<machine::MachineData, std::string> read_data(const Arguments& argum
                                                           const machine::Machine& machine) {
     if (arguments.machine_data.empty()) return machine::MachineData{};
     return machine::load_machine_data(arguments.machine_data, machine.axes);
+}
+
+/// Nothing where no controller module is asked for.
+tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Arguments& arguments,
+                                                                     const machine::Machine& machine) {
+    std::optional<rrs::RcsModule> none;
+    if (arguments.rcs.empty()) return none;
+    const rcs::RcsMachine described(simulation::planner_setup(machine));
+    auto library = rrs::RcsLibrary::load(arguments.rcs, described.get());
+    if (!library) return tl::unexpected(std::move(library.error()));
+    return rrs::RcsModule::create(*std::move(library), described.get()).map([](rrs::RcsModule module) {
+        return std::optional<rrs::RcsModule>(std::move(module));
+    });
 }
 
 script::Engine::Options engine_options(const Arguments& arguments, machine::MachineData data,
@@ -184,7 +203,9 @@ int run(const Arguments& arguments) {
         setup = std::move(*script);
     }
     const std::string program = input->file_name;
-    simulation::Simulator simulator(std::move(*machine), arguments.limits);
+    tl::expected<std::optional<rrs::RcsModule>, std::string> module = load_module(arguments, *machine);
+    if (!module) return usage_error(module.error());
+    simulation::Simulator simulator(std::move(*machine), arguments.limits, *std::move(module));
     tl::expected<apps::Outputs, std::string> outputs = apps::Outputs::open(arguments.outputs, simulator);
     if (!outputs) return usage_error(outputs.error());
     simulation::Progress progress(stderr, !arguments.quiet && ::isatty(STDERR_FILENO) == 1);

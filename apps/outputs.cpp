@@ -42,13 +42,15 @@ tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simul
 void Outputs::add_explanation(simulation::Simulator& simulator) {
     causes_ = std::make_unique<Causes>(simulator.machine());
     simulator.add_output(causes_->times);
-    simulator.add_output(causes_->bound);
+    if (simulator.sampled()) return;
+    simulator.add_output(causes_->bound.emplace(simulator.machine()));
 }
 
 void Outputs::explain(simulation::Report& report) const {
     if (causes_ == nullptr) return;
-    report.explanation =
-        simulation::Explanation{causes_->times.list(causes_->machine), causes_->bound.bound_s()};
+    std::optional<double> bound_s;
+    if (causes_->bound) bound_s = causes_->bound->bound_s();
+    report.explanation = simulation::Explanation{causes_->times.list(causes_->machine), bound_s};
 }
 
 tl::expected<void, std::string> Outputs::commit(const simulation::Report& report) {

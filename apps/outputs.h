@@ -51,10 +51,10 @@ class Outputs {
 
     /// What an explanation is made of.
     struct Causes {
-        explicit Causes(const machine::Machine& of) : machine(of), bound(of) {}
+        explicit Causes(const machine::Machine& of) : machine(of) {}
         const machine::Machine& machine;
         simulation::TimeByLimit times;
-        simulation::PathBound bound;
+        std::optional<simulation::PathBound> bound;  ///< Not of samples: each step would count as a corner.
     };
 
     OutputNames names_;

@@ -40,7 +40,7 @@ void apply_joint(rrs::CartPos& frame, rrs::JointKind kind, double value) {
 }  // namespace
 
 DhChain::DhChain(const rrs::CartPos& base, const std::vector<DhLink>& links, const rrs::CartPos& tool)
-    : base_(base), tool_(tool) {
+    : base_(base), links_(links), tool_(tool) {
     if (links.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
         throw std::invalid_argument("a kinematic chain has more joints than a JointPos can hold");
     }

@@ -28,6 +28,10 @@ class DhChain {
 
     int joint_count() const { return static_cast<int>(joints_.size()); }
     rrs::JointKind kind(int joint) const { return joints_[static_cast<std::size_t>(joint)].kind; }
+    /// What the chain was made of.
+    const rrs::CartPos& base() const { return base_; }
+    const std::vector<DhLink>& links() const { return links_; }
+    const rrs::CartPos& tool() const { return tool_; }
 
     /// The tool centre point in the world. `joints` holds joint_count() values.
     rrs::CartPos forward(const rrs::JointPos& joints) const;
@@ -43,6 +47,7 @@ class DhChain {
     };
 
     rrs::CartPos base_;
+    std::vector<DhLink> links_;
     std::vector<Joint> joints_;
     rrs::CartPos tool_;
 };
@@ -52,7 +57,9 @@ class ChainKinematics : public Kinematics {
   public:
     explicit ChainKinematics(DhChain chain) : chain_(std::move(chain)) {}
 
+    const DhChain& chain() const override { return chain_; }
     int joint_count() const override { return chain_.joint_count(); }
+    bool has_inverse() const override { return false; }
     rrs::CartPos forward(const rrs::JointPos& joints) const override { return chain_.forward(joints); }
     /// Always the error that this machine has no inverse.
     tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,

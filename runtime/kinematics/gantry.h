@@ -21,7 +21,9 @@ class GantryKinematics : public Kinematics {
     /// tip to 1e-6 mm); otherwise a sentence that says what is in the way.
     static tl::expected<std::shared_ptr<const GantryKinematics>, std::string> make(DhChain chain);
 
+    const DhChain& chain() const override { return chain_; }
     int joint_count() const override { return chain_.joint_count(); }
+    bool has_inverse() const override { return true; }
     rrs::CartPos forward(const rrs::JointPos& joints) const override { return chain_.forward(joints); }
 
     /// Two rotary axes reach two of three degrees of orientation. A pose that they reach exactly is reached

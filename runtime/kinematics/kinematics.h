@@ -8,11 +8,17 @@
 
 namespace gsim::kinematics {
 
+class DhChain;
+
 /// The geometry of one machine: joints to tool pose and back. Immutable.
 class Kinematics {
   public:
     virtual ~Kinematics() = default;
 
+    /// The chain of joints that the geometry was made of.
+    virtual const DhChain& chain() const = 0;
+    /// Whether inverse() answers anything but an error.
+    virtual bool has_inverse() const = 0;
     virtual int joint_count() const = 0;
 
     /// Pose of the tool centre point in the world frame (mm) for joint values in mm and rad.

@@ -15,8 +15,6 @@ using rrs::Status;
 
 namespace {
 
-constexpr rrs::TargetId kNoTarget = -1;  // of the time in which the controller waits for its program
-
 PlannerSetup valid(PlannerSetup setup) {
     if (auto trouble = setup.validate()) throw std::invalid_argument(*trouble);
     return setup;
@@ -76,6 +74,7 @@ void DefaultPlanner::start_over() {
     error_ = {};
     end_s_ = 0;
     step_s_ = 0;
+    step_target_ = kNoTarget;
     waited_s_ = 0;
     has_position_ = false;
 }
@@ -88,11 +87,17 @@ void DefaultPlanner::come_to_rest(bool waits) {
     waited_s_ = end_s_;
 }
 
-// LinuxCNC's position loop delays by a period, and smooths over another one.
+// At the end: LinuxCNC's position loop delays by a period, and smooths over another one.
+Status DefaultPlanner::ComeToRest(rrs::RestReason reason) {
+    if (!initialized_) return not_initialized();
+    come_to_rest(reason == rrs::RestReason::wait);
+    const double delay_s = 2 * setup_.controller.servo_period_s;
+    if (reason == rrs::RestReason::end && end_s_ > 0 && delay_s > 0) append_rest(kNoTarget, delay_s);
+    return Status::RRS_SUCCESS;
+}
+
 void DefaultPlanner::end_program() {
-    come_to_rest();
-    if (end_s_ > 0 && setup_.controller.servo_period_s > 0)
-        append_rest(kNoTarget, 2 * setup_.controller.servo_period_s);
+    ComeToRest(rrs::RestReason::end);
     flush();
 }
 
@@ -131,13 +136,24 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
     step_s_ = std::min(from_s + programmed_.interpolation_s, end_s_);
     joints = position_;
     while (!queue_.empty() && queue_.front().end_s() <= step_s_) {
+        step_target_ = queue_.front().target_id;
         emit_front();
         status = Status::RRS_TARGET_REACHED;
     }
-    if (!queue_.empty()) joints = queue_.front().position_at(step_s_ - queue_.front().start_s);
+    if (!queue_.empty()) {
+        const Segment& front = queue_.front();
+        joints = front.position_at(step_s_ - front.start_s);
+        if (step_s_ > front.start_s) step_target_ = front.target_id;
+    }
     pose = setup_.kinematics->forward(joints);
     elapsed_s = step_s_ - from_s;
     return status;
+}
+
+Status DefaultPlanner::GetTargetOfLastStep(rrs::TargetId& id) {
+    if (!initialized_) return not_initialized();
+    id = step_target_;
+    return Status::RRS_SUCCESS;
 }
 
 Status DefaultPlanner::tell(PlanError error) {

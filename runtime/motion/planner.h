@@ -18,6 +18,9 @@
 
 namespace gsim::motion {
 
+/// The target of what no target asked for, such as the time in which the controller waits for its program.
+inline constexpr rrs::TargetId kNoTarget = -1;
+
 /// The planner for machines whose maker gives none (thesis 5.3.2): joint, linear and circular motion that
 /// comes to rest at each target, or, where the setup names a controller that does not, linear and circular
 /// motion by that controller's MotionModel.
@@ -81,8 +84,10 @@ class DefaultPlanner final : public rrs::Shell {
                                  const Eigen::Vector3d& axis, double sweep_rad, const rrs::CartPos& cartesian,
                                  const rrs::JointPos& joints) override;
     rrs::Status SetNextRest(rrs::TargetId id, double rest_s) override;
+    rrs::Status ComeToRest(rrs::RestReason reason) override;
 
     rrs::Status GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) override;
+    rrs::Status GetTargetOfLastStep(rrs::TargetId& id) override;
     rrs::Status SetInterpolationTime(double interpolation_s) override;
 
     rrs::Status SelectMotionType(rrs::MotionType type) override;
@@ -164,7 +169,8 @@ class DefaultPlanner final : public rrs::Shell {
     Segment draft_;                       ///< Of the target that goes to the model.
     double end_s_ = 0;
     double step_s_ = 0;
-    double waited_s_ = 0;  ///< When the controller waited for its program last.
+    rrs::TargetId step_target_ = kNoTarget;  ///< Of the last step.
+    double waited_s_ = 0;                    ///< When the controller waited for its program last.
     bool initialized_ = false;
     bool has_position_ = false;
 };

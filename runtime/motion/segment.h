@@ -41,6 +41,7 @@ enum class LimitKind : std::uint8_t {
     jerk,
     look_ahead,  ///< The controller did not know further blocks.
     time,        ///< A programmed time (inverse time feed, dwell).
+    unknown,     ///< A controller module does not say.
 };
 
 struct LimitedBy {

@@ -209,6 +209,14 @@ Status Shell::SetNextRest(TargetId, double) {
     return not_supported("SetNextRest");
 }
 
+Status Shell::GetTargetOfLastStep(TargetId&) {
+    return not_supported("GetTargetOfLastStep");
+}
+
+Status Shell::ComeToRest(RestReason) {
+    return not_supported("ComeToRest");
+}
+
 Status Shell::not_supported(std::string_view) {
     return Status::RRS_SERVICE_NOT_SUPPORTED;
 }

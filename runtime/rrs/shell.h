@@ -187,6 +187,10 @@ class Shell {
     virtual Status SetPathMode(PathMode mode, double tolerance_mm, double merge_tolerance_mm);
     /// Extension. Queues a dwell of `rest_s` >= 0.
     virtual Status SetNextRest(TargetId id, double rest_s);
+    /// Extension. The target whose motion or rest the last step of GetNextStep ended in; -1 for none.
+    virtual Status GetTargetOfLastStep(TargetId& id);
+    /// Extension. What is queued is planned to end at rest, without regard to targets that may come.
+    virtual Status ComeToRest(RestReason reason);
 
   protected:
     /// What the default of each service answers; a controller may note the name for GetMessage.

@@ -20,6 +20,7 @@ std::string_view name(Status status) {
         case Status::RRS_UNKNOWN_FRAME: return "RRS_UNKNOWN_FRAME";
         case Status::RRS_ZERO_SPEED: return "RRS_ZERO_SPEED";
         case Status::RRS_QUEUE_FULL: return "RRS_QUEUE_FULL";
+        case Status::RRS_MODULE_FAULT: return "RRS_MODULE_FAULT";
     }
     return "RRS_UNKNOWN_STATUS";
 }

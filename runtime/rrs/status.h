@@ -23,6 +23,7 @@ enum class Status : int {
     RRS_UNKNOWN_FRAME = -10,      ///< No frame of that name in the cell.
     RRS_ZERO_SPEED = -11,         ///< A motion without a programmed speed.
     RRS_QUEUE_FULL = -12,         ///< Too many targets ahead of GetNextStep, and nobody else takes them.
+    RRS_MODULE_FAULT = -13,  ///< The answer of a controller module makes no sense; nothing works after it.
 };
 
 /// The name of a status as documents and messages write it: "RRS_JOINT_LIMIT".

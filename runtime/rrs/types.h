@@ -33,6 +33,10 @@ enum class Dominance { automatic = 0, position = 1, orientation = 2 };
 /// (G61), or without stops, within a tolerance (G64).
 enum class PathMode { exact_stop, exact_path, continuous };
 
+/// Why a controller comes to rest: its state is asked for; it waits for its program's next block; the program
+/// has ended.
+enum class RestReason { query = 0, wait = 1, end = 2 };
+
 /// What a target is: the end of a motion, or the via point of the circular motion whose end follows.
 enum class TargetParam { end = 0, via = 1 };
 

@@ -111,7 +111,7 @@ int get_message(lua_State* state) {
 
 int get_inverse_kinematics(lua_State* state) {
     rrs::JointPos joints;
-    const rrs::JointPos near = lua_isnoneornil(state, 2) ? self(state).simulator().controller().position()
+    const rrs::JointPos near = lua_isnoneornil(state, 2) ? self(state).simulator().joints()
                                                          : check_joints(state, 2, joint_count(state));
     const Status status = shell(state).GetInverseKinematics(check_pose(state, 1), near, joints);
     answer(state, status);

@@ -32,9 +32,10 @@ std::string describe(motion::LimitedBy limited_by, const machine::Machine& machi
         case LimitKind::stop: return "stop";
         case LimitKind::jerk: return "jerk";
         case LimitKind::look_ahead: return "look-ahead";
-        case LimitKind::time: break;
+        case LimitKind::time: return "time";
+        case LimitKind::unknown: break;
     }
-    return "time";
+    return "unknown";
 }
 
 }  // namespace gsim::simulation

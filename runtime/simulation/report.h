@@ -58,7 +58,8 @@ struct LimitTime {
 /// Why the run took as long as it did.
 struct Explanation {
     std::vector<LimitTime> time_by_limit;  ///< The most time first; together the cycle time.
-    double lower_bound_s = 0;              ///< In which no controller could go the same path (PathBound).
+    /// In which no controller could go the same path (PathBound); none of a motion that is known by samples.
+    std::optional<double> lower_bound_s = 0;
 };
 
 /// The whole result of a run; units are in the names, and in the JSON as well.

@@ -113,7 +113,8 @@ void add_explanation(Text& out, const Report& report) {
     for (const LimitTime& limit : report.explanation->time_by_limit) {
         out.line("{:<24}{:>12.3f}{:>8.1f} %", limit.limited_by, limit.time_s, percent(report, limit.time_s));
     }
-    const double bound_s = report.explanation->lower_bound_s;
+    if (!report.explanation->lower_bound_s) return;
+    const double bound_s = *report.explanation->lower_bound_s;
     const std::string times =
         bound_s > 0 ? fmt::format("  (the program takes {:.2f} times as long)", report.cycle_time_s / bound_s)
                     : "";

@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "runtime/simulation/module_motion.h"
+#include "runtime/simulation/planner_motion.h"
+
 namespace gsim::simulation {
 
 using rrs::Status;
@@ -45,13 +48,14 @@ void set_plane_and_sense(MoveInfo& info, const Eigen::Vector3d& start, const Eig
     info.kind = normal[largest] < 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
 }
 
-const char* unit(const machine::Axis& axis) {
-    return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
+/// A controller module without the service, or broken; any other answer leaves the controller as it can be.
+bool is_missing(Status status) {
+    return status == Status::RRS_SERVICE_NOT_SUPPORTED || status == Status::RRS_MODULE_FAULT;
 }
 
 }  // namespace
 
-Simulator::Simulator(machine::Machine machine, RunLimits limits)
+Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<rrs::RcsModule> module)
     : machine_(std::move(machine)),
       limits_(limits),
       recorder_(machine_,
@@ -62,14 +66,26 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits)
                     return to_joints(home);
                 }()),
       centripetal_(machine_),
-      planner_(planner_setup(machine_), &recorder_),
+      setup_(planner_setup(machine_)),
+      motion_(make_motion(std::move(module))),
+      shell_(motion_->shell()),
       position_(static_cast<Eigen::Index>(machine_.axes.size())) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
     recorder_.add_output(centripetal_);
     recorder_.add_output(events_);
-    planner_.Initialize();
-    planner_.SetInitialPosition(no_pose(), to_joints(position_), {});
+    start();
+}
+
+std::unique_ptr<MotionSource> Simulator::make_motion(std::optional<rrs::RcsModule> module) {
+    if (!module) return std::make_unique<PlannerMotion>(setup_, recorder_);
+    return std::make_unique<ModuleMotion>(*std::move(module), setup_, limits_.max_time_s, recorder_);
+}
+
+void Simulator::start() {
+    const auto done = [](Status status) { return static_cast<int>(status) >= 0; };
+    if (!done(shell_.Initialize()) || !done(shell_.SetInitialPosition(no_pose(), to_joints(position_), {})))
+        refused({});
 }
 
 rrs::JointPos Simulator::to_joints(const AxisVector& axes) const {
@@ -116,45 +132,48 @@ bool Simulator::rotary_alone(const AxisVector& target) const {
 
 void Simulator::exact_stop_once() {
     exact_stop_once_ = true;
-    planner_.SetPathMode(rrs::PathMode::exact_stop, 0, 0);
+    shell_.SetPathMode(rrs::PathMode::exact_stop, 0, 0);
 }
 
 void Simulator::leave_exact_stop() {
     if (!exact_stop_once_) return;
     exact_stop_once_ = false;
-    planner_.SetPathMode(passing_.mode, passing_.tolerance_mm, passing_.merge_tolerance_mm);
+    shell_.SetPathMode(passing_.mode, passing_.tolerance_mm, passing_.merge_tolerance_mm);
 }
 
-void Simulator::select_rapid(bool on) {
-    if (rapid_ == static_cast<int>(on)) return;
+bool Simulator::select_rapid(bool on) {
+    if (rapid_ == static_cast<int>(on)) return true;
     if (rapid_ < 0) {
         feed_mm_s_ = -1;
         orientation_rad_s_ = -1;
-        planner_.SelectTargetType(rrs::TargetType::joint);
-        planner_.SelectMotionType(rrs::MotionType::linear);
+        if (is_missing(shell_.SelectTargetType(rrs::TargetType::joint)) ||
+            is_missing(shell_.SelectMotionType(rrs::MotionType::linear))) {
+            return false;
+        }
     }
     rapid_ = static_cast<int>(on);
-    planner_.SetRapid(on);
+    const Status status = shell_.SetRapid(on);
     if (on && feed_mm_s_ < 0) {
         feed_mm_s_ = motion::kUnlimited;
-        planner_.SetCartesianPositionSpeed(feed_mm_s_);
+        shell_.SetCartesianPositionSpeed(feed_mm_s_);
     }
+    return !is_missing(status) || (!on && status == Status::RRS_SERVICE_NOT_SUPPORTED);
 }
 
 bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
-    select_rapid(false);
+    if (!select_rapid(false)) return refused(place);
     if (feed.motion_s) {
-        planner_.SetCartesianPositionSpeed(motion::kUnlimited);
-        planner_.SetCartesianOrientationSpeed(motion::kUnlimited);
+        shell_.SetCartesianPositionSpeed(motion::kUnlimited);
+        shell_.SetCartesianOrientationSpeed(motion::kUnlimited);
         feed_mm_s_ = motion::kUnlimited;
         orientation_rad_s_ = motion::kUnlimited;
-        return planner_.SetMotionTime(*feed.motion_s) == Status::RRS_SUCCESS || refused(place);
+        return shell_.SetMotionTime(*feed.motion_s) == Status::RRS_SUCCESS || refused(place);
     }
     const double speed_mm_s = rotary ? motion::kUnlimited : feed.linear_mm_min / kSecondsPerMinute;
     const double orientation_rad_s =
         rotary ? feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg : motion::kUnlimited;
     if (speed_mm_s != feed_mm_s_) {
-        if (planner_.SetCartesianPositionSpeed(speed_mm_s) != Status::RRS_SUCCESS) return refused(place);
+        if (shell_.SetCartesianPositionSpeed(speed_mm_s) != Status::RRS_SUCCESS) return refused(place);
         feed_mm_s_ = speed_mm_s;
         if (speed_mm_s > machine_.path.max_feed_mm_s && !rotary) {
             warn(
@@ -164,7 +183,7 @@ bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
         }
     }
     if (orientation_rad_s != orientation_rad_s_) {
-        if (planner_.SetCartesianOrientationSpeed(orientation_rad_s) != Status::RRS_SUCCESS)
+        if (shell_.SetCartesianOrientationSpeed(orientation_rad_s) != Status::RRS_SUCCESS)
             return refused(place);
         orientation_rad_s_ = orientation_rad_s;
     }
@@ -173,6 +192,7 @@ bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
 
 MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per_min) {
     MoveInfo info;
+    last_place_ = place;
     info.target_id = next_id_++;
     info.kind = kind;
     info.place = place;
@@ -188,11 +208,7 @@ bool Simulator::finish_move(Status status, const Place& place) {
         warn(
             "an inverse time feed (G93) asks for less time than the machine's limits allow; the limits hold");
     }
-    if (planner_.time_s() > limits_.max_time_s) {
-        return stop(
-            fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)", limits_.max_time_s),
-            place);
-    }
+    if (motion_->time_s() > limits_.max_time_s) return stop_for_time(place);
     return true;
 }
 
@@ -207,15 +223,15 @@ double Simulator::feed_per_min(const LineMove& move, bool rotary) const {
 bool Simulator::move(const LineMove& move) {
     const bool rotary = rotary_alone(move.target);
     if (move.kind == MoveKind::rapid) {
-        select_rapid(true);
+        if (!select_rapid(true)) return refused(move.place);
     } else if (!set_feed(move.feed, rotary, move.place)) {
         return false;
     }
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
     info.timed = move.feed.motion_s.has_value();
     recorder_.expect(info);
-    const Status status = planner_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
-                                                 to_joints(move.target), {}, 0);
+    const Status status =
+        shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), to_joints(move.target), {}, 0);
     if (static_cast<int>(status) >= 0) position_ = move.target;
     return finish_move(status, move.place);
 }
@@ -239,8 +255,8 @@ bool Simulator::move(const ArcMove& move) {
     info.plane = move.plane;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
     recorder_.expect(info);
-    const Status status = planner_.SetNextArcTarget(info.target_id, center, axis, move.sweep_rad, no_pose(),
-                                                    to_joints(move.target));
+    const Status status = shell_.SetNextArcTarget(info.target_id, center, axis, move.sweep_rad, no_pose(),
+                                                  to_joints(move.target));
     if (static_cast<int>(status) >= 0) position_ = move.target;
     return finish_move(status, move.place);
 }
@@ -262,34 +278,34 @@ bool Simulator::move(const ViaMove& move) {
     info.turns = 1;
     set_plane_and_sense(info, space_point(position_), space_point(move.via), space_point(move.target));
     recorder_.expect(info);
-    planner_.SelectMotionType(rrs::MotionType::circular);
+    shell_.SelectMotionType(rrs::MotionType::circular);
     Status status =
-        planner_.SetNextTarget(info.target_id, rrs::TargetParam::via, no_pose(), to_joints(move.via), {}, 0);
+        shell_.SetNextTarget(info.target_id, rrs::TargetParam::via, no_pose(), to_joints(move.via), {}, 0);
     if (static_cast<int>(status) >= 0) {
-        status = planner_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
-                                        to_joints(move.target), {}, 0);
+        status = shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
+                                      to_joints(move.target), {}, 0);
     }
-    planner_.SelectMotionType(rrs::MotionType::linear);
+    shell_.SelectMotionType(rrs::MotionType::linear);
     if (static_cast<int>(status) >= 0) position_ = move.target;
     return finish_move(status, move.place);
 }
 
 tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
-    return planner_.setup()
-        .kinematics->inverse(pose, to_joints(position_))
-        .map([this](const rrs::JointPos& joints) { return to_axes(joints); });
+    return setup_.kinematics->inverse(pose, to_joints(position_)).map([this](const rrs::JointPos& joints) {
+        return to_axes(joints);
+    });
 }
 
 bool Simulator::dwell(double seconds, const Place& place) {
     const MoveInfo info = next_move(MoveKind::dwell, place, 0);
     recorder_.expect(info);
-    return finish_move(planner_.SetNextRest(info.target_id, seconds), place);
+    return finish_move(shell_.SetNextRest(info.target_id, seconds), place);
 }
 
 rrs::Status Simulator::set_start(const std::function<Status()>& set) {
     if (time_s() > 0) return Status::RRS_INVALID_PARAMETER;
     const Status status = set();
-    position_ = to_axes(planner_.position());
+    position_ = to_axes(motion_->position());
     return status;
 }
 
@@ -298,25 +314,26 @@ rrs::Status Simulator::queue_target(MoveKind kind, const Place& place,
     const MoveInfo info = next_move(kind, place, 0);
     recorder_.expect(info);
     const Status status = queue(info.target_id);
-    position_ = to_axes(planner_.position());
+    position_ = to_axes(motion_->position());
     return status;
 }
 
 double Simulator::time_s() {
-    planner_.come_to_rest();
-    return planner_.time_s();
+    motion_->come_to_rest(false);
+    return motion_->time_s();
 }
 
 void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
     passing_ = {mode, tolerance_mm, merge_tolerance_mm};
-    planner_.SetPathMode(mode, tolerance_mm, merge_tolerance_mm);
+    if (shell_.SetPathMode(mode, tolerance_mm, merge_tolerance_mm) == Status::RRS_SERVICE_NOT_SUPPORTED)
+        warn("the controller has no path modes (G61, G64): it passes the ends of moves in its own way");
 }
 
 void Simulator::event(std::string kind, std::string detail, const Place& place, bool in_passing) {
     Event event{.place = place, .kind = std::move(kind), .detail = std::move(detail)};
     if (in_passing) return events_.add_before(next_id_, std::move(event));
     wait();
-    events_.add(planner_.time_s(), std::move(event));
+    events_.add(motion_->time_s(), std::move(event));
 }
 
 void Simulator::set_jet(bool on) {
@@ -330,42 +347,9 @@ void Simulator::warn(const std::string& text) {
     }
 }
 
-bool Simulator::fail(std::string message, const Place& place) {
-    if (alarm_) return false;
-    status_ = RunStatus::alarm;
-    alarm_ = Alarm{};
-    alarm_->message = std::move(message);
-    alarm_->place = place;
-    alarm_->calls.assign(calls_.rbegin(), calls_.rend());
-    return false;
-}
-
-bool Simulator::stop(std::string message, const Place& place) {
-    if (alarm_) return false;
-    fail(std::move(message), place);
-    status_ = RunStatus::stopped;
-    return false;
-}
-
-/// Turns the planner's last refusal into an alarm in terms of the machine's axes.
-bool Simulator::refused(const Place& place) {
-    const motion::PlanError& error = planner_.last_error();
-    if (error.status != Status::RRS_JOINT_LIMIT || error.joint < 0) return fail(error.message, place);
-    const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];
-    const double unit_per_joint = axis.kind == machine::AxisKind::rotary ? 1.0 / kRadPerDeg : 1.0;
-    const double value = error.value * unit_per_joint + axis.zero;
-    const double limit = error.limit * unit_per_joint + axis.zero;
-    fail(fmt::format("axis {} would go to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
-                     unit(axis), limit, unit(axis)),
-         place);
-    alarm_->axis = axis.letter;
-    alarm_->value = value;
-    alarm_->limit = limit;
-    return false;
-}
-
 Report Simulator::finish(std::string program) {
-    planner_.end_program();
+    motion_->end_program();
+    if (motion_->fault()) refused(last_place_);
     Report report;
     recorder_.finish(report);
     report.program = std::move(program);

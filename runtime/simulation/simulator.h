@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "runtime/machine/machine.h"
-#include "runtime/motion/planner.h"
+#include "runtime/motion/planner_setup.h"
+#include "runtime/rrs/rcs_host.h"
 #include "runtime/simulation/centripetal_watch.h"
 #include "runtime/simulation/event_log.h"
+#include "runtime/simulation/motion_source.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
@@ -75,8 +77,9 @@ struct PathPassing {
 /// The services that can fail return false; then alarm() says why, and the run must end.
 class Simulator {
   public:
-    /// The machine stands at its home. Throws std::invalid_argument where the machine cannot be planned for.
-    Simulator(machine::Machine machine, RunLimits limits);
+    /// The machine stands at its home. Its controller is `module`, made for planner_setup(machine), or our
+    /// own planner. Throws std::invalid_argument where the machine cannot be planned for.
+    Simulator(machine::Machine machine, RunLimits limits, std::optional<rrs::RcsModule> module = {});
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
 
@@ -104,7 +107,7 @@ class Simulator {
     /// The next move ends in an exact stop, whatever the mode.
     void exact_stop_once();
     /// The controller waits until all moves have been made, before it reads on.
-    void wait() { planner_.come_to_rest(true); }
+    void wait() { motion_->come_to_rest(true); }
     /// Something that happens after all that came before: at rest, or, `in_passing`, when the next move
     /// begins.
     void event(std::string kind, std::string detail, const Place& place, bool in_passing = false);
@@ -129,10 +132,14 @@ class Simulator {
 
     /// The controller's services, for clients that call them by themselves. What they select is theirs again
     /// after a move of the program only once they select it anew.
-    motion::DefaultPlanner& controller() {
+    rrs::Shell& controller() {
         rapid_ = -1;
-        return planner_;
+        return shell_;
     }
+    /// Whether segments are samples of a motion, not the motion itself.
+    bool sampled() const { return motion_->sampled(); }
+    /// Joint values (mm or rad) at the last target.
+    const rrs::JointPos& joints() const { return motion_->position(); }
     /// Sets the position at time 0 by a service; refused later, as the machine cannot jump.
     rrs::Status set_start(const std::function<rrs::Status()>& set);
     /// A target that such a client queues: `queue` gets its id and calls the service.
@@ -143,7 +150,9 @@ class Simulator {
     Report finish(std::string program);
 
   private:
-    void select_rapid(bool on);
+    std::unique_ptr<MotionSource> make_motion(std::optional<rrs::RcsModule> module);
+    void start();
+    bool select_rapid(bool on);
     void leave_exact_stop();
     rrs::JointPos to_joints(const AxisVector& axes) const;
     AxisVector to_axes(const rrs::JointPos& joints) const;
@@ -154,13 +163,16 @@ class Simulator {
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
     bool finish_move(rrs::Status status, const Place& place);
     bool refused(const Place& place);
+    bool stop_for_time(const Place& place);
 
     machine::Machine machine_;
     RunLimits limits_;
     Recorder recorder_;
     CentripetalWatch centripetal_;
     EventLog events_;
-    motion::DefaultPlanner planner_;
+    motion::PlannerSetup setup_;
+    std::unique_ptr<MotionSource> motion_;
+    rrs::Shell& shell_;  ///< Of motion_.
     AxisVector position_;
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;
@@ -168,6 +180,7 @@ class Simulator {
     std::vector<OpenCall> calls_;
     RunStatus status_ = RunStatus::completed;
     rrs::TargetId next_id_ = 1;
+    Place last_place_;  ///< Of the last move.
     std::uint64_t blocks_ = 0;
     double feed_mm_s_ = -1;
     double orientation_rad_s_ = -1;

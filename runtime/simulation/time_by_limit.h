@@ -22,8 +22,8 @@ class TimeByLimit : public RunOutput {
 
   private:
     static constexpr std::size_t kKinds =
-        static_cast<std::size_t>(motion::LimitKind::time) + 1;   // the last of them
-    static constexpr std::size_t kJoints = rrs::kMaxJoints + 1;  // the first: no joint
+        static_cast<std::size_t>(motion::LimitKind::unknown) + 1;  // the last of them
+    static constexpr std::size_t kJoints = rrs::kMaxJoints + 1;    // the first: no joint
 
     std::array<std::array<ExactSum, kJoints>, kKinds> limits_;
     ExactSum rests_;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/kinematics/pose.h"
-#include "tests/motion/machines.h"
+#include "tests/motion/planner_under_test.h"
 
 namespace gsim::motion {
 namespace {
@@ -25,9 +25,9 @@ PlannerSetup turned_setup(const CartPos& base) {
     return setup;
 }
 
-class CartesianTarget : public testing::Test {
+class CartesianTarget : public AnyPlanner {
   protected:
-    CartesianTarget() : planner(turned_setup(base), &collector) {
+    CartesianTarget() : owner(make(turned_setup(base))), planner(*owner) {
         planner.Initialize();
         planner.SelectTargetType(rrs::TargetType::cartesian);
         planner.SelectMotionType(rrs::MotionType::linear);
@@ -37,79 +37,89 @@ class CartesianTarget : public testing::Test {
     Status to(const CartPos& pose, rrs::TargetParam param = rrs::TargetParam::end) {
         return planner.SetNextTarget(1, param, pose, rrs::JointPos(), "", 0);
     }
-    const Segment& last() {
-        planner.flush();
-        return collector.segments.back();
-    }
-    CartPos pose_at(double share) {
-        const Segment& segment = last();
-        return planner.setup().kinematics->forward(segment.position_at(share * segment.duration_s));
+    /// Makes what `queue` puts twice, so that its middle is met by a step of half its time.
+    template <typename Queue>
+    void move(const Queue& queue) {
+        ASSERT_EQ(queue(), Status::RRS_SUCCESS) << message(planner);
+        whole = step_to_end(planner, 1e-4);
+        ASSERT_EQ(planner.SetInitialPosition(start, rrs::JointPos(), ""), Status::RRS_SUCCESS);
+        ASSERT_EQ(queue(), Status::RRS_SUCCESS);
+        planner.SetInterpolationTime(whole.time_s / 2);
+        rrs::JointPos joints;
+        double elapsed_s = 0;
+        planner.GetNextStep(joints, middle, elapsed_s);
     }
 
     const CartPos base =
         pose_from_rpy({.x_mm = 300, .y_mm = -40, .z_mm = 10, .roll_rad = 0.7, .pitch_rad = 0.2});
     const CartPos start = base * pose_from_rpy({.x_mm = 500, .y_mm = 500, .z_mm = 300});
-    Collector collector;
-    DefaultPlanner planner;
+    std::unique_ptr<rrs::Shell> owner;
+    rrs::Shell& planner;
+    Stepped whole;
+    CartPos middle;
 };
 
-TEST_F(CartesianTarget, line_in_the_world) {
+INSTANTIATE_TEST_SUITE_P(Ways, CartesianTarget, both_ways(), way_name);
+
+TEST_P(CartesianTarget, line_in_the_world) {
     CartPos end = start;
     end.translation() += Vector3d(100, 200, -50);
-    ASSERT_EQ(to(end), Status::RRS_SUCCESS) << planner.last_error().message;
-    EXPECT_TRUE(pose_at(1).isApprox(end, 1e-12));
-    EXPECT_LT((pose_at(0.5).translation() - (start.translation() + Vector3d(50, 100, -25))).norm(), 1e-6);
-    EXPECT_NEAR(last().length_mm, Vector3d(100, 200, -50).norm(), 1e-9);
+    move([&] { return to(end); });
+    EXPECT_TRUE(whole.pose.isApprox(end, 1e-12));
+    EXPECT_LT((middle.translation() - (start.translation() + Vector3d(50, 100, -25))).norm(), 1e-6);
+    EXPECT_NEAR(whole.way_mm, Vector3d(100, 200, -50).norm(), 1e-5);
 }
 
-TEST_F(CartesianTarget, arc_by_centre_keeps_its_sense_in_the_world) {
+TEST_P(CartesianTarget, arc_by_centre_keeps_its_sense_in_the_world) {
     const Vector3d center = start.translation() - Vector3d(100, 0, 0);
     CartPos end = start;
     end.translation() = center + Vector3d(0, 100, 0);
-    ASSERT_EQ(planner.SetNextArcTarget(1, center, Vector3d::UnitZ(), kPi / 2, end, rrs::JointPos()),
-              Status::RRS_SUCCESS)
-        << planner.last_error().message;
-    EXPECT_LT((pose_at(0.5).translation() - (center + std::sqrt(5000) * Vector3d(1, 1, 0))).norm(), 1e-6);
-    EXPECT_NEAR(last().length_mm, 50 * kPi, 1e-9);
+    move([&] {
+        return planner.SetNextArcTarget(1, center, Vector3d::UnitZ(), kPi / 2, end, rrs::JointPos());
+    });
+    EXPECT_LT((middle.translation() - (center + std::sqrt(5000) * Vector3d(1, 1, 0))).norm(), 1e-6);
+    EXPECT_NEAR(whole.way_mm, 50 * kPi, 1e-5);
 }
 
-TEST_F(CartesianTarget, arc_through_a_via_point_in_the_world) {
+TEST_P(CartesianTarget, arc_through_a_via_point_in_the_world) {
     planner.SelectMotionType(rrs::MotionType::circular);
     const Vector3d center = start.translation() - Vector3d(100, 0, 0);
     CartPos via = start, end = start;
     via.translation() = center + Vector3d(0, 0, 100);
     end.translation() = center - Vector3d(100, 0, 0);
-    ASSERT_EQ(to(via, rrs::TargetParam::via), Status::RRS_SUCCESS);
-    ASSERT_EQ(to(end), Status::RRS_SUCCESS);
-    EXPECT_LT((pose_at(0.5).translation() - via.translation()).norm(), 1e-6);
+    move([&] {
+        EXPECT_EQ(to(via, rrs::TargetParam::via), Status::RRS_SUCCESS);
+        return to(end);
+    });
+    EXPECT_LT((middle.translation() - via.translation()).norm(), 1e-6);
 }
 
-TEST_F(CartesianTarget, joint_motion_goes_to_the_pose) {
+TEST_P(CartesianTarget, joint_motion_goes_to_the_pose) {
     planner.SelectMotionType(rrs::MotionType::joint);
     const CartPos end = start * pose_from_rpy({.x_mm = 100, .roll_rad = 0.4, .pitch_rad = 0.3});
-    ASSERT_EQ(to(end), Status::RRS_SUCCESS);
-    EXPECT_TRUE(pose_at(1).isApprox(end, 1e-12));
-    EXPECT_NEAR(planner.position()[3], 0.4, 1e-9);
-    EXPECT_NEAR(planner.position()[4], 0.3, 1e-9);
+    move([&] { return to(end); });
+    EXPECT_TRUE(whole.pose.isApprox(end, 1e-12));
+    EXPECT_NEAR(whole.joints[3], 0.4, 1e-9);
+    EXPECT_NEAR(whole.joints[4], 0.3, 1e-9);
 }
 
-TEST_F(CartesianTarget, matrix_that_is_no_pose_is_refused) {
+TEST_P(CartesianTarget, matrix_that_is_no_pose_is_refused) {
     CartPos bad = start;
     bad.linear() *= 1.1;
     EXPECT_EQ(to(bad), Status::RRS_INVALID_PARAMETER);
-    EXPECT_THAT(planner.last_error().message, testing::HasSubstr("is not a rotation"));
+    EXPECT_THAT(message(planner), testing::HasSubstr("is not a rotation"));
 }
 
-TEST_F(CartesianTarget, unreachable_pose_is_refused) {
+TEST_P(CartesianTarget, unreachable_pose_is_refused) {
     std::mt19937 random(1);
-    DefaultPlanner forward_only(odd_setup(random));
-    forward_only.Initialize();
-    forward_only.SelectTargetType(rrs::TargetType::cartesian);
-    EXPECT_EQ(forward_only.SetInitialPosition(start, rrs::JointPos(), ""), Status::RRS_NO_SOLUTION);
-    EXPECT_THAT(forward_only.last_error().message, testing::HasSubstr("no inverse kinematics"));
+    const auto forward_only = make(odd_setup(random));
+    forward_only->Initialize();
+    forward_only->SelectTargetType(rrs::TargetType::cartesian);
+    EXPECT_EQ(forward_only->SetInitialPosition(start, rrs::JointPos(), ""), Status::RRS_NO_SOLUTION);
+    EXPECT_THAT(message(*forward_only), testing::HasSubstr("no inverse kinematics"));
 }
 
-TEST_F(CartesianTarget, kinematics_services_undo_each_other) {
+TEST_P(CartesianTarget, kinematics_services_undo_each_other) {
     const rrs::JointPos joints = joint_pos({100, 200, 300, 0.4, 0.5});
     CartPos pose;
     rrs::JointPos back;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/motion/machines.h"
+#include "tests/motion/planner_under_test.h"
 
 namespace gsim::motion {
 namespace {
@@ -32,7 +32,7 @@ constexpr std::array kOdd{0.0,
                           1e12,
                           6.283185307179586};
 
-class OddValues : public testing::Test {
+class OddValues : public AnyPlanner {
   protected:
     double odd() { return kOdd[random() % kOdd.size()]; }
     int small() { return static_cast<int>(random() % 9) - 2; }
@@ -48,7 +48,7 @@ class OddValues : public testing::Test {
         return pose;
     }
 
-    void call_something(DefaultPlanner& planner) {
+    void call_something(rrs::Shell& planner) {
         const std::vector<int> joints{small()};
         const std::vector<double> values{odd()};
         const auto param = static_cast<rrs::TargetParam>(random() % 2);
@@ -86,6 +86,18 @@ class OddValues : public testing::Test {
     std::mt19937 random{41};
 };
 
+INSTANTIATE_TEST_SUITE_P(Ways, OddValues, both_ways(), way_name);
+
+// No limits at all in every other session.
+PlannerSetup setup_of(int session) {
+    PlannerSetup setup = gantry_setup();
+    if (session % 2 == 0) {
+        for (JointSetup& joint : setup.joints) joint = {.kind = joint.kind};
+    }
+    setup.queue_capacity = 3;
+    return setup;
+}
+
 class FiniteSink : public SegmentSink {
   public:
     void take(const Segment& segment) override {
@@ -102,17 +114,42 @@ class FiniteSink : public SegmentSink {
     int taken = 0;
 };
 
-TEST_F(OddValues, planner_survives_anything) {
+// Without a sink the queue is soon full; a step of a century makes room.
+TEST_P(OddValues, steps_of_a_planner_stay_numbers) {
+    int reached = 0;
+    for (int session = 0; session < 1500; ++session) {
+        SCOPED_TRACE(testing::Message() << "session " << session);
+        const auto planner = make(setup_of(session));
+        planner->Initialize();
+        planner->SetInitialPosition(rrs::CartPos::Identity(), joint_pos({100, 100, 100, 0, 0}), "");
+        for (int i = 0; i < 60; ++i) {
+            call_something(*planner);
+            if (i % 4 != 3) continue;
+            rrs::JointPos joints;
+            rrs::CartPos pose;
+            double elapsed_s = 0;
+            planner->SetInterpolationTime(i % 8 == 3 ? 3e9 : 0.1);
+            const rrs::Status status = planner->GetNextStep(joints, pose, elapsed_s);
+            ASSERT_GE(static_cast<int>(status), 0) << message(*planner);
+            ASSERT_TRUE(joints.allFinite() && pose.matrix().allFinite());
+            ASSERT_TRUE(elapsed_s >= 0 && elapsed_s <= 3e9 * (1 + 1e-12));
+            reached += status == rrs::Status::RRS_TARGET_REACHED ? 1 : 0;
+        }
+    }
+    EXPECT_GT(reached, 2'000);
+}
+
+// In process alone: segments go to a sink.
+class OddSegments : public OddValues {};
+INSTANTIATE_TEST_SUITE_P(Ways, OddSegments, testing::Values(PlannerMaker{"in_process", make_in_process}),
+                         way_name);
+
+TEST_P(OddSegments, planner_survives_anything) {
     int taken = 0;
     for (int session = 0; session < 6000; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);
-        PlannerSetup setup = gantry_setup();
-        if (session % 2 == 0) {
-            for (JointSetup& joint : setup.joints) joint = {.kind = joint.kind};  // no limits at all
-        }
-        setup.queue_capacity = 3;
         FiniteSink sink;
-        DefaultPlanner planner(setup, &sink);
+        DefaultPlanner planner(setup_of(session), &sink);
         planner.Initialize();
         planner.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({100, 100, 100, 0, 0}), "");
         for (int i = 0; i < 60; ++i) call_something(planner);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/motion/machines.h"
+#include "tests/motion/planner_under_test.h"
 
 namespace gsim::motion {
 namespace {
@@ -20,24 +20,38 @@ std::vector<rrs::TargetId> ids(const std::vector<Segment>& segments) {
 }
 
 // Lines, an arc, a joint move, moves to nowhere and rests.
-void put_program(ReadyPlanner& at) {
-    DefaultPlanner& planner = at.planner;
+void put_program(rrs::Shell& planner) {
     planner.SelectMotionType(rrs::MotionType::linear);
     planner.SetCartesianPositionSpeed(80);
-    at.to(joint_pos({600, 500, 300, 0.4, 0}));
-    at.to(joint_pos({600, 500, 300, 0.4, 0}));
-    at.arc_to(joint_pos({600, 600, 300, 0.4, 0.2}), {600, 550, 0}, Eigen::Vector3d::UnitZ(), 3 * kPi);
-    planner.SetNextRest(++at.id, 0.1234);
+    put(planner, joint_pos({600, 500, 300, 0.4, 0}), 1);
+    put(planner, joint_pos({600, 500, 300, 0.4, 0}), 2);
+    planner.SetNextArcTarget(3, {600, 550, 0}, Eigen::Vector3d::UnitZ(), 3 * kPi, CartPos::Identity(),
+                             joint_pos({600, 600, 300, 0.4, 0.2}));
+    planner.SetNextRest(4, 0.1234);
     planner.SelectMotionType(rrs::MotionType::joint);
-    at.to(joint_pos({500, 400, 100, 0, 0}));
+    put(planner, joint_pos({500, 400, 100, 0, 0}), 5);
     planner.SetRestParameter(0.05);
-    at.to(joint_pos({500, 400, 200, 0, 0}));
-    planner.SetNextRest(++at.id, 0);
+    put(planner, joint_pos({500, 400, 200, 0, 0}), 6);
+    planner.SetNextRest(7, 0);
 }
+
+// What services alone tell of the queue. Where segments leave it for a sink, which is no service, the tests
+// are of the planner in process (PlannerQueue).
+class QueueServices : public AnyPlanner {
+  protected:
+    static std::unique_ptr<rrs::Shell> ready(const PlannerSetup& setup) {
+        auto planner = make(setup);
+        planner->Initialize();
+        planner->SetInitialPosition(CartPos::Identity(), kStart, "");
+        return planner;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Ways, QueueServices, both_ways(), way_name);
 
 TEST(PlannerQueue, segments_leave_in_order_each_once_and_join_without_gaps) {
     ReadyPlanner at(gantry_setup(), kStart);
-    put_program(at);
+    put_program(at.planner);
     EXPECT_TRUE(at.collector.segments.empty());
     at.planner.flush();
     at.planner.flush();
@@ -61,51 +75,76 @@ TEST(PlannerQueue, segments_leave_in_order_each_once_and_join_without_gaps) {
     EXPECT_EQ(at.planner.step_time_s(), clock);
 }
 
-TEST(PlannerQueue, steps_are_samples_of_the_segments) {
-    ReadyPlanner flushed(gantry_setup(), kStart), stepped(gantry_setup(), kStart);
-    put_program(flushed);
+TEST_P(QueueServices, steps_are_samples_of_the_segments) {
+    ReadyPlanner flushed(gantry_setup(), kStart);
+    put_program(flushed.planner);
     flushed.planner.flush();
     const auto& segments = flushed.collector.segments;
-    put_program(stepped);
-    stepped.planner.SetInterpolationTime(0.0137);
+    const auto stepped = ready(gantry_setup());
+    put_program(*stepped);
+    stepped->SetInterpolationTime(0.0137);
     rrs::JointPos joints;
     CartPos pose;
     double elapsed = 0, clock = 0;
     std::size_t left = 0;
     for (;;) {
-        const Status status = stepped.planner.GetNextStep(joints, pose, elapsed);
+        const Status status = stepped->GetNextStep(joints, pose, elapsed);
         if (status == Status::RRS_NEED_MORE_DATA) break;
         clock += elapsed;
         ASSERT_LE(elapsed, 0.0137 + 1e-12);
-        ASSERT_NEAR(clock, stepped.planner.step_time_s(), 1e-9);
-        const std::size_t passed = stepped.collector.segments.size();
-        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > left);
+        std::size_t passed = left;
+        while (passed < segments.size() && segments[passed].end_s() <= clock + 1e-9) ++passed;
+        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > left) << "at " << clock;
         left = passed;
+        const bool at_end = left == segments.size();
         const rrs::JointPos expected =
-            left < segments.size()
-                ? segments[left].position_at(stepped.planner.step_time_s() - segments[left].start_s)
-                : segments.back().end;
-        ASSERT_EQ(joints, expected) << "at " << clock;
+            at_end ? segments.back().end : segments[left].position_at(clock - segments[left].start_s);
+        ASSERT_LT((joints - expected).norm(), 1e-9) << "at " << clock;
         ASSERT_LT((pose.translation() - joints.head<3>()).norm(), 1e-9);
+        rrs::TargetId id = 0;
+        ASSERT_EQ(stepped->GetTargetOfLastStep(id), Status::RRS_SUCCESS);
+        const bool in_next = !at_end && clock > segments[left].start_s + 1e-9;
+        ASSERT_EQ(id, segments[in_next ? left : left - 1].target_id) << "at " << clock;
     }
     EXPECT_EQ(elapsed, 0);
     EXPECT_EQ(joints, segments.back().end);
-    EXPECT_EQ(stepped.planner.step_time_s(), flushed.planner.time_s());
-    EXPECT_EQ(ids(stepped.collector.segments), ids(segments));
+    EXPECT_NEAR(clock, flushed.planner.time_s(), 1e-9);
+    EXPECT_EQ(left, segments.size());
 }
 
-TEST(PlannerQueue, last_step_is_as_long_as_what_remains) {
+TEST(PlannerQueue, segments_leave_as_steps_pass_them) {
     ReadyPlanner at(gantry_setup(), kStart);
-    at.planner.SetNextRest(1, 0.025);
+    put_program(at.planner);
+    at.planner.SetInterpolationTime(0.0137);
+    rrs::JointPos joints;
+    CartPos pose;
+    double elapsed = 0, clock = 0;
+    std::size_t left = 0;
+    for (;;) {
+        const Status status = at.planner.GetNextStep(joints, pose, elapsed);
+        if (status == Status::RRS_NEED_MORE_DATA) break;
+        clock += elapsed;
+        ASSERT_NEAR(clock, at.planner.step_time_s(), 1e-9);
+        const std::size_t passed = at.collector.segments.size();
+        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > left);
+        left = passed;
+    }
+    EXPECT_EQ(at.planner.step_time_s(), at.planner.time_s());
+    EXPECT_EQ(ids(at.collector.segments), (std::vector<rrs::TargetId>{1, 2, 3, 4, 5, 6, 6, 7}));
+}
+
+TEST_P(QueueServices, last_step_is_as_long_as_what_remains) {
+    const auto planner = ready(gantry_setup());
+    planner->SetNextRest(1, 0.025);
     rrs::JointPos joints;
     CartPos pose;
     double elapsed = 0;
-    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_SUCCESS);
-    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_SUCCESS);
+    EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_SUCCESS);
+    EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_SUCCESS);
     EXPECT_DOUBLE_EQ(elapsed, 0.01);
-    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_TARGET_REACHED);
+    EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_TARGET_REACHED);
     EXPECT_DOUBLE_EQ(elapsed, 0.005);
-    EXPECT_EQ(at.planner.GetNextStep(joints, pose, elapsed), Status::RRS_NEED_MORE_DATA);
+    EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_NEED_MORE_DATA);
 }
 
 TEST(PlannerQueue, oldest_segments_leave_by_themselves_when_the_queue_is_full) {
@@ -122,27 +161,34 @@ TEST(PlannerQueue, oldest_segments_leave_by_themselves_when_the_queue_is_full) {
         ASSERT_EQ(at.collector.segments[static_cast<std::size_t>(i)].target_id, i + 1);
 }
 
-TEST(PlannerQueue, without_a_sink_a_full_queue_asks_for_steps) {
+TEST_P(QueueServices, without_a_sink_a_full_queue_asks_for_steps) {
     PlannerSetup setup = gantry_setup();
     setup.queue_capacity = 2;
-    DefaultPlanner planner(setup);
-    planner.Initialize();
-    planner.SetInitialPosition(CartPos::Identity(), kStart, "");
-    EXPECT_EQ(planner.SetNextRest(1, 1), Status::RRS_SUCCESS);
-    planner.SetRestParameter(1);
-    EXPECT_EQ(planner.SetNextTarget(2, rrs::TargetParam::end, CartPos::Identity(), kStart, "", 0),
-              Status::RRS_QUEUE_FULL);
-    planner.SetRestParameter(0);
-    EXPECT_EQ(planner.SetNextRest(2, 1), Status::RRS_SUCCESS);
-    EXPECT_EQ(planner.SetNextRest(3, 1), Status::RRS_QUEUE_FULL);
-    EXPECT_EQ(planner.last_error().message, "2 targets are waiting; call GetNextStep before more are put.");
-    planner.SetInterpolationTime(1);
+    const auto planner = ready(setup);
+    EXPECT_EQ(planner->SetNextRest(1, 1), Status::RRS_SUCCESS);
+    planner->SetRestParameter(1);
+    EXPECT_EQ(put(*planner, kStart, 2), Status::RRS_QUEUE_FULL);
+    planner->SetRestParameter(0);
+    EXPECT_EQ(planner->SetNextRest(2, 1), Status::RRS_SUCCESS);
+    EXPECT_EQ(planner->SetNextRest(3, 1), Status::RRS_QUEUE_FULL);
+    EXPECT_EQ(message(*planner), "2 targets are waiting; call GetNextStep before more are put.");
+    planner->SetInterpolationTime(1);
     rrs::JointPos joints;
     CartPos pose;
     double elapsed = 0;
-    EXPECT_EQ(planner.GetNextStep(joints, pose, elapsed), Status::RRS_TARGET_REACHED);
-    EXPECT_EQ(planner.SetNextRest(3, 1), Status::RRS_SUCCESS);
-    EXPECT_EQ(planner.time_s(), 3);
+    EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_TARGET_REACHED);
+    EXPECT_EQ(planner->SetNextRest(3, 1), Status::RRS_SUCCESS);
+    EXPECT_DOUBLE_EQ(step_to_end(*planner, 1).time_s, 2);
+}
+
+TEST_P(QueueServices, new_initial_position_leaves_nothing_queued) {
+    const auto planner = ready(gantry_setup());
+    put(*planner, joint_pos({600, 500, 300, 0, 0}));
+    const rrs::JointPos corner = joint_pos({0, 0, 0, 0, 0});
+    EXPECT_EQ(planner->SetInitialPosition(CartPos::Identity(), corner, ""), Status::RRS_SUCCESS);
+    const Stepped stepped = step_to_end(*planner, 0.01);
+    EXPECT_EQ(stepped.time_s, 0);
+    EXPECT_EQ(stepped.joints, corner);
 }
 
 TEST(PlannerQueue, new_initial_position_finishes_what_is_queued) {

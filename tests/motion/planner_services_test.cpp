@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/motion/machines.h"
+#include "tests/motion/planner_under_test.h"
 
 namespace gsim::motion {
 namespace {
@@ -15,14 +15,21 @@ using testing::HasSubstr;
 
 const rrs::JointPos kStart = joint_pos({500, 500, 300, 0, 0});
 
-class PlannerServices : public testing::Test {
+class PlannerServices : public AnyPlanner {
   protected:
-    PlannerServices() : at(gantry_setup(), kStart), planner(at.planner) {}
-    ReadyPlanner at;
-    DefaultPlanner& planner;
+    PlannerServices() : owner(make(gantry_setup())), planner(*owner) {
+        planner.Initialize();
+        planner.SetInitialPosition(CartPos::Identity(), kStart, "");
+    }
+    Status to(const rrs::JointPos& joints) { return put(planner, joints); }
+
+    std::unique_ptr<rrs::Shell> owner;
+    rrs::Shell& planner;
 };
 
-TEST_F(PlannerServices, what_is_not_offered_says_so_by_name) {
+INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, both_ways(), way_name);
+
+TEST_P(PlannerServices, what_is_not_offered_says_so_by_name) {
     CartPos pose = CartPos::Identity();
     double seconds = 0;
     int event = 0;
@@ -51,70 +58,84 @@ TEST_F(PlannerServices, what_is_not_offered_says_so_by_name) {
         {"GetNextObjectStep", planner.GetNextObjectStep(pose, seconds)},
     };
     for (const auto& [name, status] : answers) EXPECT_EQ(status, Status::RRS_SERVICE_NOT_SUPPORTED) << name;
-    EXPECT_EQ(at.message(), "The default planner does not offer the service GetNextObjectStep.");
+    EXPECT_THAT(message(planner), HasSubstr("does not offer the service GetNextObjectStep."));
 }
 
-TEST(PlannerSession, nothing_works_before_initialize_and_after_terminate) {
-    DefaultPlanner planner(gantry_setup());
+TEST_P(PlannerServices, nothing_works_before_initialize_and_after_terminate) {
+    const auto fresh = make(gantry_setup());
     const auto status = [&] {
-        return planner.SetNextTarget(1, rrs::TargetParam::end, CartPos::Identity(), kStart, "", 0);
+        return fresh->SetNextTarget(1, rrs::TargetParam::end, CartPos::Identity(), kStart, "", 0);
     };
     EXPECT_EQ(status(), Status::RRS_NOT_INITIALIZED);
-    EXPECT_EQ(planner.SetCartesianPositionSpeed(1), Status::RRS_NOT_INITIALIZED);
-    EXPECT_EQ(planner.SetInitialPosition(CartPos::Identity(), kStart, ""), Status::RRS_NOT_INITIALIZED);
-    EXPECT_EQ(planner.Reset(), Status::RRS_NOT_INITIALIZED);
+    EXPECT_EQ(fresh->SetCartesianPositionSpeed(1), Status::RRS_NOT_INITIALIZED);
+    EXPECT_EQ(fresh->SetInitialPosition(CartPos::Identity(), kStart, ""), Status::RRS_NOT_INITIALIZED);
+    EXPECT_EQ(fresh->Reset(), Status::RRS_NOT_INITIALIZED);
     std::string text;
-    EXPECT_EQ(planner.GetMessage(text), Status::RRS_SUCCESS);
+    EXPECT_EQ(fresh->GetMessage(text), Status::RRS_SUCCESS);
     EXPECT_EQ(text, "The planner is not initialized; call Initialize first.");
-    EXPECT_EQ(planner.Initialize(), Status::RRS_SUCCESS);
+    EXPECT_EQ(fresh->Initialize(), Status::RRS_SUCCESS);
     EXPECT_EQ(status(), Status::RRS_NO_INITIAL_POSITION);
-    EXPECT_EQ(planner.SetNextRest(1, 1), Status::RRS_NO_INITIAL_POSITION);
-    EXPECT_EQ(planner.Terminate(), Status::RRS_SUCCESS);
+    EXPECT_EQ(fresh->SetNextRest(1, 1), Status::RRS_NO_INITIAL_POSITION);
+    EXPECT_EQ(fresh->Terminate(), Status::RRS_SUCCESS);
     EXPECT_EQ(status(), Status::RRS_NOT_INITIALIZED);
 }
 
-TEST_F(PlannerServices, reset_goes_back_to_the_start) {
-    at.to(joint_pos({600, 500, 300, 0, 0}));
+TEST_P(PlannerServices, reset_goes_back_to_the_start) {
+    const rrs::JointPos target = joint_pos({600, 500, 300, 0, 0});
+    to(target);
+    const double time_s = step_to_end(planner, 0.01).time_s;
     planner.SetOverrideSpeed(10);
+    to(kStart);
     EXPECT_EQ(planner.Reset(), Status::RRS_SUCCESS);
-    EXPECT_EQ(planner.time_s(), 0);
-    planner.flush();
-    EXPECT_TRUE(at.collector.segments.empty());
-    EXPECT_EQ(at.to(kStart), Status::RRS_NO_INITIAL_POSITION);
+    EXPECT_EQ(to(kStart), Status::RRS_NO_INITIAL_POSITION);
+    planner.SetInitialPosition(CartPos::Identity(), kStart, "");
+    EXPECT_EQ(step_to_end(planner, 0.01).time_s, 0);
+    to(target);
+    EXPECT_NEAR(step_to_end(planner, 0.01).time_s, time_s, 1e-12);
 }
 
-TEST_F(PlannerServices, target_out_of_range_names_joint_value_and_limit_and_changes_nothing) {
-    EXPECT_EQ(at.to(joint_pos({500, 500, 650, 0, 0})), Status::RRS_JOINT_LIMIT);
-    EXPECT_EQ(at.message(),
+TEST_P(PlannerServices, target_out_of_range_names_joint_value_and_limit_and_changes_nothing) {
+    EXPECT_EQ(to(joint_pos({500, 500, 650, 0, 0})), Status::RRS_JOINT_LIMIT);
+    EXPECT_EQ(message(planner),
               "Joint 2 (counted from 0) would be at 650 mm at the target; its range ends at 609.6 mm.");
-    EXPECT_EQ(planner.last_error().joint, 2);
-    EXPECT_EQ(planner.last_error().value, 650);
-    EXPECT_EQ(planner.last_error().limit, 609.6);
-    EXPECT_EQ(planner.position(), kStart);
-    EXPECT_EQ(planner.time_s(), 0);
-    EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, -2})), Status::RRS_JOINT_LIMIT);
-    EXPECT_THAT(at.message(), HasSubstr("would be at -2 rad at the target; its range ends at -1.57"));
+    EXPECT_EQ(to(joint_pos({500, 500, 300, 0, -2})), Status::RRS_JOINT_LIMIT);
+    EXPECT_THAT(message(planner), HasSubstr("would be at -2 rad at the target; its range ends at -1.57"));
     EXPECT_EQ(planner.SetInitialPosition(CartPos::Identity(), joint_pos({-1, 0, 0, 0, 0}), ""),
               Status::RRS_JOINT_LIMIT);
-    EXPECT_EQ(planner.position(), kStart);
+    EXPECT_EQ(step_to_end(planner, 0.01).time_s, 0);
+    EXPECT_EQ(position(planner), kStart);
 }
 
-TEST_F(PlannerServices, end_of_the_range_may_be_reached_within_rounding) {
-    EXPECT_EQ(at.to(joint_pos({0, 500, 609.6 + 1e-12, 0, kPi / 2})), Status::RRS_SUCCESS);
-    EXPECT_EQ(at.to(joint_pos({-1e-8, 500, 0, 0, 0})), Status::RRS_JOINT_LIMIT);
+// In process alone: the services tell the sentence, not its numbers.
+TEST(PlannerErrors, numbers_of_a_refusal_stand_beside_its_sentence) {
+    ReadyPlanner at(gantry_setup(), kStart);
+    at.to(joint_pos({500, 500, 650, 0, 0}));
+    EXPECT_EQ(at.planner.last_error().joint, 2);
+    EXPECT_EQ(at.planner.last_error().value, 650);
+    EXPECT_EQ(at.planner.last_error().limit, 609.6);
+    EXPECT_EQ(at.planner.position(), kStart);
+    EXPECT_EQ(at.planner.time_s(), 0);
 }
 
-TEST_F(PlannerServices, named_target_puts_its_name_before_the_message) {
+TEST_P(PlannerServices, end_of_the_range_may_be_reached_within_rounding) {
+    EXPECT_EQ(to(joint_pos({0, 500, 609.6 + 1e-12, 0, kPi / 2})), Status::RRS_SUCCESS);
+    EXPECT_EQ(to(joint_pos({-1e-8, 500, 0, 0, 0})), Status::RRS_JOINT_LIMIT);
+}
+
+TEST_P(PlannerServices, named_target_puts_its_name_before_the_message) {
     const auto status = planner.SetNextNamedTarget(7, rrs::TargetParam::end, CartPos::Identity(),
                                                    joint_pos({500, 500, 650, 0, 0}), "", 0, "CORNER");
     EXPECT_EQ(status, Status::RRS_JOINT_LIMIT);
-    EXPECT_THAT(at.message(), HasSubstr("Target CORNER: Joint 2"));
+    EXPECT_THAT(message(planner), HasSubstr("Target CORNER: Joint 2"));
     planner.SetNextNamedTarget(8, rrs::TargetParam::end, CartPos::Identity(),
                                joint_pos({500, 500, 400, 0, 0}), "", 0, "P");
-    EXPECT_EQ(at.last().target_id, 8);
+    step_to_end(planner, 0.01);
+    rrs::TargetId reached = 0;
+    EXPECT_EQ(planner.GetTargetOfLastStep(reached), Status::RRS_SUCCESS);
+    EXPECT_EQ(reached, 8);
 }
 
-TEST_F(PlannerServices, values_out_of_range_are_refused) {
+TEST_P(PlannerServices, values_out_of_range_are_refused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double bad : {0.0, -1.0, nan, -infinity}) {
@@ -139,20 +160,20 @@ TEST_F(PlannerServices, values_out_of_range_are_refused) {
     EXPECT_EQ(planner.SetCartesianPositionSpeed(infinity), Status::RRS_SUCCESS);
 }
 
-TEST_F(PlannerServices, joint_values_are_checked_as_a_whole) {
+TEST_P(PlannerServices, joint_values_are_checked_as_a_whole) {
     EXPECT_EQ(planner.SetJointSpeeds(std::vector{5}, std::vector{1.0}), Status::RRS_INVALID_PARAMETER);
-    EXPECT_EQ(at.message(), "There is no joint 5; joints are 0 to 4.");
+    EXPECT_EQ(message(planner), "There is no joint 5; joints are 0 to 4.");
     EXPECT_EQ(planner.SetJointSpeeds(std::vector{-1}, std::vector{1.0}), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SetJointSpeeds({}, std::vector{1.0}), Status::RRS_INVALID_PARAMETER);
-    EXPECT_EQ(at.message(), "1 values were given for the speed of 5 joints.");
+    EXPECT_EQ(message(planner), "1 values were given for the speed of 5 joints.");
     // A bad value at the end leaves the good ones before it out, too.
     EXPECT_EQ(planner.SetJointSpeeds(std::vector{0, 1}, std::vector{1.0, -1.0}),
               Status::RRS_INVALID_PARAMETER);
-    at.to(joint_pos({1500, 500, 300, 0, 0}));
-    EXPECT_LT(at.last().duration_s, 10);
+    to(joint_pos({1500, 500, 300, 0, 0}));
+    EXPECT_LT(step_to_end(planner, 0.01).time_s, 10);
 }
 
-TEST_F(PlannerServices, selections_out_of_their_lists_are_refused) {
+TEST_P(PlannerServices, selections_out_of_their_lists_are_refused) {
     EXPECT_EQ(planner.SelectMotionType(static_cast<rrs::MotionType>(3)), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SelectTargetType(static_cast<rrs::TargetType>(9)), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SelectDominantInterpolation(static_cast<rrs::Dominance>(-1)),
@@ -163,16 +184,27 @@ TEST_F(PlannerServices, selections_out_of_their_lists_are_refused) {
     EXPECT_EQ(planner.SelectFlybyMode(true), Status::RRS_MODE_NOT_SUPPORTED);
 }
 
-TEST(PlannerMotionTypes, machine_without_position_joints_has_joint_motion_alone) {
+TEST_P(PlannerServices, machine_without_position_joints_has_joint_motion_alone) {
+    PlannerSetup setup = gantry_setup();
+    setup.position_joints = {-1, -1, -1};
+    const auto robot = make(setup);
+    robot->Initialize();
+    robot->SetInitialPosition(CartPos::Identity(), kStart, "");
+    EXPECT_EQ(robot->SelectMotionType(rrs::MotionType::linear), Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
+    EXPECT_EQ(robot->SelectMotionType(rrs::MotionType::circular), Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
+    EXPECT_EQ(robot->SetNextArcTarget(1, {1, 1, 1}, Eigen::Vector3d::UnitZ(), 1, CartPos::Identity(), kStart),
+              Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
+    const rrs::JointPos target = joint_pos({600, 500, 300, 0.1, 0});
+    EXPECT_EQ(put(*robot, target), Status::RRS_SUCCESS);
+    EXPECT_EQ(step_to_end(*robot, 0.01).joints, target);
+}
+
+// In process alone: steps have no length.
+TEST(PlannerMotionTypes, joint_motion_without_position_joints_has_no_length) {
     PlannerSetup setup = gantry_setup();
     setup.position_joints = {-1, -1, -1};
     ReadyPlanner robot(setup, kStart);
-    EXPECT_EQ(robot.planner.SelectMotionType(rrs::MotionType::linear), Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
-    EXPECT_EQ(robot.planner.SelectMotionType(rrs::MotionType::circular),
-              Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
-    EXPECT_EQ(robot.arc_to(kStart, {1, 1, 1}, Eigen::Vector3d::UnitZ(), 1),
-              Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
-    EXPECT_EQ(robot.to(joint_pos({600, 500, 300, 0.1, 0})), Status::RRS_SUCCESS);
+    robot.to(joint_pos({600, 500, 300, 0.1, 0}));
     EXPECT_EQ(robot.last().length_mm, 0);
 }
 

@@ -32,6 +32,7 @@ std::vector<Service> all_services() {
     static std::string text;
     static double seconds;
     static int event;
+    static TargetId target;
     return {
         {"Initialize", [](Shell& s) { return s.Initialize(); }},
         {"Reset", [](Shell& s) { return s.Reset(); }},
@@ -90,6 +91,9 @@ std::vector<Service> all_services() {
              return s.SetNextArcTarget(1, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 1, pose, joints);
          }},
         {"SetNextRest", [](Shell& s) { return s.SetNextRest(1, 0); }},
+        {"SetPathMode", [](Shell& s) { return s.SetPathMode(PathMode::exact_path, 0, 0); }},
+        {"GetTargetOfLastStep", [](Shell& s) { return s.GetTargetOfLastStep(target); }},
+        {"ComeToRest", [](Shell& s) { return s.ComeToRest(RestReason::query); }},
     };
 }
 

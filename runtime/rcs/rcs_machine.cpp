@@ -1,0 +1,133 @@
+#include "runtime/rcs/rcs_machine.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "runtime/kinematics/dh_chain.h"
+#include "runtime/kinematics/gantry.h"
+#include "runtime/machine/controller_file.h"
+#include "runtime/machine/controller_keys.h"
+#include "runtime/machine/toml_text.h"
+#include "runtime/rrs/rcs_values.h"
+
+namespace gsim::rcs {
+
+namespace {
+
+using Kinematics = std::shared_ptr<const kinematics::Kinematics>;
+
+gsim_rcs_joint to_rcs(const motion::JointSetup& joint, const kinematics::DhLink& link) {
+    gsim_rcs_joint result{};
+    result.kind = joint.kind == rrs::JointKind::revolute ? GSIM_RCS_REVOLUTE : GSIM_RCS_PRISMATIC;
+    result.min = joint.min;
+    result.max = joint.max;
+    result.max_speed = joint.max_speed;
+    result.max_acceleration = joint.max_acceleration;
+    result.max_jerk = joint.max_jerk;
+    result.max_speed_step = joint.max_speed_step;
+    result.step = joint.step;
+    result.dh_theta_rad = link.theta_rad;
+    result.dh_d_mm = link.d_mm;
+    result.dh_a_mm = link.a_mm;
+    result.dh_alpha_rad = link.alpha_rad;
+    return result;
+}
+
+rrs::JointKind kind(const gsim_rcs_joint& joint) {
+    return joint.kind == GSIM_RCS_REVOLUTE ? rrs::JointKind::revolute : rrs::JointKind::prismatic;
+}
+
+tl::expected<Kinematics, std::string> read_kinematics(const gsim_rcs_machine& machine) {
+    std::vector<kinematics::DhLink> links;
+    for (int i = 0; i < machine.joint_count; ++i) {
+        const gsim_rcs_joint& joint = machine.joints[i];
+        links.push_back({.kind = kind(joint),
+                         .theta_rad = joint.dh_theta_rad,
+                         .d_mm = joint.dh_d_mm,
+                         .a_mm = joint.dh_a_mm,
+                         .alpha_rad = joint.dh_alpha_rad});
+    }
+    kinematics::DhChain chain(rrs::from_rcs(machine.base), links, rrs::from_rcs(machine.tool));
+    if (machine.has_inverse == 0) return std::make_shared<kinematics::ChainKinematics>(std::move(chain));
+    auto gantry = kinematics::GantryKinematics::make(std::move(chain));
+    if (!gantry) return tl::unexpected(std::move(gantry.error()));
+    return Kinematics(*std::move(gantry));
+}
+
+tl::expected<rrs::ControllerRules, std::string> read_rules(const gsim_rcs_machine& machine) {
+    std::string toml = "[controller]\n";
+    for (std::size_t i = 0; i < machine.parameter_count; ++i)
+        toml += fmt::format("{} = {}\n", machine.parameters[i].key, machine.parameters[i].value);
+    return machine::read_controller(toml, "controller parameters", rrs::ControllerRules{}.model);
+}
+
+}  // namespace
+
+RcsMachine::RcsMachine(const motion::PlannerSetup& setup) {
+    const kinematics::DhChain& chain = setup.kinematics->chain();
+    machine_.joint_count = setup.joint_count();
+    machine_.has_inverse = setup.kinematics->has_inverse() ? 1 : 0;
+    for (std::size_t i = 0; i < setup.joints.size(); ++i)
+        machine_.joints[i] = to_rcs(setup.joints[i], chain.links()[i]);
+    std::copy(setup.position_joints.begin(), setup.position_joints.end(), machine_.position_joints);
+    machine_.queue_capacity = static_cast<std::int32_t>(setup.queue_capacity);
+    machine_.base = rrs::to_rcs(chain.base());
+    machine_.tool = rrs::to_rcs(chain.tool());
+    machine_.max_feed_mm_s = setup.path.max_feed_mm_s;
+    machine_.max_rapid_mm_s = setup.path.max_rapid_mm_s;
+    machine_.max_acceleration_mm_s2 = setup.path.max_acceleration_mm_s2;
+    machine_.arc_tolerance_mm = setup.arc_tolerance_mm;
+    add_parameters(setup.controller);
+}
+
+void RcsMachine::add_parameters(const rrs::ControllerRules& rules) {
+    constexpr std::string_view kBetween = " = ";
+    machine::TomlText toml;
+    machine::print_controller_keys(toml, rules, rrs::ControllerRules{});
+    std::istringstream lines(toml.take());
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t split = line.find(kBetween);
+        if (split == std::string::npos) continue;
+        texts_.push_back({line.substr(0, split), line.substr(split + kBetween.size())});
+    }
+    for (const Text& text : texts_) parameters_.push_back({text.key.c_str(), text.value.c_str()});
+    machine_.parameters = parameters_.data();
+    machine_.parameter_count = parameters_.size();
+}
+
+tl::expected<motion::PlannerSetup, std::string> planner_setup(const gsim_rcs_machine& machine) {
+    if (machine.joint_count < 1 || machine.joint_count > rrs::kMaxJoints)
+        return tl::unexpected(fmt::format("There are {} joints; a planner takes 1 to {}.",
+                                          machine.joint_count, rrs::kMaxJoints));
+    motion::PlannerSetup setup;
+    for (int i = 0; i < machine.joint_count; ++i) {
+        const gsim_rcs_joint& joint = machine.joints[i];
+        setup.joints.push_back({.kind = kind(joint),
+                                .min = joint.min,
+                                .max = joint.max,
+                                .max_speed = joint.max_speed,
+                                .max_acceleration = joint.max_acceleration,
+                                .max_jerk = joint.max_jerk,
+                                .max_speed_step = joint.max_speed_step,
+                                .step = joint.step});
+    }
+    std::copy_n(machine.position_joints, 3, setup.position_joints.begin());
+    setup.path = {.max_feed_mm_s = machine.max_feed_mm_s,
+                  .max_rapid_mm_s = machine.max_rapid_mm_s,
+                  .max_acceleration_mm_s2 = machine.max_acceleration_mm_s2};
+    setup.arc_tolerance_mm = machine.arc_tolerance_mm;
+    setup.queue_capacity = static_cast<std::size_t>(std::max(0, machine.queue_capacity));
+    auto rules = read_rules(machine);
+    if (!rules) return tl::unexpected(std::move(rules.error()));
+    setup.controller = *std::move(rules);
+    auto kinematics = read_kinematics(machine);
+    if (!kinematics) return tl::unexpected(std::move(kinematics.error()));
+    setup.kinematics = *std::move(kinematics);
+    if (auto trouble = setup.validate()) return tl::unexpected(*std::move(trouble));
+    return setup;
+}
+
+}  // namespace gsim::rcs

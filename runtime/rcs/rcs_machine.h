@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/motion/planner_setup.h"
+#include "runtime/rrs/rcs_module.h"
+
+namespace gsim::rcs {
+
+/// What a controller module is told of a machine.
+class RcsMachine {
+  public:
+    /// `setup` must be valid.
+    explicit RcsMachine(const motion::PlannerSetup& setup);
+    RcsMachine(const RcsMachine&) = delete;
+    RcsMachine& operator=(const RcsMachine&) = delete;
+
+    /// Holds as long as this object.
+    const gsim_rcs_machine& get() const { return machine_; }
+
+  private:
+    struct Text {
+        std::string key;
+        std::string value;
+    };
+    void add_parameters(const rrs::ControllerRules& rules);
+
+    std::vector<Text> texts_;
+    std::vector<gsim_rcs_parameter> parameters_;
+    gsim_rcs_machine machine_{};
+};
+
+/// The way back, for modules with our own planner. The error is a sentence.
+tl::expected<motion::PlannerSetup, std::string> planner_setup(const gsim_rcs_machine& machine);
+
+}  // namespace gsim::rcs

@@ -1,0 +1,109 @@
+#include "runtime/rrs/rcs_host.h"
+
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "runtime/rrs/rcs_trial.h"
+
+namespace gsim::rrs {
+
+namespace {
+
+constexpr int kTrial_ms = 10'000;
+
+template <typename Function>
+bool find(void* handle, const char* symbol, Function& function) {
+    function = reinterpret_cast<Function>(::dlsym(handle, symbol));
+    return function != nullptr;
+}
+
+std::string load_error() {
+    const char* const error = ::dlerror();
+    return error != nullptr ? error : "no reason is given";
+}
+
+}  // namespace
+
+std::string rcs_text(const char* text, std::size_t size) {
+    return {text, ::strnlen(text, size)};
+}
+
+RcsLibrary::~RcsLibrary() {
+    if (handle_ != nullptr) ::dlclose(handle_);
+}
+
+tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::open(const std::string& path) {
+    const std::shared_ptr<RcsLibrary> library(new RcsLibrary);
+    library->name_ = std::filesystem::path(path).filename().string();
+    const std::string& name = library->name_;
+    // An absolute path: the loader looks for a bare name in the system's folders.
+    library->handle_ = ::dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library->handle_ == nullptr)
+        return tl::unexpected(fmt::format("cannot load the controller module {}: {}", name, load_error()));
+    decltype(&gsim_rcs_version) version = nullptr;
+    const std::pair<const char*, bool> symbols[] = {
+        {"gsim_rcs_version", find(library->handle_, "gsim_rcs_version", version)},
+        {"gsim_rcs_create", find(library->handle_, "gsim_rcs_create", library->create_)},
+        {"gsim_rcs_destroy", find(library->handle_, "gsim_rcs_destroy", library->destroy_)},
+        {"gsim_rcs_call", find(library->handle_, "gsim_rcs_call", library->call_)},
+    };
+    for (const auto& [symbol, found] : symbols) {
+        if (!found)
+            return tl::unexpected(fmt::format("{} is no controller module: it has no {}", name, symbol));
+    }
+    if (const std::int32_t number = version(); number != GSIM_RCS_VERSION) {
+        return tl::unexpected(fmt::format(
+            "{} is a controller module of version {} of the interface; this program speaks version {}", name,
+            number, GSIM_RCS_VERSION));
+    }
+    return library;
+}
+
+/// Empty, or why the module cannot be used.
+std::string RcsLibrary::try_out(const std::string& path, const gsim_rcs_machine& machine) {
+    auto library = open(path);
+    if (!library) return library.error();
+    auto module = RcsModule::create(*library, machine);
+    if (!module) return module.error();
+    gsim_rcs_message message{};
+    const std::int32_t initialized = module->call(GSIM_RCS_INITIALIZE, nullptr, nullptr);
+    const std::int32_t told = module->call(GSIM_RCS_GET_MESSAGE, nullptr, &message);
+    const std::pair<const char*, std::int32_t> answers[] = {{"Initialize", initialized},
+                                                            {"GetMessage", told}};
+    for (const auto& [service, answer] : answers) {
+        if (answer == GSIM_RCS_SUCCESS) continue;
+        if (answer == GSIM_RCS_NOT_SUPPORTED)
+            return fmt::format("{} does not offer the service {}", module->name(), service);
+        const std::string why = rcs_text(message.text, sizeof message.text);
+        return fmt::format("{} answered {} with {}{}{}", module->name(), service, answer,
+                           why.empty() ? "" : ": ", why);
+    }
+    return {};
+}
+
+tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load(
+    const std::string& path, const gsim_rcs_machine& machine) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    const auto tried = run_trial([&] { return try_out(path, machine); }, kTrial_ms);
+    if (!tried)
+        return tl::unexpected(
+            fmt::format("the controller module {} {} while it was loaded", name, tried.error()));
+    if (!tried->empty()) return tl::unexpected(*tried);
+    return open(path);
+}
+
+tl::expected<RcsModule, std::string> RcsModule::create(std::shared_ptr<const RcsLibrary> library,
+                                                       const gsim_rcs_machine& machine) {
+    gsim_rcs_message message{};
+    Handle handle(library->create_(&machine, &message), library->destroy_);
+    if (handle) return RcsModule(std::move(library), std::move(handle));
+    const std::string why = rcs_text(message.text, sizeof message.text);
+    return tl::unexpected(fmt::format("{} makes no controller for this machine: {}", library->name(),
+                                      why.empty() ? "it does not say why" : why));
+}
+
+}  // namespace gsim::rrs

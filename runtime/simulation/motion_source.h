@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "runtime/motion/plan_error.h"
+#include "runtime/rrs/shell.h"
+
+namespace gsim::simulation {
+
+/// The controller of a run: its services, and what a simulator has to know beside them. Segments go to a
+/// sink in the order of time; when is the source's.
+class MotionSource {
+  public:
+    virtual ~MotionSource() = default;
+
+    virtual rrs::Shell& shell() = 0;
+    /// As rrs::Shell::ComeToRest(); a controller that has not that service comes to rest by itself.
+    virtual void come_to_rest(bool waits) = 0;
+    /// No more targets will come: all segments go to the sink.
+    virtual void end_program() = 0;
+    /// The end of what is planned; of a module the end of what has been stepped.
+    virtual double time_s() const = 0;
+    /// Joint values at the last target.
+    virtual const rrs::JointPos& position() const = 0;
+    /// The last answer other than plain success.
+    virtual motion::PlanError last_error() = 0;
+    /// Whether segments are samples of a motion, not the motion itself.
+    virtual bool sampled() const = 0;
+    /// What makes the run worthless, as a sentence.
+    virtual std::optional<std::string> fault() const = 0;
+};
+
+}  // namespace gsim::simulation

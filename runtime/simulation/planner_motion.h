@@ -1,0 +1,28 @@
+#pragma once
+
+#include "runtime/motion/planner.h"
+#include "runtime/simulation/motion_source.h"
+
+namespace gsim::simulation {
+
+/// Our own planner, in process.
+class PlannerMotion final : public MotionSource {
+  public:
+    /// `sink` must outlive this. Throws std::invalid_argument as DefaultPlanner does.
+    PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink)
+        : planner_(std::move(setup), &sink) {}
+
+    rrs::Shell& shell() override { return planner_; }
+    void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
+    void end_program() override { planner_.end_program(); }
+    double time_s() const override { return planner_.time_s(); }
+    const rrs::JointPos& position() const override { return planner_.position(); }
+    motion::PlanError last_error() override { return planner_.last_error(); }
+    bool sampled() const override { return false; }
+    std::optional<std::string> fault() const override { return std::nullopt; }
+
+  private:
+    motion::DefaultPlanner planner_;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "runtime/rcs/rcs_machine.h"
+#include "runtime/rrs/rcs_shell.h"
+#include "tests/motion/machines.h"
+
+namespace gsim::motion {
+
+/// A way to have our planner behind the services: in this process, or through a controller module.
+struct PlannerMaker {
+    const char* name;
+    std::unique_ptr<rrs::Shell> (*make)(const PlannerSetup& setup);
+};
+
+inline std::unique_ptr<rrs::Shell> make_in_process(const PlannerSetup& setup) {
+    return std::make_unique<DefaultPlanner>(setup);
+}
+
+inline std::unique_ptr<rrs::Shell> make_through_module(const PlannerSetup& setup) {
+    const rcs::RcsMachine machine(setup);
+    static const auto library = rrs::RcsLibrary::load(GSIM_RCS_DEFAULT, machine.get());
+    if (!library) throw std::runtime_error(library.error());
+    auto module = rrs::RcsModule::create(*library, machine.get());
+    if (!module) throw std::runtime_error(module.error());
+    return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
+}
+
+/// A test of the services alone, for both ways.
+class AnyPlanner : public testing::TestWithParam<PlannerMaker> {
+  protected:
+    static std::unique_ptr<rrs::Shell> make(const PlannerSetup& setup) { return GetParam().make(setup); }
+};
+
+/// For INSTANTIATE_TEST_SUITE_P.
+inline auto both_ways() {
+    return testing::Values(PlannerMaker{"in_process", make_in_process},
+                           PlannerMaker{"through_module", make_through_module});
+}
+
+inline std::string way_name(const testing::TestParamInfo<PlannerMaker>& info) {
+    return info.param.name;
+}
+
+/// Where stepping to the end of the queue has led.
+struct Stepped {
+    double time_s = 0;
+    double way_mm = 0;  ///< Of the tool, from step to step.
+    rrs::JointPos joints;
+    rrs::CartPos pose = rrs::CartPos::Identity();
+};
+
+/// Steps of `step_s` until nothing is queued.
+inline Stepped step_to_end(rrs::Shell& planner, double step_s) {
+    planner.SetInterpolationTime(step_s);
+    Stepped stepped;
+    for (bool first = true;; first = false) {
+        const Eigen::Vector3d before = stepped.pose.translation();
+        double elapsed_s = 0;
+        const rrs::Status status = planner.GetNextStep(stepped.joints, stepped.pose, elapsed_s);
+        if (static_cast<int>(status) < 0) throw std::runtime_error(std::string(rrs::name(status)));
+        if (status == rrs::Status::RRS_NEED_MORE_DATA) return stepped;
+        stepped.time_s += elapsed_s;
+        if (!first) stepped.way_mm += (stepped.pose.translation() - before).norm();
+    }
+}
+
+/// Where the planner stands when nothing is queued.
+inline rrs::JointPos position(rrs::Shell& planner) {
+    return step_to_end(planner, 1).joints;
+}
+
+inline std::string message(rrs::Shell& planner) {
+    std::string text;
+    planner.GetMessage(text);
+    return text;
+}
+
+/// Queues the end of a motion in joint values.
+inline rrs::Status put(rrs::Shell& planner, const rrs::JointPos& joints, rrs::TargetId id = 1) {
+    return planner.SetNextTarget(id, rrs::TargetParam::end, rrs::CartPos::Identity(), joints, "", 0);
+}
+
+}  // namespace gsim::motion

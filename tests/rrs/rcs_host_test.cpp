@@ -1,0 +1,59 @@
+#include "runtime/rrs/rcs_host.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/rrs/test_module.h"
+
+namespace gsim::rrs {
+namespace {
+
+using testing::HasSubstr;
+
+std::string why_not(const std::string& name) {
+    const auto library = RcsLibrary::load(module_path(name), slides());
+    return library ? "it was loaded" : library.error();
+}
+
+TEST(RcsHost, loads_a_module_and_makes_controllers_that_do_not_know_of_each_other) {
+    auto library = RcsLibrary::load(module_path("small_module"), slides());
+    ASSERT_TRUE(library.has_value()) << library.error();
+    EXPECT_EQ((*library)->name(), "small_module.so");
+    auto one = RcsModule::create(*library, slides());
+    auto other = RcsModule::create(*library, slides());
+    library->reset();  // the modules keep what they need
+    ASSERT_TRUE(one && other);
+    gsim_rcs_target target{};
+    EXPECT_EQ(one->call(GSIM_RCS_INITIALIZE, nullptr, nullptr), GSIM_RCS_SUCCESS);
+    const gsim_rcs_number speed{100};
+    one->call(GSIM_RCS_SET_CARTESIAN_POSITION_SPEED, &speed, nullptr);
+    EXPECT_EQ(one->call(GSIM_RCS_SET_NEXT_TARGET, &target, nullptr), GSIM_RCS_SUCCESS);
+    EXPECT_EQ(other->call(GSIM_RCS_SET_NEXT_TARGET, &target, nullptr), GSIM_RCS_ZERO_SPEED);
+    EXPECT_EQ(one->call(9999, nullptr, nullptr), GSIM_RCS_NOT_SUPPORTED);
+}
+
+TEST(RcsHost, says_why_a_library_is_no_module) {
+    EXPECT_THAT(why_not("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
+    EXPECT_EQ(why_not("no_module"), "no_module.so is no controller module: it has no gsim_rcs_version");
+    EXPECT_EQ(why_not("other_version"),
+              "other_version.so is a controller module of version 2 of the interface; this program speaks "
+              "version 1");
+}
+
+TEST(RcsHost, says_why_a_module_makes_no_controller) {
+    EXPECT_EQ(why_not("no_machine"),
+              "no_machine.so makes no controller for this machine: It drives lathes alone.");
+    EXPECT_EQ(why_not("no_initialize"), "no_initialize.so does not offer the service Initialize");
+}
+
+TEST(RcsHost, crash_while_loading_is_a_sentence) {
+    EXPECT_EQ(why_not("crash_on_load"),
+              "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
+    EXPECT_EQ(why_not("crash_in_create"),
+              "the controller module crash_in_create.so crashed (signal 6) while it was loaded");
+    EXPECT_EQ(why_not("ends_program"),
+              "the controller module ends_program.so ended the program while it was loaded");
+}
+
+}  // namespace
+}  // namespace gsim::rrs

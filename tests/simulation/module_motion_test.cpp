@@ -1,0 +1,200 @@
+#include "runtime/simulation/module_motion.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/rcs/rcs_machine.h"
+#include "runtime/rrs/rcs_host.h"
+#include "runtime/simulation/simulator.h"
+#include "tests/simulation/test_segments.h"
+
+namespace gsim::simulation {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr double kStep_s = 0.001;
+
+rrs::RcsModule module_of(const std::string& path, const machine::Machine& machine) {
+    const rcs::RcsMachine described(planner_setup(machine));
+    auto library = rrs::RcsLibrary::load(path, described.get());
+    if (!library) throw std::runtime_error(library.error());
+    return rrs::RcsModule::create(*library, described.get()).value();
+}
+
+// The small module has no limits but this one.
+constexpr double kRapid_mm_s = 500;
+
+machine::Machine fast_machine() {
+    machine::Machine machine = af5();
+    machine.path.max_rapid_mm_s = kRapid_mm_s;
+    return machine;
+}
+
+rrs::RcsModule test_module(const std::string& name) {
+    return module_of(fmt::format("{}/{}.so", GSIM_TEST_MODULES, name), fast_machine());
+}
+
+LineMove line_to(double x, double y, MoveKind kind = MoveKind::linear, double feed_mm_min = 6000) {
+    LineMove move;
+    move.kind = kind;
+    move.target = AxisVector::Zero(5);
+    move.target[0] = x;
+    move.target[1] = y;
+    move.feed.linear_mm_min = feed_mm_min;
+    return move;
+}
+
+class MoveList : public RunOutput {
+  public:
+    using RunOutput::take;
+    void take(const RecordedMove& move) override { moves.push_back(move); }
+    std::vector<RecordedMove> moves;
+};
+
+class SmallModule : public testing::Test {
+  protected:
+    SmallModule() : simulator(fast_machine(), {}, test_module("small_module")) { simulator.add_output(list); }
+    MoveList list;
+    Simulator simulator;
+};
+
+// The module moves at the programmed speed from the first instant to the last.
+TEST_F(SmallModule, moves_take_the_time_that_the_module_gives_them) {
+    simulator.move(line_to(300, 400));  // 500 mm at 100 mm/s
+    simulator.dwell(2.5, {});
+    simulator.move(line_to(300, 100, MoveKind::rapid));  // 300 mm at the machine's rapid speed
+    const Report report = simulator.finish("p");
+    EXPECT_EQ(report.status, RunStatus::completed);
+    const double rapid_s = 300 / kRapid_mm_s;
+    EXPECT_NEAR(report.cycle_time_s, 5 + 2.5 + rapid_s, 1e-9);
+    EXPECT_NEAR(report.feed_s, 5, 2 * kStep_s);
+    EXPECT_NEAR(report.dwell_s, 2.5, 2 * kStep_s);
+    EXPECT_NEAR(report.rapid_s, rapid_s, 2 * kStep_s);
+    EXPECT_NEAR(report.feed_mm, 500, 2 * kStep_s * kRapid_mm_s);
+    EXPECT_NEAR(report.feed_mm + report.rapid_mm, 800, 1e-9);
+    EXPECT_EQ(report.moves, 3U);
+    EXPECT_NEAR(report.bounds[1].max, 400, 1);
+    EXPECT_EQ(report.slowest[0].limited_by, "unknown");
+}
+
+// More targets than the module's queue holds; the module does not tell of which target a step is.
+TEST_F(SmallModule, each_move_gets_its_own_steps) {
+    constexpr int kMoves = 50;
+    for (int i = 1; i <= kMoves; ++i) ASSERT_TRUE(simulator.move(line_to(10.0 * i, 0)));
+    simulator.finish("p");
+    ASSERT_EQ(list.moves.size(), static_cast<std::size_t>(kMoves));
+    for (int i = 0; i < kMoves; ++i) {
+        const RecordedMove& move = list.moves[static_cast<std::size_t>(i)];
+        EXPECT_EQ(move.info.target_id, i + 1);
+        EXPECT_NEAR(move.start_s, 0.1 * i, kStep_s + 1e-9);
+        EXPECT_NEAR(move.end_s, 0.1 * (i + 1), kStep_s + 1e-9);
+    }
+}
+
+TEST_F(SmallModule, missing_service_ends_the_run_with_its_name) {
+    ArcMove arc;
+    arc.target = AxisVector::Zero(5);
+    arc.center_first_mm = 10;
+    arc.sweep_rad = 1;
+    arc.feed.linear_mm_min = 600;
+    EXPECT_FALSE(simulator.move(arc));
+    EXPECT_EQ(simulator.alarm()->message, "small_module.so does not offer the service SetNextArcTarget.");
+}
+
+TEST_F(SmallModule, path_modes_it_lacks_are_a_warning) {
+    simulator.set_path_mode(rrs::PathMode::continuous, 0, 0);
+    simulator.move(line_to(10, 0));
+    const Report report = simulator.finish("p");
+    EXPECT_EQ(report.status, RunStatus::completed);
+    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("has no path modes")));
+}
+
+std::string alarm_of(const std::string& module, RunLimits limits = {}) {
+    Simulator simulator(fast_machine(), limits, test_module(module));
+    simulator.move(line_to(10, 0));
+    simulator.finish("p");
+    return simulator.alarm() ? simulator.alarm()->message : "";
+}
+
+TEST(ModuleMotion, faults_end_the_run_and_name_module_and_service) {
+    EXPECT_THAT(alarm_of("nan_answer"),
+                StartsWith("The controller module nan_answer.so answered GetNextStep with the value nan"));
+    EXPECT_THAT(alarm_of("backwards"), HasSubstr("a time that runs backwards"));
+    EXPECT_EQ(alarm_of("jump"),
+              "The controller module jump.so answered GetNextStep with a jump: a joint moved in no time.");
+    EXPECT_THAT(alarm_of("never_arrives"),
+                StartsWith("The controller module never_arrives.so has not moved for 600"));
+    EXPECT_EQ(alarm_of("small_module"), "");
+}
+
+TEST(ModuleMotion, rapids_need_their_service) {
+    Simulator simulator(fast_machine(), {}, test_module("no_rapid"));
+    EXPECT_TRUE(simulator.move(line_to(10, 0)));
+    EXPECT_FALSE(simulator.move(line_to(0, 0, MoveKind::rapid)));
+    EXPECT_EQ(simulator.alarm()->message, "no_rapid.so does not offer the service SetRapid.");
+}
+
+TEST(ModuleMotion, limit_of_machine_time_holds) {
+    Simulator simulator(fast_machine(), {.max_time_s = 3}, test_module("small_module"));
+    simulator.move(line_to(500, 0));
+    const Report report = simulator.finish("p");
+    EXPECT_EQ(report.status, RunStatus::stopped);
+    EXPECT_NEAR(report.cycle_time_s, 3, 0.1);
+}
+
+// Our own planner, in process and as a module, under each kind of controller.
+class DefaultModule : public testing::TestWithParam<rrs::PlannerKind> {};
+
+void put_program(Simulator& simulator) {
+    simulator.set_path_mode(rrs::PathMode::continuous, 0.05, 0);
+    for (int i = 1; i <= 200; ++i)
+        ASSERT_TRUE(simulator.move(line_to(200 + 100 * std::cos(0.1 * i), 200 + 100 * std::sin(0.1 * i))));
+    simulator.dwell(0.5, {});
+    simulator.move(line_to(0, 0, MoveKind::rapid));
+    ArcMove arc;
+    arc.kind = MoveKind::arc_cw;
+    arc.target = AxisVector::Zero(5);
+    arc.target[0] = 200;
+    arc.center_first_mm = 100;
+    arc.sweep_rad = std::numbers::pi;
+    arc.feed.linear_mm_min = 6000;
+    simulator.move(arc);
+    simulator.event("m", "08", {});
+}
+
+TEST_P(DefaultModule, reports_what_it_reports_in_process_to_within_steps) {
+    machine::Machine machine = af5();
+    machine.controller.planner = GetParam();
+    machine.controller.rest_s = 0.01;
+    Simulator in_process(machine, {});
+    Simulator stepped(machine, {}, module_of(GSIM_RCS_DEFAULT, machine));
+    put_program(in_process);
+    put_program(stepped);
+    const Report exact = in_process.finish("p");
+    const Report sampled = stepped.finish("p");
+    ASSERT_EQ(sampled.status, RunStatus::completed) << sampled.alarm->message;
+    EXPECT_NEAR(sampled.cycle_time_s, exact.cycle_time_s, 1e-6);
+    EXPECT_NEAR(sampled.feed_s, exact.feed_s, 5 * kStep_s);
+    EXPECT_NEAR(sampled.rapid_s, exact.rapid_s, 5 * kStep_s);
+    EXPECT_NEAR(sampled.dwell_s, exact.dwell_s, 5 * kStep_s);
+    EXPECT_NEAR(sampled.feed_mm, exact.feed_mm, 0.5);
+    EXPECT_EQ(sampled.moves, exact.moves);
+    EXPECT_NEAR(sampled.events[0].t_s, exact.events[0].t_s, 1e-6);
+    for (std::size_t axis = 0; axis < exact.bounds.size(); ++axis)
+        EXPECT_NEAR(sampled.bounds[axis].max, exact.bounds[axis].max, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DefaultModule,
+                         testing::Values(rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead,
+                                         rrs::PlannerKind::linuxcnc));
+
+}  // namespace
+}  // namespace gsim::simulation
