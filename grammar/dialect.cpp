@@ -109,19 +109,26 @@ const Dialect* dialect_named(std::string_view name) {
     return nullptr;
 }
 
+namespace {
+
+/// "G1" of G1 and G1.5; asked for with each code of a program.
+std::string whole_name(const Code& code) {
+    std::string name(1, code.letter);
+    name += std::to_string(code.code_x10 / 10);
+    return name;
+}
+
+}  // namespace
+
 std::string code_name(const Code& code) {
-    const int whole = code.code_x10 / 10;
     const int part = code.code_x10 % 10;
-    return part == 0 ? fmt::format("{}{}", code.letter, whole)
-                     : fmt::format("{}{}.{}", code.letter, whole, part);
+    return part == 0 ? whole_name(code) : fmt::format("{}.{}", whole_name(code), part);
 }
 
 std::string lua_name(const Code& code) {
-    const int whole = code.code_x10 / 10;
     const int part = code.code_x10 % 10;
-    if (code.group == Group::user) return fmt::format("M[{}]", whole);
-    return part == 0 ? fmt::format("{}{}", code.letter, whole)
-                     : fmt::format("{}{}_{}", code.letter, whole, part);
+    if (code.group == Group::user) return fmt::format("M[{}]", code.code_x10 / 10);
+    return part == 0 ? whole_name(code) : fmt::format("{}_{}", whole_name(code), part);
 }
 
 }  // namespace gsim::grammar

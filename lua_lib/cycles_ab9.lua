@@ -252,6 +252,6 @@ word("G80", function()
   if name == "G0" or name == "G1" then
     env[name]()   -- which G0 and G1 are in use may have changed meanwhile
   else
-    make_modal(name, before_series.move)
+    make_modal(name, move_in_use(name, before_series.move))
   end
 end)

@@ -37,8 +37,12 @@ end
 word("G90", set_incremental(false))
 word("G91", set_incremental(true))
 
-word("G17", function() state.plane = "xy" end)
-word("G18", function() state.plane = "zx" end)
-word("G19", function() state.plane = "yz" end)
+function set_plane(plane)
+  state.plane = plane
+  core.set_plane(plane)
+end
+word("G17", function() set_plane("xy") end)
+word("G18", function() set_plane("zx") end)
+word("G19", function() set_plane("yz") end)
 
 if core.dialect == "ab9" then include "ab9_frames" end   -- compensation watches its words

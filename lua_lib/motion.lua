@@ -1,18 +1,9 @@
 -- Rapid and linear moves and the modal motion.
 
-local plain = {
-  G0 = core.line_word(true, word_id()),
-  G1 = core.line_word(false, word_id()),
-}
-local plain_move = {
-  G0 = core.modal_line_word(true, word_id()),
-  G1 = core.modal_line_word(false, word_id()),
-}
-
 -- Makes `name` the modal motion: `move` goes on with `meaning`.
 function make_modal(name, meaning)
   state.motion = name
-  core.forget_modal_line()
+  core.forget_modal_word()
   env.move = meaning
 end
 
@@ -31,40 +22,65 @@ function modal_word(name, meaning)
   env[name] = modal_motion(name, meaning)
 end
 
-core.on_modal_line(function(rapid)
-  state.motion = rapid and "G0" or "G1"
-  env.move = plain_move[state.motion]
+-- Plain motions are C++ as long as nothing shapes them: polar programming, a filter, a modal macro call. By name the
+-- word and the `move` where it is modal.
+local plain, shaped = {}, {}
+local in_use = plain
+local plain_by_id = {}   -- by the id of the word
+local reasons = {}
+
+-- Defines the word of such a motion. word_in_core(id) and move_in_core(id) make it and its `move` in C++; `meaning` is
+-- the same in Lua, for when something stands between the word and the machine.
+function plain_word(name, word_in_core, move_in_core, meaning)
+  local id = word_id()
+  plain[name] = { name = name, word = word_in_core(id), move = move_in_core(word_id()) }
+  plain_by_id[id] = plain[name]
+  shaped[name] = {}
+  shaped[name].word, shaped[name].move = modal_motion(name, meaning)
+  env[name] = in_use[name].word
+end
+
+core.on_modal_word(function(id)
+  local motion = plain_by_id[id]
+  state.motion, env.move = motion.name, motion.move
 end)
 
--- The same words in Lua, for when something stands between a straight line and the machine.
-local function line_in_lua(rapid)
-  return function(words)
-    check_table(words, rapid and "G0" or "G1")
+-- What has been defined anew since stays as it is.
+local function use(motions)
+  if in_use == motions then return end
+  for name, motion in pairs(motions) do
+    if env[name] == in_use[name].word then env[name] = motion.word end
+  end
+  local modal = motions[state.motion]
+  if modal and env.move == in_use[state.motion].move then make_modal(state.motion, modal.move) end
+  in_use = motions
+end
+
+-- The `move` of a motion that was modal before; which one of a plain motion is in use may have changed meanwhile.
+function move_in_use(name, move)
+  local is_plain = plain[name] and (move == plain[name].move or move == shaped[name].move)
+  return is_plain and in_use[name].move or move
+end
+
+function shape(reason, on)
+  reasons[reason] = on or nil
+  use(next(reasons) ~= nil and shaped or plain)
+end
+
+local function line(name, rapid)
+  local function line_in_lua(words)
+    check_table(words, name)
     if words == nil then return end
     local target, named = core.target(resolve_words(words))
     if not named then return end
     if rapid then path.rapid(target) else path.line(target) end
   end
+  plain_word(name, function(id) return core.line_word(rapid, id) end,
+    function(id) return core.modal_line_word(rapid, id) end, line_in_lua)
 end
-
-local shaped, shaped_move = {}, {}
-shaped.G0, shaped_move.G0 = modal_motion("G0", line_in_lua(true))
-shaped.G1, shaped_move.G1 = modal_motion("G1", line_in_lua(false))
-
--- Plain lines are C++ as long as nothing shapes them: polar programming, a filter, a modal macro call.
-local reasons = {}
-
-local function use(lines, moves)
-  if env.G0 == lines.G0 then return end
-  env.G0, env.G1 = lines.G0, lines.G1
-  if plain_move[state.motion] then make_modal(state.motion, moves[state.motion]) end
-end
-
-function shape(reason, on)
-  reasons[reason] = on or nil
-  if next(reasons) ~= nil then use(shaped, shaped_move) else use(plain, plain_move) end
-end
-use(plain, plain_move)
+line("G0", true)
+line("G1", false)
+make_modal("G0", plain.G0.move)
 
 -- No motion is modal: axis words need one.
 local none = core.word(word_id(), function()

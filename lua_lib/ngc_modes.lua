@@ -134,12 +134,18 @@ end)
 for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
   word(name, function()
     if plane ~= state.plane then refuse_with_compensation(name .. ", a change of the plane,") end
-    state.plane = plane
+    set_plane(plane)
   end)
 end
 
-word("G90_1", function() state.arc_absolute = true end)
-word("G91_1", function() state.arc_absolute = false end)
+local function set_arc_centres(absolute)
+  return function()
+    state.arc_absolute = absolute
+    core.set_absolute_arc_centers(absolute)
+  end
+end
+word("G90_1", set_arc_centres(true))
+word("G91_1", set_arc_centres(false))
 
 path.set_mode("continuous")
 

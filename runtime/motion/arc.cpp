@@ -39,8 +39,12 @@ double share_at(const Arc& arc, double phi_rad) {
     return std::expm1(turned * log_growth(arc)) * arc.radius_mm / change;
 }
 
+double radius_at_share(const Arc& arc, double share) {
+    return arc.radius_mm + (arc.end_radius_mm - arc.radius_mm) * share;
+}
+
 double radius_at(const Arc& arc, double phi_rad) {
-    return arc.radius_mm + (arc.end_radius_mm - arc.radius_mm) * share_at(arc, phi_rad);
+    return radius_at_share(arc, share_at(arc, phi_rad));
 }
 
 Vector3d outward(const Arc& arc, double phi_rad) {
@@ -99,7 +103,7 @@ Arc Arc::part(double from_mm, double to_mm) const {
 
 Vector3d Arc::at(double phi_rad) const {
     const double share = share_at(*this, phi_rad);
-    return center + radius_at(*this, phi_rad) * outward(*this, phi_rad) + share * lift;
+    return center + radius_at_share(*this, share) * outward(*this, phi_rad) + share * lift;
 }
 
 Vector3d Arc::tangent(double phi_rad) const {
@@ -119,9 +123,16 @@ double Arc::max_curvature() const {
 }
 
 double Arc::max_share(int axis) const {
+    return max_shares()[axis];
+}
+
+Vector3d Arc::max_shares() const {
     const Slopes slopes = slopes_of(*this);
-    return std::hypot(slopes.around, slopes.radial) * std::hypot(u[axis], v[axis]) +
-           std::abs(slopes.climb[axis]);
+    const double in_plane = std::hypot(slopes.around, slopes.radial);
+    Vector3d shares;
+    for (int axis = 0; axis < 3; ++axis)
+        shares[axis] = in_plane * std::hypot(u[axis], v[axis]) + std::abs(slopes.climb[axis]);
+    return shares;
 }
 
 Range Arc::bounds(int axis) const {
@@ -133,7 +144,7 @@ Range Arc::bounds(int axis) const {
 // With psi = phi - atan2(v, u) the coordinate's slope is
 // amplitude (radial cos psi - around sin psi) + climb = climb - amplitude pace sin(psi - lag).
 Range Arc::range(int axis) const {
-    const double start = at(0)[axis];
+    const double start = center[axis] + radius_mm * u[axis];
     const double end = at(sweep_rad)[axis];
     Range range{std::min(start, end), std::max(start, end)};
     const Slopes slopes = slopes_of(*this);

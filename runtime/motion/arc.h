@@ -42,6 +42,8 @@ struct Arc {
     /// The greatest share of the path's speed that coordinate `axis` (0, 1, 2) can have, over the whole
     /// circle.
     double max_share(int axis) const;
+    /// max_share() of all three.
+    Eigen::Vector3d max_shares() const;
     /// Quick bounds of coordinate `axis` (0, 1, 2), which may be too wide: those of the whole circle.
     Range bounds(int axis) const;
     /// Lowest and highest value of coordinate `axis` (0, 1, 2) from phi 0 to sweep_rad.

@@ -14,8 +14,9 @@ constexpr double kNoShare = 1e-9;
 LeadPath arc_path(const PlannerSetup& setup, const MoveRules& rules, const Segment& segment) {
     LeadPath lead{.length = segment.length_mm};
     limit_by_path(rules, lead);
+    const Eigen::Vector3d shares = segment.arc.max_shares();
     for (int axis = 0; axis < 3; ++axis) {
-        const double share = segment.arc.max_share(axis);
+        const double share = shares[axis];
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0 || share < kNoShare) continue;
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];

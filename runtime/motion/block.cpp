@@ -19,9 +19,10 @@ constexpr double kNoShare = 1e-9;
 rrs::JointPos shares_of(const Move& move, const PlannerSetup& setup, const Block& block) {
     rrs::JointPos shares = block.slope_in.cwiseAbs();
     if (move.kind != SegmentKind::circular) return shares;
+    const Eigen::Vector3d of_arc = move.arc.max_shares();
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
-        if (joint >= 0) shares[joint] = move.arc.max_share(axis);
+        if (joint >= 0) shares[joint] = of_arc[axis];
     }
     return shares;
 }

@@ -95,6 +95,20 @@ double Segment::peak_centripetal_mm_s2() const {
     return lead.peak_speed() * lead.peak_speed() * arc.max_curvature();
 }
 
+bool Segment::surely_within(const Range& range, int joint) const {
+    constexpr double kRounding_mm = 1e-6;
+    if (kind != SegmentKind::circular || beside) return false;
+    const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
+    if (axis == position_joints.end()) return false;
+    const auto index = axis - position_joints.begin();
+    if (arc.u[index] == 0 && arc.v[index] == 0 && arc.lift[index] == 0) {  // across the arc: nothing to round
+        const auto [least, most] = std::minmax({start[joint], end[joint], arc.center[index]});
+        return least >= range.min && most <= range.max;
+    }
+    const Range wide = arc.bounds(static_cast<int>(index));
+    return wide.min - kRounding_mm >= range.min && wide.max + kRounding_mm <= range.max;
+}
+
 Range Segment::joint_range(int joint) const {
     if (beside) return sampled_range(*this, joint);
     const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);

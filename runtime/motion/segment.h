@@ -92,6 +92,9 @@ struct Segment {
     double peak_centripetal_mm_s2() const;
     /// The lowest and highest value that the joint takes on the way.
     Range joint_range(int joint) const;
+    /// True where it is sure without a closer look that the joint stays within `range` on the way, whatever
+    /// rounding does to joint_range(); told for arcs by their whole circle.
+    bool surely_within(const Range& range, int joint) const;
 
   private:
     std::array<Follower, rrs::kMaxJoints> followers_;  // only the first follower_count_ hold values

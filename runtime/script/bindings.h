@@ -12,6 +12,8 @@ namespace gsim::script {
 void add_core(lua_State* state, Controller& controller);
 /// The words of plain moves, in C++ because programs are made of them: core.line_word, core.line.
 void add_motion_words(lua_State* state, Controller& controller);
+/// The words of plain arcs, likewise: core.arc_word, core.read_arc.
+void add_arc_words(lua_State* state, Controller& controller);
 /// Moves to machine coordinates, dwells and events, with the feed and the place that go with them.
 void add_moves(lua_State* state, Controller& controller);
 /// Program and machine coordinates: offsets, matrix, where the machine stands, where a move would end.

@@ -50,6 +50,14 @@ void Controller::enter(lua_State* state, std::size_t word_id) {
     words_in_block_[word_id] = true;
 }
 
+void Controller::make_modal(lua_State* state, std::size_t word_id) {
+    if (modal_.modal_word == word_id) return;
+    modal_.modal_word = word_id;
+    lua_rawgeti(state, LUA_REGISTRYINDEX, on_modal_word);
+    lua_pushinteger(state, static_cast<lua_Integer>(word_id));
+    lua_call(state, 1, 0);
+}
+
 void Controller::alarm(lua_State* state, const std::string& message) {
     simulator_.fail(message, place_);
     LuaState::raise_stop(state);
@@ -112,8 +120,8 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
     return true;
 }
 
-void Controller::unknown_word(lua_State* state, std::string_view key, std::string_view others) {
-    if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others.empty()) {
+void Controller::unknown_word(lua_State* state, std::string_view key, const OtherWords* others) {
+    if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others == nullptr) {
         alarm(state, "I, J, K and R belong to an arc, and the motion in force is a straight one");
     }
     if (key.size() == 1 && std::string_view("abcuvwxyz").find(key) != std::string_view::npos) {
@@ -125,7 +133,7 @@ void Controller::unknown_word(lua_State* state, std::string_view key, std::strin
 
 /// With a matrix in force `target` is in program coordinates here, else in machine coordinates. False where
 /// the target is in polar form.
-bool Controller::read_words(lua_State* state, int index, std::string_view others, AxisVector& target,
+bool Controller::read_words(lua_State* state, int index, OtherWords* others, AxisVector& target,
                             std::uint32_t& seen) {
     lua_pushnil(state);
     while (lua_next(state, index) != 0) {
@@ -143,16 +151,14 @@ bool Controller::read_words(lua_State* state, int index, std::string_view others
             lua_pop(state, 2);
             return false;
         }
-        if (!is_axis &&
-            others.find(fmt::format(" {} ", std::string_view(key, size))) == std::string_view::npos) {
+        if (!is_axis && (others == nullptr || !others->take({key, size}, value)))
             unknown_word(state, std::string_view(key, size), others);
-        }
         lua_pop(state, 1);
     }
     return true;
 }
 
-bool Controller::read_target(lua_State* state, int index, std::string_view others, AxisVector& target) {
+bool Controller::read_target(lua_State* state, int index, OtherWords* others, AxisVector& target) {
     target = programmed();
     if (lua_isnoneornil(state, index)) return false;
     luaL_checktype(state, index, LUA_TTABLE);
@@ -171,7 +177,7 @@ bool Controller::read_target(lua_State* state, int index, std::string_view other
 
 void Controller::line(lua_State* state, bool rapid, int index) {
     simulation::LineMove move;
-    if (!read_target(state, index, {}, move.target)) return;
+    if (!read_target(state, index, nullptr, move.target)) return;
     move.kind = rapid ? simulation::MoveKind::rapid : simulation::MoveKind::linear;
     if (!rapid) move.feed = feed(state, std::nullopt);
     move.place = place_;

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <lua.hpp>
 
+#include "runtime/script/arc_solution.h"
 #include "runtime/script/place_finder.h"
 #include "runtime/script/program_frame.h"
 #include "runtime/simulation/simulator.h"
@@ -30,9 +32,19 @@ struct ModalState {
     bool feed_is_new = false;           ///< No move has used it yet.
     bool inverse_time_by_angle = true;  ///< G93: 60/F s is the time of a radian of an arc, else of all of it.
     double spindle_rpm = 0;
-    bool uvw_increments = true;   ///< U, V and W are increments of X, Y and Z on machines without such axes.
-    bool has_modal_line = false;  ///< The modal motion is rapid or linear, and `modal_rapid` says which.
-    bool modal_rapid = true;
+    bool uvw_increments = true;  ///< U, V and W are increments of X, Y and Z on machines without such axes.
+    simulation::Plane plane = simulation::Plane::xy;  ///< Of arcs.
+    bool absolute_arc_centers = false;  ///< I, J and K are a point of the program, no vector from the start.
+    ArcRules arc_rules;
+    std::optional<std::size_t> modal_word;  ///< Id of the plain word that is the modal motion, if one is.
+};
+
+/// The words that a motion takes besides axis words.
+class OtherWords {
+  public:
+    virtual ~OtherWords() = default;
+    /// False where the motion takes no such word.
+    virtual bool take(std::string_view name, double value) = 0;
 };
 
 /// One control while it runs a script: joins the simulator, the modal state and the place in the script.
@@ -58,6 +70,8 @@ class Controller {
     /// A word of the library is called: finds its place, and counts a block where the line is another one or
     /// the word has been called in this block before. Raises the end of the run at its limit.
     void enter(lua_State* state, std::size_t word_id);
+    /// Tells the library that a plain word is the modal motion now, so that `move` goes on with it.
+    void make_modal(lua_State* state, std::size_t word_id);
     /// Looks up the place only, for functions that are no words.
     void locate(lua_State* state, int level = 1) {
         const simulation::Place place = places_.current(state, level);
@@ -72,24 +86,25 @@ class Controller {
     simulation::Feed feed(lua_State* state, std::optional<double> sweep_rad);
 
     /// Reads axis words of the table at `index` into a target in machine coordinates. Keys that are no axis
-    /// are allowed if `others` holds them, each between blanks (" i j "), else an alarm. True where at least
-    /// one axis was given.
-    bool read_target(lua_State* state, int index, std::string_view others, simulation::AxisVector& target);
+    /// go to `others`, where there are any; what these do not take raises an alarm. True where at least one
+    /// axis was given.
+    bool read_target(lua_State* state, int index, OtherWords* others, simulation::AxisVector& target);
     /// The move of a plain rapid or linear word with its words at `index`.
     void line(lua_State* state, bool rapid, int index);
 
     /// Reference in the registry of the function that turns words with `radius` and `angle` into Cartesian
     /// ones.
     int on_polar = LUA_NOREF;
-    /// Reference in the registry of the function that is told when G00 or G01 becomes the modal motion.
-    int on_modal_line = LUA_NOREF;
+    /// Reference in the registry of the function that is told when another plain word becomes the modal
+    /// motion.
+    int on_modal_word = LUA_NOREF;
 
   private:
     bool set_axis(lua_State* state, char letter, double value, simulation::AxisVector& target,
                   std::uint32_t& seen);
-    bool read_words(lua_State* state, int index, std::string_view others, simulation::AxisVector& target,
+    bool read_words(lua_State* state, int index, OtherWords* others, simulation::AxisVector& target,
                     std::uint32_t& seen);
-    [[noreturn]] void unknown_word(lua_State* state, std::string_view key, std::string_view others);
+    [[noreturn]] void unknown_word(lua_State* state, std::string_view key, const OtherWords* others);
 
     simulation::Simulator& simulator_;
     PlaceFinder& places_;

@@ -5,6 +5,7 @@
 
 #include "runtime/script/bindings.h"
 #include "runtime/script/lua_state.h"
+#include "runtime/script/word_id.h"
 
 namespace gsim::script {
 
@@ -27,8 +28,7 @@ int call_word(lua_State* state) {
 
 /// core.word(id, function): the function as a word of the language, which counts blocks and knows its place.
 int make_word(lua_State* state) {
-    const lua_Integer id = luaL_checkinteger(state, 1);
-    luaL_argcheck(state, id >= 0 && id < static_cast<lua_Integer>(kMaxWordIds), 1, "no word id");
+    const lua_Integer id = check_word_id(state, 1);
     luaL_checktype(state, 2, LUA_TFUNCTION);
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_pushvalue(state, 2);

@@ -100,6 +100,7 @@ void Engine::open_environment() {
     lua_newtable(state);
     add_core(state, controller_);
     add_motion_words(state, controller_);
+    add_arc_words(state, controller_);
     add_moves(state, controller_);
     add_frames(state, controller_);
     add_poses(state, controller_);

@@ -17,6 +17,18 @@ Controller& self(lua_State* state) {
     return bound<Controller>(state);
 }
 
+/// The words of a list, each between two blanks (" i j "), whatever their values.
+class ListedWords final : public OtherWords {
+  public:
+    explicit ListedWords(std::string_view list) : list_(list) {}
+    bool take(std::string_view name, double) override {
+        return list_.find(fmt::format(" {} ", name)) != std::string_view::npos;
+    }
+
+  private:
+    std::string_view list_;
+};
+
 int check_axis(lua_State* state, int argument) {
     const std::string_view letter = luaL_checkstring(state, argument);
     const int axis = letter.size() == 1 ? self(state).axis(letter[0]) : -1;
@@ -86,7 +98,9 @@ int set_programmed(lua_State* state) {
 /// core.target(words, others): machine coordinates of all axes after the move, and whether any axis is named.
 int target(lua_State* state) {
     AxisVector values;
-    const bool any = self(state).read_target(state, 1, luaL_optstring(state, 2, ""), values);
+    const std::string_view list = luaL_optstring(state, 2, "");
+    ListedWords others(list);
+    const bool any = self(state).read_target(state, 1, list.empty() ? nullptr : &others, values);
     push_axes(state, self(state), values);
     lua_pushboolean(state, static_cast<int>(any));
     return 2;

@@ -1,5 +1,6 @@
 #include "runtime/script/bindings.h"
 #include "runtime/script/lua_state.h"
+#include "runtime/script/word_id.h"
 
 namespace gsim::script {
 
@@ -9,23 +10,13 @@ Controller& controller_of(lua_State* state) {
     return bound<Controller>(state);
 }
 
-/// Tells the library that a plain line is the modal motion now, so that `move` goes on with it.
-void make_modal(lua_State* state, Controller& controller, bool rapid) {
-    ModalState& modal = controller.modal();
-    if (modal.has_modal_line && modal.modal_rapid == rapid) return;
-    modal.has_modal_line = true;
-    modal.modal_rapid = rapid;
-    lua_rawgeti(state, LUA_REGISTRYINDEX, controller.on_modal_line);
-    lua_pushboolean(state, static_cast<int>(rapid));
-    lua_call(state, 1, 0);
-}
-
 /// G0{..} and G1{..}; upvalues: controller, rapid, word id.
 int line_word(lua_State* state) {
     Controller& controller = controller_of(state);
     const bool rapid = lua_toboolean(state, lua_upvalueindex(2)) != 0;
-    controller.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
-    make_modal(state, controller, rapid);
+    const auto id = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
+    controller.enter(state, id);
+    controller.make_modal(state, id);
     controller.line(state, rapid, 1);
     return 0;
 }
@@ -41,8 +32,7 @@ int modal_line_word(lua_State* state) {
 template <int (*Function)(lua_State*)>
 int make_word(lua_State* state) {
     const bool rapid = lua_toboolean(state, 1) != 0;
-    const lua_Integer id = luaL_checkinteger(state, 2);
-    luaL_argcheck(state, id >= 0 && id < static_cast<lua_Integer>(kMaxWordIds), 2, "no word id");
+    const lua_Integer id = check_word_id(state, 2);
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_pushboolean(state, static_cast<int>(rapid));
     lua_pushinteger(state, id);
@@ -56,15 +46,17 @@ int line(lua_State* state) {
     return 0;
 }
 
-int set_on_modal_line(lua_State* state) {
+/// core.on_modal_word(function): is told the id of the plain word that becomes the modal motion.
+int set_on_modal_word(lua_State* state) {
     luaL_checktype(state, 1, LUA_TFUNCTION);
     lua_settop(state, 1);
-    controller_of(state).on_modal_line = luaL_ref(state, LUA_REGISTRYINDEX);
+    controller_of(state).on_modal_word = luaL_ref(state, LUA_REGISTRYINDEX);
     return 0;
 }
 
-int forget_modal_line(lua_State* state) {
-    controller_of(state).modal().has_modal_line = false;
+/// core.forget_modal_word(): the modal motion is none of the plain words.
+int forget_modal_word(lua_State* state) {
+    controller_of(state).modal().modal_word.reset();
     return 0;
 }
 
@@ -74,8 +66,8 @@ void add_motion_words(lua_State* state, Controller& controller) {
     set_function<make_word<line_word>>(state, "line_word", &controller);
     set_function<make_word<modal_line_word>>(state, "modal_line_word", &controller);
     set_function<line>(state, "line", &controller);
-    set_function<set_on_modal_line>(state, "on_modal_line", &controller);
-    set_function<forget_modal_line>(state, "forget_modal_line", &controller);
+    set_function<set_on_modal_word>(state, "on_modal_word", &controller);
+    set_function<forget_modal_word>(state, "forget_modal_word", &controller);
 }
 
 }  // namespace gsim::script

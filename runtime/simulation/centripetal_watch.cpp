@@ -27,6 +27,9 @@ CentripetalWatch::CentripetalWatch(const machine::Machine& machine)
 
 void CentripetalWatch::take(const motion::Segment& segment, const MoveInfo& info) {
     if (segment.kind != motion::SegmentKind::circular) return;
+    // No way curves more than its smallest circle: most arcs need no closer look.
+    const double speed = segment.lead.peak_speed();
+    if (speed * speed <= limit_mm_s2_ * std::min(segment.arc.radius_mm, segment.arc.end_radius_mm)) return;
     const double asked = segment.peak_centripetal_mm_s2();
     if (asked <= limit_mm_s2_ * kRounding) return;
     ++count_;

@@ -134,6 +134,7 @@ void Recorder::add_to_bounds(const Segment& segment) {
     if (segment.kind == SegmentKind::rest) return;
     for (int joint = 0; joint < segment.end.size(); ++joint) {
         motion::Range& range = ranges_[static_cast<std::size_t>(joint)];
+        if (segment.surely_within(range, joint)) continue;
         const motion::Range way = segment.joint_range(joint);
         range.min = std::min(range.min, way.min);
         range.max = std::max(range.max, way.max);

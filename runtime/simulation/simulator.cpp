@@ -53,6 +53,15 @@ bool is_missing(Status status) {
     return status == Status::RRS_SERVICE_NOT_SUPPORTED || status == Status::RRS_MODULE_FAULT;
 }
 
+std::array<int, 3> space_axes(const machine::Machine& machine) {
+    std::array<int, 3> axes;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const auto axis = machine.find(static_cast<char>('X' + i));
+        axes[i] = axis ? static_cast<int>(*axis) : -1;
+    }
+    return axes;
+}
+
 }  // namespace
 
 Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<rrs::RcsModule> module)
@@ -69,6 +78,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       setup_(planner_setup(machine_)),
       motion_(make_motion(std::move(module))),
       shell_(motion_->shell()),
+      space_axes_(space_axes(machine_)),
       position_(static_cast<Eigen::Index>(machine_.axes.size())) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
@@ -220,6 +230,17 @@ double Simulator::feed_per_min(const LineMove& move, bool rotary) const {
     return length / *move.feed.motion_s * kSecondsPerMinute;
 }
 
+double Simulator::feed_per_min(const ArcMove& move) const {
+    if (!move.feed.motion_s) return move.feed.linear_mm_min;
+    const auto [first, second, normal] = plane_axes(move.plane);
+    const Eigen::Vector3d start = space_point(position_);
+    const double radius =
+        std::hypot(start[first] - move.center_first_mm, start[second] - move.center_second_mm);
+    const double length =
+        std::hypot(radius * move.sweep_rad, space_point(move.target)[normal] - start[normal]);
+    return length / *move.feed.motion_s * kSecondsPerMinute;
+}
+
 bool Simulator::move(const LineMove& move) {
     const bool rotary = rotary_alone(move.target);
     if (move.kind == MoveKind::rapid) {
@@ -244,13 +265,7 @@ bool Simulator::move(const ArcMove& move) {
     center[second] = move.center_second_mm;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     axis[normal] = move.kind == MoveKind::arc_ccw ? 1.0 : -1.0;
-    const Eigen::Vector3d start = space_point(position_);
-    const double radius = std::hypot(start[first] - center[first], start[second] - center[second]);
-    const double length =
-        std::hypot(radius * move.sweep_rad, space_point(move.target)[normal] - start[normal]);
-    const double feed_mm_min =
-        move.feed.motion_s ? length / *move.feed.motion_s * kSecondsPerMinute : move.feed.linear_mm_min;
-    MoveInfo info = next_move(move.kind, move.place, feed_mm_min);
+    MoveInfo info = next_move(move.kind, move.place, feed_per_min(move));
     info.timed = move.feed.motion_s.has_value();
     info.plane = move.plane;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
@@ -265,8 +280,8 @@ bool Simulator::move(const ArcMove& move) {
 Eigen::Vector3d Simulator::space_point(const AxisVector& axes) const {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < 3; ++i) {
-        if (const auto axis = machine_.find(static_cast<char>('X' + i)))
-            point[i] = axes[static_cast<Eigen::Index>(*axis)];
+        const int axis = space_axes_[static_cast<std::size_t>(i)];
+        if (axis >= 0) point[i] = axes[axis];
     }
     return point;
 }

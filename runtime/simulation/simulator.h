@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -159,6 +160,7 @@ class Simulator {
     Eigen::Vector3d space_point(const AxisVector& axes) const;
     bool rotary_alone(const AxisVector& target) const;
     double feed_per_min(const LineMove& move, bool rotary) const;
+    double feed_per_min(const ArcMove& move) const;
     bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
     bool finish_move(rrs::Status status, const Place& place);
@@ -173,6 +175,7 @@ class Simulator {
     motion::PlannerSetup setup_;
     std::unique_ptr<MotionSource> motion_;
     rrs::Shell& shell_;  ///< Of motion_.
+    std::array<int, 3> space_axes_;  ///< Index of X, Y and Z; -1 where the machine has no such axis.
     AxisVector position_;
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;

@@ -108,6 +108,26 @@ TEST(Arcs, AreModal) {
                {80, 100, 0});
 }
 
+TEST(Arcs, StayModalWhenThePathIsShapedAndNoMore) {
+    expect_arc(run("F1000 G0 X100 Y100\nG3 X90 Y110 I-10\nG16\nG15\nX80 Y100 J-10\n"), {90, 100, 0}, 5 * kPi,
+               {80, 100, 0});
+    expect_arc(run("F1000 G0 X100 Y0\nG16\nG3 X100 Y90 I-100\n"), {0, 0, 0}, 50 * kPi, {0, 100, 0});
+    expect_arc(run("F1000 G0 X100 Y100 Z100\nG2 X90 Y110 I-10\nG81 X90 Y110 Z95 R100\nG16\nG80\nG15\n"
+                   "X80 Y100 J-10\n"),
+               {90, 100, 100}, 15 * kPi, {80, 100, 100});
+}
+
+TEST(Arcs, SayTheSameInLuaAndInTheCore) {
+    for (const std::string shape : {"", "G16\n"}) {
+        const std::string start = "F1000 G0 X100 Y0\n" + shape;
+        const std::uint32_t line = shape.empty() ? 2 : 3;
+        expect_alarm(run(start + "G2 X100 Y90 I10 R10\n"), line, {"not by both"});
+        expect_alarm(run(start + "G2 X100 Y90 K10\n"), line, {"K is no centre word", "takes I and J"});
+        expect_alarm(run(start + "G2 X100 Y90 R10\n"), line,
+                     {"R is 10.000000 mm", shape.empty() ? "45.000000 mm" : "70.710678 mm"});
+    }
+}
+
 TEST(Arcs, ThroughAPoint) {
     // (100,100) -> (110,110) -> (120,100) is half a circle about (110,100).
     expect_arc(run("F1000 G0 X100 Y100\nCIP X120 Y100 I1=110 J1=110\n"), {110, 100, 0}, 10 * kPi,

@@ -58,6 +58,17 @@ TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
     EXPECT_EQ(r.events(), "pallet jet_on valve");
 }
 
+TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
+    write("arcs.lua",
+          read("arcs.lua") +
+              "\nmodal_word(\"G2\", function(words) path.event(\"pallet\", tostring(words.x)) end)\n");
+    const Outcome r = run_here(
+        "F(1000) G0{x=50, y=50} G3{x=70, i=10} G2{x=1} move{x=2} G16() G2{x=3} G15() move{x=4} G1{x=5}");
+    EXPECT_TRUE(r.completed()) << r.message();
+    EXPECT_EQ(r.events(), "pallet pallet pallet pallet");
+    EXPECT_EQ(r.moves.size(), 3U);
+}
+
 TEST_F(LibraryFolder, ABrokenOneSaysWhatAndWhere) {
     write("feed.lua", "word(\"F\", function(value)\n\nthis is no Lua\n");
     EXPECT_NE(trouble().find("lua_lib/feed.lua:3:"), std::string::npos) << trouble();

@@ -1,0 +1,125 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "runtime/script/arc_reader.h"
+#include "runtime/script/axis_table.h"
+#include "runtime/script/bindings.h"
+#include "runtime/script/lua_state.h"
+#include "runtime/script/word_id.h"
+
+namespace gsim::script {
+
+namespace {
+
+constexpr std::array<const char*, 4> kPlanes{"xy", "zx", "yz", nullptr};
+
+Controller& controller_of(lua_State* state) {
+    return bound<Controller>(state);
+}
+
+/// The move of a plain arc word with its words as the first argument; upvalues: controller, ccw, word id,
+/// name.
+void move_along_arc(lua_State* state, Controller& controller) {
+    if (lua_isnoneornil(state, 1)) return;
+    const bool ccw = lua_toboolean(state, lua_upvalueindex(2)) != 0;
+    if (!lua_istable(state, 1)) {
+        const char* name = lua_tostring(state, lua_upvalueindex(4));
+        controller.alarm(state, fmt::format("{0} takes its words in braces: {0}{{x=1, y=2}}", name));
+    }
+    simulation::ArcMove move = read_arc(state, controller, ccw, 1);
+    move.feed = controller.feed(state, move.sweep_rad);
+    move.place = controller.place();
+    controller.check(state, controller.simulator().move(move));
+}
+
+/// G2{..} and G3{..}; upvalues as above.
+int arc_word(lua_State* state) {
+    Controller& controller = controller_of(state);
+    const auto id = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
+    controller.enter(state, id);
+    controller.make_modal(state, id);
+    move_along_arc(state, controller);
+    return 0;
+}
+
+/// move{..} where a plain arc is modal; upvalues as above.
+int modal_arc_word(lua_State* state) {
+    Controller& controller = controller_of(state);
+    controller.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
+    move_along_arc(state, controller);
+    return 0;
+}
+
+/// core.arc_word(ccw, id, name)
+template <int (*Function)(lua_State*)>
+int make_word(lua_State* state) {
+    const bool ccw = lua_toboolean(state, 1) != 0;
+    const lua_Integer id = check_word_id(state, 2);
+    luaL_checkstring(state, 3);
+    lua_pushvalue(state, lua_upvalueindex(1));
+    lua_pushboolean(state, static_cast<int>(ccw));
+    lua_pushinteger(state, id);
+    lua_pushvalue(state, 3);
+    lua_pushcclosure(state, trampoline<Function>, 4);
+    return 1;
+}
+
+/// core.read_arc(ccw, words): the arc in machine coordinates, as core.arc takes it: its sense, its centre,
+/// its sweep and its target.
+int read_arc_words(lua_State* state) {
+    Controller& controller = controller_of(state);
+    luaL_checktype(state, 2, LUA_TTABLE);
+    const simulation::ArcMove move = read_arc(state, controller, lua_toboolean(state, 1) != 0, 2);
+    lua_pushboolean(state, static_cast<int>(move.kind == simulation::MoveKind::arc_ccw));
+    lua_pushnumber(state, move.center_first_mm);
+    lua_pushnumber(state, move.center_second_mm);
+    lua_pushnumber(state, move.sweep_rad);
+    push_axes(state, controller, move.target);
+    return 5;
+}
+
+int set_plane(lua_State* state) {
+    controller_of(state).modal().plane =
+        static_cast<simulation::Plane>(luaL_checkoption(state, 1, nullptr, kPlanes.data()));
+    return 0;
+}
+
+/// core.set_absolute_arc_centers(on): I, J and K are a point, or a vector from the start.
+int set_absolute_arc_centers(lua_State* state) {
+    controller_of(state).modal().absolute_arc_centers = lua_toboolean(state, 1) != 0;
+    return 0;
+}
+
+/// A field of the table that is the first argument; as it is where it is left out.
+void take_field(lua_State* state, const char* name, double& value) {
+    lua_getfield(state, 1, name);
+    value = luaL_optnumber(state, -1, value);
+    lua_pop(state, 1);
+}
+
+/// core.set_arc_rules{...}: the fields of ArcRules by their names.
+int set_arc_rules(lua_State* state) {
+    luaL_checktype(state, 1, LUA_TTABLE);
+    ArcRules& rules = controller_of(state).modal().arc_rules;
+    take_field(state, "radii_tolerance_mm", rules.radii_tolerance_mm);
+    take_field(state, "radii_tolerance_inch_mm", rules.radii_tolerance_inch_mm);
+    take_field(state, "radii_tolerance_share", rules.radii_tolerance_share);
+    take_field(state, "radii_tolerance_growth", rules.radii_tolerance_growth);
+    take_field(state, "short_radius_mm", rules.short_radius_mm);
+    take_field(state, "turns_tolerance", rules.turns_tolerance);
+    return 0;
+}
+
+}  // namespace
+
+void add_arc_words(lua_State* state, Controller& controller) {
+    set_function<make_word<arc_word>>(state, "arc_word", &controller);
+    set_function<make_word<modal_arc_word>>(state, "modal_arc_word", &controller);
+    set_function<read_arc_words>(state, "read_arc", &controller);
+    set_function<set_plane>(state, "set_plane", &controller);
+    set_function<set_absolute_arc_centers>(state, "set_absolute_arc_centers", &controller);
+    set_function<set_arc_rules>(state, "set_arc_rules", &controller);
+}
+
+}  // namespace gsim::script
