@@ -312,31 +312,6 @@ void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double me
     planner_.SetPathMode(mode, tolerance_mm, merge_tolerance_mm);
 }
 
-void Simulator::set_ramps(rrs::RampMode mode) {
-    const bool no_jerk = std::all_of(machine_.axes.begin(), machine_.axes.end(),
-                                     [](const machine::Axis& axis) { return std::isinf(axis.max_jerk); });
-    if (mode == rrs::RampMode::s_curve && no_jerk)
-        warn("S-curves: no axis of the machine has a jerk limit; without one its ramps are straight");
-    warn_if_refused(planner_.SetRampMode(mode));
-}
-
-void Simulator::set_ramp_limit(rrs::RampLimit limit, int axis, double value) {
-    const bool rotary = machine_.axes[static_cast<std::size_t>(axis)].kind == machine::AxisKind::rotary;
-    const double in_joint_units = value * (rotary ? kRadPerDeg : 1.0);
-    warn_if_refused(planner_.SetJointRampLimits(limit, {&axis, 1}, {&in_joint_units, 1}));
-}
-
-void Simulator::reset_ramp_limits() {
-    const std::vector<double> none(machine_.axes.size(), motion::kUnlimited);
-    for (const auto limit :
-         {rrs::RampLimit::acceleration, rrs::RampLimit::deceleration, rrs::RampLimit::jerk})
-        warn_if_refused(planner_.SetJointRampLimits(limit, {}, none));
-}
-
-void Simulator::warn_if_refused(Status status) {
-    if (static_cast<int>(status) < 0) warn(planner_.last_error().message);
-}
-
 Status Simulator::cancel_motion() {
     const Status status = planner_.CancelMotion();
     if (status == Status::RRS_SUCCESS) position_ = to_axes(planner_.position());
