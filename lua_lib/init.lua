@@ -48,6 +48,7 @@ else
   include "ab9_angles"
   include "ab9_print"
   include "ab9_modes"
+  include "ab9_ramps"
   include "ab9_variables"
   include "ab9_modal"     -- the last one: it remembers the words that the others define
 end

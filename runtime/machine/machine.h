@@ -33,7 +33,8 @@ struct Axis {
     double max = 0;
     double max_speed = std::numeric_limits<double>::infinity();         ///< mm/s or deg/s
     double max_acceleration = std::numeric_limits<double>::infinity();  ///< mm/s2 or deg/s2
-    double max_jerk = std::numeric_limits<double>::infinity();          ///< mm/s3 or deg/s3
+    std::optional<double> max_deceleration = std::nullopt;  ///< mm/s2 or deg/s2; none: as max_acceleration.
+    double max_jerk = std::numeric_limits<double>::infinity();  ///< mm/s3 or deg/s3
     /// Jump of speed that the axis stands at a corner, mm/s or deg/s.
     double max_speed_step = std::numeric_limits<double>::infinity();
     double step = 0;  ///< Smallest step of the axis, mm or deg; 0: none.
@@ -41,6 +42,7 @@ struct Axis {
     double zero = 0;  ///< Reading of the axis at the joint's zero.
     DhRow dh = {};
 
+    double deceleration() const { return max_deceleration.value_or(max_acceleration); }
     bool operator==(const Axis&) const = default;
 };
 

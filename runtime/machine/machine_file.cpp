@@ -26,22 +26,32 @@ constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 // The keys of an axis, whose units go by its kind.
 struct AxisKeys {
     std::string_view title;
-    std::string_view min, max, max_speed, max_acceleration, max_jerk, max_speed_step, step, home, zero;
+    std::string_view min, max, max_speed, max_acceleration, max_deceleration, max_jerk, max_speed_step, step,
+        home, zero;
 
-    std::array<std::string_view, 12> all() const {
-        return {"letter", "kind",         min,  max,  max_speed, max_acceleration,
-                max_jerk, max_speed_step, step, home, zero,      "dh"};
+    std::array<std::string_view, 13> all() const {
+        return {"letter",       "kind", min,  max,  max_speed, max_acceleration, max_deceleration, max_jerk,
+                max_speed_step, step,   home, zero, "dh"};
     }
 };
 
-constexpr AxisKeys kLinearKeys{
-    "a linear [[axis]]",   "min_mm",  "max_mm",  "max_speed_mm_s", "max_acceleration_mm_s2", "max_jerk_mm_s3",
-    "max_speed_step_mm_s", "step_mm", "home_mm", "zero_mm"};
+constexpr AxisKeys kLinearKeys{"a linear [[axis]]",
+                               "min_mm",
+                               "max_mm",
+                               "max_speed_mm_s",
+                               "max_acceleration_mm_s2",
+                               "max_deceleration_mm_s2",
+                               "max_jerk_mm_s3",
+                               "max_speed_step_mm_s",
+                               "step_mm",
+                               "home_mm",
+                               "zero_mm"};
 constexpr AxisKeys kRotaryKeys{"a rotary [[axis]]",
                                "min_deg",
                                "max_deg",
                                "max_speed_deg_s",
                                "max_acceleration_deg_s2",
+                               "max_deceleration_deg_s2",
                                "max_jerk_deg_s3",
                                "max_speed_step_deg_s",
                                "step_deg",
@@ -128,6 +138,8 @@ Axis read_axis(FirstError& error, const toml::table& table) {
     axis.max = section.number(keys.max, kUnlimited, NumberRule::any);
     axis.max_speed = section.number(keys.max_speed, kUnlimited, NumberRule::positive);
     axis.max_acceleration = section.number(keys.max_acceleration, kUnlimited, NumberRule::positive);
+    if (section.has(keys.max_deceleration))
+        axis.max_deceleration = section.number(keys.max_deceleration, kUnlimited, NumberRule::positive);
     axis.max_jerk = section.number(keys.max_jerk, kUnlimited, NumberRule::positive);
     axis.max_speed_step = section.number(keys.max_speed_step, kUnlimited, NumberRule::positive);
     axis.step = section.number(keys.step, 0, NumberRule::step);

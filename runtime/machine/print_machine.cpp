@@ -39,6 +39,7 @@ void print_axis(TomlText& out, const Axis& axis) {
     out.limit(key("max"), axis.max);
     out.limit(key("max_speed", "_s"), axis.max_speed);
     out.limit(key("max_acceleration", "_s2"), axis.max_acceleration);
+    if (axis.max_deceleration) out.number(key("max_deceleration", "_s2"), *axis.max_deceleration);
     out.limit(key("max_jerk", "_s3"), axis.max_jerk);
     out.limit(key("max_speed_step", "_s"), axis.max_speed_step);
     if (axis.step != 0) out.number(key("step"), axis.step);

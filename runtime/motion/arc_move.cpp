@@ -19,8 +19,7 @@ LeadPath arc_path(const PlannerSetup& setup, const MoveRules& rules, const Segme
         const double share = shares[axis];
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0 || share < kNoShare) continue;
-        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-        lead.limit_by_joint(joint, limits, share);
+        lead.limit_by_joint(joint, law_limits(setup, joint), share);
     }
     return lead;
 }

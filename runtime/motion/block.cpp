@@ -42,7 +42,9 @@ void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Blo
         limit(block.max_speed, block.speed_limit, limits.max_speed / share, {LimitKind::joint_speed, index});
         limit(block.acceleration, block.acceleration_limit, limits.max_acceleration / share,
               {LimitKind::acceleration, index});
-        if (setup.controller.limit_jerk) block.jerk = std::min(block.jerk, limits.max_jerk / share);
+        block.deceleration = std::min(block.deceleration, limits.deceleration() / share);
+        if (setup.controller.limit_jerk)
+            limit(block.jerk, block.jerk_limit, limits.max_jerk / share, {LimitKind::jerk, index});
     }
 }
 
@@ -63,6 +65,7 @@ void limit_by_program(const Move& move, const PlannerSetup& setup, double turn, 
         limit(block.max_speed, block.speed_limit, rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
         limit(block.acceleration, block.acceleration_limit, rules.path_acceleration_mm_s2,
               {LimitKind::path_acceleration, -1});
+        block.deceleration = std::min(block.deceleration, rules.path_acceleration_mm_s2);
     }
     if (turn == 0) return;
     const double way_per_turn = block.lead.length / turn;
@@ -70,6 +73,7 @@ void limit_by_program(const Move& move, const PlannerSetup& setup, double turn, 
           {LimitKind::feed, -1});
     limit(block.acceleration, block.acceleration_limit, rules.orientation_acceleration_rad_s2 * way_per_turn,
           {LimitKind::path_acceleration, -1});
+    block.deceleration = std::min(block.deceleration, rules.orientation_acceleration_rad_s2 * way_per_turn);
 }
 
 /// What the joints can do towards the centre of an arc, all round it.
@@ -79,8 +83,8 @@ double acceleration_in_plane(const PlannerSetup& setup, const Arc& arc) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         const double share = std::hypot(arc.u[axis], arc.v[axis]);
         if (joint < 0 || share < kNoShare) continue;
-        acceleration =
-            std::min(acceleration, setup.joints[static_cast<std::size_t>(joint)].max_acceleration / share);
+        acceleration = std::min(acceleration,
+                                setup.joints[static_cast<std::size_t>(joint)].least_acceleration() / share);
     }
     return acceleration;
 }
@@ -95,6 +99,7 @@ void limit_by_curvature(const Move& move, const PlannerSetup& setup, Block& bloc
     limit(block.max_speed, block.speed_limit, std::sqrt(towards_center / curvature),
           {LimitKind::centripetal, -1});
     block.acceleration *= std::sqrt(1 - share * share);
+    block.deceleration *= std::sqrt(1 - share * share);
     if (std::isfinite(block.jerk))
         limit(block.max_speed, block.speed_limit, std::cbrt(block.jerk / (curvature * curvature)),
               {LimitKind::jerk, -1});
@@ -148,6 +153,7 @@ tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const P
     if (feed && move.rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
     block.move = move;
     block.move.length_mm = block.lead.role == JointRole::rotary ? 0 : block.lead.length;
+    block.settle_s = setup.controller.settle_s;
     set_slopes(move, setup, changes, block);
     limit_by_program(move, setup, changes.norm(JointRole::rotary), block);
     limit_by_joints(setup, shares_of(move, setup, block), block);

@@ -26,11 +26,16 @@ struct Block {
     LimitedBy speed_limit;
     double acceleration = kUnlimited;
     LimitedBy acceleration_limit;
+    double deceleration = kUnlimited;
     double jerk = kUnlimited;
+    LimitedBy jerk_limit;
+    double settle_s = 0;                      ///< At its end, if that is an exact stop.
     double entry_cap = 0;                     ///< The speed at which its start may be passed at most,
     LimitKind entry_limit = LimitKind::stop;  ///< and why.
     double entry = 0;                         ///< The speed at its start by what is known so far.
     bool by_window = false;                   ///< `entry` is low because nothing further is known.
+
+    LawLimits limits() const { return {max_speed, acceleration, deceleration, jerk}; }
 };
 
 /// The way of a move and its limits; no value where it goes nowhere (changes below 1e-9 mm or rad are none).

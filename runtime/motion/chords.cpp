@@ -43,6 +43,7 @@ void for_each_chord(const Move& move, const PlannerSetup& setup,
                 if (joint >= 0) line.end[joint] = point[axis];
             }
         }
+        line.reaches_target = i == count;
         take(line);
         line.start = line.end;
     }

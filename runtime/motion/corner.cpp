@@ -21,7 +21,7 @@ double velocity_step_speed(const PlannerSetup& setup, const rrs::JointPos& turn)
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
         const double step = std::isfinite(limits.max_speed_step)
                                 ? limits.max_speed_step
-                                : limits.max_acceleration * setup.controller.speed_step_s;
+                                : limits.least_acceleration() * setup.controller.speed_step_s;
         speed = std::min(speed, step / change);
     }
     return speed;
@@ -33,7 +33,7 @@ double acceleration_along(const PlannerSetup& setup, const Eigen::Vector3d& dire
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0 || std::abs(direction[axis]) < kStraight) continue;
-        const double limit = setup.joints[static_cast<std::size_t>(joint)].max_acceleration;
+        const double limit = setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
         acceleration = std::min(acceleration, limit / std::abs(direction[axis]));
     }
     return acceleration;
@@ -52,6 +52,7 @@ double junction_deviation_speed(const PlannerSetup& setup, const Block& from, co
     if (cosine > kBack) return 0;
     const double half_sine = std::sqrt((1 - cosine) / 2);
     const double acceleration = acceleration_along(setup, (out - in).normalized());
+    if (setup.controller.junction_deviation_mm <= 0) return 0;
     return std::sqrt(acceleration * setup.controller.junction_deviation_mm * half_sine / (1 - half_sine));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/rest_law.h"
+
 namespace gsim::motion {
 
 Followers::Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
@@ -11,38 +13,50 @@ Followers::Followers(const PlannerSetup& setup, const MoveRules& rules, const Jo
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = changes.of(joint);
         if (change == 0 || changes.role(joint) == lead) continue;
-        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-        if (changes.role(joint) != JointRole::rotary) {
-            add(joint, change, limits.max_speed, limits.max_acceleration);
-            continue;
+        LawLimits limits = law_limits(setup, joint);
+        if (changes.role(joint) == JointRole::rotary) {
+            const double share = std::abs(change) / turn;
+            const double acceleration = rules.orientation_acceleration_rad_s2 * share;
+            limits.max_speed = std::min(limits.max_speed, rules.orientation_speed_rad_s * share);
+            limits.acceleration = std::min(limits.acceleration, acceleration);
+            limits.deceleration = std::min(limits.deceleration, acceleration);
         }
-        const double share = std::abs(change) / turn;
-        add(joint, change, std::min(limits.max_speed, rules.orientation_speed_rad_s * share),
-            std::min(limits.max_acceleration, rules.orientation_acceleration_rad_s2 * share));
+        add(joint, change, limits);
     }
 }
 
-void Followers::add(int joint, double change, double max_speed, double max_acceleration) {
-    const double fastest_s = TimeLaw::fastest_s(std::abs(change), max_speed, max_acceleration);
-    moves_[count_++] = {joint, change, max_speed, max_acceleration, fastest_s};
+void Followers::add(int joint, double change, const LawLimits& limits) {
+    const double fastest_s = fastest_rest_s(std::abs(change), limits);
+    moves_[count_++] = {joint, change, limits, fastest_s};
     if (fastest_s <= fastest_s_) return;
     fastest_s_ = fastest_s;
-    const bool reached = max_speed * max_speed <= std::abs(change) * max_acceleration;
-    slowest_ = {reached ? LimitKind::joint_speed : LimitKind::acceleration, static_cast<std::int8_t>(joint)};
+    const auto index = static_cast<std::int8_t>(joint);
+    slowest_ = limit_reached(rest_law(std::abs(change), limits, fastest_s, fastest_s), limits,
+                             {LimitKind::joint_speed, index}, {LimitKind::acceleration, index},
+                             {LimitKind::jerk, index});
 }
 
 void Followers::write(Segment& segment, double duration_s) const {
     for (const Move& move : std::span(moves_.data(), count_)) {
         segment.add_follower(move.joint, std::copysign(1.0, move.change),
-                             law_within(std::abs(move.change), move.max_speed, move.max_acceleration,
-                                        move.fastest_s, duration_s));
+                             rest_law(std::abs(move.change), move.limits, move.fastest_s, duration_s),
+                             move.limits);
     }
 }
 
-TimeLaw law_within(double length, double max_speed, double max_acceleration, double fastest_s,
-                   double duration_s) {
-    if (duration_s <= fastest_s) return TimeLaw::fastest(length, max_speed, max_acceleration);
-    return TimeLaw::in_time(length, duration_s, max_acceleration, max_speed);
+LawLimits law_limits(const PlannerSetup& setup, int joint) {
+    const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+    return {limits.max_speed, limits.max_acceleration, limits.deceleration(),
+            setup.controller.limit_jerk ? limits.max_jerk : kUnlimited};
+}
+
+LimitedBy limit_reached(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
+                        const LimitedBy& acceleration_limit, const LimitedBy& jerk_limit) {
+    constexpr double kReached = 1 - 1e-12;
+    if (law.peak_speed() >= limits.max_speed * kReached) return speed_limit;
+    const double acceleration = std::min(limits.acceleration, limits.deceleration);
+    const bool jerk = std::isfinite(limits.jerk) && law.peak_acceleration() < acceleration * kReached;
+    return jerk ? jerk_limit : acceleration_limit;
 }
 
 }  // namespace gsim::motion

@@ -9,7 +9,7 @@
 
 namespace gsim::motion {
 
-/// The joints that move beside a lead path, each by a trapezoid of its own within its own limits. The
+/// The joints that move beside a lead path, each by ramps of its own within its own limits. The
 /// programmed speed and acceleration of orientation reach each rotary joint in its share of the change of
 /// orientation, so that the joints together keep them.
 class Followers {
@@ -28,12 +28,11 @@ class Followers {
     struct Move {
         int joint;
         double change;
-        double max_speed;
-        double max_acceleration;
+        LawLimits limits;
         double fastest_s;
     };
 
-    void add(int joint, double change, double max_speed, double max_acceleration);
+    void add(int joint, double change, const LawLimits& limits);
 
     std::array<Move, rrs::kMaxJoints> moves_;  // only the first count_ hold values
     std::size_t count_ = 0;
@@ -41,9 +40,11 @@ class Followers {
     LimitedBy slowest_;
 };
 
-/// The fastest law within the limits where `duration_s` is its time, otherwise the law stretched to
-/// `duration_s`.
-TimeLaw law_within(double length, double max_speed, double max_acceleration, double fastest_s,
-                   double duration_s);
+/// What the limits of a joint allow it.
+LawLimits law_limits(const PlannerSetup& setup, int joint);
+
+/// What keeps a motion within limits from being faster: its speed, its acceleration or its jerk.
+LimitedBy limit_reached(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
+                        const LimitedBy& acceleration_limit, const LimitedBy& jerk_limit);
 
 }  // namespace gsim::motion

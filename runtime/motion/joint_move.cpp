@@ -15,12 +15,8 @@ Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed,
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = std::abs(changes.of(joint));
         if (change == 0) continue;
-        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
         lead.length = 1;
-        const auto index = static_cast<std::int8_t>(joint);
-        lead.limit_speed(programmed.joint_speed(limits, joint) / change, {LimitKind::joint_speed, index});
-        lead.limit_acceleration(programmed.joint_acceleration(limits, joint) / change,
-                                {LimitKind::acceleration, index});
+        lead.limit_by_joint(joint, programmed.joint_limits(setup, joint), change);
     }
     if (lead.length == 0) {
         plan_stay(segment, 0);

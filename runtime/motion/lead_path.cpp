@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/rest_law.h"
+
 namespace gsim::motion {
 
 using rrs::Status;
@@ -15,8 +17,8 @@ constexpr double kShortest_s = 1e-15;  // below, speeds are no physical values a
 
 LimitedBy limit_of(const Segment& segment, const LeadPath& lead, const Followers* followers, double lead_s) {
     if (segment.duration_s <= lead_s) {
-        const bool reached = segment.lead.peak_speed() >= lead.max_speed * (1 - 1e-12);
-        return reached ? lead.speed_limit : lead.acceleration_limit;
+        return limit_reached(segment.lead, lead.limits, lead.speed_limit, lead.acceleration_limit,
+                             lead.jerk_limit);
     }
     const bool follower = followers != nullptr && segment.duration_s <= followers->fastest_s();
     return follower ? followers->slowest() : LimitedBy{LimitKind::time, -1};
@@ -28,11 +30,12 @@ void limit_by_path(const MoveRules& rules, LeadPath& lead) {
     lead.limit_speed(rules.programmed_speed_mm_s, {LimitKind::feed, -1});
     lead.limit_speed(rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
     lead.limit_acceleration(rules.path_acceleration_mm_s2, {LimitKind::path_acceleration, -1});
+    lead.limit_deceleration(rules.path_acceleration_mm_s2);
 }
 
 Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* followers,
                    double least_duration_s) {
-    const double lead_s = TimeLaw::fastest_s(lead.length, lead.max_speed, lead.max_acceleration);
+    const double lead_s = fastest_rest_s(lead.length, lead.limits);
     const double duration_s =
         std::max({lead_s, followers != nullptr ? followers->fastest_s() : 0.0, least_duration_s});
     if (!std::isfinite(lead.length) || !(duration_s <= kLongest_s)) {
@@ -45,7 +48,8 @@ Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* foll
                        "The move would take no time: no speed is programmed and the machine sets no limit.");
     }
     segment.duration_s = duration_s;
-    segment.lead = law_within(lead.length, lead.max_speed, lead.max_acceleration, lead_s, duration_s);
+    segment.lead = rest_law(lead.length, lead.limits, lead_s, duration_s);
+    segment.lead_limits = lead.limits;
     if (followers != nullptr) followers->write(segment, duration_s);
     segment.limited_by = limit_of(segment, lead, followers, lead_s);
     return {};

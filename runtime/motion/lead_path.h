@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "runtime/motion/followers.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/segment.h"
@@ -12,26 +14,36 @@ inline constexpr double kLongest_s = 1e12;
 /// The path that leads a move and what limits the speed along it (mm or rad, s).
 struct LeadPath {
     double length = 0;
-    double max_speed = kUnlimited;
-    double max_acceleration = kUnlimited;
-    LimitedBy speed_limit = {};         ///< What max_speed is
-    LimitedBy acceleration_limit = {};  ///< and max_acceleration.
+    LawLimits limits = {};
+    LimitedBy speed_limit = {};         ///< What limits.max_speed is,
+    LimitedBy acceleration_limit = {};  ///< limits.acceleration
+    LimitedBy jerk_limit = {};          ///< and limits.jerk.
 
     void limit_speed(double speed, LimitedBy by) {
-        if (speed >= max_speed) return;
-        max_speed = speed;
+        if (speed >= limits.max_speed) return;
+        limits.max_speed = speed;
         speed_limit = by;
     }
     void limit_acceleration(double acceleration, LimitedBy by) {
-        if (acceleration >= max_acceleration) return;
-        max_acceleration = acceleration;
+        if (acceleration >= limits.acceleration) return;
+        limits.acceleration = acceleration;
         acceleration_limit = by;
     }
+    void limit_deceleration(double deceleration) {
+        limits.deceleration = std::min(limits.deceleration, deceleration);
+    }
+    void limit_jerk(double jerk, LimitedBy by) {
+        if (jerk >= limits.jerk) return;
+        limits.jerk = jerk;
+        jerk_limit = by;
+    }
     /// The limits of a joint that goes by `share` of the way.
-    void limit_by_joint(int joint, const JointSetup& limits, double share) {
+    void limit_by_joint(int joint, const LawLimits& of_joint, double share) {
         const auto index = static_cast<std::int8_t>(joint);
-        limit_speed(limits.max_speed / share, {LimitKind::joint_speed, index});
-        limit_acceleration(limits.max_acceleration / share, {LimitKind::acceleration, index});
+        limit_speed(of_joint.max_speed / share, {LimitKind::joint_speed, index});
+        limit_acceleration(of_joint.acceleration / share, {LimitKind::acceleration, index});
+        limit_deceleration(of_joint.deceleration / share);
+        limit_jerk(of_joint.jerk / share, {LimitKind::jerk, index});
     }
 };
 

@@ -23,13 +23,13 @@ LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const 
     if (role == JointRole::rotary) {
         lead.limit_speed(rules.orientation_speed_rad_s, {LimitKind::feed, -1});
         lead.limit_acceleration(rules.orientation_acceleration_rad_s2, {LimitKind::path_acceleration, -1});
+        lead.limit_deceleration(rules.orientation_acceleration_rad_s2);
     } else {
         limit_by_path(rules, lead);
     }
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         if (changes.of(joint) == 0 || changes.role(joint) != role) continue;
-        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-        lead.limit_by_joint(joint, limits, std::abs(changes.of(joint)) / lead.length);
+        lead.limit_by_joint(joint, law_limits(setup, joint), std::abs(changes.of(joint)) / lead.length);
     }
     return lead;
 }
@@ -57,6 +57,7 @@ void plan_stay(Segment& segment, double duration_s) {
     segment.length_mm = 0;
     segment.duration_s = duration_s;
     segment.lead = TimeLaw();
+    segment.lead_limits = {};
 }
 
 tl::unexpected<PlanError> no_programmed_speed() {

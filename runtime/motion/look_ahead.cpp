@@ -6,6 +6,7 @@
 
 #include "runtime/motion/chords.h"
 #include "runtime/motion/corner.h"
+#include "runtime/motion/followers.h"
 #include "runtime/motion/line_move.h"
 #include "runtime/motion/ramp.h"
 
@@ -75,7 +76,7 @@ void LookAhead::plan_back() {
     for (std::size_t i = window_.size() - 1; i > 0; --i) {
         Block& block = window_[i];
         const double reachable =
-            reachable_speed(block.lead.length, exit_speed, block.acceleration, block.jerk);
+            reachable_speed(block.lead.length, exit_speed, block.deceleration, block.jerk);
         const bool corner = block.entry_cap <= reachable;
         const double entry = corner ? block.entry_cap : reachable;
         by_window = by_window && !corner;
@@ -90,28 +91,28 @@ void LookAhead::put_out_front(double exit_speed) {
     const Block& block = window_.front();
     const double length = block.lead.length;
     const double exit = std::min(exit_speed, reachable_speed(length, speed_, block.acceleration, block.jerk));
-    const LawLimits limits{block.max_speed, block.acceleration, block.acceleration, block.jerk};
+    const double settle_s = exit == 0 && block.move.mode == rrs::PathMode::exact_stop ? block.settle_s : 0;
     Segment& segment = output_.begin(block.move.target_id);
     segment.kind = block.move.kind;
     segment.start = block.move.start;
     segment.end = block.move.end;
     segment.arc = block.move.arc;
     segment.length_mm = block.move.length_mm;
-    segment.lead = TimeLaw::between(length, speed_, exit, limits);
+    segment.reaches_target = block.move.reaches_target && settle_s <= 0;
+    segment.lead = TimeLaw::between(length, speed_, exit, block.limits());
+    segment.lead_limits = block.limits();
     segment.duration_s = segment.lead.duration_s();
     segment.limited_by = limited_by(block, segment.lead, exit);
-    const bool settles =
-        exit == 0 && block.move.mode == rrs::PathMode::exact_stop && setup_.controller.settle_s > 0;
     const rrs::TargetId id = block.move.target_id;
     const rrs::JointPos end = block.move.end;
     output_.finish();
     window_.pop_front();
     speed_ = exit;
-    if (!settles) return;
+    if (settle_s <= 0) return;
     Segment& rest = output_.begin(id);
     rest.kind = SegmentKind::rest;
     rest.start = rest.end = end;
-    plan_stay(rest, setup_.controller.settle_s);
+    plan_stay(rest, settle_s);
     output_.finish();
 }
 
@@ -122,7 +123,7 @@ LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double e
     const bool slow_corner = speed_ > 0 && exit_speed > 0;
     if (slow_corner && next != nullptr && next->entry_limit == LimitKind::corner)
         return {LimitKind::corner, -1};
-    return block.acceleration_limit;
+    return limit_reached(law, block.limits(), block.speed_limit, block.acceleration_limit, block.jerk_limit);
 }
 
 void LookAhead::come_to_rest() {

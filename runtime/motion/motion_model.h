@@ -16,9 +16,10 @@ struct Move {
     SegmentKind kind = SegmentKind::linear;  ///< linear or circular
     rrs::JointPos start;                     ///< Where the move before ended, mm or rad.
     rrs::JointPos end;
-    Arc arc;               ///< Of a circular move, in the position joints; the other joints go in proportion.
-    double length_mm = 0;  ///< Of the tool's way; 0 where rotary joints alone move.
-    MoveRules rules;       ///< Programmed speeds and the path's limits, overrides applied.
+    Arc arc;  ///< Of a circular move, in the position joints; the other joints go in proportion.
+    bool reaches_target = true;  ///< Ends at its target; else another move leads on to it.
+    double length_mm = 0;        ///< Of the tool's way; 0 where rotary joints alone move.
+    MoveRules rules;             ///< Programmed speeds and the path's limits, overrides applied.
     bool rapid = false;
     rrs::PathMode mode = rrs::PathMode::exact_stop;
     double tolerance_mm =

@@ -33,7 +33,8 @@ std::unique_ptr<MotionModel> make_model(const PlannerSetup& setup, SegmentOutput
 }  // namespace
 
 DefaultPlanner::DefaultPlanner(PlannerSetup setup, SegmentSink* sink)
-    : setup_(valid(std::move(setup))),
+    : machine_(valid(std::move(setup))),
+      setup_(machine_),
       sink_(sink),
       axis_space_(AxisSpace::of(setup_)),
       queue_(setup_.queue_capacity),
@@ -69,8 +70,11 @@ void DefaultPlanner::start_over() {
     queue_.clear();
     if (model_) model_->clear();
     programmed_ = Programmed(setup_.joint_count());
+    setup_ = machine_;
     position_.setZero();
     via_.reset();
+    stopped_.reset();
+    events_.clear();
     error_ = {};
     end_s_ = 0;
     step_s_ = 0;
@@ -103,7 +107,7 @@ void DefaultPlanner::end_program() {
 
 Segment& DefaultPlanner::Output::begin(rrs::TargetId id) {
     DefaultPlanner& planner = planner_;
-    if (planner.queue_.room() == 0 && planner.sink_ != nullptr) planner.emit_front();
+    if (planner.queue_.room() == 0 && planner.sink_ != nullptr && !planner.keeps_all_) planner.emit_front();
     return planner.begin_segment(planner.queue_.next(), id);
 }
 
@@ -113,6 +117,7 @@ void DefaultPlanner::Output::finish() {
 }
 
 void DefaultPlanner::flush() {
+    if (stopped_) go_on();
     come_to_rest();
     while (!queue_.empty()) emit_front();
 }
@@ -122,6 +127,7 @@ void DefaultPlanner::flush() {
 void DefaultPlanner::emit_front() {
     const Segment& segment = queue_.front();
     queue_.pop();
+    events_.leave(segment);
     step_s_ = std::max(step_s_, segment.end_s());
     if (sink_ != nullptr) sink_->take(segment);
 }
@@ -134,11 +140,12 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
     if (from_s + programmed_.interpolation_s > end_s_) come_to_rest();
     Status status = queue_.empty() ? Status::RRS_NEED_MORE_DATA : Status::RRS_SUCCESS;
     step_s_ = std::min(from_s + programmed_.interpolation_s, end_s_);
-    joints = position_;
+    events_.step(from_s, step_s_, queue_);
+    joints = stopped_ ? stopped_->position : position_;
     while (!queue_.empty() && queue_.front().end_s() <= step_s_) {
         step_target_ = queue_.front().target_id;
+        if (queue_.front().reaches_target) status = Status::RRS_TARGET_REACHED;
         emit_front();
-        status = Status::RRS_TARGET_REACHED;
     }
     if (!queue_.empty()) {
         const Segment& front = queue_.front();

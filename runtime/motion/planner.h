@@ -8,12 +8,14 @@
 #include <string_view>
 
 #include "runtime/motion/axis_space.h"
+#include "runtime/motion/event_list.h"
 #include "runtime/motion/motion_model.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/programmed.h"
 #include "runtime/motion/segment.h"
 #include "runtime/motion/segment_queue.h"
+#include "runtime/motion/stop.h"
 #include "runtime/rrs/shell.h"
 
 namespace gsim::motion {
@@ -32,10 +34,15 @@ inline constexpr rrs::TargetId kNoTarget = -1;
 /// Without a model a target where the robot stands already becomes a segment of no duration, so that target
 /// ids arrive complete and in order; the dwell of SetRestParameter is a segment of its own with its target's
 /// id. A via point has no segment. A model may hold targets back until it knows those that follow: joint
-/// motion, dwells, flush() and GetNextStep past the end of what is planned make it come to rest.
+/// motion, dwells, flush(), StopMotion and GetNextStep past the end of what is planned make it come to rest.
+///
+/// Services of time: StopMotion brakes from the instant at which GetNextStep stands, each joint within its
+/// limits, over as many segments as it takes; GetNextStep then goes on to the stop. Until ContinueMotion or
+/// CancelMotion targets are refused (RRS_QUEUE_FULL). flush() continues a stopped motion. Events come true
+/// in the steps of GetNextStep.
 ///
 /// Mixed moves at rest to rest: the path of the position joints leads by the programmed speed; each other
-/// joint follows by its own fastest trapezoid; the slowest of all sets the time, and the others run slower to
+/// joint follows by its own fastest ramps; the slowest of all sets the time, and the others run slower to
 /// take as long. `configuration` and `param_value` of targets are not looked at. A via point's rotary joints
 /// are not, either.
 class DefaultPlanner final : public rrs::Shell {
@@ -60,6 +67,7 @@ class DefaultPlanner final : public rrs::Shell {
     const rrs::JointPos& position() const { return position_; }
     /// The last answer other than plain success, with its numbers; GetMessage gives its sentence.
     const PlanError& last_error() const { return error_; }
+    /// The machine, with the ramps that are in force.
     const PlannerSetup& setup() const { return setup_; }
 
     rrs::Status Initialize() override;
@@ -89,16 +97,29 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) override;
     rrs::Status GetTargetOfLastStep(rrs::TargetId& id) override;
     rrs::Status SetInterpolationTime(double interpolation_s) override;
+    rrs::Status StopMotion() override;
+    rrs::Status ContinueMotion() override;
+    rrs::Status CancelMotion() override;
 
     rrs::Status SelectMotionType(rrs::MotionType type) override;
+    rrs::Status SelectOrientationInterpolationMode(int mode) override;
     rrs::Status SelectDominantInterpolation(rrs::Dominance dominance) override;
     rrs::Status SelectFlybyMode(bool on) override;
     rrs::Status SetPathMode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) override;
     rrs::Status SetRapid(bool on) override;
+    rrs::Status SelectFlybyCriteria(int criterion) override;
+    rrs::Status SetFlybyCriteriaParameter(int criterion, int joint, double value) override;
+    rrs::Status CancelFlybyCriteria(int criterion) override;
+    rrs::Status SelectPointAccuracy(int accuracy_type) override;
+    rrs::Status SetPointAccuracyParameter(int accuracy_type, double value) override;
 
     rrs::Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) override;
     rrs::Status SetJointAccelerations(std::span<const int> joints,
                                       std::span<const double> accelerations) override;
+    rrs::Status SetJointJerks(std::span<const int> joints, std::span<const double> jerks) override;
+    rrs::Status SetRampMode(rrs::RampMode mode) override;
+    rrs::Status SetJointRampLimits(rrs::RampLimit limit, std::span<const int> joints,
+                                   std::span<const double> values) override;
     rrs::Status SetCartesianPositionSpeed(double speed_mm_s) override;
     rrs::Status SetCartesianOrientationSpeed(double speed_rad_s) override;
     rrs::Status SetCartesianPositionAcceleration(double acceleration_mm_s2) override;
@@ -107,6 +128,11 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status SetOverrideAcceleration(double percent) override;
     rrs::Status SetMotionTime(double motion_s) override;
     rrs::Status SetRestParameter(double rest_s) override;
+
+    rrs::Status DefineEvent(int event_id, rrs::TargetId target, double offset_s) override;
+    rrs::Status DefinePathEvent(int event_id, rrs::TargetId target, double offset_mm) override;
+    rrs::Status CancelEvent(int event_id) override;
+    rrs::Status GetEvent(int number, int& event_id, double& time_s) override;
 
   protected:
     rrs::Status not_supported(std::string_view service) override;
@@ -127,6 +153,11 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status refuse(rrs::Status status, std::string message);
     rrs::Status not_initialized();
     rrs::Status set_positive(double& value, double wanted, std::string_view what);
+    rrs::Status own_ramps();
+    rrs::Status check_criterion(int criterion);
+    rrs::Status check_accuracy(int accuracy_type);
+    rrs::Status define_event(int event_id, rrs::TargetId target, EventOffset offset);
+    void go_on();
     rrs::Status set_percent(double& factor, double percent, std::string_view what);
     rrs::Status set_joint_values(rrs::JointPos& values, std::span<const int> joints,
                                  std::span<const double> wanted, std::string_view what);
@@ -156,7 +187,8 @@ class DefaultPlanner final : public rrs::Shell {
     Planned plan_along_arc(Segment& segment) const;
     Planned circular_allowed() const;
 
-    PlannerSetup setup_;
+    PlannerSetup machine_;
+    PlannerSetup setup_;  ///< The machine as the program has set it.
     SegmentSink* sink_;
     std::optional<AxisSpace> axis_space_;
     SegmentQueue queue_;
@@ -167,6 +199,14 @@ class DefaultPlanner final : public rrs::Shell {
     Output output_{*this};
     std::unique_ptr<MotionModel> model_;  ///< None where each move ends at rest.
     Segment draft_;                       ///< Of the target that goes to the model.
+    EventList events_;
+    /// What is left of a stopped motion, and where it stands.
+    struct Stopped {
+        std::vector<Segment> rest;
+        rrs::JointPos position;
+    };
+    std::optional<Stopped> stopped_;
+    bool keeps_all_ = false;  ///< Nothing leaves the queue by itself; it grows instead.
     double end_s_ = 0;
     double step_s_ = 0;
     rrs::TargetId step_target_ = kNoTarget;  ///< Of the last step.

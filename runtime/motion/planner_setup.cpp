@@ -32,6 +32,9 @@ Trouble check_joint(int index, const JointSetup& joint) {
     if (auto trouble =
             check_positive(fmt::format("max_acceleration of joint {}", index), joint.max_acceleration))
         return trouble;
+    if (auto trouble =
+            check_positive(fmt::format("max_deceleration of joint {}", index), joint.deceleration()))
+        return trouble;
     if (auto trouble = check_positive(fmt::format("max_jerk of joint {}", index), joint.max_jerk))
         return trouble;
     if (auto trouble = check_positive(fmt::format("max_speed_step of joint {}", index), joint.max_speed_step))

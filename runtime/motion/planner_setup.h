@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -26,6 +27,12 @@ struct JointSetup {
     double max_jerk = kUnlimited;
     double max_speed_step = kUnlimited;  ///< Jump of speed that the joint stands at a corner.
     double step = 0;                     ///< Smallest step of the joint; 0: none.
+    /// For slowing down, where it is another limit than that for speeding up.
+    std::optional<double> max_deceleration = std::nullopt;
+
+    double deceleration() const { return max_deceleration.value_or(max_acceleration); }
+    /// What limits changes of speed both ways.
+    double least_acceleration() const { return std::min(max_acceleration, deceleration()); }
 };
 
 /// Limits of the tool's path, whatever the joints could do.

@@ -98,6 +98,10 @@ Planned DefaultPlanner::ready_for_target() {
         return refused(Status::RRS_NO_INITIAL_POSITION,
                        "The robot has no position yet; call SetInitialPosition before the first target.");
     }
+    if (stopped_) {
+        return refused(Status::RRS_QUEUE_FULL,
+                       "The motion is stopped; ContinueMotion or CancelMotion comes before another target.");
+    }
     return make_room(programmed_.rest_s > 0 ? 2 : 1);
 }
 
@@ -173,6 +177,8 @@ Segment& DefaultPlanner::begin_segment(Segment& slot, rrs::TargetId id) {
     slot.start = position_;
     slot.position_joints = setup_.position_joints;
     slot.clear_followers();
+    slot.reaches_target = true;
+    slot.lead_limits = {};
     slot.limited_by = {};
     slot.beside.reset();
     return slot;

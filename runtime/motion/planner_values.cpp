@@ -133,6 +133,47 @@ Status DefaultPlanner::SetJointAccelerations(std::span<const int> joints,
     return set_joint_values(programmed_.joint_accelerations, joints, accelerations, "acceleration");
 }
 
+Status DefaultPlanner::SetJointJerks(std::span<const int> joints, std::span<const double> jerks) {
+    return set_joint_values(programmed_.joint_jerks, joints, jerks, "jerk");
+}
+
+Status DefaultPlanner::SetRampMode(rrs::RampMode mode) {
+    if (!initialized_) return not_initialized();
+    const int number = static_cast<int>(mode);
+    if (number < 0 || number > 3) {
+        return refuse(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("There is no ramp mode {}; 0 is the machine's own, 1 linear, 2 S-curve, 3 infinite.",
+                        number));
+    }
+    if (mode != rrs::RampMode::machine && setup_.controller.planner == rrs::PlannerKind::linuxcnc)
+        return own_ramps();
+    programmed_.ramps.mode = mode;
+    put_in_force(programmed_.ramps, machine_, setup_);
+    return Status::RRS_SUCCESS;
+}
+
+Status DefaultPlanner::SetJointRampLimits(rrs::RampLimit limit, std::span<const int> joints,
+                                          std::span<const double> values) {
+    if (!initialized_) return not_initialized();
+    const int number = static_cast<int>(limit);
+    if (number < 0 || number > 2) {
+        return refuse(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("There is no limit {}; 0 is acceleration, 1 deceleration, 2 jerk.", number));
+    }
+    if (setup_.controller.planner == rrs::PlannerKind::linuxcnc) return own_ramps();
+    constexpr std::string_view kNames[] = {"acceleration", "deceleration", "jerk"};
+    const Status status = set_joint_values(programmed_.ramps.of(limit), joints, values, kNames[number]);
+    if (status == Status::RRS_SUCCESS) put_in_force(programmed_.ramps, machine_, setup_);
+    return status;
+}
+
+Status DefaultPlanner::own_ramps() {
+    return refuse(Status::RRS_MODE_NOT_SUPPORTED,
+                  "This controller has ramps of its own, which a program cannot change.");
+}
+
 Status DefaultPlanner::SetCartesianPositionSpeed(double speed_mm_s) {
     return set_positive(programmed_.position_speed_mm_s, speed_mm_s, "speed");
 }

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "runtime/motion/move_rules.h"
 #include "runtime/motion/planner_setup.h"
+#include "runtime/motion/ramps.h"
+#include "runtime/motion/s_curve.h"
 #include "runtime/rrs/types.h"
 
 namespace gsim::motion {
@@ -24,17 +28,22 @@ struct Programmed {
     double orientation_acceleration_rad_s2 = kUnlimited;
     rrs::JointPos joint_speeds;         ///< mm/s or rad/s
     rrs::JointPos joint_accelerations;  ///< mm/s2 or rad/s2
+    rrs::JointPos joint_jerks;          ///< mm/s3 or rad/s3
+    ProgrammedRamps ramps;
     double speed_override = 1;
     double acceleration_override = 1;
-    double motion_time_s = 0;  ///< Of the next target alone; 0: none.
-    double rest_s = 0;         ///< Behind the next target alone.
+    double motion_time_s = 0;        ///< Of the next target alone; 0: none.
+    double rest_s = 0;               ///< Behind the next target alone.
+    bool settles = true;             ///< Exact stops wait
+    std::optional<double> settle_s;  ///< for this long; none: for the machine's time.
+    int flyby_criterion = 0;         ///< 0: the machine's own.
+    double blend_tolerance_mm = 0;   ///< Of the fly-by criterion that has one.
     double interpolation_s = 0.01;
 
     /// The rules for a linear or circular move now.
     MoveRules rules(const PathLimits& path) const;
-    /// The speed of a joint in joint motion now, within its own limit.
-    double joint_speed(const JointSetup& limits, int joint) const;
-    double joint_acceleration(const JointSetup& limits, int joint) const;
+    /// What a joint may do in joint motion now, within the limits in force.
+    LawLimits joint_limits(const PlannerSetup& setup, int joint) const;
 };
 
 }  // namespace gsim::motion

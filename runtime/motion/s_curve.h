@@ -1,14 +1,16 @@
 #pragma once
 
+#include <limits>
+
 namespace gsim::motion {
 
 /// Limits of a motion along its path, each > 0 and possibly infinite (mm or rad, s). An infinite jerk gives
 /// trapezoids; where the acceleration is infinite, too, speeds jump.
 struct LawLimits {
-    double max_speed;
-    double acceleration;
-    double deceleration;
-    double jerk;
+    double max_speed = std::numeric_limits<double>::infinity();
+    double acceleration = std::numeric_limits<double>::infinity();
+    double deceleration = std::numeric_limits<double>::infinity();
+    double jerk = std::numeric_limits<double>::infinity();
 };
 
 /// A motion as two ramps (see ramp.h) with a cruise between them.

@@ -26,6 +26,7 @@ struct Follower {
     int joint;
     double sign;
     TimeLaw law;
+    LawLimits limits;  ///< That the law keeps.
 };
 
 /// What kept a move from being faster.
@@ -63,17 +64,19 @@ struct Segment {
     double length_mm = 0;
     rrs::JointPos start;
     rrs::JointPos end;
-    Arc arc;                                         ///< Of a circular segment, in the position joints.
+    bool reaches_target = true;  ///< Ends at its target; else another segment leads on to it.
+    Arc arc;                     ///< Of a circular segment, in the position joints.
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.
-    TimeLaw lead;  ///< Along the path: of its length in mm, or of the lead joints' norm.
+    TimeLaw lead;           ///< Along the path: of its length in mm, or of the lead joints' norm.
+    LawLimits lead_limits;  ///< That the lead keeps, so far as they limit it; none in a rest.
     LimitedBy limited_by;
     /// A motion at the same time, as long as this one, whose way adds to this one's; null in most (parabolic
     /// blends).
     std::shared_ptr<const Segment> beside;
 
     std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
-    void add_follower(int joint, double sign, const TimeLaw& law) {
-        followers_[follower_count_++] = {joint, sign, law};
+    void add_follower(int joint, double sign, const TimeLaw& law, const LawLimits& limits = {}) {
+        followers_[follower_count_++] = {joint, sign, law, limits};
     }
     void clear_followers() { follower_count_ = 0; }
 

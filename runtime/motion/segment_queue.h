@@ -18,6 +18,9 @@ class SegmentQueue {
     /// How many more segments fit.
     std::size_t room() const { return slots_.size() - count_; }
     const Segment& front() const { return slots_[first_]; }
+    std::size_t size() const { return count_; }
+    /// The segments in their order, 0 at the front.
+    const Segment& operator[](std::size_t index) const { return slots_[(first_ + index) % slots_.size()]; }
 
     /// The free slot behind the last segment, with what it held before; part of the queue after push().
     /// Without room the queue grows.

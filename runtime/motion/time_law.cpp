@@ -22,6 +22,29 @@ double peak_speed_of(const LawPiece& piece) {
     return std::max(ends, state_at(piece, turn_s).v);
 }
 
+// The cruise speed of a motion from rest to rest in a given time. Newton's method for the lower root of
+// length + speed (time of both ramps) / 2 = speed duration, whose left side is convex: from below, the steps
+// never pass the root, and the first one that gains nothing is rounding.
+double cruise_speed(double length, double duration_s, const LawLimits& limits) {
+    constexpr int kMaxIterations = 60;
+    double speed = length / duration_s;
+    for (int i = 0; i < kMaxIterations; ++i) {
+        double ramps_s = 0;
+        double slope_s = 0;  // of speed (time of both ramps)
+        for (const double acceleration : {limits.acceleration, limits.deceleration}) {
+            const RampPhases ramp = ramp_phases(speed, acceleration, limits.jerk);
+            ramps_s += ramp.duration_s();
+            slope_s += ramp.duration_s();
+            if (ramp.duration_s() > 0) slope_s += speed / ramp.acceleration;
+        }
+        const double missing = length + speed * (ramps_s / 2 - duration_s);
+        const double next = speed + missing / (duration_s - slope_s / 2);
+        if (!(slope_s / 2 < duration_s) || !(next > speed)) break;
+        speed = next;
+    }
+    return speed;
+}
+
 }  // namespace
 
 double TimeLaw::fastest_s(double length, double max_speed, double max_acceleration) {
@@ -46,6 +69,14 @@ TimeLaw TimeLaw::in_time(double length, double duration_s, double max_accelerati
     const double square = 1 - 4 * length / max_acceleration / (duration_s * duration_s);
     const double speed = 2 * length / (duration_s * (1 + std::sqrt(std::max(0.0, square))));
     return {length, duration_s, std::min(speed, max_speed), max_acceleration};
+}
+
+TimeLaw TimeLaw::in_time(double length, double duration_s, const LawLimits& limits) {
+    LawLimits slower = limits;
+    slower.max_speed = std::min(cruise_speed(length, duration_s, limits), limits.max_speed);
+    TimeLaw law = between(length, 0, 0, slower);
+    law.take(duration_s);
+    return law;
 }
 
 TimeLaw::TimeLaw(double length, double duration_s, double cruise_speed, double acceleration)
@@ -127,6 +158,30 @@ void TimeLaw::fit_length(double reached) {
         piece.jerk /= factor * factor;
         duration_s_ += piece.duration_s;
     }
+}
+
+// Runs time faster or slower, the length kept.
+void TimeLaw::take(double duration_s) {
+    if (!(duration_s_ > 0)) return;
+    const double factor = duration_s / duration_s_;
+    for (std::size_t i = 0; i < count_; ++i) {
+        LawPiece& piece = pieces_[i];
+        piece.duration_s *= factor;
+        piece.v0 /= factor;
+        piece.a0 /= factor * factor;
+        piece.jerk /= factor * factor * factor;
+    }
+    peak_speed_ /= factor;
+    duration_s_ = duration_s;
+}
+
+bool TimeLaw::jumps() const {
+    constexpr double kSame = 1e-9;  // of the peak speed
+    if (count_ == 0) return start_speed_ != end_speed_;
+    const LawPiece& last = pieces_[count_ - 1];
+    const double start_jump = std::abs(pieces_[0].v0 - start_speed_);
+    const double end_jump = std::abs(state_at(last, last.duration_s).v - end_speed_);
+    return std::max(start_jump, end_jump) > kSame * peak_speed_;
 }
 
 double TimeLaw::peak_acceleration() const {

@@ -47,6 +47,11 @@ class TimeLaw {
     static TimeLaw in_time(double length, double duration_s, double max_acceleration,
                            double max_speed = std::numeric_limits<double>::infinity());
 
+    /// Rest to rest over `length` > 0 in exactly `duration_s`, with the ramps of `limits` and the cruise
+    /// speed that results. `duration_s` must not be less than that of between(length, 0, 0, limits); a
+    /// shortfall within rounding is taken as equal.
+    static TimeLaw in_time(double length, double duration_s, const LawLimits& limits);
+
     /// The least time over `length` >= 0 from start_speed to end_speed, both >= 0, with acceleration 0 at
     /// both ends where the jerk is finite. A start_speed above max_speed is braked first, with the
     /// deceleration. The length must suffice for the ramp between both speeds (reachable_speed()). A
@@ -70,6 +75,8 @@ class TimeLaw {
     /// at the ends, and at() has the one inside.
     double start_speed() const { return start_speed_; }
     double end_speed() const { return end_speed_; }
+    /// Whether the speed jumps at an end, since nothing limits the acceleration.
+    bool jumps() const;
     std::span<const LawPiece> pieces() const { return {pieces_.data(), count_}; }
     /// The state at `t_s`, clamped to [0, duration]; the end returns `length` exactly.
     LawState at(double t_s) const;
@@ -82,6 +89,7 @@ class TimeLaw {
     }
     void add_ramp(double from_speed, double change, double to_speed, const LawLimits& limits, double& s);
     void fit_length(double reached);
+    void take(double duration_s);
 
     std::array<LawPiece, kMaxPieces> pieces_;  // only the first count_ hold values
     std::size_t count_ = 0;

@@ -205,6 +205,18 @@ Status Shell::SetNextArcTarget(TargetId, const Eigen::Vector3d&, const Eigen::Ve
     return not_supported("SetNextArcTarget");
 }
 
+Status Shell::SetRampMode(RampMode) {
+    return not_supported("SetRampMode");
+}
+
+Status Shell::SetJointRampLimits(RampLimit, std::span<const int>, std::span<const double>) {
+    return not_supported("SetJointRampLimits");
+}
+
+Status Shell::DefinePathEvent(int, TargetId, double) {
+    return not_supported("DefinePathEvent");
+}
+
 Status Shell::SetNextRest(TargetId, double) {
     return not_supported("SetNextRest");
 }

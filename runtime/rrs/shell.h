@@ -81,11 +81,13 @@ class Shell {
     virtual Status GetNextStep(JointPos& joints, CartPos& pose, double& elapsed_s);
     /// The step of GetNextStep, in s, at least 1e-6. Default: 0.01.
     virtual Status SetInterpolationTime(double interpolation_s);
-    /// Brings the motion under way to a stop on its path.
+    /// Brings the motion under way to a stop on its path. GetNextStep goes on until it stands, and answers
+    /// RRS_NEED_MORE_DATA then.
     virtual Status StopMotion();
-    /// Goes on with a stopped motion.
+    /// Goes on with a stopped motion, once it stands. RRS_INVALID_PARAMETER where none is stopped.
     virtual Status ContinueMotion();
-    /// Drops a stopped motion and what is queued behind it.
+    /// Drops the rest of a stopped motion and what is queued behind it. RRS_INVALID_PARAMETER where none is
+    /// stopped.
     virtual Status CancelMotion();
 
     // --- Kind of motion ---
@@ -93,7 +95,8 @@ class Shell {
     /// Joint, linear or circular, for the targets that follow. Default: joint.
     /// RRS_MOTION_TYPE_NOT_SUPPORTED where this machine cannot.
     virtual Status SelectMotionType(MotionType type);
-    /// How orientation is interpolated along a path; the numbers are the controller's own.
+    /// How orientation is interpolated along a path; the numbers are the controller's own. The default
+    /// planner: 0, by the joint angles; 1, the great circle, is none of its modes (RRS_MODE_NOT_SUPPORTED).
     virtual Status SelectOrientationInterpolationMode(int mode);
     /// Which rule sets the time of a move that changes position and orientation. Default: automatic.
     virtual Status SelectDominantInterpolation(Dominance dominance);
@@ -106,7 +109,8 @@ class Shell {
     virtual Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds);
     /// Programmed accelerations of joints in joint motion: mm/s2 or rad/s2; otherwise as SetJointSpeeds.
     virtual Status SetJointAccelerations(std::span<const int> joints, std::span<const double> accelerations);
-    /// Programmed jerks of joints in joint motion: mm/s3 or rad/s3; otherwise as SetJointSpeeds.
+    /// Programmed jerks of joints in joint motion: mm/s3 or rad/s3; otherwise as SetJointSpeeds. A finite one
+    /// holds with the ramps of any controller, but not with linear or infinite ones of SetRampMode.
     virtual Status SetJointJerks(std::span<const int> joints, std::span<const double> jerks);
     /// Programmed speed of the tool along linear and circular paths, > 0, infinity for the limits of the
     /// machine. No default: without it such a motion answers RRS_ZERO_SPEED.
@@ -134,24 +138,34 @@ class Shell {
 
     /// Whether motion flies by targets without stopping. Default: off. RRS_MODE_NOT_SUPPORTED.
     virtual Status SelectFlybyMode(bool on);
-    /// Puts a fly-by criterion in force; the numbers of criteria are the controller's own.
+    /// Puts a fly-by criterion in force for the targets that follow; the numbers of criteria are the
+    /// controller's own. The default planner: 1, no joint's speed jumps by more than its value (mm/s or
+    /// rad/s); 2, the speed on an arc that would miss the corner by the value (mm, of all joints); both with
+    /// look-ahead. 3, corners are cut by no more than the value (mm, of all joints), with the planner of
+    /// LinuxCNC. RRS_MODE_NOT_SUPPORTED.
     virtual Status SelectFlybyCriteria(int criterion);
     /// Gives a fly-by criterion its value for a joint (from 0; -1: for all).
     virtual Status SetFlybyCriteriaParameter(int criterion, int joint, double value);
-    /// Takes a fly-by criterion out of force.
+    /// Takes a fly-by criterion out of force: the machine's own holds. RRS_INVALID_PARAMETER where it is not
+    /// in force.
     virtual Status CancelFlybyCriteria(int criterion);
-    /// Selects how exactly targets are reached; the numbers are the controller's own.
+    /// Selects how exactly targets are reached; the numbers are the controller's own. The default planner: 0,
+    /// exact stops do not wait; 1, they wait for its value (s; the machine's, unless it is set), with
+    /// look-ahead. RRS_MODE_NOT_SUPPORTED.
     virtual Status SelectPointAccuracy(int accuracy_type);
     /// Gives a kind of point accuracy its value.
     virtual Status SetPointAccuracyParameter(int accuracy_type, double value);
 
     // --- Events and tracking ---
 
-    /// Defines an event that comes true `offset_s` (negative: before) from reaching a target.
+    /// Defines an event that comes true `offset_s` (negative: before) from reaching a target, once. One that
+    /// is in the past already, as far as the motion is known, comes true at the start of the next step. The
+    /// same id defines it anew.
     virtual Status DefineEvent(int event_id, TargetId target, double offset_s);
-    /// Takes back an event.
+    /// Takes back an event that has not come true. RRS_INVALID_PARAMETER where there is none.
     virtual Status CancelEvent(int event_id);
     /// The number-th (from 0) event that came true in the last step, and when, in s since the step's start.
+    /// In the order of time. RRS_INVALID_PARAMETER where there were no more.
     virtual Status GetEvent(int number, int& event_id, double& time_s);
     /// Whether targets follow a conveyor.
     virtual Status SelectTracking(int conveyor, bool on);
@@ -185,6 +199,17 @@ class Shell {
     /// (tolerance_mm >= 0; 0: as far as the controller does) and within what lines may be merged. Default:
     /// exact stop. SelectFlybyMode selects continuous mode or exact stop by this.
     virtual Status SetPathMode(PathMode mode, double tolerance_mm, double merge_tolerance_mm);
+    /// Extension. How the targets that follow speed up and slow down. Default: machine.
+    /// RRS_MODE_NOT_SUPPORTED.
+    virtual Status SetRampMode(RampMode mode);
+    /// Extension. Lowers a limit of joints for the targets that follow, whatever the motion type: mm/s2 or
+    /// rad/s2, for a jerk mm/s3 or rad/s3; each > 0, infinity for the joint's own limit (the default), which
+    /// holds in any case. `joints` as in SetJointSpeeds. RRS_MODE_NOT_SUPPORTED.
+    virtual Status SetJointRampLimits(RampLimit limit, std::span<const int> joints,
+                                      std::span<const double> values);
+    /// Extension. DefineEvent with a way instead of a time: the event comes true `offset_mm` (negative:
+    /// before) of the tool's way from reaching a target.
+    virtual Status DefinePathEvent(int event_id, TargetId target, double offset_mm);
     /// Extension. Queues a dwell of `rest_s` >= 0.
     virtual Status SetNextRest(TargetId id, double rest_s);
     /// Extension. The target whose motion or rest the last step of GetNextStep ended in; -1 for none.

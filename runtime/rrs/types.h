@@ -37,6 +37,13 @@ enum class PathMode { exact_stop, exact_path, continuous };
 /// has ended.
 enum class RestReason { query = 0, wait = 1, end = 2 };
 
+/// How motion speeds up and slows down: as the machine's controller does, with straight ramps, with S-curves
+/// that keep the joints' jerk limits, or at once.
+enum class RampMode { machine = 0, linear = 1, s_curve = 2, infinite = 3 };
+
+/// What limits the ramps of a joint.
+enum class RampLimit { acceleration = 0, deceleration = 1, jerk = 2 };
+
 /// What a target is: the end of a motion, or the via point of the circular motion whose end follows.
 enum class TargetParam { end = 0, via = 1 };
 

@@ -189,6 +189,34 @@ int set_path_mode(lua_State* state) {
     return 0;
 }
 
+/// core.set_ramps("machine" | "linear" | "s_curve" | "infinite")
+int set_ramps(lua_State* state) {
+    static constexpr std::array<const char*, 5> kNames{"machine", "linear", "s_curve", "infinite", nullptr};
+    self(state).simulator().set_ramps(
+        static_cast<rrs::RampMode>(luaL_checkoption(state, 1, nullptr, kNames.data())));
+    return 0;
+}
+
+/// core.set_ramp_limits("acceleration" | "deceleration" | "jerk", values by letter)
+int set_ramp_limits(lua_State* state) {
+    static constexpr std::array<const char*, 4> kNames{"acceleration", "deceleration", "jerk", nullptr};
+    const auto limit = static_cast<rrs::RampLimit>(luaL_checkoption(state, 1, nullptr, kNames.data()));
+    luaL_checktype(state, 2, LUA_TTABLE);
+    for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
+        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
+        const int axis = self(state).axis(*lua_tostring(state, -2));
+        luaL_argcheck(state, axis >= 0, 2, "there is no such axis");
+        self(state).simulator().set_ramp_limit(limit, axis, luaL_checknumber(state, -1));
+    }
+    return 0;
+}
+
+/// core.reset_ramp_limits(): those of the machine.
+int reset_ramp_limits(lua_State* state) {
+    self(state).simulator().reset_ramp_limits();
+    return 0;
+}
+
 }  // namespace
 
 void add_moves(lua_State* state, Controller& controller) {
@@ -205,6 +233,9 @@ void add_moves(lua_State* state, Controller& controller) {
     set_function<exact_stop_once>(state, "exact_stop_once", &controller);
     set_function<wait>(state, "wait", &controller);
     set_function<set_path_mode>(state, "set_path_mode", &controller);
+    set_function<set_ramps>(state, "set_ramps", &controller);
+    set_function<set_ramp_limits>(state, "set_ramp_limits", &controller);
+    set_function<reset_ramp_limits>(state, "reset_ramp_limits", &controller);
 }
 
 }  // namespace gsim::script

@@ -235,6 +235,27 @@ int get_event(lua_State* state) {
     return 3;
 }
 
+int define_path_event(lua_State* state) {
+    return answer(state, shell(state).DefinePathEvent(whole(state, 1), luaL_checkinteger(state, 2),
+                                                      luaL_checknumber(state, 3)));
+}
+
+int cancel_motion(lua_State* state) {
+    return answer(state, self(state).simulator().cancel_motion());
+}
+
+int set_ramp_mode(lua_State* state) {
+    static const char* const kNames[] = {"machine", "linear", "s_curve", "infinite", nullptr};
+    return answer(state, shell(state).SetRampMode(
+                             static_cast<rrs::RampMode>(luaL_checkoption(state, 1, nullptr, kNames))));
+}
+
+int set_joint_ramp_limits(lua_State* state) {
+    static const char* const kNames[] = {"acceleration", "deceleration", "jerk", nullptr};
+    const auto limit = static_cast<rrs::RampLimit>(luaL_checkoption(state, 1, nullptr, kNames));
+    return answer(state, shell(state).SetJointRampLimits(limit, {}, numbers(state, 2, joint_count(state))));
+}
+
 int select_tracking(lua_State* state) {
     return answer(state, shell(state).SelectTracking(whole(state, 1), lua_toboolean(state, 2) != 0));
 }
@@ -313,8 +334,9 @@ const std::array kEntries = {
     Entry{"SetRestParameter", trampoline<with_number<&S::SetRestParameter>>},
     Entry{"StopMotion", trampoline<plain<&S::StopMotion>>},
     Entry{"ContinueMotion", trampoline<plain<&S::ContinueMotion>>},
-    Entry{"CancelMotion", trampoline<plain<&S::CancelMotion>>},
+    Entry{"CancelMotion", trampoline<cancel_motion>},
     Entry{"DefineEvent", trampoline<define_event>},
+    Entry{"DefinePathEvent", trampoline<define_path_event>},
     Entry{"CancelEvent", trampoline<with_integer<&S::CancelEvent>>},
     Entry{"GetEvent", trampoline<get_event>},
     Entry{"SelectTracking", trampoline<select_tracking>},
@@ -323,6 +345,8 @@ const std::array kEntries = {
     Entry{"SetObjectNextTarget", trampoline<set_object_next_target>},
     Entry{"GetNextObjectStep", trampoline<get_next_object_step>},
     Entry{"SetRapid", trampoline<with_switch<&S::SetRapid>>},
+    Entry{"SetRampMode", trampoline<set_ramp_mode>},
+    Entry{"SetJointRampLimits", trampoline<set_joint_ramp_limits>},
     Entry{"status_name", trampoline<status_name>},
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gsim::simulation {
@@ -26,7 +27,7 @@ motion::JointLimits limits_of(const machine::Machine& machine) {
         const machine::Axis& axis = machine.axes[static_cast<std::size_t>(joint)];
         const double unit = axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1;
         limits.max_speed[joint] = axis.max_speed * unit;
-        limits.max_acceleration[joint] = axis.max_acceleration * unit;
+        limits.max_acceleration[joint] = std::max(axis.max_acceleration, axis.deceleration()) * unit;
     }
     return limits;
 }
@@ -84,7 +85,8 @@ void lower_by_norms(const motion::JointLimits& limits, const Segment& segment, P
 /// Caps that the motion keeps: an override can raise the feed, and some controllers pass limits.
 PathCaps raised_to(const PathCaps& caps, const motion::TimeLaw& law, double length) {
     const double scale = length / law.length();
-    const double acceleration = law.peak_acceleration() * scale;
+    const double acceleration =
+        law.jumps() ? std::numeric_limits<double>::infinity() : law.peak_acceleration() * scale;
     return {std::max(caps.max_speed, law.peak_speed() * scale), std::max(caps.max_acceleration, acceleration),
             std::max(caps.max_deceleration, acceleration)};
 }
@@ -204,6 +206,7 @@ void PathBound::add_arc(const Segment& segment, const Way& way, const PathCaps& 
 /// Whether no joint can have got more speed or acceleration than it has: peak speed and peak acceleration are
 /// taken to meet, where the joint's share of the way is greatest.
 bool PathBound::keeps_limits(const Segment& segment, const Way& way) const {
+    if (segment.lead.jumps()) return false;
     const double speed = segment.lead.peak_speed();
     const double acceleration = segment.lead.peak_acceleration();
     const double centripetal = segment.peak_centripetal_mm_s2();

@@ -30,6 +30,7 @@ motion::PlannerSetup planner_setup(const machine::Machine& machine) {
         joint.max = (axis.max - axis.zero) * unit;
         joint.max_speed = axis.max_speed * unit;
         joint.max_acceleration = axis.max_acceleration * unit;
+        if (axis.max_deceleration) joint.max_deceleration = *axis.max_deceleration * unit;
         joint.max_jerk = axis.max_jerk * unit;
         joint.max_speed_step = axis.max_speed_step * unit;
         joint.step = axis.step * unit;

@@ -344,6 +344,12 @@ void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double me
         warn("the controller has no path modes (G61, G64): it passes the ends of moves in its own way");
 }
 
+Status Simulator::cancel_motion() {
+    const Status status = shell_.CancelMotion();
+    if (status == Status::RRS_SUCCESS) position_ = to_axes(motion_->position());
+    return status;
+}
+
 void Simulator::event(std::string kind, std::string detail, const Place& place, bool in_passing) {
     Event event{.place = place, .kind = std::move(kind), .detail = std::move(detail)};
     if (in_passing) return events_.add_before(next_id_, std::move(event));

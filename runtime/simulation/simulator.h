@@ -107,6 +107,14 @@ class Simulator {
     void set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm);
     /// The next move ends in an exact stop, whatever the mode.
     void exact_stop_once();
+    /// How the moves that follow speed up and slow down; a warning where the controller has it its own way.
+    void set_ramps(rrs::RampMode mode);
+    /// A limit of an axis's ramps for the moves that follow, mm or deg, s; > 0. The machine's own holds, too.
+    void set_ramp_limit(rrs::RampLimit limit, int axis, double value);
+    /// The machine's own limits alone.
+    void reset_ramp_limits();
+    /// CancelMotion, as a client that steps by itself calls it: the program goes on from where it stands.
+    rrs::Status cancel_motion();
     /// The controller waits until all moves have been made, before it reads on.
     void wait() { motion_->come_to_rest(true); }
     /// Something that happens after all that came before: at rest, or, `in_passing`, when the next move
@@ -154,6 +162,7 @@ class Simulator {
     std::unique_ptr<MotionSource> make_motion(std::optional<rrs::RcsModule> module);
     void start();
     bool select_rapid(bool on);
+    void warn_if_refused(rrs::Status status);
     void leave_exact_stop();
     rrs::JointPos to_joints(const AxisVector& axes) const;
     AxisVector to_axes(const rrs::JointPos& joints) const;

@@ -112,8 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
             "M62 P1",
             "1: error: M62 is no code of Allen-Bradley 9/Series; RS274/NGC has it (output on, with the next "
             "move), see --dialect"},
-        Wrong{"G47", "1: error: G47 (linear acceleration mode) is not supported"},
-        Wrong{"G47.9 X1", "1: error: G47.9 (acceleration without limits) is not supported"},
+        Wrong{"G12", "1: error: G12 (data setting) is not supported"},
+        Wrong{"G12 X1", "1: error: G12 (data setting) is not supported"},
         Wrong{"M1000", "1: error: M1000 is no code of Allen-Bradley 9/Series"},
         Wrong{"M101 F5 I1 I2", "12: error: I stands twice in the block"},
         Wrong{"G65 X1", "1: error: G65 needs P, the program that it calls"},

@@ -177,7 +177,7 @@ TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
               "its block (1 "
               "in all)\n");
     EXPECT_TRUE(translated("G777 P5\n", options).ok) << "its word goes with it";
-    EXPECT_FALSE(translated("G47\n", options).ok) << "a code that is there, but not done, stays an error";
+    EXPECT_FALSE(translated("G12\n", options).ok) << "a code that is there, but not done, stays an error";
 }
 
 TEST(UnknownCodes, PutOffInsideOfSubroutines) {

@@ -66,7 +66,7 @@ std::string plain_block(Random& random, bool errors) {
                                                                  "M101 P5",
                                                                  "G41 D1 X5",
                                                                  "G81 X1 Z-2 R1 L3"};
-    static constexpr std::array<std::string_view, 6> kErrors = {"X", "G0 G1", "X1 X2", "@", "G47 X1", "[["};
+    static constexpr std::array<std::string_view, 6> kErrors = {"X", "G0 G1", "X1 X2", "@", "G12 X1", "[["};
     switch (below(random, errors ? 5 : 4)) {
         case 0: return one_of(random, kBlocks);
         case 1: return fmt::format("#{}={}", below(random, 100), expression(random, 4));

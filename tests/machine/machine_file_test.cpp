@@ -84,6 +84,18 @@ TEST(MachineFile, WhatIsLeftOutIsUnlimited) {
     EXPECT_EQ(read_machine(print_machine(*machine), "").value(), *machine);
 }
 
+TEST(MachineFile, ADecelerationOfItsOwnOrThatOfTheAcceleration) {
+    const auto own =
+        read_machine(with_axis_line("max_acceleration_mm_s2 = 900\nmax_deceleration_mm_s2 = 400"), "m.toml");
+    ASSERT_TRUE(own) << own.error();
+    EXPECT_EQ(own->axes[0].deceleration(), 400);
+    EXPECT_EQ(read_machine(print_machine(*own), "").value(), *own);
+    const auto same = read_machine(with_axis_line("max_acceleration_mm_s2 = 900"), "m.toml");
+    ASSERT_TRUE(same) << same.error();
+    EXPECT_EQ(same->axes[0].deceleration(), 900);
+    EXPECT_FALSE(same->axes[0].max_deceleration.has_value());
+}
+
 TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
     const auto linear = read_machine(
         with_axis_line("max_jerk_mm_s3 = 5000\nmax_speed_step_mm_s = 2.5\nstep_mm = 0.004"), "m.toml");

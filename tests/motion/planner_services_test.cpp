@@ -32,25 +32,11 @@ INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, both_ways(), way_name);
 TEST_P(PlannerServices, what_is_not_offered_says_so_by_name) {
     CartPos pose = CartPos::Identity();
     double seconds = 0;
-    int event = 0;
     const std::vector<std::pair<const char*, Status>> answers{
         {"GetCellFrame", planner.GetCellFrame("BASE", pose)},
         {"ModifyCellFrame", planner.ModifyCellFrame("TOOL", pose)},
         {"SelectWorkFrames", planner.SelectWorkFrames("TOOL", "BASE")},
         {"SelectTrajectoryMode", planner.SelectTrajectoryMode(1)},
-        {"StopMotion", planner.StopMotion()},
-        {"ContinueMotion", planner.ContinueMotion()},
-        {"CancelMotion", planner.CancelMotion()},
-        {"SelectOrientationInterpolationMode", planner.SelectOrientationInterpolationMode(1)},
-        {"SetJointJerks", planner.SetJointJerks({}, {})},
-        {"SelectFlybyCriteria", planner.SelectFlybyCriteria(1)},
-        {"SetFlybyCriteriaParameter", planner.SetFlybyCriteriaParameter(1, 0, 1)},
-        {"CancelFlybyCriteria", planner.CancelFlybyCriteria(1)},
-        {"SelectPointAccuracy", planner.SelectPointAccuracy(1)},
-        {"SetPointAccuracyParameter", planner.SetPointAccuracyParameter(1, 1)},
-        {"DefineEvent", planner.DefineEvent(1, 1, 0)},
-        {"CancelEvent", planner.CancelEvent(1)},
-        {"GetEvent", planner.GetEvent(0, event, seconds)},
         {"SelectTracking", planner.SelectTracking(1, true)},
         {"SetConveyorPosition", planner.SetConveyorPosition(1, 0)},
         {"SetObjectSpeed", planner.SetObjectSpeed(1)},

@@ -74,13 +74,26 @@ TEST(Services, EachExistsAndAnswersAStatus) {
 }
 
 TEST(Services, ThatAreNotOfferedSayMinusTwo) {
-    for (const char* call :
-         {"Reset()", "Terminate()", "SelectTracking(1, true)", "SetConveyorPosition(1, 1)",
-          "SetObjectSpeed(1)", "GetNextObjectStep()",
-          "SetObjectNextTarget({{1,0,0,0},{0,1,0,0},{0,0,1,0},{0,0,0,1}})", "DefineEvent(1, 1, 0)",
-          "GetEvent(1)", "StopMotion()", "ContinueMotion()", "CancelMotion()"})
+    for (const char* call : {"Reset()", "Terminate()", "SelectTracking(1, true)", "SetConveyorPosition(1, 1)",
+                             "SetObjectSpeed(1)", "GetNextObjectStep()",
+                             "SetObjectNextTarget({{1,0,0,0},{0,1,0,0},{0,0,1,0},{0,0,0,1}})"})
         expect_true(fmt::format("assert(rrs.{} == -2)", call));
     expect_true("assert(rrs.status_name(-2) == 'RRS_SERVICE_NOT_SUPPORTED')");
+}
+
+TEST(Services, AStoppedMotionIsDroppedAndTheProgramGoesOn) {
+    const Outcome r = expect_true(R"(
+assert(rrs.ContinueMotion() == -4)
+assert(rrs.SelectMotionType("linear") == 0)
+assert(rrs.SetCartesianPositionSpeed(100) == 0)
+assert(rrs.SetNextTarget({100, 0, 0, 0, 0}) == 0)
+assert(rrs.DefineEvent(1, 1, 0) == 0)
+assert(rrs.StopMotion() == 0)
+assert(rrs.SetNextTarget({200, 0, 0, 0, 0}) == -12)
+assert(rrs.CancelMotion() == 0)
+assert(rrs.SetNextTarget({0, 50, 0, 0, 0}) == 0)
+)");
+    expect_end(r, 0, 50, 0);
 }
 
 TEST(Services, TargetsMoveTheMachine) {

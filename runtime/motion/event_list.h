@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "runtime/motion/segment_queue.h"
+#include "runtime/rrs/types.h"
+
+namespace gsim::motion {
+
+/// How far from reaching its target an event comes true; negative: before.
+struct EventOffset {
+    enum class Measure { time_s, way_mm } measure = Measure::time_s;
+    double value = 0;
+};
+
+/// Events that a client has defined, and those that came true in the last step.
+class EventList {
+  public:
+    struct CameTrue {
+        int id;
+        double time_s;  ///< Since the start of the step.
+    };
+
+    /// In place of an event of the same id.
+    void define(int id, rrs::TargetId target, EventOffset offset);
+    /// False where there is no such event that has yet to come true.
+    bool cancel(int id);
+    void clear();
+
+    /// Finds what comes true in a step of the clock; `queue` has the segments that are under way in it and
+    /// those behind, as far as they are known. An event whose time has passed comes true at the step's start.
+    void step(double from_s, double to_s, const SegmentQueue& queue);
+    /// A segment has left the queue.
+    void leave(const Segment& segment);
+
+    /// In the last step, in the order of time.
+    const std::vector<CameTrue>& came_true() const { return came_true_; }
+
+  private:
+    struct Event {
+        int id;
+        rrs::TargetId target;
+        EventOffset offset;  ///< A way behind a target that has been reached: what is left of it.
+        std::optional<double> reached_s;  ///< When its target was reached.
+    };
+
+    static std::optional<double> time_of(const Event& event, const SegmentQueue& queue);
+
+    std::vector<Event> events_;
+    std::vector<CameTrue> came_true_;
+};
+
+}  // namespace gsim::motion

@@ -1,0 +1,36 @@
+// How moves speed up and slow down, as a program selects it.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::simulation {
+
+void Simulator::set_ramps(rrs::RampMode mode) {
+    const bool no_jerk = std::all_of(machine_.axes.begin(), machine_.axes.end(),
+                                     [](const machine::Axis& axis) { return std::isinf(axis.max_jerk); });
+    if (mode == rrs::RampMode::s_curve && no_jerk)
+        warn("S-curves: no axis of the machine has a jerk limit; without one its ramps are straight");
+    warn_if_refused(shell_.SetRampMode(mode));
+}
+
+void Simulator::set_ramp_limit(rrs::RampLimit limit, int axis, double value) {
+    const bool rotary = machine_.axes[static_cast<std::size_t>(axis)].kind == machine::AxisKind::rotary;
+    const double in_joint_units = value * (rotary ? std::numbers::pi / 180.0 : 1.0);
+    warn_if_refused(shell_.SetJointRampLimits(limit, {&axis, 1}, {&in_joint_units, 1}));
+}
+
+void Simulator::reset_ramp_limits() {
+    const std::vector<double> none(machine_.axes.size(), motion::kUnlimited);
+    for (const auto limit :
+         {rrs::RampLimit::acceleration, rrs::RampLimit::deceleration, rrs::RampLimit::jerk})
+        warn_if_refused(shell_.SetJointRampLimits(limit, {}, none));
+}
+
+void Simulator::warn_if_refused(rrs::Status status) {
+    if (static_cast<int>(status) < 0) warn(motion_->last_error().message);
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,97 @@
+// Fly-by criteria, point accuracy and the interpolation of orientation, as services select them.
+
+#include "tests/motion/machines.h"
+#include "tests/motion/segment_checks.h"
+
+namespace gsim::motion {
+namespace {
+
+using rrs::PlannerKind;
+using rrs::Status;
+
+PlannerSetup setup_of(PlannerKind kind) {
+    PlannerSetup setup = gantry_setup();
+    setup.controller.planner = kind;
+    setup.controller.servo_period_s = kind == PlannerKind::linuxcnc ? 0.001 : 0;
+    return setup;
+}
+
+/// Speed at which a right corner is passed.
+double corner_speed(ReadyPlanner& ready) {
+    const std::size_t first = ready.collector.segments.size();
+    const rrs::JointPos at = ready.planner.position();
+    ready.to(at + joint_pos({100, 0, 0, 0, 0}));
+    ready.to(at + joint_pos({100, 100, 0, 0, 0}));
+    ready.planner.flush();
+    return ready.collector.segments.at(first).lead.end_speed();
+}
+
+TEST(Flyby, CriteriaOfALookAhead) {
+    ReadyPlanner ready(setup_of(PlannerKind::look_ahead), joint_pos({0, 0, 0, 0, 0}));
+    DefaultPlanner& planner = ready.planner;
+    planner.SelectMotionType(rrs::MotionType::linear);
+    planner.SetCartesianPositionSpeed(200);
+    planner.SelectFlybyMode(true);
+    EXPECT_EQ(corner_speed(ready), 0) << "the machine's own rule";
+    EXPECT_EQ(planner.SetFlybyCriteriaParameter(1, -1, 12), Status::RRS_SUCCESS);
+    EXPECT_EQ(planner.SelectFlybyCriteria(1), Status::RRS_SUCCESS);
+    EXPECT_NEAR(corner_speed(ready), 12, 1e-9);
+    EXPECT_EQ(planner.SetFlybyCriteriaParameter(1, 1, 7), Status::RRS_SUCCESS);
+    EXPECT_NEAR(corner_speed(ready), 7, 1e-9) << "of the slower joint";
+    EXPECT_EQ(planner.SetFlybyCriteriaParameter(2, -1, 0.1), Status::RRS_SUCCESS);
+    EXPECT_EQ(planner.SelectFlybyCriteria(2), Status::RRS_SUCCESS);
+    // Half of the right angle, with the acceleration of two joints together across the corner.
+    const double half_sine = std::sqrt(0.5);
+    const double acceleration = 490.33 * std::sqrt(2);
+    EXPECT_NEAR(corner_speed(ready), std::sqrt(acceleration * 0.1 * half_sine / (1 - half_sine)), 1e-9);
+    EXPECT_EQ(planner.CancelFlybyCriteria(1), Status::RRS_INVALID_PARAMETER) << "not in force";
+    EXPECT_EQ(planner.CancelFlybyCriteria(2), Status::RRS_SUCCESS);
+    EXPECT_EQ(corner_speed(ready), 0);
+}
+
+TEST(Flyby, WhatAControllerDoesNotHaveItRefuses) {
+    for (const auto kind : {PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc}) {
+        ReadyPlanner ready(setup_of(kind), joint_pos({0, 0, 0, 0, 0}));
+        const auto answer = [&](bool has) {
+            return has ? Status::RRS_SUCCESS : Status::RRS_MODE_NOT_SUPPORTED;
+        };
+        for (const int criterion : {1, 2, 3}) {
+            const bool has = kind == (criterion == 3 ? PlannerKind::linuxcnc : PlannerKind::look_ahead);
+            EXPECT_EQ(ready.planner.SetFlybyCriteriaParameter(criterion, -1, 0.5), answer(has));
+            EXPECT_EQ(ready.planner.SelectFlybyCriteria(criterion), answer(has));
+        }
+        EXPECT_EQ(ready.planner.SelectFlybyCriteria(4), Status::RRS_INVALID_PARAMETER);
+        EXPECT_EQ(ready.planner.SelectPointAccuracy(0), Status::RRS_SUCCESS);
+        EXPECT_EQ(ready.planner.SelectPointAccuracy(1), answer(kind == PlannerKind::look_ahead));
+        EXPECT_EQ(ready.planner.SelectPointAccuracy(2), Status::RRS_INVALID_PARAMETER);
+        EXPECT_EQ(ready.planner.SelectOrientationInterpolationMode(0), Status::RRS_SUCCESS);
+        EXPECT_EQ(ready.planner.SelectOrientationInterpolationMode(1), Status::RRS_MODE_NOT_SUPPORTED);
+        EXPECT_EQ(ready.planner.SelectOrientationInterpolationMode(7), Status::RRS_INVALID_PARAMETER);
+    }
+}
+
+TEST(Flyby, ExactStopsWaitAsSelected) {
+    PlannerSetup setup = setup_of(PlannerKind::look_ahead);
+    setup.controller.settle_s = 0.25;
+    ReadyPlanner ready(setup, joint_pos({0, 0, 0, 0, 0}));
+    DefaultPlanner& planner = ready.planner;
+    planner.SelectMotionType(rrs::MotionType::linear);
+    planner.SetCartesianPositionSpeed(100);
+    const auto time_to = [&](double x_mm) {
+        const double before_s = planner.time_s();
+        ready.to(joint_pos({x_mm, 0, 0, 0, 0}));
+        planner.flush();
+        return planner.time_s() - before_s;
+    };
+    const double move_s = trapezoid_s(50, 100, 490.33);
+    EXPECT_NEAR(time_to(50), move_s + 0.25, 1e-9);
+    planner.SelectPointAccuracy(0);
+    EXPECT_NEAR(time_to(0), move_s, 1e-9);
+    planner.SetPointAccuracyParameter(1, 2);
+    EXPECT_NEAR(time_to(50), move_s, 1e-9) << "not selected";
+    planner.SelectPointAccuracy(1);
+    EXPECT_NEAR(time_to(0), move_s + 2, 1e-9);
+}
+
+}  // namespace
+}  // namespace gsim::motion

@@ -1,0 +1,224 @@
+// StopMotion, ContinueMotion and CancelMotion, at any instant and within limits.
+
+#include "tests/motion/motion_checks.h"
+
+namespace gsim::motion {
+namespace {
+
+using rrs::MotionType;
+using rrs::Status;
+
+rrs::JointPos random_target(std::mt19937& random, int joints) {
+    std::uniform_real_distribution<double> place(-60, 60);
+    rrs::JointPos target(joints);
+    for (double& value : target) value = place(random);
+    return target;
+}
+
+PlannerSetup chain_of_three() {
+    PlannerSetup setup;
+    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
+    setup.position_joints = {0, 1, 2};
+    const kinematics::DhLink slide{.kind = rrs::JointKind::prismatic};
+    setup.kinematics = std::make_shared<kinematics::ChainKinematics>(kinematics::DhChain(
+        rrs::CartPos::Identity(), std::vector{slide, slide, slide}, rrs::CartPos::Identity()));
+    return setup;
+}
+
+PlannerSetup look_ahead_setup() {
+    PlannerSetup setup = chain_of_three();
+    setup.controller.planner = rrs::PlannerKind::look_ahead;
+    setup.controller.corner = rrs::CornerRule::velocity_step;
+    setup.queue_capacity = 400;
+    return setup;
+}
+
+struct Step {
+    Status status;
+    rrs::JointPos joints;
+    double elapsed_s;
+};
+
+Step step(DefaultPlanner& planner) {
+    Step step{};
+    rrs::CartPos pose;
+    step.status = planner.GetNextStep(step.joints, pose, step.elapsed_s);
+    return step;
+}
+
+/// Steps until the robot stands; the number of targets that it reached.
+int run_out(DefaultPlanner& planner, rrs::JointPos& at) {
+    int reached = 0;
+    for (int i = 0; i < 1'000'000; ++i) {
+        const Step now = step(planner);
+        at = now.joints;
+        if (now.status == Status::RRS_NEED_MORE_DATA) return reached;
+        if (now.status == Status::RRS_TARGET_REACHED) ++reached;
+    }
+    ADD_FAILURE() << "it does not come to an end";
+    return reached;
+}
+
+TEST(Stop, ATrapezoidStopsInTheLengthOfItsBrakes) {
+    ReadyPlanner ready(chain_of_three(), joint_pos({0, 0, 0}));
+    ready.planner.SetInterpolationTime(0.5);
+    ready.to(joint_pos({100, 0, 0}));
+    EXPECT_NEAR(step(ready.planner).joints[0], 45, 1e-9);
+    ASSERT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
+    EXPECT_EQ(ready.to(joint_pos({0, 0, 0})), Status::RRS_QUEUE_FULL);
+    const Step stopped = step(ready.planner);
+    EXPECT_NEAR(stopped.joints[0], 50, 1e-9) << "100^2 / 2 / 1000";
+    EXPECT_NEAR(stopped.elapsed_s, 0.1, 1e-9);
+    EXPECT_EQ(step(ready.planner).status, Status::RRS_NEED_MORE_DATA);
+    ASSERT_EQ(ready.planner.ContinueMotion(), Status::RRS_SUCCESS);
+    rrs::JointPos at;
+    EXPECT_EQ(run_out(ready.planner, at), 1);
+    EXPECT_EQ(at, joint_pos({100, 0, 0}));
+    EXPECT_NEAR(ready.planner.time_s(), 0.6 + trapezoid_s(50, 100, 1000), 1e-9);
+}
+
+TEST(Stop, CancelDropsTheRest) {
+    ReadyPlanner ready(chain_of_three(), joint_pos({0, 0, 0}));
+    ready.planner.SetInterpolationTime(0.5);
+    ready.to(joint_pos({100, 0, 0}));
+    ready.to(joint_pos({100, 100, 0}));
+    step(ready.planner);
+    EXPECT_EQ(ready.planner.CancelMotion(), Status::RRS_INVALID_PARAMETER);
+    ready.planner.StopMotion();
+    ASSERT_EQ(ready.planner.CancelMotion(), Status::RRS_SUCCESS);
+    EXPECT_NEAR(ready.planner.position()[0], 50, 1e-9);
+    ASSERT_EQ(ready.to(joint_pos({0, 0, 0})), Status::RRS_SUCCESS);
+    rrs::JointPos at;
+    EXPECT_EQ(run_out(ready.planner, at), 1);
+    EXPECT_EQ(at, joint_pos({0, 0, 0}));
+    expect_joined(ready.collector.segments);
+}
+
+TEST(Stop, WhereNothingMoves) {
+    ReadyPlanner ready(chain_of_three(), joint_pos({0, 0, 0}));
+    EXPECT_EQ(ready.planner.ContinueMotion(), Status::RRS_INVALID_PARAMETER);
+    EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
+    EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
+    EXPECT_EQ(ready.planner.ContinueMotion(), Status::RRS_SUCCESS);
+    ready.planner.SetNextRest(7, 2);
+    ready.planner.SetInterpolationTime(0.5);
+    step(ready.planner);
+    ready.planner.StopMotion();
+    EXPECT_EQ(step(ready.planner).status, Status::RRS_NEED_MORE_DATA);
+    ready.planner.ContinueMotion();
+    EXPECT_NEAR(ready.planner.time_s(), 2, 1e-12) << "a dwell goes on";
+}
+
+/// One of many random motions is stopped at a random instant, goes on, and is stopped again.
+void stop_and_go(std::mt19937& random, const PlannerSetup& setup, bool joint_motion) {
+    const int joints = setup.joint_count();
+    ReadyPlanner ready(setup, rrs::JointPos::Zero(joints));
+    DefaultPlanner& planner = ready.planner;
+    planner.SetCartesianPositionSpeed(90);
+    planner.SelectFlybyMode(true);
+    planner.SelectMotionType(joint_motion ? MotionType::joint : MotionType::linear);
+    planner.SetInterpolationTime(0.003);
+    rrs::JointPos target = rrs::JointPos::Zero(joints);
+    std::uniform_real_distribution<double> nudge(-1, 4);
+    const bool short_blocks = std::bernoulli_distribution(0.5)(random);
+    const int count = short_blocks ? 60 : 4;
+    for (int i = 0; i < count; ++i) {
+        if (short_blocks) {
+            for (double& value : target) value += nudge(random);
+        } else {
+            target = random_target(random, joints);
+        }
+        ASSERT_EQ(ready.to(target), Status::RRS_SUCCESS) << ready.message();
+    }
+    planner.SetInterpolationTime(std::max(planner.time_s() / 300, 0.003));
+    int reached = 0;
+    for (int stops = 0; stops < 3; ++stops) {
+        const int steps = std::uniform_int_distribution<int>(0, 200)(random);
+        for (int i = 0; i < steps; ++i) reached += step(planner).status == Status::RRS_TARGET_REACHED;
+        ASSERT_EQ(planner.StopMotion(), Status::RRS_SUCCESS);
+        rrs::JointPos at;
+        reached += run_out(planner, at);
+        ASSERT_EQ(planner.ContinueMotion(), Status::RRS_SUCCESS);
+    }
+    rrs::JointPos at;
+    run_out(planner, at);
+    ASSERT_EQ(at, target);
+    expect_joined(ready.collector.segments);
+    for (const Segment& segment : ready.collector.segments) {
+        expect_segment_limits(segment, setup);
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    double stands = 0;
+    for (const Segment& segment : ready.collector.segments) stands += segment.lead.end_speed() == 0;
+    EXPECT_GE(stands, 1);
+}
+
+TEST(Stop, KeepsLimitsWithFollowersAndJerks) {
+    std::mt19937 random(21);
+    for (int round = 0; round < 120; ++round) {
+        PlannerSetup setup = odd_setup(random);
+        set_ramps(setup, random, round % 2 == 0);
+        stop_and_go(random, setup, round % 3 == 0);
+        if (testing::Test::HasFatalFailure()) FAIL() << "round " << round;
+    }
+}
+
+TEST(Stop, KeepsLimitsOverManyBlocks) {
+    std::mt19937 random(22);
+    for (int round = 0; round < 120; ++round) {
+        PlannerSetup setup = look_ahead_setup();
+        set_ramps(setup, random, round % 2 == 0);
+        stop_and_go(random, setup, false);
+        if (testing::Test::HasFatalFailure()) FAIL() << "round " << round;
+    }
+}
+
+/// Straight ahead over short blocks, straight ramps brake as over one.
+TEST(Stop, ShortBlocksDoNotDelayIt) {
+    ReadyPlanner ready(look_ahead_setup(), joint_pos({0, 0, 0}));
+    ready.planner.SelectFlybyMode(true);
+    ready.planner.SelectMotionType(MotionType::linear);
+    ready.planner.SetCartesianPositionSpeed(100);
+    for (int i = 1; i <= 300; ++i) ready.to(joint_pos({0.5 * i, 0, 0}));
+    ready.planner.SetInterpolationTime(0.5);
+    EXPECT_NEAR(step(ready.planner).joints[0], 45, 1e-6);
+    ready.planner.StopMotion();
+    EXPECT_NEAR(step(ready.planner).joints[0], 50, 1e-6);
+    EXPECT_EQ(step(ready.planner).status, Status::RRS_NEED_MORE_DATA);
+}
+
+TEST(Stop, OnAnArcItStaysOnTheArc) {
+    for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
+        PlannerSetup setup = chain_of_three();
+        setup.controller.planner = kind;
+        ReadyPlanner ready(setup, joint_pos({50, 0, 0}));
+        ready.planner.SetCartesianPositionSpeed(80);
+        ASSERT_EQ(ready.arc_to(joint_pos({50, 0, 10}), {0, 0, 0}, {0, 0, 1}, 2 * kPi), Status::RRS_SUCCESS)
+            << ready.message();
+        ready.planner.SetInterpolationTime(0.7);
+        step(ready.planner);
+        step(ready.planner);
+        ready.planner.StopMotion();
+        rrs::JointPos at;
+        run_out(ready.planner, at);
+        EXPECT_NEAR(std::hypot(at[0], at[1]), 50, 1e-9);
+        ready.planner.ContinueMotion();
+        EXPECT_EQ(run_out(ready.planner, at), 1);
+        EXPECT_LT((at - joint_pos({50, 0, 10})).norm(), 1e-9);
+        expect_joined(ready.collector.segments);
+        double length_mm = 0;
+        for (const Segment& segment : ready.collector.segments) length_mm += segment.length_mm;
+        EXPECT_NEAR(length_mm, std::hypot(2 * kPi * 50, 10), 1e-6);
+    }
+}
+
+TEST(Stop, IsNoServiceOfLinuxcncsPlanner) {
+    PlannerSetup setup = chain_of_three();
+    setup.controller.planner = rrs::PlannerKind::linuxcnc;
+    setup.controller.servo_period_s = 0.001;
+    ReadyPlanner ready(setup, joint_pos({0, 0, 0}));
+    EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SERVICE_NOT_SUPPORTED);
+}
+
+}  // namespace
+}  // namespace gsim::motion
