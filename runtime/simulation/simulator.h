@@ -183,7 +183,7 @@ class Simulator {
     EventLog events_;
     motion::PlannerSetup setup_;
     std::unique_ptr<MotionSource> motion_;
-    rrs::Shell& shell_;  ///< Of motion_.
+    rrs::Shell& shell_;              ///< Of motion_.
     std::array<int, 3> space_axes_;  ///< Index of X, Y and Z; -1 where the machine has no such axis.
     AxisVector position_;
     std::vector<std::string> files_;
