@@ -90,6 +90,22 @@ double Segment::path_speed_mm_s(double t_s) const {
     return std::sqrt(square);
 }
 
+double Segment::blended_length_mm() const {
+    constexpr int kChords = 32;
+    double length = 0;
+    rrs::JointPos from = start;
+    for (int i = 1; i <= kChords; ++i) {
+        const rrs::JointPos to = position_at(duration_s * i / kChords);
+        double square = 0;
+        for (const int joint : position_joints) {
+            if (joint >= 0) square += (to[joint] - from[joint]) * (to[joint] - from[joint]);
+        }
+        length += std::sqrt(square);
+        from = to;
+    }
+    return length;
+}
+
 double Segment::peak_centripetal_mm_s2() const {
     if (kind != SegmentKind::circular) return 0;
     return lead.peak_speed() * lead.peak_speed() * arc.max_curvature();

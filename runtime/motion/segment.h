@@ -85,6 +85,8 @@ struct Segment {
     rrs::JointPos end_position() const;
     /// Positions only, at `t_s` since the start of the segment; exact start and end_position() at the ends.
     rrs::JointPos position_at(double t_s) const;
+    /// The length of the tool's way where two motions go on at once, by chords.
+    double blended_length_mm() const;
     /// Positions, velocities and accelerations at `t_s` since the start of the segment.
     JointState at(double t_s) const;
     /// Speed of the tool along its path (mm/s) at `t_s` since the start of the segment; 0 where length_mm is

@@ -137,6 +137,10 @@ TEST(LinuxcncBlend, a_tolerance_bounds_parabolas) {
         const double speed = run.segments[1].at(0).velocity[0];
         EXPECT_NEAR(speed, std::min(100.0, 2 * std::sqrt(kA / 2 * tolerance_mm * std::sqrt(2.0))), 1e-6);
         EXPECT_LT(distance_to(run, 100, 0), 2 * tolerance_mm);
+        double length_mm = 0;
+        for (const Segment& segment : run.segments) length_mm += segment.length_mm;
+        EXPECT_LT(length_mm, 200) << "the corner is cut";
+        EXPECT_GT(length_mm, 200 - 2 * tolerance_mm) << "and the way round it counts whole";
     }
 }
 

@@ -127,6 +127,7 @@ void Writer::put_both(const Span& tail, const Span& head, const rrs::JointPos& c
     segment.end += moved;
     if (segment.kind == SegmentKind::circular) segment.arc.center += axes_.point(moved);
     segment.beside = std::move(beside);
+    segment.length_mm = segment.blended_length_mm();
     output_.finish();
 }
 
