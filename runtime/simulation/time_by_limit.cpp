@@ -27,6 +27,7 @@ std::vector<LimitTime> TimeByLimit::list(const machine::Machine& machine) const 
     }
     if (rests_.value() > 0) times_s["dwell"] = rests_.value();
     std::vector<LimitTime> list;
+    list.reserve(times_s.size());
     for (const auto& [limited_by, time_s] : times_s) list.push_back({limited_by, time_s});
     std::stable_sort(list.begin(), list.end(),
                      [](const LimitTime& a, const LimitTime& b) { return a.time_s > b.time_s; });
