@@ -62,10 +62,7 @@ Planned LookAhead::add_block(const Move& move) {
     }
     window_.push_back(*std::move(*block));
     plan_back();
-    if (window_.size() >= std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1)) {
-        const double exit_speed = window_.size() > 1 ? window_[1].entry : 0;
-        put_out_front(exit_speed);
-    }
+    if (window_.size() >= std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1)) put_out_front();
     return {};
 }
 
@@ -87,10 +84,12 @@ void LookAhead::plan_back() {
     }
 }
 
-void LookAhead::put_out_front(double exit_speed) {
+/// The oldest block ends at the speed at which the next one begins, as far as it can reach it.
+void LookAhead::put_out_front() {
     const Block& block = window_.front();
     const double length = block.lead.length;
-    const double exit = std::min(exit_speed, reachable_speed(length, speed_, block.acceleration, block.jerk));
+    const double planned = window_.size() > 1 ? window_[1].entry : 0;
+    const double exit = std::min(planned, reachable_speed(length, speed_, block.acceleration, block.jerk));
     const double settle_s = exit == 0 && block.move.mode == rrs::PathMode::exact_stop ? block.settle_s : 0;
     Segment& segment = output_.begin(block.move.target_id);
     segment.kind = block.move.kind;
@@ -108,7 +107,10 @@ void LookAhead::put_out_front(double exit_speed) {
     output_.finish();
     window_.pop_front();
     speed_ = exit;
-    if (settle_s <= 0) return;
+    if (settle_s > 0) put_out_rest(id, end, settle_s);
+}
+
+void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s) {
     Segment& rest = output_.begin(id);
     rest.kind = SegmentKind::rest;
     rest.start = rest.end = end;
@@ -127,7 +129,7 @@ LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double e
 }
 
 void LookAhead::come_to_rest() {
-    while (!window_.empty()) put_out_front(window_.size() > 1 ? window_[1].entry : 0);
+    while (!window_.empty()) put_out_front();
     speed_ = 0;
 }
 

@@ -28,7 +28,8 @@ class LookAhead final : public MotionModel {
     Planned add_line(const Move& move);
     Planned add_block(const Move& move);
     void plan_back();
-    void put_out_front(double exit_speed);
+    void put_out_front();
+    void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
     LimitedBy limited_by(const Block& block, const TimeLaw& law, double exit_speed) const;
 
     const PlannerSetup& setup_;

@@ -8,10 +8,6 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
-}  // namespace
-
-namespace {
-
 /// How far the radii of an arc may differ is the language's business (lua_lib/arcs.lua); the planner takes
 /// what a language lets through as a spiral.
 constexpr double kArcTolerance_mm = 10;
