@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 #include "runtime/motion/planner_setup.h"
@@ -35,6 +36,15 @@ inline Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPo
         if (joint >= 0) position[axis] = joints[joint];
     }
     return position;
+}
+
+/// Gives the position joints (-1: absent) the coordinates of a point or vector.
+inline void put_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
+                         rrs::JointPos& joints) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = position_joints[static_cast<std::size_t>(axis)];
+        if (joint >= 0) joints[joint] = point[axis];
+    }
 }
 
 }  // namespace gsim::motion

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/axis_space.h"
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
 #include "runtime/motion/line_move.h"
@@ -119,14 +120,8 @@ void set_slopes(const Move& move, const PlannerSetup& setup, const JointChanges&
         block.slope_in[joint] = changes.of(joint) / block.lead.length;
     block.slope_out = block.slope_in;
     if (move.kind != SegmentKind::circular) return;
-    const Eigen::Vector3d in = move.arc.tangent(0);
-    const Eigen::Vector3d out = move.arc.tangent(move.arc.sweep_rad);
-    for (int axis = 0; axis < 3; ++axis) {
-        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
-        if (joint < 0) continue;
-        block.slope_in[joint] = in[axis];
-        block.slope_out[joint] = out[axis];
-    }
+    put_position(setup.position_joints, move.arc.tangent(0), block.slope_in);
+    put_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
 }
 
 Planned check(const Block& block) {

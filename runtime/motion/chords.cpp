@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/axis_space.h"
+
 namespace gsim::motion {
 
 namespace {
@@ -36,13 +38,7 @@ void for_each_chord(const Move& move, const PlannerSetup& setup,
     for (int i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;
         line.end = i == count ? move.end : rrs::JointPos(move.start + share * (move.end - move.start));
-        if (i < count) {
-            const Eigen::Vector3d point = move.arc.at(share * move.arc.sweep_rad);
-            for (int axis = 0; axis < 3; ++axis) {
-                const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
-                if (joint >= 0) line.end[joint] = point[axis];
-            }
-        }
+        if (i < count) put_position(setup.position_joints, move.arc.at(share * move.arc.sweep_rad), line.end);
         line.reaches_target = i == count;
         take(line);
         line.start = line.end;

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/axis_space.h"
+
 namespace gsim::motion {
 
 namespace {
-
-void put_arc_position(const Segment& segment, const Eigen::Vector3d& point, rrs::JointPos& position) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const int joint = segment.position_joints[static_cast<std::size_t>(axis)];
-        if (joint >= 0) position[joint] = point[axis];
-    }
-}
 
 // The share of the path behind us: 0 to 1.
 double share_of(const TimeLaw& law, double s) {
@@ -22,10 +17,10 @@ double share_of(const TimeLaw& law, double s) {
 void put_arc_state(const Segment& segment, const LawState& lead, JointState& state) {
     const double phi = segment.arc.phi_at(lead.s);
     const Eigen::Vector3d tangent = segment.arc.tangent(phi);
-    put_arc_position(segment, segment.arc.at(phi), state.position);
-    put_arc_position(segment, lead.v * tangent, state.velocity);
-    put_arc_position(segment, lead.a * tangent + lead.v * lead.v * segment.arc.curvature(phi),
-                     state.acceleration);
+    put_position(segment.position_joints, segment.arc.at(phi), state.position);
+    put_position(segment.position_joints, lead.v * tangent, state.velocity);
+    put_position(segment.position_joints, lead.a * tangent + lead.v * lead.v * segment.arc.curvature(phi),
+                 state.acceleration);
 }
 
 // Two motions at once have no simple extremes; blends are short.
@@ -56,7 +51,7 @@ rrs::JointPos Segment::position_at(double t_s) const {
     if (t_s <= 0) return start;
     const double s = lead.at(t_s).s;
     rrs::JointPos position = start + share_of(lead, s) * (end - start);
-    if (kind == SegmentKind::circular) put_arc_position(*this, arc.at(arc.phi_at(s)), position);
+    if (kind == SegmentKind::circular) put_position(position_joints, arc.at(arc.phi_at(s)), position);
     for (const Follower& follower : followers()) {
         position[follower.joint] = start[follower.joint] + follower.sign * follower.law.at(t_s).s;
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/axis_space.h"
+
 namespace gsim::motion::linuxcnc {
 
 using Eigen::Vector3d;
@@ -30,10 +32,7 @@ Vector3d Axes::point(const rrs::JointPos& joints) const {
 }
 
 void Axes::put(const Vector3d& point, rrs::JointPos& joints) const {
-    for (int axis = 0; axis < 3; ++axis) {
-        const int joint = joints_[static_cast<std::size_t>(axis)];
-        if (joint >= 0) joints[joint] = point[axis];
-    }
+    put_position(joints_, point, joints);
 }
 
 double Axes::in_plane(const Vector3d& limits, const Vector3d& normal) {
