@@ -1,5 +1,6 @@
 #!/bin/bash
 # Runs the tests of a build folder and closes with one line of plain numbers: "N passed, N failed".
+# A test that skips itself, having said why (recordings that are not at hand), is neither: a line before counts those.
 # Usage: scripts/test.sh BUILD-FOLDER [ctest options]
 set -uo pipefail
 
@@ -12,8 +13,10 @@ ctest --test-dir "$build" --output-on-failure --no-tests=error --output-junit "$
 code=$?
 
 count() { grep -o "<testcase [^>]*status=\"$1\"" "$junit" | wc -l; }
+skipped=$(grep -c '<skipped message="SKIP_RETURN_CODE=' "$junit")
 passed=$(count run)
-failed=$(($(count fail) + $(count notrun)))
+failed=$(($(count fail) + $(count notrun) - skipped))
 ((code != 0 && failed == 0)) && failed=1
+((skipped > 0)) && echo "$skipped skipped themselves"
 echo "$passed passed, $failed failed"
 exit "$code"
