@@ -10,10 +10,12 @@
 
 namespace gsim::simulation {
 
-/// Looks for arcs that ask for more centripetal acceleration than the axes have. The default planner limits
-/// the acceleration along the path alone, so a real machine would take such an arc slower, or leave it.
+/// Looks for arcs that ask for more centripetal acceleration than the axes in their plane have. Some
+/// controllers limit the acceleration along the path alone, so a real machine would take such an arc slower,
+/// or leave it.
 class CentripetalWatch : public RunOutput {
   public:
+    /// `machine` must outlive this.
     explicit CentripetalWatch(const machine::Machine& machine);
 
     using RunOutput::take;
@@ -23,9 +25,14 @@ class CentripetalWatch : public RunOutput {
     std::optional<std::string> warning(const std::vector<std::string>& files) const;
 
   private:
-    double limit_mm_s2_;
+    double limit_in_plane_mm_s2(const motion::Segment& segment) const;
+
+    const machine::Machine& machine_;
+    double weakest_mm_s2_;  // of all linear axes
     std::uint64_t count_ = 0;
+    double worst_excess_ = 1;  // asked / limit
     double worst_mm_s2_ = 0;
+    double worst_limit_mm_s2_ = 0;
     Place worst_place_;
 };
 
