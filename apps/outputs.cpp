@@ -27,8 +27,8 @@ tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simul
     if (!names.trajectory.empty()) {
         const auto file = outputs.add_file(names.trajectory);
         if (!file) return tl::unexpected(file.error());
-        outputs.trajectory_ =
-            std::make_unique<simulation::TrajectoryWriter>((*file)->text, simulator.machine(), names.step_s);
+        outputs.trajectory_ = std::make_unique<simulation::TrajectoryWriter>(
+            (*file)->text, simulator.machine(), names.step_s, simulator.max_time_s());
         simulator.add_output(*outputs.trajectory_);
     }
     if (!names.plot.empty()) {

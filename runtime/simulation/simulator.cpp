@@ -96,6 +96,7 @@ void Simulator::start() {
     const auto done = [](Status status) { return static_cast<int>(status) >= 0; };
     if (!done(shell_.Initialize()) || !done(shell_.SetInitialPosition(no_pose(), to_joints(position_), {})))
         refused({});
+    warn_of_jerk();
 }
 
 rrs::JointPos Simulator::to_joints(const AxisVector& axes) const {
@@ -371,6 +372,7 @@ void Simulator::warn(const std::string& text) {
 Report Simulator::finish(std::string program) {
     motion_->end_program();
     if (motion_->fault()) refused(last_place_);
+    if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too
     Report report;
     recorder_.finish(report);
     report.program = std::move(program);

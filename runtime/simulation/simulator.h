@@ -92,6 +92,8 @@ class Simulator {
     const AxisVector& position() const { return position_; }
     /// Where the clock stands when all moves so far have been made: reading it brings the machine to rest.
     double time_s();
+    /// Where the run ends, if not before.
+    double max_time_s() const { return limits_.max_time_s; }
 
     /// The index for Place::file of a file name; adds it where it is new.
     std::uint32_t add_file(const std::string& name);
@@ -163,6 +165,8 @@ class Simulator {
     void start();
     bool select_rapid(bool on);
     void warn_if_refused(rrs::Status status);
+    void warn_of_jerk();
+    bool limits_no_jerk() const;
     void leave_exact_stop();
     rrs::JointPos to_joints(const AxisVector& axes) const;
     AxisVector to_axes(const rrs::JointPos& joints) const;

@@ -8,10 +8,23 @@
 
 namespace gsim::simulation {
 
+bool Simulator::limits_no_jerk() const {
+    return std::all_of(machine_.axes.begin(), machine_.axes.end(),
+                       [](const machine::Axis& axis) { return std::isinf(axis.max_jerk); });
+}
+
+/// A machine file that asks for S-curves and gets none.
+void Simulator::warn_of_jerk() {
+    if (!machine_.controller.limit_jerk || sampled()) return;
+    if (machine_.controller.planner == rrs::PlannerKind::linuxcnc) {
+        warn("limit_jerk makes no difference: the planner \"linuxcnc\" has straight ramps");
+    } else if (limits_no_jerk()) {
+        warn("limit_jerk makes no difference: no axis of the machine has a jerk limit");
+    }
+}
+
 void Simulator::set_ramps(rrs::RampMode mode) {
-    const bool no_jerk = std::all_of(machine_.axes.begin(), machine_.axes.end(),
-                                     [](const machine::Axis& axis) { return std::isinf(axis.max_jerk); });
-    if (mode == rrs::RampMode::s_curve && no_jerk)
+    if (mode == rrs::RampMode::s_curve && limits_no_jerk())
         warn("S-curves: no axis of the machine has a jerk limit; without one its ramps are straight");
     warn_if_refused(shell_.SetRampMode(mode));
 }

@@ -12,9 +12,10 @@ namespace gsim::simulation {
 /// as k step so that no error adds up, and one for the last instant.
 class TrajectoryWriter : public RunOutput {
   public:
-    /// `step_s` must be at least kMinStep_s; throws std::invalid_argument otherwise. `out` and `machine` must
+    /// `step_s` must be at least kMinStep_s; throws std::invalid_argument otherwise. Past `max_time_s`, where
+    /// a run ends, there is the last instant alone: a single move may take years. `out` and `machine` must
     /// outlive this.
-    TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s);
+    TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s, double max_time_s);
 
     static constexpr double kMinStep_s = 1e-6;
 
@@ -31,6 +32,7 @@ class TrajectoryWriter : public RunOutput {
     TextStream& out_;
     const machine::Machine& machine_;
     double step_s_;
+    double max_time_s_;
     std::uint64_t next_ = 0;  // number of the next sample
     rrs::JointPos position_;  // at the end of the last segment
     std::uint32_t line_ = 0;

@@ -15,6 +15,8 @@
 namespace gsim::simulation {
 namespace {
 
+constexpr double kNoEnd_s = std::numeric_limits<double>::infinity();
+
 struct Table {
     std::string header;
     std::vector<std::vector<double>> rows;
@@ -43,7 +45,7 @@ MoveInfo at_line(std::uint32_t line) {
 TEST(TrajectoryWriter, SamplesTheWholeRunAndTheLastInstant) {
     const machine::Machine machine = af5();
     StringStream stream;
-    TrajectoryWriter writer(stream.out(), machine, 0.4);
+    TrajectoryWriter writer(stream.out(), machine, 0.4, kNoEnd_s);
     const double quarter = std::numbers::pi / 2;
     writer.begin(joints(0, 0));
     writer.take(line(1, 0, joints(0, 0), joints(100, 0)), at_line(7));                    // 0 .. 2.5
@@ -71,7 +73,7 @@ TEST(TrajectoryWriter, SamplesTheWholeRunAndTheLastInstant) {
 TEST(TrajectoryWriter, TimesAreExactMultiplesHoweverManySegments) {
     const machine::Machine machine = af5();
     StringStream stream;
-    TrajectoryWriter writer(stream.out(), machine, 0.01);
+    TrajectoryWriter writer(stream.out(), machine, 0.01, kNoEnd_s);
     writer.begin(joints(0, 0));
     double start_s = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -86,10 +88,24 @@ TEST(TrajectoryWriter, TimesAreExactMultiplesHoweverManySegments) {
     }
 }
 
+TEST(TrajectoryWriter, AMoveOfYearsEndsWithTheRun) {
+    const machine::Machine machine = af5();
+    StringStream stream;
+    TrajectoryWriter writer(stream.out(), machine, 1, 3);
+    writer.begin(joints(0, 0));
+    writer.take(rest(1, 0, joints(0, 0), 1e12), at_line(1));
+    writer.take(rest(2, 1e12, joints(0, 0), 1e12), at_line(2));
+    writer.end(2e12);
+    const Table table = parse(stream.text());
+    ASSERT_EQ(table.rows.size(), 5U);
+    EXPECT_EQ(table.rows[3][0], 3);
+    EXPECT_EQ(table.rows[4][0], 2e12);
+}
+
 TEST(TrajectoryWriter, EmptyRunIsOneInstant) {
     const machine::Machine machine = af5();
     StringStream stream;
-    TrajectoryWriter writer(stream.out(), machine, 0.01);
+    TrajectoryWriter writer(stream.out(), machine, 0.01, kNoEnd_s);
     writer.begin(joints(1, 2));
     writer.end(0);
     EXPECT_EQ(stream.text(), "t_s,line,x_mm,y_mm,z_mm,b_deg,c_deg,speed_mm_s\n0,0,1,2,0,0,0,0\n");
@@ -99,7 +115,7 @@ TEST(TrajectoryWriter, StepThatIsTooShort) {
     const machine::Machine machine = af5();
     StringStream stream;
     for (const double step_s : {0.0, -1.0, 1e-7, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(TrajectoryWriter(stream.out(), machine, step_s), std::invalid_argument);
+        EXPECT_THROW(TrajectoryWriter(stream.out(), machine, step_s, kNoEnd_s), std::invalid_argument);
     }
 }
 
