@@ -58,7 +58,6 @@ TEST(BuiltInControllers, LinuxcncCountsInServoCycles) {
     EXPECT_EQ(rules.servo_period_s, 0.001);
     EXPECT_EQ(rules.rest_s, 0.0035);
     EXPECT_TRUE(rules.stop_between_rapid_and_feed);
-    EXPECT_EQ(rules.centripetal_share, 0.866);
 }
 
 TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
