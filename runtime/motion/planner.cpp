@@ -94,6 +94,12 @@ void DefaultPlanner::come_to_rest(bool waits) {
 // At the end: LinuxCNC's position loop delays by a period, and smooths over another one.
 Status DefaultPlanner::ComeToRest(rrs::RestReason reason) {
     if (!initialized_) return not_initialized();
+    const int number = static_cast<int>(reason);
+    if (number < 0 || number > 2) {
+        return refuse(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("There is no reason {} to come to rest; 0 is a query, 1 a wait, 2 the end.", number));
+    }
     come_to_rest(reason == rrs::RestReason::wait);
     const double delay_s = 2 * setup_.controller.servo_period_s;
     if (reason == rrs::RestReason::end && end_s_ > 0 && delay_s > 0) append_rest(kNoTarget, delay_s);

@@ -95,6 +95,12 @@ Status DefaultPlanner::SelectFlybyMode(bool on) {
 
 Status DefaultPlanner::SetPathMode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
     if (!initialized_) return not_initialized();
+    const int number = static_cast<int>(mode);
+    if (number < 0 || number > 2) {
+        return refuse(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("There is no path mode {}; 0 is exact stop, 1 exact path, 2 continuous.", number));
+    }
     if (!(tolerance_mm >= 0 && tolerance_mm < kUnlimited && merge_tolerance_mm >= 0 &&
           merge_tolerance_mm < kUnlimited)) {
         return refuse(Status::RRS_INVALID_PARAMETER,

@@ -67,13 +67,7 @@ std::array<int, 3> space_axes(const machine::Machine& machine) {
 Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<rrs::RcsModule> module)
     : machine_(std::move(machine)),
       limits_(limits),
-      recorder_(machine_,
-                [this] {
-                    AxisVector home(static_cast<Eigen::Index>(machine_.axes.size()));
-                    for (std::size_t i = 0; i < machine_.axes.size(); ++i)
-                        home[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
-                    return to_joints(home);
-                }()),
+      recorder_(machine_, machine::home_position(machine_)),
       centripetal_(machine_),
       setup_(planner_setup(machine_)),
       motion_(make_motion(std::move(module))),
@@ -101,19 +95,15 @@ void Simulator::start() {
 
 rrs::JointPos Simulator::to_joints(const AxisVector& axes) const {
     rrs::JointPos joints(axes.size());
-    for (Eigen::Index i = 0; i < axes.size(); ++i) {
-        const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
-        joints[i] = (axes[i] - axis.zero) * (axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1.0);
-    }
+    for (Eigen::Index i = 0; i < axes.size(); ++i)
+        joints[i] = machine::joint_value(machine_.axes[static_cast<std::size_t>(i)], axes[i]);
     return joints;
 }
 
 AxisVector Simulator::to_axes(const rrs::JointPos& joints) const {
     AxisVector axes(joints.size());
-    for (Eigen::Index i = 0; i < joints.size(); ++i) {
-        const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
-        axes[i] = joints[i] / (axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1.0) + axis.zero;
-    }
+    for (Eigen::Index i = 0; i < joints.size(); ++i)
+        axes[i] = machine::axis_value(machine_.axes[static_cast<std::size_t>(i)], joints[i]);
     return axes;
 }
 

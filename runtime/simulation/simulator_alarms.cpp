@@ -1,7 +1,5 @@
 // How a run of Simulator ends before its program does.
 
-#include <numbers>
-
 #include <fmt/format.h>
 
 #include "runtime/simulation/simulator.h"
@@ -11,8 +9,6 @@ namespace gsim::simulation {
 using rrs::Status;
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 const char* unit(const machine::Axis& axis) {
     return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
@@ -49,9 +45,8 @@ bool Simulator::refused(const Place& place) {
     const motion::PlanError error = motion_->last_error();
     if (error.status != Status::RRS_JOINT_LIMIT || error.joint < 0) return fail(error.message, place);
     const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];
-    const double unit_per_joint = axis.kind == machine::AxisKind::rotary ? 1.0 / kRadPerDeg : 1.0;
-    const double value = error.value * unit_per_joint + axis.zero;
-    const double limit = error.limit * unit_per_joint + axis.zero;
+    const double value = machine::axis_value(axis, error.value);
+    const double limit = machine::axis_value(axis, error.limit);
     fail(fmt::format("axis {} would go to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
                      unit(axis), limit, unit(axis)),
          place);

@@ -162,6 +162,11 @@ TEST_P(PlannerServices, joint_values_are_checked_as_a_whole) {
 TEST_P(PlannerServices, selections_out_of_their_lists_are_refused) {
     EXPECT_EQ(planner.SelectMotionType(static_cast<rrs::MotionType>(3)), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SelectTargetType(static_cast<rrs::TargetType>(9)), Status::RRS_INVALID_PARAMETER);
+    for (const int number : {-1, 3}) {
+        EXPECT_EQ(planner.SetPathMode(static_cast<rrs::PathMode>(number), 0, 0),
+                  Status::RRS_INVALID_PARAMETER);
+        EXPECT_EQ(planner.ComeToRest(static_cast<rrs::RestReason>(number)), Status::RRS_INVALID_PARAMETER);
+    }
     EXPECT_EQ(planner.SelectDominantInterpolation(static_cast<rrs::Dominance>(-1)),
               Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SetNextTarget(1, static_cast<rrs::TargetParam>(5), CartPos::Identity(), kStart, "", 0),
