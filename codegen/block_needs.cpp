@@ -39,7 +39,7 @@ bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t 
     }
     if (call.kind != Call::Kind::code) return true;
     const Code& code = *call.code;
-    const std::string name = grammar::code_name(code);
+    const auto name = [&] { return grammar::code_name(code); };
     if (code.code_x10 == 40 && code.letter == 'G' && call.operand_count != 1) {
         return fail(block, call.word,
                     lexer_.is_ngc() ? "G4 needs P, its seconds" : "G4 takes one of P, X and U, its seconds");
@@ -47,32 +47,33 @@ bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t 
     if (code.letter == 'G' && (code.code_x10 == 20 || code.code_x10 == 30) && lacks(kArcBit) &&
         !lacks(kAxisBit)) {
         return fail(block, call.word,
-                    fmt::format("{} needs the centre (I, J, K){}", name,
+                    fmt::format("{} needs the centre (I, J, K){}", name(),
                                 lexer_.is_ngc() ? " or the radius (R) of the arc"
                                                 : ", the radius (R) or the angle (AR=) of the arc"));
     }
     if (code.letter == 'G' && (code.code_x10 == 920 || code.code_x10 == 520) && lacks(kAxisBit)) {
-        return fail(block, call.word, fmt::format("{} needs the axis words whose coordinates it sets", name));
+        return fail(block, call.word,
+                    fmt::format("{} needs the axis words whose coordinates it sets", name()));
     }
     const bool macro = code.letter == 'G' && code.code_x10 / 10 >= 65 && code.code_x10 / 10 <= 66;
     const bool call_code = code.letter == 'M' && code.code_x10 == 980;
     if ((macro || call_code) && lacks(kProgramBit)) {
-        return fail(block, call.word, fmt::format("{} needs P, the program that it calls", name));
+        return fail(block, call.word, fmt::format("{} needs P, the program that it calls", name()));
     }
     return !call_code || check_alone(block, call);
 }
 
 bool BlockPlan::check_all_needs(const Block& block) {
     const std::vector<Word>& words = block.text->words;
-    std::vector<std::uint64_t> bits(calls_.size(), 0);
+    needs_.assign(calls_.size(), 0);
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (owners_[i] == kUnowned) continue;
         const auto owner = static_cast<std::size_t>(owners_[i]);
-        bits[owner] |= need_bits(words[i]);
+        needs_[owner] |= need_bits(words[i]);
         ++calls_[owner].operand_count;
     }
     for (std::size_t i = 0; i < calls_.size(); ++i) {
-        if (!check_needs(block, calls_[i], bits[i])) return false;
+        if (!check_needs(block, calls_[i], needs_[i])) return false;
     }
     return true;
 }

@@ -36,17 +36,6 @@ Phase phase_of(Address address) {
     }
 }
 
-/// The letter of an address as the dialect's table writes it.
-char table_letter(Address address) {
-    if (address == lexer::kArcAngle) return '=';
-    if (address >= lexer::kViaX && address <= lexer::kViaZ) return '1';
-    return static_cast<char>(address);
-}
-
-bool takes(const Code& code, Address address) {
-    return code.words.find(table_letter(address)) != std::string_view::npos;
-}
-
 /// A macro call takes I, J and K several times.
 bool takes_repeated(const Code* code, Address address) {
     return code != nullptr && address >= 'I' && address <= 'K' &&
@@ -63,6 +52,16 @@ std::string number_name(const Block& block, const Word& word) {
 }
 
 }  // namespace
+
+char table_letter(Address address) {
+    if (address == lexer::kArcAngle) return '=';
+    if (address >= lexer::kViaX && address <= lexer::kViaZ) return '1';
+    return static_cast<char>(address);
+}
+
+bool takes(const Code& code, Address address) {
+    return code.words.find(table_letter(address)) != std::string_view::npos;
+}
 
 std::string_view lua_key(Address address) {
     static constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
@@ -96,7 +95,7 @@ bool BlockPlan::may_go_with_move(Address address) const {
 bool BlockPlan::plan(const Block& block) {
     calls_.clear();
     operands_.clear();
-    if (only_moves(block)) return true;
+    if (only_moves(block) || only_a_motion(block)) return true;
     axis_owner_ = kUnowned;
     unknown_word_.reset();
     leaves_out_block_ = false;
@@ -116,27 +115,15 @@ bool BlockPlan::plan(const Block& block) {
     if (!choose_axis_owner(block) || !assign_words(block) || !check_all_needs(block)) return false;
     gather_operands();
     drop_idle_one_shots(block);
-    std::stable_sort(calls_.begin(), calls_.end(), [&](const Call& a, const Call& b) {
-        return dialect_.rank(a.phase) < dialect_.rank(b.phase);
-    });
+    put_in_order();
     return true;
 }
 
-/// The common block of a tool path, axis words alone, without the machinery of the rest.
-bool BlockPlan::only_moves(const Block& block) {
-    const std::vector<Word>& words = block.text->words;
-    std::uint64_t seen = 0;
-    for (const Word& word : words) {
-        const std::uint64_t bit = std::uint64_t{1} << (word.address & 63U);
-        if (!is_axis(word) || (seen & bit) != 0) return false;
-        seen |= bit;
-    }
-    if (words.empty()) return true;
-    for (std::uint32_t i = 0; i < words.size(); ++i) operands_.push_back(i);
-    Call call;
-    call.operand_count = static_cast<std::uint32_t>(words.size());
-    calls_.push_back(call);
-    return true;
+void BlockPlan::put_in_order() {
+    if (calls_.size() < 2) return;
+    std::stable_sort(calls_.begin(), calls_.end(), [&](const Call& a, const Call& b) {
+        return dialect_.rank(a.phase) < dialect_.rank(b.phase);
+    });
 }
 
 bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t index) {

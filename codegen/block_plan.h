@@ -63,6 +63,8 @@ class BlockPlan {
     std::uint64_t need_bits(const lexer::Word& word) const;
     bool may_go_with_move(lexer::Address address) const;
     bool only_moves(const grammar::Block& block);
+    bool only_a_motion(const grammar::Block& block);
+    void add_only_call(const Call& call, std::uint32_t first_operand, std::size_t words);
     bool collect_codes(const grammar::Block& block);
     bool add_code(const grammar::Block& block, std::uint32_t index);
     bool add_computed_code(const grammar::Block& block, std::uint32_t index);
@@ -79,6 +81,7 @@ class BlockPlan {
     bool check_all_needs(const grammar::Block& block);
     bool check_alone(const grammar::Block& block, const Call& call);
     void gather_operands();
+    void put_in_order();
     void drop_idle_one_shots(const grammar::Block& block);
     bool fail(const grammar::Block& block, std::uint32_t word, const std::string& message);
 
@@ -93,8 +96,14 @@ class BlockPlan {
     std::vector<Call> calls_;
     std::vector<std::uint32_t> operands_;
     std::vector<std::int32_t> owners_;  // by word: index of its call, or -1
+    std::vector<std::uint64_t> needs_;  // by call: need_bits() of its words
     std::int32_t axis_owner_ = -1;
 };
+
+/// The letter of an address as the dialect's table writes it.
+char table_letter(lexer::Address address);
+/// True where words with this address belong to the code.
+bool takes(const grammar::Code& code, lexer::Address address);
 
 /// Centre, radius or angle of an arc, or the point that CIP goes through.
 constexpr bool is_arc_word(lexer::Address address) {

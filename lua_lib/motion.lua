@@ -26,7 +26,8 @@ end
 -- word and the `move` where it is modal.
 local plain, shaped = {}, {}
 local in_use = plain
-local plain_by_id = {}   -- by the id of the word
+local plain_names, plain_moves = {}, {}   -- by the id of the word
+core.set_modal_tables(state, env, plain_names, plain_moves)
 local reasons = {}
 
 -- Defines the word of such a motion. word_in_core(id) and move_in_core(id) make it and its `move` in C++; `meaning` is
@@ -34,16 +35,11 @@ local reasons = {}
 function plain_word(name, word_in_core, move_in_core, meaning)
   local id = word_id()
   plain[name] = { name = name, word = word_in_core(id), move = move_in_core(word_id()) }
-  plain_by_id[id] = plain[name]
+  plain_names[id], plain_moves[id] = name, plain[name].move
   shaped[name] = {}
   shaped[name].word, shaped[name].move = modal_motion(name, meaning)
   env[name] = in_use[name].word
 end
-
-core.on_modal_word(function(id)
-  local motion = plain_by_id[id]
-  state.motion, env.move = motion.name, motion.move
-end)
 
 -- What has been defined anew since stays as it is.
 local function use(motions)

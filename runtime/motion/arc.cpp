@@ -24,9 +24,19 @@ double log_growth(const Arc& arc) {
     return std::log1p((arc.end_radius_mm - arc.radius_mm) / arc.radius_mm);
 }
 
+// The length of a spiral's way around, by its angle: change of radius / log_growth(), which is 0 / 0 on a
+// circle. Programs round their centres, so that most arcs are spirals by a hair; to them the series is exact
+// and cheap.
+double mean_radius(const Arc& arc) {
+    constexpr double kHair = 1e-4;  // the next term is below 3 % of its fourth power
+    const double growth = (arc.end_radius_mm - arc.radius_mm) / arc.radius_mm;
+    if (std::abs(growth) > kHair) return (arc.end_radius_mm - arc.radius_mm) / log_growth(arc);
+    return arc.radius_mm * (1 + growth * (1.0 / 2 - growth * (1.0 / 12 - growth / 24)));
+}
+
 Slopes slopes_of(const Arc& arc) {
     const double change = arc.end_radius_mm - arc.radius_mm;
-    const double around_mm = arc.sweep_rad * (change == 0 ? arc.radius_mm : change / log_growth(arc));
+    const double around_mm = arc.sweep_rad * mean_radius(arc);
     const double length = std::sqrt(change * change + around_mm * around_mm + arc.lift.squaredNorm());
     return {change / length, around_mm / length, arc.lift / length, length};
 }
@@ -45,6 +55,12 @@ double radius_at_share(const Arc& arc, double share) {
 
 double radius_at(const Arc& arc, double phi_rad) {
     return radius_at_share(arc, share_at(arc, phi_rad));
+}
+
+// The length of a vector in the plane whose parts are about as large as 1: std::hypot() guards against
+// overflow.
+double in_plane(double x, double y) {
+    return std::sqrt(x * x + y * y);
 }
 
 Vector3d outward(const Arc& arc, double phi_rad) {
@@ -119,7 +135,7 @@ Vector3d Arc::curvature(double phi_rad) const {
 
 double Arc::max_curvature() const {
     const Slopes slopes = slopes_of(*this);
-    return slopes.around * std::hypot(slopes.around, slopes.radial) / std::min(radius_mm, end_radius_mm);
+    return slopes.around * in_plane(slopes.around, slopes.radial) / std::min(radius_mm, end_radius_mm);
 }
 
 double Arc::max_share(int axis) const {
@@ -128,10 +144,10 @@ double Arc::max_share(int axis) const {
 
 Vector3d Arc::max_shares() const {
     const Slopes slopes = slopes_of(*this);
-    const double in_plane = std::hypot(slopes.around, slopes.radial);
+    const double pace = in_plane(slopes.around, slopes.radial);
     Vector3d shares;
     for (int axis = 0; axis < 3; ++axis)
-        shares[axis] = in_plane * std::hypot(u[axis], v[axis]) + std::abs(slopes.climb[axis]);
+        shares[axis] = pace * in_plane(u[axis], v[axis]) + std::abs(slopes.climb[axis]);
     return shares;
 }
 
@@ -141,6 +157,13 @@ Range Arc::bounds(int axis) const {
             center[axis] + reach + std::max(0.0, lift[axis])};
 }
 
+// A curve leaves the straight line between its ends by at most 1/8 of its greatest second derivative, times
+// the square of the interval; that of a logarithmic spiral is radius (1 + (log growth / sweep)^2).
+double Arc::bulge_mm() const {
+    const double growth = (end_radius_mm - radius_mm) / std::min(radius_mm, end_radius_mm);
+    return std::max(radius_mm, end_radius_mm) * (sweep_rad * sweep_rad + growth * growth) / 8;
+}
+
 // With psi = phi - atan2(v, u) the coordinate's slope is
 // amplitude (radial cos psi - around sin psi) + climb = climb - amplitude pace sin(psi - lag).
 Range Arc::range(int axis) const {
@@ -148,7 +171,7 @@ Range Arc::range(int axis) const {
     const double end = at(sweep_rad)[axis];
     Range range{std::min(start, end), std::max(start, end)};
     const Slopes slopes = slopes_of(*this);
-    const double swing = std::hypot(u[axis], v[axis]) * std::hypot(slopes.around, slopes.radial);
+    const double swing = in_plane(u[axis], v[axis]) * in_plane(slopes.around, slopes.radial);
     if (std::abs(slopes.climb[axis]) >= swing) return range;
     const double base = std::atan2(v[axis], u[axis]) + std::atan2(slopes.radial, slopes.around);
     const double turn = std::asin(slopes.climb[axis] / swing);

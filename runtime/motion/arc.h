@@ -46,6 +46,9 @@ struct Arc {
     Eigen::Vector3d max_shares() const;
     /// Quick bounds of coordinate `axis` (0, 1, 2), which may be too wide: those of the whole circle.
     Range bounds(int axis) const;
+    /// A bound of how far a coordinate without lift goes beyond its values at the two ends, in mm; tight
+    /// where the sweep is small.
+    double bulge_mm() const;
     /// Lowest and highest value of coordinate `axis` (0, 1, 2) from phi 0 to sweep_rad.
     Range range(int axis) const;
 };

@@ -30,6 +30,12 @@ struct Split {
     double radius;
 };
 
+// Without whole turns. Most angles have none, and std::remainder() takes its time.
+double within_half_a_turn(double angle_rad) {
+    return std::abs(angle_rad) < std::numbers::pi ? angle_rad
+                                                  : std::remainder(angle_rad, 2 * std::numbers::pi);
+}
+
 tl::unexpected<PlanError> impossible(std::string why) {
     return refused(Status::RRS_CIRCLE_IMPOSSIBLE, std::move(why));
 }
@@ -57,7 +63,7 @@ Planned build(const Vector3d& start, const Vector3d& end, const Vector3d& center
     arc.u = from.across / from.radius;
     arc.v = axis.cross(arc.u);
     const double end_angle = std::atan2(to.across.dot(arc.v), to.across.dot(arc.u));
-    const double miss_rad = std::remainder(end_angle - sweep_rad, 2 * std::numbers::pi);
+    const double miss_rad = within_half_a_turn(end_angle - sweep_rad);
     arc.sweep_rad = sweep_rad + miss_rad;
     if (std::abs(miss_rad) * from.radius > allowed_mm || !(arc.sweep_rad > 0)) {
         return impossible(

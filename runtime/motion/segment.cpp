@@ -116,8 +116,12 @@ bool Segment::surely_within(const Range& range, int joint) const {
         const auto [least, most] = std::minmax({start[joint], end[joint], arc.center[index]});
         return least >= range.min && most <= range.max;
     }
-    const Range wide = arc.bounds(static_cast<int>(index));
-    return wide.min - kRounding_mm >= range.min && wide.max + kRounding_mm <= range.max;
+    const Range circle = arc.bounds(static_cast<int>(index));
+    if (circle.min - kRounding_mm >= range.min && circle.max + kRounding_mm <= range.max) return true;
+    if (arc.lift[index] != 0) return false;
+    const auto [least, most] = std::minmax(start[joint], end[joint]);
+    const double beyond_mm = arc.bulge_mm() + kRounding_mm;
+    return least - beyond_mm >= range.min && most + beyond_mm <= range.max;
 }
 
 Range Segment::joint_range(int joint) const {

@@ -98,7 +98,7 @@ struct Segment {
     /// The lowest and highest value that the joint takes on the way.
     Range joint_range(int joint) const;
     /// True where it is sure without a closer look that the joint stays within `range` on the way, whatever
-    /// rounding does to joint_range(); told for arcs by their whole circle.
+    /// rounding does to joint_range(); told for arcs by their circle and their chord.
     bool surely_within(const Range& range, int joint) const;
 
   private:

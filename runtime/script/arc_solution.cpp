@@ -22,10 +22,6 @@ double distance(const Vector2d& from, const Vector2d& to) {
     return std::sqrt(x * x + y * y);
 }
 
-double angle_of(const Vector2d& center, const Vector2d& point) {
-    return std::atan2(point.y() - center.y(), point.x() - center.x());
-}
-
 /// The centre stands beside the middle of the chord, at a signed distance to the left of start -> end.
 Vector2d beside_chord(const ArcEnds& ends, double left_mm) {
     const double x = ends.end.x() - ends.start.x();
@@ -43,9 +39,12 @@ double ArcRules::radii_tolerance(double radius_mm, bool inches) const {
 }
 
 double swept_rad(const ArcEnds& ends, const Vector2d& center) {
-    const double from = angle_of(center, ends.start);
-    const double to = angle_of(center, ends.end);
-    const double angle = ends.ccw ? to - from : from - to;
+    const double x = ends.start.x() - center.x();
+    const double y = ends.start.y() - center.y();
+    const double to_x = ends.end.x() - center.x();
+    const double to_y = ends.end.y() - center.y();
+    const double left = x * to_y - y * to_x;
+    const double angle = std::atan2(ends.ccw ? left : -left, x * to_x + y * to_y);
     const double positive = angle < 0 ? angle + kTurn_rad : angle;
     return positive > 0 ? positive : kTurn_rad;
 }

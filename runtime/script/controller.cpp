@@ -26,6 +26,15 @@ std::array<int, 26> index_axes(const machine::Machine& machine) {
     return by_letter;
 }
 
+/// table[field] = source[id], of two tables by their references in the registry.
+void set_from(lua_State* state, int table, const char* field, int source, lua_Integer id) {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, table);
+    lua_rawgeti(state, LUA_REGISTRYINDEX, source);
+    lua_rawgeti(state, -1, id);
+    lua_setfield(state, -3, field);
+    lua_pop(state, 2);
+}
+
 }  // namespace
 
 Controller::Controller(simulation::Simulator& simulator, PlaceFinder& places)
@@ -53,9 +62,9 @@ void Controller::enter(lua_State* state, std::size_t word_id) {
 void Controller::make_modal(lua_State* state, std::size_t word_id) {
     if (modal_.modal_word == word_id) return;
     modal_.modal_word = word_id;
-    lua_rawgeti(state, LUA_REGISTRYINDEX, on_modal_word);
-    lua_pushinteger(state, static_cast<lua_Integer>(word_id));
-    lua_call(state, 1, 0);
+    const auto id = static_cast<lua_Integer>(word_id);
+    set_from(state, modal_tables.state, "motion", modal_tables.names, id);
+    set_from(state, modal_tables.environment, "move", modal_tables.moves, id);
 }
 
 void Controller::alarm(lua_State* state, const std::string& message) {

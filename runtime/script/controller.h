@@ -70,7 +70,7 @@ class Controller {
     /// A word of the library is called: finds its place, and counts a block where the line is another one or
     /// the word has been called in this block before. Raises the end of the run at its limit.
     void enter(lua_State* state, std::size_t word_id);
-    /// Tells the library that a plain word is the modal motion now, so that `move` goes on with it.
+    /// A plain word is the modal motion from now on: `move` goes on with it.
     void make_modal(lua_State* state, std::size_t word_id);
     /// Looks up the place only, for functions that are no words.
     void locate(lua_State* state, int level = 1) {
@@ -95,9 +95,14 @@ class Controller {
     /// Reference in the registry of the function that turns words with `radius` and `angle` into Cartesian
     /// ones.
     int on_polar = LUA_NOREF;
-    /// Reference in the registry of the function that is told when another plain word becomes the modal
-    /// motion.
-    int on_modal_word = LUA_NOREF;
+    /// Where the library keeps the modal motion; references in the registry.
+    struct ModalTables {
+        int state = LUA_NOREF;        ///< Table with the name of the motion in `motion`.
+        int environment = LUA_NOREF;  ///< Table with the function `move`.
+        int names = LUA_NOREF;        ///< Name of each plain motion, by the id of its word.
+        int moves = LUA_NOREF;        ///< And what `move` is where it is modal.
+    };
+    ModalTables modal_tables;
 
   private:
     bool set_axis(lua_State* state, char letter, double value, simulation::AxisVector& target,

@@ -46,11 +46,13 @@ int line(lua_State* state) {
     return 0;
 }
 
-/// core.on_modal_word(function): is told the id of the plain word that becomes the modal motion.
-int set_on_modal_word(lua_State* state) {
-    luaL_checktype(state, 1, LUA_TFUNCTION);
-    lua_settop(state, 1);
-    controller_of(state).on_modal_word = luaL_ref(state, LUA_REGISTRYINDEX);
+/// core.set_modal_tables(state, environment, names, moves), see Controller::ModalTables.
+int set_modal_tables(lua_State* state) {
+    for (int i = 1; i <= 4; ++i) luaL_checktype(state, i, LUA_TTABLE);
+    lua_settop(state, 4);
+    Controller::ModalTables& tables = controller_of(state).modal_tables;
+    for (int* reference : {&tables.moves, &tables.names, &tables.environment, &tables.state})
+        *reference = luaL_ref(state, LUA_REGISTRYINDEX);
     return 0;
 }
 
@@ -66,7 +68,7 @@ void add_motion_words(lua_State* state, Controller& controller) {
     set_function<make_word<line_word>>(state, "line_word", &controller);
     set_function<make_word<modal_line_word>>(state, "modal_line_word", &controller);
     set_function<line>(state, "line", &controller);
-    set_function<set_on_modal_word>(state, "on_modal_word", &controller);
+    set_function<set_modal_tables>(state, "set_modal_tables", &controller);
     set_function<forget_modal_word>(state, "forget_modal_word", &controller);
 }
 

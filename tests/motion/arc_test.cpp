@@ -91,6 +91,39 @@ TEST(Arc, tangent_is_a_unit_vector_and_keeps_its_shares) {
     }
 }
 
+TEST(Arc, bulge_bounds_what_goes_beyond_the_ends) {
+    std::mt19937 random(11);
+    for (int i = 0; i < 500; ++i) {
+        Arc arc = random_arc(random);
+        if (i % 2 == 0) arc.sweep_rad /= 20;
+        arc.lift.setZero();
+        for (int axis = 0; axis < 3; ++axis) {
+            const double start = arc.at(0)[axis], end = arc.at(arc.sweep_rad)[axis];
+            const Range range = arc.range(axis);
+            ASSERT_GE(range.min, std::min(start, end) - arc.bulge_mm() - 1e-9) << "arc " << i;
+            ASSERT_LE(range.max, std::max(start, end) + arc.bulge_mm() + 1e-9) << "arc " << i;
+        }
+    }
+}
+
+TEST(Arc, bulge_of_a_short_arc_is_its_rise_above_the_chord) {
+    const double sweep_rad = 0.1;
+    const Arc arc{.radius_mm = 50, .end_radius_mm = 50, .sweep_rad = sweep_rad};
+    EXPECT_NEAR(arc.bulge_mm(), 50 * (1 - std::cos(sweep_rad / 2)), 1e-4);
+}
+
+// The way around is change / log(end / start) times the sweep, in long double here; the series goes over into
+// the logarithm without a step.
+TEST(Arc, length_of_a_spiral_by_a_hair_is_exact) {
+    for (double growth = 1e-13; growth < 0.1; growth *= 1.7) {
+        const double radius_mm = 30, sweep_rad = 2, change_mm = radius_mm * growth;
+        const Arc arc{.radius_mm = radius_mm, .end_radius_mm = radius_mm + change_mm, .sweep_rad = sweep_rad};
+        const long double change = static_cast<long double>(arc.end_radius_mm) - radius_mm;
+        const long double around = sweep_rad * change / std::log1p(change / radius_mm);
+        ASSERT_NEAR(arc.length_mm(), static_cast<double>(std::hypot(around, change)), 1e-13) << growth;
+    }
+}
+
 TEST(Arc, range_is_that_of_dense_samples) {
     std::mt19937 random(7);
     for (int i = 0; i < 500; ++i) {
