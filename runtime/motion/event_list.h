@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/motion/held_targets.h"
 #include "runtime/motion/segment_queue.h"
 #include "runtime/rrs/types.h"
 
@@ -19,7 +20,7 @@ class EventList {
   public:
     struct CameTrue {
         int id;
-        double time_s;  ///< Since the start of the step.
+        double time_s;  ///< Since the start of the step; negative where that long before it.
     };
 
     /// In place of an event of the same id.
@@ -28,11 +29,19 @@ class EventList {
     bool cancel(int id);
     void clear();
 
+    /// The time until which no event can come true but those that are known, where there are events before
+    /// targets that are `held`. `end_s` is the end of the queue.
+    std::optional<double> known_until_s(const HeldTargets& held, const SegmentQueue& queue,
+                                        double end_s) const;
     /// Finds what comes true in a step of the clock; `queue` has the segments that are under way in it and
-    /// those behind, as far as they are known. An event whose time has passed comes true at the step's start.
+    /// those behind, as far as they are known. What came true before the step but was not known then keeps
+    /// its time; where that is not known any more either it is the step's start.
     void step(double from_s, double to_s, const SegmentQueue& queue);
-    /// A segment has left the queue.
-    void leave(const Segment& segment);
+    /// The front segment is about to leave the queue.
+    void leave(const SegmentQueue& queue);
+    /// A target that had no motion of its own is reached with another one, or at a time.
+    void join(rrs::TargetId target, rrs::TargetId with);
+    void reach(rrs::TargetId target, double at_s);
 
     /// In the last step, in the order of time.
     const std::vector<CameTrue>& came_true() const { return came_true_; }
@@ -42,7 +51,8 @@ class EventList {
         int id;
         rrs::TargetId target;
         EventOffset offset;  ///< A way behind a target that has been reached: what is left of it.
-        std::optional<double> reached_s;  ///< When its target was reached.
+        std::optional<double> reached_s;  ///< When its target was reached, if its motion has left the queue.
+        std::optional<double> at_s;       ///< When it came true, if that has left the queue.
     };
 
     static std::optional<double> time_of(const Event& event, const SegmentQueue& queue);

@@ -98,6 +98,17 @@ TimeLaw law_until(const TimeLaw& law, double t_s) {
     return pieces.law();
 }
 
+TimeLaw law_from(const TimeLaw& law, double t_s) {
+    Pieces pieces;
+    for (const LawPiece& piece : law.pieces()) {
+        const double done_s = std::min(piece.duration_s, t_s);
+        const LawPiece rest = rest_of(piece, done_s);
+        pieces.add(rest.duration_s, rest.v0, rest.a0, rest.jerk);
+        t_s -= done_s;
+    }
+    return pieces.law();
+}
+
 TimeLaw law_and_rest(const TimeLaw& law, double duration_s) {
     Pieces pieces;
     pieces.add(law);

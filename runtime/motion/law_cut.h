@@ -7,6 +7,9 @@ namespace gsim::motion {
 /// The first `t_s` of a law.
 TimeLaw law_until(const TimeLaw& law, double t_s);
 
+/// What a law does behind its first `t_s`, from 0 again.
+TimeLaw law_from(const TimeLaw& law, double t_s);
+
 /// A law, and then a rest until `duration_s`.
 TimeLaw law_and_rest(const TimeLaw& law, double duration_s);
 

@@ -74,6 +74,7 @@ void DefaultPlanner::start_over() {
     position_.setZero();
     via_.reset();
     stopped_.reset();
+    held_.clear();
     events_.clear();
     error_ = {};
     end_s_ = 0;
@@ -83,8 +84,15 @@ void DefaultPlanner::start_over() {
     has_position_ = false;
 }
 
+/// What the model leaves out at the end is reached there.
+void DefaultPlanner::end_model() {
+    if (!model_) return;
+    model_->come_to_rest();
+    held_.all_reached([this](rrs::TargetId id) { events_.reach(id, end_s_); });
+}
+
 void DefaultPlanner::come_to_rest(bool waits) {
-    if (model_) model_->come_to_rest();
+    end_model();
     if (!waits || end_s_ == waited_s_) return;
     const double rest_s = setup_.controller.rest_s;
     if (rest_s > 0) append_rest(kNoTarget, rest_s);
@@ -118,8 +126,12 @@ Segment& DefaultPlanner::Output::begin(rrs::TargetId id) {
 }
 
 void DefaultPlanner::Output::finish() {
-    planner_.end_s_ = planner_.queue_.next().end_s();
+    const Segment& segment = planner_.queue_.next();
+    planner_.end_s_ = segment.end_s();
     planner_.queue_.push();
+    if (!segment.reaches_target) return;
+    const rrs::TargetId id = segment.target_id;
+    planner_.held_.reached(id, [&](rrs::TargetId passed) { planner_.events_.join(passed, id); });
 }
 
 void DefaultPlanner::flush() {
@@ -132,8 +144,8 @@ void DefaultPlanner::flush() {
 // slot, and leaves only once even if the sink throws.
 void DefaultPlanner::emit_front() {
     const Segment& segment = queue_.front();
+    events_.leave(queue_);
     queue_.pop();
-    events_.leave(segment);
     step_s_ = std::max(step_s_, segment.end_s());
     if (sink_ != nullptr) sink_->take(segment);
 }
@@ -143,7 +155,8 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
     if (!has_position_)
         return refuse(Status::RRS_NO_INITIAL_POSITION, "There is no position to step from yet.");
     const double from_s = step_s_;
-    if (from_s + programmed_.interpolation_s > end_s_) come_to_rest();
+    const double known_s = events_.known_until_s(held_, queue_, end_s_).value_or(end_s_);
+    if (from_s + programmed_.interpolation_s > known_s) come_to_rest();
     Status status = queue_.empty() ? Status::RRS_NEED_MORE_DATA : Status::RRS_SUCCESS;
     step_s_ = std::min(from_s + programmed_.interpolation_s, end_s_);
     events_.step(from_s, step_s_, queue_);

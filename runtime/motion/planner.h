@@ -9,6 +9,7 @@
 
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/event_list.h"
+#include "runtime/motion/held_targets.h"
 #include "runtime/motion/motion_model.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
@@ -37,7 +38,7 @@ inline constexpr rrs::TargetId kNoTarget = -1;
 /// motion, dwells, flush(), StopMotion and GetNextStep past the end of what is planned make it come to rest.
 ///
 /// Services of time: StopMotion brakes from the instant at which GetNextStep stands, each joint within its
-/// limits, over as many segments as it takes; GetNextStep then goes on to the stop. Until ContinueMotion or
+/// limits (stop.h), over as many segments as it takes; GetNextStep then goes on to the stop. Until ContinueMotion or
 /// CancelMotion targets are refused (RRS_QUEUE_FULL). flush() continues a stopped motion. Events come true
 /// in the steps of GetNextStep.
 ///
@@ -175,6 +176,7 @@ class DefaultPlanner final : public rrs::Shell {
     Segment& begin_segment(Segment& slot, rrs::TargetId id);
     rrs::Status finish_target(const Segment& segment, Planned planned);
     Planned add_to_model(const Segment& segment);
+    void end_model();
     void append(const Segment& segment);
     void append_rest(rrs::TargetId id, double rest_s);
     double dwell_s(double programmed_s) const;
@@ -199,6 +201,7 @@ class DefaultPlanner final : public rrs::Shell {
     Output output_{*this};
     std::unique_ptr<MotionModel> model_;  ///< None where each move ends at rest.
     Segment draft_;                       ///< Of the target that goes to the model.
+    HeldTargets held_;                    ///< By the model.
     EventList events_;
     /// What is left of a stopped motion, and where it stands.
     struct Stopped {

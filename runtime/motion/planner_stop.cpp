@@ -11,9 +11,20 @@ namespace gsim::motion {
 
 using rrs::Status;
 
+namespace {
+
+/// What each joint has both for speeding up and for slowing down.
+rrs::JointPos accelerations(const PlannerSetup& setup) {
+    rrs::JointPos accelerations(setup.joint_count());
+    for (int joint = 0; joint < setup.joint_count(); ++joint)
+        accelerations[joint] = setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
+    return accelerations;
+}
+
+}  // namespace
+
 Status DefaultPlanner::StopMotion() {
     if (!initialized_) return not_initialized();
-    if (setup_.controller.planner == rrs::PlannerKind::linuxcnc) return not_supported("StopMotion");
     if (!has_position_) return refuse(Status::RRS_NO_INITIAL_POSITION, "There is no motion to stop yet.");
     if (stopped_) return Status::RRS_SUCCESS;
     keeps_all_ = true;
@@ -23,7 +34,7 @@ Status DefaultPlanner::StopMotion() {
     if (queue_.empty()) return Status::RRS_SUCCESS;
     std::vector<Segment> planned;
     for (; !queue_.empty(); queue_.pop()) planned.push_back(queue_.front());
-    StoppedMotion motion = stop_motion(std::move(planned), step_s_);
+    StoppedMotion motion = stop_motion(std::move(planned), step_s_, accelerations(machine_));
     stopped_ = Stopped{std::move(motion.rest), motion.position};
     end_s_ = step_s_;
     for (std::vector<Segment>* part : {&motion.done, &motion.braking}) {
@@ -46,8 +57,8 @@ Status DefaultPlanner::ContinueMotion() {
 void DefaultPlanner::go_on() {
     std::vector<Segment> rest = std::move(stopped_->rest);
     stopped_.reset();
-    restart_motion(rest, end_s_);
-    for (Segment& segment : rest) {
+    for (Segment& segment : restart_motion(std::move(rest), accelerations(machine_))) {
+        segment.start_s = end_s_;
         queue_.next() = std::move(segment);
         append(queue_.next());
     }

@@ -166,7 +166,7 @@ Status DefaultPlanner::keep_via(const rrs::CartPos& cartesian, const rrs::JointP
 Segment& DefaultPlanner::begin_target(rrs::TargetId id, bool along_path) {
     if (!model_) return begin_segment(queue_.next(), id);
     if (along_path) return begin_segment(draft_, id);
-    model_->come_to_rest();
+    end_model();
     model_->clear();
     return begin_segment(queue_.next(), id);
 }
@@ -212,7 +212,10 @@ Planned DefaultPlanner::add_to_model(const Segment& segment) {
     move.mode = programmed_.path_mode;
     move.tolerance_mm = programmed_.tolerance_mm;
     move.merge_tolerance_mm = programmed_.merge_tolerance_mm;
-    return model_->add(move);
+    const bool held = held_.put(move.target_id);  // before the model puts its motion out
+    Planned planned = model_->add(move);
+    if (!planned && held) held_.take_back();
+    return planned;
 }
 
 void DefaultPlanner::append(const Segment& segment) {
@@ -222,7 +225,7 @@ void DefaultPlanner::append(const Segment& segment) {
 
 /// A dwell waits for the program's next block: what was queued before it ends at rest.
 void DefaultPlanner::append_rest(rrs::TargetId id, double rest_s) {
-    if (model_) model_->come_to_rest();
+    end_model();
     Segment& segment = output_.begin(id);
     segment.kind = SegmentKind::rest;
     segment.start = segment.end = position_;

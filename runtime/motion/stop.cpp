@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
+#include "runtime/motion/blend_pace.h"
 #include "runtime/motion/law_cut.h"
 #include "runtime/motion/ramp.h"
 #include "runtime/motion/rest_law.h"
@@ -181,12 +183,6 @@ Laws braking_through(const Segment& segment, double start_speed) {
     return laws;
 }
 
-void put(std::vector<Segment>& list, Segment segment, double& clock_s) {
-    segment.start_s = clock_s;
-    clock_s += segment.duration_s;
-    if (segment.duration_s > 0) list.push_back(std::move(segment));
-}
-
 void stop_rest(std::vector<Segment>& planned, double at_s, StoppedMotion& stopped) {
     Segment& dwell = planned.front();
     const double done_s = std::clamp(at_s - dwell.start_s, 0.0, dwell.duration_s);
@@ -199,60 +195,138 @@ void stop_rest(std::vector<Segment>& planned, double at_s, StoppedMotion& stoppe
     stopped.rest = std::move(planned);
 }
 
-}  // namespace
+/// Follows the plan while it brakes.
+class Brakes {
+  public:
+    Brakes(std::vector<Segment> planned, const rrs::JointPos& acceleration)
+        : planned_(std::move(planned)), acceleration_(acceleration), clock_s_(planned_.front().start_s) {}
 
-StoppedMotion stop_motion(std::vector<Segment> planned, double at_s) {
-    StoppedMotion stopped;
-    if (planned.front().kind == SegmentKind::rest || !(planned.front().duration_s > 0)) {
-        stop_rest(planned, at_s, stopped);
-        return stopped;
+    StoppedMotion stop(double at_s);
+
+  private:
+    void put(std::vector<Segment>& list, Segment segment);
+    bool pass_first(double t_s);
+    bool pass_single(const Segment& segment, Progress from, const Laws& laws);
+    bool pass_blend(const Segment& blend, double from_s);
+    void leave_from(std::size_t index);
+
+    std::vector<Segment> planned_;
+    const rrs::JointPos& acceleration_;
+    double clock_s_;
+    double rate_ = 1;  ///< Of the planned speed, where the last segment that was passed ends.
+    StoppedMotion stopped_;
+};
+
+StoppedMotion Brakes::stop(double at_s) {
+    if (planned_.front().kind == SegmentKind::rest || !(planned_.front().duration_s > 0)) {
+        stop_rest(planned_, at_s, stopped_);
+        return std::move(stopped_);
     }
-    const Segment& first = planned.front();
-    const double t_s = std::clamp(at_s - first.start_s, 0.0, first.duration_s);
-    double clock_s = first.start_s;
-    put(stopped.done, part_of(first, {}, until(first, t_s), false), clock_s);
-    Progress from = progress_at(first, t_s);
-    Laws laws = braking(first, t_s);
-    std::size_t index = 0;
-    while (reaches_end(planned[index], from, laws)) {
-        const Segment& segment = planned[index];
-        const double speed = exit_speed(laws, segment.lead);
-        put(stopped.braking, part_of(segment, from, laws, true), clock_s);
-        stopped.position = segment.end;
-        if (++index == planned.size()) return stopped;
-        if (speed == 0) {
-            stopped.rest.assign(planned.begin() + static_cast<std::ptrdiff_t>(index), planned.end());
-            return stopped;
-        }
-        laws = braking_through(planned[index], speed);
-        from = {};
+    bool passed = pass_first(std::clamp(at_s - clock_s_, 0.0, planned_.front().duration_s));
+    std::size_t next = 1;
+    for (; passed && rate_ > 0 && next < planned_.size(); ++next) {
+        const Segment& segment = planned_[next];
+        passed = segment.beside
+                     ? pass_blend(segment, 0)
+                     : pass_single(segment, {}, braking_through(segment, rate_ * segment.lead.start_speed()));
     }
-    const Segment part = part_of(planned[index], from, laws, false);
-    put(stopped.braking, part, clock_s);
-    stopped.position = part.end;
-    from.lead += laws.lead.length();
-    for (std::size_t i = 0; i < part.followers().size(); ++i) from.followers[i] += laws.followers[i].length();
-    stopped.rest.push_back(rest_of(planned[index], from));
-    stopped.rest.insert(stopped.rest.end(), planned.begin() + static_cast<std::ptrdiff_t>(index) + 1,
-                        planned.end());
-    return stopped;
+    leave_from(next);
+    return std::move(stopped_);
 }
 
-void restart_motion(std::vector<Segment>& rest, double start_s) {
-    double speed = 0;
-    for (Segment& segment : rest) {
-        segment.start_s = start_s;
-        if (speed < segment.lead.start_speed() * (1 - kSameSpeed)) {
-            const LawLimits limits = no_faster(segment.lead_limits, segment.lead);
-            const double length = segment.lead.length();
-            const double end = std::min(segment.lead.end_speed(),
-                                        reachable_speed(length, speed, limits.acceleration, limits.jerk));
-            segment.lead = TimeLaw::between(length, speed, end, limits);
-            segment.duration_s = segment.lead.duration_s();
-        }
-        speed = segment.lead.end_speed();
-        start_s = segment.end_s();
+void Brakes::put(std::vector<Segment>& list, Segment segment) {
+    segment.start_s = clock_s_;
+    clock_s_ += segment.duration_s;
+    if (segment.duration_s > 0) list.push_back(std::move(segment));
+}
+
+/// Whether the segment that is under way for `t_s` is braked beyond its end.
+bool Brakes::pass_first(double t_s) {
+    const Segment& first = planned_.front();
+    if (first.beside) {
+        put(stopped_.done, blend_part(first, 0, t_s));
+        return pass_blend(first, t_s);
     }
+    put(stopped_.done, part_of(first, {}, until(first, t_s), false));
+    return pass_single(first, progress_at(first, t_s), braking(first, t_s));
+}
+
+bool Brakes::pass_single(const Segment& segment, Progress from, const Laws& laws) {
+    const bool passed = reaches_end(segment, from, laws);
+    const Segment part = part_of(segment, from, laws, passed);
+    put(stopped_.braking, part);
+    stopped_.position = part.end;
+    if (passed) {
+        const double speed = exit_speed(laws, segment.lead);
+        rate_ = speed > 0 ? speed / segment.lead.end_speed() : 0;
+        return true;
+    }
+    from.lead += laws.lead.length();
+    for (std::size_t i = 0; i < part.followers().size(); ++i) from.followers[i] += laws.followers[i].length();
+    stopped_.rest.push_back(rest_of(segment, from));
+    return false;
+}
+
+bool Brakes::pass_blend(const Segment& blend, double from_s) {
+    BlendPace pace{{}, from_s, 0};
+    if (!stands(blend, from_s)) pace = slow_down(blend, from_s, rate_, acceleration_);
+    for (Segment& part : pace.parts) put(stopped_.braking, std::move(part));
+    stopped_.position = blend.position_at(pace.until_s);
+    if (pace.until_s >= blend.duration_s) {
+        rate_ = stands(blend, blend.duration_s) ? 0 : pace.rate;
+        return true;
+    }
+    stopped_.rest.push_back(blend_part(blend, pace.until_s, blend.duration_s));
+    return false;
+}
+
+void Brakes::leave_from(std::size_t index) {
+    const auto first = planned_.begin() + static_cast<std::ptrdiff_t>(index);
+    stopped_.rest.insert(stopped_.rest.end(), std::make_move_iterator(first),
+                         std::make_move_iterator(planned_.end()));
+}
+
+/// What the speed at the end of a segment is of the one with which the next one was planned to start.
+double entry_rate(double speed, const Segment& next) {
+    const double planned = next.lead.start_speed();
+    return speed < planned * (1 - kSameSpeed) ? speed / planned : 1;
+}
+
+/// Plans a segment without a motion beside it to start at a lower speed than planned.
+void start_slower(double speed, Segment& segment) {
+    const LawLimits limits = no_faster(segment.lead_limits, segment.lead);
+    const double length = segment.lead.length();
+    const double end =
+        std::min(segment.lead.end_speed(), reachable_speed(length, speed, limits.acceleration, limits.jerk));
+    segment.lead = TimeLaw::between(length, speed, end, limits);
+    segment.duration_s = segment.lead.duration_s();
+}
+
+}  // namespace
+
+StoppedMotion stop_motion(std::vector<Segment> planned, double at_s, const rrs::JointPos& acceleration) {
+    return Brakes(std::move(planned), acceleration).stop(at_s);
+}
+
+std::vector<Segment> restart_motion(std::vector<Segment> rest, const rrs::JointPos& acceleration) {
+    std::vector<Segment> motion;
+    motion.reserve(rest.size());
+    double rate = 0;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        Segment& segment = rest[i];
+        if (segment.beside && rate < 1 && !stands(segment, 0)) {
+            BlendPace pace = speed_up(segment, rate, acceleration);
+            std::move(pace.parts.begin(), pace.parts.end(), std::back_inserter(motion));
+            rate = pace.rate;
+            continue;
+        }
+        if (!segment.beside && rate < 1 && segment.lead.start_speed() > 0)
+            start_slower(rate * segment.lead.start_speed(), segment);
+        rate = 1;
+        if (!segment.beside && i + 1 < rest.size()) rate = entry_rate(segment.lead.end_speed(), rest[i + 1]);
+        motion.push_back(std::move(segment));
+    }
+    return motion;
 }
 
 }  // namespace gsim::motion

@@ -7,7 +7,8 @@
 namespace gsim::motion {
 
 // Stopping in the midst of a motion. Each law brakes by itself, as hard as its limits allow: the lead along
-// its path, followers beside it. Nothing leaves its path, turns back, or goes faster than was planned.
+// its path, followers beside it. Two motions that go on at once (Segment::beside) keep the way that they make
+// together (blend_pace.h). Nothing leaves its path, turns back, or goes faster than was planned.
 
 /// A motion that is cut by a stop. Segments follow on one another; those without duration are left out.
 struct StoppedMotion {
@@ -19,12 +20,13 @@ struct StoppedMotion {
 
 /// Stops `planned` at `at_s` on the clock. The segments, at least one, are the rest of a plan that ends at
 /// rest, in the order of time; the first one is under way or about to begin. Where a segment is too short to
-/// stop in, braking goes on in the next one. None may have a motion beside it.
-StoppedMotion stop_motion(std::vector<Segment> planned, double at_s);
+/// stop in, braking goes on in the next one. `acceleration` is what the joints have for blends (mm/s2 or
+/// rad/s2).
+StoppedMotion stop_motion(std::vector<Segment> planned, double at_s, const rrs::JointPos& acceleration);
 
 /// Plans the rest of a stopped motion anew, from rest: no speed is above what was planned, and each segment
-/// ends with the speed that was planned or with the highest one that it can reach. The first one starts at
-/// `start_s`.
-void restart_motion(std::vector<Segment>& rest, double start_s);
+/// ends with the speed that was planned or with the highest one that it can reach. Their start_s is yet to be
+/// told.
+std::vector<Segment> restart_motion(std::vector<Segment> rest, const rrs::JointPos& acceleration);
 
 }  // namespace gsim::motion

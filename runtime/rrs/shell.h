@@ -158,14 +158,17 @@ class Shell {
 
     // --- Events and tracking ---
 
-    /// Defines an event that comes true `offset_s` (negative: before) from reaching a target, once. One that
-    /// is in the past already, as far as the motion is known, comes true at the start of the next step. The
-    /// same id defines it anew.
+    /// Defines an event that comes true `offset_s` (negative: before) from reaching a target, once. The same
+    /// id defines it anew. An event whose target has been put comes true in the step of its instant: a step
+    /// towards it plans the target, if need be to end at rest, as a step past the end of the plan does. One
+    /// whose target was put or whose motion was passed on too late for that comes true in the next step, with
+    /// its own time. A target that was reached before its event was defined is not reached again.
     virtual Status DefineEvent(int event_id, TargetId target, double offset_s);
     /// Takes back an event that has not come true. RRS_INVALID_PARAMETER where there is none.
     virtual Status CancelEvent(int event_id);
-    /// The number-th (from 0) event that came true in the last step, and when, in s since the step's start.
-    /// In the order of time. RRS_INVALID_PARAMETER where there were no more.
+    /// The number-th (from 0) event that came true in the last step, and when, in s since the step's start;
+    /// negative for one that was known too late for its step. In the order of time. RRS_INVALID_PARAMETER
+    /// where there were no more.
     virtual Status GetEvent(int number, int& event_id, double& time_s);
     /// Whether targets follow a conveyor.
     virtual Status SelectTracking(int conveyor, bool on);
@@ -208,7 +211,8 @@ class Shell {
     virtual Status SetJointRampLimits(RampLimit limit, std::span<const int> joints,
                                       std::span<const double> values);
     /// Extension. DefineEvent with a way instead of a time: the event comes true `offset_mm` (negative:
-    /// before) of the tool's way from reaching a target.
+    /// before) of the tool's way from reaching a target. Known too late it has the time of the step's start,
+    /// where the way to it has been passed on by then.
     virtual Status DefinePathEvent(int event_id, TargetId target, double offset_mm);
     /// Extension. Queues a dwell of `rest_s` >= 0.
     virtual Status SetNextRest(TargetId id, double rest_s);

@@ -92,7 +92,7 @@ TEST_F(Events, OfThePastComeTrueAtOnce) {
     planner().DefineEvent(2, 2, -50);
     const auto times_s = run();
     EXPECT_EQ(times_s.count(1), 0U) << "its target had been reached before it was defined";
-    EXPECT_NEAR(times_s.at(2), 1.1, 1e-9);
+    EXPECT_NEAR(times_s.at(2), 2.2 - 50, 1e-9) << "in the first step after it was known, but when it was";
 }
 
 TEST_F(Events, AreTakenBackAndReplaced) {
@@ -123,6 +123,135 @@ TEST_F(Events, WaitForAStop) {
     const auto times_s = run();
     EXPECT_NEAR(times_s.at(1), 0.6 + 0.05 + 0.1, 1e-9) << "at 60 mm: 5 mm and 0.1 s are the ramp's";
     EXPECT_NEAR(times_s.at(2), 0.6 + trapezoid_s(50, 100, 1000), 1e-9);
+}
+
+/// Controllers that hold targets back: the look-ahead's window, LinuxCNC's blends.
+PlannerSetup holding_setup(rrs::PlannerKind kind) {
+    PlannerSetup setup = gantry_setup();
+    setup.controller.planner = kind;
+    setup.controller.corner = rrs::CornerRule::velocity_step;
+    for (JointSetup& joint : setup.joints) joint.max_speed_step = 5;
+    setup.controller.servo_period_s = 0.001;
+    return setup;
+}
+
+class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
+  protected:
+    HeldEvents() {
+        planner().SetCartesianPositionSpeed(60);
+        planner().SelectMotionType(rrs::MotionType::linear);
+        planner().SelectFlybyMode(true);
+        planner().SetInterpolationTime(0.004);
+    }
+    DefaultPlanner& planner() { return ready_.planner; }
+    /// A zigzag: targets 1, 2, 3, ...
+    void put(int count) {
+        for (int i = 0; i < count; ++i) {
+            const double x_mm = 3.0 * static_cast<double>(ready_.id + 1);
+            ASSERT_EQ(ready_.to(joint_pos({x_mm, ready_.id % 2 == 0 ? 2.0 : 0, 0, 0, 0})),
+                      Status::RRS_SUCCESS);
+        }
+    }
+    Status step() {
+        rrs::JointPos joints;
+        rrs::CartPos pose;
+        const double from_s = planner().step_time_s();
+        const Status status = planner().GetNextStep(joints, pose, elapsed_s_);
+        int id = 0;
+        double time_s = 0;
+        for (int i = 0; planner().GetEvent(i, id, time_s) == Status::RRS_SUCCESS; ++i) {
+            latest_s_ = std::min(latest_s_, time_s);
+            EXPECT_LE(time_s, elapsed_s_);
+            EXPECT_TRUE(times_s_.emplace(id, from_s + time_s).second) << "twice";
+        }
+        return status;
+    }
+    void run() {
+        while (step() != Status::RRS_NEED_MORE_DATA) {
+        }
+    }
+    /// When a target was reached, by the segments that left.
+    double reached_s(rrs::TargetId id) const {
+        for (const Segment& segment : ready_.collector.segments) {
+            if (segment.target_id == id && segment.reaches_target) return segment.end_s();
+        }
+        ADD_FAILURE() << "target " << id << " is not reached";
+        return 0;
+    }
+    /// When the tool was `way_mm` short of a target.
+    double before_s(rrs::TargetId id, double way_mm) const {
+        const std::vector<Segment>& segments = ready_.collector.segments;
+        const auto reaches = [&](const Segment& s) { return s.target_id == id && s.reaches_target; };
+        for (auto i = std::find_if(segments.begin(), segments.end(), reaches);; --i) {
+            if (i->length_mm < way_mm) {
+                way_mm -= i->length_mm;
+                continue;
+            }
+            double low = 0, high = i->duration_s;
+            for (int k = 0; k < 60; ++k) {
+                const double middle = (low + high) / 2;
+                const double left = i->length_mm * (1 - i->lead.at(middle).s / i->lead.length());
+                (left > way_mm ? low : high) = middle;
+            }
+            return i->start_s + high;
+        }
+    }
+
+    ReadyPlanner ready_{holding_setup(GetParam()), joint_pos({0, 0, 0, 0, 0})};
+    std::map<int, double> times_s_;
+    double latest_s_ = kUnlimited;
+    double elapsed_s_ = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Models, HeldEvents,
+                         testing::Values(rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc),
+                         [](const auto& model) {
+                             return model.param == rrs::PlannerKind::linuxcnc ? "linuxcnc" : "look_ahead";
+                         });
+
+TEST_P(HeldEvents, BeforeATargetThatIsHeldBackComeInTheirStep) {
+    put(40);
+    planner().DefineEvent(1, 20, -0.4);
+    planner().DefineEvent(2, 40, -0.3);
+    planner().DefineEvent(3, 39, 0.01);
+    planner().DefinePathEvent(4, 38, -12);
+    run();
+    ASSERT_EQ(times_s_.size(), 4U);
+    EXPECT_NEAR(times_s_.at(1), reached_s(20) - 0.4, 1e-9);
+    EXPECT_NEAR(times_s_.at(2), reached_s(40) - 0.3, 1e-9);
+    EXPECT_NEAR(times_s_.at(3), reached_s(39) + 0.01, 1e-9);
+    EXPECT_NEAR(times_s_.at(4), before_s(38, 12), 1e-6);
+    EXPECT_GE(latest_s_, 0);
+}
+
+/// Targets come as there is room for them; an event leads its target by more than is planned.
+TEST_P(HeldEvents, AStreamOfTargetsIsPlannedAsFarAsAnEventNeeds) {
+    put(4);
+    planner().DefineEvent(1, 4, -0.1);
+    for (int i = 0; i < 2; ++i) step();
+    put(10);
+    run();
+    EXPECT_NEAR(times_s_.at(1), reached_s(4) - 0.1, 1e-9);
+    EXPECT_GE(latest_s_, 0);
+}
+
+TEST_P(HeldEvents, KeepTheirTimeWhereTheyAreKnownTooLate) {
+    put(30);
+    planner().DefineEvent(1, 10, 0.02);
+    planner().DefineEvent(2, 12, -0.02);
+    planner().DefinePathEvent(3, 14, -7);
+    planner().DefineEvent(4, 31, -0.5);
+    planner().flush();
+    const double flushed_s = planner().step_time_s();
+    step();
+    ASSERT_EQ(times_s_.size(), 3U);
+    EXPECT_NEAR(times_s_.at(1), reached_s(10) + 0.02, 1e-9);
+    EXPECT_NEAR(times_s_.at(2), reached_s(12) - 0.02, 1e-9);
+    EXPECT_NEAR(times_s_.at(3), before_s(14, 7), 1e-6);
+    put(1);
+    run();
+    EXPECT_NEAR(times_s_.at(4), reached_s(31) - 0.5, 1e-9);
+    EXPECT_LT(times_s_.at(4), flushed_s);
 }
 
 }  // namespace

@@ -212,13 +212,5 @@ TEST(Stop, OnAnArcItStaysOnTheArc) {
     }
 }
 
-TEST(Stop, IsNoServiceOfLinuxcncsPlanner) {
-    PlannerSetup setup = chain_of_three();
-    setup.controller.planner = rrs::PlannerKind::linuxcnc;
-    setup.controller.servo_period_s = 0.001;
-    ReadyPlanner ready(setup, joint_pos({0, 0, 0}));
-    EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SERVICE_NOT_SUPPORTED);
-}
-
 }  // namespace
 }  // namespace gsim::motion

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "runtime/motion/linuxcnc/way.h"
 
@@ -38,26 +39,42 @@ double way_at(const HeldPiece& held, double t_s) {
 
 // The piece of the next group that moves while the front one comes to rest.
 struct Partner {
-    HeldPiece* head = nullptr;              // none: not timed yet
-    const rrs::JointPos* corner = nullptr;  // where that group starts
-    bool at_rest = false;                   // the whole group has been put out
+    std::optional<std::size_t> head = std::nullopt;  // none: not timed yet
+    const rrs::JointPos* corner = nullptr;           // where that group starts
+    bool at_rest = false;                            // the whole group has been put out
 };
 
 Partner partner(PieceQueue& queue, std::size_t ready) {
     std::size_t last = 0;
     while (last < ready && !queue[last].ends_group) ++last;
     for (std::size_t index = last + 1; index < ready; ++index) {
-        if (!done(queue[index])) return {&queue[index], &queue[last].piece.end, false};
+        if (!done(queue[index])) return {index, &queue[last].piece.end, false};
         if (queue[index].ends_group) return {.at_rest = true};
     }
     return {};
 }
 
+bool leads_in(const HeldPiece& held, double to_s) {
+    return held.piece.lead_in > 0 && way_at(held, to_s) <= held.piece.lead_in;
+}
+
 // A blend arc is the later move's; the line on which it begins is the earlier one's.
 rrs::TargetId target_of(const HeldPiece& held, double to_s) {
-    const Piece& piece = held.piece;
-    const bool leads_in = piece.lead_in > 0 && way_at(held, to_s) <= piece.lead_in;
-    return leads_in ? piece.lead_in_id : piece.target_id;
+    return leads_in(held, to_s) ? held.piece.lead_in_id : held.piece.target_id;
+}
+
+// Whether a piece's target is reached at an instant: where it ends or the next move starts, unless a blend
+// arc leads in on its line.
+bool ends_target(const HeldPiece& held, double to_s, const HeldPiece* next) {
+    if (leads_in(held, to_s)) return way_at(held, to_s) >= held.piece.lead_in;
+    if (to_s < held.law.duration_s() - held.shared_s - kNoTime_s) return false;
+    if (next == nullptr) return true;
+    const Piece& behind = next->piece;
+    return (behind.lead_in > 0 ? behind.lead_in_id : behind.target_id) != held.piece.target_id;
+}
+
+const HeldPiece* behind(const PieceQueue& queue, std::size_t index) {
+    return index + 1 < queue.size() ? &queue[index + 1] : nullptr;
 }
 
 }  // namespace
@@ -72,14 +89,14 @@ std::size_t Writer::write(PieceQueue& queue, std::size_t ready, bool ended) {
 }
 
 bool Writer::write_front(PieceQueue& queue, std::size_t ready, bool ended) {
-    HeldPiece& held = queue.front();
-    write_alone(held, held.law.duration_s() - held.shared_s);
+    const HeldPiece& held = queue.front();
+    write_alone(queue, held.law.duration_s() - held.shared_s);
     while (!done(held)) {
         const Partner next = partner(queue, ready);
-        if (next.head != nullptr) {
-            write_shared(held, *next.head, *next.corner);
+        if (next.head) {
+            write_shared(queue, *next.head, *next.corner);
         } else if (next.at_rest || ended) {
-            write_alone(held, held.law.duration_s());
+            write_alone(queue, held.law.duration_s());
         } else {
             return false;
         }
@@ -87,28 +104,33 @@ bool Writer::write_front(PieceQueue& queue, std::size_t ready, bool ended) {
     return true;
 }
 
-void Writer::write_alone(HeldPiece& held, double until_s) {
+void Writer::write_alone(PieceQueue& queue, double until_s) {
+    HeldPiece& held = queue.front();
     while (held.written_s < until_s - kNoTime_s) {
         const double to_s = std::min(until_s, part_end_s(held, held.written_s));
-        put({&held, held.written_s, to_s});
+        put({&held, held.written_s, to_s, behind(queue, 0)});
         held.written_s = to_s;
     }
 }
 
-void Writer::write_shared(HeldPiece& tail, HeldPiece& head, const rrs::JointPos& corner) {
+void Writer::write_shared(PieceQueue& queue, std::size_t head_index, const rrs::JointPos& corner) {
+    HeldPiece& tail = queue.front();
+    HeldPiece& head = queue[head_index];
     while (!done(head) && !done(tail)) {
         const double tail_s = part_end_s(tail, tail.written_s) - tail.written_s;
         const double head_s = part_end_s(head, head.written_s) - head.written_s;
         const double step_s = std::min(tail_s, head_s);
-        put_both({&tail, tail.written_s, tail.written_s + step_s},
-                 {&head, head.written_s, head.written_s + step_s}, corner);
+        put_both({&tail, tail.written_s, tail.written_s + step_s, behind(queue, 0)},
+                 {&head, head.written_s, head.written_s + step_s, behind(queue, head_index)}, corner);
         tail.written_s += step_s;
         head.written_s += step_s;
     }
 }
 
 void Writer::put(const Span& span) {
-    fill(span, output_.begin(target_of(*span.held, span.to_s)));
+    Segment& segment = output_.begin(target_of(*span.held, span.to_s));
+    fill(span, segment);
+    segment.reaches_target = ends_target(*span.held, span.to_s, span.next);
     output_.finish();
 }
 
@@ -126,6 +148,7 @@ void Writer::put_both(const Span& tail, const Span& head, const rrs::JointPos& c
     segment.start += moved;
     segment.end += moved;
     if (segment.kind == SegmentKind::circular) segment.arc.center += axes_.point(moved);
+    segment.reaches_target = ends_target(*head.held, head.to_s, head.next);
     segment.beside = std::move(beside);
     segment.length_mm = segment.blended_length_mm();
     output_.finish();
@@ -141,6 +164,9 @@ void Writer::fill(const Span& span, Segment& segment) const {
     segment.length_mm = part.length_mm;
     segment.duration_s = span.to_s - span.from_s;
     segment.lead = held.law.part(span.from_s, span.to_s).scaled(part.scale);
+    segment.lead_limits.max_speed = target_speed(held.piece) * part.scale;
+    segment.lead_limits.acceleration = acceleration(held.piece) * part.scale;
+    segment.lead_limits.deceleration = segment.lead_limits.acceleration;
     segment.limited_by = held.limited_by;
 }
 

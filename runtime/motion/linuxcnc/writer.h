@@ -24,12 +24,13 @@ class Writer {
         const HeldPiece* held;
         double from_s;
         double to_s;
+        const HeldPiece* next;  ///< The piece behind it, if there is one.
     };
 
     // Whether the front piece is done.
     bool write_front(PieceQueue& queue, std::size_t ready, bool ended);
-    void write_alone(HeldPiece& held, double until_s);
-    void write_shared(HeldPiece& tail, HeldPiece& head, const rrs::JointPos& corner);
+    void write_alone(PieceQueue& queue, double until_s);
+    void write_shared(PieceQueue& queue, std::size_t head_index, const rrs::JointPos& corner);
     void put(const Span& span);
     void put_both(const Span& tail, const Span& head, const rrs::JointPos& corner);
     void fill(const Span& span, Segment& segment) const;
