@@ -26,6 +26,7 @@ gsim_rcs_joint to_rcs(const motion::JointSetup& joint, const kinematics::DhLink&
     result.max = joint.max;
     result.max_speed = joint.max_speed;
     result.max_acceleration = joint.max_acceleration;
+    result.max_deceleration = joint.deceleration();
     result.max_jerk = joint.max_jerk;
     result.max_speed_step = joint.max_speed_step;
     result.step = joint.step;
@@ -112,7 +113,8 @@ tl::expected<motion::PlannerSetup, std::string> planner_setup(const gsim_rcs_mac
                                 .max_acceleration = joint.max_acceleration,
                                 .max_jerk = joint.max_jerk,
                                 .max_speed_step = joint.max_speed_step,
-                                .step = joint.step});
+                                .step = joint.step,
+                                .max_deceleration = joint.max_deceleration});
     }
     std::copy_n(machine.position_joints, 3, setup.position_joints.begin());
     setup.path = {.max_feed_mm_s = machine.max_feed_mm_s,

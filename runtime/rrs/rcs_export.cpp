@@ -208,26 +208,34 @@ Answer selections(Shell& shell, std::int32_t opcode, const void* input) {
         case GSIM_RCS_CANCEL_EVENT: return shell.CancelEvent(integer(input));
         case GSIM_RCS_SELECT_FLYBY_MODE: return shell.SelectFlybyMode(on(input));
         case GSIM_RCS_SET_RAPID: return shell.SetRapid(on(input));
+        case GSIM_RCS_SET_RAMP_MODE: return shell.SetRampMode(static_cast<RampMode>(integer(input)));
         default: return std::nullopt;
     }
 }
 
-template <typename Service>
-Status set_joint_values(Shell& shell, Service service, const gsim_rcs_joint_values& in) {
+template <typename Call>
+Status with_joint_values(const gsim_rcs_joint_values& in, const Call& call) {
     const auto in_range = [](std::int32_t count) { return count >= 0 && count <= kMaxJoints; };
     if (!in_range(in.joint_count) || !in_range(in.value_count)) return Status::RRS_INVALID_PARAMETER;
-    return (shell.*service)({in.joints, static_cast<std::size_t>(in.joint_count)},
-                            {in.values, static_cast<std::size_t>(in.value_count)});
+    return call(std::span(in.joints, static_cast<std::size_t>(in.joint_count)),
+                std::span(in.values, static_cast<std::size_t>(in.value_count)));
 }
 
 Answer joint_values(Shell& shell, std::int32_t opcode, const void* input) {
     const auto set = [&](auto service) {
-        return set_joint_values(shell, service, as<gsim_rcs_joint_values>(input));
+        return with_joint_values(as<gsim_rcs_joint_values>(input),
+                                 [&](auto joints, auto values) { return (shell.*service)(joints, values); });
     };
     switch (opcode) {
         case GSIM_RCS_SET_JOINT_SPEEDS: return set(&Shell::SetJointSpeeds);
         case GSIM_RCS_SET_JOINT_ACCELERATIONS: return set(&Shell::SetJointAccelerations);
         case GSIM_RCS_SET_JOINT_JERKS: return set(&Shell::SetJointJerks);
+        case GSIM_RCS_SET_JOINT_RAMP_LIMITS: {
+            const auto& in = as<gsim_rcs_ramp_limits>(input);
+            return with_joint_values(in.values, [&](auto joints, auto values) {
+                return shell.SetJointRampLimits(static_cast<RampLimit>(in.limit), joints, values);
+            });
+        }
         default: return std::nullopt;
     }
 }
@@ -249,6 +257,10 @@ Answer parameters(Shell& shell, std::int32_t opcode, const void* input) {
         case GSIM_RCS_DEFINE_EVENT: {
             const auto& in = as<gsim_rcs_event_definition>(input);
             return shell.DefineEvent(in.event, in.target, in.offset_s);
+        }
+        case GSIM_RCS_DEFINE_PATH_EVENT: {
+            const auto& in = as<gsim_rcs_path_event_definition>(input);
+            return shell.DefinePathEvent(in.event, in.target, in.offset_mm);
         }
         case GSIM_RCS_SELECT_TRACKING: {
             const auto& in = as<gsim_rcs_tracking>(input);

@@ -13,8 +13,6 @@ namespace gsim::rrs {
 
 namespace {
 
-constexpr int kTrial_ms = 10'000;
-
 template <typename Function>
 bool find(void* handle, const char* symbol, Function& function) {
     function = reinterpret_cast<Function>(::dlsym(handle, symbol));
@@ -85,10 +83,11 @@ std::string RcsLibrary::try_out(const std::string& path, const gsim_rcs_machine&
     return {};
 }
 
-tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load(
-    const std::string& path, const gsim_rcs_machine& machine) {
+tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load(const std::string& path,
+                                                                              const gsim_rcs_machine& machine,
+                                                                              int trial_ms) {
     const std::string name = std::filesystem::path(path).filename().string();
-    const auto tried = run_trial([&] { return try_out(path, machine); }, kTrial_ms);
+    const auto tried = run_trial([&] { return try_out(path, machine); }, trial_ms);
     if (!tried)
         return tl::unexpected(
             fmt::format("the controller module {} {} while it was loaded", name, tried.error()));

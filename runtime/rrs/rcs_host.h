@@ -18,9 +18,10 @@ class RcsLibrary {
     /// Loads the library at `path`, which is tried out in a child process first: loaded, a module created for
     /// `machine`, initialized and destroyed. The error is a sentence that names the library: no such file, no
     /// module, another version, a service missing that each needs, a crash (in the trial; none later is
-    /// caught), no answer within 10 s.
+    /// caught), no answer within `trial_ms`.
     static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load(const std::string& path,
-                                                                             const gsim_rcs_machine& machine);
+                                                                             const gsim_rcs_machine& machine,
+                                                                             int trial_ms = 10'000);
     RcsLibrary(const RcsLibrary&) = delete;
     RcsLibrary& operator=(const RcsLibrary&) = delete;
     ~RcsLibrary();

@@ -16,9 +16,10 @@
 extern "C" {
 #endif
 
-/* Raised with every change that breaks modules; host and module must agree on it. New opcodes at the end do
- * not raise it: a module answers GSIM_RCS_NOT_SUPPORTED for a number that it does not know. */
-#define GSIM_RCS_VERSION 1
+/* Raised with every change that breaks modules, such as a field in a structure; host and module must agree on
+ * it. New opcodes do not raise it: a module answers GSIM_RCS_NOT_SUPPORTED for a number that it does not
+ * know. 2: gsim_rcs_joint.max_deceleration. */
+#define GSIM_RCS_VERSION 2
 
 #define GSIM_RCS_MAX_JOINTS 16
 #define GSIM_RCS_NAME_SIZE 128     /* of a name with its zero byte */
@@ -63,7 +64,7 @@ typedef struct gsim_rcs_joint {
     int32_t kind; /* gsim_rcs_joint_kind */
     int32_t reserved;
     double min, max;
-    double max_speed, max_acceleration, max_jerk;
+    double max_speed, max_acceleration, max_deceleration, max_jerk;
     double max_speed_step; /* jump of speed that the joint stands at a corner */
     double step;           /* smallest step; 0: none */
     double dh_theta_rad, dh_d_mm, dh_a_mm, dh_alpha_rad;
@@ -192,10 +193,17 @@ typedef struct gsim_rcs_event_definition {
     double offset_s;
 } gsim_rcs_event_definition;
 
+typedef struct gsim_rcs_path_event_definition {
+    int64_t target;
+    int32_t event;
+    int32_t reserved;
+    double offset_mm; /* of the tool's way; negative: before the target */
+} gsim_rcs_path_event_definition;
+
 typedef struct gsim_rcs_event {
     int32_t event;
     int32_t reserved;
-    double time_s;
+    double time_s; /* since the start of the last step; negative where it was known too late for its step */
 } gsim_rcs_event;
 
 typedef struct gsim_rcs_tracking {
@@ -212,6 +220,12 @@ typedef struct gsim_rcs_object_step {
     gsim_rcs_pose pose;
     double elapsed_s;
 } gsim_rcs_object_step;
+
+typedef struct gsim_rcs_ramp_limits {
+    int32_t limit; /* 0: acceleration, 1: deceleration, 2: jerk */
+    int32_t reserved;
+    gsim_rcs_joint_values values; /* infinite: the joint's own limit */
+} gsim_rcs_ramp_limits;
 
 typedef struct gsim_rcs_path_mode {
     int32_t mode; /* 0: exact stop, 1: exact path, 2: continuous */
@@ -285,7 +299,10 @@ enum gsim_rcs_opcode {
     GSIM_RCS_SET_PATH_MODE = 102,           /* path_mode | - */
     GSIM_RCS_SET_NEXT_REST = 103,           /* rest | - */
     GSIM_RCS_GET_TARGET_OF_LAST_STEP = 104, /* - | target_id: whose motion or rest the last step ended in */
-    GSIM_RCS_COME_TO_REST = 105 /* integer: 0 more may come, 1 the controller waits, 2 the end | - */
+    GSIM_RCS_COME_TO_REST = 105,  /* integer: 0 more may come, 1 the controller waits, 2 the end | - */
+    GSIM_RCS_SET_RAMP_MODE = 106, /* integer: 0 the machine's own, 1 linear, 2 S-curve, 3 infinite | - */
+    GSIM_RCS_SET_JOINT_RAMP_LIMITS = 107, /* ramp_limits | - */
+    GSIM_RCS_DEFINE_PATH_EVENT = 108      /* path_event_definition | - */
 };
 
 /* --- What a module exports, under these names --- */

@@ -83,17 +83,23 @@ Status RcsShell::ask_integer(const Service& service, int value) {
     return ask(service, &input, nullptr);
 }
 
-Status RcsShell::ask_joint_values(const Service& service, std::span<const int> joints,
-                                  std::span<const double> values) {
+Status RcsShell::put_joint_values(const Service& service, std::span<const int> joints,
+                                  std::span<const double> values, gsim_rcs_joint_values& input) {
     constexpr std::size_t kMost = GSIM_RCS_MAX_JOINTS;
     if (joints.size() > kMost || values.size() > kMost)
         return refuse(fmt::format("{} takes at most {} values.", service.name, kMost));
-    gsim_rcs_joint_values input{};
     input.joint_count = static_cast<std::int32_t>(joints.size());
     input.value_count = static_cast<std::int32_t>(values.size());
     std::copy(joints.begin(), joints.end(), input.joints);
     std::copy(values.begin(), values.end(), input.values);
-    return ask(service, &input, nullptr);
+    return Status::RRS_SUCCESS;
+}
+
+Status RcsShell::ask_joint_values(const Service& service, std::span<const int> joints,
+                                  std::span<const double> values) {
+    gsim_rcs_joint_values input{};
+    const Status status = put_joint_values(service, joints, values, input);
+    return status == Status::RRS_SUCCESS ? ask(service, &input, nullptr) : status;
 }
 
 Status RcsShell::checked(const Service& service, const gsim_rcs_pose& answer, CartPos& pose) {

@@ -87,6 +87,10 @@ class RcsShell : public Shell {
     Status SetNextArcTarget(TargetId id, const Eigen::Vector3d& center_mm, const Eigen::Vector3d& axis,
                             double sweep_rad, const CartPos& cartesian, const JointPos& joints) override;
     Status SetPathMode(PathMode mode, double tolerance_mm, double merge_tolerance_mm) override;
+    Status SetRampMode(RampMode mode) override;
+    Status SetJointRampLimits(RampLimit limit, std::span<const int> joints,
+                              std::span<const double> values) override;
+    Status DefinePathEvent(int event_id, TargetId target, double offset_mm) override;
     Status SetNextRest(TargetId id, double rest_s) override;
     Status GetTargetOfLastStep(TargetId& id) override;
     Status ComeToRest(RestReason reason) override;
@@ -108,6 +112,8 @@ class RcsShell : public Shell {
     Status ask(const Service& service, const void* input, void* output, Extra extra = Extra::none);
     Status ask_number(const Service& service, double value);
     Status ask_integer(const Service& service, int value);
+    Status put_joint_values(const Service& service, std::span<const int> joints,
+                            std::span<const double> values, gsim_rcs_joint_values& input);
     Status ask_joint_values(const Service& service, std::span<const int> joints,
                             std::span<const double> values);
     Status ask_target(const Service& service, gsim_rcs_target& target, std::string_view configuration,

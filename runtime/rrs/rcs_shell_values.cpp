@@ -1,6 +1,9 @@
 // The services of a controller module that select and set values.
 
+#include <cmath>
 #include <limits>
+
+#include <fmt/format.h>
 
 #include "runtime/rrs/rcs_shell.h"
 #include "runtime/rrs/rcs_values.h"
@@ -111,8 +114,13 @@ Status RcsShell::GetEvent(int number, int& event_id, double& time_s) {
     gsim_rcs_event output{0, 0, std::numeric_limits<double>::quiet_NaN()};
     const Status status = ask(service, &input, &output);
     if (status != Status::RRS_SUCCESS) return status;
+    if (!(output.time_s <= interpolation_s_ && std::isfinite(output.time_s))) {
+        return blame(fmt::format("answered {} with the time {} s; the interpolation time is {} s",
+                                 service.name, output.time_s, interpolation_s_));
+    }
     event_id = output.event;
-    return checked_elapsed(service, output.time_s, time_s);
+    time_s = output.time_s;
+    return status;
 }
 
 Status RcsShell::SelectTracking(int conveyor, bool on) {
@@ -154,6 +162,23 @@ Status RcsShell::SetRapid(bool on) {
 Status RcsShell::SetPathMode(PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
     const gsim_rcs_path_mode input{static_cast<int>(mode), 0, tolerance_mm, merge_tolerance_mm};
     return ask({GSIM_RCS_SET_PATH_MODE, "SetPathMode"}, &input, nullptr);
+}
+
+Status RcsShell::SetRampMode(RampMode mode) {
+    return ask_integer({GSIM_RCS_SET_RAMP_MODE, "SetRampMode"}, static_cast<int>(mode));
+}
+
+Status RcsShell::SetJointRampLimits(RampLimit limit, std::span<const int> joints,
+                                    std::span<const double> values) {
+    const Service service{GSIM_RCS_SET_JOINT_RAMP_LIMITS, "SetJointRampLimits"};
+    gsim_rcs_ramp_limits input{static_cast<int>(limit), 0, {}};
+    const Status status = put_joint_values(service, joints, values, input.values);
+    return status == Status::RRS_SUCCESS ? ask(service, &input, nullptr) : status;
+}
+
+Status RcsShell::DefinePathEvent(int event_id, TargetId target, double offset_mm) {
+    const gsim_rcs_path_event_definition input{target, event_id, 0, offset_mm};
+    return ask({GSIM_RCS_DEFINE_PATH_EVENT, "DefinePathEvent"}, &input, nullptr);
 }
 
 }  // namespace gsim::rrs

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -101,6 +102,7 @@ tl::expected<std::string, std::string> run_trial(const std::function<std::string
     if (::pipe2(ends, O_CLOEXEC) != 0) return tl::unexpected(system_error("pipe"));
     const Descriptor input(ends[0]);
     Descriptor output(ends[1]);
+    std::fflush(nullptr);  // a child that calls exit() would write what is in the buffers once more
     const pid_t child = ::fork();
     if (child < 0) return tl::unexpected(system_error("fork"));
     if (child == 0) be_child(work, output.number());

@@ -43,7 +43,7 @@ TEST_F(ControllerModule, OneThatCannotBeUsedIsAnErrorOfUsage) {
     refused("crash_on_load",
             "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
     refused("no_module", "no_module.so is no controller module: it has no gsim_rcs_version");
-    refused("other_version", "version 2 of the interface");
+    refused("other_version", "version 3 of the interface");
     refused("no_initialize", "no_initialize.so does not offer the service Initialize");
     refused("there_is_none", "there_is_none.so");
 }

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "tests/motion/machines.h"
+#include "tests/motion/planner_under_test.h"
 #include "tests/motion/segment_checks.h"
 
 namespace gsim::motion {
@@ -10,7 +10,7 @@ namespace {
 
 using rrs::Status;
 
-class Events : public testing::Test {
+class Events : public AnyPlanner {
   protected:
     Events() {
         planner().SetCartesianPositionSpeed(100);
@@ -23,22 +23,20 @@ class Events : public testing::Test {
         setup.path.max_acceleration_mm_s2 = kUnlimited;
         return setup;
     }
-    DefaultPlanner& planner() { return ready_.planner; }
+    rrs::Shell& planner() { return ready_.planner; }
     Status to(double x_mm) { return ready_.to(joint_pos({x_mm, 0, 0, 0, 0})); }
     /// Steps to the end: when each event came true.
     std::map<int, double> run() {
         std::map<int, double> times_s;
         Status status = Status::RRS_SUCCESS;
         while (status != Status::RRS_NEED_MORE_DATA) {
-            const double from_s = planner().step_time_s();
-            rrs::JointPos joints;
-            rrs::CartPos pose;
-            double elapsed_s = 0;
-            status = planner().GetNextStep(joints, pose, elapsed_s);
+            const double from_s = ready_.time_s;
+            const Step step = ready_.step();
+            status = step.status;
             int id = 0;
             double time_s = 0;
             for (int i = 0; planner().GetEvent(i, id, time_s) == Status::RRS_SUCCESS; ++i) {
-                EXPECT_LE(time_s, elapsed_s);
+                EXPECT_LE(time_s, step.elapsed_s);
                 EXPECT_EQ(times_s.count(id), 0U) << "twice";
                 times_s[id] = from_s + time_s;
             }
@@ -46,11 +44,13 @@ class Events : public testing::Test {
         return times_s;
     }
 
-    ReadyPlanner ready_{setup(), joint_pos({0, 0, 0, 0, 0})};
+    ReadyShell ready_{make(setup()), joint_pos({0, 0, 0, 0, 0})};
 };
 
+INSTANTIATE_TEST_SUITE_P(Ways, Events, both_ways(), way_name);
+
 // 100 mm at 100 mm/s with 1000 mm/s2: 1.1 s, and 2.2 s for both.
-TEST_F(Events, ByTime) {
+TEST_P(Events, ByTime) {
     to(100);
     to(200);
     planner().DefineEvent(1, 1, 0);
@@ -66,7 +66,7 @@ TEST_F(Events, ByTime) {
     EXPECT_NEAR(times_s.at(4), 0.2, 1e-9);
 }
 
-TEST_F(Events, ByWay) {
+TEST_P(Events, ByWay) {
     to(100);
     to(200);
     planner().DefinePathEvent(1, 1, -50);
@@ -84,7 +84,7 @@ TEST_F(Events, ByWay) {
     EXPECT_NEAR(run().at(5), 2.2 + 0.05 + 0.3, 1e-9) << "30 mm into the next move";
 }
 
-TEST_F(Events, OfThePastComeTrueAtOnce) {
+TEST_P(Events, OfThePastComeTrueAtOnce) {
     to(100);
     run();
     planner().DefineEvent(1, 1, 0);
@@ -95,7 +95,7 @@ TEST_F(Events, OfThePastComeTrueAtOnce) {
     EXPECT_NEAR(times_s.at(2), 2.2 - 50, 1e-9) << "in the first step after it was known, but when it was";
 }
 
-TEST_F(Events, AreTakenBackAndReplaced) {
+TEST_P(Events, AreTakenBackAndReplaced) {
     to(100);
     planner().DefineEvent(1, 1, 0);
     planner().DefineEvent(2, 1, 0);
@@ -108,16 +108,13 @@ TEST_F(Events, AreTakenBackAndReplaced) {
     EXPECT_NEAR(times_s.at(2), 1.0, 1e-9);
 }
 
-TEST_F(Events, WaitForAStop) {
+TEST_P(Events, WaitForAStop) {
     to(100);
     planner().DefinePathEvent(1, 1, -40);
     planner().DefineEvent(2, 1, 0);
     planner().SetInterpolationTime(0.5);
-    rrs::JointPos joints;
-    rrs::CartPos pose;
-    double elapsed_s = 0;
-    planner().GetNextStep(joints, pose, elapsed_s);  // at 45 mm
-    planner().StopMotion();                          // it stands at 50 mm
+    ready_.step();           // at 45 mm
+    planner().StopMotion();  // it stands at 50 mm
     EXPECT_TRUE(run().empty());
     planner().ContinueMotion();
     const auto times_s = run();

@@ -1,6 +1,6 @@
 // Fly-by criteria, point accuracy and the interpolation of orientation, as services select them.
 
-#include "tests/motion/machines.h"
+#include "tests/motion/planner_under_test.h"
 #include "tests/motion/segment_checks.h"
 
 namespace gsim::motion {
@@ -49,9 +49,12 @@ TEST(Flyby, CriteriaOfALookAhead) {
     EXPECT_EQ(corner_speed(ready), 0);
 }
 
-TEST(Flyby, WhatAControllerDoesNotHaveItRefuses) {
+class FlybyServices : public AnyPlanner {};
+INSTANTIATE_TEST_SUITE_P(Ways, FlybyServices, both_ways(), way_name);
+
+TEST_P(FlybyServices, WhatAControllerDoesNotHaveItRefuses) {
     for (const auto kind : {PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc}) {
-        ReadyPlanner ready(setup_of(kind), joint_pos({0, 0, 0, 0, 0}));
+        ReadyShell ready(make(setup_of(kind)), joint_pos({0, 0, 0, 0, 0}));
         const auto answer = [&](bool has) {
             return has ? Status::RRS_SUCCESS : Status::RRS_MODE_NOT_SUPPORTED;
         };
@@ -70,19 +73,14 @@ TEST(Flyby, WhatAControllerDoesNotHaveItRefuses) {
     }
 }
 
-TEST(Flyby, ExactStopsWaitAsSelected) {
+TEST_P(FlybyServices, ExactStopsWaitAsSelected) {
     PlannerSetup setup = setup_of(PlannerKind::look_ahead);
     setup.controller.settle_s = 0.25;
-    ReadyPlanner ready(setup, joint_pos({0, 0, 0, 0, 0}));
-    DefaultPlanner& planner = ready.planner;
+    ReadyShell ready(make(setup), joint_pos({0, 0, 0, 0, 0}));
+    rrs::Shell& planner = ready.planner;
     planner.SelectMotionType(rrs::MotionType::linear);
     planner.SetCartesianPositionSpeed(100);
-    const auto time_to = [&](double x_mm) {
-        const double before_s = planner.time_s();
-        ready.to(joint_pos({x_mm, 0, 0, 0, 0}));
-        planner.flush();
-        return planner.time_s() - before_s;
-    };
+    const auto time_to = [&](double x_mm) { return ready.time_to(joint_pos({x_mm, 0, 0, 0, 0})); };
     const double move_s = trapezoid_s(50, 100, 490.33);
     EXPECT_NEAR(time_to(50), move_s + 0.25, 1e-9);
     planner.SelectPointAccuracy(0);

@@ -87,4 +87,58 @@ inline rrs::Status put(rrs::Shell& planner, const rrs::JointPos& joints, rrs::Ta
     return planner.SetNextTarget(id, rrs::TargetParam::end, rrs::CartPos::Identity(), joints, "", 0);
 }
 
+/// What a step of GetNextStep told.
+struct Step {
+    rrs::Status status;
+    rrs::JointPos joints;
+    double elapsed_s;
+};
+
+/// A planner behind the services that is ready for targets in joint values, with a clock of its own.
+class ReadyShell {
+  public:
+    ReadyShell(std::unique_ptr<rrs::Shell> shell, const rrs::JointPos& start)
+        : planner(*shell), owner_(std::move(shell)) {
+        planner.Initialize();
+        planner.SetInitialPosition(rrs::CartPos::Identity(), start, "");
+    }
+
+    rrs::Status to(const rrs::JointPos& joints) { return put(planner, joints, ++id); }
+    rrs::Status arc_to(const rrs::JointPos& joints, const Eigen::Vector3d& center,
+                       const Eigen::Vector3d& axis, double sweep_rad) {
+        return planner.SetNextArcTarget(++id, center, axis, sweep_rad, rrs::CartPos::Identity(), joints);
+    }
+    Step step() {
+        Step step{};
+        rrs::CartPos pose;
+        step.status = planner.GetNextStep(step.joints, pose, step.elapsed_s);
+        time_s += step.elapsed_s;
+        return step;
+    }
+    /// Steps until the robot stands; the number of steps in which it reached a target.
+    int run_out(rrs::JointPos& at) {
+        int reached = 0;
+        for (int i = 0; i < 1'000'000; ++i) {
+            const Step now = step();
+            at = now.joints;
+            if (now.status == rrs::Status::RRS_NEED_MORE_DATA) return reached;
+            if (now.status == rrs::Status::RRS_TARGET_REACHED) ++reached;
+        }
+        throw std::runtime_error("it does not come to an end");
+    }
+    /// The time of a move that is put alone.
+    double time_to(const rrs::JointPos& joints) {
+        const rrs::Status status = to(joints);
+        if (status != rrs::Status::RRS_SUCCESS) throw std::runtime_error(message(planner));
+        return step_to_end(planner, 1).time_s;
+    }
+
+    rrs::Shell& planner;
+    rrs::TargetId id = 0;
+    double time_s = 0;  ///< Of all steps.
+
+  private:
+    std::unique_ptr<rrs::Shell> owner_;
+};
+
 }  // namespace gsim::motion

@@ -3,6 +3,7 @@
 
 #include "tests/motion/law_reference.h"
 #include "tests/motion/motion_checks.h"
+#include "tests/motion/planner_under_test.h"
 
 namespace gsim::motion {
 namespace {
@@ -95,58 +96,67 @@ TEST(RestRamps, StretchedToATime) {
     }
 }
 
-TEST(RestRamps, ProgrammedJerksAreOfJointMotionAlone) {
+TEST(RestRamps, InfiniteOnesJump) {
     ReadyPlanner ready(router(), joint_pos({0, 0, 0}));
-    const double straight_s = time_to(ready, 50);
+    ready.planner.SetRampMode(RampMode::infinite);
+    EXPECT_NEAR(time_to(ready, 50), 0.5, 1e-12);
+    EXPECT_TRUE(ready.last().lead.jumps());
+}
+
+class RampServices : public AnyPlanner {};
+INSTANTIATE_TEST_SUITE_P(Ways, RampServices, both_ways(), way_name);
+
+TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
+    ReadyShell ready(make(router()), joint_pos({0, 0, 0}));
+    const double straight_s = ready.time_to(joint_pos({50, 0, 0}));
     const double jerk = 5000;
     ASSERT_EQ(ready.planner.SetJointJerks({}, std::vector<double>(3, jerk)), Status::RRS_SUCCESS);
     // 100 mm/s is reached in sqrt(100 / 5000) s twice over, below 1000 mm/s2; the mean of a ramp is half.
     const double ramp_s = 2 * std::sqrt(100 / jerk);
-    EXPECT_NEAR(time_to(ready, 0), 50.0 / 100 + ramp_s, 1e-9);
+    EXPECT_NEAR(ready.time_to(joint_pos({0, 0, 0})), 50.0 / 100 + ramp_s, 1e-9);
     EXPECT_GT(0.5 + ramp_s, straight_s);
     ready.planner.SelectMotionType(MotionType::linear);
     ready.planner.SetCartesianPositionSpeed(kUnlimited);
-    EXPECT_NEAR(time_to(ready, 50), straight_s, 1e-12);
+    EXPECT_NEAR(ready.time_to(joint_pos({50, 0, 0})), straight_s, 1e-12);
     ready.planner.SelectMotionType(MotionType::joint);
     ASSERT_EQ(ready.planner.SetRampMode(RampMode::linear), Status::RRS_SUCCESS);
-    EXPECT_NEAR(time_to(ready, 0), straight_s, 1e-12);
+    EXPECT_NEAR(ready.time_to(joint_pos({0, 0, 0})), straight_s, 1e-12);
     EXPECT_EQ(ready.planner.SetJointJerks({}, std::vector<double>(3, 0.0)), Status::RRS_INVALID_PARAMETER);
 }
 
-TEST(RestRamps, ModesOfTheProgram) {
+TEST_P(RampServices, ModesOfTheProgram) {
     PlannerSetup setup = router();
     for (JointSetup& joint : setup.joints) joint.max_jerk = 20000;
-    ReadyPlanner ready(setup, joint_pos({0, 0, 0}));
-    const double machine_s = time_to(ready, 50);
+    ReadyShell ready(make(setup), joint_pos({0, 0, 0}));
+    const double machine_s = ready.time_to(joint_pos({50, 0, 0}));
     EXPECT_NEAR(machine_s, 0.5 + 0.1, 1e-12);
     ready.planner.SetRampMode(RampMode::s_curve);
-    EXPECT_NEAR(time_to(ready, 0), 0.5 + 0.1 + 1000.0 / 20000, 1e-12);
+    EXPECT_NEAR(ready.time_to(joint_pos({0, 0, 0})), 0.5 + 0.1 + 1000.0 / 20000, 1e-12);
     ready.planner.SetRampMode(RampMode::infinite);
-    EXPECT_NEAR(time_to(ready, 50), 0.5, 1e-12);
-    EXPECT_TRUE(ready.last().lead.jumps());
+    EXPECT_NEAR(ready.time_to(joint_pos({50, 0, 0})), 0.5, 1e-12);
     ready.planner.SetRampMode(RampMode::linear);
-    EXPECT_NEAR(time_to(ready, 0), machine_s, 1e-12);
+    EXPECT_NEAR(ready.time_to(joint_pos({0, 0, 0})), machine_s, 1e-12);
     EXPECT_EQ(ready.planner.SetRampMode(static_cast<RampMode>(9)), Status::RRS_INVALID_PARAMETER);
     ready.planner.SetRampMode(RampMode::infinite);
     ready.planner.Reset();
     ready.planner.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({0, 0, 0}), "");
-    EXPECT_EQ(time_to(ready, 50), machine_s) << "a new session has the machine's ramps";
+    EXPECT_EQ(ready.time_to(joint_pos({50, 0, 0})), machine_s) << "a new session has the machine's ramps";
 }
 
-TEST(RestRamps, LimitsOfTheProgramLowerThoseOfTheMachine) {
-    ReadyPlanner ready(router(), joint_pos({0, 0, 0}));
+TEST_P(RampServices, LimitsOfTheProgramLowerThoseOfTheMachine) {
+    ReadyShell ready(make(router()), joint_pos({0, 0, 0}));
     const int x = 0;
     const double slow = 200;
     const double fast = 1e6;
     ASSERT_EQ(ready.planner.SetJointRampLimits(RampLimit::acceleration, {&x, 1}, {&slow, 1}),
               Status::RRS_SUCCESS);
-    EXPECT_NEAR(time_to(ready, 100), 1 + 100.0 / 200 / 2 + 100.0 / 1000 / 2, 1e-12);
+    EXPECT_NEAR(ready.time_to(joint_pos({100, 0, 0})), 1 + 100.0 / 200 / 2 + 100.0 / 1000 / 2, 1e-12);
     ASSERT_EQ(ready.planner.SetJointRampLimits(RampLimit::deceleration, {&x, 1}, {&slow, 1}),
               Status::RRS_SUCCESS);
-    EXPECT_NEAR(time_to(ready, 0), 1 + 100.0 / 200, 1e-12);
+    EXPECT_NEAR(ready.time_to(joint_pos({0, 0, 0})), 1 + 100.0 / 200, 1e-12);
     for (const RampLimit limit : {RampLimit::acceleration, RampLimit::deceleration})
         ready.planner.SetJointRampLimits(limit, {&x, 1}, {&fast, 1});
-    EXPECT_NEAR(time_to(ready, 100), 1 + 100.0 / 1000, 1e-12) << "the machine's hold";
+    EXPECT_NEAR(ready.time_to(joint_pos({100, 0, 0})), 1 + 100.0 / 1000, 1e-12) << "the machine's hold";
     const double zero = 0;
     EXPECT_EQ(ready.planner.SetJointRampLimits(RampLimit::jerk, {&x, 1}, {&zero, 1}),
               Status::RRS_INVALID_PARAMETER);

@@ -1,6 +1,7 @@
 // StopMotion, ContinueMotion and CancelMotion, at any instant and within limits.
 
 #include "tests/motion/motion_checks.h"
+#include "tests/motion/planner_under_test.h"
 
 namespace gsim::motion {
 namespace {
@@ -33,12 +34,6 @@ PlannerSetup look_ahead_setup() {
     return setup;
 }
 
-struct Step {
-    Status status;
-    rrs::JointPos joints;
-    double elapsed_s;
-};
-
 Step step(DefaultPlanner& planner) {
     Step step{};
     rrs::CartPos pose;
@@ -59,54 +54,93 @@ int run_out(DefaultPlanner& planner, rrs::JointPos& at) {
     return reached;
 }
 
-TEST(Stop, ATrapezoidStopsInTheLengthOfItsBrakes) {
-    ReadyPlanner ready(chain_of_three(), joint_pos({0, 0, 0}));
+class StopServices : public AnyPlanner {};
+INSTANTIATE_TEST_SUITE_P(Ways, StopServices, both_ways(), way_name);
+
+TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
+    ReadyShell ready(make(chain_of_three()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
-    EXPECT_NEAR(step(ready.planner).joints[0], 45, 1e-9);
+    EXPECT_NEAR(ready.step().joints[0], 45, 1e-9);
     ASSERT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
     EXPECT_EQ(ready.to(joint_pos({0, 0, 0})), Status::RRS_QUEUE_FULL);
-    const Step stopped = step(ready.planner);
+    const Step stopped = ready.step();
     EXPECT_NEAR(stopped.joints[0], 50, 1e-9) << "100^2 / 2 / 1000";
     EXPECT_NEAR(stopped.elapsed_s, 0.1, 1e-9);
-    EXPECT_EQ(step(ready.planner).status, Status::RRS_NEED_MORE_DATA);
+    EXPECT_EQ(ready.step().status, Status::RRS_NEED_MORE_DATA);
     ASSERT_EQ(ready.planner.ContinueMotion(), Status::RRS_SUCCESS);
     rrs::JointPos at;
-    EXPECT_EQ(run_out(ready.planner, at), 1);
+    EXPECT_EQ(ready.run_out(at), 1);
     EXPECT_EQ(at, joint_pos({100, 0, 0}));
-    EXPECT_NEAR(ready.planner.time_s(), 0.6 + trapezoid_s(50, 100, 1000), 1e-9);
+    EXPECT_NEAR(ready.time_s, 0.6 + trapezoid_s(50, 100, 1000), 1e-9);
 }
 
-TEST(Stop, CancelDropsTheRest) {
-    ReadyPlanner ready(chain_of_three(), joint_pos({0, 0, 0}));
+TEST_P(StopServices, CancelDropsTheRest) {
+    ReadyShell ready(make(chain_of_three()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
     ready.to(joint_pos({100, 100, 0}));
-    step(ready.planner);
+    ready.step();
     EXPECT_EQ(ready.planner.CancelMotion(), Status::RRS_INVALID_PARAMETER);
     ready.planner.StopMotion();
     ASSERT_EQ(ready.planner.CancelMotion(), Status::RRS_SUCCESS);
-    EXPECT_NEAR(ready.planner.position()[0], 50, 1e-9);
+    EXPECT_NEAR(position(ready.planner)[0], 50, 1e-9);
     ASSERT_EQ(ready.to(joint_pos({0, 0, 0})), Status::RRS_SUCCESS);
     rrs::JointPos at;
-    EXPECT_EQ(run_out(ready.planner, at), 1);
+    EXPECT_EQ(ready.run_out(at), 1);
     EXPECT_EQ(at, joint_pos({0, 0, 0}));
-    expect_joined(ready.collector.segments);
 }
 
-TEST(Stop, WhereNothingMoves) {
-    ReadyPlanner ready(chain_of_three(), joint_pos({0, 0, 0}));
+TEST_P(StopServices, WhereNothingMoves) {
+    ReadyShell ready(make(chain_of_three()), joint_pos({0, 0, 0}));
     EXPECT_EQ(ready.planner.ContinueMotion(), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
     EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
     EXPECT_EQ(ready.planner.ContinueMotion(), Status::RRS_SUCCESS);
     ready.planner.SetNextRest(7, 2);
     ready.planner.SetInterpolationTime(0.5);
-    step(ready.planner);
+    ready.step();
     ready.planner.StopMotion();
-    EXPECT_EQ(step(ready.planner).status, Status::RRS_NEED_MORE_DATA);
+    EXPECT_EQ(ready.step().status, Status::RRS_NEED_MORE_DATA);
     ready.planner.ContinueMotion();
-    EXPECT_NEAR(ready.planner.time_s(), 2, 1e-12) << "a dwell goes on";
+    rrs::JointPos at;
+    ready.run_out(at);
+    EXPECT_NEAR(ready.time_s, 2, 1e-12) << "a dwell goes on";
+}
+
+/// Straight ahead over short blocks, straight ramps brake as over one.
+TEST_P(StopServices, ShortBlocksDoNotDelayIt) {
+    ReadyShell ready(make(look_ahead_setup()), joint_pos({0, 0, 0}));
+    ready.planner.SelectFlybyMode(true);
+    ready.planner.SelectMotionType(MotionType::linear);
+    ready.planner.SetCartesianPositionSpeed(100);
+    for (int i = 1; i <= 300; ++i) ready.to(joint_pos({0.5 * i, 0, 0}));
+    ready.planner.SetInterpolationTime(0.5);
+    EXPECT_NEAR(ready.step().joints[0], 45, 1e-6);
+    ready.planner.StopMotion();
+    EXPECT_NEAR(ready.step().joints[0], 50, 1e-6);
+    EXPECT_EQ(ready.step().status, Status::RRS_NEED_MORE_DATA);
+}
+
+TEST_P(StopServices, OnAnArcItStaysOnTheArc) {
+    for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
+        PlannerSetup setup = chain_of_three();
+        setup.controller.planner = kind;
+        ReadyShell ready(make(setup), joint_pos({50, 0, 0}));
+        ready.planner.SetCartesianPositionSpeed(80);
+        ASSERT_EQ(ready.arc_to(joint_pos({50, 0, 10}), {0, 0, 0}, {0, 0, 1}, 2 * kPi), Status::RRS_SUCCESS)
+            << message(ready.planner);
+        ready.planner.SetInterpolationTime(0.7);
+        ready.step();
+        ready.step();
+        ready.planner.StopMotion();
+        rrs::JointPos at;
+        ready.run_out(at);
+        EXPECT_NEAR(std::hypot(at[0], at[1]), 50, 1e-9);
+        ready.planner.ContinueMotion();
+        EXPECT_EQ(ready.run_out(at), 1);
+        EXPECT_LT((at - joint_pos({50, 0, 10})).norm(), 1e-9);
+    }
 }
 
 /// One of many random motions is stopped at a random instant, goes on, and is stopped again.
@@ -173,38 +207,17 @@ TEST(Stop, KeepsLimitsOverManyBlocks) {
     }
 }
 
-/// Straight ahead over short blocks, straight ramps brake as over one.
-TEST(Stop, ShortBlocksDoNotDelayIt) {
-    ReadyPlanner ready(look_ahead_setup(), joint_pos({0, 0, 0}));
-    ready.planner.SelectFlybyMode(true);
-    ready.planner.SelectMotionType(MotionType::linear);
-    ready.planner.SetCartesianPositionSpeed(100);
-    for (int i = 1; i <= 300; ++i) ready.to(joint_pos({0.5 * i, 0, 0}));
-    ready.planner.SetInterpolationTime(0.5);
-    EXPECT_NEAR(step(ready.planner).joints[0], 45, 1e-6);
-    ready.planner.StopMotion();
-    EXPECT_NEAR(step(ready.planner).joints[0], 50, 1e-6);
-    EXPECT_EQ(step(ready.planner).status, Status::RRS_NEED_MORE_DATA);
-}
-
-TEST(Stop, OnAnArcItStaysOnTheArc) {
+TEST(Stop, OnAnArcNoWayIsLost) {
     for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
         PlannerSetup setup = chain_of_three();
         setup.controller.planner = kind;
         ReadyPlanner ready(setup, joint_pos({50, 0, 0}));
         ready.planner.SetCartesianPositionSpeed(80);
-        ASSERT_EQ(ready.arc_to(joint_pos({50, 0, 10}), {0, 0, 0}, {0, 0, 1}, 2 * kPi), Status::RRS_SUCCESS)
-            << ready.message();
+        ready.arc_to(joint_pos({50, 0, 10}), {0, 0, 0}, {0, 0, 1}, 2 * kPi);
         ready.planner.SetInterpolationTime(0.7);
         step(ready.planner);
-        step(ready.planner);
         ready.planner.StopMotion();
-        rrs::JointPos at;
-        run_out(ready.planner, at);
-        EXPECT_NEAR(std::hypot(at[0], at[1]), 50, 1e-9);
-        ready.planner.ContinueMotion();
-        EXPECT_EQ(run_out(ready.planner, at), 1);
-        EXPECT_LT((at - joint_pos({50, 0, 10})).norm(), 1e-9);
+        ready.planner.flush();
         expect_joined(ready.collector.segments);
         double length_mm = 0;
         for (const Segment& segment : ready.collector.segments) length_mm += segment.length_mm;

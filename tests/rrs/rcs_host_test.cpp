@@ -1,5 +1,8 @@
 #include "runtime/rrs/rcs_host.h"
 
+#include <filesystem>
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,8 +39,8 @@ TEST(RcsHost, says_why_a_library_is_no_module) {
     EXPECT_THAT(why_not("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
     EXPECT_EQ(why_not("no_module"), "no_module.so is no controller module: it has no gsim_rcs_version");
     EXPECT_EQ(why_not("other_version"),
-              "other_version.so is a controller module of version 2 of the interface; this program speaks "
-              "version 1");
+              "other_version.so is a controller module of version 3 of the interface; this program speaks "
+              "version 2");
 }
 
 TEST(RcsHost, says_why_a_module_makes_no_controller) {
@@ -53,6 +56,33 @@ TEST(RcsHost, crash_while_loading_is_a_sentence) {
               "the controller module crash_in_create.so crashed (signal 6) while it was loaded");
     EXPECT_EQ(why_not("ends_program"),
               "the controller module ends_program.so ended the program while it was loaded");
+    EXPECT_EQ(why_not("ends_in_create"),
+              "the controller module ends_in_create.so ended the program while it was loaded");
+}
+
+TEST(RcsHost, no_answer_while_loading_is_a_sentence) {
+    for (const char* const name : {"hangs_on_load", "hangs_in_create"}) {
+        const auto library = RcsLibrary::load(module_path(name), slides(), 200);
+        ASSERT_FALSE(library.has_value());
+        EXPECT_EQ(
+            library.error(),
+            fmt::format("the controller module {}.so gave no answer within 0.2 s while it was loaded", name));
+    }
+}
+
+TEST(RcsHost, what_is_no_library_is_a_sentence) {
+    const std::string folder = testing::TempDir();
+    const std::string text = folder + "/rcs_host_test_text.so";
+    const std::string empty = folder + "/rcs_host_test_empty.so";
+    std::ofstream(text) << "planner = none, although the file is long enough for a header of a library";
+    std::ofstream{empty};
+    for (const std::string& path : {text, empty, folder}) {
+        const auto library = RcsLibrary::load(path, slides());
+        ASSERT_FALSE(library.has_value()) << path;
+        EXPECT_THAT(library.error(), testing::StartsWith("cannot load the controller module "));
+    }
+    std::filesystem::remove(text);
+    std::filesystem::remove(empty);
 }
 
 }  // namespace

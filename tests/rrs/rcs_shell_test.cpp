@@ -69,6 +69,17 @@ TEST(RcsShell, missing_service_is_named_and_is_no_fault) {
     EXPECT_FALSE(shell.fault());
 }
 
+/// A module that was compiled before a service got its opcode does not know it.
+TEST(RcsShell, opcodes_of_later_headers_are_missing_services) {
+    RcsShell shell = ready("small_module");
+    const double value = 1;
+    EXPECT_EQ(shell.SetRampMode(RampMode::s_curve), Status::RRS_SERVICE_NOT_SUPPORTED);
+    EXPECT_EQ(shell.SetJointRampLimits(RampLimit::jerk, {}, {&value, 1}), Status::RRS_SERVICE_NOT_SUPPORTED);
+    EXPECT_EQ(shell.DefinePathEvent(1, 1, -5), Status::RRS_SERVICE_NOT_SUPPORTED);
+    EXPECT_EQ(message(shell), "small_module.so does not offer the service DefinePathEvent.");
+    EXPECT_FALSE(shell.fault());
+}
+
 TEST(RcsShell, what_does_not_fit_the_interface_does_not_reach_the_module) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.ModifyCellFrame(std::string(GSIM_RCS_NAME_SIZE, 'n'), CartPos::Identity()),

@@ -43,6 +43,7 @@ TEST(RcsTrial, crash_ends_the_child_alone) {
 
 TEST(RcsTrial, work_that_ends_the_program_or_throws_has_not_been_done) {
     EXPECT_EQ(run_trial([]() -> std::string { std::_Exit(0); }, kPlenty_ms).error(), "ended the program");
+    EXPECT_EQ(run_trial([]() -> std::string { std::exit(0); }, kPlenty_ms).error(), "ended the program");
     EXPECT_EQ(run_trial([]() -> std::string { throw 1; }, kPlenty_ms).error(), "ended the program");
 }
 

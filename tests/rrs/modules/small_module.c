@@ -26,6 +26,9 @@
 #define BREAKS_DOWN 14
 #define CRASH_IN_CREATE 15
 #define NO_RAPID 16
+#define HANGS_ON_LOAD 17
+#define ENDS_IN_CREATE 18
+#define HANGS_IN_CREATE 19
 
 #ifndef FAULT
 #define FAULT NO_FAULT
@@ -144,6 +147,12 @@ static int32_t set_initial_position(gsim_rcs_module* m, const gsim_rcs_position*
     return GSIM_RCS_SUCCESS;
 }
 
+static void hang(void) {
+    volatile int forever = 1;
+    while (forever) {
+    }
+}
+
 static int32_t initialize(gsim_rcs_module* m) {
     if (FAULT == NO_INITIALIZE) return GSIM_RCS_NOT_SUPPORTED;
     m->step_s = 0.01;
@@ -162,6 +171,8 @@ GSIM_RCS_EXPORT gsim_rcs_module* gsim_rcs_create(const gsim_rcs_machine* machine
         return NULL;
     }
     if (FAULT == CRASH_IN_CREATE) abort();
+    if (FAULT == ENDS_IN_CREATE) exit(0);
+    if (FAULT == HANGS_IN_CREATE) hang();
     m = calloc(1, sizeof *m);
     if (m == NULL) return NULL;
     m->joint_count = machine->joint_count;
@@ -198,9 +209,10 @@ GSIM_RCS_EXPORT int32_t gsim_rcs_call(gsim_rcs_module* m, int32_t opcode, const 
     }
 }
 
-#if FAULT == CRASH_ON_LOAD || FAULT == ENDS_PROGRAM
+#if FAULT == CRASH_ON_LOAD || FAULT == ENDS_PROGRAM || FAULT == HANGS_ON_LOAD
 __attribute__((constructor)) static void when_loaded(void) {
     if (FAULT == ENDS_PROGRAM) _Exit(0);
+    if (FAULT == HANGS_ON_LOAD) hang();
     raise(SIGSEGV);
 }
 #endif
