@@ -38,9 +38,9 @@ inline constexpr rrs::TargetId kNoTarget = -1;
 /// motion, dwells, flush(), StopMotion and GetNextStep past the end of what is planned make it come to rest.
 ///
 /// Services of time: StopMotion brakes from the instant at which GetNextStep stands, each joint within its
-/// limits (stop.h), over as many segments as it takes; GetNextStep then goes on to the stop. Until ContinueMotion or
-/// CancelMotion targets are refused (RRS_QUEUE_FULL). flush() continues a stopped motion. Events come true
-/// in the steps of GetNextStep.
+/// limits (stop.h), over as many segments as it takes; GetNextStep then goes on to the stop. Until
+/// ContinueMotion or CancelMotion targets are refused (RRS_QUEUE_FULL). flush() continues a stopped motion.
+/// Events come true in the steps of GetNextStep.
 ///
 /// Mixed moves at rest to rest: the path of the position joints leads by the programmed speed; each other
 /// joint follows by its own fastest ramps; the slowest of all sets the time, and the others run slower to
