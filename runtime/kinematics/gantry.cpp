@@ -139,6 +139,14 @@ tl::expected<rrs::JointPos, std::string> GantryKinematics::inverse(const rrs::Ca
     return joints;
 }
 
+std::optional<TiltingHead> GantryKinematics::tilting_head() const {
+    const Vector3d tool = rotation_at_zero_.col(2);
+    const double off_square =
+        std::max(std::abs(first_axis_.dot(second_axis_)), std::abs(tool.dot(second_axis_)));
+    if (rotary_count_ != 2 || off_square > kOrthogonal) return std::nullopt;
+    return TiltingHead{3, 4, std::atan2(tool.dot(second_axis_.cross(first_axis_)), tool.dot(first_axis_))};
+}
+
 Matrix3d GantryKinematics::turned(const Angles& angles) const {
     return rotation(angles[0], first_axis_) * rotation(angles[1], second_axis_) * rotation_at_zero_;
 }

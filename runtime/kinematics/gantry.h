@@ -35,6 +35,9 @@ class GantryKinematics : public Kinematics {
     tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,
                                                      const rrs::JointPos& near) const override;
 
+    /// Where there are two rotary axes, at right angles to each other and the second one to the tool.
+    std::optional<TiltingHead> tilting_head() const override;
+
   private:
     using Angles = Eigen::Vector2d;  // of the first and second revolute joint, rad
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -9,6 +10,15 @@
 namespace gsim::kinematics {
 
 class DhChain;
+
+/// A head that turns the tool about its tip: one joint turns about an axis that stands still (the pole; the
+/// vertical in most machines), the other one, behind it, tilts the tool away from the pole about an axis at
+/// right angles to it and to the tool.
+struct TiltingHead {
+    int turn_joint = 0;
+    int tilt_joint = 0;
+    double tilt_at_zero_rad = 0;  ///< Angle from the pole to the tool with the tilting joint at 0.
+};
 
 /// The geometry of one machine: joints to tool pose and back. Immutable.
 class Kinematics {
@@ -29,6 +39,9 @@ class Kinematics {
     /// user.
     virtual tl::expected<rrs::JointPos, std::string> inverse(const rrs::CartPos& pose,
                                                              const rrs::JointPos& near) const = 0;
+
+    /// The head that turns the tool, where the machine has such a one.
+    virtual std::optional<TiltingHead> tilting_head() const { return std::nullopt; }
 };
 
 }  // namespace gsim::kinematics

@@ -4,6 +4,7 @@
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
 #include "runtime/motion/line_move.h"
+#include "runtime/motion/orientation_path.h"
 
 namespace gsim::motion {
 
@@ -49,8 +50,11 @@ Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& seg
     const JointChanges changes(setup, segment.start, segment.end);
     const MoveRules resolved = rules.resolved(changes.norm(JointRole::rotary) > 0);
     if (resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
-    const Followers followers(setup, resolved, changes, JointRole::position);
-    return set_timing(segment, arc_path(setup, resolved, segment), &followers, rules.least_duration_s);
+    const OrientationArc* orientation = segment.orientation.get();
+    const Followers followers(setup, resolved, changes, JointRole::position, orientation);
+    LeadPath lead = arc_path(setup, resolved, segment);
+    if (orientation != nullptr) limit_by_orientation(setup, resolved, *orientation, lead);
+    return set_timing(segment, lead, &followers, rules.least_duration_s);
 }
 
 }  // namespace gsim::motion

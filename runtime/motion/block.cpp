@@ -9,6 +9,7 @@
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
 #include "runtime/motion/line_move.h"
+#include "runtime/motion/orientation_path.h"
 
 namespace gsim::motion {
 
@@ -16,9 +17,10 @@ namespace {
 
 constexpr double kNoShare = 1e-9;
 
-/// Greatest change of each joint by length of way, all along it.
+/// Greatest change of each joint by length of way, all along it; 0 for those of an orientation arc.
 rrs::JointPos shares_of(const Move& move, const PlannerSetup& setup, const Block& block) {
     rrs::JointPos shares = block.slope_in.cwiseAbs();
+    if (move.orientation) shares[move.orientation->turn_joint()] = shares[move.orientation->tilt_joint()] = 0;
     if (move.kind != SegmentKind::circular) return shares;
     const Eigen::Vector3d of_arc = move.arc.max_shares();
     for (int axis = 0; axis < 3; ++axis) {
@@ -106,12 +108,41 @@ void limit_by_curvature(const Move& move, const PlannerSetup& setup, Block& bloc
               {LimitKind::jerk, -1});
 }
 
+/// All other limits are in the block.
+void limit_by_head(const PlannerSetup& setup, const OrientationArc& arc, Block& block) {
+    LeadPath lead{block.lead.length, block.limits(), block.speed_limit, block.acceleration_limit,
+                  block.jerk_limit};
+    limit_by_head(setup, arc, lead);
+    block.max_speed = lead.limits.max_speed;
+    block.acceleration = lead.limits.acceleration;
+    block.deceleration = lead.limits.deceleration;
+    block.jerk = lead.limits.jerk;
+    block.speed_limit = lead.speed_limit;
+    block.acceleration_limit = lead.acceleration_limit;
+    block.jerk_limit = lead.jerk_limit;
+}
+
+/// How far the tool turns: along the great circle, or by the norm of the rotary joints.
+double turn_of(const Move& move, const JointChanges& changes) {
+    return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
+}
+
 Lead lead_of(const Move& move, const JointChanges& changes) {
     if (move.kind == SegmentKind::circular) return {JointRole::position, move.arc.length_mm()};
     for (const JointRole role : {JointRole::position, JointRole::secondary}) {
         if (changes.norm(role) > 0) return {role, changes.norm(role)};
     }
-    return {JointRole::rotary, changes.norm(JointRole::rotary)};
+    return {JointRole::rotary, turn_of(move, changes)};
+}
+
+void set_head_slopes(const OrientationArc& arc, Block& block) {
+    const double rate = arc.length_rad() / block.lead.length;
+    const HeadAngles in = arc.at(0).first;
+    const HeadAngles out = arc.at(arc.length_rad()).first;
+    block.slope_in[arc.turn_joint()] = in.turn * rate;
+    block.slope_in[arc.tilt_joint()] = in.tilt * rate;
+    block.slope_out[arc.turn_joint()] = out.turn * rate;
+    block.slope_out[arc.tilt_joint()] = out.tilt * rate;
 }
 
 void set_slopes(const Move& move, const PlannerSetup& setup, const JointChanges& changes, Block& block) {
@@ -119,6 +150,7 @@ void set_slopes(const Move& move, const PlannerSetup& setup, const JointChanges&
     for (int joint = 0; joint < setup.joint_count(); ++joint)
         block.slope_in[joint] = changes.of(joint) / block.lead.length;
     block.slope_out = block.slope_in;
+    if (move.orientation) set_head_slopes(*move.orientation, block);
     if (move.kind != SegmentKind::circular) return;
     put_position(setup.position_joints, move.arc.tangent(0), block.slope_in);
     put_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
@@ -150,9 +182,10 @@ tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const P
     block.move.length_mm = block.lead.role == JointRole::rotary ? 0 : block.lead.length;
     block.settle_s = setup.controller.settle_s;
     set_slopes(move, setup, changes, block);
-    limit_by_program(move, setup, changes.norm(JointRole::rotary), block);
+    limit_by_program(move, setup, turn_of(move, changes), block);
     limit_by_joints(setup, shares_of(move, setup, block), block);
     if (move.kind == SegmentKind::circular) limit_by_curvature(move, setup, block);
+    if (move.orientation) limit_by_head(setup, *move.orientation, block);
     if (Planned checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
     return block;
 }

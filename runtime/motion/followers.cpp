@@ -8,11 +8,12 @@
 namespace gsim::motion {
 
 Followers::Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
-                     JointRole lead) {
+                     JointRole lead, const OrientationArc* orientation) {
     const double turn = changes.norm(JointRole::rotary);
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = changes.of(joint);
         if (change == 0 || changes.role(joint) == lead) continue;
+        if (orientation != nullptr && orientation->moves(joint)) continue;
         LawLimits limits = law_limits(setup, joint);
         if (changes.role(joint) == JointRole::rotary) {
             const double share = std::abs(change) / turn;

@@ -14,8 +14,10 @@ namespace gsim::motion {
 /// orientation, so that the joints together keep them.
 class Followers {
   public:
-    /// All moving joints but those of the role that leads.
-    Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes, JointRole lead);
+    /// All moving joints but those of the role that leads, and of `orientation` where it is not null: these
+    /// go with the lead.
+    Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes, JointRole lead,
+              const OrientationArc* orientation);
 
     /// The least time in which all of them can do their way.
     double fastest_s() const { return fastest_s_; }

@@ -6,6 +6,7 @@
 #include "runtime/motion/followers.h"
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
+#include "runtime/motion/orientation_path.h"
 
 namespace gsim::motion {
 
@@ -34,6 +35,16 @@ LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const 
     return lead;
 }
 
+/// Along a great circle the angle of the tool's direction leads where nothing else moves.
+LeadPath lead_of(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                 JointRole role, const OrientationArc* orientation) {
+    if (orientation == nullptr) return straight_path(setup, rules, changes, role);
+    LeadPath lead{.length = orientation->length_rad()};
+    if (role != JointRole::rotary) lead = straight_path(setup, rules, changes, role);
+    limit_by_orientation(setup, rules, *orientation, lead);
+    return lead;
+}
+
 }  // namespace
 
 Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
@@ -47,9 +58,10 @@ Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& se
     const bool turns = changes.norm(JointRole::rotary) > 0;
     const MoveRules resolved = rules.resolved(turns && role != JointRole::rotary);
     if (role != JointRole::rotary && resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
-    const Followers followers(setup, resolved, changes, role);
+    const OrientationArc* orientation = segment.orientation.get();
+    const Followers followers(setup, resolved, changes, role, orientation);
     segment.length_mm = role == JointRole::rotary ? 0 : changes.norm(role);
-    return set_timing(segment, straight_path(setup, resolved, changes, role), &followers,
+    return set_timing(segment, lead_of(setup, resolved, changes, role, orientation), &followers,
                       rules.least_duration_s);
 }
 

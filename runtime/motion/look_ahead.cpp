@@ -96,6 +96,7 @@ void LookAhead::put_out_front() {
     segment.start = block.move.start;
     segment.end = block.move.end;
     segment.arc = block.move.arc;
+    segment.orientation = block.move.orientation;
     segment.length_mm = block.move.length_mm;
     segment.reaches_target = block.move.reaches_target && settle_s <= 0;
     segment.lead = TimeLaw::between(length, speed_, exit, block.limits());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "runtime/motion/arc.h"
 #include "runtime/motion/move_rules.h"
@@ -17,6 +18,8 @@ struct Move {
     rrs::JointPos start;                     ///< Where the move before ended, mm or rad.
     rrs::JointPos end;
     Arc arc;  ///< Of a circular move, in the position joints; the other joints go in proportion.
+    /// The way of the joints that turn the tool, evenly with the tool's way; null: in proportion.
+    std::shared_ptr<const OrientationArc> orientation;
     bool reaches_target = true;  ///< Ends at its target; else another move leads on to it.
     double length_mm = 0;        ///< Of the tool's way; 0 where rotary joints alone move.
     MoveRules rules;             ///< Programmed speeds and the path's limits, overrides applied.
@@ -32,8 +35,8 @@ class SegmentOutput {
   public:
     virtual ~SegmentOutput() = default;
     /// The slot of the next segment, with what it held before but for its target and its position joints: no
-    /// followers, nothing beside it. The model fills in kind, start, end, arc, length_mm, duration_s and
-    /// lead.
+    /// followers, nothing beside it, no way of orientation. The model fills in kind, start, end, arc,
+    /// length_mm, duration_s and lead.
     virtual Segment& begin(rrs::TargetId id) = 0;
     /// The slot that begin() gave is filled: the segment starts where the one before ends.
     virtual void finish() = 0;

@@ -183,6 +183,7 @@ class DefaultPlanner final : public rrs::Shell {
     void emit_front();
 
     Planned plan_selected(Segment& segment) const;
+    Planned plan_orientation(Segment& segment) const;
     Planned plan_via_arc(Segment& segment) const;
     Planned plan_center_arc(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& axis, double sweep_rad,
                             Segment& segment) const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/motion/lead_path.h"
+#include "runtime/motion/orientation_path.h"
 #include "runtime/motion/planner.h"
 
 namespace gsim::motion {
@@ -118,13 +119,19 @@ Status DefaultPlanner::SetPointAccuracyParameter(int accuracy_type, double value
 
 Status DefaultPlanner::SelectOrientationInterpolationMode(int mode) {
     if (!initialized_) return not_initialized();
-    if (mode == 0) return Status::RRS_SUCCESS;
-    if (mode == 1) {
-        return refuse(Status::RRS_MODE_NOT_SUPPORTED,
-                      "Orientation goes by the joint angles here; the great circle is not supported.");
+    if (mode != 0 && mode != 1) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("There is no mode {} of orientation; 0 is by the joint angles, 1 along the "
+                                  "great circle.",
+                                  mode));
     }
-    return refuse(Status::RRS_INVALID_PARAMETER,
-                  fmt::format("There is no mode {} of orientation; 0 is by the joint angles.", mode));
+    if (mode == 1) {
+        if (auto obstacle = no_great_circles(setup_))
+            return refuse(Status::RRS_MODE_NOT_SUPPORTED, *std::move(obstacle));
+    }
+    setup_.controller.orientation =
+        mode == 1 ? rrs::OrientationRule::great_circle : rrs::OrientationRule::joints;
+    return Status::RRS_SUCCESS;
 }
 
 }  // namespace gsim::motion

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/orientation_path.h"
+
 namespace gsim::motion {
 
 namespace {
@@ -115,6 +117,9 @@ std::optional<std::string> PlannerSetup::validate() const {
     if (kinematics->joint_count() != joint_count()) {
         return fmt::format("The kinematics have {} joints, the planner {}.", kinematics->joint_count(),
                            joint_count());
+    }
+    if (controller.orientation == rrs::OrientationRule::great_circle) {
+        if (auto trouble = no_great_circles(*this)) return trouble;
     }
     if (auto trouble = check_not_negative("arc_tolerance_mm", arc_tolerance_mm)) return trouble;
     if (queue_capacity < 2)

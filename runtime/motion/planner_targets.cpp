@@ -11,6 +11,7 @@
 #include "runtime/motion/joint_move.h"
 #include "runtime/motion/lead_path.h"
 #include "runtime/motion/line_move.h"
+#include "runtime/motion/orientation_path.h"
 #include "runtime/motion/planner.h"
 #include "runtime/motion/range_check.h"
 
@@ -181,6 +182,7 @@ Segment& DefaultPlanner::begin_segment(Segment& slot, rrs::TargetId id) {
     slot.lead_limits = {};
     slot.limited_by = {};
     slot.beside.reset();
+    slot.orientation.reset();
     return slot;
 }
 
@@ -207,6 +209,7 @@ Planned DefaultPlanner::add_to_model(const Segment& segment) {
     move.start = segment.start;
     move.end = segment.end;
     move.arc = segment.arc;
+    move.orientation = segment.orientation;
     move.rules = programmed_.rules(setup_.path);
     move.rapid = programmed_.rapid;
     move.mode = programmed_.path_mode;
@@ -238,11 +241,19 @@ Planned DefaultPlanner::plan_selected(Segment& segment) const {
         case rrs::MotionType::joint: return plan_joint_move(setup_, programmed_, segment);
         case rrs::MotionType::linear:
             segment.kind = SegmentKind::linear;
-            if (model_) return {};
+            if (Planned turned = plan_orientation(segment); !turned || model_) return turned;
             return plan_line(setup_, programmed_.rules(setup_.path), segment);
         case rrs::MotionType::circular: break;
     }
     return plan_via_arc(segment);
+}
+
+Planned DefaultPlanner::plan_orientation(Segment& segment) const {
+    if (setup_.controller.orientation == rrs::OrientationRule::joints || programmed_.rapid) return {};
+    auto way = orientation_between(setup_, segment.start, segment.end);
+    if (!way) return tl::unexpected(std::move(way.error()));
+    segment.orientation = *std::move(way);
+    return {};
 }
 
 Planned DefaultPlanner::plan_via_arc(Segment& segment) const {
@@ -274,6 +285,7 @@ Planned DefaultPlanner::plan_center_arc(const Eigen::Vector3d& center_mm, const 
 }
 
 Planned DefaultPlanner::plan_along_arc(Segment& segment) const {
+    if (Planned turned = plan_orientation(segment); !turned) return turned;
     Planned planned =
         model_ ? shape_arc(setup_, segment) : plan_arc(setup_, programmed_.rules(setup_.path), segment);
     return planned ? check_arc_ranges(setup_, segment) : planned;

@@ -49,4 +49,14 @@ Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment) {
     return {};
 }
 
+Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc) {
+    const int joint = arc.tilt_joint();
+    const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
+    const Range way = arc.tilt_range();
+    const char* where = "on the way along the great circle";
+    if (way.min < range.min - kRounding) return out_of_range(setup, joint, way.min, range.min, where);
+    if (way.max > range.max + kRounding) return out_of_range(setup, joint, way.max, range.max, where);
+    return {};
+}
+
 }  // namespace gsim::motion

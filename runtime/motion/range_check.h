@@ -12,4 +12,7 @@ Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& join
 /// Whether the position joints stay in their ranges all along the arc of a circular segment. RRS_JOINT_LIMIT.
 Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment);
 
+/// Whether the tilting joint stays in its range all along an orientation arc. RRS_JOINT_LIMIT.
+Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc);
+
 }  // namespace gsim::motion

@@ -23,6 +23,26 @@ void put_arc_state(const Segment& segment, const LawState& lead, JointState& sta
                  state.acceleration);
 }
 
+void put_orientation(const OrientationArc& way, double share, rrs::JointPos& position) {
+    const HeadAngles angles = way.at(share * way.length_rad()).angles;
+    position[way.turn_joint()] = angles.turn;
+    position[way.tilt_joint()] = angles.tilt;
+}
+
+/// `scale`: of the share of the way, by the length that the lead counts.
+void put_orientation_state(const OrientationArc& way, const LawState& lead, double scale, JointState& state) {
+    const double rate = scale * way.length_rad();
+    const HeadState head = way.at(lead.s * rate);
+    const double speed = lead.v * rate;
+    const auto put = [&](int joint, double angle, double first, double second) {
+        state.position[joint] = angle;
+        state.velocity[joint] = first * speed;
+        state.acceleration[joint] = first * lead.a * rate + second * speed * speed;
+    };
+    put(way.turn_joint(), head.angles.turn, head.first.turn, head.second.turn);
+    put(way.tilt_joint(), head.angles.tilt, head.first.tilt, head.second.tilt);
+}
+
 // Two motions at once have no simple extremes; blends are short.
 Range sampled_range(const Segment& segment, int joint) {
     constexpr int kSteps = 32;
@@ -52,6 +72,7 @@ rrs::JointPos Segment::position_at(double t_s) const {
     const double s = lead.at(t_s).s;
     rrs::JointPos position = start + share_of(lead, s) * (end - start);
     if (kind == SegmentKind::circular) put_position(position_joints, arc.at(arc.phi_at(s)), position);
+    if (orientation) put_orientation(*orientation, share_of(lead, s), position);
     for (const Follower& follower : followers()) {
         position[follower.joint] = start[follower.joint] + follower.sign * follower.law.at(t_s).s;
     }
@@ -65,6 +86,7 @@ JointState Segment::at(double t_s) const {
     const double scale = share_of(lead, 1);
     JointState state{start + path.s * scale * way, path.v * scale * way, path.a * scale * way};
     if (kind == SegmentKind::circular) put_arc_state(*this, path, state);
+    if (orientation) put_orientation_state(*orientation, path, scale, state);
     for (const Follower& follower : followers()) {
         const LawState own = follower.law.at(t_s);
         state.position[follower.joint] = start[follower.joint] + follower.sign * own.s;
@@ -128,6 +150,10 @@ Range Segment::joint_range(int joint) const {
     if (beside) return sampled_range(*this, joint);
     const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
     const Range ends{std::min(start[joint], end[joint]), std::max(start[joint], end[joint])};
+    if (orientation && joint == orientation->tilt_joint()) {
+        const Range way = orientation->tilt_range();
+        return {std::min(ends.min, way.min), std::max(ends.max, way.max)};
+    }
     if (kind != SegmentKind::circular || axis == position_joints.end()) return ends;
     const Range way = arc.range(static_cast<int>(axis - position_joints.begin()));
     return {std::min(ends.min, way.min), std::max(ends.max, way.max)};

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "runtime/motion/arc.h"
+#include "runtime/motion/orientation_arc.h"
 #include "runtime/motion/time_law.h"
 #include "runtime/rrs/types.h"
 
@@ -53,7 +54,8 @@ struct LimitedBy {
 };
 
 /// One finished piece of trajectory: a path and its time law. Starts and ends at the given joint values.
-/// Joints that are neither on an arc nor followers go from start to end in proportion to the lead law.
+/// Joints that are neither on an arc, of position or orientation, nor followers go from start to end in
+/// proportion to the lead law.
 struct Segment {
     SegmentKind kind = SegmentKind::rest;
     rrs::TargetId target_id = 0;
@@ -73,6 +75,9 @@ struct Segment {
     /// A motion at the same time, as long as this one, whose way adds to this one's; null in most (parabolic
     /// blends).
     std::shared_ptr<const Segment> beside;
+    /// The way of the joints that turn the tool, gone through evenly with the lead; null where they go in
+    /// proportion or follow.
+    std::shared_ptr<const OrientationArc> orientation;
 
     std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
     void add_follower(int joint, double sign, const TimeLaw& law, const LawLimits& limits = {}) {

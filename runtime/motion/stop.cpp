@@ -46,6 +46,12 @@ rrs::JointPos position_at(const Segment& segment, const Progress& progress) {
             if (joint >= 0) position[joint] = point[axis];
         }
     }
+    if (segment.orientation) {
+        const OrientationArc& way = *segment.orientation;
+        const HeadAngles angles = way.at(share * way.length_rad()).angles;
+        position[way.turn_joint()] = angles.turn;
+        position[way.tilt_joint()] = angles.tilt;
+    }
     for (std::size_t i = 0; i < segment.followers().size(); ++i) {
         const Follower& follower = segment.followers()[i];
         position[follower.joint] = segment.start[follower.joint] + follower.sign * progress.followers[i];
@@ -60,6 +66,14 @@ struct Laws {
     double duration_s = 0;
     double end_speed = 0;  ///< Of the lead, also where there is no way left for it.
 };
+
+/// The part of the way of orientation between two places of the lead; none where the lead stays.
+std::shared_ptr<const OrientationArc> orientation_part(const Segment& segment, double from, double to) {
+    if (!(to > from)) return nullptr;
+    const OrientationArc& way = *segment.orientation;
+    const double scale = way.length_rad() / segment.lead.length();
+    return std::make_shared<const OrientationArc>(way.part(from * scale, to * scale));
+}
 
 /// The part of a segment that begins at `from` and goes by `laws`; `last`: to the very end.
 Segment part_of(const Segment& segment, const Progress& from, const Laws& laws, bool last) {
@@ -81,6 +95,7 @@ Segment part_of(const Segment& segment, const Progress& from, const Laws& laws, 
         part.length_mm = segment.length_mm * ((to.lead - from.lead) / segment.lead.length());
     if (segment.kind == SegmentKind::circular && to.lead > from.lead)
         part.arc = segment.arc.part(from.lead, to.lead);
+    if (segment.orientation) part.orientation = orientation_part(segment, from.lead, to.lead);
     part.reaches_target = last && segment.reaches_target;
     return part;
 }

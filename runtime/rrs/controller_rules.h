@@ -21,6 +21,12 @@ enum class CornerRule {
     junction_deviation,  ///< The speed on an arc that would miss the corner by junction_deviation_mm.
 };
 
+/// How the tool turns in linear and circular moves that are not rapid.
+enum class OrientationRule {
+    joints,        ///< By the angles of the rotary joints.
+    great_circle,  ///< Its direction goes along the great circle, evenly with the length of the way.
+};
+
 /// The rules by which a controller turns moves into motion: what its maker has built in and an operator
 /// cannot change. Read from a controller file, each key open to change in a machine file; see
 /// docs/machine-file.md.
@@ -47,6 +53,7 @@ struct ControllerRules {
     double arc_chord_tolerance_mm = 0;
     /// The feed of an arc in inverse time mode counts once for each chord, in mm/min (grbl 1.1).
     bool inverse_time_of_chords = false;
+    OrientationRule orientation = OrientationRule::joints;
     double least_feed_mm_min = 0;  ///< A lower one is raised to it.
 
     double settle_s = 0;      ///< Time at each exact stop until the axes are in position.
@@ -54,6 +61,9 @@ struct ControllerRules {
     double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
     double servo_period_s = 0;  ///< Of the controller's position loop; 0: continuous.
 
+    /// Whether the planner can do OrientationRule::great_circle: one that knows lines in joint space alone
+    /// cannot.
+    bool has_great_circles() const { return planner != PlannerKind::linuxcnc && arc_chord_tolerance_mm <= 0; }
     bool operator==(const ControllerRules&) const = default;
 };
 

@@ -96,7 +96,12 @@ class Shell {
     /// RRS_MOTION_TYPE_NOT_SUPPORTED where this machine cannot.
     virtual Status SelectMotionType(MotionType type);
     /// How orientation is interpolated along a path; the numbers are the controller's own. The default
-    /// planner: 0, by the joint angles; 1, the great circle, is none of its modes (RRS_MODE_NOT_SUPPORTED).
+    /// planner: 0, by the joint angles; 1, the tool's direction goes along the great circle, evenly with the
+    /// length of the way, in linear and circular motion that is not rapid. 1 is for machines whose tool is
+    /// turned by one joint and tilted by another one through its tip, and not for controllers that plan in
+    /// joint space alone: RRS_MODE_NOT_SUPPORTED. With it, targets answer RRS_NO_SOLUTION where no great
+    /// circle leads to their joint values: from or to a tool along the axis of the turning joint, if that
+    /// joint would turn; to the opposite direction; to another half or whole turn of the joints.
     virtual Status SelectOrientationInterpolationMode(int mode);
     /// Which rule sets the time of a move that changes position and orientation. Default: automatic.
     virtual Status SelectDominantInterpolation(Dominance dominance);

@@ -39,6 +39,8 @@ JointPos changes_of(const Segment& segment) {
         if (std::abs(change) <= kNoChange) change = 0;
     }
     for (const motion::Follower& follower : segment.followers()) changes[follower.joint] = 0;
+    if (segment.orientation)  // leaving joints out keeps the bound a bound
+        changes[segment.orientation->turn_joint()] = changes[segment.orientation->tilt_joint()] = 0;
     if (segment.kind != SegmentKind::circular) return changes;
     for (const int joint : segment.position_joints) {
         if (joint >= 0) changes[joint] = 0;

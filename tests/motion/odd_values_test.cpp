@@ -79,6 +79,7 @@ class OddValues : public AnyPlanner {
                 break;
             case 18: planner.GetInverseKinematics(odd_pose(), odd_joints(), joints_out); break;
             case 19: planner.SetInitialPosition(odd_pose(), odd_joints(), ""); break;
+            case 20: planner.SelectOrientationInterpolationMode(small()); break;
             default: planner.SetNextTarget(small(), param, odd_pose(), odd_joints(), "", 0); break;
         }
     }
