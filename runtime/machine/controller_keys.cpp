@@ -30,10 +30,13 @@ struct CornerKey {
 constexpr std::string_view kName = "name";
 constexpr std::string_view kPlanner = "planner";
 constexpr std::string_view kLookAhead = "look_ahead_blocks";
+constexpr std::array kSingleKeys{kModelKey, kName, kPlanner, kLookAhead, kOrientationKey};
 
-// Names of rrs::PlannerKind and rrs::CornerRule in their order.
+// Names of rrs::PlannerKind, rrs::CornerRule and rrs::OrientationRule in their order.
 constexpr std::array<std::string_view, 3> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc"};
 constexpr std::array<std::string_view, 3> kCorners{"stop", "velocity-step", "junction-deviation"};
+
+constexpr std::array<std::string_view, 2> kOrientations{"joints", "great-circle"};
 
 constexpr std::array kCornerKeys{
     CornerKey{"corner", &Rules::corner},
@@ -59,9 +62,11 @@ constexpr std::array kFlagKeys{
 };
 
 constexpr auto kKeys = [] {
-    std::array<std::string_view, 4 + kCornerKeys.size() + kNumberKeys.size() + kFlagKeys.size()> keys{
-        kModelKey, kName, kPlanner, kLookAhead};
-    std::size_t end = 4;
+    std::array<std::string_view,
+               kSingleKeys.size() + kCornerKeys.size() + kNumberKeys.size() + kFlagKeys.size()>
+        keys{};
+    std::size_t end = 0;
+    for (const std::string_view key : kSingleKeys) keys[end++] = key;
     for (const CornerKey& corner : kCornerKeys) keys[end++] = corner.key;
     for (const NumberKey& number : kNumberKeys) keys[end++] = number.key;
     for (const FlagKey& flag : kFlagKeys) keys[end++] = flag.key;
@@ -90,6 +95,7 @@ void read_controller_keys(TomlSection& section, Rules& rules) {
     rules.planner = read_kind(section, kPlanner, rules.planner, kPlanners);
     rules.look_ahead_blocks = static_cast<std::size_t>(
         section.number(kLookAhead, static_cast<double>(rules.look_ahead_blocks), NumberRule::count));
+    rules.orientation = read_kind(section, kOrientationKey, rules.orientation, kOrientations);
     for (const auto& [key, value] : kCornerKeys)
         rules.*value = read_kind(section, key, rules.*value, kCorners);
     for (const auto& [key, value, rule] : kNumberKeys) rules.*value = section.number(key, rules.*value, rule);
@@ -101,6 +107,8 @@ void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base)
     if (rules.planner != base.planner) print_kind(out, kPlanner, rules.planner, kPlanners);
     if (rules.look_ahead_blocks != base.look_ahead_blocks)
         out.line(kLookAhead, fmt::format("{}", rules.look_ahead_blocks));
+    if (rules.orientation != base.orientation)
+        print_kind(out, kOrientationKey, rules.orientation, kOrientations);
     for (const auto& [key, value] : kCornerKeys) {
         if (rules.*value != base.*value) print_kind(out, key, rules.*value, kCorners);
     }

@@ -13,6 +13,9 @@ class TomlText;
 /// Where the values come from that the other keys change.
 inline constexpr std::string_view kModelKey = "model";
 
+/// How the tool turns; not every machine can do each.
+inline constexpr std::string_view kOrientationKey = "orientation";
+
 /// The keys that a table [controller] may hold, kModelKey among them (docs/machine-file.md).
 std::span<const std::string_view> controller_keys();
 

@@ -72,6 +72,19 @@ std::optional<std::string> find_kinematic_fault(const Machine& machine) {
     return gantry.error();
 }
 
+std::optional<std::string> find_orientation_fault(const Machine& machine) {
+    if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
+    if (!machine.controller.has_great_circles()) {
+        return "'orientation = \"great-circle\"' is not for the planner \"linuxcnc\" nor for arcs as chords: "
+               "both "
+               "plan lines of axis values";
+    }
+    if (make_kinematics(machine)->tilting_head()) return std::nullopt;
+    return "'orientation = \"great-circle\"' needs 'inverse = \"gantry\"' and two rotary axes at right "
+           "angles, the "
+           "second one also to the tool";
+}
+
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine) {
     if (machine.inverse == InverseKind::none) {
         return std::make_shared<kinematics::ChainKinematics>(chain(machine));

@@ -91,6 +91,10 @@ rrs::JointPos home_position(const Machine& machine);
 /// Why the machine's chain does not fit its inverse, as a sentence; nothing if it does.
 std::optional<std::string> find_kinematic_fault(const Machine& machine);
 
+/// Why the machine or its planner cannot turn the tool as its controller's rules ask, as a sentence; nothing
+/// if they can. For a machine without a kinematic fault.
+std::optional<std::string> find_orientation_fault(const Machine& machine);
+
 /// The kinematics that the machine's Denavit-Hartenberg table and inverse describe. Throws
 /// std::invalid_argument where find_kinematic_fault() finds one; read_machine() lets no such machine pass.
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine);

@@ -201,6 +201,8 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     machine.axes = read_axes(error, file);
     if (error.text()) return machine;
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
+    if (error.text()) return machine;
+    if (const auto fault = find_orientation_fault(machine)) file.fail("controller", *fault);
     return machine;
 }
 

@@ -168,7 +168,8 @@ PathBound::Way PathBound::way_of(const Segment& segment) const {
         const Measure measure = moves_position(segment, changes) ? Measure::position : Measure::secondary;
         return {measure, segment.length_mm, changes / segment.length_mm};
     }
-    return {Measure::rotary, segment.lead.length(), changes / segment.lead.length()};
+    return {segment.orientation ? Measure::direction : Measure::rotary, segment.lead.length(),
+            changes / segment.lead.length()};
 }
 
 /// What the program and the machine's limits of the path set, whatever the joints could do.

@@ -32,6 +32,7 @@ class PathBound : public RunOutput {
         position,   ///< mm of the tool's way.
         secondary,  ///< mm of other linear joints.
         rotary,     ///< rad, the norm of the angles.
+        direction,  ///< rad of the tool's direction along great circles.
         own,        ///< Of joint motion: by a measure that no other move shares.
     };
     /// The path of a segment that goes one way.

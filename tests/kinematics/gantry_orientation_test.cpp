@@ -98,6 +98,51 @@ TEST(GantryOrientation, tool_along_the_second_axis_is_turned_as_the_pose_says) {
     EXPECT_FALSE(head->inverse(pose_from_rpy({.yaw_rad = 0.1}), q));
 }
 
+// The pole is where the tool points with the tilt undone, wherever the head is turned.
+TEST(GantryOrientation, a_head_tilts_the_tool_from_its_pole) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> number(-1.5, 1.5);
+    for (int i = 0; i < 100; ++i) {
+        auto rows = gantry_rows();
+        rows[4].theta_rad = number(random);  // where the tilt is 0
+        auto base = gantry_base();
+        base.rotate(AngleAxisd(number(random), Vector3d::UnitX()));
+        const auto gantry = GantryKinematics::make(DhChain(base, rows, rrs::CartPos::Identity())).value();
+        const auto head = gantry->tilting_head();
+        ASSERT_TRUE(head);
+        EXPECT_EQ(head->turn_joint, 3);
+        EXPECT_EQ(head->tilt_joint, 4);
+        const auto direction = [&](double turn, double tilt) -> Vector3d {
+            return gantry->forward(joint_pos({0, 0, 0, turn, tilt})).linear().col(2);
+        };
+        const Vector3d pole = direction(number(random), -head->tilt_at_zero_rad);
+        const double turn = number(random);
+        const double tilt = number(random);
+        EXPECT_NEAR(direction(turn, tilt).dot(pole), std::cos(tilt + head->tilt_at_zero_rad), 1e-12);
+        const double turned = number(random);
+        EXPECT_LT((direction(turn + turned, tilt) - AngleAxisd(turned, pole) * direction(turn, tilt)).norm(),
+                  1e-12);
+    }
+}
+
+TEST(GantryOrientation, a_head_needs_right_angles) {
+    auto rows = gantry_rows();
+    EXPECT_TRUE(GantryKinematics::make(standard_gantry()).value()->tilting_head());
+    rows[3].alpha_rad = -kQuarter + 0.1;
+    EXPECT_FALSE(GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity()))
+                     .value()
+                     ->tilting_head());
+    rows = gantry_rows();
+    rows[4].alpha_rad = kQuarter - 0.1;
+    EXPECT_FALSE(GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity()))
+                     .value()
+                     ->tilting_head());
+    rows.pop_back();
+    EXPECT_FALSE(GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity()))
+                     .value()
+                     ->tilting_head());
+}
+
 TEST(GantryOrientation, upright_tool_stays_upright_without_rotary_axes) {
     const auto rows = std::vector{slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0)};
     const auto three = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();

@@ -74,7 +74,8 @@ TEST(ControllerFile, EveryOtherKeyOverridesOneValue) {
               wanted);
 }
 
-// Each key with a value of its own, none of them a default.
+// Each key with a value of its own, none of them a default; but for the orientation, which needs more of a
+// machine.
 TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     const std::string lines =
         "name = \"all\"\nplanner = \"look-ahead\"\nlook_ahead_blocks = 7\ncorner = \"velocity-step\"\n"
@@ -103,6 +104,29 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     EXPECT_EQ(machine.controller, wanted);
     EXPECT_EQ(read_machine(print_machine(machine), "printed").value(), machine) << print_machine(machine);
     EXPECT_EQ(read_controller("[controller]\n" + lines, "c.toml", "c").value(), wanted);
+}
+
+std::string great_circle(std::string_view lines, const Machine& like) {
+    Machine machine = like;
+    machine.controller = rules_of(lines);
+    machine.controller.orientation = rrs::OrientationRule::great_circle;
+    const auto read = read_machine(print_machine(machine), "m.toml");
+    if (!read) return read.error();
+    EXPECT_EQ(*read, machine);
+    return "no error";
+}
+
+TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
+    const Machine five = read_machine(built_in_machine_toml(), "af5.toml").value();
+    EXPECT_EQ(rules_of("orientation = \"joints\""), ControllerRules{});
+    EXPECT_EQ(great_circle("", five), "no error");
+    EXPECT_EQ(great_circle("planner = \"look-ahead\"", five), "no error");
+    EXPECT_THAT(great_circle("planner = \"linuxcnc\"", five), testing::HasSubstr("is not for the planner"));
+    EXPECT_THAT(great_circle("arc_chord_tolerance_mm = 0.01", five),
+                testing::HasSubstr("is not for the planner"));
+    EXPECT_THAT(error_of("orientation = \"great-circle\""),
+                testing::AllOf(testing::HasSubstr("m.toml:3:"), testing::HasSubstr("two rotary axes")));
+    EXPECT_THAT(error_of("orientation = \"slerp\""), testing::HasSubstr("great-circle"));
 }
 
 TEST(ControllerFile, CurvesMayBeWithoutLimit) {
@@ -172,12 +196,12 @@ TEST(ControllerFile, UnknownModels) {
 TEST(ControllerFile, UnknownKeys) {
     EXPECT_EQ(error_of("look_ahead = 4"),
               "m.toml:4:1: unknown key 'look_ahead' in [controller]; did you mean 'look_ahead_blocks'?");
-    EXPECT_EQ(
-        error_of("x = 4"),
-        "m.toml:4:1: unknown key 'x' in [controller]; it may hold: model, name, planner, look_ahead_blocks, "
-        "corner, exact_path_corner, junction_deviation_mm, speed_step_s, centripetal_share, "
-        "arc_chord_tolerance_mm, least_feed_mm_min, settle_s, rest_s, dwell_step_s, servo_period_s, "
-        "stop_between_rapid_and_feed, limit_jerk, inverse_time_of_chords");
+    EXPECT_EQ(error_of("x = 4"),
+              "m.toml:4:1: unknown key 'x' in [controller]; it may hold: model, name, planner, "
+              "look_ahead_blocks, orientation, "
+              "corner, exact_path_corner, junction_deviation_mm, speed_step_s, centripetal_share, "
+              "arc_chord_tolerance_mm, least_feed_mm_min, settle_s, rest_s, dwell_step_s, servo_period_s, "
+              "stop_between_rapid_and_feed, limit_jerk, inverse_time_of_chords");
 }
 
 TEST(ControllerFile, WrongTypes) {

@@ -110,6 +110,22 @@ assert(rrs.SetNextNamedTarget({100, 50, 0, 0, 0}, "corner") == 0)
     expect_end(r, 100, 50, 0);
 }
 
+TEST(Services, OrientationGoesAlongTheGreatCircle) {
+    const Outcome r = expect_true(R"(
+assert(rrs.SelectOrientationInterpolationMode(7) == -4)
+assert(rrs.SelectOrientationInterpolationMode(1) == 0)
+assert(rrs.SelectMotionType("linear") == 0)
+assert(rrs.SetCartesianPositionSpeed(100) == 0)
+assert(rrs.SetNextTarget({100, 0, 0, 1, 0.5}) == -6)  -- from the upright tool
+assert(rrs.SetNextTarget({100, 0, 0, 1, 0}) == 0)
+assert(rrs.SetNextTarget({0, 0, 0, 1, 0.5}) == 0)
+assert(rrs.SetRapid(true) == 0)
+assert(rrs.SetNextTarget({100, 0, 0, 0, 0}) == 0)  -- by the joint angles
+)");
+    ASSERT_EQ(r.moves.size(), 3U);
+    expect_end(r, 100, 0, 0);
+}
+
 TEST(Services, AndWordsTakeTurns) {
     // What a script selects does not change what a word means, and a word goes on from where a target led.
     const Outcome r = expect_true(R"(F(6000) G1{x=100.0}

@@ -211,6 +211,26 @@ TEST(PathBound, AMachineWithoutLimitsAndNoMotion) {
     EXPECT_NEAR(times.cycle_s, times.bound_s, 1e-6);
 }
 
+TEST(PathBound, NeverAboveAlongGreatCircles) {
+    std::mt19937 random(5);
+    for (int i = 0; i < 20; ++i) {
+        machine::Machine machine = random_machine(random, af5());
+        if (i % 2 == 0) machine = looking_ahead(machine, rrs::CornerRule::velocity_step);
+        machine.controller.orientation = rrs::OrientationRule::great_circle;
+        const Times times = run(machine, [&](Simulator& s) {
+            s.move(to(at(0, 0, 0, 0, 10), 3000));
+            for (int k = 0; k < 20; ++k) {
+                AxisVector target = at(between(random, 0, 200), between(random, 0, 200), 0,
+                                       between(random, -80, 80), between(random, 5, 85));
+                if (k % 3 == 0) target.head<3>() = s.position().head<3>();
+                s.move(to(target, 3000, k % 5 == 0 ? MoveKind::rapid : MoveKind::linear));
+            }
+        });
+        EXPECT_LE(times.bound_s, times.cycle_s * (1 + 1e-9)) << i;
+        EXPECT_GT(times.bound_s, 0) << i;
+    }
+}
+
 struct Controller {
     const char* name;
     rrs::PlannerKind planner;
