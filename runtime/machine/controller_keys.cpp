@@ -34,7 +34,8 @@ constexpr std::array kSingleKeys{kModelKey, kName, kPlanner, kLookAhead, kOrient
 
 // Names of rrs::PlannerKind, rrs::CornerRule and rrs::OrientationRule in their order.
 constexpr std::array<std::string_view, 3> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc"};
-constexpr std::array<std::string_view, 3> kCorners{"stop", "velocity-step", "junction-deviation"};
+constexpr std::array<std::string_view, 5> kCorners{"stop", "velocity-step", "junction-deviation",
+                                                   "parabolic-blend", "smooth-blend"};
 
 constexpr std::array<std::string_view, 2> kOrientations{"joints", "great-circle"};
 
@@ -45,11 +46,16 @@ constexpr std::array kCornerKeys{
 
 constexpr std::array kNumberKeys{
     NumberKey{"junction_deviation_mm", &Rules::junction_deviation_mm, NumberRule::not_negative},
+    NumberKey{"blend_tolerance_mm", &Rules::blend_tolerance_mm, NumberRule::not_negative},
+    NumberKey{"blend_tolerance_deg", &Rules::blend_tolerance_deg, NumberRule::not_negative},
     NumberKey{"speed_step_s", &Rules::speed_step_s, NumberRule::positive},
     NumberKey{"centripetal_share", &Rules::centripetal_share, NumberRule::share},
     NumberKey{"arc_chord_tolerance_mm", &Rules::arc_chord_tolerance_mm, NumberRule::step},
     NumberKey{"least_feed_mm_min", &Rules::least_feed_mm_min, NumberRule::not_negative},
     NumberKey{"settle_s", &Rules::settle_s, NumberRule::not_negative},
+    NumberKey{"position_gain_1_s", &Rules::position_gain_1_s, NumberRule::step},
+    NumberKey{"in_position_mm", &Rules::in_position_mm, NumberRule::positive},
+    NumberKey{"in_position_deg", &Rules::in_position_deg, NumberRule::positive},
     NumberKey{"rest_s", &Rules::rest_s, NumberRule::not_negative},
     NumberKey{"dwell_step_s", &Rules::dwell_step_s, NumberRule::step},
     NumberKey{"servo_period_s", &Rules::servo_period_s, NumberRule::step},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -156,6 +157,12 @@ void set_slopes(const Move& move, const PlannerSetup& setup, const JointChanges&
     put_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
 }
 
+Settling settling_of(const rrs::ControllerRules& controller) {
+    if (controller.position_gain_1_s <= 0) return {controller.settle_s, kUnlimited, kUnlimited};
+    return {controller.settle_s, controller.in_position_mm,
+            controller.in_position_deg * std::numbers::pi / 180};
+}
+
 Planned check(const Block& block) {
     if (!std::isfinite(block.lead.length) || !(block.lead.length / block.max_speed <= kLongest_s)) {
         return refused(
@@ -171,6 +178,12 @@ Planned check(const Block& block) {
 
 }  // namespace
 
+rrs::JointPos Block::line_at(double length) const {
+    if (length <= 0) return move.start;
+    if (length >= lead.length) return move.end;
+    return move.start + length / lead.length * (move.end - move.start);
+}
+
 tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup) {
     const JointChanges changes(setup, move.start, move.end);
     Block block;
@@ -180,7 +193,7 @@ tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const P
     if (feed && move.rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
     block.move = move;
     block.move.length_mm = block.lead.role == JointRole::rotary ? 0 : block.lead.length;
-    block.settle_s = setup.controller.settle_s;
+    block.settling = settling_of(setup.controller);
     set_slopes(move, setup, changes, block);
     limit_by_program(move, setup, turn_of(move, changes), block);
     limit_by_joints(setup, shares_of(move, setup, block), block);

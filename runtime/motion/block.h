@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include <tl/expected.hpp>
 
 #include "runtime/motion/motion_model.h"
@@ -13,6 +15,21 @@ namespace gsim::motion {
 struct Lead {
     JointRole role = JointRole::position;
     double length = 0;
+};
+
+/// How the corner at the start of a block is rounded; see blend.h.
+struct Blend {
+    double cut =
+        0;  ///< Off the end of the block before and off the start of this one; 0: the corner is exact.
+    bool smooth = false;      ///< The acceleration grows and falls; else it is constant.
+    double deviation_mm = 0;  ///< How far the tool passes from the corner.
+};
+
+/// What an exact stop waits for.
+struct Settling {
+    double fixed_s = 0;
+    double in_position_mm = kUnlimited;
+    double in_position_rad = kUnlimited;
 };
 
 /// A move in a look-ahead window: its way, the limits along it, and what is planned for its ends. All along
@@ -29,12 +46,18 @@ struct Block {
     double deceleration = kUnlimited;
     double jerk = kUnlimited;
     LimitedBy jerk_limit;
-    double settle_s = 0;                      ///< At its end, if that is an exact stop.
+    Settling settling;                        ///< At its end, if that is an exact stop.
+    Blend entry_blend;                        ///< At its start.
+    double exit_cut = 0;                      ///< What the blend at its end cuts off.
     double entry_cap = 0;                     ///< The speed at which its start may be passed at most,
     LimitKind entry_limit = LimitKind::stop;  ///< and why.
     double entry = 0;                         ///< The speed at its start by what is known so far.
     bool by_window = false;                   ///< `entry` is low because nothing further is known.
 
+    /// What blends leave of it.
+    double way() const { return std::max(lead.length - entry_blend.cut - exit_cut, 0.0); }
+    /// The joints after a length of way, of a line.
+    rrs::JointPos line_at(double length) const;
     LawLimits limits() const { return {max_speed, acceleration, deceleration, jerk}; }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/motion/axis_space.h"
+#include "runtime/motion/blend.h"
 
 namespace gsim::motion {
 
@@ -65,16 +66,36 @@ bool only_position_turns(const PlannerSetup& setup, const rrs::JointPos& turn) {
     return true;
 }
 
-double speed_by_rule(const PlannerSetup& setup, CornerRule rule, const Block& from, const Block& to) {
+CornerRule rule_at_end(const rrs::ControllerRules& controller, const Block& block) {
+    return block.move.mode == rrs::PathMode::continuous ? controller.corner : controller.exact_path_corner;
+}
+
+/// All joints in proportion.
+bool is_straight(const Block& block) {
+    return block.move.kind == SegmentKind::linear && !block.move.orientation;
+}
+
+/// Blends are between lines.
+CornerRule rule_between(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
+    const CornerRule rule = rule_at_end(controller, from);
+    if (!is_blend(rule) || (is_straight(from) && is_straight(to))) return rule;
+    return is_blend(controller.exact_path_corner) ? CornerRule::stop : controller.exact_path_corner;
+}
+
+BlendedCorner pass_by_rule(const PlannerSetup& setup, const Block& from, const Block& to, double most) {
     const rrs::JointPos turn = to.slope_in - from.slope_out;
-    if ((turn.array().abs() < kStraight).all()) return kUnlimited;
+    if ((turn.array().abs() < kStraight).all()) return {{}, kUnlimited};
+    const CornerRule rule = rule_between(setup.controller, from, to);
     switch (rule) {
-        case CornerRule::stop: return 0;
-        case CornerRule::velocity_step: return velocity_step_speed(setup, turn);
+        case CornerRule::stop: return {};
+        case CornerRule::velocity_step: return {{}, velocity_step_speed(setup, turn)};
+        case CornerRule::parabolic_blend:
+        case CornerRule::smooth_blend:
+            return blend_between(setup, from, to, rule == CornerRule::smooth_blend, most);
         case CornerRule::junction_deviation: break;
     }
-    if (from.lead.role != JointRole::position || !only_position_turns(setup, turn)) return 0;
-    return junction_deviation_speed(setup, from, to);
+    if (from.lead.role != JointRole::position || !only_position_turns(setup, turn)) return {};
+    return {{}, junction_deviation_speed(setup, from, to)};
 }
 
 }  // namespace
@@ -84,12 +105,17 @@ CornerSpeed corner_speed(const PlannerSetup& setup, const Block& from, const Blo
     const bool changes_mode = controller.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
     if (changes_mode || from.lead.role != to.lead.role || from.move.mode == rrs::PathMode::exact_stop)
         return {};
-    const bool continuous = from.move.mode == rrs::PathMode::continuous;
-    const double speed =
-        speed_by_rule(setup, continuous ? controller.corner : controller.exact_path_corner, from, to);
-    if (speed == 0) return {};
     const double most = std::min(from.max_speed, to.max_speed);
-    return speed < most ? CornerSpeed{speed, LimitKind::corner} : CornerSpeed{most, LimitKind::feed};
+    const BlendedCorner corner = pass_by_rule(setup, from, to, most);
+    if (corner.speed == 0) return {};
+    if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend};
+    return {most, LimitKind::feed, corner.blend};
+}
+
+double largest_exit_cut(const PlannerSetup& setup, const Block& block) {
+    const bool rounded = is_straight(block) && block.move.mode != rrs::PathMode::exact_stop &&
+                         is_blend(rule_at_end(setup.controller, block));
+    return rounded ? block.lead.length / 2 : 0;
 }
 
 }  // namespace gsim::motion

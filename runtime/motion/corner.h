@@ -4,14 +4,19 @@
 
 namespace gsim::motion {
 
-/// The speed at which the corner between two blocks may be passed, and why no faster.
+/// The speed at which the corner between two blocks may be passed, why no faster, and whether it is rounded.
 struct CornerSpeed {
     double speed = 0;
     LimitKind limit = LimitKind::stop;
+    Blend blend = {};
 };
 
 /// By the rules of the controller, for the mode in which the first block was programmed. Never above what
 /// either block may do. 0 where the measures of the two ways differ (mm of the tool, rad of rotary joints).
+/// Blends round corners between lines; at the others the rule of exact paths holds, or they stop.
 CornerSpeed corner_speed(const PlannerSetup& setup, const Block& from, const Block& to);
+
+/// What the corner at the end of a block may yet cut off, whatever follows.
+double largest_exit_cut(const PlannerSetup& setup, const Block& block);
 
 }  // namespace gsim::motion

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/motion/blend.h"
 #include "runtime/motion/chords.h"
 #include "runtime/motion/corner.h"
 #include "runtime/motion/followers.h"
@@ -55,25 +56,30 @@ Planned LookAhead::add_block(const Move& move) {
     auto block = block_of(move, setup_);
     if (!block) return tl::unexpected(std::move(block.error()));
     if (!*block) return {};
-    if (!window_.empty()) {
-        const CornerSpeed corner = corner_speed(setup_, window_.back(), **block);
-        (*block)->entry_cap = corner.speed;
-        (*block)->entry_limit = corner.limit;
-    }
+    if (!window_.empty()) join(window_.back(), **block);
     window_.push_back(*std::move(*block));
-    plan_back();
+    plan_back(largest_exit_cut(setup_, window_.back()));
     if (window_.size() >= std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1)) put_out_front();
     return {};
 }
 
-/// From the newest block, which ends at rest, back to the first one that gains nothing.
-void LookAhead::plan_back() {
+void LookAhead::join(Block& from, Block& to) const {
+    const CornerSpeed corner = corner_speed(setup_, from, to);
+    to.entry_cap = corner.speed;
+    to.entry_limit = corner.limit;
+    to.entry_blend = corner.blend;
+    from.exit_cut = corner.blend.cut;
+}
+
+/// From the newest block, which ends at rest `held_back` before its end, back to the first one that gains
+/// nothing.
+void LookAhead::plan_back(double held_back) {
     double exit_speed = 0;
+    double way = std::max(window_.back().way() - held_back, 0.0);
     bool by_window = true;
     for (std::size_t i = window_.size() - 1; i > 0; --i) {
         Block& block = window_[i];
-        const double reachable =
-            reachable_speed(block.lead.length, exit_speed, block.deceleration, block.jerk);
+        const double reachable = reachable_speed(way, exit_speed, block.deceleration, block.jerk);
         const bool corner = block.entry_cap <= reachable;
         const double entry = corner ? block.entry_cap : reachable;
         by_window = by_window && !corner;
@@ -81,34 +87,84 @@ void LookAhead::plan_back() {
         block.entry = entry;
         block.by_window = by_window;
         exit_speed = entry;
+        way = window_[i - 1].way();
     }
 }
 
-/// The oldest block ends at the speed at which the next one begins, as far as it can reach it.
-void LookAhead::put_out_front() {
+/// The speed at which the next block begins, as far as the oldest one can reach it.
+double LookAhead::front_exit_speed() const {
     const Block& block = window_.front();
-    const double length = block.lead.length;
     const double planned = window_.size() > 1 ? window_[1].entry : 0;
-    const double exit = std::min(planned, reachable_speed(length, speed_, block.acceleration, block.jerk));
-    const double settle_s = exit == 0 && block.move.mode == rrs::PathMode::exact_stop ? block.settle_s : 0;
-    Segment& segment = output_.begin(block.move.target_id);
-    segment.kind = block.move.kind;
-    segment.start = block.move.start;
-    segment.end = block.move.end;
-    segment.arc = block.move.arc;
-    segment.orientation = block.move.orientation;
-    segment.length_mm = block.move.length_mm;
-    segment.reaches_target = block.move.reaches_target && settle_s <= 0;
-    segment.lead = TimeLaw::between(length, speed_, exit, block.limits());
-    segment.lead_limits = block.limits();
-    segment.duration_s = segment.lead.duration_s();
-    segment.limited_by = limited_by(block, segment.lead, exit);
-    const rrs::TargetId id = block.move.target_id;
-    const rrs::JointPos end = block.move.end;
-    output_.finish();
+    return std::min(planned, reachable_speed(block.way(), speed_, block.acceleration, block.jerk));
+}
+
+/// Where few blocks are known a blend could be passed so slowly only that a stop takes less time. The cut is
+/// long enough for that stop.
+void LookAhead::drop_slow_blend() {
+    if (window_.size() < 2) return;
+    Block& from = window_[0];
+    Block& to = window_[1];
+    if (to.entry_blend.cut <= 0 || front_exit_speed() >= least_blend_speed(from, to)) return;
+    to.entry_blend = {};
+    to.entry = to.entry_cap = 0;
+    to.entry_limit = LimitKind::stop;
+    from.exit_cut = 0;
+}
+
+void LookAhead::put_out_front() {
+    drop_slow_blend();
+    const double exit = front_exit_speed();
+    const Block& block = window_.front();
+    const bool blended = block.exit_cut > 0;
+    const bool settles = exit == 0 && block.move.mode == rrs::PathMode::exact_stop;
+    // The wait depends on the motion that it follows, which is put out first.
+    const bool may_wait =
+        settles && (block.settling.fixed_s > 0 || std::isfinite(block.settling.in_position_mm));
+    put_out_way(block, exit, block.move.reaches_target && !blended && !may_wait);
+    if (blended) {
+        const Block& next = window_[1];
+        put_out_blend(block, next, exit, blend_limited_by(block, next, exit), output_);
+    }
+    if (may_wait) put_out_rest(block.move.target_id, block.move.end, settle_s(block));
     window_.pop_front();
     speed_ = exit;
-    if (settle_s > 0) put_out_rest(id, end, settle_s);
+}
+
+void LookAhead::put_out_way(const Block& block, double exit_speed, bool reaches_target) {
+    const double way = block.way();
+    if (!(way > 0)) return;
+    const double length = block.lead.length;
+    Segment& segment = output_.begin(block.move.target_id);
+    segment.kind = block.move.kind;
+    segment.start = block.entry_blend.cut > 0 ? block.line_at(block.entry_blend.cut) : block.move.start;
+    segment.end = block.exit_cut > 0 ? block.line_at(length - block.exit_cut) : block.move.end;
+    segment.arc = block.move.arc;
+    segment.orientation = block.move.orientation;
+    segment.length_mm = block.move.length_mm * (way / length);
+    segment.reaches_target = reaches_target;
+    segment.lead = TimeLaw::between(way, speed_, exit_speed, block.limits());
+    segment.lead_limits = block.limits();
+    segment.duration_s = segment.lead.duration_s();
+    segment.limited_by = limited_by(block, segment.lead, exit_speed);
+    output_.finish();
+}
+
+/// The fixed time, and what the joint that is farthest out of its band needs.
+double LookAhead::settle_s(const Block& block) const {
+    double worst = 0;  // error over band
+    for (int joint = 0; joint < setup_.joint_count(); ++joint) {
+        const bool rotary = setup_.role(joint) == JointRole::rotary;
+        const double band = rotary ? block.settling.in_position_rad : block.settling.in_position_mm;
+        worst = std::max(worst, std::abs(block.slope_out[joint]) * output_.lag() / band);
+    }
+    if (!(worst > 1)) return block.settling.fixed_s;
+    return block.settling.fixed_s + std::log(worst) / setup_.controller.position_gain_1_s;
+}
+
+LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
+    const Block& slower = from.max_speed <= to.max_speed ? from : to;
+    if (speed >= slower.max_speed * (1 - kSameSpeed)) return slower.speed_limit;
+    return {to.by_window ? LimitKind::look_ahead : LimitKind::corner, -1};
 }
 
 void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s) {
@@ -130,12 +186,14 @@ LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double e
 }
 
 void LookAhead::come_to_rest() {
+    if (!window_.empty() && largest_exit_cut(setup_, window_.back()) > 0) plan_back(0);
     while (!window_.empty()) put_out_front();
     speed_ = 0;
 }
 
 void LookAhead::clear() {
     window_.clear();
+    output_.clear();
     speed_ = 0;
     has_rounded_ = false;
 }

@@ -4,21 +4,27 @@
 #include <deque>
 
 #include "runtime/motion/block.h"
+#include "runtime/motion/following_error.h"
 #include "runtime/motion/motion_model.h"
 
 namespace gsim::motion {
 
-/// A controller that knows some blocks ahead and passes corners by a rule of speed: the way stays exact.
+/// A controller that knows some blocks ahead and passes corners by a rule: at a speed that it sets, the way
+/// exact, or by blends, which cut the ends of blocks off (blend.h).
 ///
 /// The window holds look_ahead_blocks blocks, the one under way included. The newest is planned to end at
 /// rest; from there back, a block's entry speed is what its corner allows and what its length lets slow down
 /// from. When the window is full the oldest block becomes final: its exit speed is the next one's entry
 /// speed, and its law the fastest one between the two (TimeLaw::between). With jerk limits the acceleration
 /// is 0 at the ends of blocks.
+///
+/// What a blend may yet cut off the newest block is not counted as way to brake on, so that a corner which
+/// becomes known never makes speeds infeasible that are final.
 class LookAhead final : public MotionModel {
   public:
     /// Both must outlive this.
-    LookAhead(const PlannerSetup& setup, SegmentOutput& output) : setup_(setup), output_(output) {}
+    LookAhead(const PlannerSetup& setup, SegmentOutput& output)
+        : setup_(setup), output_(setup.controller, output) {}
 
     Planned add(const Move& move) override;
     void come_to_rest() override;
@@ -27,13 +33,19 @@ class LookAhead final : public MotionModel {
   private:
     Planned add_line(const Move& move);
     Planned add_block(const Move& move);
-    void plan_back();
+    void join(Block& from, Block& to) const;
+    void plan_back(double held_back);
     void put_out_front();
+    void put_out_way(const Block& block, double exit_speed, bool reaches_target);
     void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
+    void drop_slow_blend();
+    double front_exit_speed() const;
+    double settle_s(const Block& block) const;
+    LimitedBy blend_limited_by(const Block& from, const Block& to, double speed) const;
     LimitedBy limited_by(const Block& block, const TimeLaw& law, double exit_speed) const;
 
     const PlannerSetup& setup_;
-    SegmentOutput& output_;
+    FollowingError output_;
     std::deque<Block> window_;
     double speed_ = 0;       ///< At the start of the oldest block, which cannot change any more.
     rrs::JointPos rounded_;  ///< Where the last block ends, on the grid of the joints' steps.

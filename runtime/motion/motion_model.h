@@ -35,8 +35,8 @@ class SegmentOutput {
   public:
     virtual ~SegmentOutput() = default;
     /// The slot of the next segment, with what it held before but for its target and its position joints: no
-    /// followers, nothing beside it, no way of orientation. The model fills in kind, start, end, arc,
-    /// length_mm, duration_s and lead.
+    /// followers, nothing beside it, no way of orientation, no deviation. The model fills in kind, start,
+    /// end, arc, length_mm, duration_s and lead.
     virtual Segment& begin(rrs::TargetId id) = 0;
     /// The slot that begin() gave is filled: the segment starts where the one before ends.
     virtual void finish() = 0;

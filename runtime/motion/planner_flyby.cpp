@@ -31,8 +31,10 @@ Status DefaultPlanner::check_criterion(int criterion) {
                         "junction deviation, 3 the tolerance of corners.",
                         criterion));
     }
-    const PlannerKind needed = criterion == kBlendTolerance ? PlannerKind::linuxcnc : PlannerKind::look_ahead;
-    if (setup_.controller.planner == needed) return Status::RRS_SUCCESS;
+    const rrs::ControllerRules& controller = machine_.controller;
+    const bool blends = controller.planner == PlannerKind::linuxcnc || is_blend(controller.corner);
+    const bool has = criterion == kBlendTolerance ? blends : controller.planner == PlannerKind::look_ahead;
+    if (has) return Status::RRS_SUCCESS;
     return refuse(Status::RRS_MODE_NOT_SUPPORTED,
                   fmt::format("This controller does not pass corners by the criterion {}.", criterion));
 }
@@ -42,6 +44,7 @@ Status DefaultPlanner::SelectFlybyCriteria(int criterion) {
     programmed_.flyby_criterion = criterion;
     if (criterion == kBlendTolerance) {
         programmed_.tolerance_mm = programmed_.blend_tolerance_mm;
+        setup_.controller.corner = machine_.controller.corner;
     } else {
         setup_.controller.corner = rule_of(criterion);
     }
@@ -102,6 +105,9 @@ Status DefaultPlanner::SelectPointAccuracy(int accuracy_type) {
     programmed_.settles = accuracy_type == kSettling;
     setup_.controller.settle_s =
         accuracy_type == kSettling ? programmed_.settle_s.value_or(machine_.controller.settle_s) : 0;
+    const bool waits = accuracy_type == kSettling;
+    setup_.controller.in_position_mm = waits ? machine_.controller.in_position_mm : kUnlimited;
+    setup_.controller.in_position_deg = waits ? machine_.controller.in_position_deg : kUnlimited;
     return Status::RRS_SUCCESS;
 }
 

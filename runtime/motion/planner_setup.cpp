@@ -67,11 +67,18 @@ Trouble check_controller(const rrs::ControllerRules& controller) {
     if (auto trouble = check_corners(controller)) return trouble;
     if (auto trouble = check_positive("speed_step_s of the controller", controller.speed_step_s))
         return trouble;
+    for (const auto& [name, value] : {std::pair{"in_position_mm", controller.in_position_mm},
+                                      std::pair{"in_position_deg", controller.in_position_deg}}) {
+        if (auto trouble = check_positive(fmt::format("{} of the controller", name), value)) return trouble;
+    }
     const std::pair<const char*, double> not_negative[] = {
         {"junction_deviation_mm", controller.junction_deviation_mm},
         {"arc_chord_tolerance_mm", controller.arc_chord_tolerance_mm},
         {"least_feed_mm_min", controller.least_feed_mm_min},
+        {"blend_tolerance_mm", controller.blend_tolerance_mm},
+        {"blend_tolerance_deg", controller.blend_tolerance_deg},
         {"settle_s", controller.settle_s},
+        {"position_gain_1_s", controller.position_gain_1_s},
         {"rest_s", controller.rest_s},
         {"dwell_step_s", controller.dwell_step_s},
         {"servo_period_s", controller.servo_period_s},

@@ -183,6 +183,7 @@ Segment& DefaultPlanner::begin_segment(Segment& slot, rrs::TargetId id) {
     slot.limited_by = {};
     slot.beside.reset();
     slot.orientation.reset();
+    slot.deviation_mm = 0;
     return slot;
 }
 

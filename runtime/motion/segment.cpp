@@ -54,6 +54,19 @@ Range sampled_range(const Segment& segment, int joint) {
     return range;
 }
 
+// Each of two straight motions adds between nothing and the whole of its way.
+bool surely_straight_within(const Segment& segment, const Range& range, int joint) {
+    const Segment& beside = *segment.beside;
+    const auto straight = [](const Segment& one) {
+        return one.kind != SegmentKind::circular && one.followers().empty();
+    };
+    if (!straight(segment) || !straight(beside)) return false;
+    const double own = segment.end[joint] - segment.start[joint];
+    const double other = beside.end[joint] - beside.start[joint];
+    return segment.start[joint] + std::min(own, 0.0) + std::min(other, 0.0) >= range.min &&
+           segment.start[joint] + std::max(own, 0.0) + std::max(other, 0.0) <= range.max;
+}
+
 void add(const JointState& other, const rrs::JointPos& other_start, JointState& state) {
     state.position += other.position - other_start;
     state.velocity += other.velocity;
@@ -130,7 +143,8 @@ double Segment::peak_centripetal_mm_s2() const {
 
 bool Segment::surely_within(const Range& range, int joint) const {
     constexpr double kRounding_mm = 1e-6;
-    if (kind != SegmentKind::circular || beside) return false;
+    if (beside) return surely_straight_within(*this, range, joint);
+    if (kind != SegmentKind::circular) return false;
     const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
     if (axis == position_joints.end()) return false;
     const auto index = axis - position_joints.begin();

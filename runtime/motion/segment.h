@@ -78,6 +78,9 @@ struct Segment {
     /// The way of the joints that turn the tool, gone through evenly with the lead; null where they go in
     /// proportion or follow.
     std::shared_ptr<const OrientationArc> orientation;
+    /// How far the tool passes from the programmed corner that is rounded here; told once for each such
+    /// corner, by a segment of the move that begins there. 0 in all others.
+    double deviation_mm = 0;
 
     std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
     void add_follower(int joint, double sign, const TimeLaw& law, const LawLimits& limits = {}) {

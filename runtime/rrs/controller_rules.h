@@ -19,6 +19,8 @@ enum class CornerRule {
     velocity_step,       ///< No joint's speed may jump by more than it stands (its max_speed_step, or
                          ///< speed_step_s).
     junction_deviation,  ///< The speed on an arc that would miss the corner by junction_deviation_mm.
+    parabolic_blend,     ///< Rounded within a tolerance, on a parabola: the acceleration is constant.
+    smooth_blend,        ///< Rounded within a tolerance, with an acceleration that grows and falls.
 };
 
 /// How the tool turns in linear and circular moves that are not rapid.
@@ -26,6 +28,11 @@ enum class OrientationRule {
     joints,        ///< By the angles of the rotary joints.
     great_circle,  ///< Its direction goes along the great circle, evenly with the length of the way.
 };
+
+/// Whether the rule takes the tool off the programmed way.
+constexpr bool is_blend(CornerRule rule) {
+    return rule == CornerRule::parabolic_blend || rule == CornerRule::smooth_blend;
+}
 
 /// The rules by which a controller turns moves into motion: what its maker has built in and an operator
 /// cannot change. Read from a controller file, each key open to change in a machine file; see
@@ -40,6 +47,9 @@ struct ControllerRules {
     CornerRule corner = CornerRule::stop;
     CornerRule exact_path_corner = CornerRule::stop;
     double junction_deviation_mm = 0.01;
+    /// How far a blend may miss its corner where the program sets no tolerance (G64 P); 0: corners are exact.
+    double blend_tolerance_mm = 0.05;
+    double blend_tolerance_deg = 0.5;  ///< The same of the rotary joints, whatever the program says.
     /// The jump of speed that a joint without a max_speed_step stands: what its acceleration makes in this
     /// time.
     double speed_step_s = 0.01;
@@ -56,7 +66,12 @@ struct ControllerRules {
     OrientationRule orientation = OrientationRule::joints;
     double least_feed_mm_min = 0;  ///< A lower one is raised to it.
 
-    double settle_s = 0;      ///< Time at each exact stop until the axes are in position.
+    double settle_s = 0;  ///< Time at each exact stop until the axes are in position.
+    /// Gain of the axes' position loops: they follow with a speed of this times the following error. Exact
+    /// stops wait, in front of settle_s, until the error is within the band of each joint; 0: they do not.
+    double position_gain_1_s = 0;
+    double in_position_mm = 0.01;
+    double in_position_deg = 0.01;
     double rest_s = 0;        ///< Time at each stop that waits for the program's next block (dwell, M code).
     double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
     double servo_period_s = 0;  ///< Of the controller's position loop; 0: continuous.
@@ -64,6 +79,12 @@ struct ControllerRules {
     /// Whether the planner can do OrientationRule::great_circle: one that knows lines in joint space alone
     /// cannot.
     bool has_great_circles() const { return planner != PlannerKind::linuxcnc && arc_chord_tolerance_mm <= 0; }
+
+    /// Whether there are corners that are rounded.
+    bool rounds_corners() const {
+        return planner == PlannerKind::look_ahead && (is_blend(corner) || is_blend(exact_path_corner));
+    }
+
     bool operator==(const ControllerRules&) const = default;
 };
 

@@ -48,6 +48,10 @@ void MovesWriter::take(const RecordedMove& move) {
     append(out, R"(,"end_s":)");
     append_number(out, move.end_s);
     append_limit(move);
+    if (move.deviation_mm > 0) {
+        append(out, R"(,"deviation_mm":)");
+        append_number(out, move.deviation_mm);
+    }
     append(out, "}");
     out_.end_line();
 }

@@ -60,6 +60,7 @@ void Recorder::add_output(RunOutput& output) {
 void Recorder::take(const Segment& segment) {
     if (!in_move_ || move_.info.target_id != segment.target_id) go_to_move(segment.target_id);
     add_limit(segment);
+    add_deviation(segment);
     add_to_sums(segment);
     add_to_bounds(segment);
     end_s_ = segment.end_s();
@@ -97,6 +98,7 @@ void Recorder::begin_move(const MoveInfo& info) {
     move_.info = info;
     move_.start_s = move_.end_s = end_s_;
     move_.length_mm = 0;
+    move_.deviation_mm = 0;
     move_.arc.reset();
     move_.limited_by.reset();
     longest_s_ = 0;
@@ -115,6 +117,15 @@ void Recorder::add_limit(const Segment& segment) {
     if (segment.kind == SegmentKind::rest || segment.duration_s <= longest_s_) return;
     longest_s_ = segment.duration_s;
     move_.limited_by = segment.limited_by;
+}
+
+void Recorder::add_deviation(const Segment& segment) {
+    if (segment.deviation_mm <= 0) return;
+    ++blends_.count;
+    move_.deviation_mm = std::max(move_.deviation_mm, segment.deviation_mm);
+    if (segment.deviation_mm <= blends_.max_deviation_mm) return;
+    blends_.max_deviation_mm = segment.deviation_mm;
+    blends_.place = move_.info.place;
 }
 
 void Recorder::add_to_sums(const Segment& segment) {
@@ -168,6 +179,7 @@ void Recorder::finish(Report& report) {
     report.feed_mm = feed_mm_.value();
     report.jet_on_mm = jet_on_mm_.value();
     report.moves = moves_;
+    report.blends = blends_;
     report.bounds = bounds();
     report.slowest = slowest_.list(machine_);
 }

@@ -41,6 +41,13 @@ struct AxisBounds {
     double limit_min = 0, limit_max = 0;  ///< Of the machine.
 };
 
+/// Corners that the controller has rounded.
+struct Blends {
+    std::uint64_t count = 0;
+    double max_deviation_mm = 0;  ///< Of the tool from the programmed corner.
+    Place place = {};             ///< Of the move with the greatest one.
+};
+
 struct SlowBlock {
     Place place = {};
     MoveKind kind = MoveKind::linear;
@@ -73,6 +80,7 @@ struct Report {
     double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
     std::uint64_t blocks = 0;
     std::uint64_t moves = 0;
+    Blends blends;
     std::vector<AxisBounds> bounds;
     std::vector<Event> events;
     std::vector<std::string> warnings;

@@ -49,6 +49,14 @@ Json alarm(const Report& report) {
             {"calls", calls(report, alarm.calls)}};
 }
 
+Json blends(const Report& report) {
+    const bool any = report.blends.count > 0;
+    return {{"count", report.blends.count},
+            {"max_deviation_mm", number(report.blends.max_deviation_mm)},
+            {"file", any ? file(report, report.blends.place) : Json(nullptr)},
+            {"line", any ? line(report.blends.place) : Json(nullptr)}};
+}
+
 Json bounds(const Report& report) {
     Json bounds = Json::object();
     for (const AxisBounds& axis : report.bounds) {
@@ -113,6 +121,7 @@ std::string to_json(const Report& report) {
           {"jet_on_mm", number(report.jet_on_mm)}}},
         {"blocks", report.blocks},
         {"moves", report.moves},
+        {"blends", blends(report)},
         {"bounds", bounds(report)},
         {"events", events(report)},
         {"warnings", report.warnings},

@@ -74,6 +74,13 @@ class Text {
     std::string text_;
 };
 
+void add_blends(Text& out, const Report& report) {
+    if (report.blends.count == 0) return;
+    out.line("{:<12}{} corner{}, at most {:.4f} mm off, at {}", "rounded", report.blends.count,
+             report.blends.count == 1 ? "" : "s", report.blends.max_deviation_mm,
+             place_text(report, report.blends.place));
+}
+
 void add_head(Text& out, const Report& report) {
     out.line("{:<12}{}", "program", shortened(report.program, kWidth - 12));
     out.line("{:<12}{}", "machine", shortened(report.machine, kWidth - 12));
@@ -88,6 +95,7 @@ void add_head(Text& out, const Report& report) {
     }
     out.line("{:<12}{:.3f} s  ({})", "cycle time", report.cycle_time_s, clock_text(report.cycle_time_s));
     out.line("{:<12}{} executed, {} moves", "blocks", report.blocks, report.moves);
+    add_blends(out, report);
 }
 
 double percent(const Report& report, double time_s) {

@@ -16,6 +16,8 @@ struct RecordedMove {
     double start_s = 0;
     double end_s = 0;
     double length_mm = 0;  ///< Of the tool's path.
+    double deviation_mm =
+        0;  ///< How far the tool passes from its corners where they are rounded; 0: nowhere.
     /// What kept its longest segment from being faster; none where it only rests.
     std::optional<motion::LimitedBy> limited_by;
     rrs::JointPos end;

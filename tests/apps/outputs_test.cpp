@@ -1,7 +1,9 @@
 // The files that gsim-run writes: moves, trajectory, report and plot.
 
+#include <cmath>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"
@@ -46,6 +48,34 @@ TEST_F(Outputs, Moves) {
     EXPECT_EQ(json::parse(moves[1])["limited_by"], "feed");
     EXPECT_EQ(json::parse(moves[3])["kind"], "dwell");
     EXPECT_TRUE(json::parse(moves[3])["limited_by"].is_null());
+}
+
+TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {
+    std::string machine = "[machine]\nname = \"blends\"\n[controller]\nmodel = \"blend\"\n";
+    for (const char letter : {'X', 'Y', 'Z'}) {
+        machine += fmt::format(
+            "[[axis]]\nletter = \"{}\"\nkind = \"linear\"\nmax_speed_mm_s = 500\n"
+            "max_acceleration_mm_s2 = 2000\nmax_jerk_mm_s3 = 1e5\ndh = {{}}\n",
+            letter);
+    }
+    const std::string file = write("blends.toml", machine);
+    const std::string square =
+        write("square.ngc", "G21 G64 P0.05 F6000\nG1 X20\nY20\nX0\nY0\nG61.1\nX5\nM2\n");
+    EXPECT_EQ(gsim_run({square, "--dialect", "rs274ngc", "--machine", file, "--quiet", "--moves",
+                        "moves.jsonl", "--report", "report.json"})
+                  .status,
+              0);
+    const json report = json::parse(read("report.json"));
+    EXPECT_EQ(report["blends"]["count"], 4);
+    EXPECT_NEAR(report["blends"]["max_deviation_mm"].get<double>(), 0.05, 1e-9);
+    const std::vector<std::string> moves = lines("moves.jsonl");
+    ASSERT_EQ(moves.size(), 5U);
+    EXPECT_FALSE(json::parse(moves[0]).contains("deviation_mm"));
+    const json second = json::parse(moves[1]);
+    const double deviation_mm = second["deviation_mm"];
+    const json corner = json::parse(moves[0])["to"];
+    EXPECT_NEAR(std::hypot(corner["X"].get<double>() - 20, corner["Y"].get<double>()), deviation_mm, 1e-8);
+    EXPECT_GT(report["time"]["dwell_s"], 0.05) << "the last stop is exact and waits for the axes";
 }
 
 TEST_F(Outputs, Trajectory) {

@@ -82,13 +82,16 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "exact_path_corner = \"junction-deviation\"\njunction_deviation_mm = 0.25\nspeed_step_s = 0.125\n"
         "stop_between_rapid_and_feed = false\nlimit_jerk = true\ncentripetal_share = 0.5\n"
         "arc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
-        "rest_s = 5\ndwell_step_s = 6\nservo_period_s = 8";
+        "blend_tolerance_mm = 9\nblend_tolerance_deg = 10\nposition_gain_1_s = 11\nin_position_mm = 12\n"
+        "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8";
     const ControllerRules wanted{.model = "all",
                                  .planner = PlannerKind::look_ahead,
                                  .look_ahead_blocks = 7,
                                  .corner = CornerRule::velocity_step,
                                  .exact_path_corner = CornerRule::junction_deviation,
                                  .junction_deviation_mm = 0.25,
+                                 .blend_tolerance_mm = 9,
+                                 .blend_tolerance_deg = 10,
                                  .speed_step_s = 0.125,
                                  .stop_between_rapid_and_feed = false,
                                  .limit_jerk = true,
@@ -97,6 +100,9 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .inverse_time_of_chords = true,
                                  .least_feed_mm_min = 3,
                                  .settle_s = 4,
+                                 .position_gain_1_s = 11,
+                                 .in_position_mm = 12,
+                                 .in_position_deg = 13,
                                  .rest_s = 5,
                                  .dwell_step_s = 6,
                                  .servo_period_s = 8};
@@ -175,43 +181,46 @@ TEST_F(OwnFile, ErrorsSayWhereTheyAre) {
 
 TEST_F(OwnFile, DoesNotNameAnother) {
     write("own.toml", "[controller]\nmodel = \"own.toml\"\n");
-    EXPECT_EQ(
-        error_of("model = \"own.toml\"", path("m.toml")),
-        path("own.toml") +
-            ":2:9: 'model' of a controller file must be one of exact-stop, ab9, linuxcnc-2.9, grbl-1.1");
+    EXPECT_EQ(error_of("model = \"own.toml\"", path("m.toml")),
+              path("own.toml") +
+                  ":2:9: 'model' of a controller file must be one of exact-stop, ab9, linuxcnc-2.9, "
+                  "grbl-1.1, blend");
 }
 
 TEST(ControllerFile, UnknownModels) {
     EXPECT_EQ(
         error_of("model = \"grbl\""),
         "m.toml:4:9: unknown controller \"grbl\"; did you mean \"grbl-1.1\"? built in are exact-stop, ab9, "
-        "linuxcnc-2.9, grbl-1.1; the name of a file of one's own ends in .toml");
+        "linuxcnc-2.9, grbl-1.1, blend; the name of a file of one's own ends in .toml");
     EXPECT_EQ(
         error_of("model = \"siemens\\n840d\""),
         "m.toml:4:9: unknown controller \"siemens\\u000A840d\"; built in are exact-stop, ab9, linuxcnc-2.9, "
-        "grbl-1.1; the name of a file of one's own ends in .toml");
+        "grbl-1.1, blend; the name of a file of one's own ends in .toml");
     EXPECT_EQ(error_of("model = 4"), "m.toml:4:9: 'model' must be a string, not a number");
 }
 
 TEST(ControllerFile, UnknownKeys) {
     EXPECT_EQ(error_of("look_ahead = 4"),
               "m.toml:4:1: unknown key 'look_ahead' in [controller]; did you mean 'look_ahead_blocks'?");
-    EXPECT_EQ(error_of("x = 4"),
-              "m.toml:4:1: unknown key 'x' in [controller]; it may hold: model, name, planner, "
-              "look_ahead_blocks, orientation, "
-              "corner, exact_path_corner, junction_deviation_mm, speed_step_s, centripetal_share, "
-              "arc_chord_tolerance_mm, least_feed_mm_min, settle_s, rest_s, dwell_step_s, servo_period_s, "
-              "stop_between_rapid_and_feed, limit_jerk, inverse_time_of_chords");
+    EXPECT_EQ(
+        error_of("x = 4"),
+        "m.toml:4:1: unknown key 'x' in [controller]; it may hold: model, name, planner, look_ahead_blocks, "
+        "corner, exact_path_corner, junction_deviation_mm, blend_tolerance_mm, blend_tolerance_deg, "
+        "speed_step_s, centripetal_share, "
+        "arc_chord_tolerance_mm, least_feed_mm_min, settle_s, position_gain_1_s, in_position_mm, "
+        "in_position_deg, rest_s, dwell_step_s, servo_period_s, "
+        "stop_between_rapid_and_feed, limit_jerk, inverse_time_of_chords");
 }
 
 TEST(ControllerFile, WrongTypes) {
     EXPECT_EQ(error_of("planner = \"look_ahead\""),
               "m.toml:4:11: 'planner' must be \"rest-to-rest\", \"look-ahead\" or \"linuxcnc\"");
     EXPECT_EQ(error_of("corner = 4"),
-              "m.toml:4:10: 'corner' must be \"stop\", \"velocity-step\" or \"junction-deviation\"");
-    EXPECT_EQ(
-        error_of("exact_path_corner = \"Stop\""),
-        "m.toml:4:21: 'exact_path_corner' must be \"stop\", \"velocity-step\" or \"junction-deviation\"");
+              "m.toml:4:10: 'corner' must be \"stop\", \"velocity-step\", \"junction-deviation\", "
+              "\"parabolic-blend\" or \"smooth-blend\"");
+    EXPECT_EQ(error_of("exact_path_corner = \"Stop\""),
+              "m.toml:4:21: 'exact_path_corner' must be \"stop\", \"velocity-step\", \"junction-deviation\", "
+              "\"parabolic-blend\" or \"smooth-blend\"");
     EXPECT_EQ(error_of("limit_jerk = 1"), "m.toml:4:14: 'limit_jerk' must be true or false, not a number");
     EXPECT_EQ(error_of("rest_s = true"), "m.toml:4:10: 'rest_s' must be a number, not true or false");
     EXPECT_EQ(error_of("name = 4"), "m.toml:4:8: 'name' must be a string, not a number");
@@ -230,20 +239,24 @@ TEST(ControllerFile, ValuesOutOfRange) {
                   "m.toml:4:21: 'centripetal_share' must be greater than 0 and less than 1, or inf; it is " +
                       value);
     }
-    for (const std::string key : {"junction_deviation_mm", "least_feed_mm_min", "settle_s", "rest_s"}) {
+    for (const std::string key : {"junction_deviation_mm", "blend_tolerance_mm", "blend_tolerance_deg",
+                                  "least_feed_mm_min", "settle_s", "rest_s"}) {
         const std::string place = fmt::format("m.toml:4:{}: '{}' must be ", key.size() + 4, key);
         EXPECT_EQ(error_of(key + " = -1"), place + "0 or greater; it is -1");
         EXPECT_EQ(error_of(key + " = inf"), place + "finite; it is inf");
         EXPECT_EQ(error_of(key + " = nan"), place + "a number; it is nan");
         EXPECT_EQ(error_of(key + " = 1e300"), place + "between -1e9 and 1e9; it is 1e+300");
     }
-    for (const std::string key : {"arc_chord_tolerance_mm", "dwell_step_s", "servo_period_s"}) {
+    for (const std::string key :
+         {"arc_chord_tolerance_mm", "position_gain_1_s", "dwell_step_s", "servo_period_s"}) {
         const std::string place = fmt::format("m.toml:4:{}: '{}' must be ", key.size() + 4, key);
         EXPECT_EQ(error_of(key + " = 1e-9"), place + "0, or 1e-6 or greater; it is 1e-09");
         EXPECT_EQ(error_of(key + " = -1"), place + "0, or 1e-6 or greater; it is -1");
         EXPECT_EQ(error_of(key + " = inf"), place + "finite; it is inf");
     }
     EXPECT_EQ(error_of("speed_step_s = 0"), "m.toml:4:16: 'speed_step_s' must be greater than 0; it is 0");
+    EXPECT_EQ(error_of("in_position_mm = 0"),
+              "m.toml:4:18: 'in_position_mm' must be greater than 0; it is 0");
 }
 
 TEST(ControllerFile, HoldsOneTable) {

@@ -24,7 +24,7 @@ Machine sample(const std::string& name) {
 
 TEST(BuiltInControllers, AreThoseOfTheSamples) {
     EXPECT_THAT(built_in_controllers(),
-                testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1"));
+                testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1", "blend"));
     for (const std::string_view name : built_in_controllers()) {
         const auto file = read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
         ASSERT_TRUE(file) << file.error();
@@ -74,6 +74,17 @@ TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
     EXPECT_EQ(rules.least_feed_mm_min, 1);
     EXPECT_EQ(rules.dwell_step_s, 0.05);
     EXPECT_EQ(rules.rest_s, 0);
+}
+
+TEST(BuiltInControllers, BlendRoundsCornersAndKeepsJerks) {
+    const ControllerRules rules = built_in_controller("blend").value();
+    EXPECT_TRUE(rules.rounds_corners());
+    EXPECT_EQ(rules.corner, CornerRule::smooth_blend);
+    EXPECT_EQ(rules.exact_path_corner, CornerRule::velocity_step);
+    EXPECT_TRUE(rules.limit_jerk);
+    EXPECT_EQ(rules.blend_tolerance_mm, 0.05);
+    EXPECT_EQ(rules.position_gain_1_s, 33.3);
+    EXPECT_FALSE(built_in_controller("ab9").value().rounds_corners());
 }
 
 struct Linuxcnc {

@@ -35,6 +35,8 @@ TEST(LinuxcncBlend, misses_a_corner_by_the_tolerance) {
         const Segment& blend = run.segments[1];
         EXPECT_EQ(blend.kind, SegmentKind::circular);
         EXPECT_EQ(blend.target_id, 2);
+        EXPECT_NEAR(blend.deviation_mm, tolerance_mm, 1e-9);
+        EXPECT_EQ(run.segments[0].deviation_mm + run.segments[2].deviation_mm, 0);
         // From corner to centre is R sqrt 2, so the arc of a right angle misses it by R (sqrt 2 - 1). The
         // speed on it takes 0.866 of the acceleration.
         const double radius_mm = tolerance_mm / (std::sqrt(2.0) - 1);
@@ -139,6 +141,8 @@ TEST(LinuxcncBlend, a_tolerance_bounds_parabolas) {
         EXPECT_LT(distance_to(run, 100, 0), 2 * tolerance_mm);
         double length_mm = 0;
         for (const Segment& segment : run.segments) length_mm += segment.length_mm;
+        EXPECT_NEAR(run.segments[1].deviation_mm, distance_to(run, 100, 0), 0.01 * tolerance_mm);
+        EXPECT_EQ(run.segments[0].deviation_mm + run.segments[2].deviation_mm, 0);
         EXPECT_LT(length_mm, 200) << "the corner is cut";
         EXPECT_GT(length_mm, 200 - 2 * tolerance_mm) << "and the way round it counts whole";
     }

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/motion/collected.h"
-#include "tests/motion/machines.h"
+#include "tests/motion/look_ahead_path.h"
 #include "tests/motion/segment_checks.h"
 
 namespace gsim::motion {
@@ -12,80 +11,6 @@ namespace {
 
 using rrs::CornerRule;
 using rrs::PathMode;
-
-/// Three linear joints; grbl's settings of a router.
-PlannerSetup router_setup() {
-    PlannerSetup setup;
-    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
-    setup.position_joints = {0, 1, 2};
-    setup.controller.planner = rrs::PlannerKind::look_ahead;
-    setup.controller.look_ahead_blocks = 15;
-    setup.controller.corner = setup.controller.exact_path_corner = CornerRule::junction_deviation;
-    setup.controller.stop_between_rapid_and_feed = false;
-    setup.controller.centripetal_share = kUnlimited;
-    return setup;
-}
-
-class Path {
-  public:
-    explicit Path(PlannerSetup setup)
-        : setup_(std::move(setup)), at_(rrs::JointPos::Zero(setup_.joint_count())) {}
-
-    void line(rrs::JointPos end, double speed_mm_s = 100) {
-        Move move = begin(speed_mm_s);
-        move.end = std::move(end);
-        add(move);
-    }
-    void line(double x, double y, double speed_mm_s = 100) {
-        rrs::JointPos end = at_;
-        end[0] = x;
-        end[1] = y;
-        line(end, speed_mm_s);
-    }
-    void arc(double radius_mm, double from_rad, double sweep_rad, double speed_mm_s, double lift_mm = 0) {
-        Move move = begin(speed_mm_s);
-        move.kind = SegmentKind::circular;
-        move.arc.u = {std::cos(from_rad), std::sin(from_rad), 0};
-        move.arc.v = {-std::sin(from_rad), std::cos(from_rad), 0};
-        move.arc.center = at_.head<3>() - radius_mm * move.arc.u;
-        move.arc.radius_mm = move.arc.end_radius_mm = radius_mm;
-        move.arc.sweep_rad = sweep_rad;
-        move.arc.lift = {0, 0, lift_mm};
-        move.end = at_;
-        move.end.head<3>() = move.arc.at(sweep_rad);
-        add(move);
-    }
-    void rest() { model_.come_to_rest(); }
-
-    PathMode mode = PathMode::continuous;
-    bool rapid = false;
-    const Collected& out() const { return out_; }
-    const rrs::JointPos& position() const { return at_; }
-    const PlannerSetup& setup() const { return setup_; }
-    double exit_speed(std::size_t segment) const { return out_.segments.at(segment).lead.end_speed(); }
-
-  private:
-    Move begin(double speed_mm_s) {
-        Move move;
-        move.target_id = ++id_;
-        move.start = at_;
-        move.rules.programmed_speed_mm_s = speed_mm_s;
-        move.rapid = rapid;
-        move.mode = mode;
-        return move;
-    }
-    void add(const Move& move) {
-        const Planned planned = model_.add(move);
-        ASSERT_TRUE(planned) << planned.error().message;
-        at_ = move.end;
-    }
-
-    PlannerSetup setup_;
-    Collected out_;
-    LookAhead model_{setup_, out_};
-    rrs::JointPos at_;
-    rrs::TargetId id_ = 0;
-};
 
 /// Ends where it should, without a jump of position or of speed.
 void expect_one_motion(const Collected& out, const PlannerSetup& setup) {

@@ -45,6 +45,12 @@ TEST_F(MovesWriterTest, Line) {
               "\n");
 }
 
+TEST_F(MovesWriterTest, ARoundedCornerHasItsDeviation) {
+    RecordedMove recorded = move(MoveKind::linear);
+    recorded.deviation_mm = 0.0125;
+    EXPECT_EQ(nlohmann::json::parse(written(recorded))["deviation_mm"], 0.0125);
+}
+
 TEST_F(MovesWriterTest, RapidAndDwellHaveNoFeed) {
     for (const MoveKind kind : {MoveKind::rapid, MoveKind::dwell}) {
         StringStream other;

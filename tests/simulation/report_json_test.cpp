@@ -45,9 +45,10 @@ TEST(ReportJson, KeysInTheirOrder) {
     const auto json = ordered_json::parse(to_json(sample()));
     EXPECT_THAT(keys(json),
                 ElementsAre("program", "machine", "status", "alarm", "cycle_time_s", "time", "length",
-                            "blocks", "moves", "bounds", "events", "warnings", "slowest"));
+                            "blocks", "moves", "blends", "bounds", "events", "warnings", "slowest"));
     EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
     EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
+    EXPECT_THAT(keys(json["blends"]), ElementsAre("count", "max_deviation_mm", "file", "line"));
     EXPECT_THAT(keys(json["bounds"]), ElementsAre("X", "B"));
     EXPECT_THAT(keys(json["bounds"]["X"]), ElementsAre("min", "max", "limit_min", "limit_max"));
     EXPECT_THAT(keys(json["slowest"][0]),
@@ -74,6 +75,15 @@ TEST(ReportJson, Values) {
     EXPECT_EQ(json["slowest"][0]["kind"], "arc_cw");
     EXPECT_EQ(json["slowest"][0]["limited_by"], "feed");
     EXPECT_EQ(json["slowest"][1]["limited_by"], nullptr);
+}
+
+TEST(ReportJson, RoundedCorners) {
+    Report report = sample();
+    EXPECT_EQ(ordered_json::parse(to_json(report))["blends"].dump(),
+              R"({"count":0,"max_deviation_mm":0.0,"file":null,"line":null})");
+    report.blends = {7, 0.05, {0, 9}};
+    EXPECT_EQ(ordered_json::parse(to_json(report))["blends"].dump(),
+              R"({"count":7,"max_deviation_mm":0.05,"file":"part.nc","line":9})");
 }
 
 TEST(ReportJson, AnExplanationComesLastAndOnlyWhereThereIsOne) {

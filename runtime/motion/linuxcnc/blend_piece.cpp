@@ -122,6 +122,7 @@ std::optional<Blend> blend_between(const Piece& before, const Piece& after, cons
     const Vector3d start = end_after_cut(before, corner, circle->cut_before);
     const Vector3d end = start_after_cut(after, corner, circle->cut_after);
     piece.arc = arc_between(circle->center, start, end);
+    piece.deviation_mm = std::max((circle->center - corner.point).norm() - piece.arc.radius_mm, 0.0);
     if (!(piece.arc.sweep_rad > 0) || !touches(before, after, *blend, *speeds, period_s)) return std::nullopt;
     piece.start = piece.end = before.end;
     axes.put(start, piece.start);

@@ -55,6 +55,7 @@ struct Piece {
 
     double lead_in = 0;  ///< Length of the straight line on which a blend arc begins.
     rrs::TargetId lead_in_id = 0;
+    double deviation_mm = 0;  ///< Of a blend arc: how far it passes from the corner.
 
     LimitedBy speed_limit;
     LimitedBy acceleration_limit;

@@ -77,6 +77,22 @@ const HeldPiece* behind(const PieceQueue& queue, std::size_t index) {
     return index + 1 < queue.size() ? &queue[index + 1] : nullptr;
 }
 
+bool ends_piece(const HeldPiece& held, double to_s) {
+    return to_s >= held.law.duration_s() - kNoTime_s;
+}
+
+// How near the tool comes to the corner while two motions share their time.
+void look_for_nearest(const Segment& segment, const Axes& axes, const rrs::JointPos& corner,
+                      HeldPiece& tail) {
+    constexpr int kSteps = 64;
+    for (int i = 0; i <= kSteps; ++i) {
+        const rrs::JointPos at = segment.position_at(segment.duration_s * i / kSteps);
+        const double distance_mm = axes.point(at - corner).norm();
+        if (!tail.shares_end || distance_mm < tail.nearest_mm) tail.nearest_mm = distance_mm;
+        tail.shares_end = true;
+    }
+}
+
 }  // namespace
 
 std::size_t Writer::write(PieceQueue& queue, std::size_t ready, bool ended) {
@@ -151,6 +167,9 @@ void Writer::put_both(const Span& tail, const Span& head, const rrs::JointPos& c
     segment.reaches_target = ends_target(*head.held, head.to_s, head.next);
     segment.beside = std::move(beside);
     segment.length_mm = segment.blended_length_mm();
+    look_for_nearest(segment, axes_, corner, *tail.held);
+    if (ends_piece(*tail.held, tail.to_s))
+        segment.deviation_mm = std::max(segment.deviation_mm, tail.held->nearest_mm);
     output_.finish();
 }
 
@@ -168,6 +187,7 @@ void Writer::fill(const Span& span, Segment& segment) const {
     segment.lead_limits.acceleration = acceleration(held.piece) * part.scale;
     segment.lead_limits.deceleration = segment.lead_limits.acceleration;
     segment.limited_by = held.limited_by;
+    segment.deviation_mm = part.curved && ends_piece(held, span.to_s) ? held.piece.deviation_mm : 0;
 }
 
 }  // namespace gsim::motion::linuxcnc

@@ -21,7 +21,7 @@ class Writer {
   private:
     // Times of a piece between which it moves along one line or arc.
     struct Span {
-        const HeldPiece* held;
+        HeldPiece* held;
         double from_s;
         double to_s;
         const HeldPiece* next;  ///< The piece behind it, if there is one.

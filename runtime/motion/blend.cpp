@@ -1,0 +1,136 @@
+#include "runtime/motion/blend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/motion/axis_space.h"
+#include "runtime/motion/ramp.h"
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kNoTurn = 1e-9;  // difference of slopes
+constexpr double kNoCut = 1e-10;  // mm or rad
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+
+/// Something that turns at a corner, by length of way, and what limits how fast it may.
+struct Turn {
+    double change;
+    double acceleration;
+    double jerk;
+};
+
+/// Norms of what turns.
+struct TurnNorms {
+    double lead = 0;  ///< Of the joints that lead.
+    double prismatic = 0;
+    double rotary = 0;
+};
+
+TurnNorms norms_of(const PlannerSetup& setup, JointRole lead, const rrs::JointPos& turn) {
+    TurnNorms squares;
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const JointRole role = setup.role(joint);
+        const double square = turn[joint] * turn[joint];
+        if (role == lead) squares.lead += square;
+        (role == JointRole::rotary ? squares.rotary : squares.prismatic) += square;
+    }
+    return {std::sqrt(squares.lead), std::sqrt(squares.prismatic), std::sqrt(squares.rotary)};
+}
+
+/// All that limits the speed through a blend.
+class Turns {
+  public:
+    Turns(const PlannerSetup& setup, const Block& from, const Block& to, const rrs::JointPos& turn,
+          const TurnNorms& norms) {
+        for (int joint = 0; joint < setup.joint_count(); ++joint) {
+            const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+            add({std::abs(turn[joint]), limits.least_acceleration(),
+                 setup.controller.limit_jerk ? limits.max_jerk : kUnlimited});
+        }
+        // Along the way the acceleration is greatest at the ends of a blend, with half of the turn as its
+        // share.
+        const MoveRules& in = from.move.rules;
+        const MoveRules& out = to.move.rules;
+        if (from.lead.role != JointRole::rotary)
+            add({norms.lead * norms.lead / 2,
+                 std::min(in.path_acceleration_mm_s2, out.path_acceleration_mm_s2), kUnlimited});
+        add({norms.rotary, std::min(in.orientation_acceleration_rad_s2, out.orientation_acceleration_rad_s2),
+             kUnlimited});
+    }
+
+    double speed(double cut, bool smooth) const {
+        double speed = kUnlimited;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Turn& turn = turns_[i];
+            speed = std::min(speed, std::sqrt((smooth ? 1 : 2) * cut * turn.acceleration / turn.change));
+            if (smooth) speed = std::min(speed, std::cbrt(turn.jerk / turn.change * cut * cut));
+        }
+        return speed;
+    }
+
+    /// The least cut for a speed.
+    double cut(double speed, bool smooth) const {
+        double cut = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Turn& turn = turns_[i];
+            const double square = speed * speed * turn.change;
+            cut = std::max(cut, square / turn.acceleration / (smooth ? 1 : 2));
+            if (smooth) cut = std::max(cut, std::sqrt(square * speed / turn.jerk));
+        }
+        return cut;
+    }
+
+  private:
+    void add(const Turn& turn) {
+        if (turn.change >= kNoTurn) turns_[count_++] = turn;
+    }
+
+    std::array<Turn, rrs::kMaxJoints + 2> turns_{};
+    std::size_t count_ = 0;
+};
+
+/// The cut that moves something which turns by `turn` off the corner by `tolerance`.
+double cut_within(double tolerance, double turn, bool smooth) {
+    return turn >= kNoTurn ? tolerance / (blend_share(smooth) * turn) : kUnlimited;
+}
+
+double largest_cut(const PlannerSetup& setup, const Block& from, const Block& to, const TurnNorms& norms,
+                   bool smooth) {
+    const rrs::ControllerRules& controller = setup.controller;
+    const bool programmed = from.move.mode == rrs::PathMode::continuous && from.move.tolerance_mm > 0;
+    const double tolerance_mm = programmed ? from.move.tolerance_mm : controller.blend_tolerance_mm;
+    return std::min({from.lead.length / 2, to.lead.length / 2,
+                     cut_within(tolerance_mm, norms.prismatic, smooth),
+                     cut_within(controller.blend_tolerance_deg * kRadPerDeg, norms.rotary, smooth)});
+}
+
+}  // namespace
+
+BlendedCorner blend_between(const PlannerSetup& setup, const Block& from, const Block& to, bool smooth,
+                            double most) {
+    const rrs::JointPos turn = to.slope_in - from.slope_out;
+    const TurnNorms norms = norms_of(setup, from.lead.role, turn);
+    const double largest = largest_cut(setup, from, to, norms, smooth);
+    if (!(largest > kNoCut)) return {};
+    const Turns turns(setup, from, to, turn, norms);
+    BlendedCorner corner;
+    corner.speed = std::min(most, turns.speed(largest, smooth));
+    if (!std::isfinite(corner.speed)) return corner;
+    const double cut = corner.speed < most ? largest : std::min(largest, turns.cut(most, smooth));
+    if (!(cut > kNoCut)) return corner;
+    corner.blend = {cut, smooth, blend_share(smooth) * cut * position_of(setup, turn).norm()};
+    return corner;
+}
+
+double least_blend_speed(const Block& from, const Block& to) {
+    constexpr double kShare = 0.45;  // blends at the limits of joints are passed at half of it at least
+    const double acceleration =
+        std::min({from.acceleration, from.deceleration, to.acceleration, to.deceleration});
+    return kShare * reachable_speed(to.entry_blend.cut, 0, acceleration, std::min(from.jerk, to.jerk));
+}
+
+}  // namespace gsim::motion
