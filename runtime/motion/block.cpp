@@ -163,8 +163,16 @@ Settling settling_of(const rrs::ControllerRules& controller) {
             controller.in_position_deg * std::numbers::pi / 180};
 }
 
+/// No less than the time from rest to rest.
+double longest_s(const Block& block) {
+    const double length = block.lead.length;
+    const double acceleration = std::min(block.acceleration, block.deceleration);
+    return length / block.max_speed + 2 * std::sqrt(length / acceleration) +
+           4 * std::cbrt(length / block.jerk);
+}
+
 Planned check(const Block& block) {
-    if (!std::isfinite(block.lead.length) || !(block.lead.length / block.max_speed <= kLongest_s)) {
+    if (!std::isfinite(block.lead.length) || !(longest_s(block) <= kLongest_s)) {
         return refused(
             rrs::Status::RRS_INVALID_PARAMETER,
             fmt::format("The move is too long or too slow: it would take more than {} s.", kLongest_s));

@@ -35,6 +35,32 @@ void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
     EXPECT_EQ(out.segments.back().lead.end_speed(), 0);
 }
 
+/// With jerk limits: the acceleration along the way is 0 at the ends of blocks and changes within the jerk of
+/// the joints, and on a curve the part of the jerk that turns with the way, v^3 curvature^2, keeps it, too.
+void expect_jerk_along_the_way(const Collected& out, const PlannerSetup& setup) {
+    for (const Segment& segment : out.segments) {
+        const bool curved = segment.kind == SegmentKind::circular;
+        double jerk = kUnlimited;  // of the way
+        for (int joint = 0; joint < 3; ++joint) {
+            const double share =
+                curved ? segment.arc.max_share(joint)
+                       : std::abs(segment.end[joint] - segment.start[joint]) / segment.lead.length();
+            if (share > 1e-9)
+                jerk = std::min(jerk, setup.joints[static_cast<std::size_t>(joint)].max_jerk / share);
+        }
+        double acceleration = 0;
+        for (const LawPiece& piece : segment.lead.pieces()) {
+            ASSERT_LE(std::abs(piece.jerk), jerk * (1 + 1e-7));
+            ASSERT_NEAR(piece.a0, acceleration, 1e-6 * (1 + std::abs(acceleration)));
+            acceleration = piece.a0 + piece.jerk * piece.duration_s;
+        }
+        ASSERT_NEAR(acceleration, 0, 1e-5);
+        if (!curved) continue;
+        const double curvature = segment.arc.max_curvature();
+        ASSERT_LE(std::pow(segment.lead.peak_speed(), 3) * curvature * curvature, jerk * (1 + 1e-9));
+    }
+}
+
 TEST(LookAhead, OneLineIsATrapezoid) {
     Path path(router_setup());
     path.line(100, 0);
@@ -231,6 +257,7 @@ TEST(LookAhead, LimitsHoldOnRandomPaths) {
         }
         path.rest();
         expect_one_motion(path.out(), setup);
+        if (setup.controller.limit_jerk) expect_jerk_along_the_way(path.out(), setup);
         ASSERT_FALSE(testing::Test::HasFailure()) << "run " << run;
     }
 }

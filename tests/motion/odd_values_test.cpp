@@ -41,6 +41,11 @@ class OddValues : public AnyPlanner {
         for (auto& value : q) value = random() % 3 == 0 ? odd() : static_cast<double>(random() % 500);
         return q;
     }
+    /// Within the range of the gantry.
+    rrs::JointPos corner() {
+        const auto place = [this] { return static_cast<double>(random() % 500); };
+        return joint_pos({place(), place(), place(), 0.1 * small(), random() % 2 == 0 ? 1e-9 : 0.0});
+    }
     rrs::CartPos odd_pose() {
         rrs::CartPos pose = rrs::CartPos::Identity();
         for (int i = small(); i > 0; --i)
@@ -103,6 +108,7 @@ class FiniteSink : public SegmentSink {
   public:
     void take(const Segment& segment) override {
         ++taken;
+        overlapping += segment.beside ? 1 : 0;
         ASSERT_TRUE(std::isfinite(segment.start_s) && segment.duration_s >= 0 && segment.duration_s <= 1e12);
         for (int i = 0; i <= 10; ++i) {
             const JointState state = segment.at(segment.duration_s * i / 10);
@@ -113,6 +119,7 @@ class FiniteSink : public SegmentSink {
         }
     }
     int taken = 0;
+    int overlapping = 0;
 };
 
 // Without a sink the queue is soon full; a step of a century makes room.
@@ -161,6 +168,36 @@ TEST_P(OddSegments, planner_survives_anything) {
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(taken, 10'000);
+}
+
+// Rounded corners, and stops that wait for a position loop.
+TEST_P(OddSegments, rounded_corners_survive_anything) {
+    int overlapping = 0;
+    for (int session = 0; session < 1000; ++session) {
+        SCOPED_TRACE(testing::Message() << "session " << session);
+        PlannerSetup setup = setup_of(session);
+        setup.controller.planner = rrs::PlannerKind::look_ahead;
+        setup.controller.corner =
+            session % 4 < 2 ? rrs::CornerRule::parabolic_blend : rrs::CornerRule::smooth_blend;
+        setup.controller.limit_jerk = session % 5 < 2;
+        setup.controller.position_gain_1_s = 30;
+        FiniteSink sink;
+        DefaultPlanner planner(setup, &sink);
+        planner.Initialize();
+        planner.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({100, 100, 100, 0, 0}), "");
+        for (int i = 0; i < 60; ++i) {
+            call_something(planner);
+            if (i % 10 == 0) planner.SetPathMode(static_cast<rrs::PathMode>(random() % 3), odd(), 0);
+            planner.SelectMotionType(rrs::MotionType::linear);
+            planner.SelectTargetType(rrs::TargetType::joint);
+            planner.SetNextTarget(i, rrs::TargetParam::end, rrs::CartPos::Identity(), corner(), "", 0);
+        }
+        planner.flush();
+        overlapping += sink.overlapping;
+        ASSERT_TRUE(std::isfinite(planner.time_s()));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(overlapping, 100);
 }
 
 }  // namespace
