@@ -3,16 +3,26 @@
 -- Path modes. Cutting mode is in force at the start.
 local path_mode = 64
 
+local function warn_of_corner_override()
+  if comp_override.is_set() then
+    path.warn_of_stops("G62 (automatic corner override)")
+  else
+    core.warn("G62 (automatic corner override): the feed is not lowered at inside corners, since the machine file sets no "
+      .. "corner_override_percent with corner_override_before_mm or corner_override_after_mm ([controller])")
+  end
+end
+
 local function mode(name, number, path_name, text)
   word(name, function()
     path_mode = number
     path.set_mode(path_name)
     if text then core.warn(text) end
     if number == 64 then path.warn_of_stops("G64 (cutting mode)") end
+    if number == 62 then warn_of_corner_override() end
   end)
 end
 mode("G61", 61, "exact_stop")
-mode("G62", 62, "continuous", "G62 (automatic corner override): the feed is not lowered at inside corners")
+mode("G62", 62, "continuous")
 mode("G63", 63, "continuous",
   "G63 (tapping mode): there are no feed overrides and no feed hold here that it could lock")
 mode("G64", 64, "continuous")

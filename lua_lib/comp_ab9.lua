@@ -30,20 +30,47 @@ end
 
 -- --- Putting out what waited ---
 
+-- What is put out of a move whose way in the plane is so long: all of it, or parts where the feed is lowered at corners.
+function ab9:parts(item, length_mm)
+  local third = planes[self.plane].third
+  local rise = (item.target[third] or 0) - (item.source[third] or 0)
+  local parts = comp_override.parts(item, math.sqrt(length_mm * length_mm + rise * rise))
+  for i = 1, #parts - 1 do
+    parts[i].target = copied(item.target)
+    for letter, from in pairs(item.source) do
+      parts[i].target[letter] = from + (item.target[letter] - from) * parts[i].share
+    end
+  end
+  return parts
+end
+
+function ab9:put_arc_in_parts(item, point, sweep)
+  local from, centre, turn, done = item.begin, item.segment.centre, item.segment.turn, 0
+  for _, part in ipairs(self:parts(item, g.distance(from, centre) * sweep)) do
+    local to = part.target and comp_override.point_on_arc(from, point, centre, turn, sweep, part.share) or point
+    self:put_arc(item, to, centre, turn, sweep * (part.share - done), part.target, part.feed)
+    done = part.share
+  end
+end
+
 local TOO_SHORT = "%s is too short between its corners, so that the tool would run backwards and gouge the path"
 
 function ab9:put_line(item, point)
   if not item.entry and g.dot(item.segment.heading[1], g.minus(point, item.begin)) < -SAME_POINT_MM then
     self:say(item, TOO_SHORT)
   end
-  self:put_straight(item, point)
+  local from = item.begin
+  for _, part in ipairs(self:parts(item, g.distance(from, point))) do
+    local to = part.target and comp_override.point_on_line(from, point, part.share) or point
+    self:put_straight(item, to, part.target, part.feed)
+  end
 end
 
 function ab9:put_circle(item, point)
   local segment = item.segment
   local sweep = g.swept_after(item.begin, point, segment.centre, segment.turn, segment.sweep)
   if sweep <= segment.sweep + CUT_BACK_RAD then
-    self:put_arc(item, point, segment.centre, segment.turn, sweep)
+    self:put_arc_in_parts(item, point, sweep)
   elseif g.distance(item.begin, point) > SAME_POINT_MM then
     self:say(item, TOO_SHORT)
   end
@@ -87,7 +114,7 @@ local function is_inside(p, q, side)
   return angle > 0, angle
 end
 
-function ab9:inside_corner(p, q, from, to)
+function ab9:inside_corner(p, q, from, to, angle)
   if not self.waiting then
     core.warn(("cutter compensation: the tool went to the end of a move before the inside corner behind it was known, "
       .. "and cuts too far there; up to %d actions and moves outside the plane may lie between"):format(LOOK_AHEAD))
@@ -96,6 +123,7 @@ function ab9:inside_corner(p, q, from, to)
   end
   local smooth = g.distance(from, to) < SAME_POINT_MM   -- where curves meet is not well defined then
   local point = smooth and from or g.meet(p.segment, q.segment, p.side, p.radius)
+  comp_override.mark(p, q, angle)
   if point then
     self:finish(point)
   elseif g.distance(from, to) < SMALLEST_BLOCK_MM then
@@ -175,7 +203,7 @@ function ab9:corner(p, q)
   local from, to = away_from_path(p), g.beside_start(q.segment, p.side, p.radius)
   local inside, angle = is_inside(p.segment, q.segment, p.side)
   if inside then
-    self:inside_corner(p, q, from, to)
+    self:inside_corner(p, q, from, to, angle)
   else
     self:outside_corner(p, q, from, to, angle)
   end
@@ -228,6 +256,7 @@ function ab9:take(item)
   item.side, item.radius = self.side, math.abs(radius)
   if radius < 0 then item.side = -item.side end
   if comp_mirrored(self.plane) then item.side = -item.side end
+  item.overridden = comp_override.is_on(item)
   local before = self.before
   if not before then
     if item.kind == "arc" then

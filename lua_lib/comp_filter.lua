@@ -94,19 +94,19 @@ function comp_filter:placed(target, point)
 end
 
 -- Puts out a straight move of the tool to a point; the other axes go where the item says.
-function comp_filter:put_straight(item, point, target)
+function comp_filter:put_straight(item, point, target, feed)
   local moved = self:placed(target or item.target, point)
   if item.kind == "rapid" then
     self.next:rapid(moved, item.place)
   else
-    self.next:line(moved, item.feed, nil, item.place)
+    self.next:line(moved, feed or item.feed, nil, item.place)
   end
 end
 
-function comp_filter:put_arc(item, point, centre, turn, sweep_rad, target)
+function comp_filter:put_arc(item, point, centre, turn, sweep_rad, target, feed)
   local moved = self:placed(target or item.target, point)
   self.next:arc(self.plane, turn > 0, centre[1] + self.origin[1], centre[2] + self.origin[2], sweep_rad, moved,
-    item.feed, item.place)
+    feed or item.feed, item.place)
 end
 
 -- Puts out a move that has no part in the plane, or an action, where the tool stands.

@@ -15,6 +15,7 @@
 
 include "comp_geometry"
 include "comp_filter"
+include "comp_override"
 include "comp_ngc"
 include "comp_ab9"
 

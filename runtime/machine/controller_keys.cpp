@@ -59,6 +59,10 @@ constexpr std::array kNumberKeys{
     NumberKey{"rest_s", &Rules::rest_s, NumberRule::not_negative},
     NumberKey{"dwell_step_s", &Rules::dwell_step_s, NumberRule::step},
     NumberKey{"servo_period_s", &Rules::servo_period_s, NumberRule::step},
+    NumberKey{"corner_override_percent", &Rules::corner_override_percent, NumberRule::percent},
+    NumberKey{"corner_override_before_mm", &Rules::corner_override_before_mm, NumberRule::not_negative},
+    NumberKey{"corner_override_after_mm", &Rules::corner_override_after_mm, NumberRule::not_negative},
+    NumberKey{"corner_override_angle_deg", &Rules::corner_override_angle_deg, NumberRule::not_negative},
 };
 
 constexpr std::array kFlagKeys{

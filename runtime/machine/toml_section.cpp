@@ -40,6 +40,9 @@ std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule
             if (value <= 0 || (value >= 1 && std::isfinite(value)))
                 return "greater than 0 and less than 1, or inf";
             return std::nullopt;
+        case NumberRule::percent:
+            if (value <= 0 || value > 100) return "greater than 0 and at most 100";
+            return std::nullopt;
         case NumberRule::count:
             if (value < 1 || value > kGreatestCount || value != std::floor(value))
                 return "a whole number between 1 and 100000";

@@ -76,6 +76,14 @@ struct ControllerRules {
     double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
     double servo_period_s = 0;  ///< Of the controller's position loop; 0: continuous.
 
+    /// Automatic corner override (G62 of the 9/Series): the feed at inside corners of cutter compensation, in
+    /// percent of the programmed one (100: as it is), from so far before the corner to so far behind it,
+    /// where the angle between the two moves is at most corner_override_angle_deg.
+    double corner_override_percent = 100;
+    double corner_override_before_mm = 0;
+    double corner_override_after_mm = 0;
+    double corner_override_angle_deg = 90;
+
     /// Whether the planner can do OrientationRule::great_circle: one that knows lines in joint space alone
     /// cannot.
     bool has_great_circles() const { return planner != PlannerKind::linuxcnc && arc_chord_tolerance_mm <= 0; }

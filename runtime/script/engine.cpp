@@ -35,6 +35,22 @@ void push_axis_values(lua_State* state, const machine::AxisValues& values) {
     }
 }
 
+void set_number(lua_State* state, const char* name, double value) {
+    lua_pushnumber(state, value);
+    lua_setfield(state, -2, name);
+}
+
+/// core.corner_override.percent, .before_mm, .after_mm and .angle_deg; the table of core is on top of the
+/// stack.
+void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
+    lua_createtable(state, 0, 4);
+    set_number(state, "percent", rules.corner_override_percent);
+    set_number(state, "before_mm", rules.corner_override_before_mm);
+    set_number(state, "after_mm", rules.corner_override_after_mm);
+    set_number(state, "angle_deg", rules.corner_override_angle_deg);
+    lua_setfield(state, -2, "corner_override");
+}
+
 }  // namespace
 
 Script Script::from_text(std::string text, std::string file_name, std::int64_t line_difference) {
@@ -152,6 +168,7 @@ void Engine::set_options(lua_State* state) {
     const bool stops = simulator_.machine().controller.planner == rrs::PlannerKind::rest_to_rest;
     lua_pushboolean(state, static_cast<int>(stops));
     lua_setfield(state, -2, "stops_at_each_move");
+    set_corner_override(state, simulator_.machine().controller);
 }
 
 /// core.offsets["54"].x in mm or deg, core.variables[500], core.tools[1].length and .diameter in mm; the

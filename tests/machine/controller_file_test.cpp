@@ -83,7 +83,9 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "stop_between_rapid_and_feed = false\nlimit_jerk = true\ncentripetal_share = 0.5\n"
         "arc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
         "blend_tolerance_mm = 9\nblend_tolerance_deg = 10\nposition_gain_1_s = 11\nin_position_mm = 12\n"
-        "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8";
+        "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8\ncorner_override_percent = "
+        "60\n"
+        "corner_override_before_mm = 9\ncorner_override_after_mm = 10\ncorner_override_angle_deg = 120";
     const ControllerRules wanted{.model = "all",
                                  .planner = PlannerKind::look_ahead,
                                  .look_ahead_blocks = 7,
@@ -105,7 +107,11 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .in_position_deg = 13,
                                  .rest_s = 5,
                                  .dwell_step_s = 6,
-                                 .servo_period_s = 8};
+                                 .servo_period_s = 8,
+                                 .corner_override_percent = 60,
+                                 .corner_override_before_mm = 9,
+                                 .corner_override_after_mm = 10,
+                                 .corner_override_angle_deg = 120};
     const Machine machine = read_machine(with_controller(lines), "m.toml").value();
     EXPECT_EQ(machine.controller, wanted);
     EXPECT_EQ(read_machine(print_machine(machine), "printed").value(), machine) << print_machine(machine);
@@ -133,6 +139,16 @@ TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
     EXPECT_THAT(error_of("orientation = \"great-circle\""),
                 testing::AllOf(testing::HasSubstr("m.toml:3:"), testing::HasSubstr("two rotary axes")));
     EXPECT_THAT(error_of("orientation = \"slerp\""), testing::HasSubstr("great-circle"));
+}
+
+TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {
+    EXPECT_EQ(rules_of("corner_override_percent = 100").corner_override_percent, 100);
+    for (const std::string_view value : {"0", "-1", "100.1", "inf"}) {
+        EXPECT_NE(error_of(fmt::format("corner_override_percent = {}", value))
+                      .find("'corner_override_percent' must be"),
+                  std::string::npos)
+            << value;
+    }
 }
 
 TEST(ControllerFile, CurvesMayBeWithoutLimit) {
@@ -208,7 +224,9 @@ TEST(ControllerFile, UnknownKeys) {
         "corner, exact_path_corner, junction_deviation_mm, blend_tolerance_mm, blend_tolerance_deg, "
         "speed_step_s, centripetal_share, "
         "arc_chord_tolerance_mm, least_feed_mm_min, settle_s, position_gain_1_s, in_position_mm, "
-        "in_position_deg, rest_s, dwell_step_s, servo_period_s, "
+        "in_position_deg, rest_s, dwell_step_s, servo_period_s, corner_override_percent, "
+        "corner_override_before_mm, "
+        "corner_override_after_mm, corner_override_angle_deg, "
         "stop_between_rapid_and_feed, limit_jerk, inverse_time_of_chords");
 }
 

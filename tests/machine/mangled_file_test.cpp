@@ -69,6 +69,8 @@ TEST(MangledFile, ControllerOfAMachineFile) {
         "0.1\n"
         "blend_tolerance_mm = 0.1\nblend_tolerance_deg = 1\nposition_gain_1_s = 30\nin_position_mm = 0.01\n"
         "in_position_deg = 0.02\nrest_s = 0.2\ndwell_step_s = 0.5\nservo_period_s = 0.001\n"
+        "corner_override_percent = 50\ncorner_override_before_mm = 1\ncorner_override_after_mm = 2\n"
+        "corner_override_angle_deg = 91\n"
         "[[axis]]\nletter = \"X\"\nkind = \"linear\"\nmax_jerk_mm_s3 = 5\nstep_mm = 0.1\ndh = {}\n";
     ASSERT_TRUE(read_machine(whole, "f"));
     for (int i = 0; i < 5000; ++i) {
