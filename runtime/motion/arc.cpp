@@ -41,7 +41,13 @@ Slopes slopes_of(const Arc& arc) {
     return {change / length, around_mm / length, arc.lift / length, length};
 }
 
-// The share of the way, from 0 to 1, at which the angle is phi.
+// The angle at a share of the way from 0 to 1, and the other way round.
+double phi_at_share(const Arc& arc, double share) {
+    const double change = arc.end_radius_mm - arc.radius_mm;
+    if (change == 0) return arc.sweep_rad * share;
+    return arc.sweep_rad * std::log1p(change / arc.radius_mm * share) / log_growth(arc);
+}
+
 double share_at(const Arc& arc, double phi_rad) {
     const double turned = phi_rad / arc.sweep_rad;
     const double change = arc.end_radius_mm - arc.radius_mm;
@@ -63,13 +69,18 @@ double in_plane(double x, double y) {
     return std::sqrt(x * x + y * y);
 }
 
-Vector3d outward(const Arc& arc, double phi_rad) {
-    return std::cos(phi_rad) * arc.u + std::sin(phi_rad) * arc.v;
-}
-
-Vector3d forward(const Arc& arc, double phi_rad) {
-    return std::cos(phi_rad) * arc.v - std::sin(phi_rad) * arc.u;
-}
+// Unit vectors at an angle: away from the centre, and around it in the sense of travel.
+struct Directions {
+    Directions(const Arc& arc, double phi_rad)
+        : cosine(std::cos(phi_rad)),
+          sine(std::sin(phi_rad)),
+          outward(cosine * arc.u + sine * arc.v),
+          forward(cosine * arc.v - sine * arc.u) {}
+    double cosine;
+    double sine;
+    Vector3d outward;
+    Vector3d forward;
+};
 
 // Widens the range by the coordinate at the angles `phase` + 2 pi k within the sweep. From turn to turn the
 // value drifts one way, so the first and the last of them are enough.
@@ -92,10 +103,7 @@ double Arc::length_mm() const {
 }
 
 double Arc::phi_at(double s_mm) const {
-    const double share = s_mm / length_mm();
-    const double change = end_radius_mm - radius_mm;
-    if (change == 0) return sweep_rad * share;
-    return sweep_rad * std::log1p(change / radius_mm * share) / log_growth(*this);
+    return phi_at_share(*this, s_mm / length_mm());
 }
 
 double Arc::length_to(double phi_rad) const {
@@ -103,34 +111,39 @@ double Arc::length_to(double phi_rad) const {
 }
 
 Arc Arc::part(double from_mm, double to_mm) const {
-    const double from_rad = phi_at(from_mm);
-    const double to_rad = phi_at(to_mm);
-    const double from_share = share_at(*this, from_rad);
+    const double length = length_mm();
+    const double from_share = from_mm / length;
+    const double to_share = to_mm / length;
+    const double from_rad = phi_at_share(*this, from_share);
+    const Directions from(*this, from_rad);
     Arc part = *this;
     part.center += from_share * lift;
-    part.u = outward(*this, from_rad);
-    part.v = forward(*this, from_rad);
-    part.radius_mm = radius_at(*this, from_rad);
-    part.end_radius_mm = radius_at(*this, to_rad);
-    part.sweep_rad = to_rad - from_rad;
-    part.lift = (share_at(*this, to_rad) - from_share) * lift;
+    part.u = from.outward;
+    part.v = from.forward;
+    part.radius_mm = radius_at_share(*this, from_share);
+    part.end_radius_mm = radius_at_share(*this, to_share);
+    part.sweep_rad = phi_at_share(*this, to_share) - from_rad;
+    part.lift = (to_share - from_share) * lift;
     return part;
 }
 
 Vector3d Arc::at(double phi_rad) const {
     const double share = share_at(*this, phi_rad);
-    return center + radius_at_share(*this, share) * outward(*this, phi_rad) + share * lift;
+    const Vector3d outward = std::cos(phi_rad) * u + std::sin(phi_rad) * v;
+    return center + radius_at_share(*this, share) * outward + share * lift;
 }
 
 Vector3d Arc::tangent(double phi_rad) const {
     const Slopes slopes = slopes_of(*this);
-    return slopes.radial * outward(*this, phi_rad) + slopes.around * forward(*this, phi_rad) + slopes.climb;
+    const Directions at(*this, phi_rad);
+    return slopes.radial * at.outward + slopes.around * at.forward + slopes.climb;
 }
 
 Vector3d Arc::curvature(double phi_rad) const {
     const Slopes slopes = slopes_of(*this);
+    const Directions at(*this, phi_rad);
     return slopes.around / radius_at(*this, phi_rad) *
-           (slopes.radial * forward(*this, phi_rad) - slopes.around * outward(*this, phi_rad));
+           (slopes.radial * at.forward - slopes.around * at.outward);
 }
 
 double Arc::max_curvature() const {

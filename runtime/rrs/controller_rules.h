@@ -88,11 +88,6 @@ struct ControllerRules {
     /// cannot.
     bool has_great_circles() const { return planner != PlannerKind::linuxcnc && arc_chord_tolerance_mm <= 0; }
 
-    /// Whether there are corners that are rounded.
-    bool rounds_corners() const {
-        return planner == PlannerKind::look_ahead && (is_blend(corner) || is_blend(exact_path_corner));
-    }
-
     bool operator==(const ControllerRules&) const = default;
 };
 

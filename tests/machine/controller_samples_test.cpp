@@ -78,13 +78,11 @@ TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
 
 TEST(BuiltInControllers, BlendRoundsCornersAndKeepsJerks) {
     const ControllerRules rules = built_in_controller("blend").value();
-    EXPECT_TRUE(rules.rounds_corners());
     EXPECT_EQ(rules.corner, CornerRule::smooth_blend);
     EXPECT_EQ(rules.exact_path_corner, CornerRule::velocity_step);
     EXPECT_TRUE(rules.limit_jerk);
     EXPECT_EQ(rules.blend_tolerance_mm, 0.05);
     EXPECT_EQ(rules.position_gain_1_s, 33.3);
-    EXPECT_FALSE(built_in_controller("ab9").value().rounds_corners());
 }
 
 struct Linuxcnc {
