@@ -1,80 +1,108 @@
 #include "runtime/kinematics/dh_chain.h"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <utility>
+
+#include "runtime/kinematics/screws.h"
 
 namespace gsim::kinematics {
 
 namespace {
 
-// Rotations of table rows are mostly multiples of 90 degrees; cleared of rounding they give clean
-// coordinates.
-double without_rounding(double value) {
-    const double nearest = std::round(value);
-    return std::abs(value - nearest) < 1e-15 ? nearest : value;
+using Eigen::Vector3d;
+
+constexpr double kParallel = 1e-9;     // sine of the angle below which axes count as parallel
+constexpr double kSameLine_mm = 1e-9;  // distance below which parallel axes count as one line
+
+Branch branch_of(const rrs::CartPos& base, const std::vector<DhLink>& rows, const rrs::CartPos& tool) {
+    Branch branch{.base = base, .end = tool};
+    branch.links.reserve(rows.size());
+    for (const DhLink& row : rows)
+        branch.links.push_back(link_of(static_cast<int>(branch.links.size()), row));
+    return branch;
 }
 
-Eigen::Matrix3d rotation(double angle_rad, const Eigen::Vector3d& axis) {
-    return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix().unaryExpr(&without_rounding);
+bool is_table(const Chain& chain) {
+    const auto& links = chain.tool_side().links;
+    return chain.work_side().links.empty() && chain.work_side().base.matrix().isIdentity(0) &&
+           chain.work_side().end.matrix().isIdentity(0) &&
+           std::all_of(links.begin(), links.end(), [](const Link& link) { return link.row.has_value(); });
 }
 
-rrs::CartPos link_at_zero(const DhLink& row) {
-    const Eigen::Matrix3d turn = rotation(row.theta_rad, Eigen::Vector3d::UnitZ());
-    rrs::CartPos link = rrs::CartPos::Identity();
-    link.translation() = Eigen::Vector3d(0, 0, row.d_mm) + turn * Eigen::Vector3d(row.a_mm, 0, 0);
-    link.linear() = turn * rotation(row.alpha_rad, Eigen::Vector3d::UnitX());
-    return link;
-}
-
-// Rz(theta + q) Tz(d) = Rz(q) Rz(theta) Tz(d), and Tz(d + q) likewise: the motion stands before the link.
-void apply_joint(rrs::CartPos& frame, rrs::JointKind kind, double value) {
-    if (kind == rrs::JointKind::prismatic) {
-        frame.translation() += value * frame.linear().col(2);
-    } else {
-        frame.linear() =
-            frame.linear() * Eigen::AngleAxisd(value, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+DhTable own_table(const Chain& chain) {
+    DhTable table{.base = chain.tool_side().base, .tool = chain.tool_side().end};
+    for (const Link& link : chain.tool_side().links) {
+        table.rows.push_back(link.row.value_or(DhLink{}));
+        table.joints.push_back(link.joint);
     }
+    return table;
+}
+
+rrs::CartPos frame_at(const Vector3d& origin, const Vector3d& x, const Vector3d& z) {
+    rrs::CartPos frame = rrs::CartPos::Identity();
+    frame.translation() = origin;
+    frame.linear().col(0) = x;
+    frame.linear().col(1) = z.cross(x);
+    frame.linear().col(2) = z;
+    return frame;
+}
+
+// Where a joint's Z leads on to that of the next one: along the common normal of both axes.
+struct Step {
+    double d_mm = 0;
+    double a_mm = 0;
+    Vector3d x = Vector3d::UnitX();
+};
+
+Step step_to(const rrs::CartPos& frame, const Screw& next) {
+    const Vector3d z = frame.linear().col(2);
+    const Vector3d normal = z.cross(next.direction);
+    // A slide has a direction alone; its axis goes through wherever the chain has come to.
+    const Vector3d apart =
+        next.kind == rrs::JointKind::revolute ? Vector3d(next.point - frame.translation()) : Vector3d::Zero();
+    if (normal.norm() >= kParallel) {
+        return {.d_mm = apart.cross(next.direction).dot(normal) / normal.squaredNorm(),
+                .a_mm = apart.dot(normal.normalized()),
+                .x = normal.normalized()};
+    }
+    const Vector3d across = apart - z * z.dot(apart);
+    if (across.norm() < kSameLine_mm) return {.x = frame.linear().col(0)};
+    return {.d_mm = 0, .a_mm = across.norm(), .x = across.normalized()};
 }
 
 }  // namespace
 
-DhChain::DhChain(const rrs::CartPos& base, const std::vector<DhLink>& links, const rrs::CartPos& tool)
-    : base_(base), links_(links), tool_(tool) {
-    if (links.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
-        throw std::invalid_argument("a kinematic chain has more joints than a JointPos can hold");
-    }
-    joints_.reserve(links.size());
-    for (const DhLink& row : links) joints_.push_back({row.kind, link_at_zero(row)});
-}
+DhChain::DhChain(const rrs::CartPos& base, const std::vector<DhLink>& rows, const rrs::CartPos& tool)
+    : Chain(branch_of(base, rows, tool)) {}
 
-rrs::CartPos DhChain::forward(const rrs::JointPos& joints) const {
-    rrs::CartPos frame = base_;
-    Eigen::Index index = 0;
-    for (const Joint& joint : joints_) {
-        apply_joint(frame, joint.kind, joints[index++]);
-        frame = frame * joint.link;
+DhTable dh_table(const Chain& chain) {
+    if (is_table(chain)) return own_table(chain);
+    const ScrewChain screws = screw_chain(chain);
+    const rrs::CartPos to_work = screws.work_at_zero.inverse();
+    if (screws.screws.empty()) return {.base = to_work * screws.tool_at_zero};
+    const Screw& first = screws.screws.front();
+    rrs::CartPos frame = frame_at(first.point, first.direction.unitOrthogonal(), first.direction);
+    DhTable table{.base = to_work * frame};
+    for (std::size_t i = 0; i < screws.screws.size(); ++i) {
+        const Screw& screw = screws.screws[i];
+        DhLink row{.kind = screw.kind};
+        if (i + 1 < screws.screws.size()) {
+            const Screw& next = screws.screws[i + 1];
+            const Step step = step_to(frame, next);
+            const Vector3d z = frame.linear().col(2);
+            const Vector3d x = frame.linear().col(0);
+            row.theta_rad = std::atan2(x.cross(step.x).dot(z), x.dot(step.x));
+            row.d_mm = step.d_mm;
+            row.a_mm = step.a_mm;
+            row.alpha_rad = std::atan2(z.cross(next.direction).dot(step.x), z.dot(next.direction));
+            frame =
+                frame_at(frame.translation() + step.d_mm * z + step.a_mm * step.x, step.x, next.direction);
+        }
+        table.rows.push_back(row);
+        table.joints.push_back(screw.joint);
     }
-    return frame * tool_;
-}
-
-std::vector<rrs::CartPos> DhChain::frames(const rrs::JointPos& joints) const {
-    std::vector<rrs::CartPos> frames{base_};
-    frames.reserve(joints_.size() + 2);
-    Eigen::Index index = 0;
-    for (const Joint& joint : joints_) {
-        rrs::CartPos frame = frames.back();
-        apply_joint(frame, joint.kind, joints[index++]);
-        frames.push_back(frame * joint.link);
-    }
-    frames.push_back(frames.back() * tool_);
-    return frames;
-}
-
-tl::expected<rrs::JointPos, std::string> ChainKinematics::inverse(const rrs::CartPos&,
-                                                                  const rrs::JointPos&) const {
-    return tl::unexpected<std::string>(
-        "This machine has no inverse kinematics; give the target as joint values.");
+    table.tool = frame.inverse() * screws.tool_at_zero;
+    return table;
 }
 
 }  // namespace gsim::kinematics

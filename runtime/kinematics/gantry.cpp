@@ -1,207 +1,164 @@
 #include "runtime/kinematics/gantry.h"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
 #include <fmt/format.h>
 
-#include "runtime/kinematics/pose.h"
+#include "runtime/kinematics/solution.h"
 
 namespace gsim::kinematics {
 
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using rrs::JointKind;
 
+constexpr double kParallel = 1e-9;  // sine of the angle below which two axes count as parallel
 constexpr double kOrthogonal = 1e-9;
 constexpr double kThroughTip_mm = 1e-6;
-constexpr double kOrientation_rad = 1e-6;
-constexpr double kParallel = 1e-9;  // sine of the angle below which two directions count as parallel
+constexpr double kFlat = 1e-6;  // volume spanned by three unit vectors below which they lie in a plane
 
-bool parallel(const Vector3d& a, const Vector3d& b) {
-    return a.cross(b).norm() < kParallel;
+RotaryAxes rotary_axes(const ScrewChain& chain) {
+    std::vector<Vector3d> axes;
+    for (const Screw& screw : chain.screws) {
+        if (screw.kind == JointKind::revolute) axes.push_back(screw.direction);
+    }
+    return {std::move(axes), chain.tool_at_zero.linear()};
 }
 
-// The angle of the rotation about the unit vector `axis` that brings `from` over `to`, both projected along
-// it.
-double angle_about(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
-    return std::atan2(axis.dot(from.cross(to)), from.dot(to) - axis.dot(from) * axis.dot(to));
+double distance_mm(const Screw& axis, const Vector3d& point) {
+    return axis.direction.cross(point - axis.point).norm();
 }
 
-double with_turns_near(double angle, double near) {
-    return angle + 2 * std::numbers::pi * std::round((near - angle) / (2 * std::numbers::pi));
-}
-
-Eigen::Vector2d with_turns_near(const Eigen::Vector2d& angles, const Eigen::Vector2d& near) {
-    return {with_turns_near(angles[0], near[0]), with_turns_near(angles[1], near[1])};
-}
-
-Matrix3d rotation(double angle, const Vector3d& axis) {
-    return AngleAxisd(angle, axis).toRotationMatrix();
+std::vector<int> revolute_joints(const ScrewChain& chain) {
+    std::vector<int> joints;
+    for (const Screw& screw : chain.screws) {
+        if (screw.kind == JointKind::revolute) joints.push_back(screw.joint);
+    }
+    return joints;
 }
 
 }  // namespace
 
-tl::expected<std::shared_ptr<const GantryKinematics>, std::string> GantryKinematics::make(DhChain chain) {
-    std::shared_ptr<GantryKinematics> gantry(new GantryKinematics(std::move(chain)));
+GantryKinematics::GantryKinematics(Chain chain, std::vector<JointRange> ranges)
+    : chain_(std::move(chain)),
+      ranges_(std::move(ranges)),
+      screws_(screw_chain(chain_)),
+      rotary_joints_(revolute_joints(screws_)),
+      rotary_(rotary_axes(screws_)) {}
+
+tl::expected<std::shared_ptr<const GantryKinematics>, std::string> GantryKinematics::make(
+    Chain chain, std::vector<JointRange> ranges) {
+    if (auto fault = find_fault(chain, ranges)) return tl::unexpected(*std::move(fault));
+    std::shared_ptr<GantryKinematics> gantry(new GantryKinematics(std::move(chain), std::move(ranges)));
     if (std::optional<std::string> obstacle = gantry->study()) return tl::unexpected(*std::move(obstacle));
     return gantry;
 }
 
 std::optional<std::string> GantryKinematics::study() {
-    const int count = chain_.joint_count();
-    if (count < 3 || count > 5) {
+    const int rotary = static_cast<int>(rotary_joints_.size());
+    const int linear = chain_.joint_count() - rotary;
+    if (linear != 3 || rotary > 2) {
         return fmt::format(
             "The gantry's closed-form inverse is for three linear axes and at most two rotary ones; "
-            "this chain has {} joints.",
-            count);
+            "this chain has {} linear and {} rotary joints.",
+            linear, rotary);
     }
-    for (int joint = 0; joint < count; ++joint) {
-        const JointKind wanted = joint < 3 ? JointKind::prismatic : JointKind::revolute;
-        if (chain_.kind(joint) == wanted) continue;
-        return fmt::format(
-            "The gantry's closed-form inverse needs the chain to begin with three linear axes, rotary ones "
-            "behind them; joint {} (counted from 0) is {}.",
-            joint, wanted == JointKind::prismatic ? "rotary" : "linear");
+    Matrix3d slides;
+    int column = 0;
+    std::vector<Vector3d> axes;
+    for (const Screw& screw : screws_.screws) {
+        if (!screw.direction.allFinite() || !screw.point.allFinite())
+            return "The kinematic chain holds a value that is not finite.";
+        if (screw.kind == JointKind::prismatic) slides.col(column++) = screw.direction;
+        if (screw.kind == JointKind::revolute) axes.push_back(screw.direction);
     }
-    rotary_count_ = count - 3;
-    const std::vector<rrs::CartPos> at_zero = chain_.frames(rrs::JointPos::Zero(count));
-    if (!at_zero.back().matrix().allFinite()) return "The kinematic chain holds a value that is not finite.";
-    tip_at_zero_ = at_zero.back().translation();
-    rotation_at_zero_ = at_zero.back().linear();
-    if (auto obstacle = study_linear_axes(at_zero)) return obstacle;
-    return study_rotary_axes(at_zero);
-}
-
-std::optional<std::string> GantryKinematics::study_linear_axes(const std::vector<rrs::CartPos>& at_zero) {
-    for (int joint = 0; joint < 3; ++joint) {
-        linear_axes_.col(joint) = at_zero[static_cast<std::size_t>(joint)].linear().col(2);
-    }
-    for (int a = 0; a < 3; ++a) {
-        const int b = (a + 1) % 3;
-        const double cosine = linear_axes_.col(a).dot(linear_axes_.col(b));
-        if (std::abs(cosine) < kOrthogonal) continue;
-        return fmt::format(
-            "The gantry's closed-form inverse needs linear axes at right angles; those of joints {} and {} "
-            "(counted from 0) stand at {:.6f} deg.",
-            a, b, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi);
-    }
-    return std::nullopt;
-}
-
-std::optional<std::string> GantryKinematics::study_rotary_axes(const std::vector<rrs::CartPos>& at_zero) {
-    for (int joint = 3; joint < 3 + rotary_count_; ++joint) {
-        const rrs::CartPos& frame = at_zero[static_cast<std::size_t>(joint)];
-        const Vector3d axis = frame.linear().col(2);
-        const double offset_mm = axis.cross(tip_at_zero_ - frame.translation()).norm();
-        if (offset_mm > kThroughTip_mm) {
-            return fmt::format(
-                "The gantry's closed-form inverse needs rotary axes through the tool tip; that of joint {} "
-                "(counted from 0) passes it at {:.6f} mm.",
-                joint, offset_mm);
-        }
-        (joint == 3 ? first_axis_ : second_axis_) = axis;
-    }
-    if (rotary_count_ == 2 && parallel(first_axis_, second_axis_)) {
+    if (!screws_.tool_at_zero.matrix().allFinite() || !screws_.work_at_zero.matrix().allFinite())
+        return "The kinematic chain holds a value that is not finite.";
+    if (std::abs(slides.determinant()) < kFlat)
+        return "The gantry's closed-form inverse needs three linear axes that do not lie in one plane.";
+    if (axes.size() == 2 && axes[0].cross(axes[1]).norm() < kParallel)
         return "The gantry's closed-form inverse needs two rotary axes that are not parallel.";
-    }
     return std::nullopt;
 }
 
 tl::expected<rrs::JointPos, std::string> GantryKinematics::inverse(const rrs::CartPos& pose,
                                                                    const rrs::JointPos& near) const {
-    if (auto valid = check_pose(pose); !valid) return tl::unexpected(valid.error());
-    if (near.size() != joint_count() || !near.allFinite()) {
-        return tl::unexpected(
-            fmt::format("The joint values near the solution must be {} finite numbers.", joint_count()));
-    }
-    Angles near_angles = Angles::Zero();
-    near_angles.head(rotary_count_) = near.tail(rotary_count_);
+    return solutions(pose, near).map([](std::vector<rrs::JointPos> all) { return all.front(); });
+}
 
-    Angles angles = exact_angles(pose.linear() * rotation_at_zero_.transpose());
-    if (!turned(angles).isApprox(pose.linear(), kOrientation_rad)) {
-        const auto matching = tool_axis_angles(pose.linear().col(2), near_angles);
-        if (!matching) {
-            return tl::unexpected<std::string>(fmt::format(
-                "The machine's {} rotary axes cannot bring the tool into direction ({:.6f}, {:.6f}, {:.6f}).",
-                rotary_count_, pose(0, 2), pose(1, 2), pose(2, 2)));
-        }
-        angles = *matching;
+tl::expected<std::vector<rrs::JointPos>, std::string> GantryKinematics::solutions(
+    const rrs::CartPos& pose, const rrs::JointPos& near) const {
+    if (auto fault = find_fault(chain_, pose, near)) return tl::unexpected(*std::move(fault));
+    RotaryAxes::Angles near_angles = RotaryAxes::Angles::Zero();
+    for (std::size_t i = 0; i < rotary_joints_.size(); ++i)
+        near_angles[static_cast<Eigen::Index>(i)] = near[rotary_joints_[i]];
+
+    const rrs::CartPos target = screws_.work_at_zero * pose;
+    const std::vector<RotaryAxes::Choice> choices = rotary_.choices(target.linear(), near_angles);
+    if (choices.empty()) return tl::unexpected(rotary_.out_of_reach(target.linear().col(2)));
+    std::vector<Solution> found;
+    found.reserve(choices.size());
+    for (const RotaryAxes::Choice& choice : choices) {
+        auto joints = joints_at(target, choice.angles);
+        if (!joints) continue;
+        turn_near(chain_, ranges_, near, *joints);
+        found.push_back({*std::move(joints), choice.exact});
     }
+    if (found.empty()) {
+        return tl::unexpected<std::string>(
+            "The pose is singular: with the rotary axes as it needs them, the linear axes move in one "
+            "plane.");
+    }
+    return in_order(chain_, ranges_, near, std::move(found));
+}
+
+// With the angles given, the tip is at E(angles) tip_at_zero + sum of q_i R_i v_i: each slide's direction is
+// turned by the rotary joints before it, and E is the chain without the slides.
+std::optional<rrs::JointPos> GantryKinematics::joints_at(const rrs::CartPos& target,
+                                                         const RotaryAxes::Angles& angles) const {
     rrs::JointPos joints(joint_count());
-    joints.head<3>() = linear_axes_.transpose() * (pose.translation() - tip_at_zero_);
-    joints.tail(rotary_count_) = with_turns_near(angles, near_angles).head(rotary_count_);
+    std::array<int, 3> slides{};
+    Matrix3d directions;
+    rrs::CartPos turned = rrs::CartPos::Identity();
+    int slide = 0;
+    int axis = 0;
+    for (const Screw& screw : screws_.screws) {
+        if (screw.kind == JointKind::prismatic) {
+            directions.col(slide) = turned.linear() * screw.direction;
+            slides[static_cast<std::size_t>(slide++)] = screw.joint;
+            continue;
+        }
+        const Matrix3d turn = rotary_.turn(axis, angles[axis]);
+        turned.translate(screw.point - turn * screw.point);
+        turned.linear() = turned.linear() * turn;
+        joints[screw.joint] = angles[axis++];
+    }
+    if (std::abs(directions.determinant()) < kFlat) return std::nullopt;
+    const Vector3d values =
+        directions.inverse() * (target.translation() - turned * screws_.tool_at_zero.translation());
+    for (int i = 0; i < 3; ++i) joints[slides[static_cast<std::size_t>(i)]] = values[i];
     return joints;
 }
 
 std::optional<TiltingHead> GantryKinematics::tilting_head() const {
-    const Vector3d tool = rotation_at_zero_.col(2);
+    if (rotary_joints_.size() != 2) return std::nullopt;
+    const Screw& turn = screws_.screws[3];
+    const Screw& tilt = screws_.screws[4];
+    if (turn.kind != JointKind::revolute || tilt.kind != JointKind::revolute) return std::nullopt;
+    const Vector3d tip = screws_.tool_at_zero.translation();
+    const double off_tip_mm = std::max(distance_mm(turn, tip), distance_mm(tilt, tip));
+    const Vector3d tool = screws_.tool_at_zero.linear().col(2);
+    const Vector3d& pole = turn.direction;
     const double off_square =
-        std::max(std::abs(first_axis_.dot(second_axis_)), std::abs(tool.dot(second_axis_)));
-    if (rotary_count_ != 2 || off_square > kOrthogonal) return std::nullopt;
-    return TiltingHead{3, 4, std::atan2(tool.dot(second_axis_.cross(first_axis_)), tool.dot(first_axis_))};
-}
-
-Matrix3d GantryKinematics::turned(const Angles& angles) const {
-    return rotation(angles[0], first_axis_) * rotation(angles[1], second_axis_) * rotation_at_zero_;
-}
-
-// The angles that give `turn` = Rot(first) Rot(second), if any do: the first rotation alone moves the second
-// axis, and the second alone, undone, the first axis. Well-conditioned everywhere, as the axes are not
-// parallel.
-GantryKinematics::Angles GantryKinematics::exact_angles(const Matrix3d& turn) const {
-    if (rotary_count_ == 0) return Angles::Zero();
-    if (rotary_count_ == 1) {
-        const Vector3d across = first_axis_.unitOrthogonal();
-        return {angle_about(first_axis_, across, turn * across), 0};
-    }
-    return {angle_about(first_axis_, second_axis_, turn * second_axis_),
-            -angle_about(second_axis_, first_axis_, turn.transpose() * first_axis_)};
-}
-
-std::optional<GantryKinematics::Angles> GantryKinematics::tool_axis_angles(const Vector3d& tool_axis,
-                                                                           const Angles& near) const {
-    auto angles = rotary_count_ == 2 ? two_axis_angles(tool_axis, near) : one_axis_angles(tool_axis, near);
-    if (!angles || (turned(*angles).col(2) - tool_axis).norm() > kOrientation_rad) return std::nullopt;
-    return angles;
-}
-
-std::optional<GantryKinematics::Angles> GantryKinematics::one_axis_angles(const Vector3d& tool_axis,
-                                                                          const Angles& near) const {
-    const Vector3d at_zero = rotation_at_zero_.col(2);
-    if (rotary_count_ == 0 || parallel(at_zero, first_axis_)) return near;
-    return Angles{angle_about(first_axis_, at_zero, tool_axis), near[1]};
-}
-
-// Rot(first) Rot(second) at_zero = tool_axis: the direction between the two rotations lies on the cones about
-// both axes, that is at x first + y second +- z (first x second).
-std::optional<GantryKinematics::Angles> GantryKinematics::two_axis_angles(const Vector3d& tool_axis,
-                                                                          const Angles& near) const {
-    const Vector3d at_zero = rotation_at_zero_.col(2);
-    const double w = first_axis_.dot(second_axis_);
-    const double along_first = first_axis_.dot(tool_axis);
-    const double along_second = second_axis_.dot(at_zero);
-    const Vector3d normal = first_axis_.cross(second_axis_);
-    const double x = (along_first - w * along_second) / normal.squaredNorm();
-    const double y = (along_second - w * along_first) / normal.squaredNorm();
-    const double z_squared = (1 - x * x - y * y - 2 * x * y * w) / normal.squaredNorm();
-    if (z_squared < -kOrientation_rad) return std::nullopt;
-    const double z = std::sqrt(std::max(0.0, z_squared));
-
-    std::optional<Angles> best;
-    for (const double sign : {1.0, -1.0}) {
-        const Vector3d between = x * first_axis_ + y * second_axis_ + sign * z * normal;
-        Angles angles{near[0], angle_about(second_axis_, at_zero, between)};
-        if (!parallel(tool_axis, first_axis_)) angles[0] = angle_about(first_axis_, between, tool_axis);
-        angles = with_turns_near(angles, near);
-        if (!best || (angles - near).squaredNorm() < (*best - near).squaredNorm()) best = angles;
-    }
-    return best;
+        std::max(std::abs(pole.dot(tilt.direction)), std::abs(tool.dot(tilt.direction)));
+    if (off_tip_mm > kThroughTip_mm || off_square > kOrthogonal) return std::nullopt;
+    return TiltingHead{turn.joint, tilt.joint,
+                       std::atan2(tool.dot(tilt.direction.cross(pole)), tool.dot(pole))};
 }
 
 }  // namespace gsim::kinematics

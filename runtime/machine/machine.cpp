@@ -1,12 +1,14 @@
 #include "runtime/machine/machine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
-#include "runtime/kinematics/dh_chain.h"
+#include "runtime/kinematics/chain_kinematics.h"
 #include "runtime/kinematics/gantry.h"
+#include "runtime/kinematics/numeric.h"
 #include "runtime/kinematics/pose.h"
 
 namespace gsim::machine {
@@ -14,6 +16,8 @@ namespace gsim::machine {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kTurn_deg = 360;
+constexpr double kTurnTolerance = 1e-9;  // of a turn
 
 rrs::CartPos pose(const Frame& frame) {
     return kinematics::pose_from_rpy({.x_mm = frame.x_mm,
@@ -24,18 +28,65 @@ rrs::CartPos pose(const Frame& frame) {
                                       .yaw_rad = frame.yaw_deg * kRadPerDeg});
 }
 
-kinematics::DhLink link(const Axis& axis) {
-    return {.kind = axis.kind == AxisKind::linear ? rrs::JointKind::prismatic : rrs::JointKind::revolute,
-            .theta_rad = axis.dh.theta_deg * kRadPerDeg,
-            .d_mm = axis.dh.d_mm,
-            .a_mm = axis.dh.a_mm,
-            .alpha_rad = axis.dh.alpha_deg * kRadPerDeg};
+kinematics::Link link(const Axis& axis, int joint) {
+    const auto kind = axis.kind == AxisKind::linear ? rrs::JointKind::prismatic : rrs::JointKind::revolute;
+    if (axis.frame) return {.joint = joint, .kind = kind, .before = pose(*axis.frame)};
+    return kinematics::link_of(joint, {.kind = kind,
+                                       .theta_rad = axis.dh.theta_deg * kRadPerDeg,
+                                       .d_mm = axis.dh.d_mm,
+                                       .a_mm = axis.dh.a_mm,
+                                       .alpha_rad = axis.dh.alpha_deg * kRadPerDeg});
 }
 
-kinematics::DhChain chain(const Machine& machine) {
-    std::vector<kinematics::DhLink> links;
-    std::transform(machine.axes.begin(), machine.axes.end(), std::back_inserter(links), link);
-    return {pose(machine.base), links, pose(machine.tool)};
+kinematics::Chain chain(const Machine& machine) {
+    kinematics::Branch tool{.base = pose(machine.base), .end = pose(machine.tool)};
+    kinematics::Branch work{.end = pose(machine.work)};
+    int joint = 0;
+    for (const Axis& axis : machine.axes)
+        (axis.carries == Carries::work ? work : tool).links.push_back(link(axis, joint++));
+    return kinematics::Chain(std::move(tool), std::move(work));
+}
+
+std::vector<kinematics::JointRange> ranges(const Machine& machine) {
+    std::vector<kinematics::JointRange> list;
+    list.reserve(machine.axes.size());
+    for (const Axis& axis : machine.axes)
+        list.push_back({.min = joint_value(axis, axis.min),
+                        .max = joint_value(axis, axis.max),
+                        .name = std::string(1, axis.letter)});
+    return list;
+}
+
+using Made = tl::expected<std::shared_ptr<const kinematics::Kinematics>, std::string>;
+
+Made make(const Machine& machine) {
+    switch (machine.inverse) {
+        case InverseKind::gantry: return kinematics::GantryKinematics::make(chain(machine), ranges(machine));
+        case InverseKind::numeric:
+            return kinematics::NumericKinematics::make(chain(machine), ranges(machine));
+        case InverseKind::none: break;
+    }
+    return std::make_shared<kinematics::ChainKinematics>(chain(machine));
+}
+
+// Of the angles that differ from `angle` in whole turns the least that is not below `least`.
+double raised_to(double angle, double least) {
+    return angle + kTurn_deg * std::ceil((least - angle) / kTurn_deg);
+}
+
+double shortest_target(const Axis& axis, double value, double now, double origin) {
+    const double way = std::remainder(value - now, kTurn_deg);
+    const double closest = now + (way == -kTurn_deg / 2 ? -way : way);
+    const double min = axis.min - origin;
+    const double max = axis.max - origin;
+    if (closest < min && raised_to(closest, min) <= max) return raised_to(closest, min);
+    if (closest > max && -raised_to(-closest, -max) >= min) return -raised_to(-closest, -max);
+    return closest;
+}
+
+// A reading that rounding has left just below a whole turn has made it.
+double whole_turns(double angle_deg) {
+    return std::floor(angle_deg / kTurn_deg + kTurnTolerance);
 }
 
 }  // namespace
@@ -66,10 +117,8 @@ std::optional<std::string> find_kinematic_fault(const Machine& machine) {
     if (machine.axes.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
         return "A machine has at most " + std::to_string(rrs::kMaxJoints) + " axes.";
     }
-    if (machine.inverse != InverseKind::gantry) return std::nullopt;
-    const auto gantry = kinematics::GantryKinematics::make(chain(machine));
-    if (gantry) return std::nullopt;
-    return gantry.error();
+    if (auto made = make(machine); !made) return std::move(made.error());
+    return std::nullopt;
 }
 
 std::optional<std::string> find_orientation_fault(const Machine& machine) {
@@ -80,18 +129,31 @@ std::optional<std::string> find_orientation_fault(const Machine& machine) {
                "plan lines of axis values";
     }
     if (make_kinematics(machine)->tilting_head()) return std::nullopt;
-    return "'orientation = \"great-circle\"' needs 'inverse = \"gantry\"' and two rotary axes at right "
-           "angles, the "
-           "second one also to the tool";
+    return "'orientation = \"great-circle\"' needs 'inverse = \"gantry\"' and two rotary axes through the "
+           "tip at "
+           "right angles, the second one also to the tool";
 }
 
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine) {
-    if (machine.inverse == InverseKind::none) {
-        return std::make_shared<kinematics::ChainKinematics>(chain(machine));
+    auto made = make(machine);
+    if (!made) throw std::invalid_argument(made.error());
+    return *std::move(made);
+}
+
+double turned_target(const Axis& axis, double value, double now, double origin) {
+    if (axis.kind == AxisKind::linear || !std::isfinite(now)) return value;
+    switch (axis.turning) {
+        case Turning::shortest: return shortest_target(axis, value, now, origin);
+        case Turning::unwind: return value + kTurn_deg * whole_turns(now + origin);
+        case Turning::limited: break;
     }
-    auto gantry = kinematics::GantryKinematics::make(chain(machine));
-    if (!gantry) throw std::invalid_argument(gantry.error());
-    return *std::move(gantry);
+    return value;
+}
+
+double reading(const Axis& axis, double value) {
+    if (axis.kind == AxisKind::linear || axis.turning != Turning::unwind || !std::isfinite(value))
+        return value;
+    return value - kTurn_deg * whole_turns(value);
 }
 
 }  // namespace gsim::machine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,6 +14,16 @@ namespace gsim::machine {
 
 enum class AxisKind { linear, rotary };
 
+/// What an axis moves: the tool, or the work under it.
+enum class Carries { tool, work };
+
+/// How a rotary axis takes the angles that programs give it; see docs/machine-file.md.
+enum class Turning {
+    limited,   ///< Whole turns count: 370 is not 10.
+    shortest,  ///< An angle is reached the shorter way round.
+    unwind,    ///< Whole turns are made, but taken off the reading once they are made.
+};
+
 /// One row of a Denavit-Hartenberg table (standard convention: Rz(theta) Tz(d) Tx(a) Rx(alpha)); the joint's
 /// value is added to d (prismatic) or theta (revolute).
 struct DhRow {
@@ -24,8 +35,19 @@ struct DhRow {
     bool operator==(const DhRow&) const = default;
 };
 
-/// One axis of the machine: the letter that programs use and the joint it drives. Axes stand in the order of
-/// the kinematic chain, so the index of an axis is the index of its joint. Units are mm or deg, by kind.
+/// Fixed frame: translation in mm, then roll about Z, pitch about Y, yaw about X in degrees (Rz Ry Rx).
+struct Frame {
+    double x_mm = 0, y_mm = 0, z_mm = 0;
+    double roll_deg = 0, pitch_deg = 0, yaw_deg = 0;
+
+    bool operator==(const Frame&) const = default;
+};
+
+inline constexpr int kHomes = 4;  ///< Home positions of a machine: the primary one and three others.
+
+/// One axis of the machine: the letter that programs use and the joint it drives. The index of an axis is the
+/// index of its joint. Axes that carry the tool stand in the order from the world to the tool, those that
+/// carry the work in the order from the world to the work. Units are mm or deg, by kind.
 struct Axis {
     char letter = 'X';
     AxisKind kind = AxisKind::linear;
@@ -41,17 +63,15 @@ struct Axis {
     double home = 0;
     double zero = 0;  ///< Reading of the axis at the joint's zero.
     DhRow dh = {};
+    /// From the joint before to this one, whose motion is along or about its Z; in place of `dh`.
+    std::optional<Frame> frame = std::nullopt;
+    Carries carries = Carries::tool;
+    Turning turning = Turning::limited;
+    /// Home positions 2 to 4, where the axis has a value there.
+    std::array<std::optional<double>, kHomes - 1> other_homes = {};
 
     double deceleration() const { return max_deceleration.value_or(max_acceleration); }
     bool operator==(const Axis&) const = default;
-};
-
-/// Fixed frame: translation in mm, then roll about Z, pitch about Y, yaw about X in degrees (Rz Ry Rx).
-struct Frame {
-    double x_mm = 0, y_mm = 0, z_mm = 0;
-    double roll_deg = 0, pitch_deg = 0, yaw_deg = 0;
-
-    bool operator==(const Frame&) const = default;
 };
 
 /// Limits of the tool's path, whatever the axes could do.
@@ -63,15 +83,16 @@ struct PathLimits {
     bool operator==(const PathLimits&) const = default;
 };
 
-enum class InverseKind { none, gantry };  ///< gantry: closed form, X Y Z and two rotary axes through the tip.
+using InverseKind = kinematics::InverseKind;
 
 /// Everything that does not change during a run. Read from a machine file; see docs/machine-file.md.
 struct Machine {
     std::string name;
     std::vector<Axis> axes;
     PathLimits path;
-    Frame base;  ///< World to the chain's first frame.
+    Frame base;  ///< World to the first frame of the joints that carry the tool.
     Frame tool;  ///< Last joint's frame to the tool centre point.
+    Frame work;  ///< Last joint that carries the work, or the world, to the work frame.
     InverseKind inverse = InverseKind::none;
     rrs::ControllerRules controller;
 
@@ -95,7 +116,16 @@ std::optional<std::string> find_kinematic_fault(const Machine& machine);
 /// if they can. For a machine without a kinematic fault.
 std::optional<std::string> find_orientation_fault(const Machine& machine);
 
-/// The kinematics that the machine's Denavit-Hartenberg table and inverse describe. Throws
+/// Where an axis goes (mm or deg) that stands at `now` and is told to go to `value`: a rotary one perhaps
+/// elsewhere by whole turns, as its `turning` says. `origin` is where both values count from, in machine
+/// coordinates, in which the axis has its range.
+double turned_target(const Axis& axis, double value, double now, double origin);
+
+/// What an axis shows a program that stands at `value` in machine coordinates: without the whole turns, of
+/// one that unwinds.
+double reading(const Axis& axis, double value);
+
+/// The kinematics that the machine's joints and inverse describe. Throws
 /// std::invalid_argument where find_kinematic_fault() finds one; read_machine() lets no such machine pass.
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine);
 

@@ -17,21 +17,30 @@ using std::string_view_literals::operator""sv;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr std::string_view kLetters = "ABCUVWXYZ";
 
-constexpr std::array kFileKeys{"machine"sv, "path"sv, "base"sv, "tool"sv, "controller"sv, "axis"sv};
+constexpr std::array kFileKeys{"machine"sv, "path"sv, "base"sv, "tool"sv, "work"sv, "controller"sv, "axis"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
 constexpr std::array kFrameKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
+constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
+constexpr std::array kCarriesNames{"tool"sv, "work"sv};                     // of Carries
+constexpr std::array kTurningNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
 constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 
 // The keys of an axis, whose units go by its kind.
 struct AxisKeys {
     std::string_view title;
-    std::string_view min, max, max_speed, max_acceleration, max_deceleration, max_jerk, max_speed_step, step,
-        home, zero;
+    std::string_view min, max, max_speed, max_acceleration, max_deceleration, max_jerk, max_speed_step, step;
+    std::array<std::string_view, kHomes> homes;
+    std::string_view zero;
+    std::string_view turning;  ///< Empty where an axis of the kind has no such key.
 
-    std::array<std::string_view, 13> all() const {
-        return {"letter",       "kind", min,  max,  max_speed, max_acceleration, max_deceleration, max_jerk,
-                max_speed_step, step,   home, zero, "dh"};
+    std::vector<std::string_view> all() const {
+        std::vector<std::string_view> keys{
+            "letter",         "kind",   "carries",      min,  max,  max_speed, max_acceleration,
+            max_deceleration, max_jerk, max_speed_step, step, zero, "dh",      "frame"};
+        keys.insert(keys.end(), homes.begin(), homes.end());
+        if (!turning.empty()) keys.push_back(turning);
+        return keys;
     }
 };
 
@@ -44,8 +53,9 @@ constexpr AxisKeys kLinearKeys{"a linear [[axis]]",
                                "max_jerk_mm_s3",
                                "max_speed_step_mm_s",
                                "step_mm",
-                               "home_mm",
-                               "zero_mm"};
+                               {"home_mm", "home2_mm", "home3_mm", "home4_mm"},
+                               "zero_mm",
+                               ""};
 constexpr AxisKeys kRotaryKeys{"a rotary [[axis]]",
                                "min_deg",
                                "max_deg",
@@ -55,8 +65,9 @@ constexpr AxisKeys kRotaryKeys{"a rotary [[axis]]",
                                "max_jerk_deg_s3",
                                "max_speed_step_deg_s",
                                "step_deg",
-                               "home_deg",
-                               "zero_deg"};
+                               {"home_deg", "home2_deg", "home3_deg", "home4_deg"},
+                               "zero_deg",
+                               "turning"};
 
 Frame read_frame(FirstError& error, const toml::table* table, std::string title) {
     if (!table) return {};
@@ -112,6 +123,12 @@ char read_letter(TomlSection& section) {
     return '?';
 }
 
+void check_in_range(TomlSection& section, std::string_view key, const Axis& axis, double value) {
+    if (value >= axis.min && value <= axis.max) return;
+    section.fail(
+        key, fmt::format("'{}' is {}, outside of the axis's range {} .. {}", key, value, axis.min, axis.max));
+}
+
 void check_range(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
     if (axis.min > axis.max) {
         section.fail(keys.min, fmt::format("'{}' is {}, greater than '{}', {}", keys.min, axis.min, keys.max,
@@ -120,10 +137,36 @@ void check_range(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
     if (axis.min == axis.max && std::isinf(axis.min)) {
         section.fail(keys.min, fmt::format("'{}' and '{}' leave no range", keys.min, keys.max));
     }
-    if (axis.home < axis.min || axis.home > axis.max) {
-        section.fail(keys.home, fmt::format("'{}' is {}, outside of the axis's range {} .. {}", keys.home,
-                                            axis.home, axis.min, axis.max));
+    check_in_range(section, keys.homes[0], axis, axis.home);
+}
+
+void read_homes(TomlSection& section, const AxisKeys& keys, Axis& axis) {
+    for (std::size_t i = 0; i < axis.other_homes.size(); ++i) {
+        const std::string_view key = keys.homes[i + 1];
+        if (!section.has(key)) continue;
+        axis.other_homes[i] = section.number(key, 0, NumberRule::finite);
+        check_in_range(section, key, axis, *axis.other_homes[i]);
     }
+}
+
+// A table of joints, by rows or by frames.
+void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
+    if (!section.has("frame")) section.require("dh");
+    if (section.has("frame") && section.has("dh"))
+        section.fail("frame", fmt::format("{} has both 'dh' and 'frame'; one tells where its joint is",
+                                          section.title()));
+    if (section.has("frame")) axis.frame = read_frame(error, section.table("frame"), "'frame'");
+    axis.dh = read_dh_row(error, section.table("dh"));
+}
+
+Turning read_turning(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
+    const auto turning = static_cast<Turning>(section.choice("turning", 0, kTurningNames));
+    if (turning == Turning::unwind && (std::isfinite(axis.min) || std::isfinite(axis.max))) {
+        section.fail("turning",
+                     fmt::format("an axis that unwinds turns on without end; leave out '{}' and '{}'",
+                                 keys.min, keys.max));
+    }
+    return turning;
 }
 
 Axis read_axis(FirstError& error, const toml::table& table) {
@@ -143,11 +186,13 @@ Axis read_axis(FirstError& error, const toml::table& table) {
     axis.max_jerk = section.number(keys.max_jerk, kUnlimited, NumberRule::positive);
     axis.max_speed_step = section.number(keys.max_speed_step, kUnlimited, NumberRule::positive);
     axis.step = section.number(keys.step, 0, NumberRule::step);
-    axis.home = section.number(keys.home, 0, NumberRule::finite);
+    axis.home = section.number(keys.homes[0], 0, NumberRule::finite);
     axis.zero = section.number(keys.zero, 0, NumberRule::finite);
     check_range(section, keys, axis);
-    section.require("dh");
-    axis.dh = read_dh_row(error, section.table("dh"));
+    read_homes(section, keys, axis);
+    axis.carries = static_cast<Carries>(section.choice("carries", 0, kCarriesNames));
+    if (axis.kind == AxisKind::rotary) axis.turning = read_turning(section, keys, axis);
+    read_joint(error, section, axis);
     return axis;
 }
 
@@ -170,14 +215,6 @@ std::vector<Axis> read_axes(FirstError& error, TomlSection& file) {
     return axes;
 }
 
-InverseKind read_inverse(TomlSection& section) {
-    if (!section.has("inverse")) return InverseKind::none;
-    const std::string inverse = section.text("inverse");
-    if (inverse == "gantry") return InverseKind::gantry;
-    if (inverse != "none") section.fail("inverse", "'inverse' must be \"gantry\" or \"none\"");
-    return InverseKind::none;
-}
-
 rrs::ControllerRules read_controller_table(FirstError& error, const toml::table* table,
                                            const std::filesystem::path& folder) {
     if (!table) return {};
@@ -193,10 +230,11 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     if (!head) return machine;
     TomlSection section(error, *head, "[machine]", kMachineKeys);
     machine.name = section.text("name");
-    machine.inverse = read_inverse(section);
+    machine.inverse = static_cast<InverseKind>(section.choice("inverse", 0, kInverseNames));
     machine.path = read_path_limits(error, file.table("path"));
     machine.base = read_frame(error, file.table("base"), "[base]");
     machine.tool = read_frame(error, file.table("tool"), "[tool]");
+    machine.work = read_frame(error, file.table("work"), "[work]");
     machine.controller = read_controller_table(error, file.table("controller"), folder);
     machine.axes = read_axes(error, file);
     if (error.text()) return machine;

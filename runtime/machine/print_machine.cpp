@@ -27,6 +27,39 @@ void print_frame(TomlText& out, std::string_view header, const Frame& frame) {
     out.number("yaw_deg", frame.yaw_deg);
 }
 
+std::string_view name(InverseKind kind) {
+    switch (kind) {
+        case InverseKind::gantry: return "\"gantry\"";
+        case InverseKind::numeric: return "\"numeric\"";
+        case InverseKind::none: break;
+    }
+    return "\"none\"";
+}
+
+std::string_view name(Turning turning) {
+    switch (turning) {
+        case Turning::shortest: return "\"shortest\"";
+        case Turning::unwind: return "\"unwind\"";
+        case Turning::limited: break;
+    }
+    return "\"limited\"";
+}
+
+void print_joint(TomlText& out, const Axis& axis) {
+    if (!axis.frame) {
+        out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
+                                   toml_number(axis.dh.theta_deg), toml_number(axis.dh.d_mm),
+                                   toml_number(axis.dh.a_mm), toml_number(axis.dh.alpha_deg)));
+        return;
+    }
+    const Frame& frame = *axis.frame;
+    out.line("frame", fmt::format("{{ x_mm = {}, y_mm = {}, z_mm = {}, roll_deg = {}, pitch_deg = {}, "
+                                  "yaw_deg = {} }}",
+                                  toml_number(frame.x_mm), toml_number(frame.y_mm), toml_number(frame.z_mm),
+                                  toml_number(frame.roll_deg), toml_number(frame.pitch_deg),
+                                  toml_number(frame.yaw_deg)));
+}
+
 void print_axis(TomlText& out, const Axis& axis) {
     const bool linear = axis.kind == AxisKind::linear;
     const auto key = [unit = linear ? "mm" : "deg"](std::string_view name, std::string_view per = "") {
@@ -44,10 +77,13 @@ void print_axis(TomlText& out, const Axis& axis) {
     out.limit(key("max_speed_step", "_s"), axis.max_speed_step);
     if (axis.step != 0) out.number(key("step"), axis.step);
     out.number(key("home"), axis.home);
+    for (std::size_t i = 0; i < axis.other_homes.size(); ++i) {
+        if (axis.other_homes[i]) out.number(key(fmt::format("home{}", i + 2)), *axis.other_homes[i]);
+    }
     out.number(key("zero"), axis.zero);
-    out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
-                               toml_number(axis.dh.theta_deg), toml_number(axis.dh.d_mm),
-                               toml_number(axis.dh.a_mm), toml_number(axis.dh.alpha_deg)));
+    if (axis.carries == Carries::work) out.line("carries", "\"work\"");
+    if (axis.turning != Turning::limited) out.line("turning", name(axis.turning));
+    print_joint(out, axis);
 }
 
 }  // namespace
@@ -56,10 +92,11 @@ std::string print_machine(const Machine& machine) {
     TomlText out;
     out.section("[machine]");
     out.line("name", toml_string(machine.name));
-    out.line("inverse", machine.inverse == InverseKind::gantry ? "\"gantry\"" : "\"none\"");
+    out.line("inverse", name(machine.inverse));
     print_path_limits(out, machine.path);
     print_frame(out, "[base]", machine.base);
     print_frame(out, "[tool]", machine.tool);
+    print_frame(out, "[work]", machine.work);
     print_controller(out, machine.controller);
     for (const Axis& axis : machine.axes) print_axis(out, axis);
     return out.take();

@@ -1,13 +1,15 @@
 #include "runtime/rcs/rcs_machine.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "runtime/kinematics/dh_chain.h"
+#include "runtime/kinematics/chain_kinematics.h"
 #include "runtime/kinematics/gantry.h"
+#include "runtime/kinematics/numeric.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
 #include "runtime/machine/toml_text.h"
@@ -19,7 +21,7 @@ namespace {
 
 using Kinematics = std::shared_ptr<const kinematics::Kinematics>;
 
-gsim_rcs_joint to_rcs(const motion::JointSetup& joint, const kinematics::DhLink& link) {
+gsim_rcs_joint to_rcs(const motion::JointSetup& joint) {
     gsim_rcs_joint result{};
     result.kind = joint.kind == rrs::JointKind::revolute ? GSIM_RCS_REVOLUTE : GSIM_RCS_PRISMATIC;
     result.min = joint.min;
@@ -30,32 +32,66 @@ gsim_rcs_joint to_rcs(const motion::JointSetup& joint, const kinematics::DhLink&
     result.max_jerk = joint.max_jerk;
     result.max_speed_step = joint.max_speed_step;
     result.step = joint.step;
-    result.dh_theta_rad = link.theta_rad;
-    result.dh_d_mm = link.d_mm;
-    result.dh_a_mm = link.a_mm;
-    result.dh_alpha_rad = link.alpha_rad;
     return result;
+}
+
+void put_row(gsim_rcs_joint& joint, std::size_t row, const kinematics::DhLink& link) {
+    joint.row = static_cast<std::int32_t>(row);
+    joint.dh_theta_rad = link.theta_rad;
+    joint.dh_d_mm = link.d_mm;
+    joint.dh_a_mm = link.a_mm;
+    joint.dh_alpha_rad = link.alpha_rad;
+}
+
+std::int32_t to_rcs(kinematics::InverseKind kind) {
+    switch (kind) {
+        case kinematics::InverseKind::gantry: return GSIM_RCS_GANTRY;
+        case kinematics::InverseKind::numeric: return GSIM_RCS_NUMERIC;
+        case kinematics::InverseKind::none: break;
+    }
+    return GSIM_RCS_NO_INVERSE;
 }
 
 rrs::JointKind kind(const gsim_rcs_joint& joint) {
     return joint.kind == GSIM_RCS_REVOLUTE ? rrs::JointKind::revolute : rrs::JointKind::prismatic;
 }
 
-tl::expected<Kinematics, std::string> read_kinematics(const gsim_rcs_machine& machine) {
-    std::vector<kinematics::DhLink> links;
+/// The joints in the order of their rows; nothing where the rows are not numbered from 0 up.
+std::optional<std::vector<int>> joints_by_row(const gsim_rcs_machine& machine) {
+    std::vector<int> joints(static_cast<std::size_t>(machine.joint_count), -1);
     for (int i = 0; i < machine.joint_count; ++i) {
-        const gsim_rcs_joint& joint = machine.joints[i];
-        links.push_back({.kind = kind(joint),
-                         .theta_rad = joint.dh_theta_rad,
-                         .d_mm = joint.dh_d_mm,
-                         .a_mm = joint.dh_a_mm,
-                         .alpha_rad = joint.dh_alpha_rad});
+        const std::int32_t row = machine.joints[i].row;
+        if (row < 0 || row >= machine.joint_count || joints[static_cast<std::size_t>(row)] >= 0) return {};
+        joints[static_cast<std::size_t>(row)] = i;
     }
-    kinematics::DhChain chain(rrs::from_rcs(machine.base), links, rrs::from_rcs(machine.tool));
-    if (machine.has_inverse == 0) return std::make_shared<kinematics::ChainKinematics>(std::move(chain));
-    auto gantry = kinematics::GantryKinematics::make(std::move(chain));
-    if (!gantry) return tl::unexpected(std::move(gantry.error()));
-    return Kinematics(*std::move(gantry));
+    return joints;
+}
+
+kinematics::Link link(const gsim_rcs_machine& machine, int index) {
+    const gsim_rcs_joint& joint = machine.joints[index];
+    return kinematics::link_of(index, {.kind = kind(joint),
+                                       .theta_rad = joint.dh_theta_rad,
+                                       .d_mm = joint.dh_d_mm,
+                                       .a_mm = joint.dh_a_mm,
+                                       .alpha_rad = joint.dh_alpha_rad});
+}
+
+tl::expected<Kinematics, std::string> read_kinematics(const gsim_rcs_machine& machine) {
+    const auto joints = joints_by_row(machine);
+    if (!joints) return tl::unexpected<std::string>("The rows of the joints are not numbered from 0 up.");
+    kinematics::Branch branch{.base = rrs::from_rcs(machine.base), .end = rrs::from_rcs(machine.tool)};
+    branch.links.reserve(joints->size());
+    for (const int joint : *joints) branch.links.push_back(link(machine, joint));
+    std::vector<kinematics::JointRange> ranges;
+    ranges.reserve(joints->size());
+    for (int i = 0; i < machine.joint_count; ++i)
+        ranges.push_back({.min = machine.joints[i].min, .max = machine.joints[i].max});
+    kinematics::Chain chain(std::move(branch));
+    if (machine.has_inverse == GSIM_RCS_GANTRY)
+        return kinematics::GantryKinematics::make(std::move(chain), std::move(ranges));
+    if (machine.has_inverse == GSIM_RCS_NUMERIC)
+        return kinematics::NumericKinematics::make(std::move(chain), std::move(ranges));
+    return std::make_shared<kinematics::ChainKinematics>(std::move(chain));
 }
 
 tl::expected<rrs::ControllerRules, std::string> read_rules(const gsim_rcs_machine& machine) {
@@ -68,15 +104,16 @@ tl::expected<rrs::ControllerRules, std::string> read_rules(const gsim_rcs_machin
 }  // namespace
 
 RcsMachine::RcsMachine(const motion::PlannerSetup& setup) {
-    const kinematics::DhChain& chain = setup.kinematics->chain();
+    const kinematics::DhTable table = kinematics::dh_table(setup.kinematics->chain());
     machine_.joint_count = setup.joint_count();
-    machine_.has_inverse = setup.kinematics->has_inverse() ? 1 : 0;
-    for (std::size_t i = 0; i < setup.joints.size(); ++i)
-        machine_.joints[i] = to_rcs(setup.joints[i], chain.links()[i]);
+    machine_.has_inverse = to_rcs(setup.kinematics->inverse_kind());
+    for (std::size_t i = 0; i < setup.joints.size(); ++i) machine_.joints[i] = to_rcs(setup.joints[i]);
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+        put_row(machine_.joints[table.joints[row]], row, table.rows[row]);
     std::copy(setup.position_joints.begin(), setup.position_joints.end(), machine_.position_joints);
     machine_.queue_capacity = static_cast<std::int32_t>(setup.queue_capacity);
-    machine_.base = rrs::to_rcs(chain.base());
-    machine_.tool = rrs::to_rcs(chain.tool());
+    machine_.base = rrs::to_rcs(table.base);
+    machine_.tool = rrs::to_rcs(table.tool);
     machine_.max_feed_mm_s = setup.path.max_feed_mm_s;
     machine_.max_rapid_mm_s = setup.path.max_rapid_mm_s;
     machine_.max_acceleration_mm_s2 = setup.path.max_acceleration_mm_s2;

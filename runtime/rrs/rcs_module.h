@@ -18,7 +18,7 @@ extern "C" {
 
 /* Raised with every change that breaks modules, such as a field in a structure; host and module must agree on
  * it. New opcodes do not raise it: a module answers GSIM_RCS_NOT_SUPPORTED for a number that it does not
- * know. 2: gsim_rcs_joint.max_deceleration. */
+ * know. 2: gsim_rcs_joint.max_deceleration and row. */
 #define GSIM_RCS_VERSION 2
 
 #define GSIM_RCS_MAX_JOINTS 16
@@ -58,11 +58,15 @@ enum gsim_rcs_status {
 
 enum gsim_rcs_joint_kind { GSIM_RCS_PRISMATIC = 0, GSIM_RCS_REVOLUTE = 1 };
 
+/* How poses become joint values: not at all; three slides and up to two rotary joints; any chain. */
+enum gsim_rcs_inverse { GSIM_RCS_NO_INVERSE = 0, GSIM_RCS_GANTRY = 1, GSIM_RCS_NUMERIC = 2 };
+
 /* A joint and its row of the Denavit-Hartenberg table, Rz(theta) Tz(d) Tx(a) Rx(alpha), where the joint's
- * value is added to d (prismatic) or theta (revolute). Limits are infinite where there are none. */
+ * value is added to d (prismatic) or theta (revolute). Limits are infinite where there are none. The table
+ * leads from the work to the tool; joints that carry the work come first in it, whatever their numbers. */
 typedef struct gsim_rcs_joint {
     int32_t kind; /* gsim_rcs_joint_kind */
-    int32_t reserved;
+    int32_t row;  /* which row of the table is the joint's, from 0 up; its own number where none carry work */
     double min, max;
     double max_speed, max_acceleration, max_deceleration, max_jerk;
     double max_speed_step; /* jump of speed that the joint stands at a corner */
@@ -84,12 +88,12 @@ typedef struct gsim_rcs_parameter {
 
 typedef struct gsim_rcs_machine {
     int32_t joint_count; /* 1 to GSIM_RCS_MAX_JOINTS */
-    int32_t has_inverse; /* 1: three slides and up to two rotary joints through the tip; 0: any chain */
+    int32_t has_inverse; /* gsim_rcs_inverse */
     gsim_rcs_joint joints[GSIM_RCS_MAX_JOINTS];
     int32_t position_joints[3]; /* prismatic joints that carry the tool along x, y, z; -1 where absent */
     int32_t queue_capacity;     /* targets that the module should hold before it answers QUEUE_FULL */
-    gsim_rcs_pose base;         /* world to the first joint */
-    gsim_rcs_pose tool;         /* last link to the tool centre point */
+    gsim_rcs_pose base;         /* work to the first row of the table */
+    gsim_rcs_pose tool;         /* last row to the tool centre point */
     double max_feed_mm_s;       /* of the tool's path */
     double max_rapid_mm_s;
     double max_acceleration_mm_s2;

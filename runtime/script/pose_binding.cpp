@@ -39,6 +39,7 @@ int pose_axes(lua_State* state) {
     const tl::expected<simulation::AxisVector, std::string> axes =
         controller.simulator().axes_of(kinematics::pose_from_rpy(pose));
     if (!axes) controller.alarm(state, axes.error());
+    controller.simulator().warn_if_singular(*axes, controller.place());
     push_axes(state, controller, *axes);
     return 1;
 }

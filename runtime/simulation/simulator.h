@@ -138,6 +138,8 @@ class Simulator {
 
     /// Axis values that bring the tool to a pose, nearest to where the machine is; the error is a sentence.
     tl::expected<AxisVector, std::string> axes_of(const rrs::CartPos& pose) const;
+    /// Warns where the tool has lost a direction to move in at these axis values: some joints line up.
+    void warn_if_singular(const AxisVector& axes, const Place& place);
 
     const std::optional<Alarm>& alarm() const { return alarm_; }
 

@@ -39,6 +39,23 @@ bool Simulator::stop(std::string message, const Place& place) {
     return false;
 }
 
+void Simulator::warn_if_singular(const AxisVector& axes, const Place& place) {
+    const std::vector<int> joints = setup_.kinematics->lined_up(to_joints(axes));
+    if (joints.empty()) return;
+    std::string letters;
+    for (const int joint : joints) {
+        if (!letters.empty()) letters += " and ";
+        letters += machine_.axes[static_cast<std::size_t>(joint)].letter;
+    }
+    const std::string at = place.file < files_.size() && place.line > 0
+                               ? fmt::format("{}:{}: ", files_[place.file], place.line)
+                               : std::string();
+    warn(
+        fmt::format("{}the pose is singular: axes {} line up, and can turn against each other while the tool "
+                    "stands",
+                    at, letters));
+}
+
 /// Turns the planner's last refusal into an alarm in terms of the machine's axes.
 bool Simulator::refused(const Place& place) {
     if (motion_->time_s() > limits_.max_time_s) return stop_for_time(place);

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "runtime/kinematics/dh_chain.h"
+#include "runtime/kinematics/chain_kinematics.h"
 
 namespace gsim::kinematics {
 

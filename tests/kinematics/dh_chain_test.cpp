@@ -74,7 +74,7 @@ TEST(DhChain, frames_begin_with_the_base_and_end_with_the_tool) {
     tool.translation().z() = -150;
     const DhChain chain(gantry_base(), gantry_rows(), tool);
     const rrs::JointPos q = joint_pos({10, 20, 30, 0.4, 0.5});
-    const auto frames = chain.frames(q);
+    const auto frames = chain.tool_frames(q);
     ASSERT_EQ(frames.size(), 7U);
     EXPECT_TRUE(frames.front().isApprox(gantry_base()));
     EXPECT_TRUE(frames[1].translation().isApprox(Vector3d(10, 0, 0)));

@@ -86,27 +86,17 @@ TEST(Gantry, refuses_machines_of_another_build) {
         return GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).error();
     };
     auto rows = gantry_rows();
-    rows[4].a_mm = 50;
-    EXPECT_EQ(
-        trouble(rows),
-        "The gantry's closed-form inverse needs rotary axes through the tool tip; that of joint 3 (counted "
-        "from 0) passes it at 50.000000 mm.");
-    rows = gantry_rows();
     rows[3].alpha_rad = 0;
     EXPECT_EQ(trouble(rows), "The gantry's closed-form inverse needs two rotary axes that are not parallel.");
     rows = gantry_rows();
-    rows[0].alpha_rad = 1;
+    rows[0].alpha_rad = 0;
     EXPECT_EQ(trouble(rows),
-              "The gantry's closed-form inverse needs linear axes at right angles; those of joints 0 and 1 "
-              "(counted from 0) stand at 57.295780 deg.");
-    rows = gantry_rows();
-    std::swap(rows[2], rows[3]);
-    EXPECT_EQ(trouble(rows),
-              "The gantry's closed-form inverse needs the chain to begin with three linear axes, rotary ones "
-              "behind them; joint 2 (counted from 0) is rotary.");
+              "The gantry's closed-form inverse needs three linear axes that do not lie in one plane.");
     rows = gantry_rows();
     rows.push_back(slide(0, 0));
-    EXPECT_THAT(trouble(rows), HasSubstr("this chain has 6 joints"));
+    EXPECT_EQ(trouble(rows),
+              "The gantry's closed-form inverse is for three linear axes and at most two rotary ones; this "
+              "chain has 4 linear and 2 rotary joints.");
     rows = gantry_rows();
     rows[1].d_mm = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(trouble(rows), HasSubstr("not finite"));

@@ -34,7 +34,8 @@ INSTANTIATE_TEST_SUITE_P(All, SampleMachine,
                          testing::Values("af5.toml", "af5-table-letters.toml", "af5-measured.toml",
                                          "router3.toml", "unlimited.toml", "linuxcnc-gantry.toml",
                                          "linuxcnc-gantry254.toml", "linuxcnc-router.toml",
-                                         "grbl-gantry3.toml", "grbl-router.toml"),
+                                         "grbl-gantry3.toml", "grbl-router.toml", "gantry-offset-head.toml",
+                                         "mill-head-table.toml", "mill-table-table.toml", "arm6.toml"),
                          [](const auto& sample) {
                              std::string name = sample.param;
                              for (char& c : name) {
@@ -146,7 +147,7 @@ TEST(MachineFile, WrongTypes) {
     EXPECT_EQ(error_of("axis = [ 4 ]\n" + std::string(kHead)),
               "m.toml:1:10: 'axis' must hold tables only, each under [[axis]]");
     EXPECT_EQ(error_of("[machine]\nname = \"m\"\ninverse = \"robot\"\n"),
-              "m.toml:3:11: 'inverse' must be \"gantry\" or \"none\"");
+              "m.toml:3:11: 'inverse' must be \"none\", \"gantry\" or \"numeric\"");
     EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = 4\n"),
               "m.toml:4:8: 'kind' must be \"linear\" or \"rotary\"");
 }
@@ -194,6 +195,38 @@ TEST(MachineFile, Letters) {
               "m.toml:4:10: 'letter' must be one of A B C U V W X Y Z");
     EXPECT_EQ(error_of(std::string(kHead) + std::string(kAxis) + std::string(kAxis)),
               "m.toml:8:10: the letter X is given twice; first in line 4");
+}
+
+TEST(MachineFile, AJointByAFrameAndOnTheSideOfTheWork) {
+    const auto machine = read_machine(std::string(kHead) +
+                                          "[work]\nz_mm = 5\n[[axis]]\nletter = \"C\"\nkind = \"rotary\"\n"
+                                          "carries = \"work\"\nturning = \"unwind\"\nhome3_deg = 90\n"
+                                          "frame = { x_mm = 1, y_mm = 2, yaw_deg = 180 }\n",
+                                      "m.toml");
+    ASSERT_TRUE(machine) << machine.error();
+    const Axis& axis = machine->axes.at(0);
+    EXPECT_EQ(axis.carries, Carries::work);
+    EXPECT_EQ(axis.turning, Turning::unwind);
+    EXPECT_EQ(axis.frame, (Frame{.x_mm = 1, .y_mm = 2, .yaw_deg = 180}));
+    EXPECT_EQ(axis.other_homes, (std::array<std::optional<double>, 3>{std::nullopt, 90.0, std::nullopt}));
+    EXPECT_EQ(machine->work.z_mm, 5);
+    EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
+}
+
+TEST(MachineFile, FaultsOfJointsAndTurning) {
+    EXPECT_EQ(error_of(with_axis_line("frame = {}")),
+              "m.toml:7:9: a linear [[axis]] has both 'dh' and 'frame'; one tells where its joint is");
+    EXPECT_EQ(error_of(with_axis_line("turning = \"shortest\"")).substr(0, 58),
+              "m.toml:7:1: unknown key 'turning' in a linear [[axis]]; it");
+    EXPECT_EQ(error_of(with_axis_line("carries = \"me\"")),
+              "m.toml:7:11: 'carries' must be \"tool\" or \"work\"");
+    EXPECT_EQ(error_of(with_axis_line("max_mm = 10\nhome4_mm = 11")),
+              "m.toml:8:12: 'home4_mm' is 11, outside of the axis's range -inf .. 10");
+    const std::string rotary = std::string(kHead) + "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ndh = {}\n";
+    EXPECT_EQ(error_of(rotary + "turning = \"round\"\n"),
+              "m.toml:7:11: 'turning' must be \"limited\", \"shortest\" or \"unwind\"");
+    EXPECT_EQ(error_of(rotary + "turning = \"unwind\"\nmax_deg = 4\n"),
+              "m.toml:7:11: an axis that unwinds turns on without end; leave out 'min_deg' and 'max_deg'");
 }
 
 TEST(MachineFile, InverseThatDoesNotFitTheChain) {

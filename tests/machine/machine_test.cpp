@@ -126,7 +126,7 @@ TEST(Machine, HomePositionIsInJointValues) {
 
 TEST(Machine, ChainThatDoesNotFitTheInverseIsRefused) {
     Machine machine = af5();
-    machine.axes[3].dh.a_mm = 10;  // the tip is off the axis of B
+    machine.axes[3].dh.alpha_deg = 0;  // both rotary axes turn about the vertical
     EXPECT_NE(find_kinematic_fault(machine), std::nullopt);
     EXPECT_THROW(make_kinematics(machine), std::invalid_argument);
     machine.inverse = InverseKind::none;

@@ -7,6 +7,7 @@
 
 #include "runtime/machine/machine_data.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/machine/text_file.h"
 
 namespace gsim::machine {
 namespace {
@@ -46,6 +47,21 @@ bool is_located(const std::string& error) {
 TEST(MangledFile, MachineFile) {
     Random random(1);
     const std::string whole(built_in_machine_toml());
+    for (int i = 0; i < 3000; ++i) {
+        const std::string text = mangled(random, whole);
+        const auto machine = read_machine(text, "f");
+        if (machine) {
+            EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
+        } else {
+            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+        }
+    }
+}
+
+// Joints by frames on both sides.
+TEST(MangledFile, MillFile) {
+    Random random(4);
+    const std::string whole = read_text_file(GSIM_SAMPLES "/machines/mill-table-table.toml").value();
     for (int i = 0; i < 3000; ++i) {
         const std::string text = mangled(random, whole);
         const auto machine = read_machine(text, "f");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "runtime/kinematics/pose.h"
+#include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 
 namespace gsim::script {
@@ -105,6 +106,49 @@ TEST(Neutral, APoseOutOfReachIsAnAlarm) {
     const auto far = reachable(5000, 200, 50, 0, 0);
     expect_alarm(run_lua("F(100)\nMoveLinear" + text(far)), 2, {"axis X", "5000"});
     expect_alarm(run_lua("\nMoveLinear" + text(reachable(100, 200, 50, 0, 0))), 2, {"no feed"});
+}
+
+Conditions with_machine(const std::string& name) {
+    Conditions conditions;
+    conditions.machine = machine::load_machine(GSIM_SAMPLES "/machines/" + name).value();
+    return conditions;
+}
+
+TEST(Neutral, PosesOfAMillAreThoseOfTheToolInTheWork) {
+    const Outcome r = run_lua("F(1000)\nMoveLinear{x=50, y=20, z=60, roll=30, yaw=-40}",
+                              with_machine("mill-table-table.toml"));
+    ASSERT_TRUE(r.completed()) << r.message();
+    expect_pose(pose_after(r, 0), {50, 20, 60, 30, 0, -40});
+    EXPECT_NEAR(r.to(0, 'C'), 30, 1e-9);
+    EXPECT_NEAR(r.to(0, 'A'), -40, 1e-9);
+}
+
+TEST(Neutral, AnArmGoesToItsPosesAndNamesThoseItCannotReach) {
+    const Conditions arm = with_machine("arm6.toml");
+    const Outcome r = run_lua("MoveJoint{x=500, y=100, z=300, pitch=150}", arm);
+    ASSERT_TRUE(r.completed()) << r.message();
+    expect_pose(pose_after(r, 0), {500, 100, 300, 0, 150, 0});
+    EXPECT_TRUE(r.report.warnings.empty());
+    expect_alarm(run_lua("\nMoveJoint{x=3000}", arm), 2, {"The pose is out of reach", " mm and ", "line up"});
+}
+
+// The wrist of the arm straight.
+TEST(Neutral, ASingularPoseIsAWarningThatNamesItsLineAndItsAxes) {
+    Conditions arm = with_machine("arm6.toml");
+    for (machine::Axis& axis : arm.machine.axes) {
+        if (axis.letter == 'V') axis.home = 0;
+    }
+    const rrs::CartPos pose =
+        machine::make_kinematics(arm.machine)->forward(machine::home_position(arm.machine));
+    const kinematics::Rpy rpy = kinematics::rpy_from_pose(pose);
+    const Outcome r = run_lua("\nMoveJoint" + text({rpy.x_mm, rpy.y_mm, rpy.z_mm, rpy.roll_rad / kRadPerDeg,
+                                                    rpy.pitch_rad / kRadPerDeg, rpy.yaw_rad / kRadPerDeg}),
+                              arm);
+    ASSERT_EQ(r.report.warnings.size(), 1U);
+    EXPECT_EQ(
+        r.report.warnings[0],
+        "part.lua:2: the pose is singular: axes U and W line up, and can turn against each other while the "
+        "tool stands");
 }
 
 TEST(Neutral, AMachineWithoutInverseSaysSo) {

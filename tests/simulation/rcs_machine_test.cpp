@@ -1,0 +1,60 @@
+// What a controller module is told of a machine is all of its kinematics.
+
+#include "runtime/rcs/rcs_machine.h"
+
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "runtime/machine/machine_file.h"
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::simulation {
+namespace {
+
+rrs::JointPos random_joints(const motion::PlannerSetup& setup, std::mt19937& random) {
+    rrs::JointPos joints(setup.joint_count());
+    for (int i = 0; i < setup.joint_count(); ++i) {
+        const bool slide = setup.joints[static_cast<std::size_t>(i)].kind == rrs::JointKind::prismatic;
+        joints[i] = std::uniform_real_distribution(slide ? 0.0 : -0.5, slide ? 200.0 : 0.5)(random);
+    }
+    return joints;
+}
+
+TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
+    std::mt19937 random(51);
+    for (const std::string name : {"af5", "router3", "gantry-offset-head", "mill-head-table",
+                                   "mill-table-table", "arm6", "unlimited"}) {
+        const machine::Machine machine =
+            machine::load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
+        const motion::PlannerSetup setup = planner_setup(machine);
+        const rcs::RcsMachine described(setup);
+        const auto told = rcs::planner_setup(described.get());
+        ASSERT_TRUE(told) << name << ": " << told.error();
+        ASSERT_EQ(told->kinematics->inverse_kind(), setup.kinematics->inverse_kind()) << name;
+        for (int i = 0; i < 100; ++i) {
+            const rrs::JointPos q = random_joints(setup, random);
+            const rrs::CartPos pose = setup.kinematics->forward(q);
+            ASSERT_LT((told->kinematics->forward(q).matrix() - pose.matrix()).norm(), 1e-9) << name;
+            if (!setup.kinematics->has_inverse()) continue;
+            const auto back = told->kinematics->inverse(pose, q);
+            ASSERT_TRUE(back) << name << ": " << back.error();
+            ASSERT_LT((*back - q).norm(), 1e-6) << name;
+        }
+    }
+}
+
+TEST(RcsMachine, RowsAreNumberedFromZeroUp) {
+    const motion::PlannerSetup setup =
+        planner_setup(machine::read_machine(machine::built_in_machine_toml(), "").value());
+    gsim_rcs_machine described = rcs::RcsMachine(setup).get();
+    described.parameter_count = 0;
+    described.joints[1].row = 0;
+    EXPECT_EQ(rcs::planner_setup(described).error(), "The rows of the joints are not numbered from 0 up.");
+    described.joints[1].row = 7;
+    EXPECT_FALSE(rcs::planner_setup(described));
+}
+
+}  // namespace
+}  // namespace gsim::simulation
