@@ -1,5 +1,6 @@
 -- Home positions: G28 and G30 go there by a point on the way, G29 comes back by the same point, G27 checks; and the
--- skip function G31. The first home is that of the machine file, the second to fourth are in `core.homes`.
+-- skip function G31. The first home is that of the machine file, the second to fourth are in `core.homes`: those of
+-- machine data, else of the machine file.
 
 local SAME = 1e-6   -- mm or deg
 
@@ -19,7 +20,8 @@ local function homes(number)
   end
   local stored = core.homes[number]
   if stored == nil then
-    alarm("G30 P%d: home position %d is not defined; machine data defines it, in section HOME", number, number)
+    alarm("G30 P%d: home position %d is not defined; machine data defines it in section HOME, or the machine file",
+      number, number)
   end
   return stored
 end
@@ -50,6 +52,7 @@ local function go_home(words, number, code)
     way = {}
     for letter in pairs(target) do way[letter] = point[letter] end
   end
+  for letter, value in pairs(target) do target[letter] = core.turned(letter, value) end
   path.rapid(with_others(target))
 end
 
@@ -92,7 +95,8 @@ word("G27", function(words)
   path.flush()
   for _, axis in ipairs(axes) do
     local position = core.machine_position(axis.letter)
-    if is_named(words, axis.letter) and math.abs(position - axis.home) > SAME then
+    local home = core.turned(axis.letter, axis.home)
+    if is_named(words, axis.letter) and math.abs(position - home) > SAME then
       alarm("G27: axis %s stands at %.10g, not at its home %.10g", axis.letter:upper(), position, axis.home)
     end
   end

@@ -169,10 +169,10 @@ end)
 
 -- Positions and offsets -------------------------------------------------------------------------------------------------
 
-axis_range(5001, "end of the last block", function(letter) return core.to_program(core.target(nil))[letter] end)
-axis_range(5021, "machine position", function(letter) return core.machine_position(letter) end)
+axis_range(5001, "end of the last block", function(letter) return core.to_program(shown((core.target(nil))))[letter] end)
+axis_range(5021, "machine position", function(letter) return shown(machine_point())[letter] end)
 axis_range(5041, "position in the work coordinate system", function(letter)
-  return core.to_program(machine_point())[letter]
+  return core.to_program(shown(machine_point()))[letter]
 end)
 axis_range(5061, "position of the last skip (G31)", function(letter)
   local point = skip_position()

@@ -36,7 +36,7 @@ end
 
 -- The machine without its tool offset, and the same point in the coordinates of a system.
 local function carriage()
-  local point = programmed_point()
+  local point = shown(programmed_point())
   for letter, value in pairs(point) do point[letter] = value - (state.tool_offset[letter] or 0) end
   return point
 end

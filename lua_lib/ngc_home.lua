@@ -21,6 +21,7 @@ local function go(words, first)
   if words ~= nil then way, any = core.target(resolve_words(words)) end
   path.rapid(way)
   local home = stored(first)
+  for letter, value in pairs(home) do home[letter] = core.turned(letter, value) end
   if any then
     local program, home_program = core.to_program(way), core.to_program(home)
     for letter in pairs(resolve_words(words)) do program[letter] = home_program[letter] end
@@ -32,10 +33,12 @@ end
 local homes = {}
 for _, axis in ipairs(axes) do homes[axis.letter] = axis.home end
 
--- At the start the point is that of the machine file, unless one has been kept from the run before.
-local function define(name, first)
+-- At the start the point is home position `number_of_home` of the machine, where it has one, else the first; unless one has
+-- been kept from the run before.
+local function define(name, first, number_of_home)
+  local further = core.homes[number_of_home] or {}
   for i, letter in ipairs(ngc.letters) do
-    local number, home = first + i - 1, homes[letter]
+    local number, home = first + i - 1, further[letter] or homes[letter]
     if home and not core.variables[number] then ngc.set_parameter(number, ngc.to_stored(letter, home)) end
   end
   word(name, function(words)
@@ -45,8 +48,8 @@ local function define(name, first)
   end)
   word(name .. "_1", function()
     refuse_with_compensation(name .. ".1")
-    store(first, programmed_point())
+    store(first, shown(programmed_point()))
   end)
 end
-define("G28", 5161)
-define("G30", 5181)
+define("G28", 5161, 1)
+define("G30", 5181, 2)

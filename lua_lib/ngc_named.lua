@@ -119,7 +119,7 @@ end)
 -- Where the tool stands after the moves so far: in coordinates of the program, and in those of the machine.
 local function position(letter)
   if is_rotary[letter] == nil then return 0 end
-  return in_program_units(letter, core.to_program(tool_beside_path() or {})[letter])
+  return in_program_units(letter, core.to_program(shown(tool_beside_path() or programmed_point()))[letter])
 end
 
 local FIRST_POSITION = 5420
@@ -131,6 +131,6 @@ for i, letter in ipairs(ngc.letters) do
     return here()
   end)
   predefine("_abs_" .. letter, function()
-    return is_rotary[letter] ~= nil and in_program_units(letter, core.position(letter)) or 0
+    return is_rotary[letter] ~= nil and in_program_units(letter, shown(programmed_point())[letter]) or 0
   end)
 end

@@ -31,8 +31,21 @@ end
 function programmed_point() return point_of(core.position) end
 function machine_point() return point_of(core.machine_position) end
 
+local unwinding = {}
+for _, axis in ipairs(axes) do
+  if axis.unwinds then unwinding[#unwinding + 1] = axis.letter end
+end
+
+-- A point as the control shows it: axes that unwind show no whole turns.
+function shown(point)
+  for _, letter in ipairs(unwinding) do point[letter] = core.reading(letter, point[letter]) end
+  return point
+end
+
 -- The program coordinates of the programmed point, in mm and deg.
-function program_position() return core.to_program {} end
+function program_position()
+  return core.to_program(#unwinding > 0 and shown(programmed_point()) or {})
+end
 
 -- The value of an axis in mm or deg, and in program units.
 function in_mm(letter, value) return is_rotary[letter] and value or value * state.unit_mm end

@@ -116,15 +116,16 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
                                  simulator_.machine().axes[static_cast<std::size_t>(index)].letter));
     }
     seen |= 1U << static_cast<unsigned>(index);
-    const bool linear =
-        simulator_.machine().axes[static_cast<std::size_t>(index)].kind == machine::AxisKind::linear;
-    const double distance = linear ? value * modal_.unit_mm : value;
+    const machine::Axis& moved = simulator_.machine().axes[static_cast<std::size_t>(index)];
+    const double distance = moved.kind == machine::AxisKind::linear ? value * modal_.unit_mm : value;
     if (modal_.machine_frame_once) {
-        target[index] = distance;
+        target[index] = machine::turned_target(moved, distance, target[index], 0);
     } else if (incremental) {
         target[index] += distance;
+    } else if (frame_.has_matrix()) {
+        target[index] = machine::turned_target(moved, distance, target[index], frame_.offset(index));
     } else {
-        target[index] = frame_.has_matrix() ? distance : distance + frame_.offset(index);
+        target[index] = machine::turned_target(moved, distance + frame_.offset(index), target[index], 0);
     }
     return true;
 }

@@ -150,7 +150,7 @@ int axes(lua_State* state) {
     const auto& list = self(state).simulator().machine().axes;
     lua_createtable(state, static_cast<int>(list.size()), 0);
     for (std::size_t i = 0; i < list.size(); ++i) {
-        lua_createtable(state, 0, 3);
+        lua_createtable(state, 0, 4);
         const char letter = static_cast<char>(list[i].letter | 0x20);
         lua_pushlstring(state, &letter, 1);
         lua_setfield(state, -2, "letter");
@@ -158,6 +158,8 @@ int axes(lua_State* state) {
         lua_setfield(state, -2, "rotary");
         lua_pushnumber(state, list[i].home);
         lua_setfield(state, -2, "home");
+        lua_pushboolean(state, static_cast<int>(list[i].turning == machine::Turning::unwind));
+        lua_setfield(state, -2, "unwinds");
         lua_rawseti(state, -2, static_cast<lua_Integer>(i) + 1);
     }
     return 1;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/machine/homes.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/sandbox.h"
 
@@ -181,7 +182,7 @@ void Engine::set_data(lua_State* state) {
     }
     lua_setfield(state, -2, "offsets");
     lua_newtable(state);
-    for (const auto& [number, values] : options_.data.homes) {
+    for (const auto& [number, values] : machine::further_homes(simulator_.machine(), options_.data.homes)) {
         push_axis_values(state, values);
         lua_rawseti(state, -2, number);
     }

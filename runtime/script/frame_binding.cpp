@@ -85,6 +85,25 @@ int machine_position(lua_State* state) {
     return 1;
 }
 
+/// core.turned(letter, value): where the axis goes that is told to go to `value` in machine coordinates; of a
+/// rotary one that may be some turns off.
+int turned(lua_State* state) {
+    const Controller& controller = self(state);
+    const int axis = check_axis(state, 1);
+    const machine::Axis& moved = controller.simulator().machine().axes[static_cast<std::size_t>(axis)];
+    lua_pushnumber(
+        state, machine::turned_target(moved, luaL_checknumber(state, 2), controller.programmed()[axis], 0));
+    return 1;
+}
+
+/// core.reading(letter, value): what the axis shows at `value` in machine coordinates.
+int reading(lua_State* state) {
+    const auto axis = static_cast<std::size_t>(check_axis(state, 1));
+    lua_pushnumber(
+        state, machine::reading(self(state).simulator().machine().axes[axis], luaL_checknumber(state, 2)));
+    return 1;
+}
+
 int set_programmed(lua_State* state) {
     Controller& controller = self(state);
     if (lua_isnoneornil(state, 1)) {
@@ -147,6 +166,8 @@ void add_frames(lua_State* state, Controller& controller) {
     set_function<in_machine_frame>(state, "in_machine_frame", &controller);
     set_function<position>(state, "position", &controller);
     set_function<machine_position>(state, "machine_position", &controller);
+    set_function<turned>(state, "turned", &controller);
+    set_function<reading>(state, "reading", &controller);
     set_function<set_programmed>(state, "set_programmed", &controller);
     set_function<target>(state, "target", &controller);
     set_function<to_program>(state, "to_program", &controller);
