@@ -131,6 +131,17 @@ TEST(FiveAxis, slides_that_fall_into_a_plane_are_singular) {
         "The pose is singular: with the rotary axes as it needs them, the linear axes move in one plane.");
 }
 
+// A head that turns the tool about its tip is one by its tip, not by its directions alone.
+TEST(FiveAxis, a_tip_off_the_rotation_point_makes_no_tilting_head) {
+    const auto with_tool = [](double z_mm) {
+        return GantryKinematics::make(DhChain(gantry_base(), gantry_rows(), pose_from_rpy({.z_mm = z_mm})))
+            .value()
+            ->tilting_head();
+    };
+    EXPECT_TRUE(with_tool(0));
+    EXPECT_FALSE(with_tool(-100));
+}
+
 TEST(FiveAxis, out_of_reach_tells_by_how_much) {
     auto rows = gantry_rows();
     rows.pop_back();  // upright, about the vertical alone
