@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,6 +37,21 @@ TEST(MachineData, ReadsAllSections) {
     EXPECT_THAT(data->variables, ElementsAre(Pair(100, 2.5)));
 }
 
+// As the thesis prints it, dots and all: three frames, all else at its default.
+TEST(MachineData, ExampleOfTheThesis) {
+    const auto data = read_machine_data(
+        "NCFILE\nOFFSET\n54\t200.0001\t200.0002\t200\n55\t255\t255\t255\n56\t100\t0\t300.001\n57\t0\t0\t0\n"
+        "...\nFIXED\n1\t0\t0\t0\n2\t0\t0\t0\nENDFILE\n",
+        "m.txt");
+    ASSERT_TRUE(data) << data.error();
+    EXPECT_THAT(data->offsets,
+                ElementsAre(Pair("54", AxisValues{{'X', 200.0001}, {'Y', 200.0002}, {'Z', 200}}),
+                            Pair("55", AxisValues{{'X', 255}, {'Y', 255}, {'Z', 255}}),
+                            Pair("56", AxisValues{{'X', 100}, {'Y', 0}, {'Z', 300.001}}),
+                            Pair("57", AxisValues{{'X', 0}, {'Y', 0}, {'Z', 0}})));
+    EXPECT_EQ(data->fixed.size(), 2U);
+}
+
 TEST(MachineData, WithoutAxesFurtherValuesAreOnlyChecked) {
     const auto data = read_machine_data("NCFILE\nOFFSET\n54 1 2 3 4 5 6\nENDFILE", "m.txt");
     ASSERT_TRUE(data) << data.error();
@@ -66,6 +82,88 @@ TEST(MachineData, Tools) {
               "m.txt:4:1: the tool 1 is given twice; first in line 3");
 }
 
+TEST(MachineData, ToolsInFull) {
+    const std::vector<Axis> axes = read_machine(built_in_machine_toml(), "").value().axes;
+    const auto data = read_machine_data(
+        "NCFILE\nTOOL\n1 2 1 length_wear=-0.5 DIAMETER_WEAR=.25 X=1 b=30 orientation=9 FRONT=10 BACK=20 jet "
+        "inch\n"
+        "2 0 0 Cutter\nENDFILE\n",
+        "m.txt", axes);
+    ASSERT_TRUE(data) << data.error();
+    const Tool jet{.length_mm = 50.8,
+                   .diameter_mm = 25.4,
+                   .length_wear_mm = -12.7,
+                   .diameter_wear_mm = 6.35,
+                   .kind = ToolKind::jet,
+                   .offsets = {{'X', 25.4}, {'B', 30}},
+                   .front_angle_deg = 10,
+                   .back_angle_deg = 20,
+                   .orientation = 9};
+    EXPECT_EQ(data->tools.at(1), jet);
+    EXPECT_EQ(data->tools.at(2).kind, ToolKind::cutter);
+    const auto error_of_line = [](const std::string& line) {
+        return error_of(fmt::format("NCFILE\nTOOL\n{}\nENDFILE\n", line));
+    };
+    EXPECT_EQ(error_of_line("1 0 0 jet cutter"), "m.txt:3:11: 'cutter' is one word too many");
+    EXPECT_EQ(error_of_line("1 0 0 length=3"), "m.txt:3:7: a tool has no value of the name 'LENGTH'");
+    EXPECT_EQ(error_of_line("1 0 0 x=1 x=1"), "m.txt:3:11: 'x=1' is one word too many");
+    EXPECT_EQ(error_of_line("1 0 0 x="), "m.txt:3:7: '' is not a number");
+    EXPECT_EQ(error_of_line("1 0 0 orientation=10"),
+              "m.txt:3:7: ORIENTATION is a whole number from 0 to 9, not '10'");
+    EXPECT_EQ(error_of_line("1 0 inch 0"), "m.txt:3:10: '0' stands too late: values come before other words");
+    EXPECT_EQ(error_of_line("1 5e7 0 inch"), "m.txt:3:3: 5e7 is not between -1e9 and 1e9 mm");
+}
+
+TEST(MachineData, Zones) {
+    const auto data = read_machine_data(
+        "NCFILE\nSECURITY\n1 100 200 300 400\n7 -1 1 - - 0 10 leave off switch=3 inch\n"
+        "WORKING\n1 0 1800 0 2400 - -\nENDFILE\n",
+        "m.txt");
+    ASSERT_TRUE(data) << data.error();
+    EXPECT_THAT(
+        data->security_zones,
+        ElementsAre(Pair(1, Zone{.number = 1, .limits = {ZoneLimits{100, 200}, ZoneLimits{300, 400}, {}}}),
+                    Pair(7, Zone{.number = 7,
+                                 .kind = ZoneKind::leave_forbidden,
+                                 .limits = {ZoneLimits{-25.4, 25.4}, {}, ZoneLimits{0, 254}},
+                                 .active_at_start = false,
+                                 .switch_number = 3})));
+    EXPECT_EQ(data->working_zone,
+              (Zone{.kind = ZoneKind::working, .limits = {ZoneLimits{0, 1800}, ZoneLimits{0, 2400}, {}}}));
+}
+
+TEST(MachineData, ZonesThatAreNone) {
+    const auto error_of_line = [](const std::string& line) {
+        return error_of(fmt::format("NCFILE\nSECURITY\n{}\nENDFILE\n", line));
+    };
+    EXPECT_EQ(error_of_line("1 200 100 0 1"),
+              "m.txt:3:3: Xmin is 200 and Xmax is 100; the first must be less");
+    EXPECT_EQ(error_of_line("1 0 1 5 5"), "m.txt:3:7: Ymin is 5 and Ymax is 5; the first must be less");
+    EXPECT_EQ(error_of_line("1 0 1 - 5"),
+              "m.txt:3:1: Ymin and Ymax are both numbers, or both '-' (no walls there)");
+    EXPECT_EQ(error_of_line("1 0 1 0 1 0"),
+              "m.txt:3:1: Zmin and Zmax are both numbers, or both '-' (no walls there)");
+    EXPECT_EQ(error_of_line("1 - - - -"), "m.txt:3:1: a zone needs its two walls on one axis at least");
+    EXPECT_EQ(
+        error_of_line("1 0 1"),
+        "m.txt:3:1: a zone has its number and its walls: Xmin, Xmax, Ymin, Ymax, and perhaps Zmin and Zmax");
+    EXPECT_EQ(error_of_line("1 0 1 0 1 0 1 0"), "m.txt:3:15: '0' is one word too many");
+    EXPECT_EQ(error_of("NCFILE\nWORKING\n2 0 1 0 1\n"),
+              "m.txt:3:1: there is one working zone; its number is 1");
+}
+
+TEST(MachineData, ReferencePoints) {
+    const auto data = read_machine_data("NCFILE\nREFERENCE\n1 1 2 3 inch\nENDFILE\n", "m.txt");
+    ASSERT_TRUE(data) << data.error();
+    EXPECT_DOUBLE_EQ(data->references.at(1).at('Y'), 50.8);
+}
+
+TEST(MachineData, ANulIsNoText) {
+    using std::string_literals::operator""s;
+    EXPECT_EQ(error_of("NCFILE\nOFFSET\n# \0\nENDFILE\n"s),
+              "m.txt:3:3: there is a NUL byte; the file is no text");
+}
+
 TEST(MachineData, HomePositions) {
     const auto data = read_machine_data("NCFILE\nHOME\n2 1 2 3\n4 0 0 1 inch\nENDFILE\n", "m.txt");
     ASSERT_TRUE(data) << data.error();
@@ -76,16 +174,20 @@ TEST(MachineData, HomePositions) {
 }
 
 TEST(MachineData, Sections) {
+    const std::string sections =
+        "a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, SECURITY or WORKING";
     EXPECT_EQ(error_of("NCFILE\n OFSET\n"),
-              "m.txt:2:2: 'OFSET' is no keyword; a section begins with OFFSET, FIXED, ALIAS, VARIABLE, TOOL "
-              "or HOME; did you mean OFFSET?");
-    EXPECT_EQ(
-        error_of("NCFILE\n54 1 2 3\n"),
-        "m.txt:2:1: '54' is no keyword; a section begins with OFFSET, FIXED, ALIAS, VARIABLE, TOOL or HOME");
+              "m.txt:2:2: 'OFSET' is no keyword; " + sections + "; did you mean OFFSET?");
+    EXPECT_EQ(error_of("NCFILE\n54 1 2 3\n"), "m.txt:2:1: '54' is no keyword; " + sections);
     EXPECT_EQ(error_of("NCFILE\nFIXED\nOFFSET\nFIXED\n"),
               "m.txt:4:1: the section FIXED is given twice; first in line 2");
-    EXPECT_EQ(error_of("NCFILE\nOFFSET\n...\n"),
-              "m.txt:3:1: '...' stands for lines left out of a printed example; write them out");
+    for (const char* dots : {"OFFSET\n....", "OFFSET\n... 599", "...\nOFFSET"}) {
+        EXPECT_THAT(
+            error_of(fmt::format("NCFILE\n{}\nENDFILE\n", dots)),
+            testing::EndsWith(":1: '...' stands for entries left out of a section: alone in its line, "
+                              "behind the section's keyword"))
+            << dots;
+    }
 }
 
 TEST(MachineData, Offsets) {

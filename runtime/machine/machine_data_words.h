@@ -1,0 +1,42 @@
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gsim::machine {
+
+/// A word of a line of machine data: what stands between blanks, tabs and the remark.
+struct DataWord {
+    std::string_view text;
+    std::size_t column = 1;  ///< In bytes, from 1.
+};
+
+/// The words of a line without its end. A remark begins with '#' or ';'.
+std::vector<DataWord> data_words(std::string_view line);
+
+/// Whether a text can stand in a line as one word: no more of them, no remark, no other line.
+bool is_data_word(std::string_view text);
+
+/// Upper case, ASCII only.
+std::string upper_case(std::string_view text);
+
+/// A word as messages show it: short, and without bytes that would upset a terminal.
+std::string shown_word(std::string_view word);
+
+/// The shortest text that reads as the same number.
+std::string number_text(double value);
+
+/// The number that the whole text is; nothing where it is none.
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+}  // namespace gsim::machine
