@@ -33,7 +33,7 @@ run: build
 	@scripts/run-wheel.sh build
 
 build: setup
-	@$(call build_into,release) --target gcode2lua gsim-run
+	@$(call build_into,release) --target gcode2lua gsim-run gsim-data
 
 test: setup
 	@$(call build_into,release)
@@ -73,7 +73,7 @@ format:
 lint:
 	@scripts/setup.sh lint
 	@scripts/lint.sh format
-	@$(call build_into,release) --target gcode2lua gsim-run
+	@$(call build_into,release) --target gcode2lua gsim-run gsim-data
 	@scripts/lint.sh tidy build
 
 install: build

@@ -9,6 +9,7 @@
 
 #include "apps/exit_status.h"
 #include "apps/language.h"
+#include "apps/machine_data_file.h"
 #include "apps/outputs.h"
 #include "apps/run_main.h"
 #include "apps/script_input.h"
@@ -29,6 +30,7 @@ struct Arguments {
     std::string input;
     std::string machine;
     std::string machine_data;
+    std::string save_machine_data;
     apps::LanguageNames language;
     std::string setup;
     std::string variables;
@@ -57,6 +59,8 @@ void add_options(CLI::App& app, Arguments& a) {
                    "machine file (TOML); without it the 5-axis waterjet gantry that is built in");
     app.add_option("--machine-data", a.machine_data,
                    "machine data (NCFILE): work offsets, variables, aliases");
+    app.add_option("--save-machine-data", a.save_machine_data,
+                   "write the machine data as the program left them to this file; it may be the same one");
     app.add_flag("--print-machine", a.print_machine, "print the machine file and end");
     apps::add_language_options(app, a.language);
     app.add_option("--setup", a.setup,
@@ -106,10 +110,27 @@ tl::expected<machine::Machine, std::string> read_machine(const Arguments& argume
     return machine::load_machine(arguments.machine);
 }
 
-tl::expected<machine::MachineData, std::string> read_data(const Arguments& arguments,
-                                                          const machine::Machine& machine) {
-    if (arguments.machine_data.empty()) return machine::MachineData{};
-    return machine::load_machine_data(arguments.machine_data, machine.axes);
+tl::expected<machine::MachineDataDocument, std::string> read_data(const Arguments& arguments,
+                                                                  const machine::Machine& machine) {
+    if (arguments.machine_data.empty()) return machine::MachineDataDocument(machine.axes);
+    return apps::open_machine_data(arguments.machine_data, machine.axes).map_error([](const auto& errors) {
+        return errors.front();
+    });
+}
+
+/// What the control keeps, in the files that are asked for.
+tl::expected<void, std::string> keep(const Arguments& arguments, script::Engine& engine,
+                                     machine::MachineDataDocument& document) {
+    tl::expected<void, std::string> kept;
+    if (!arguments.variables.empty())
+        kept = apps::write_variables(arguments.variables, engine.permanent_variables());
+    if (!kept || arguments.save_machine_data.empty()) return kept;
+    return engine.machine_data()
+        .and_then([&](const machine::MachineData& data) { return document.update(data); })
+        .map_error([&](const std::string& error) {
+            return fmt::format("{} is not written: {}", arguments.save_machine_data, error);
+        })
+        .and_then([&] { return apps::save_text(arguments.save_machine_data, document.text()); });
 }
 
 /// Nothing where no controller module is asked for.
@@ -178,14 +199,15 @@ int run(const Arguments& arguments) {
         return std::fflush(stdout) == 0 ? apps::kDone : usage_error("standard output cannot be written");
     }
     if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
-    tl::expected<machine::MachineData, std::string> data = read_data(arguments, *machine);
-    if (!data) return usage_error(data.error());
+    tl::expected<machine::MachineDataDocument, std::string> document = read_data(arguments, *machine);
+    if (!document) return usage_error(document.error());
+    machine::MachineData data = document->data();
     if (!arguments.variables.empty()) {
         const auto variables = apps::read_variables(arguments.variables);
         if (!variables) return usage_error(variables.error());
-        for (const auto& [number, value] : *variables) data->variables[number] = value;
+        for (const auto& [number, value] : *variables) data.variables[number] = value;
     }
-    tl::expected<apps::Language, std::string> language = apps::language_of(arguments.language, *data);
+    tl::expected<apps::Language, std::string> language = apps::language_of(arguments.language, data);
     if (!language) return usage_error(language.error());
 
     tl::expected<script::Script, apps::InputError> input = apps::read_script(arguments.input, *language);
@@ -209,7 +231,7 @@ int run(const Arguments& arguments) {
     tl::expected<apps::Outputs, std::string> outputs = apps::Outputs::open(arguments.outputs, simulator);
     if (!outputs) return usage_error(outputs.error());
     simulation::Progress progress(stderr, !arguments.quiet && ::isatty(STDERR_FILENO) == 1);
-    script::Engine::Options options = engine_options(arguments, std::move(*data), *language, progress);
+    script::Engine::Options options = engine_options(arguments, std::move(data), *language, progress);
     options.setup = std::move(setup);
     script::Engine engine(simulator, std::move(options));
     engine.run(std::move(*input));
@@ -218,8 +240,7 @@ int run(const Arguments& arguments) {
     simulation::Report report = simulator.finish(program);
     outputs->explain(report);
     tl::expected<void, std::string> written = outputs->commit(report);
-    if (written && !arguments.variables.empty())
-        written = apps::write_variables(arguments.variables, engine.permanent_variables());
+    if (written) written = keep(arguments, engine, *document);
     print_report(arguments, report);
     if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
     if (!written) return usage_error(written.error());

@@ -64,8 +64,7 @@ end
 function tool_part(number, field, part)
   local tool = tool_table[number]
   if tool == nil then return 0 end
-  local wear = tool[field .. "_wear"] or 0
-  return part == "wear" and wear or (tool[field] or 0) - wear
+  return part == "wear" and (tool[field .. "_wear"] or 0) or tool_geometry(tool, field)
 end
 
 -- The offset in use is the sum of both parts.
@@ -77,7 +76,7 @@ function set_tool_part(number, field, part, value)
   end
   local geometry, wear = tool_part(number, field, "geometry"), tool_part(number, field, "wear")
   if part == "wear" then wear = value else geometry = value end
-  tool[field], tool[field .. "_wear"] = geometry + wear, wear
+  tool[field], tool[field .. "_geometry"], tool[field .. "_wear"] = geometry + wear, geometry, wear
 end
 
 local function tool_offset(words, place)

@@ -3,6 +3,7 @@
 
 local MOST_AXES = 12
 local LAST_TOOL = 200
+local FIRST_EXTERNAL = 5201
 local HOUR_S = 3600
 local DAY_S = 86400
 
@@ -181,10 +182,10 @@ axis_range(5061, "position of the last skip (G31)", function(letter)
 end)
 axis_range(5081, "tool offset in force", function(letter) return state.tool_offset[letter] or 0 end)
 axis_range(5101, "following error, which is 0 here", function() return 0 end)
-axis_range(5201, "offset of all work coordinate systems", external_offset, set_external_offset)
+axis_range(FIRST_EXTERNAL, "offset of all work coordinate systems", external_offset, set_external_offset)
 
 for index, code in ipairs { "54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3" } do
-  axis_range(5201 + 20 * index, "zero point of G" .. code, function(letter) return work_offset(code, letter) end,
+  axis_range(FIRST_EXTERNAL + 20 * index, "zero point of G" .. code, function(letter) return work_offset(code, letter) end,
     function(letter, value) set_work_offset(code, letter, value) end)
 end
 
@@ -221,4 +222,26 @@ function system_variable_set(number, value, text)
   core.note_place()   -- for events; an assignment is no word that would tell its place
   entry.set(number, value, number - entry.first, text)
   return true
+end
+
+-- The offset of all work coordinate systems is kept too; its place in machine data is that of its variables.
+local function each_external(use)
+  for index, axis in ipairs(axes) do
+    if index <= MOST_AXES and ("xyz"):find(axis.letter, 1, true) then use(FIRST_EXTERNAL + index - 1, axis.letter) end
+  end
+end
+
+each_external(function(number, letter)
+  local value = core.variables[number]
+  if value then set_external_offset(letter, value) end
+end)
+
+local stored_before = stored_variables
+function stored_variables()
+  local stored = stored_before()
+  each_external(function(number, letter)
+    local value = external_offset(letter)
+    if value ~= 0 or stored[number] then stored[number] = value end
+  end)
+  return stored
 end

@@ -53,6 +53,8 @@ else
   include "ab9_modal"     -- the last one: it remembers the words that the others define
 end
 
+include "stored_data"   -- knows what the run begins with
+
 -- A name that nothing defines is a mistake, not a vacant value.
 local known = {}
 for name in pairs(env) do known[#known + 1] = name end

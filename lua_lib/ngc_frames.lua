@@ -38,6 +38,31 @@ function ngc.store_origin(system, letter, value)
   end
 end
 
+-- Whether a parameter is an origin, or the number of the system in force, with which no run begins.
+function ngc.is_origin(number)
+  if number == NUMBER_OF_SYSTEM then return true end
+  local place = number - FIRST_SYSTEM
+  return place >= 0 and place < PER_SYSTEM * #names and place % PER_SYSTEM < ROTATION
+end
+
+-- The offsets of machine data as they are now. Values that have not changed are as the data have them, not by way of
+-- inches.
+function ngc.stored_offsets()
+  local stored = copied(core.offsets)
+  for system, name in ipairs(names) do
+    local given, entry, changed = core.offsets[name] or {}, {}, false
+    for i, letter in ipairs(ngc.letters) do
+      local number = base(system) + i - 1
+      local value, before = env.v[number], given[letter]
+      local same = before and value == ngc.to_stored(letter, before)
+      if is_rotary[letter] ~= nil then entry[letter] = same and before or ngc.from_stored(letter, value) end
+      changed = changed or ngc.has_changed(number)
+    end
+    if changed then stored[name] = entry end
+  end
+  return stored
+end
+
 function ngc.store_rotation(system, degrees) ngc.set_parameter(base(system) + ROTATION, degrees) end
 
 -- X and Y turned about Z.

@@ -78,6 +78,26 @@ function permanent_variables()
   return kept
 end
 
+-- Parameters as they were when the run began.
+local at_start = {}
+function ngc.note_start()
+  for number, value in pairs(values) do at_start[number] = value end
+end
+function ngc.has_changed(number) return rawget(values, number) ~= at_start[number] end
+
+-- The variables of the machine data as they are now, and what the run has changed of those that are kept. Origins of
+-- the systems are not among them: they are offsets.
+function stored_variables()
+  local stored = copied(core.variables)
+  for number in pairs(stored) do
+    if number > 30 and number <= LAST then stored[number] = rawget(values, number) end
+  end
+  for number = FIRST_KEPT, LAST_KEPT do
+    if ngc.has_changed(number) and not ngc.is_origin(number) then stored[number] = rawget(values, number) end
+  end
+  return stored
+end
+
 -- For the control itself, past the checks.
 function ngc.set_parameter(number, value) rawset(values, number, value + 0.0) end
 

@@ -5,8 +5,20 @@ local is_ngc = core.dialect == "rs274ngc"
 -- The tool table by number: { length = mm (along Z), diameter = mm }, and offsets of other axes by their letters.
 -- G10 changes it; an offset in force stays as it is until it is called again.
 tool_table = {}
-for number, tool in pairs(core.tools) do
-  tool_table[number] = { length = tool.length, diameter = tool.diameter }
+for number, stored in pairs(core.tools) do
+  local tool = copied(stored)
+  for _, field in ipairs { "length", "diameter" } do
+    tool[field .. "_geometry"] = stored[field]
+    tool[field] = stored[field] + (stored[field .. "_wear"] or 0)
+  end
+  tool_table[number] = tool
+end
+
+-- A tool's length or diameter without its wear, mm.
+function tool_geometry(tool, field)
+  local geometry, wear = tool[field .. "_geometry"], tool[field .. "_wear"] or 0
+  if geometry and geometry + wear == tool[field] then return geometry end   -- a difference would round
+  return (tool[field] or 0) - wear
 end
 
 local selected   -- by T, nil before the first one

@@ -25,7 +25,10 @@ function env.message(remark) text = remark end
 
 -- A plain table: what exists is read and written by Lua itself, the rest comes here.
 local variables = {}
-for number, value in pairs(core.variables) do variables[number] = value end
+for number, value in pairs(core.variables) do
+  local _, exists = index(number)
+  if exists then variables[number] = value end
+end
 env.v = setmetatable(variables, {
   __index = function(held, number)
     local whole, exists = index(number)
@@ -55,6 +58,14 @@ function permanent_variables()
     if type(value) == "number" then kept[number] = value end
   end
   return kept
+end
+
+-- The variables of the machine data as they are now: only those that the control keeps may have changed for good.
+function stored_variables()
+  local stored = copied(core.variables)
+  for number = FIRST_PERMANENT, LAST_PERMANENT do stored[number] = nil end
+  for number, value in pairs(permanent_variables()) do stored[number] = value end
+  return stored
 end
 
 local function number_of(value)

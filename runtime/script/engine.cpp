@@ -6,6 +6,7 @@
 
 #include "runtime/machine/homes.h"
 #include "runtime/script/bindings.h"
+#include "runtime/script/data_tables.h"
 #include "runtime/script/sandbox.h"
 
 namespace gsim::script {
@@ -24,16 +25,6 @@ void load_text(lua_State* state, const std::string& text, const char* name, int 
     if (luaL_loadbufferx(state, text.data(), text.size(), name, "t") != LUA_OK) lua_error(state);
     push_reference(state, environment);
     lua_setupvalue(state, -2, 1);
-}
-
-/// A table of values by lower-case letter.
-void push_axis_values(lua_State* state, const machine::AxisValues& values) {
-    lua_newtable(state);
-    for (const auto& [letter, value] : values) {
-        const char key[] = {static_cast<char>(letter | 0x20), '\0'};
-        lua_pushnumber(state, value);
-        lua_setfield(state, -2, key);
-    }
 }
 
 void set_number(lua_State* state, const char* name, double value) {
@@ -123,7 +114,9 @@ void Engine::open_environment() {
     add_poses(state, controller_);
     set_function<load_program>(state, "load_program", this);
     set_options(state);
-    set_data(state);
+    machine::MachineData tables = options_.data;
+    tables.homes = machine::further_homes(simulator_.machine(), tables.homes);
+    set_data_tables(state, tables);
     lua_setfield(state, library, "core");
     lua_pushvalue(state, environment);
     lua_setfield(state, library, "env");
@@ -172,39 +165,6 @@ void Engine::set_options(lua_State* state) {
     set_corner_override(state, simulator_.machine().controller);
 }
 
-/// core.offsets["54"].x in mm or deg, core.variables[500], core.tools[1].length and .diameter in mm; the
-/// table of core is on top of the stack.
-void Engine::set_data(lua_State* state) {
-    lua_newtable(state);
-    for (const auto& [code, values] : options_.data.offsets) {
-        push_axis_values(state, values);
-        lua_setfield(state, -2, code.c_str());
-    }
-    lua_setfield(state, -2, "offsets");
-    lua_newtable(state);
-    for (const auto& [number, values] : machine::further_homes(simulator_.machine(), options_.data.homes)) {
-        push_axis_values(state, values);
-        lua_rawseti(state, -2, number);
-    }
-    lua_setfield(state, -2, "homes");
-    lua_newtable(state);
-    for (const auto& [number, value] : options_.data.variables) {
-        lua_pushnumber(state, value);
-        lua_rawseti(state, -2, number);
-    }
-    lua_setfield(state, -2, "variables");
-    lua_newtable(state);
-    for (const auto& [number, tool] : options_.data.tools) {
-        lua_createtable(state, 0, 2);
-        lua_pushnumber(state, tool.length_mm);
-        lua_setfield(state, -2, "length");
-        lua_pushnumber(state, tool.diameter_mm);
-        lua_setfield(state, -2, "diameter");
-        lua_rawseti(state, -2, number);
-    }
-    lua_setfield(state, -2, "tools");
-}
-
 void Engine::call_include(const std::string& file_name) {
     lua_State* state = lua_.get();
     const tl::expected<std::string, std::string> text = options_.library.read(file_name);
@@ -244,6 +204,22 @@ void Engine::read_permanent() {
         permanent_[static_cast<int>(luaL_checkinteger(state, -2))] = luaL_checknumber(state, -1);
         lua_pop(state, 1);
     }
+    lua_pop(state, 2);
+}
+
+tl::expected<machine::MachineData, std::string> Engine::machine_data() {
+    stored_ = options_.data;
+    const int status = call_protected([](Engine& engine) { engine.read_stored(); });
+    if (status != LUA_OK) return tl::unexpected(fmt::format("the tables of the control: {}", error_));
+    return stored_;
+}
+
+void Engine::read_stored() {
+    lua_State* state = lua_.get();
+    push_reference(state, library_);
+    lua_getfield(state, -1, "stored_data");
+    lua_call(state, 0, 1);
+    read_data_tables(state, stored_);
     lua_pop(state, 2);
 }
 

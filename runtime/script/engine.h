@@ -72,6 +72,9 @@ class Engine {
     bool run(Script script);
     /// The variables that a control keeps from one run to the next, as they are now.
     std::map<int, double> permanent_variables();
+    /// The machine data as the control holds them now: work coordinate systems, tools and variables may
+    /// differ from those of the start. The error is a sentence; only a changed library gives one.
+    tl::expected<machine::MachineData, std::string> machine_data();
 
   private:
     struct Loaded {
@@ -86,9 +89,9 @@ class Engine {
     void open_environment();
     void set_require(lua_State* state, int environment);
     void set_options(lua_State* state);
-    void set_data(lua_State* state);
     void call_include(const std::string& file_name);
     void read_permanent();
+    void read_stored();
     void call_library(const char* function);
     void load_script(Script script);
     void compile(Loaded& loaded, const ScriptChunk& chunk);
@@ -110,6 +113,7 @@ class Engine {
     std::vector<std::unique_ptr<Loaded>> loaded_;
     Script pending_;
     std::map<int, double> permanent_;
+    machine::MachineData stored_;
     std::string error_;
     simulation::Place error_place_;
     int environment_ = LUA_NOREF;  ///< What scripts see.

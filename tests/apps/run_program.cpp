@@ -81,6 +81,10 @@ Ended Apps::gsim_run(const std::vector<std::string>& arguments, const std::strin
     return run_program(GSIM_RUN, arguments, folder_, input);
 }
 
+Ended Apps::gsim_data(const std::vector<std::string>& arguments) const {
+    return run_program(GSIM_DATA, arguments, folder_);
+}
+
 std::string Apps::write(const std::string& name, const std::string& text) const {
     fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << text;

@@ -19,7 +19,7 @@ struct Ended {
 Ended run_program(const std::string& program, const std::vector<std::string>& arguments,
                   const std::filesystem::path& folder, const std::string& input = {});
 
-/// A folder for each test, with the two programs at hand; gone at the end.
+/// A folder for each test, with the programs at hand; gone at the end.
 class Apps : public testing::Test {
   protected:
     Apps();
@@ -27,6 +27,7 @@ class Apps : public testing::Test {
 
     Ended gcode2lua(const std::vector<std::string>& arguments, const std::string& input = {}) const;
     Ended gsim_run(const std::vector<std::string>& arguments, const std::string& input = {}) const;
+    Ended gsim_data(const std::vector<std::string>& arguments) const;
     /// Writes a file into the folder and returns its name.
     std::string write(const std::string& name, const std::string& text) const;
     std::string read(const std::string& name) const;

@@ -1,0 +1,210 @@
+#include "apps/data_commands.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/data_check.h"
+#include "apps/data_json.h"
+#include "apps/data_table.h"
+#include "apps/exit_status.h"
+#include "apps/machine_data_file.h"
+#include "runtime/machine/machine_file.h"
+#include "runtime/machine/text_file.h"
+
+namespace gsim::apps {
+
+using machine::DataRow;
+using machine::DataSection;
+using machine::LengthUnit;
+using machine::MachineDataDocument;
+using machine::SectionRules;
+
+namespace {
+
+using Status = tl::expected<int, std::string>;
+using Sentence = tl::unexpected<std::string>;
+
+Status printed(const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    if (std::fflush(stdout) != 0) return Sentence("standard output cannot be written");
+    return kDone;
+}
+
+Status printed(const nlohmann::ordered_json& json) {
+    return printed(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+}
+
+class Command {
+  public:
+    Command(const DataArguments& arguments, std::optional<machine::Machine> machine)
+        : arguments_(arguments), machine_(std::move(machine)), document_(axes()) {}
+
+    Status run() {
+        if (arguments_.command == DataCommand::check) return check();
+        if (arguments_.command == DataCommand::convert && !arguments_.from_json.empty()) return from_json();
+        return open().and_then([this] { return take_section(); }).and_then([this] {
+            return run_on_document();
+        });
+    }
+
+  private:
+    using Done = tl::expected<void, std::string>;
+
+    std::span<const machine::Axis> axes() const {
+        return machine_ ? std::span<const machine::Axis>(machine_->axes) : std::span<const machine::Axis>();
+    }
+
+    const SectionRules& rules() const { return document_.rules().of(*section_); }
+
+    std::optional<LengthUnit> unit() const {
+        if (arguments_.inch) return LengthUnit::inch;
+        return arguments_.metric ? std::optional(LengthUnit::metric) : std::nullopt;
+    }
+
+    Done open() {
+        if (arguments_.create && !std::filesystem::exists(arguments_.file)) return {};
+        auto document = open_machine_data(arguments_.file, axes());
+        if (!document) return Sentence(std::move(document.error().front()));
+        document_ = *std::move(document);
+        return {};
+    }
+
+    Done take_section() {
+        if (arguments_.section.empty()) return {};
+        section_ = machine::section_named(machine::upper_case(arguments_.section));
+        if (section_) return {};
+        std::string names;
+        for (const DataSection section : machine::kDataSections)
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", machine::keyword(section));
+        return Sentence(
+            fmt::format("'{}' is no section; there are {}", machine::shown_word(arguments_.section), names));
+    }
+
+    Status run_on_document() {
+        switch (arguments_.command) {
+            case DataCommand::list: return list();
+            case DataCommand::get: return get();
+            case DataCommand::set: return set();
+            case DataCommand::reset: return save(document_.reset(*section_, arguments_.id));
+            case DataCommand::reset_all: return save(reset_all());
+            case DataCommand::check: return check();
+            case DataCommand::convert: break;
+        }
+        return convert();
+    }
+
+    Status list() const {
+        if (arguments_.json) {
+            nlohmann::ordered_json json = data_to_json(document_);
+            if (!section_) return printed(json);
+            return printed(json.value(std::string(rules().keyword), nlohmann::ordered_json::array()));
+        }
+        std::string text;
+        for (const DataSection section : machine::kDataSections) {
+            const bool wanted = section_ ? section == *section_ : !document_.rows(section).empty();
+            if (!wanted) continue;
+            if (!text.empty()) text += '\n';
+            text += data_table(document_.rules().of(section), document_.rows(section));
+        }
+        return printed(text);
+    }
+
+    Status get() const {
+        const auto row = document_.find(*section_, arguments_.id);
+        if (!row)
+            return Sentence(fmt::format("there is no {} {} in the file", rules().keyword, arguments_.id));
+        const nlohmann::ordered_json json = row_to_json(rules(), *row);
+        if (arguments_.field.empty())
+            return arguments_.json ? printed(json) : printed(data_list(rules(), *row));
+        const std::string name = machine::upper_case(arguments_.field);
+        const auto field = rules().find(name);
+        if (!field) {
+            return Sentence(
+                fmt::format("{} has no '{}'", rules().keyword, machine::shown_word(arguments_.field)));
+        }
+        if (!arguments_.json) return printed(fmt::format("{}\n", row->values[*field]));
+        return printed(json.contains(name) ? json[name] : nlohmann::ordered_json());
+    }
+
+    Status set() {
+        MachineDataDocument::FieldValues values;
+        values.reserve(arguments_.changes.size());
+        for (const std::string& change : arguments_.changes) {
+            const std::size_t equals = change.find('=');
+            if (equals == std::string::npos)
+                return Sentence(fmt::format("'{}' is no FIELD=VALUE", machine::shown_word(change)));
+            values.emplace_back(machine::upper_case(change.substr(0, equals)), change.substr(equals + 1));
+        }
+        return save(document_.set(*section_, arguments_.id, values, unit()));
+    }
+
+    Done reset_all() {
+        if (section_) return document_.reset_all(*section_);
+        for (const DataSection section : machine::kDataSections) {
+            if (Done done = document_.reset_all(section); !done) return done;
+        }
+        return {};
+    }
+
+    Status check() const {
+        const auto document = open_machine_data(arguments_.file, axes());
+        if (!document) {
+            for (const std::string& error : document.error()) std::fprintf(stderr, "%s\n", error.c_str());
+            return std::filesystem::exists(arguments_.file) ? kProgramFault : kUsage;
+        }
+        for (const std::string& warning : check_data(*document, arguments_.file, machine_))
+            std::fprintf(stderr, "%s\n", warning.c_str());
+        return kDone;
+    }
+
+    Status convert() {
+        if (arguments_.json) {
+            if (arguments_.output.empty()) return printed(data_to_json(document_));
+            return saved(arguments_.output, data_to_json(document_).dump(2) + '\n');
+        }
+        if (!unit()) return Sentence("convert takes --inch, --metric, --json or --from-json FILE");
+        return save(document_.convert(*unit()));
+    }
+
+    Status from_json() {
+        return machine::read_text_file(arguments_.from_json)
+            .and_then([this](const std::string& text) {
+                return data_from_json(text, arguments_.from_json, axes());
+            })
+            .and_then([this](const MachineDataDocument& document) {
+                document_ = document;
+                return save({});
+            });
+    }
+
+    Status save(const Done& changed) const {
+        if (!changed) return Sentence(fmt::format("{}: {}", arguments_.file, changed.error()));
+        const bool elsewhere = arguments_.command == DataCommand::convert && !arguments_.output.empty();
+        return saved(elsewhere ? arguments_.output : arguments_.file, document_.text());
+    }
+
+    static Status saved(const std::string& path, const std::string& text) {
+        return save_text(path, text).map([] { return kDone; });
+    }
+
+    const DataArguments& arguments_;
+    std::optional<machine::Machine> machine_;
+    MachineDataDocument document_;
+    std::optional<DataSection> section_;
+};
+
+}  // namespace
+
+Status run_data_command(const DataArguments& arguments) {
+    std::optional<machine::Machine> machine;
+    if (!arguments.machine.empty()) {
+        auto loaded = machine::load_machine(arguments.machine);
+        if (!loaded) return Sentence(std::move(loaded.error()));
+        machine = *std::move(loaded);
+    }
+    return Command(arguments, std::move(machine)).run();
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/machine/machine_data_document.h"
+
+namespace gsim::apps {
+
+/// What gsim-data is asked to do.
+enum class DataCommand { list, get, set, reset, reset_all, check, convert };
+
+/// The arguments of gsim-data as they are given.
+struct DataArguments {
+    std::string file;
+    std::string machine;  ///< Empty: the further axes of points are not known.
+    bool json = false;
+    DataCommand command = DataCommand::list;
+    std::string section;  ///< Empty: all.
+    std::string id;
+    std::string field;                 ///< Of get; empty: all.
+    std::vector<std::string> changes;  ///< Of set: FIELD=VALUE.
+    bool inch = false;
+    bool metric = false;
+    bool create = false;
+    std::string from_json;  ///< Of convert.
+    std::string output;     ///< Of convert; empty: the file itself, or standard output for JSON.
+};
+
+/// Runs one command; prints what it shows. The result is the exit status, or a sentence on options or files.
+tl::expected<int, std::string> run_data_command(const DataArguments& arguments);
+
+}  // namespace gsim::apps
