@@ -18,6 +18,8 @@ using machine::SectionRules;
 
 namespace {
 
+constexpr std::size_t kMostWarnings = 100;
+
 class Check {
   public:
     Check(const MachineDataDocument& document, std::string file_name,
@@ -39,6 +41,7 @@ class Check {
   private:
     void warn(const SectionRules& rules, const DataRow& row, std::optional<std::size_t> field,
               std::string_view sentence) {
+        if (warnings_.size() >= kMostWarnings) return;
         const auto place = document_.place(rules.section, row.id, field);
         warnings_.push_back(
             fmt::format("{}:{}:{}: warning: {}", file_name_, place.line, place.column, sentence));

@@ -149,14 +149,13 @@ class Command {
     }
 
     Status check() const {
-        const auto document = open_machine_data(arguments_.file, axes());
-        if (!document) {
-            for (const std::string& error : document.error()) std::fprintf(stderr, "%s\n", error.c_str());
-            return std::filesystem::exists(arguments_.file) ? kProgramFault : kUsage;
-        }
-        for (const std::string& warning : check_data(*document, arguments_.file, machine_))
-            std::fprintf(stderr, "%s\n", warning.c_str());
-        return kDone;
+        return machine::read_text_file(arguments_.file).map([this](const std::string& text) {
+            const auto document = MachineDataDocument::read(text, arguments_.file, axes());
+            const std::vector<std::string> found =
+                document ? check_data(*document, arguments_.file, machine_) : document.error();
+            for (const std::string& sentence : found) std::fprintf(stderr, "%s\n", sentence.c_str());
+            return document ? kDone : kProgramFault;
+        });
     }
 
     Status convert() {

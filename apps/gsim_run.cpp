@@ -122,8 +122,11 @@ tl::expected<machine::MachineDataDocument, std::string> read_data(const Argument
 tl::expected<void, std::string> keep(const Arguments& arguments, script::Engine& engine,
                                      machine::MachineDataDocument& document) {
     tl::expected<void, std::string> kept;
-    if (!arguments.variables.empty())
-        kept = apps::write_variables(arguments.variables, engine.permanent_variables());
+    if (!arguments.variables.empty()) {
+        kept = engine.permanent_variables().and_then([&](const std::map<int, double>& values) {
+            return apps::write_variables(arguments.variables, values);
+        });
+    }
     if (!kept || arguments.save_machine_data.empty()) return kept;
     return engine.machine_data()
         .and_then([&](const machine::MachineData& data) { return document.update(data); })

@@ -168,12 +168,12 @@ class LineChange {
 }  // namespace
 
 std::optional<std::size_t> MachineDataDocument::line_of(DataSection section, std::string_view id) const {
-    const std::string key = data_key(section, id);
+    const bool any_case = section == DataSection::alias;
+    const std::string upper = upper_case(id);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const DataLine& line = lines_[i];
-        if (line.kind == DataLine::Kind::entry && line.section == section &&
-            data_key(section, line.id) == key)
-            return i;
+        if (line.kind != DataLine::Kind::entry || line.section != section) continue;
+        if (any_case ? upper_case(line.id) == upper : line.id == id) return i;
     }
     return std::nullopt;
 }

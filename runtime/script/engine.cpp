@@ -188,10 +188,23 @@ bool Engine::run(Script script) {
     }));
 }
 
-std::map<int, double> Engine::permanent_variables() {
+tl::expected<std::map<int, double>, std::string> Engine::permanent_variables() {
     permanent_.clear();
-    call_protected([](Engine& engine) { engine.read_permanent(); });
-    return permanent_;
+    return read_kept([](Engine& engine) { engine.read_permanent(); }).map([this] { return permanent_; });
+}
+
+tl::expected<machine::MachineData, std::string> Engine::machine_data() {
+    stored_ = options_.data;
+    return read_kept([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
+}
+
+/// A run that has used up its steps has none left for this: they count anew.
+tl::expected<void, std::string> Engine::read_kept(void (*read)(Engine&)) {
+    lua_.restart_steps();
+    error_.clear();
+    if (call_protected(read) == LUA_OK) return {};
+    return tl::unexpected(fmt::format("what the control keeps cannot be read: {}",
+                                      error_.empty() ? "the script has used up its memory" : error_));
 }
 
 void Engine::read_permanent() {
@@ -205,13 +218,6 @@ void Engine::read_permanent() {
         lua_pop(state, 1);
     }
     lua_pop(state, 2);
-}
-
-tl::expected<machine::MachineData, std::string> Engine::machine_data() {
-    stored_ = options_.data;
-    const int status = call_protected([](Engine& engine) { engine.read_stored(); });
-    if (status != LUA_OK) return tl::unexpected(fmt::format("the tables of the control: {}", error_));
-    return stored_;
 }
 
 void Engine::read_stored() {

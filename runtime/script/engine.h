@@ -70,10 +70,11 @@ class Engine {
     /// Runs to the end, to an alarm or to a limit; what happened is the simulator's to tell. False where
     /// there was an alarm or a limit.
     bool run(Script script);
-    /// The variables that a control keeps from one run to the next, as they are now.
-    std::map<int, double> permanent_variables();
+    /// The variables that a control keeps from one run to the next, as they are now. The error is a sentence:
+    /// a run that ended for its memory may leave too little to read them.
+    tl::expected<std::map<int, double>, std::string> permanent_variables();
     /// The machine data as the control holds them now: work coordinate systems, tools and variables may
-    /// differ from those of the start. The error is a sentence; only a changed library gives one.
+    /// differ from those of the start. The error is as above.
     tl::expected<machine::MachineData, std::string> machine_data();
 
   private:
@@ -90,6 +91,7 @@ class Engine {
     void set_require(lua_State* state, int environment);
     void set_options(lua_State* state);
     void call_include(const std::string& file_name);
+    tl::expected<void, std::string> read_kept(void (*read)(Engine&));
     void read_permanent();
     void read_stored();
     void call_library(const char* function);

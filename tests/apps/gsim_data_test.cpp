@@ -103,7 +103,7 @@ TEST_F(GsimData, RefusesWithASentence) {
     EXPECT_EQ(gsim_data({"d.txt", "set", "OFFSET", "54", "X=1", "--inch", "--metric"}).status, 2);
     EXPECT_EQ(gsim_data({"none.txt", "list"}).err,
               "gsim-data: cannot read 'none.txt': No such file or directory\n");
-    EXPECT_EQ(gsim_data({"none.txt", "check"}).status, 2);
+    for (const char* file : {"none.txt", "."}) EXPECT_EQ(gsim_data({file, "check"}).status, 2) << file;
     EXPECT_EQ(gsim_data({"--help"}).status, 0);
 }
 

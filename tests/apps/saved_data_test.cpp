@@ -84,6 +84,16 @@ TEST_F(SavedData, BesidePermanentVariablesInTheirOwnFile) {
     EXPECT_EQ(read("d.txt"), "NCFILE\nVARIABLE\n500 2\n501  4\nENDFILE\n");
 }
 
+TEST_F(SavedData, ARunThatIsStoppedKeepsItsTablesToo) {
+    write("d.txt", kData);
+    const Ended e = gsim_run({"--quiet", "--max-steps", "100000", "--variables", "kept.var", "--machine-data",
+                              "d.txt", "--save-machine-data", "d.txt",
+                              write("part.nc", "#500=8\nWHILE[1 EQ 1]DO1\n#1=2\nEND1\nM2\n")});
+    EXPECT_EQ(e.status, 1) << e.err;
+    EXPECT_EQ(read("d.txt"), changed(kData, "500 7", "500 8"));
+    EXPECT_EQ(read("kept.var"), "500\t8\n501\t3\n");
+}
+
 TEST_F(SavedData, AValueThatNoFileHoldsIsAnError) {
     write("d.txt", kData);
     const Ended e = gsim_run({"--quiet", "--machine-data", "d.txt", "--save-machine-data", "d.txt",
