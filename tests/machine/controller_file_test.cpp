@@ -218,16 +218,12 @@ TEST(ControllerFile, UnknownModels) {
 TEST(ControllerFile, UnknownKeys) {
     EXPECT_EQ(error_of("look_ahead = 4"),
               "m.toml:4:1: unknown key 'look_ahead' in [controller]; did you mean 'look_ahead_blocks'?");
-    EXPECT_EQ(
+    EXPECT_THAT(
         error_of("x = 4"),
-        "m.toml:4:1: unknown key 'x' in [controller]; it may hold: model, name, planner, look_ahead_blocks, "
-        "corner, exact_path_corner, junction_deviation_mm, blend_tolerance_mm, blend_tolerance_deg, "
-        "speed_step_s, centripetal_share, "
-        "arc_chord_tolerance_mm, least_feed_mm_min, settle_s, position_gain_1_s, in_position_mm, "
-        "in_position_deg, rest_s, dwell_step_s, servo_period_s, corner_override_percent, "
-        "corner_override_before_mm, "
-        "corner_override_after_mm, corner_override_angle_deg, "
-        "stop_between_rapid_and_feed, limit_jerk, inverse_time_of_chords");
+        testing::AllOf(testing::StartsWith("m.toml:4:1: unknown key 'x' in [controller]; it may hold: "
+                                           "model, name, planner, look_ahead_blocks, "),
+                       testing::HasSubstr(", corner, exact_path_corner, "),
+                       testing::HasSubstr(", orientation, "), testing::EndsWith("inverse_time_of_chords")));
 }
 
 TEST(ControllerFile, WrongTypes) {
