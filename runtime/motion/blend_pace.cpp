@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "runtime/motion/arc_part.h"
 #include "runtime/motion/law_cut.h"
 
 namespace gsim::motion {
@@ -52,10 +53,9 @@ Segment motion_part(const Segment& motion, double from_s, double to_s, const Tim
     part.start = alone.position_at(from_s);
     part.end = alone.position_at(to_s);
     if (motion.kind == SegmentKind::circular) {
-        if (to > from)
-            part.arc = motion.arc.part(from, to);
-        else
-            part.kind = SegmentKind::linear;
+        const std::optional<Arc> arc = arc_part(motion.arc, from, to);
+        part.kind = arc ? SegmentKind::circular : SegmentKind::linear;
+        if (arc) part.arc = *arc;
     }
     part.lead = to - from > kNoWay ? law : rest_for(law.duration_s());
     part.duration_s = law.duration_s();

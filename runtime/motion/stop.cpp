@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <utility>
 
+#include "runtime/motion/arc_part.h"
+#include "runtime/motion/axis_space.h"
 #include "runtime/motion/blend_pace.h"
 #include "runtime/motion/law_cut.h"
 #include "runtime/motion/ramp.h"
@@ -39,13 +42,8 @@ rrs::JointPos position_at(const Segment& segment, const Progress& progress) {
     const double length = segment.lead.length();
     const double share = length > 0 ? progress.lead / length : 0;
     rrs::JointPos position = segment.start + share * (segment.end - segment.start);
-    if (segment.kind == SegmentKind::circular) {
-        const Eigen::Vector3d point = segment.arc.at(segment.arc.phi_at(progress.lead));
-        for (int axis = 0; axis < 3; ++axis) {
-            const int joint = segment.position_joints[static_cast<std::size_t>(axis)];
-            if (joint >= 0) position[joint] = point[axis];
-        }
-    }
+    if (segment.kind == SegmentKind::circular)
+        put_position(segment.position_joints, segment.arc.at(segment.arc.phi_at(progress.lead)), position);
     if (segment.orientation) {
         const OrientationArc& way = *segment.orientation;
         const HeadAngles angles = way.at(share * way.length_rad()).angles;
@@ -75,6 +73,13 @@ std::shared_ptr<const OrientationArc> orientation_part(const Segment& segment, d
     return std::make_shared<const OrientationArc>(way.part(from * scale, to * scale));
 }
 
+/// Where the lead stays and followers alone move, there is no arc.
+void set_arc_part(const Arc& arc, double from_mm, double to_mm, Segment& segment) {
+    const std::optional<Arc> part = arc_part(arc, from_mm, to_mm);
+    segment.kind = part ? SegmentKind::circular : SegmentKind::linear;
+    if (part) segment.arc = *part;
+}
+
 /// The part of a segment that begins at `from` and goes by `laws`; `last`: to the very end.
 Segment part_of(const Segment& segment, const Progress& from, const Laws& laws, bool last) {
     Segment part = segment;
@@ -93,8 +98,7 @@ Segment part_of(const Segment& segment, const Progress& from, const Laws& laws, 
     part.duration_s = duration_s;
     if (segment.lead.length() > 0)
         part.length_mm = segment.length_mm * ((to.lead - from.lead) / segment.lead.length());
-    if (segment.kind == SegmentKind::circular && to.lead > from.lead)
-        part.arc = segment.arc.part(from.lead, to.lead);
+    if (segment.kind == SegmentKind::circular) set_arc_part(segment.arc, from.lead, to.lead, part);
     if (segment.orientation) part.orientation = orientation_part(segment, from.lead, to.lead);
     part.reaches_target = last && segment.reaches_target;
     return part;

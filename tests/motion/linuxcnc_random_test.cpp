@@ -1,5 +1,6 @@
 // Random programs of lines and arcs in all modes, on real and odd machines.
 
+#include <functional>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -80,6 +81,35 @@ TEST(LinuxcncRandom, segments_join_without_a_jump) {
         ASSERT_NO_FATAL_FAILURE(expect_chain(run)) << "program " << i;
         ASSERT_NO_FATAL_FAILURE(expect_no_jumps(run)) << "program " << i;
     }
+}
+
+/// A move that ends before the one from whose end it started comes to rest, as that turns a slow joint: the
+/// rest of that leads to its end.
+TEST(LinuxcncRandom, a_short_move_stands_first) {
+    std::mt19937 random(45);
+    std::uniform_real_distribution<double> unit(0, 1);
+    LinuxcncRun run(fast_machine());
+    run.next.mode = rrs::PathMode::continuous;
+    for (int i = 0; i < 300; ++i) {
+        run.next.tolerance_mm = i % 2 == 0 ? 0 : unit(random);
+        for (const bool turns : {true, false}) {
+            const double length = turns ? 0.02 + 3 * unit(random) : std::exp(-7 - 3 * unit(random));
+            const double angle = 2 * kPi * unit(random);
+            rrs::JointPos joints = run.next.start;
+            joints.head<2>() += length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            if (turns) joints[3] += unit(random) - 0.5;
+            ASSERT_TRUE(run.go(joints));
+        }
+        run.end();
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_chain(run));
+    std::vector<rrs::TargetId> reached;
+    for (const Segment& segment : run.segments) {
+        if (segment.reaches_target) reached.push_back(segment.target_id);
+    }
+    ASSERT_EQ(std::adjacent_find(reached.begin(), reached.end(), std::greater_equal<>()), reached.end())
+        << "each once";
+    EXPECT_EQ(reached.back(), run.last_id);
 }
 
 TEST(LinuxcncRandom, keeps_the_programmed_speed) {

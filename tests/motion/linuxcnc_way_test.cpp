@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/motion/linuxcnc/way.h"
 #include "tests/motion/linuxcnc_run.h"
 
 namespace gsim::motion {
@@ -26,6 +27,27 @@ TEST(LinuxcncWay, a_part_of_an_arc_lies_on_it) {
             ASSERT_LT((part.at(part.phi_at(way)) - expected).norm(), 1e-9) << "arc " << i;
         }
         ASSERT_NEAR(arc.length_to(arc.phi_at(from)), from, 1e-9);
+    }
+}
+
+/// Parts so short that no angle is between their ends are points, on a line of no length.
+TEST(LinuxcncWay, a_part_of_an_arc_may_be_a_point) {
+    const PlannerSetup machine = fast_machine();
+    const linuxcnc::Axes axes(machine);
+    linuxcnc::Piece piece;
+    piece.curved = true;
+    piece.arc = {.radius_mm = 1e6, .end_radius_mm = 1e6, .sweep_rad = 1e-3};
+    piece.length = piece.arc.length_mm();
+    piece.start = piece.end = rrs::JointPos::Zero(5);
+    piece.start.head<3>() = piece.arc.at(0);
+    piece.end.head<3>() = piece.arc.at(piece.arc.sweep_rad);
+    for (const double from : {0.3, 1.7, 500.0, 770.0, 999.0}) {
+        for (const double to : {from, std::nextafter(from, 1e3), from + 1e-9}) {
+            const linuxcnc::WayPart part = linuxcnc::way_part(piece, axes, from, to);
+            ASSERT_TRUE(part.start.allFinite());
+            if (!part.curved) continue;
+            ASSERT_TRUE(part.arc.at(part.arc.phi_at((to - from) / 2)).allFinite()) << from;
+        }
     }
 }
 

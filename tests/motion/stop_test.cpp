@@ -225,5 +225,50 @@ TEST(Stop, OnAnArcNoWayIsLost) {
     }
 }
 
+/// A rotary joint that takes longer to stop than the tool goes on by itself, and the tool stays on its arc.
+TEST(Stop, ATurningJointBesideAnArc) {
+    std::mt19937 random(23);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int run = 0; run < 150; ++run) {
+        PlannerSetup setup = gantry_setup();
+        for (JointSetup& joint : setup.joints) {
+            joint.min = -kUnlimited;
+            joint.max = kUnlimited;
+            joint.max_acceleration *= std::exp(2 * unit(random) - 1);
+        }
+        set_ramps(setup, random, run % 2 == 0);
+        ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
+        ready.planner.SetCartesianPositionSpeed(20 + 200 * unit(random));
+        rrs::JointPos at = rrs::JointPos::Zero(5);
+        for (int i = 0; i < 3; ++i) {
+            const double radius = 5 + 50 * unit(random), sweep = 0.3 + 4 * unit(random);
+            const Eigen::Vector3d center = at.head<3>() + Eigen::Vector3d(0, radius, 0);
+            at.head<2>() = center.head<2>() + radius * Eigen::Vector2d(std::sin(sweep), -std::cos(sweep));
+            at[3] += 0.5 * unit(random);
+            ASSERT_EQ(ready.arc_to(at, center, Eigen::Vector3d::UnitZ(), sweep), Status::RRS_SUCCESS)
+                << ready.message();
+        }
+        for (int stops = 0; stops < 3; ++stops) {
+            ready.planner.SetInterpolationTime(ready.planner.time_s() * unit(random) / 3);
+            step(ready.planner);
+            ASSERT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
+            ready.planner.ContinueMotion();
+        }
+        ready.planner.flush();
+        ASSERT_NO_FATAL_FAILURE(expect_joined(ready.collector.segments)) << "run " << run;
+        double length_mm = 0;
+        for (const Segment& segment : ready.collector.segments) {
+            length_mm += segment.length_mm;
+            for (int i = 0; i <= 8; ++i) {  // it moves at the speed that it tells, and not back
+                const JointState state = segment.at(segment.duration_s * i / 8);
+                const double speed = segment.lead.at(segment.duration_s * i / 8).v;
+                ASSERT_NEAR(state.velocity.head<3>().norm(), speed, 1e-6 * (1 + speed)) << "run " << run;
+                ASSERT_LT((state.position - segment.start).head<3>().norm(), segment.length_mm + 1e-6);
+            }
+        }
+        ASSERT_LT((ready.collector.segments.back().end_position() - at).norm(), 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace gsim::motion

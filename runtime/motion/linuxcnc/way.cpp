@@ -1,5 +1,9 @@
 #include "runtime/motion/linuxcnc/way.h"
 
+#include <optional>
+
+#include "runtime/motion/arc_part.h"
+
 namespace gsim::motion::linuxcnc {
 
 namespace {
@@ -36,13 +40,14 @@ WayPart way_part(const Piece& piece, const Axes& axes, double from, double to) {
     WayPart part;
     part.start = joints_at(piece, axes, from);
     part.end = joints_at(piece, axes, to);
-    part.curved = piece.curved && from >= piece.lead_in && to > from;
-    if (part.curved) {
+    if (piece.curved && from >= piece.lead_in) {
         part.scale = arc_scale(piece);
         const bool whole = from <= piece.lead_in && to >= piece.length;
-        part.arc =
-            whole ? piece.arc
-                  : piece.arc.part((from - piece.lead_in) * part.scale, (to - piece.lead_in) * part.scale);
+        const std::optional<Arc> arc = whole ? piece.arc
+                                             : arc_part(piece.arc, (from - piece.lead_in) * part.scale,
+                                                        (to - piece.lead_in) * part.scale);
+        part.curved = arc.has_value();
+        if (arc) part.arc = *arc;
     }
     part.length_mm = piece.path_limited ? (to - from) * part.scale : 0;
     return part;

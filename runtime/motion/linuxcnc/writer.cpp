@@ -39,17 +39,17 @@ double way_at(const HeldPiece& held, double t_s) {
 
 // The piece of the next group that moves while the front one comes to rest.
 struct Partner {
-    std::optional<std::size_t> head = std::nullopt;  // none: not timed yet
-    const rrs::JointPos* corner = nullptr;           // where that group starts
-    bool at_rest = false;                            // the whole group has been put out
+    std::optional<std::size_t> head = std::nullopt;     // none: not timed yet
+    const rrs::JointPos* corner = nullptr;              // where that group starts
+    std::optional<std::size_t> at_rest = std::nullopt;  // its last piece, where all of it has been put out
 };
 
 Partner partner(PieceQueue& queue, std::size_t ready) {
     std::size_t last = 0;
     while (last < ready && !queue[last].ends_group) ++last;
     for (std::size_t index = last + 1; index < ready; ++index) {
-        if (!done(queue[index])) return {index, &queue[last].piece.end, false};
-        if (queue[index].ends_group) return {.at_rest = true};
+        if (!done(queue[index])) return {index, &queue[last].piece.end, std::nullopt};
+        if (queue[index].ends_group) return {std::nullopt, &queue[last].piece.end, index};
     }
     return {};
 }
@@ -79,6 +79,16 @@ const HeldPiece* behind(const PieceQueue& queue, std::size_t index) {
 
 bool ends_piece(const HeldPiece& held, double to_s) {
     return to_s >= held.law.duration_s() - kNoTime_s;
+}
+
+bool ends_group(const HeldPiece& held, double to_s) {
+    return held.ends_group && ends_piece(held, to_s);
+}
+
+void move_by(const rrs::JointPos& way, const Axes& axes, Segment& segment) {
+    segment.start += way;
+    segment.end += way;
+    if (segment.kind == SegmentKind::circular) segment.arc.center += axes.point(way);
 }
 
 // How near the tool comes to the corner while two motions share their time.
@@ -111,7 +121,9 @@ bool Writer::write_front(PieceQueue& queue, std::size_t ready, bool ended) {
         const Partner next = partner(queue, ready);
         if (next.head) {
             write_shared(queue, *next.head, *next.corner);
-        } else if (next.at_rest || ended) {
+        } else if (next.at_rest) {
+            write_to_rest(queue, *next.at_rest, *next.corner);
+        } else if (ended) {
             write_alone(queue, held.law.duration_s());
         } else {
             return false;
@@ -143,6 +155,24 @@ void Writer::write_shared(PieceQueue& queue, std::size_t head_index, const rrs::
     }
 }
 
+// The next group, which started at the corner, stands at its end already: there the front one comes to rest.
+void Writer::write_to_rest(PieceQueue& queue, std::size_t standing_index, const rrs::JointPos& corner) {
+    HeldPiece& tail = queue.front();
+    const HeldPiece& standing = queue[standing_index];
+    while (!done(tail)) {
+        const double to_s = part_end_s(tail, tail.written_s);
+        Segment& segment = output_.begin(standing.piece.target_id);
+        fill({&tail, tail.written_s, to_s, nullptr}, segment);
+        move_by(standing.piece.end - corner, axes_, segment);
+        segment.reaches_target = ends_group(tail, to_s) && ends_target(standing, standing.law.duration_s(),
+                                                                       behind(queue, standing_index));
+        look_for_nearest(segment, axes_, corner, tail);
+        if (ends_piece(tail, to_s)) segment.deviation_mm = std::max(segment.deviation_mm, tail.nearest_mm);
+        output_.finish();
+        tail.written_s = to_s;
+    }
+}
+
 void Writer::put(const Span& span) {
     Segment& segment = output_.begin(target_of(*span.held, span.to_s));
     fill(span, segment);
@@ -160,11 +190,9 @@ void Writer::put_both(const Span& tail, const Span& head, const rrs::JointPos& c
     beside->start_s = segment.start_s;
     beside->position_joints = segment.position_joints;
     fill(head, *beside);
-    const rrs::JointPos moved = beside->start - corner;
-    segment.start += moved;
-    segment.end += moved;
-    if (segment.kind == SegmentKind::circular) segment.arc.center += axes_.point(moved);
-    segment.reaches_target = ends_target(*head.held, head.to_s, head.next);
+    move_by(beside->start - corner, axes_, segment);
+    const bool stands_first = ends_group(*head.held, head.to_s) && !ends_group(*tail.held, tail.to_s);
+    segment.reaches_target = !stands_first && ends_target(*head.held, head.to_s, head.next);
     segment.beside = std::move(beside);
     segment.length_mm = segment.blended_length_mm();
     look_for_nearest(segment, axes_, corner, *tail.held);

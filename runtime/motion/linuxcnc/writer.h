@@ -31,6 +31,7 @@ class Writer {
     bool write_front(PieceQueue& queue, std::size_t ready, bool ended);
     void write_alone(PieceQueue& queue, double until_s);
     void write_shared(PieceQueue& queue, std::size_t head_index, const rrs::JointPos& corner);
+    void write_to_rest(PieceQueue& queue, std::size_t standing_index, const rrs::JointPos& corner);
     void put(const Span& span);
     void put_both(const Span& tail, const Span& head, const rrs::JointPos& corner);
     void fill(const Span& span, Segment& segment) const;
