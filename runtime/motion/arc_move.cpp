@@ -1,5 +1,6 @@
 #include "runtime/motion/arc_move.h"
 
+#include "runtime/motion/arc_limits.h"
 #include "runtime/motion/followers.h"
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
@@ -53,6 +54,7 @@ Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& seg
     const OrientationArc* orientation = segment.orientation.get();
     const Followers followers(setup, resolved, changes, JointRole::position, orientation);
     LeadPath lead = arc_path(setup, resolved, segment);
+    limit_by_arc_jerk(setup, segment.arc, lead);
     if (orientation != nullptr) limit_by_orientation(setup, resolved, *orientation, lead);
     return set_timing(segment, lead, &followers, rules.least_duration_s);
 }

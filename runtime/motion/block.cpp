@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/arc_limits.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
@@ -93,6 +94,21 @@ double acceleration_in_plane(const PlannerSetup& setup, const Arc& arc) {
     return acceleration;
 }
 
+/// `limit` takes the limits of the block as those of a lead.
+template <typename Limit>
+void limit_lead(Block& block, const Limit& limit) {
+    LeadPath lead{block.lead.length, block.limits(), block.speed_limit, block.acceleration_limit,
+                  block.jerk_limit};
+    limit(lead);
+    block.max_speed = lead.limits.max_speed;
+    block.acceleration = lead.limits.acceleration;
+    block.deceleration = lead.limits.deceleration;
+    block.jerk = lead.limits.jerk;
+    block.speed_limit = lead.speed_limit;
+    block.acceleration_limit = lead.acceleration_limit;
+    block.jerk_limit = lead.jerk_limit;
+}
+
 /// On a curve the acceleration of a joint is shared: one part keeps to the curve, the other one changes the
 /// speed, at right angles to each other.
 void limit_by_curvature(const Move& move, const PlannerSetup& setup, Block& block) {
@@ -104,23 +120,7 @@ void limit_by_curvature(const Move& move, const PlannerSetup& setup, Block& bloc
           {LimitKind::centripetal, -1});
     block.acceleration *= std::sqrt(1 - share * share);
     block.deceleration *= std::sqrt(1 - share * share);
-    if (std::isfinite(block.jerk))
-        limit(block.max_speed, block.speed_limit, std::cbrt(block.jerk / (curvature * curvature)),
-              {LimitKind::jerk, -1});
-}
-
-/// All other limits are in the block.
-void limit_by_head(const PlannerSetup& setup, const OrientationArc& arc, Block& block) {
-    LeadPath lead{block.lead.length, block.limits(), block.speed_limit, block.acceleration_limit,
-                  block.jerk_limit};
-    limit_by_head(setup, arc, lead);
-    block.max_speed = lead.limits.max_speed;
-    block.acceleration = lead.limits.acceleration;
-    block.deceleration = lead.limits.deceleration;
-    block.jerk = lead.limits.jerk;
-    block.speed_limit = lead.speed_limit;
-    block.acceleration_limit = lead.acceleration_limit;
-    block.jerk_limit = lead.jerk_limit;
+    limit_lead(block, [&](LeadPath& lead) { limit_by_askew_climb(setup, move.arc, share, lead); });
 }
 
 /// How far the tool turns: along the great circle, or by the norm of the rotary joints.
@@ -205,8 +205,12 @@ tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const P
     set_slopes(move, setup, changes, block);
     limit_by_program(move, setup, turn_of(move, changes), block);
     limit_by_joints(setup, shares_of(move, setup, block), block);
-    if (move.kind == SegmentKind::circular) limit_by_curvature(move, setup, block);
-    if (move.orientation) limit_by_head(setup, *move.orientation, block);
+    if (move.kind == SegmentKind::circular) {
+        limit_by_curvature(move, setup, block);
+        limit_lead(block, [&](LeadPath& lead) { limit_by_arc_jerk(setup, move.arc, lead); });
+    }
+    if (move.orientation)
+        limit_lead(block, [&](LeadPath& lead) { limit_by_head(setup, *move.orientation, lead); });
     if (Planned checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
     return block;
 }

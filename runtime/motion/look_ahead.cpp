@@ -42,7 +42,7 @@ Planned LookAhead::add(const Move& move) {
 Planned LookAhead::add_line(const Move& move) {
     if (setup_.controller.arc_chord_tolerance_mm <= 0) return add_block(move);
     Move line = move;
-    line.start = has_rounded_ ? rounded_ : on_grid(setup_, move.start);
+    if (has_rounded_) line.start = rounded_;
     line.end = on_grid(setup_, move.end);
     Planned planned = add_block(line);
     if (planned) {
@@ -55,12 +55,30 @@ Planned LookAhead::add_line(const Move& move) {
 Planned LookAhead::add_block(const Move& move) {
     auto block = block_of(move, setup_);
     if (!block) return tl::unexpected(std::move(block.error()));
-    if (!*block) return {};
+    if (!*block) {
+        reach_with_last(move);
+        return {};
+    }
     if (!window_.empty()) join(window_.back(), **block);
     window_.push_back(*std::move(*block));
-    plan_back(largest_exit_cut(setup_, window_.back()));
-    if (window_.size() >= std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1)) put_out_front();
+    if (window_.size() < std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1)) return {};
+    if (!knows_exit()) plan_back(largest_exit_cut(setup_, window_.back()));
+    put_out_front();
     return {};
+}
+
+/// The last chord of an arc may be rounded away.
+void LookAhead::reach_with_last(const Move& move) {
+    if (window_.empty() || window_.back().move.target_id != move.target_id) return;
+    window_.back().move.reaches_target = move.reaches_target;
+}
+
+/// Further blocks only raise planned speeds. So the one at which the oldest block ends is final where it is
+/// all that the corner allows or that the block can reach.
+bool LookAhead::knows_exit() const {
+    if (window_.size() < 2) return true;
+    const Block& next = window_[1];
+    return next.entry >= next.entry_cap || next.entry > reachable_exit();
 }
 
 void LookAhead::join(Block& from, Block& to) const {
@@ -71,8 +89,8 @@ void LookAhead::join(Block& from, Block& to) const {
     from.exit_cut = corner.blend.cut;
 }
 
-/// From the newest block, which ends at rest `held_back` before its end, back to the first one that gains
-/// nothing.
+/// From the newest block, which ends at rest `held_back` before its end, back to the first one that has been
+/// planned before and gains nothing.
 void LookAhead::plan_back(double held_back) {
     double exit_speed = 0;
     double way = std::max(window_.back().way() - held_back, 0.0);
@@ -83,19 +101,23 @@ void LookAhead::plan_back(double held_back) {
         const bool corner = block.entry_cap <= reachable;
         const double entry = corner ? block.entry_cap : reachable;
         by_window = by_window && !corner;
-        if (entry <= block.entry && by_window == block.by_window && i + 1 < window_.size()) return;
+        if (i < planned_ && entry <= block.entry && by_window == block.by_window) break;
         block.entry = entry;
         block.by_window = by_window;
         exit_speed = entry;
         way = window_[i - 1].way();
     }
+    planned_ = window_.size();
 }
 
 /// The speed at which the next block begins, as far as the oldest one can reach it.
 double LookAhead::front_exit_speed() const {
+    return std::min(window_.size() > 1 ? window_[1].entry : 0, reachable_exit());
+}
+
+double LookAhead::reachable_exit() const {
     const Block& block = window_.front();
-    const double planned = window_.size() > 1 ? window_[1].entry : 0;
-    return std::min(planned, reachable_speed(block.way(), speed_, block.acceleration, block.jerk));
+    return reachable_speed(block.way(), speed_, block.acceleration, block.jerk);
 }
 
 /// Where few blocks are known a blend could be passed so slowly only that a stop takes less time. The cut is
@@ -127,6 +149,7 @@ void LookAhead::put_out_front() {
     }
     if (may_wait) put_out_rest(block.move.target_id, block.move.end, settle_s(block));
     window_.pop_front();
+    planned_ = std::max<std::size_t>(planned_, 1) - 1;
     speed_ = exit;
 }
 
@@ -164,7 +187,7 @@ double LookAhead::settle_s(const Block& block) const {
 LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
     const Block& slower = from.max_speed <= to.max_speed ? from : to;
     if (speed >= slower.max_speed * (1 - kSameSpeed)) return slower.speed_limit;
-    return {to.by_window ? LimitKind::look_ahead : LimitKind::corner, -1};
+    return {to.by_window && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
 }
 
 void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s) {
@@ -178,7 +201,7 @@ void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double 
 LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
     if (law.peak_speed() >= block.max_speed * (1 - kSameSpeed)) return block.speed_limit;
     const Block* next = window_.size() > 1 ? &window_[1] : nullptr;
-    if (next != nullptr && next->by_window) return {LimitKind::look_ahead, -1};
+    if (next != nullptr && next->by_window && exit_speed >= next->entry) return {LimitKind::look_ahead, -1};
     const bool slow_corner = speed_ > 0 && exit_speed > 0;
     if (slow_corner && next != nullptr && next->entry_limit == LimitKind::corner)
         return {LimitKind::corner, -1};
@@ -186,13 +209,18 @@ LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double e
 }
 
 void LookAhead::come_to_rest() {
-    if (!window_.empty() && largest_exit_cut(setup_, window_.back()) > 0) plan_back(0);
+    if (!window_.empty()) plan_back(0);
     while (!window_.empty()) put_out_front();
     speed_ = 0;
 }
 
+rrs::JointPos LookAhead::standing_at(const rrs::JointPos& position) const {
+    return has_rounded_ ? rounded_ : position;
+}
+
 void LookAhead::clear() {
     window_.clear();
+    planned_ = 0;
     output_.clear();
     speed_ = 0;
     has_rounded_ = false;

@@ -14,9 +14,9 @@ namespace gsim::motion {
 ///
 /// The window holds look_ahead_blocks blocks, the one under way included. The newest is planned to end at
 /// rest; from there back, a block's entry speed is what its corner allows and what its length lets slow down
-/// from. When the window is full the oldest block becomes final: its exit speed is the next one's entry
-/// speed, and its law the fastest one between the two (TimeLaw::between). With jerk limits the acceleration
-/// is 0 at the ends of blocks.
+/// from (planned where an entry is asked for that further blocks can yet raise). When the window is full the
+/// oldest block becomes final: its exit speed is the next one's entry speed, and its law the fastest one
+/// between the two (TimeLaw::between). With jerk limits the acceleration is 0 at the ends of blocks.
 ///
 /// What a blend may yet cut off the newest block is not counted as way to brake on, so that a corner which
 /// becomes known never makes speeds infeasible that are final.
@@ -29,6 +29,7 @@ class LookAhead final : public MotionModel {
     Planned add(const Move& move) override;
     void come_to_rest() override;
     void clear() override;
+    rrs::JointPos standing_at(const rrs::JointPos& position) const override;
 
   private:
     Planned add_line(const Move& move);
@@ -39,7 +40,10 @@ class LookAhead final : public MotionModel {
     void put_out_way(const Block& block, double exit_speed, bool reaches_target);
     void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
     void drop_slow_blend();
+    void reach_with_last(const Move& move);
+    bool knows_exit() const;
     double front_exit_speed() const;
+    double reachable_exit() const;
     double settle_s(const Block& block) const;
     LimitedBy blend_limited_by(const Block& from, const Block& to, double speed) const;
     LimitedBy limited_by(const Block& block, const TimeLaw& law, double exit_speed) const;
@@ -47,8 +51,9 @@ class LookAhead final : public MotionModel {
     const PlannerSetup& setup_;
     FollowingError output_;
     std::deque<Block> window_;
-    double speed_ = 0;       ///< At the start of the oldest block, which cannot change any more.
-    rrs::JointPos rounded_;  ///< Where the last block ends, on the grid of the joints' steps.
+    std::size_t planned_ = 0;  ///< Blocks of the window whose entries were planned, from the oldest on.
+    double speed_ = 0;         ///< At the start of the oldest block, which cannot change any more.
+    rrs::JointPos rounded_;    ///< Where the last block ends, on the grid of the joints' steps.
     bool has_rounded_ = false;
 };
 

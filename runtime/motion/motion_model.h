@@ -47,12 +47,16 @@ class SegmentOutput {
 class MotionModel {
   public:
     virtual ~MotionModel() = default;
-    /// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER; then nothing has changed.
+    /// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER; then nothing has changed, but for chords of an arc before one
+    /// that is refused.
     virtual Planned add(const Move& move) = 0;
     /// Plans what is held back to end at rest, and puts it out.
     virtual void come_to_rest() = 0;
     /// Forgets what is held back.
     virtual void clear() = 0;
+    /// Where the motion ends whose last move ended at `position`: off it where the model rounds positions or
+    /// leaves out ways that are too short.
+    virtual rrs::JointPos standing_at(const rrs::JointPos& position) const { return position; }
 };
 
 }  // namespace gsim::motion

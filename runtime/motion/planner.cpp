@@ -160,7 +160,7 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
     Status status = queue_.empty() ? Status::RRS_NEED_MORE_DATA : Status::RRS_SUCCESS;
     step_s_ = std::min(from_s + programmed_.interpolation_s, end_s_);
     events_.step(from_s, step_s_, queue_);
-    joints = stopped_ ? stopped_->position : position_;
+    joints = stopped_ ? stopped_->position : standing();
     while (!queue_.empty() && queue_.front().end_s() <= step_s_) {
         step_target_ = queue_.front().target_id;
         if (queue_.front().reaches_target) status = Status::RRS_TARGET_REACHED;
@@ -174,6 +174,10 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
     pose = setup_.kinematics->forward(joints);
     elapsed_s = step_s_ - from_s;
     return status;
+}
+
+rrs::JointPos DefaultPlanner::standing() const {
+    return model_ ? model_->standing_at(position_) : position_;
 }
 
 Status DefaultPlanner::GetTargetOfLastStep(rrs::TargetId& id) {

@@ -180,6 +180,7 @@ class DefaultPlanner final : public rrs::Shell {
     void append(const Segment& segment);
     void append_rest(rrs::TargetId id, double rest_s);
     double dwell_s(double programmed_s) const;
+    rrs::JointPos standing() const;
     void emit_front();
 
     Planned plan_selected(Segment& segment) const;

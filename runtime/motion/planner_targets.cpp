@@ -7,6 +7,7 @@
 
 #include "runtime/kinematics/pose.h"
 #include "runtime/motion/arc_move.h"
+#include "runtime/motion/block.h"
 #include "runtime/motion/circle.h"
 #include "runtime/motion/joint_move.h"
 #include "runtime/motion/lead_path.h"
@@ -22,6 +23,33 @@ using rrs::Status;
 namespace {
 
 constexpr double kLargestValue = 1e12;  // mm or rad; what is computed from it stays far from overflow
+constexpr double kSameTime = 1e-9;      // relative
+
+Move move_of(const Segment& segment, const Programmed& programmed, const PlannerSetup& setup) {
+    Move move;
+    move.target_id = segment.target_id;
+    move.kind = segment.kind;
+    move.start = segment.start;
+    move.end = segment.end;
+    move.arc = segment.arc;
+    move.orientation = segment.orientation;
+    move.rules = programmed.rules(setup.path);
+    move.rapid = programmed.rapid;
+    move.mode = programmed.path_mode;
+    move.tolerance_mm = programmed.tolerance_mm;
+    move.merge_tolerance_mm = programmed.merge_tolerance_mm;
+    return move;
+}
+
+/// A model takes moves before it can tell their times. By the machine's speeds this one takes so long at
+/// least; 0 where the program asks for no time, or the controller takes that of an arc for another thing.
+double least_s(const Move& move, const PlannerSetup& setup) {
+    const bool of_chords = move.kind == SegmentKind::circular && setup.controller.inverse_time_of_chords;
+    if (move.rules.least_duration_s <= 0 || of_chords) return 0;
+    const auto block = block_of(move, setup);
+    if (!block || !*block) return 0;
+    return (*block)->lead.length / (*block)->max_speed * (1 - kSameTime);
+}
 
 }  // namespace
 
@@ -168,6 +196,7 @@ Segment& DefaultPlanner::begin_target(rrs::TargetId id, bool along_path) {
     if (!model_) return begin_segment(queue_.next(), id);
     if (along_path) return begin_segment(draft_, id);
     end_model();
+    position_ = standing();
     model_->clear();
     return begin_segment(queue_.next(), id);
 }
@@ -193,29 +222,21 @@ Status DefaultPlanner::finish_target(const Segment& segment, Planned planned) {
     if (!planned) return tell(std::move(planned.error()));
     position_ = segment.end;
     if (!held_back) append(segment);
+    double takes_s = segment.duration_s;
+    if (held_back && programmed_.motion_time_s > 0)
+        takes_s = least_s(move_of(segment, programmed_, setup_), setup_);
     const double asked_s = std::exchange(programmed_.motion_time_s, 0);
     const double rest_s = std::exchange(programmed_.rest_s, 0);
     via_.reset();
     if (rest_s > 0) append_rest(segment.target_id, dwell_s(rest_s));
-    if (held_back || asked_s <= 0 || segment.duration_s <= asked_s) return Status::RRS_SUCCESS;
+    if (asked_s <= 0 || takes_s <= asked_s) return Status::RRS_SUCCESS;
     return refuse(Status::RRS_MOTION_TIME_RAISED,
-                  fmt::format("The move takes {} s, not {} s: the machine can do it no faster.",
-                              segment.duration_s, asked_s));
+                  fmt::format("The move takes {}{} s, not {} s: the machine can do it no faster.",
+                              held_back ? "at least " : "", takes_s, asked_s));
 }
 
 Planned DefaultPlanner::add_to_model(const Segment& segment) {
-    Move move;
-    move.target_id = segment.target_id;
-    move.kind = segment.kind;
-    move.start = segment.start;
-    move.end = segment.end;
-    move.arc = segment.arc;
-    move.orientation = segment.orientation;
-    move.rules = programmed_.rules(setup_.path);
-    move.rapid = programmed_.rapid;
-    move.mode = programmed_.path_mode;
-    move.tolerance_mm = programmed_.tolerance_mm;
-    move.merge_tolerance_mm = programmed_.merge_tolerance_mm;
+    const Move move = move_of(segment, programmed_, setup_);
     const bool held = held_.put(move.target_id);  // before the model puts its motion out
     Planned planned = model_->add(move);
     if (!planned && held) held_.take_back();
@@ -232,7 +253,7 @@ void DefaultPlanner::append_rest(rrs::TargetId id, double rest_s) {
     end_model();
     Segment& segment = output_.begin(id);
     segment.kind = SegmentKind::rest;
-    segment.start = segment.end = position_;
+    segment.start = segment.end = standing();
     plan_stay(segment, rest_s);
     output_.finish();
 }

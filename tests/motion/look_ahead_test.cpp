@@ -262,5 +262,64 @@ TEST(LookAhead, LimitsHoldOnRandomPaths) {
     }
 }
 
+/// Blocks that are planned only when something must come out move as those that are planned one by one: by
+/// the window's length from each block, backwards, and from the start forwards.
+TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
+    std::mt19937 random(71);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int run = 0; run < 40; ++run) {
+        PlannerSetup setup = router_setup();
+        setup.controller.look_ahead_blocks = 1 + static_cast<std::size_t>(12 * unit(random));
+        setup.controller.stop_between_rapid_and_feed = false;
+        Path path(setup);
+        std::vector<double> length, feed;
+        for (int i = 0; i < 120; ++i) {
+            length.push_back(std::exp(6 * unit(random) - 4));
+            feed.push_back(unit(random) < 0.1 ? 5 : 100);
+            path.line(path.position()[0] + length.back(), 0, feed.back());
+        }
+        path.rest();
+        double speed = 0;
+        for (std::size_t i = 0; i < length.size(); ++i) {
+            const std::size_t end = std::min(i + setup.controller.look_ahead_blocks, length.size());
+            double planned = 0;
+            for (std::size_t k = end; --k > i;) {
+                const double corner = std::min(feed[k - 1], feed[k]);
+                planned = std::min(corner, std::sqrt(planned * planned + 2 * 1000 * length[k]));
+            }
+            if (i + 1 >= end) planned = 0;
+            speed = std::min(planned, std::sqrt(speed * speed + 2 * 1000 * length[i]));
+            ASSERT_NEAR(path.exit_speed(i), speed, 1e-9 * (1 + speed)) << "run " << run << " block " << i;
+        }
+    }
+}
+
+/// Each block is planned once, not once for each that follows: this would take minutes.
+TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
+    PlannerSetup setup = router_setup();
+    setup.controller.look_ahead_blocks = 200'000;
+    Path path(setup);
+    for (int i = 1; i <= 60'000; ++i) path.line(1e-5 * i, 0);
+    path.rest();
+    EXPECT_NEAR(path.out().time_s(), trapezoid_s(0.6, 100, 1000), 1e-6) << "as one line";
+}
+
+/// A chord of a small arc may be nothing on the grid of the joints' steps; the one before it reaches the
+/// target.
+TEST(LookAhead, AnArcReachesItsTargetWhereItsLastChordIsRoundedAway) {
+    PlannerSetup setup = router_setup();
+    setup.controller.arc_chord_tolerance_mm = 0.0002;
+    for (JointSetup& joint : setup.joints) joint.step = 0.01;
+    std::mt19937 random(72);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int run = 0; run < 200; ++run) {
+        Path path(setup);
+        path.arc(0.02 + 0.1 * unit(random), 6 * unit(random), 0.6 + 5 * unit(random), 20);
+        path.rest();
+        if (path.out().segments.empty()) continue;
+        ASSERT_TRUE(path.out().segments.back().reaches_target) << "run " << run;
+    }
+}
+
 }  // namespace
 }  // namespace gsim::motion

@@ -222,5 +222,52 @@ TEST(PlannerQueue, segment_leaves_once_even_if_the_sink_throws) {
     EXPECT_EQ(sink.taken, 1);
 }
 
+/// Dwells, joint motions and new starts of a controller that counts steps begin where the last line ended: on
+/// the grid of the steps, off the programmed position.
+TEST(PlannerQueue, WhatFollowsALineOnTheGridStartsThere) {
+    PlannerSetup setup = gantry_setup();
+    setup.controller.planner = rrs::PlannerKind::look_ahead;
+    setup.controller.corner = rrs::CornerRule::junction_deviation;
+    setup.controller.arc_chord_tolerance_mm = 0.002;
+    for (JointSetup& joint : setup.joints) joint.step = 1.0 / 250;
+    ReadyPlanner ready(setup, kinematics::joint_pos({1.0013, 0, 0, 0, 0}));
+    ready.planner.SetCartesianPositionSpeed(50);
+    std::mt19937 random(81);
+    std::uniform_real_distribution<double> place(1, 9);
+    for (int i = 0; i < 60; ++i) {
+        ready.planner.SelectMotionType(i % 5 == 3 ? rrs::MotionType::joint : rrs::MotionType::linear);
+        ASSERT_EQ(ready.to(kinematics::joint_pos({place(random), place(random), place(random), 0, 0})),
+                  rrs::Status::RRS_SUCCESS)
+            << ready.message();
+        if (i % 3 == 0) ready.planner.SetNextRest(1000 + i, 0.1);
+    }
+    ready.planner.flush();
+    const std::vector<Segment>& segments = ready.collector.segments;
+    for (std::size_t i = 1; i < segments.size(); ++i)
+        ASSERT_LT((segments[i].start - segments[i - 1].end_position()).norm(), 1e-12) << i;
+    rrs::JointPos joints;
+    rrs::CartPos pose;
+    double elapsed_s = 0;
+    ready.planner.GetNextStep(joints, pose, elapsed_s);
+    EXPECT_EQ(joints, segments.back().end_position());
+}
+
+/// 508 mm/s are the speed of the axis, 254 mm/s that of the path.
+TEST(PlannerQueue, ModelsTellOfTimesThatTheMachineCannotKeep) {
+    for (const auto kind : {rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc}) {
+        PlannerSetup setup = gantry_setup();
+        setup.controller.planner = kind;
+        ReadyPlanner ready(setup, joint_pos({0, 0, 0, 0, 0}));
+        ready.planner.SelectMotionType(rrs::MotionType::linear);
+        ready.planner.SetMotionTime(1);
+        EXPECT_EQ(ready.to(joint_pos({200, 0, 0, 0, 0})), Status::RRS_SUCCESS) << ready.message();
+        ready.planner.SetMotionTime(1);
+        EXPECT_EQ(ready.to(joint_pos({600, 0, 0, 0, 0})), Status::RRS_MOTION_TIME_RAISED);
+        EXPECT_NE(ready.message().find("at least 1.57"), std::string::npos) << ready.message();
+        ready.planner.SetMotionTime(2);
+        EXPECT_EQ(ready.to(joint_pos({200, 0, 0, 0, 0})), Status::RRS_SUCCESS) << ready.message();
+    }
+}
+
 }  // namespace
 }  // namespace gsim::motion

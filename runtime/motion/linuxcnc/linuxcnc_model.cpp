@@ -64,7 +64,12 @@ Planned LinuxcncModel::add_whole(const Move& move) {
 void LinuxcncModel::come_to_rest() {
     end_merged();
     put_out(true);
-    clear();
+    queue_.clear();
+    pacer_.clear();
+}
+
+rrs::JointPos LinuxcncModel::standing_at(const rrs::JointPos& position) const {
+    return left_out_.value_or(position);
 }
 
 void LinuxcncModel::clear() {

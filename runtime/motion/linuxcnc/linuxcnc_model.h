@@ -35,6 +35,7 @@ class LinuxcncModel final : public MotionModel {
     Planned add(const Move& move) override;
     void come_to_rest() override;
     void clear() override;
+    rrs::JointPos standing_at(const rrs::JointPos& position) const override;
 
   private:
     Planned add_whole(const Move& move);

@@ -1,0 +1,118 @@
+// The jerks and accelerations that joints get round arcs and helices, however these lie in space.
+#include "runtime/motion/arc_limits.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/machines.h"
+
+namespace gsim::motion {
+namespace {
+
+using Eigen::Vector3d;
+
+enum class Lie { along_axes, askew };
+
+class ArcLimits : public testing::Test {
+  protected:
+    double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
+
+    PlannerSetup machine(rrs::PlannerKind planner, bool jerk) {
+        PlannerSetup setup = gantry_setup();
+        for (JointSetup& joint : setup.joints) {
+            joint.min = -kUnlimited;
+            joint.max = kUnlimited;
+            joint.max_acceleration *= std::exp(number());
+            joint.max_deceleration = joint.max_acceleration * std::exp(number());
+            joint.max_jerk = joint.max_acceleration * std::exp(3 * number() + 2);
+        }
+        setup.path = {};
+        setup.controller.planner = planner;
+        setup.controller.limit_jerk = jerk;
+        setup.controller.centripetal_share = 0.5 + 0.45 * number();
+        return setup;
+    }
+
+    /// An arc or helix from rest to rest in a plane of its own, now and then with radii that disagree.
+    std::vector<Segment> arc_move(const PlannerSetup& setup, Lie lie) {
+        ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
+        ready.planner.SetCartesianPositionSpeed(20 + 300 * std::abs(number()));
+        const double radius = std::exp(3 + 2 * number()), sweep = 0.2 + 5 * std::abs(number());
+        Vector3d axis = Vector3d::UnitZ();
+        if (lie == Lie::askew) axis = Vector3d(number(), number(), number()).normalized();
+        const Vector3d out = axis.unitOrthogonal();
+        const double end_radius = radius + (number() > 0 ? 0.04 * number() : 0);
+        const double climb = number() > 0 ? 2 * radius * number() : 0;
+        rrs::JointPos end = rrs::JointPos::Zero(5);
+        end.head<3>() = -radius * out + end_radius * (Eigen::AngleAxisd(sweep, axis) * out) + climb * axis;
+        if (number() > 0.3) end[3] = 0.3 * number();
+        EXPECT_EQ(ready.arc_to(end, -radius * out, axis, sweep), rrs::Status::RRS_SUCCESS) << ready.message();
+        ready.planner.flush();
+        return ready.collector.segments;
+    }
+
+    std::mt19937 random{61};
+};
+
+/// By differences of the accelerations, within the pieces of the law.
+void expect_jerks(const Segment& segment, const PlannerSetup& setup) {
+    double start_s = 0;
+    for (const LawPiece& piece : segment.lead.pieces()) {
+        for (const double share : {0.002, 0.1, 0.3, 0.5, 0.7, 0.9, 0.998}) {
+            const double h = 1e-4 * piece.duration_s;
+            const double t_s = start_s + share * piece.duration_s;
+            const rrs::JointPos jerk =
+                (segment.at(t_s + h).acceleration - segment.at(t_s - h).acceleration) / (2 * h);
+            for (int joint = 0; joint < 3; ++joint) {
+                const JointSetup& own = setup.joints[static_cast<std::size_t>(joint)];
+                const double rounding = 1e-10 * own.max_acceleration / h;
+                ASSERT_LE(std::abs(jerk[joint]), own.max_jerk * (1 + 1e-5) + rounding) << "joint " << joint;
+            }
+        }
+        start_s += piece.duration_s;
+    }
+}
+
+TEST_F(ArcLimits, JointsKeepTheirJerks) {
+    for (int run = 0; run < 600; ++run) {
+        const auto planner = run % 2 == 0 ? rrs::PlannerKind::rest_to_rest : rrs::PlannerKind::look_ahead;
+        const PlannerSetup setup = machine(planner, true);
+        for (const Segment& segment : arc_move(setup, run % 3 == 0 ? Lie::askew : Lie::along_axes))
+            ASSERT_NO_FATAL_FAILURE(expect_jerks(segment, setup)) << "run " << run;
+    }
+}
+
+TEST_F(ArcLimits, JointsKeepTheirAccelerations) {
+    for (int run = 0; run < 400; ++run) {
+        const PlannerSetup setup = machine(rrs::PlannerKind::look_ahead, run % 4 == 0);
+        for (const Segment& segment : arc_move(setup, run % 3 == 0 ? Lie::along_axes : Lie::askew)) {
+            for (int i = 0; i <= 60; ++i) {
+                const rrs::JointPos acceleration = segment.at(segment.duration_s * i / 60).acceleration;
+                for (int joint = 0; joint < 3; ++joint) {
+                    const JointSetup& own = setup.joints[static_cast<std::size_t>(joint)];
+                    const double limit = std::max(own.max_acceleration, own.deceleration());
+                    ASSERT_LE(std::abs(acceleration[joint]), limit * (1 + 1e-9))
+                        << "joint " << joint << " run " << run;
+                }
+            }
+        }
+    }
+}
+
+/// Where all three parts are as great as they may be, on a circle: jerk / (1 + sqrt 2) for each.
+TEST_F(ArcLimits, SharesOfACircle) {
+    PlannerSetup setup = machine(rrs::PlannerKind::look_ahead, true);
+    for (JointSetup& joint : setup.joints) joint.max_jerk = 1000;
+    const Arc circle{.radius_mm = 20, .end_radius_mm = 20, .sweep_rad = 6};
+    LeadPath lead{.length = circle.length_mm()};
+    limit_by_arc_jerk(setup, circle, lead);
+    const double part = 1000 / (1 + std::sqrt(2));
+    EXPECT_NEAR(lead.limits.jerk, part, 1e-9);
+    EXPECT_NEAR(lead.limits.max_speed, std::cbrt(part * 20 * 20), 1e-9);
+    EXPECT_NEAR(3 * lead.limits.max_speed * lead.limits.acceleration / 20, part, 1e-9);
+}
+
+}  // namespace
+}  // namespace gsim::motion
