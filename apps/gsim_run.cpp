@@ -170,6 +170,7 @@ simulation::Report failed_report(const Arguments& arguments, const machine::Mach
     simulation::Report report;
     report.program = arguments.input == "-" ? "stdin" : arguments.input;
     report.machine = machine.name;
+    if (arguments.rcs.empty()) report.controller = machine.controller.model;
     report.status = simulation::RunStatus::alarm;
     report.alarm = simulation::Alarm{};
     report.alarm->message = "the program has errors: " + message;

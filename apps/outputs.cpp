@@ -1,5 +1,7 @@
 #include "apps/outputs.h"
 
+#include <fmt/format.h>
+
 #include "runtime/simulation/plot.h"
 #include "runtime/simulation/report.h"
 
@@ -54,6 +56,12 @@ void Outputs::explain(simulation::Report& report) const {
 }
 
 tl::expected<void, std::string> Outputs::commit(const simulation::Report& report) {
+    if (trajectory_ != nullptr && trajectory_->cut_short()) {
+        return tl::unexpected(fmt::format(
+            "{}: the trajectory would have more than {} samples; a longer --step or a lower --max-time makes "
+            "it shorter",
+            names_.trajectory, simulation::TrajectoryWriter::kMostSamples));
+    }
     if (!names_.report.empty()) {
         const auto file = add_file(names_.report);
         if (!file) return tl::unexpected(file.error());

@@ -73,6 +73,7 @@ struct Explanation {
 struct Report {
     std::string program;
     std::string machine;
+    std::string controller;  ///< The model that its machine file names; empty where a module plans.
     RunStatus status = RunStatus::completed;
     std::optional<Alarm> alarm;  ///< Also why a run was stopped.
     double cycle_time_s = 0;

@@ -108,6 +108,7 @@ std::string to_json(const Report& report) {
     Json json = {
         {"program", report.program},
         {"machine", report.machine},
+        {"controller", report.controller.empty() ? Json(nullptr) : Json(report.controller)},
         {"status", std::string(name(report.status))},
         {"alarm", alarm(report)},
         {"cycle_time_s", number(report.cycle_time_s)},

@@ -84,6 +84,8 @@ void add_blends(Text& out, const Report& report) {
 void add_head(Text& out, const Report& report) {
     out.line("{:<12}{}", "program", shortened(report.program, kWidth - 12));
     out.line("{:<12}{}", "machine", shortened(report.machine, kWidth - 12));
+    const std::string_view controller = report.controller.empty() ? "a module" : report.controller;
+    out.line("{:<12}{}", "controller", shortened(controller, kWidth - 12));
     out.line("{:<12}{}", "status", name(report.status));
     if (report.alarm) {
         out.line("{:<12}{}", "  at", place_text(report, report.alarm->place, kWidth - 12));

@@ -365,6 +365,7 @@ Report Simulator::finish(std::string program) {
     if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too
     Report report;
     recorder_.finish(report);
+    if (!sampled()) report.controller = machine_.controller.model;
     report.program = std::move(program);
     report.status = status_;
     report.alarm = alarm_;

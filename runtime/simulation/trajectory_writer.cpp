@@ -16,8 +16,8 @@ constexpr double kSameInstant_s = 0.5e-9;
 }  // namespace
 
 TrajectoryWriter::TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s,
-                                   double max_time_s)
-    : out_(out), machine_(machine), step_s_(step_s), max_time_s_(max_time_s) {
+                                   double max_time_s, std::uint64_t most_samples)
+    : out_(out), machine_(machine), step_s_(step_s), max_time_s_(max_time_s), most_samples_(most_samples) {
     if (!(step_s >= kMinStep_s)) throw std::invalid_argument("the step of a trajectory is less than 1e-6 s");
 }
 
@@ -38,10 +38,13 @@ void TrajectoryWriter::write_header() {
     out_.end_line();
 }
 
+bool TrajectoryWriter::due(double before_s) {
+    if (!(next_s() < before_s - kSameInstant_s && next_s() <= max_time_s_) || out_.failed()) return false;
+    cut_short_ = next_ >= most_samples_;
+    return !cut_short_;
+}
+
 void TrajectoryWriter::take(const motion::Segment& segment, const MoveInfo& info) {
-    const auto due = [&](double before_s) {
-        return next_s() < before_s - kSameInstant_s && next_s() <= max_time_s_ && !out_.failed();
-    };
     for (; due(segment.start_s); ++next_) write_sample(next_s(), position_, 0);
     line_ = info.place.line;
     for (; due(segment.end_s()); ++next_) {

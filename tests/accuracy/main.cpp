@@ -111,6 +111,8 @@ int run(const Arguments& arguments) {
         fmt::print("skipped: there is no folder '{}' of recordings (GSIM_REFERENCE)\n", arguments.folder);
         return kSkipped;
     }
+    if (arguments.gsim_run.find('/') != std::string::npos && !fs::exists(arguments.gsim_run))
+        throw std::runtime_error(fmt::format("there is no program '{}' (--gsim-run)", arguments.gsim_run));
     const GsimProgram gsim(arguments.gsim_run, arguments.machines);
     bool any = false;
     bool good = true;

@@ -20,6 +20,7 @@ Report sample() {
     Report report;
     report.program = "part.nc";
     report.machine = "m";
+    report.controller = "ab9";
     report.files = {"part.nc", "sub.nc"};
     report.cycle_time_s = 0.1 + 0.2;
     report.rapid_s = 1;
@@ -43,9 +44,9 @@ std::vector<std::string> keys(const ordered_json& json) {
 
 TEST(ReportJson, KeysInTheirOrder) {
     const auto json = ordered_json::parse(to_json(sample()));
-    EXPECT_THAT(keys(json),
-                ElementsAre("program", "machine", "status", "alarm", "cycle_time_s", "time", "length",
-                            "blocks", "moves", "blends", "bounds", "events", "warnings", "slowest"));
+    EXPECT_THAT(keys(json), ElementsAre("program", "machine", "controller", "status", "alarm", "cycle_time_s",
+                                        "time", "length", "blocks", "moves", "blends", "bounds", "events",
+                                        "warnings", "slowest"));
     EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
     EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
     EXPECT_THAT(keys(json["blends"]), ElementsAre("count", "max_deviation_mm", "file", "line"));
@@ -58,6 +59,7 @@ TEST(ReportJson, KeysInTheirOrder) {
 TEST(ReportJson, Values) {
     const auto json = ordered_json::parse(to_json(sample()));
     EXPECT_EQ(json["status"], "completed");
+    EXPECT_EQ(json["controller"], "ab9");
     EXPECT_EQ(json["alarm"], nullptr);
     EXPECT_EQ(json["cycle_time_s"], 0.3);
     EXPECT_EQ(json["length"]["feed_mm"].dump(), "0.0");

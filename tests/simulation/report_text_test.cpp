@@ -17,6 +17,7 @@ Report sample() {
     Report report;
     report.program = "part.nc";
     report.machine = "gantry";
+    report.controller = "grbl-1.1";
     report.files = {"part.nc"};
     report.cycle_time_s = 3725.5;
     report.rapid_s = 931.375;
@@ -37,6 +38,7 @@ Report sample() {
 
 TEST(ReportText, TellsTheResult) {
     const std::string text = to_text(sample());
+    EXPECT_THAT(text, HasSubstr("controller  grbl-1.1\n"));
     EXPECT_THAT(text, HasSubstr("status      completed\n"));
     EXPECT_THAT(text, HasSubstr("cycle time  3725.500 s  (1:02:06)\n"));
     EXPECT_THAT(text, HasSubstr("rapid            931.375    25.0 %         100.000\n"));

@@ -119,5 +119,21 @@ TEST(TrajectoryWriter, StepThatIsTooShort) {
     }
 }
 
+TEST(TrajectoryWriter, TooManySamplesAreCutShort) {
+    const machine::Machine machine = af5();
+    for (const std::uint64_t most : {4U, 5U}) {
+        StringStream stream;
+        TrajectoryWriter writer(stream.out(), machine, 0.25, kNoEnd_s, most);
+        motion::Segment segment;
+        segment.duration_s = 1.2;  // samples at 0, 0.25, 0.5, 0.75 and 1
+        segment.start = segment.end = joints(0, 0);
+        writer.begin(joints(0, 0));
+        writer.take(segment, at_line(1));
+        writer.end(1.2);
+        EXPECT_EQ(writer.cut_short(), most == 4);
+        EXPECT_EQ(parse(stream.text()).rows.size(), most + 1) << "and the last instant";
+    }
+}
+
 }  // namespace
 }  // namespace gsim::simulation
