@@ -107,15 +107,29 @@ TimeLaw paced_law(const TimeLaw& law, const Stretch& stretch, int first, int las
     return TimeLaw::of_pieces({pieces.data(), static_cast<std::size_t>(last - first)});
 }
 
-/// A law s(t) of constant acceleration a and speeds not below 0, run through at a rate that changes by q in
-/// the clock's time, has the fourth derivative 3 a q^2. Over h the piece that meets both ends is off by at
-/// most h^4/384 of that, and a h^2 is at most twice the way.
+double jerk_at(const TimeLaw& law, double t_s) {
+    for (const LawPiece& piece : law.pieces()) {
+        if (t_s < piece.duration_s) return std::abs(piece.jerk);
+        t_s -= piece.duration_s;
+    }
+    return 0;
+}
+
+/// A law s(t) of acceleration a and jerk j, run through at a rate r that changes by q in the clock's time,
+/// has the fourth derivative 3 a q^2 + 6 j r^2 q. Over h the piece that meets both ends is off by at most
+/// h^4/384 of that. Where speeds are not below 0, a h^2 is at most twice the way, or six times where a grows
+/// from 0.
 int piece_count(const Segment& blend, const Stretch& stretch) {
     const auto way = [&](const TimeLaw& law) { return law.at(stretch.to_s).s - law.at(stretch.from_s).s; };
     const double change = std::abs(stretch.end_rate - stretch.rate);
     const double ratio = change / (stretch.end_rate + stretch.rate);
     const double longest = std::max(way(blend.lead), way(blend.beside->lead));
-    const double exact = std::sqrt(std::sqrt(longest * ratio * ratio / (16 * kOffWay)));
+    const double middle_s = (stretch.from_s + stretch.to_s) / 2;
+    const double jerk = std::max(jerk_at(blend.lead, middle_s), jerk_at(blend.beside->lead, middle_s));
+    const double rate = std::max(stretch.rate, stretch.end_rate);
+    const double bending = (jerk > 0 ? 6 : 2) * longest * ratio * ratio / 32;
+    const double turning = jerk * rate * rate * change * std::pow(stretch.duration_s(), 3) / 64;
+    const double exact = std::sqrt(std::sqrt((bending + turning) / kOffWay));
     return 1 + static_cast<int>(std::max(exact, kPiecesPerRate * change));
 }
 

@@ -74,7 +74,7 @@ class BlendStop : public testing::TestWithParam<CornerRule> {
 
 TEST_P(BlendStop, KeepsWayAndLimitsAtAnyInstant) {
     int blends = 0;
-    for (int round = 0; round < 14; ++round) {
+    for (int round = 0; round < 20; ++round) {
         const PlannerSetup machine = setup();
         const Program moves = program();
         ReadyPlanner planned(machine, rrs::JointPos::Zero(5));

@@ -153,7 +153,7 @@ inline double greatest_speed_step(const std::vector<Segment>& segments) {
 /// accelerations are no greater, than those of the plan or the limits of the machine.
 inline void expect_planned_way(const std::vector<Segment>& segments, const std::vector<Segment>& plan,
                                const PlannerSetup& setup) {
-    constexpr double kOffWay = 1e-5;  // mm or rad
+    constexpr double kOffWay = 3e-6;  // mm or rad
     const Way way(plan);
     ASSERT_NO_FATAL_FAILURE(expect_smooth_joins(segments, greatest_speed_step(plan) * (1 + 1e-6) + 1e-5));
     const rrs::JointPos most = Way::acceleration_of(segments);
