@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+
+#include "runtime/cell/segment_motion.h"
+#include "runtime/cell/shape.h"
+
+namespace gsim::cell {
+
+/// What is nearer than this is in contact.
+inline constexpr double kContact_mm = 1e-6;
+
+/// A shape that is fixed to a link of the machine, or, link 0, to the world. The shape must outlive this.
+struct Body {
+    const Shape* shape;
+    int link;
+    Eigen::Isometry3d in_link;
+
+    Eigen::Isometry3d in_world(const LinkFrames& links) const {
+        return links[static_cast<std::size_t>(link)] * in_link;
+    }
+    Ball ball(const LinkFrames& links) const {
+        return {in_world(links) * shape->middle_mm(), shape->radius_mm()};
+    }
+};
+
+/// How near two bodies come to each other.
+struct Nearness {
+    double lower_mm;  ///< No nearer than this.
+    double upper_mm;  ///< As near at some time, or not looked at.
+    Eigen::Vector3d point_mm =
+        Eigen::Vector3d::Zero();  ///< Of the body at rest or less far in the chain; in the world.
+};
+
+/// The first instant of a contact.
+struct Touch {
+    double t_s;  ///< Since the start of the segment.
+    Eigen::Vector3d point_mm;
+    /// From the second body to the first, in the second one's frame; none where they were in contact already.
+    std::optional<Eigen::Vector3d> normal;
+};
+
+/// Two bodies of which the first is on a link farther along the chain, so that what is between them is the
+/// joints from one link to the other.
+struct BodyPair {
+    Body first;
+    Body second;
+
+    /// The ways of the first body's points, seen from the second.
+    MotionBound bound(const MotionPart& part) const {
+        return part.chain.bound(first.ball(part.from), first.link, second.link);
+    }
+    /// At one instant.
+    Nearness nearness_at(const LinkFrames& links, double enough_mm) const;
+    /// In a part of a motion, as well as one look can tell: the second is met by the hull of the first one's
+    /// places at both ends, as far as the bend reaches.
+    Nearness nearness_in(const MotionPart& part, double enough_mm) const;
+    /// Whether they still overlap with the first moved out by 1e-5 mm.
+    bool overlaps(const LinkFrames& links, const Eigen::Vector3d& normal) const;
+
+    /// The least distance in a part of a motion, to 1e-4 mm; what is not below `enough_mm` is told as that.
+    Nearness nearest(const SegmentMotion& motion, const MotionPart& part, double enough_mm) const;
+    /// When they first touch in a part of a motion, to 1e-9 s.
+    std::optional<Touch> first_touch(const SegmentMotion& motion, const MotionPart& part) const;
+};
+
+}  // namespace gsim::cell

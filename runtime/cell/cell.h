@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/cell/frame_tree.h"
+#include "runtime/cell/shape.h"
+
+namespace gsim::cell {
+
+/// What a body is to the tool: the jet may cut workpieces, and is there only while it is on.
+enum class Role : std::uint8_t { machine, jet, workpiece, fixture };
+
+/// A body of the cell: an object, a part of the machine, or the jet.
+struct Item {
+    std::string name;
+    Role role;
+    Shape shape;
+    std::size_t frame;  ///< Of the shape, in the cell's FrameTree.
+};
+
+/// What stands round a machine, and the shapes of its own parts. Read from a cell file; see
+/// docs/cell-file.md.
+struct Cell {
+    std::string name = {};
+    double clearance_mm = 0;  ///< Bodies that come nearer to each other are reported.
+    FrameTree frames;
+    std::vector<Item> items = {};
+    /// Pairs of items, as indices, that may touch each other.
+    std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
+};
+
+}  // namespace gsim::cell

@@ -1,0 +1,201 @@
+#include "runtime/cell/cell_file.h"
+
+#include <array>
+#include <numbers>
+
+#include "runtime/cell/shape_section.h"
+#include "runtime/kinematics/pose.h"
+#include "runtime/machine/text_file.h"
+#include "runtime/machine/toml_section.h"
+
+namespace gsim::cell {
+
+using machine::FirstError;
+using machine::NumberRule;
+using machine::TomlSection;
+using std::string_view_literals::operator""sv;
+
+namespace {
+
+constexpr std::array kFileKeys{"cell"sv, "frame"sv, "object"sv, "shape"sv, "ignore"sv};
+constexpr std::array kCellKeys{"name"sv, "machine"sv, "machine_data"sv, "clearance_mm"sv};
+constexpr std::array kFrameKeys{"name"sv, "attached_to"sv, "frame"sv};
+constexpr std::array kObjectKeys{"name"sv, "shape"sv, "frame"sv, "attached_to"sv, "role"sv};
+constexpr std::array kShapeKeys{"name"sv, "shape"sv, "frame"sv, "on"sv};
+constexpr std::array kPoseKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
+constexpr std::array kRoles{"workpiece"sv, "fixture"sv};
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+
+rrs::CartPos read_pose(FirstError& error, const toml::table* table) {
+    if (table == nullptr) return rrs::CartPos::Identity();
+    TomlSection section(error, *table, "'frame'", kPoseKeys);
+    const auto number = [&](std::string_view key) { return section.number(key, 0, NumberRule::finite); };
+    return kinematics::pose_from_rpy({.x_mm = number("x_mm"),
+                                      .y_mm = number("y_mm"),
+                                      .z_mm = number("z_mm"),
+                                      .roll_rad = number("roll_deg") * kRadPerDeg,
+                                      .pitch_rad = number("pitch_deg") * kRadPerDeg,
+                                      .yaw_rad = number("yaw_deg") * kRadPerDeg});
+}
+
+/// Reads the tables of a cell file into a cell.
+class CellReader {
+  public:
+    CellReader(FirstError& error, std::filesystem::path folder, const machine::Machine& machine)
+        : error_(error), folder_(std::move(folder)), cell_{.frames = FrameTree(machine)} {}
+
+    Cell read(const toml::table& root) {
+        TomlSection file(error_, root, "a cell file", kFileKeys);
+        file.require("cell");
+        if (const toml::table* head = file.table("cell")) read_head(*head);
+        for (const toml::table* table : tables(file, "frame")) read_frame(*table);
+        for (const toml::table* table : tables(file, "object")) read_object(*table);
+        for (const toml::table* table : tables(file, "shape")) read_link_shape(*table);
+        if (file.has("ignore")) read_ignored(file, root);
+        return std::move(cell_);
+    }
+
+  private:
+    static std::vector<const toml::table*> tables(TomlSection& file, std::string_view key) {
+        return file.has(key) ? file.tables(key) : std::vector<const toml::table*>{};
+    }
+
+    void read_head(const toml::table& table) {
+        TomlSection section(error_, table, "[cell]", kCellKeys);
+        cell_.name = section.text("name");
+        cell_.clearance_mm = section.number("clearance_mm", 0, NumberRule::not_negative);
+    }
+
+    std::string read_name(TomlSection& section) {
+        std::string name = section.text("name");
+        if (name.empty()) section.fail("name", "'name' must not be empty");
+        if (cell_.frames.find(name)) {
+            section.fail("name", fmt::format("the name '{}' is taken: by the machine, or above", name));
+        }
+        return name;
+    }
+
+    std::size_t find_frame(TomlSection& section, std::string_view key, std::string_view name) {
+        if (const auto frame = cell_.frames.find(name)) return *frame;
+        const std::vector<std::string_view> names = cell_.frames.names();
+        const auto nearest = machine::nearest_name(name, names);
+        const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
+                                         : fmt::format("there are: {}", fmt::join(names, ", "));
+        section.fail(key, fmt::format("nothing above is called '{}'; {}", name, hint));
+        return 0;
+    }
+
+    std::size_t add_frame(TomlSection& section, std::string name, std::size_t parent) {
+        const rrs::CartPos pose = read_pose(error_, section.table("frame"));
+        return cell_.frames.add(std::move(name), parent, pose);
+    }
+
+    std::size_t read_parent(TomlSection& section) {
+        if (!section.has("attached_to")) return 0;
+        return find_frame(section, "attached_to", section.text("attached_to"));
+    }
+
+    void read_frame(const toml::table& table) {
+        TomlSection section(error_, table, "[[frame]]", kFrameKeys);
+        std::string name = read_name(section);
+        add_frame(section, std::move(name), read_parent(section));
+    }
+
+    void read_object(const toml::table& table) {
+        TomlSection section(error_, table, "[[object]]", kObjectKeys);
+        std::string name = read_name(section);
+        const Role role = section.choice("role", 1, kRoles) == 0 ? Role::workpiece : Role::fixture;
+        add_item(section, table, std::move(name), role, read_parent(section));
+    }
+
+    void read_link_shape(const toml::table& table) {
+        TomlSection section(error_, table, "[[shape]]", kShapeKeys);
+        std::string name = read_name(section);
+        const std::string on = section.text("on");
+        const bool jet = on == "jet";
+        const std::size_t parent = find_frame(section, "on", jet ? "tool" : on);
+        if (!cell_.frames.is_of_machine(parent) || on == "world") {
+            section.fail("on",
+                         "'on' must be \"base\", a letter of an axis, \"tool\" or \"jet\"; what stands in "
+                         "the world is an [[object]]");
+        }
+        add_item(section, table, std::move(name), jet ? Role::jet : Role::machine, parent);
+    }
+
+    void add_item(TomlSection& section, const toml::table& table, std::string name, Role role,
+                  std::size_t parent) {
+        auto shape = read_shape(error_, section, table, folder_);
+        const std::size_t frame = add_frame(section, name, parent);
+        if (shape) cell_.items.push_back({std::move(name), role, *std::move(shape), frame});
+    }
+
+    std::optional<std::size_t> find_item(std::string_view name) const {
+        for (std::size_t i = 0; i < cell_.items.size(); ++i) {
+            if (cell_.items[i].name == name) return i;
+        }
+        return std::nullopt;
+    }
+
+    void read_ignored(TomlSection& file, const toml::table& root) {
+        const toml::array* pairs = root.get_as<toml::array>("ignore");
+        if (pairs == nullptr) return file.fail("ignore", "'ignore' must be a list of pairs of names");
+        for (const toml::node& node : *pairs) {
+            const toml::array* pair = node.as_array();
+            const auto name = [&](std::size_t i) { return pair->get(i)->value<std::string_view>(); };
+            if (pair == nullptr || pair->size() != 2 || !name(0) || !name(1)) {
+                return error_.report(node.source().begin,
+                                     "'ignore' must hold pairs of names: [[\"A\", \"B\"]]");
+            }
+            const auto first = find_item(*name(0));
+            const auto second = find_item(*name(1));
+            if (!first || !second) {
+                return error_.report(node.source().begin, fmt::format("no object or shape is called '{}'",
+                                                                      first ? *name(1) : *name(0)));
+            }
+            cell_.ignored.emplace_back(*first, *second);
+        }
+    }
+
+    FirstError& error_;
+    std::filesystem::path folder_;
+    Cell cell_;
+};
+
+}  // namespace
+
+tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name) {
+    FirstError error(file_name);
+    const toml::table root = machine::parse_toml(error, toml_text);
+    const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
+    CellFiles files;
+    const toml::table* head = root.get_as<toml::table>("cell");
+    if (head != nullptr) {
+        TomlSection section(error, *head, "[cell]", kCellKeys);
+        if (section.has("machine")) files.machine = folder / section.text("machine");
+        if (section.has("machine_data")) files.machine_data = folder / section.text("machine_data");
+    }
+    if (error.text()) return tl::unexpected(*error.text());
+    return files;
+}
+
+tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
+                                          const machine::Machine& machine) {
+    FirstError error(file_name);
+    const toml::table root = machine::parse_toml(error, toml_text);
+    Cell cell = CellReader(error, std::filesystem::path(file_name).parent_path(), machine).read(root);
+    if (error.text()) return tl::unexpected(*error.text());
+    return cell;
+}
+
+tl::expected<CellFiles, std::string> load_cell_files(const std::filesystem::path& path) {
+    return machine::read_text_file(path).and_then(
+        [&](const std::string& text) { return read_cell_files(text, path.string()); });
+}
+
+tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path,
+                                          const machine::Machine& machine) {
+    return machine::read_text_file(path).and_then(
+        [&](const std::string& text) { return read_cell(text, path.string(), machine); });
+}
+
+}  // namespace gsim::cell

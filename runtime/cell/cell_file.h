@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "runtime/cell/cell.h"
+
+namespace gsim::cell {
+
+/// The files that a cell file names; empty where it names none.
+struct CellFiles {
+    std::filesystem::path machine;
+    std::filesystem::path machine_data;
+};
+
+/// What a cell file says of its machine. The error is "file:line:column: sentence", as in all of these.
+/// `file_name` is for that, and for the files that it names, which are looked for in its folder.
+tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name);
+
+/// Reads a cell file (docs/cell-file.md) for a machine, strictly: what it does not know or does not
+/// understand is an error. Reads the meshes that it names, too.
+tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
+                                          const machine::Machine& machine);
+
+/// The same of a file on disk.
+tl::expected<CellFiles, std::string> load_cell_files(const std::filesystem::path& path);
+tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path, const machine::Machine& machine);
+
+}  // namespace gsim::cell

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "runtime/cell/body_pair.h"
+#include "runtime/cell/cell.h"
+
+namespace gsim::cell {
+
+/// Two items of a cell, as indices.
+struct ItemPair {
+    std::size_t first;
+    std::size_t second;
+};
+
+/// Two bodies begin to touch. One that is touched all the time is told once.
+struct Contact {
+    double t_s;  ///< Of the run's clock, to 1e-9 s.
+    ItemPair pair;
+    Eigen::Vector3d point_mm;  ///< In the world.
+    bool penetrating;          ///< By more than 1e-5 mm, before they part; else they only touch.
+};
+
+/// The smallest distance of a part of a run.
+struct Clearance {
+    double distance_mm;  ///< To 1e-4 mm.
+    ItemPair pair;
+    Eigen::Vector3d point_mm;  ///< In the world, on the second item.
+};
+
+/// Looks at a machine's motion through a cell, segment by segment: which bodies touch, and how near they
+/// come. No contact is passed over, however thin the body and fast the motion: distances are those of whole
+/// ways, by bounds of how far the way bends (conservative advancement: B. Mirtich, 1996).
+class ClearanceWatch {
+  public:
+    /// `cell` must outlive this; it was read for this machine.
+    ClearanceWatch(const Cell& cell, const machine::Machine& machine);
+
+    /// Frames of the cell have been moved: what touches then counts as another contact.
+    void frames_changed();
+    /// The segments that follow belong to another block.
+    void begin_block() { nearest_.reset(); }
+    /// The next segment, with or without the jet.
+    void take(const motion::Segment& segment, bool jet_on);
+
+    /// All so far, in the order of segments; within one they may stand in any order.
+    const std::vector<Contact>& contacts() const { return contacts_; }
+    /// The smallest distance of the block so far, where it is below the cell's clearance.
+    const std::optional<Clearance>& nearest() const { return nearest_; }
+
+  private:
+    struct Watched {
+        ItemPair items;
+        bool with_jet;
+        BodyPair bodies;
+        double at_least_mm = 0;              ///< Distance at the end of the last segment.
+        std::optional<std::size_t> contact;  ///< In contacts_, while it lasts.
+        std::optional<Eigen::Vector3d> normal = std::nullopt;
+    };
+
+    Body body(std::size_t item) const;
+    void add_pair(std::size_t a, std::size_t b);
+    bool is_ignored(std::size_t a, std::size_t b) const;
+    void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
+    void note(const Nearness& nearness, const Watched& pair);
+    void begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
+    void go_on_in_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair, double from_s);
+
+    const Cell& cell_;
+    std::shared_ptr<const kinematics::Kinematics> kinematics_;
+    std::vector<Watched> pairs_;
+    std::vector<Contact> contacts_;
+    std::optional<Clearance> nearest_;
+};
+
+}  // namespace gsim::cell

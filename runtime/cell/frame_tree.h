@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/cell/link_frames.h"
+#include "runtime/machine/machine.h"
+
+namespace gsim::cell {
+
+/// The named frames of a cell, each attached to another one. Those of the machine come first and cannot be
+/// changed: "world", "base", a letter for the link behind each axis, and "tool".
+class FrameTree {
+  public:
+    explicit FrameTree(const machine::Machine& machine);
+
+    std::optional<std::size_t> find(std::string_view name) const;
+    const std::string& name(std::size_t frame) const { return frames_[frame].name; }
+    bool is_of_machine(std::size_t frame) const { return frame < machine_frames_; }
+    /// A frame attached to `parent`, which exists. The name must be new.
+    std::size_t add(std::string name, std::size_t parent, const rrs::CartPos& in_parent);
+
+    /// Relative to what the frame is attached to (mm).
+    const rrs::CartPos& in_parent(std::size_t frame) const { return frames_[frame].in_parent; }
+    /// Moves a frame that is not the machine's, and with it all that is attached to it.
+    void move(std::size_t frame, const rrs::CartPos& in_parent) { frames_[frame].in_parent = in_parent; }
+
+    /// The link that the frame moves with, as LinkFrames numbers them.
+    int link(std::size_t frame) const { return frames_[frame].link; }
+    /// Relative to that link.
+    rrs::CartPos in_link(std::size_t frame) const;
+    rrs::CartPos in_world(std::size_t frame, const LinkFrames& links) const {
+        return links[static_cast<std::size_t>(link(frame))] * in_link(frame);
+    }
+    /// The frames' names, those of the machine first.
+    std::vector<std::string_view> names() const;
+
+  private:
+    struct Frame {
+        std::string name;
+        std::size_t parent;  ///< Itself: the frame is a link's.
+        rrs::CartPos in_parent;
+        int link;
+    };
+
+    std::vector<Frame> frames_;
+    std::size_t machine_frames_ = 0;
+};
+
+}  // namespace gsim::cell

@@ -1,0 +1,70 @@
+#include "runtime/cell/mesh_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "runtime/cell/mesh_text.h"
+
+namespace gsim::cell {
+
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 512ULL << 20U;
+
+bool is_obj(std::string_view file_name) {
+    if (file_name.size() < 4) return false;
+    std::string ending(file_name.substr(file_name.size() - 4));
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".obj";
+}
+
+tl::expected<TriangleSoup, std::string> read_soup(std::string_view bytes, std::string_view file_name) {
+    if (is_obj(file_name)) return read_obj(bytes);
+    // Some binary files begin with "solid", too: the size tells them from text.
+    if (is_stl_binary(bytes) || !bytes.starts_with("solid")) return read_stl_binary(bytes);
+    return read_stl_text(bytes);
+}
+
+std::optional<std::string> find_fault(const TriangleSoup& soup) {
+    if (soup.triangles.empty()) return "there is no triangle in it";
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
+        const double largest = soup.vertices[i].cwiseAbs().maxCoeff();
+        if (largest <= kMaxLength_mm) continue;
+        return fmt::format("vertex {} is at {:.6g} mm; coordinates go up to {:.0f} mm", i + 1, largest,
+                           kMaxLength_mm);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::string_view bytes,
+                                                                         std::string_view file_name,
+                                                                         double scale) {
+    auto soup = read_soup(bytes, file_name);
+    if (!soup) return tl::unexpected(fmt::format("{}{}", file_name, soup.error()));
+    for (Eigen::Vector3d& vertex : soup->vertices) vertex *= scale;
+    if (const auto fault = find_fault(*soup)) return tl::unexpected(fmt::format("{}: {}", file_name, *fault));
+    return std::make_shared<const TriangleMesh>(std::move(soup->vertices), soup->triangles);
+}
+
+tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const std::filesystem::path& path,
+                                                                         double scale) {
+    const std::string name = path.string();
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error) return tl::unexpected(fmt::format("{}: {}", name, error.message()));
+    if (size > kMaxBytes) return tl::unexpected(fmt::format("{}: meshes of up to 512 MiB are read", name));
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (!file || file.gcount() != static_cast<std::streamsize>(size))
+        return tl::unexpected(fmt::format("{}: it cannot be read", name));
+    return read_mesh(bytes, name, scale);
+}
+
+}  // namespace gsim::cell

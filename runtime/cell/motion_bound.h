@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "runtime/cell/joint_travel.h"
+#include "runtime/cell/link_frames.h"
+
+namespace gsim::cell {
+
+/// What no point of a body passes in a part of a motion, in mm.
+struct MotionBound {
+    double way_mm = 0;  ///< The length of the point's way.
+    /// Its distance from the straight way that it would take from start to end. 0 where the body goes
+    /// straight without turning.
+    double bend_mm = 0;
+};
+
+/// A ball in the world that holds a body.
+struct Ball {
+    Eigen::Vector3d middle_mm;
+    double radius_mm;
+};
+
+/// The axes of a machine's joints where a motion begins, and how far the joints go.
+class ChainMotion {
+  public:
+    ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel)
+        : axes_(std::move(axes)), travel_(travel) {}
+
+    /// Of a body on link `link`, seen from link `from` <= `link` (0: the world). A prismatic joint moves its
+    /// points by its own way; a revolute one by its angle times the reach of the body from its axis, which
+    /// joints behind may lengthen. The bend is that of x(q) by its second derivatives, an eighth of their
+    /// bound, with that of the joints' own ways.
+    MotionBound bound(const Ball& body, int link, int from) const;
+
+  private:
+    double reach_mm(const Ball& body, int joint) const;
+
+    std::vector<JointAxis> axes_;
+    JointTravel travel_;
+};
+
+}  // namespace gsim::cell

@@ -1,0 +1,16 @@
+#include "runtime/cell/segment_motion.h"
+
+#include "runtime/cell/joint_travel.h"
+
+namespace gsim::cell {
+
+MotionPart SegmentMotion::part(double from_s, const LinkFrames& from, double to_s,
+                               const LinkFrames& to) const {
+    std::vector<JointAxis> axes;
+    axes.reserve(from.size());
+    for (int joint = 0; joint < kinematics_.joint_count(); ++joint)
+        axes.push_back(joint_axis(kinematics_, from, joint));
+    return {from_s, to_s, from, to, ChainMotion(std::move(axes), travel_of(segment_, from_s, to_s))};
+}
+
+}  // namespace gsim::cell

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "runtime/cell/link_frames.h"
+#include "runtime/cell/motion_bound.h"
+
+namespace gsim::cell {
+
+/// A part of a segment's time, in s since its start: where the links are at both ends, and how they go.
+struct MotionPart {
+    double from_s;
+    double to_s;
+    LinkFrames from;
+    LinkFrames to;
+    ChainMotion chain;
+
+    double middle_s() const { return from_s + (to_s - from_s) / 2; }
+};
+
+/// The motion of a machine's links in a segment. Both must outlive this.
+class SegmentMotion {
+  public:
+    SegmentMotion(const kinematics::Kinematics& kinematics, const motion::Segment& segment)
+        : kinematics_(kinematics), segment_(segment) {}
+
+    const motion::Segment& segment() const { return segment_; }
+    LinkFrames links_at(double t_s) const { return link_frames(kinematics_, segment_.position_at(t_s)); }
+    MotionPart whole() const {
+        return part(0, links_at(0), segment_.duration_s, links_at(segment_.duration_s));
+    }
+    MotionPart first_half(const MotionPart& of, const LinkFrames& middle) const {
+        return part(of.from_s, of.from, of.middle_s(), middle);
+    }
+    MotionPart second_half(const MotionPart& of, const LinkFrames& middle) const {
+        return part(of.middle_s(), middle, of.to_s, of.to);
+    }
+
+  private:
+    MotionPart part(double from_s, const LinkFrames& from, double to_s, const LinkFrames& to) const;
+
+    const kinematics::Kinematics& kinematics_;
+    const motion::Segment& segment_;
+};
+
+}  // namespace gsim::cell

@@ -1,0 +1,95 @@
+#include "runtime/cell/shape_section.h"
+
+#include <array>
+
+#include "runtime/cell/mesh_file.h"
+
+namespace gsim::cell {
+
+using machine::FirstError;
+using machine::NumberRule;
+using machine::TomlSection;
+using std::string_view_literals::operator""sv;
+
+namespace {
+
+constexpr std::array kShapeKeys{"box_mm"sv,     "cylinder_mm"sv, "sphere_mm"sv,
+                                "capsule_mm"sv, "mesh"sv,        "scale"sv};
+constexpr double kLongest_mm = 1e6;
+
+/// `count` lengths, each greater than 0; nothing where they are not.
+std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const toml::table& table,
+                                                  std::string_view key, std::size_t count,
+                                                  std::string_view meaning) {
+    std::array<double, 3> lengths{};
+    const toml::array* array = table.get_as<toml::array>(key);
+    bool read = array != nullptr && array->size() == count;
+    for (std::size_t i = 0; read && i < count; ++i) {
+        const toml::node* node = array->get(i);
+        const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+        read = value && *value > 0 && *value <= kLongest_mm;
+        lengths[i] = value.value_or(0);
+    }
+    if (read) return lengths;
+    section.fail(key, fmt::format("'{}' must be [{}], each greater than 0 and at most 1e6", key, meaning));
+    return std::nullopt;
+}
+
+std::optional<Shape> read_mesh_shape(TomlSection& section, const std::filesystem::path& folder) {
+    const std::string name = section.text("mesh");
+    const double scale = section.number("scale", 1, NumberRule::positive);
+    if (name.empty()) {
+        section.fail("mesh", "'mesh' must name a file");
+        return std::nullopt;
+    }
+    auto mesh = load_mesh(folder / name, scale);
+    if (mesh) return Shape::mesh(*std::move(mesh));
+    section.fail("mesh", mesh.error());
+    return std::nullopt;
+}
+
+std::optional<Shape> read_round(TomlSection& section, const toml::table& table, std::string_view key) {
+    const auto lengths = read_lengths(section, table, key, 2, "diameter, height");
+    if (!lengths) return std::nullopt;
+    const auto [diameter, height, none] = *lengths;
+    return key == "cylinder_mm" ? Shape::cylinder(diameter, height) : Shape::capsule(diameter, height);
+}
+
+std::optional<Shape> read_box(TomlSection& section, const toml::table& table) {
+    const auto size = read_lengths(section, table, "box_mm", 3, "x, y, z");
+    if (!size) return std::nullopt;
+    return Shape::box({(*size)[0], (*size)[1], (*size)[2]});
+}
+
+std::optional<Shape> read_sphere(TomlSection& section) {
+    const double diameter = section.number("sphere_mm", 1, NumberRule::positive);
+    if (diameter <= kLongest_mm) return Shape::sphere(diameter);
+    section.fail("sphere_mm", "'sphere_mm' is a diameter of at most 1e6");
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Shape> read_shape(FirstError& error, TomlSection& section, const toml::table& table,
+                                const std::filesystem::path& folder) {
+    section.require("shape");
+    if (section.table("shape") == nullptr) return std::nullopt;
+    const toml::table& of_shape = *table.get_as<toml::table>("shape");
+    TomlSection shape(error, of_shape, "'shape'", kShapeKeys);
+    const bool scaled = shape.has("scale");
+    if (of_shape.size() != (scaled ? 2U : 1U) || (scaled && !shape.has("mesh"))) {
+        section.fail(
+            "shape",
+            "'shape' must hold one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh; beside mesh "
+            "there may be scale");
+        return std::nullopt;
+    }
+    if (shape.has("box_mm")) return read_box(shape, of_shape);
+    if (shape.has("sphere_mm")) return read_sphere(shape);
+    if (shape.has("cylinder_mm")) return read_round(shape, of_shape, "cylinder_mm");
+    if (shape.has("capsule_mm")) return read_round(shape, of_shape, "capsule_mm");
+    if (shape.has("mesh")) return read_mesh_shape(shape, folder);
+    return std::nullopt;
+}
+
+}  // namespace gsim::cell

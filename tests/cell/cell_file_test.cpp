@@ -1,0 +1,136 @@
+#include "runtime/cell/cell_file.h"
+
+#include <random>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cell/segments.h"
+
+namespace gsim::cell {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::string_view kWhole = R"([cell]
+name = "A cell"
+machine = "machines/af5.toml"
+clearance_mm = 2.5
+
+[[frame]]
+name = "table"
+frame = { x_mm = 100.0, yaw_deg = 90.0 }
+
+[[object]]
+name = "sheet"
+role = "workpiece"
+attached_to = "table"
+shape = { box_mm = [300.0, 200.0, 2.0] }
+frame = { z_mm = 1.0 }
+
+[[object]]
+name = "post"
+shape = { cylinder_mm = [20, 100] }
+
+[[shape]]
+name = "head"
+on = "C"
+shape = { capsule_mm = [40, 100] }
+
+[[shape]]
+name = "water"
+on = "jet"
+shape = { cylinder_mm = [1.0, 4.0] }
+frame = { z_mm = -2.0 }
+)";
+
+std::string error_of(std::string text) {
+    const auto cell = read_cell(text, "dir/c.toml", af5());
+    return cell ? "" : cell.error();
+}
+
+std::string with(std::string_view more) {
+    return fmt::format("{}{}", kWhole, more);
+}
+
+TEST(CellFile, ReadsAllOfIt) {
+    const auto cell =
+        read_cell(fmt::format("{}{}", "ignore = [[\"head\", \"post\"]]\n", kWhole), "dir/c.toml", af5());
+    ASSERT_TRUE(cell) << cell.error();
+    EXPECT_EQ(cell->name, "A cell");
+    EXPECT_EQ(cell->clearance_mm, 2.5);
+    ASSERT_EQ(cell->items.size(), 4U);
+    EXPECT_EQ(cell->items[0].role, Role::workpiece);
+    EXPECT_EQ(cell->items[1].role, Role::fixture);
+    EXPECT_EQ(cell->items[2].role, Role::machine);
+    EXPECT_EQ(cell->items[3].role, Role::jet);
+    EXPECT_EQ(cell->frames.link(cell->items[2].frame), 5);
+    EXPECT_EQ(cell->frames.link(cell->items[3].frame), 5);
+    // Yaw by 90 degrees takes Z to -Y.
+    EXPECT_TRUE(
+        cell->frames.in_link(cell->items[0].frame).translation().isApprox(Eigen::Vector3d(100, -1, 0)));
+    EXPECT_EQ(cell->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{2, 1}}));
+    const auto files = read_cell_files(kWhole, "dir/c.toml");
+    ASSERT_TRUE(files);
+    EXPECT_EQ(files->machine, "dir/machines/af5.toml");
+    EXPECT_TRUE(files->machine_data.empty());
+}
+
+TEST(CellFile, SaysWhereAndWhatIsWrong) {
+    EXPECT_THAT(error_of("x = 1"), HasSubstr("dir/c.toml:1:1: unknown key 'x' in a cell file"));
+    EXPECT_THAT(error_of(""), HasSubstr("lacks the key 'cell'"));
+    EXPECT_THAT(error_of("[cell]\nname = \"c\"\nclearance_mm = -1"),
+                HasSubstr("'clearance_mm' must be 0 or greater"));
+    EXPECT_THAT(error_of("[cell]\nname = \"c\"\nclearance_mm = nan"), HasSubstr("must be a number"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { box_mm = [1, 2] }")),
+                HasSubstr("dir/c.toml:33:20: 'box_mm' must be [x, y, z], each greater than 0"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 0 }")),
+                HasSubstr("'sphere_mm' must be greater than 0"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 1, box_mm = [1, 1, 1] }")),
+                HasSubstr("'shape' must hold one of"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = {}")),
+                HasSubstr("'shape' must hold one of"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { cylinder_mm = [1, inf] }")),
+                HasSubstr("'cylinder_mm' must be [diameter, height]"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"no.stl\" }")),
+                HasSubstr("dir/no.stl: No such file"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"post\"\nshape = { sphere_mm = 1 }")),
+                HasSubstr("the name 'post' is taken"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"X\"\nshape = { sphere_mm = 1 }")),
+                HasSubstr("the name 'X' is taken"));
+    EXPECT_THAT(
+        error_of(with("[[object]]\nname = \"a\"\nattached_to = \"tabel\"\nshape = { sphere_mm = 1 }")),
+        HasSubstr("nothing above is called 'tabel'; did you mean 'table'?"));
+    EXPECT_THAT(error_of(with("[[shape]]\nname = \"a\"\non = \"post\"\nshape = { sphere_mm = 1 }")),
+                HasSubstr("'on' must be \"base\""));
+    EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [[\"head\", \"pots\"]]\n", kWhole)),
+                HasSubstr("no object or shape is called 'pots'"));
+    EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [\"head\"]\n", kWhole)),
+                HasSubstr("must hold pairs of names"));
+    EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = 3\n", kWhole)), HasSubstr("must be a list of pairs"));
+}
+
+// Whatever is done to a file, it is read, or refused with a place.
+TEST(CellFile, MangledFilesNeitherHangNorCrash) {
+    std::mt19937 random(9);
+    const machine::Machine machine = af5();
+    constexpr std::string_view kBits("\0\n[]{}=\"'.,1e-#", 15);
+    for (int i = 0; i < 2000; ++i) {
+        std::string text = fmt::format("{}{}", "ignore = [[\"head\", \"post\"]]\n", kWhole);
+        for (unsigned change = random() % 4; change > 0; --change)
+            text[random() % text.size()] = kBits[random() % kBits.size()];
+        if (random() % 3 == 0) text.resize(random() % text.size());
+        const auto cell = read_cell(text, "c.toml", machine);
+        if (!cell) {
+            EXPECT_THAT(cell.error(), HasSubstr("c.toml:"));
+        }
+        const auto files = read_cell_files(text, "c.toml");
+        if (!files) {
+            EXPECT_THAT(files.error(), HasSubstr("c.toml:"));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gsim::cell

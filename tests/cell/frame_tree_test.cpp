@@ -1,0 +1,40 @@
+#include "runtime/cell/frame_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/cell/meshes.h"
+#include "tests/cell/segments.h"
+
+namespace gsim::cell {
+namespace {
+
+TEST(FrameTree, FramesGoWithWhatTheyAreAttachedTo) {
+    const machine::Machine machine = af5();
+    FrameTree frames(machine);
+    const auto table = frames.add("table", *frames.find("world"), shift(100, 0, 0));
+    const auto part = frames.add("part", table, shift(10, 20, 0));
+    const auto camera = frames.add("camera", *frames.find("Z"), shift(1, 2, 3));
+    const auto kinematics = machine::make_kinematics(machine);
+    const LinkFrames links = link_frames(*kinematics, joints(10, 20, 30, 0.5, 0.25));
+    EXPECT_TRUE(frames.in_world(part, links).isApprox(shift(110, 20, 0)));
+    frames.move(table, shift(200, 0, 5));
+    EXPECT_TRUE(frames.in_world(part, links).isApprox(shift(210, 20, 5)));
+    EXPECT_EQ(frames.link(part), 0);
+    EXPECT_EQ(frames.link(camera), 3);
+    EXPECT_TRUE(frames.in_world(camera, links).isApprox(links[3] * shift(1, 2, 3)));
+}
+
+TEST(FrameTree, TheToolIsWhereTheKinematicsHaveIt) {
+    machine::Machine machine = af5();
+    machine.base.z_mm = 100;
+    const auto kinematics = machine::make_kinematics(machine);
+    const FrameTree frames(machine);
+    const rrs::JointPos at = joints(10, 20, 30, 0.5, 0.25);
+    const LinkFrames links = link_frames(*kinematics, at);
+    EXPECT_TRUE(frames.in_world(*frames.find("tool"), links).isApprox(kinematics->forward(at)));
+    EXPECT_TRUE(frames.is_of_machine(*frames.find("tool")));
+    EXPECT_FALSE(frames.find("Q"));
+}
+
+}  // namespace
+}  // namespace gsim::cell
