@@ -14,10 +14,12 @@
 #include "apps/run_main.h"
 #include "apps/script_input.h"
 #include "apps/variables_file.h"
+#include "runtime/cell/cell_file.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/script/engine.h"
+#include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/progress.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/simulator.h"
@@ -31,6 +33,7 @@ struct Arguments {
     std::string machine;
     std::string machine_data;
     std::string save_machine_data;
+    std::string cell;
     apps::LanguageNames language;
     std::string setup;
     std::string variables;
@@ -61,6 +64,9 @@ void add_options(CLI::App& app, Arguments& a) {
                    "machine data (NCFILE): work offsets, variables, aliases");
     app.add_option("--save-machine-data", a.save_machine_data,
                    "write the machine data as the program left them to this file; it may be the same one");
+    app.add_option("--cell", a.cell,
+                   "cell file (TOML): the run is looked at for collisions and near misses; it may name the "
+                   "machine, too");
     app.add_flag("--print-machine", a.print_machine, "print the machine file and end");
     apps::add_language_options(app, a.language);
     app.add_option("--setup", a.setup,
@@ -136,6 +142,29 @@ tl::expected<void, std::string> keep(const Arguments& arguments, script::Engine&
         .and_then([&] { return apps::save_text(arguments.save_machine_data, document.text()); });
 }
 
+/// The files that the cell file names stand for options that are not given.
+tl::expected<Arguments, std::string> with_files_of_cell(Arguments arguments) {
+    if (arguments.cell.empty()) return arguments;
+    return cell::load_cell_files(arguments.cell).map([&](const cell::CellFiles& files) {
+        if (arguments.machine.empty()) arguments.machine = files.machine.string();
+        if (arguments.machine_data.empty()) arguments.machine_data = files.machine_data.string();
+        return std::move(arguments);
+    });
+}
+
+/// Null where no cell is asked for.
+tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_cell(const Arguments& arguments,
+                                                                            const machine::Machine& machine) {
+    if (arguments.cell.empty()) return nullptr;
+    return cell::load_cell(arguments.cell, machine).map([&](cell::Cell cell) {
+        return std::make_unique<simulation::CellWatch>(std::move(cell), machine);
+    });
+}
+
+bool has_collisions(const simulation::Report& report) {
+    return report.cell && !report.cell->collisions.empty();
+}
+
 /// Nothing where no controller module is asked for.
 tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Arguments& arguments,
                                                                      const machine::Machine& machine) {
@@ -177,25 +206,36 @@ simulation::Report failed_report(const Arguments& arguments, const machine::Mach
     return report;
 }
 
+/// What must be said even where no report is wanted.
+void print_faults(const simulation::Report& report) {
+    if (has_collisions(report))
+        std::fprintf(stderr, "collisions in the cell: %zu\n", report.cell->collisions.size());
+    if (!report.alarm) return;
+    const simulation::Place place = report.alarm->place;
+    const std::string where =
+        place.line > 0 ? fmt::format("{}:{}: ", report.files[place.file], place.line) : "";
+    std::fprintf(stderr, "%s%s: %s\n", where.c_str(), std::string(name(report.status)).c_str(),
+                 report.alarm->message.c_str());
+    for (const simulation::OpenCall& call : report.alarm->calls) {
+        std::fprintf(stderr, "  in %s, called at %s:%u\n", call.program.c_str(),
+                     report.files[call.place.file].c_str(), call.place.line);
+    }
+}
+
 void print_report(const Arguments& arguments, const simulation::Report& report) {
     if (arguments.json) {
         std::printf("%s\n", simulation::to_json(report).c_str());
     } else if (!arguments.quiet) {
         std::printf("%s", simulation::to_text(report).c_str());
-    } else if (report.alarm) {
-        const simulation::Place place = report.alarm->place;
-        const std::string where =
-            place.line > 0 ? fmt::format("{}:{}: ", report.files[place.file], place.line) : "";
-        std::fprintf(stderr, "%s%s: %s\n", where.c_str(), std::string(name(report.status)).c_str(),
-                     report.alarm->message.c_str());
-        for (const simulation::OpenCall& call : report.alarm->calls) {
-            std::fprintf(stderr, "  in %s, called at %s:%u\n", call.program.c_str(),
-                         report.files[call.place.file].c_str(), call.place.line);
-        }
+    } else {
+        print_faults(report);
     }
 }
 
-int run(const Arguments& arguments) {
+int run(const Arguments& given) {
+    const tl::expected<Arguments, std::string> with_cell = with_files_of_cell(given);
+    if (!with_cell) return usage_error(with_cell.error());
+    const Arguments& arguments = *with_cell;
     tl::expected<machine::Machine, std::string> machine = read_machine(arguments);
     if (!machine) return usage_error(machine.error());
     if (arguments.print_machine) {
@@ -231,7 +271,10 @@ int run(const Arguments& arguments) {
     const std::string program = input->file_name;
     tl::expected<std::optional<rrs::RcsModule>, std::string> module = load_module(arguments, *machine);
     if (!module) return usage_error(module.error());
+    const auto cell = read_cell(arguments, *machine);
+    if (!cell) return usage_error(cell.error());
     simulation::Simulator simulator(std::move(*machine), arguments.limits, *std::move(module));
+    if (*cell) simulator.set_cell(**cell);
     tl::expected<apps::Outputs, std::string> outputs = apps::Outputs::open(arguments.outputs, simulator);
     if (!outputs) return usage_error(outputs.error());
     simulation::Progress progress(stderr, !arguments.quiet && ::isatty(STDERR_FILENO) == 1);
@@ -248,7 +291,8 @@ int run(const Arguments& arguments) {
     print_report(arguments, report);
     if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
     if (!written) return usage_error(written.error());
-    return report.status == simulation::RunStatus::completed ? apps::kDone : apps::kProgramFault;
+    const bool done = report.status == simulation::RunStatus::completed && !has_collisions(report);
+    return done ? apps::kDone : apps::kProgramFault;
 }
 
 }  // namespace

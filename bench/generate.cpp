@@ -10,8 +10,10 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace {
 
@@ -187,14 +189,106 @@ void write_macro_rs274(long count) {
     out.add(footer);
 }
 
+/// A point of the unit circle, for each eighth of a turn as many of them: walked round a square, so that a
+/// root is all that it takes. `turn` from 0 to 1.
+Point circle_point(double turn) {
+    const double quarter = turn * 4.0;
+    const double side = std::floor(quarter);
+    const double along = 2.0 * (quarter - side) - 1.0;
+    const double length = std::sqrt(1.0 + along * along);
+    const Point first{1.0 / length, along / length};
+    if (side < 1.0) return first;
+    if (side < 2.0) return {-first.y_mm, first.x_mm};
+    if (side < 3.0) return {-first.x_mm, -first.y_mm};
+    return {first.y_mm, -first.x_mm};
+}
+
+/// A torus (OBJ) of 50 x `count` quadrangles, which are read as two triangles each.
+void write_cell_mesh(long count) {
+    constexpr double ring_mm = 60.0;
+    constexpr double tube_mm = 20.0;
+    constexpr long around = 50;
+    Writer out;
+    for (long i = 0; i < count; ++i) {
+        const Point on_ring = circle_point(static_cast<double>(i) / static_cast<double>(count));
+        for (long j = 0; j < around; ++j) {
+            const Point on_tube = circle_point(static_cast<double>(j) / static_cast<double>(around));
+            const double out_mm = ring_mm + tube_mm * on_tube.x_mm;
+            out.line("v {:.6f} {:.6f} {:.6f}", out_mm * on_ring.x_mm, out_mm * on_ring.y_mm,
+                     tube_mm * on_tube.y_mm);
+        }
+    }
+    const auto vertex = [&](long i, long j) { return i % count * around + j % around + 1; };
+    for (long i = 0; i < count; ++i) {
+        for (long j = 0; j < around; ++j)
+            out.line("f {} {} {} {}", vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+    }
+}
+
+/// A cell of `count` of those, in rows of five on the table of the gantry, and the shapes of its head.
+void write_cell(long count) {
+    Writer out;
+    out.line("[cell]\nname = \"{} meshes\"\nclearance_mm = 10.0", count);
+    for (long i = 0; i < count; ++i) {
+        out.line("\n[[object]]\nname = \"torus {}\"\nshape = {{ mesh = \"torus.obj\" }}", i + 1);
+        out.line("frame = {{ x_mm = {}.0, y_mm = {}.0 }}", 200 + i % 5 * 350, 150 + i / 5 * 220);
+    }
+    out.line("\n[[shape]]\nname = \"nozzle\"\non = \"tool\"\nshape = {{ cylinder_mm = [8.0, 60.0] }}");
+    out.line("frame = {{ z_mm = 30.0 }}");
+    out.line("\n[[shape]]\nname = \"head\"\non = \"tool\"\nshape = {{ cylinder_mm = [70.0, 140.0] }}");
+    out.line("frame = {{ z_mm = 130.0 }}");
+    out.line("\n[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = {{ box_mm = [160.0, 160.0, 300.0] }}");
+    out.line("frame = {{ z_mm = 360.0 }}");
+}
+
+/// Blocks of 10 mm to and fro over that cell, 1 to 31 mm above the meshes.
+void write_cell_blocks(long count) {
+    constexpr double step_mm = 10.0;
+    constexpr double low_mm = 50.0;
+    constexpr double high_mm = 1750.0;
+    constexpr double row_mm = 20.0;
+    Random random(20242);
+    Writer out;
+    out.add(header);
+    out.line("G64");
+    out.line("G0 Z40.000");
+    out.line("G1 X{:.3f} Y{:.3f} F6000", low_mm, low_mm);
+    Point p{low_mm, low_mm};
+    double direction = 1.0;
+    double row_direction = 1.0;
+    for (long i = 0; i < count; ++i) {
+        if (p.x_mm + direction * step_mm > high_mm || p.x_mm + direction * step_mm < low_mm) {
+            direction = -direction;
+            if (p.y_mm + row_direction * row_mm > 2300.0 || p.y_mm + row_direction * row_mm < low_mm)
+                row_direction = -row_direction;
+            p.y_mm += row_direction * row_mm;
+        } else {
+            p.x_mm += direction * step_mm;
+        }
+        out.line("X{:.3f}Y{:.3f}Z{:.3f}", p.x_mm, p.y_mm,
+                 random.between(35.0, 37.0) + (i / 500 % 2 == 0 ? -14.0 : 14.0));
+    }
+    out.add(footer);
+}
+
 using Generator = void (*)(long);
 
 const std::map<std::string_view, Generator>& generators() {
     static const std::map<std::string_view, Generator> all{{"lines", write_lines},
                                                            {"arcs", write_arcs},
+                                                           {"cell", write_cell},
+                                                           {"cell-blocks", write_cell_blocks},
+                                                           {"cell-mesh", write_cell_mesh},
                                                            {"macro-ab9", write_macro_ab9},
                                                            {"macro-rs274", write_macro_rs274}};
     return all;
+}
+
+std::vector<std::string_view> names() {
+    std::vector<std::string_view> names;
+    names.reserve(generators().size());
+    for (const auto& [name, generator] : generators()) names.push_back(name);
+    return names;
 }
 
 }  // namespace
@@ -206,7 +300,8 @@ int main(int argc, char** argv) {
     const auto generator = argc == 3 ? generators().find(argv[1]) : generators().end();
     if (generator == generators().end() || error != std::errc{} || end != digits.data() + digits.size() ||
         count < 1) {
-        fmt::print(stderr, "usage: gsim-bench-generate lines|arcs|macro-ab9|macro-rs274 COUNT >FILE\n");
+        fmt::print(stderr, "usage: gsim-bench-generate MODE COUNT >FILE; MODE is one of {}\n",
+                   fmt::join(names(), ", "));
         return 2;
     }
     generator->second(count);

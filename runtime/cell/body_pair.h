@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "runtime/cell/segment_motion.h"
 #include "runtime/cell/shape.h"
@@ -26,10 +27,9 @@ struct Body {
 
 /// How near two bodies come to each other.
 struct Nearness {
-    double lower_mm;  ///< No nearer than this.
-    double upper_mm;  ///< As near at some time, or not looked at.
-    Eigen::Vector3d point_mm =
-        Eigen::Vector3d::Zero();  ///< Of the body at rest or less far in the chain; in the world.
+    double lower_mm;                                     ///< No nearer than this.
+    double upper_mm;                                     ///< As near at some time, or not looked at.
+    Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();  ///< On the second body, in the world.
 };
 
 /// The first instant of a contact.
@@ -40,15 +40,15 @@ struct Touch {
     std::optional<Eigen::Vector3d> normal;
 };
 
-/// Two bodies of which the first is on a link farther along the chain, so that what is between them is the
-/// joints from one link to the other.
+/// Two bodies, of which the first is taken to move and the second to be at rest.
 struct BodyPair {
     Body first;
     Body second;
+    std::vector<int> between;  ///< The joints between their links: joints_between().
 
     /// The ways of the first body's points, seen from the second.
     MotionBound bound(const MotionPart& part) const {
-        return part.chain.bound(first.ball(part.from), first.link, second.link);
+        return part.chain.bound(first.ball(part.from), between);
     }
     /// At one instant.
     Nearness nearness_at(const LinkFrames& links, double enough_mm) const;

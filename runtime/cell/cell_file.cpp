@@ -115,9 +115,10 @@ class CellReader {
         const bool jet = on == "jet";
         const std::size_t parent = find_frame(section, "on", jet ? "tool" : on);
         if (!cell_.frames.is_of_machine(parent) || on == "world") {
-            section.fail("on",
-                         "'on' must be \"base\", a letter of an axis, \"tool\" or \"jet\"; what stands in "
-                         "the world is an [[object]]");
+            section.fail(
+                "on",
+                "'on' must be \"base\", a letter of an axis, \"tool\", \"work\" or \"jet\"; what stands in "
+                "the world is an [[object]]");
         }
         add_item(section, table, std::move(name), jet ? Role::jet : Role::machine, parent);
     }

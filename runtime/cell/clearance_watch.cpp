@@ -1,7 +1,6 @@
 #include "runtime/cell/clearance_watch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace gsim::cell {
@@ -42,15 +41,16 @@ void ClearanceWatch::add_pair(std::size_t a, std::size_t b) {
     const Body of_b = body(b);
     const Role role_a = cell_.items[a].role;
     const Role role_b = cell_.items[b].role;
-    const int links_apart = std::abs(of_a.link - of_b.link);
-    if (links_apart == 0 || is_ignored(a, b)) return;
-    if (links_apart == 1 && moves_with_links(role_a) && moves_with_links(role_b)) return;
+    const std::vector<int> between = joints_between(*kinematics_, of_a.link, of_b.link);
+    if (between.empty() || is_ignored(a, b)) return;
+    if (between.size() == 1 && moves_with_links(role_a) && moves_with_links(role_b)) return;
     const bool jet = role_a == Role::jet || role_b == Role::jet;
     if (jet && (role_a == Role::workpiece || role_b == Role::workpiece)) return;
-    if (of_a.link > of_b.link) {
-        pairs_.push_back({{a, b}, jet, {of_a, of_b}, 0, std::nullopt});
+    // What stands in the world is the one at rest.
+    if (of_b.link == 0) {
+        pairs_.push_back({{a, b}, jet, {of_a, of_b, between}, 0, std::nullopt});
     } else {
-        pairs_.push_back({{b, a}, jet, {of_b, of_a}, 0, std::nullopt});
+        pairs_.push_back({{b, a}, jet, {of_b, of_a, {between.rbegin(), between.rend()}}, 0, std::nullopt});
     }
 }
 

@@ -3,23 +3,33 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/kinematics/dh_chain.h"
+#include "runtime/kinematics/chain.h"
 
 namespace gsim::cell {
 
 FrameTree::FrameTree(const machine::Machine& machine) {
     const auto kinematics = machine::make_kinematics(machine);
-    const kinematics::DhChain& chain = kinematics->chain();
-    frames_.reserve(machine.axes.size() + 3);
+    const kinematics::Chain& chain = kinematics->chain();
+    frames_.reserve(machine.axes.size() + 4);
     frames_.push_back({"world", 0, rrs::CartPos::Identity(), 0});
-    add("base", 0, chain.base());
-    std::size_t last = 1;
+    const std::size_t base = add("base", 0, chain.tool_side().base);
+    const std::size_t before_axes = frames_.size();
     for (const machine::Axis& axis : machine.axes) {
-        last = frames_.size();
-        const int link = static_cast<int>(last) - 1;
-        frames_.push_back({std::string(1, axis.letter), last, rrs::CartPos::Identity(), link});
+        const std::size_t frame = frames_.size();
+        const int link = static_cast<int>(frame - before_axes) + 1;
+        frames_.push_back({std::string(1, axis.letter), frame, rrs::CartPos::Identity(), link});
     }
-    add("tool", last, chain.tool());
+    const auto link_frame = [&](const kinematics::Branch& branch) {
+        return before_axes + static_cast<std::size_t>(branch.links.back().joint);
+    };
+    const kinematics::Branch& tool_side = chain.tool_side();
+    add("tool", tool_side.links.empty() ? base : link_frame(tool_side), tool_side.end);
+    const kinematics::Branch& work_side = chain.work_side();
+    if (work_side.links.empty()) {
+        add("work", 0, work_side.base * work_side.end);
+    } else {
+        add("work", link_frame(work_side), work_side.end);
+    }
     machine_frames_ = frames_.size();
 }
 

@@ -11,7 +11,8 @@
 namespace gsim::cell {
 
 /// The named frames of a cell, each attached to another one. Those of the machine come first and cannot be
-/// changed: "world", "base", a letter for the link behind each axis, and "tool".
+/// changed: "world", "base" (of the joints that carry the tool), a letter for the link behind each axis,
+/// "tool" and "work".
 class FrameTree {
   public:
     explicit FrameTree(const machine::Machine& machine);

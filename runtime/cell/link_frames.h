@@ -6,8 +6,8 @@
 
 namespace gsim::cell {
 
-/// Where the links of a machine are: number 0 is the world, to which the base is fixed, and number i is the
-/// link behind joint i - 1. In the world, mm.
+/// Where the links of a machine are: number 0 is the world, to which the bases are fixed, and number i is the
+/// link behind joint i - 1, whether that carries the tool or the work. In the world, mm.
 using LinkFrames = std::vector<rrs::CartPos>;
 
 /// The links' places for joint values in mm and rad.
@@ -20,7 +20,14 @@ struct JointAxis {
     Eigen::Vector3d direction;  ///< Unit vector.
 };
 
-/// The axis of `joint`, where the links stand as told. It is fixed to link `joint`, as numbered above.
-JointAxis joint_axis(const kinematics::Kinematics& kinematics, const LinkFrames& links, int joint);
+/// The axes of all joints, for joint values in mm and rad.
+std::vector<JointAxis> joint_axes(const kinematics::Kinematics& kinematics, const rrs::JointPos& joints);
+
+/// The joints that move `link` in the world, the first one before all.
+std::vector<int> joints_to(const kinematics::Kinematics& kinematics, int link);
+
+/// The joints that move two links against each other: from `first` back to where their ways from the world
+/// part, and on to `second`.
+std::vector<int> joints_between(const kinematics::Kinematics& kinematics, int first, int second);
 
 }  // namespace gsim::cell

@@ -53,7 +53,7 @@ double ChainMotion::reach_mm(const Ball& body, int joint) const {
     return axis.direction.cross(body.middle_mm - axis.point_mm).norm() + body.radius_mm;
 }
 
-MotionBound ChainMotion::bound(const Ball& body, int link, int from) const {
+MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) const {
     MotionBound bound;
     double second_order = 0;
     Slides slides;
@@ -63,7 +63,7 @@ MotionBound ChainMotion::bound(const Ball& body, int link, int from) const {
         bound.bend_mm += slide_bends.way_mm();
         slides = slide_bends = {};
     };
-    for (int joint = link - 1; joint >= from; --joint) {
+    for (const int joint : between) {
         const auto index = static_cast<std::size_t>(joint);
         if (axes_[index].kind == rrs::JointKind::prismatic) {
             slides.add(axes_[index].direction, travel_.way[index]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "runtime/cell/joint_travel.h"
@@ -27,11 +28,12 @@ class ChainMotion {
     ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel)
         : axes_(std::move(axes)), travel_(travel) {}
 
-    /// Of a body on link `link`, seen from link `from` <= `link` (0: the world). A prismatic joint moves its
-    /// points by its own way; a revolute one by its angle times the reach of the body from its axis, which
-    /// joints behind may lengthen. The bend is that of x(q) by its second derivatives, an eighth of their
-    /// bound, with that of the joints' own ways.
-    MotionBound bound(const Ball& body, int link, int from) const;
+    /// Of a body that the joints `between` move, from its own one on (joints_between()), seen from the link
+    /// behind the last of them. A prismatic joint moves its points by its own way; a revolute one by its
+    /// angle times the reach of the body from its axis, which joints nearer to the body may lengthen. The
+    /// bend is that of x(q) by its second derivatives, an eighth of their bound, with that of the joints' own
+    /// ways.
+    MotionBound bound(const Ball& body, std::span<const int> between) const;
 
   private:
     double reach_mm(const Ball& body, int joint) const;

@@ -6,10 +6,7 @@ namespace gsim::cell {
 
 MotionPart SegmentMotion::part(double from_s, const LinkFrames& from, double to_s,
                                const LinkFrames& to) const {
-    std::vector<JointAxis> axes;
-    axes.reserve(from.size());
-    for (int joint = 0; joint < kinematics_.joint_count(); ++joint)
-        axes.push_back(joint_axis(kinematics_, from, joint));
+    std::vector<JointAxis> axes = joint_axes(kinematics_, segment_.position_at(from_s));
     return {from_s, to_s, from, to, ChainMotion(std::move(axes), travel_of(segment_, from_s, to_s))};
 }
 

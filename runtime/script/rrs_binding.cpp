@@ -131,7 +131,7 @@ int get_forward_kinematics(lua_State* state) {
 
 int get_cell_frame(lua_State* state) {
     rrs::CartPos frame;
-    const Status status = shell(state).GetCellFrame(text(state, 1), frame);
+    const Status status = self(state).simulator().get_cell_frame(text(state, 1), frame);
     answer(state, status);
     if (static_cast<int>(status) < 0) return 1;
     push_pose(state, frame);
@@ -139,7 +139,7 @@ int get_cell_frame(lua_State* state) {
 }
 
 int modify_cell_frame(lua_State* state) {
-    return answer(state, shell(state).ModifyCellFrame(text(state, 1), check_pose(state, 2)));
+    return answer(state, self(state).simulator().modify_cell_frame(text(state, 1), check_pose(state, 2)));
 }
 
 int select_work_frames(lua_State* state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,32 @@ struct Explanation {
     std::optional<double> lower_bound_s = 0;
 };
 
+/// Two bodies of the cell begin to touch.
+struct Collision {
+    double t_s = 0;
+    Place place = {};
+    std::string first, second;            ///< Names of the bodies.
+    std::array<double, 3> point_mm = {};  ///< Where, in the world.
+    bool penetrating = false;             ///< Else they only touch.
+};
+
+/// The smallest distance of a block, where it is below what the cell asks for.
+struct BlockClearance {
+    Place place = {};
+    double clearance_mm = 0;
+    std::string first, second;
+    std::array<double, 3> point_mm = {};  ///< On the second body, in the world.
+};
+
+/// What a run did in its cell.
+struct CellFindings {
+    std::string name;
+    double clearance_mm = 0;  ///< That is asked for.
+    std::vector<Collision> collisions;
+    std::vector<BlockClearance> clearances;
+    std::uint64_t dropped = 0;  ///< Entries past the most that a report lists.
+};
+
 /// The whole result of a run; units are in the names, and in the JSON as well.
 struct Report {
     std::string program;
@@ -87,6 +114,7 @@ struct Report {
     std::vector<std::string> warnings;
     std::vector<SlowBlock> slowest;  ///< At most ten, longest first.
     std::optional<Explanation> explanation;
+    std::optional<CellFindings> cell;
     std::vector<std::string> files;  ///< Names that Place::file indexes.
 };
 

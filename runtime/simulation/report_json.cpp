@@ -102,6 +102,35 @@ Json time_by_limit(const Explanation& explanation) {
     return times;
 }
 
+Json point(const std::array<double, 3>& point_mm) {
+    return Json::array({number(point_mm[0]), number(point_mm[1]), number(point_mm[2])});
+}
+
+Json collisions(const Report& report) {
+    Json list = Json::array();
+    for (const Collision& collision : report.cell->collisions) {
+        list.push_back({{"t_s", number(collision.t_s)},
+                        {"file", file(report, collision.place)},
+                        {"line", line(collision.place)},
+                        {"pair", Json::array({collision.first, collision.second})},
+                        {"point_mm", point(collision.point_mm)},
+                        {"kind", collision.penetrating ? "penetrating" : "touching"}});
+    }
+    return list;
+}
+
+Json clearances(const Report& report) {
+    Json list = Json::array();
+    for (const BlockClearance& block : report.cell->clearances) {
+        list.push_back({{"file", file(report, block.place)},
+                        {"line", line(block.place)},
+                        {"clearance_mm", number(block.clearance_mm)},
+                        {"pair", Json::array({block.first, block.second})},
+                        {"point_mm", point(block.point_mm)}});
+    }
+    return list;
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -131,6 +160,11 @@ std::string to_json(const Report& report) {
     if (report.explanation) {
         json["time_by_limit"] = time_by_limit(*report.explanation);
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);
+    }
+    if (report.cell) {
+        json["cell"] = {{"name", report.cell->name}, {"clearance_mm", number(report.cell->clearance_mm)}};
+        json["collisions"] = collisions(report);
+        json["clearances"] = clearances(report);
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

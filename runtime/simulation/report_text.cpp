@@ -15,6 +15,8 @@ constexpr std::size_t kWidth = 100;
 constexpr std::size_t kBarWidth = 24;
 constexpr std::size_t kShownEvents = 8;
 constexpr std::size_t kShownWarnings = 20;
+constexpr std::size_t kShownCollisions = 20;
+constexpr std::size_t kShownClearances = 8;
 
 // Names and messages come from strangers' files: nothing that a terminal would take as a command.
 std::string clean(std::string_view text) {
@@ -195,6 +197,50 @@ void add_slowest(Text& out, const Report& report) {
     }
 }
 
+std::string pair_text(std::string_view first, std::string_view second) {
+    return fmt::format("{} and {}", shortened(first, 22), shortened(second, 22));
+}
+
+void add_collisions(Text& out, const Report& report) {
+    const std::vector<Collision>& collisions = report.cell->collisions;
+    out.blank();
+    out.line("{:<12}{} in {}", "collisions", collisions.empty() ? "none" : std::to_string(collisions.size()),
+             shortened(report.cell->name, 60));
+    for (std::size_t i = 0; i < std::min(collisions.size(), kShownCollisions); ++i) {
+        const Collision& collision = collisions[i];
+        const auto [x, y, z] = collision.point_mm;
+        out.line("{:>12.3f} s  {:<30}  {}", collision.t_s, place_text(report, collision.place, 30),
+                 pair_text(collision.first, collision.second));
+        out.line("{:>14}{:<30}  {} at x {:.3f} y {:.3f} z {:.3f}", "", "",
+                 collision.penetrating ? "penetrating" : "touching", x, y, z);
+    }
+    if (collisions.size() > kShownCollisions) out.line("{:>14}", "...");
+}
+
+// The smallest first.
+void add_clearances(Text& out, const Report& report) {
+    std::vector<const BlockClearance*> blocks;
+    blocks.reserve(report.cell->clearances.size());
+    for (const BlockClearance& block : report.cell->clearances) blocks.push_back(&block);
+    if (blocks.empty()) return;
+    std::stable_sort(blocks.begin(), blocks.end(), [](const BlockClearance* a, const BlockClearance* b) {
+        return a->clearance_mm < b->clearance_mm;
+    });
+    out.line("{} blocks come nearer than {:.10g} mm, the nearest first:", blocks.size(),
+             report.cell->clearance_mm);
+    for (std::size_t i = 0; i < std::min(blocks.size(), kShownClearances); ++i) {
+        out.line("{:>11.3f} mm  {:<30}  {}", blocks[i]->clearance_mm,
+                 place_text(report, blocks[i]->place, 30), pair_text(blocks[i]->first, blocks[i]->second));
+    }
+    if (blocks.size() > kShownClearances) out.line("{:>14}", "...");
+}
+
+void add_cell(Text& out, const Report& report) {
+    if (!report.cell) return;
+    add_collisions(out, report);
+    add_clearances(out, report);
+}
+
 void add_warnings(Text& out, const Report& report) {
     if (report.warnings.empty()) return;
     out.blank();
@@ -211,6 +257,7 @@ std::string to_text(const Report& report) {
     add_times(out, report);
     add_explanation(out, report);
     add_bounds(out, report);
+    add_cell(out, report);
     add_slowest(out, report);
     add_events(out, report);
     add_warnings(out, report);

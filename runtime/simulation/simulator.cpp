@@ -377,6 +377,7 @@ Report Simulator::finish(std::string program) {
         report.warnings.push_back(
             fmt::format("{} more events than the report lists were left out", events_.dropped()));
     }
+    add_cell_findings(report);
     report.files = files_;
     return report;
 }

@@ -12,6 +12,7 @@
 #include "runtime/machine/machine.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/rrs/rcs_host.h"
+#include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/centripetal_watch.h"
 #include "runtime/simulation/event_log.h"
 #include "runtime/simulation/motion_source.h"
@@ -86,6 +87,9 @@ class Simulator {
 
     /// Before the first move; `output` outlives the simulator.
     void add_output(RunOutput& output) { recorder_.add_output(output); }
+    /// Before the first move: the machine stands in this cell, which was read for it and outlives the
+    /// simulator.
+    void set_cell(CellWatch& cell);
 
     const machine::Machine& machine() const { return machine_; }
     /// Axis values at the end of the last move.
@@ -153,6 +157,11 @@ class Simulator {
     bool sampled() const { return motion_->sampled(); }
     /// Joint values (mm or rad) at the last target.
     const rrs::JointPos& joints() const { return motion_->position(); }
+    /// The value of a frame of the cell; without a cell what the controller answers.
+    rrs::Status get_cell_frame(std::string_view name, rrs::CartPos& frame);
+    /// Moves a frame of the cell at the present place of the program: the machine comes to rest first.
+    /// Without a cell what the controller answers.
+    rrs::Status modify_cell_frame(std::string_view name, const rrs::CartPos& frame);
     /// Sets the position at time 0 by a service; refused later, as the machine cannot jump.
     rrs::Status set_start(const std::function<rrs::Status()>& set);
     /// A target that such a client queues: `queue` gets its id and calls the service.
@@ -181,11 +190,13 @@ class Simulator {
     bool finish_move(rrs::Status status, const Place& place);
     bool refused(const Place& place);
     bool stop_for_time(const Place& place);
+    void add_cell_findings(Report& report);
 
     machine::Machine machine_;
     RunLimits limits_;
     Recorder recorder_;
     CentripetalWatch centripetal_;
+    CellWatch* cell_ = nullptr;
     EventLog events_;
     motion::PlannerSetup setup_;
     std::unique_ptr<MotionSource> motion_;

@@ -214,7 +214,8 @@ TEST(ClearanceWatch, RandomMotionsAreAsNearAsTheirSamples) {
         const SegmentMotion motion(*kinematics, segment);
         const BodyPair pair{{&cell.items[0].shape, cell.frames.link(cell.items[0].frame),
                              cell.frames.in_link(cell.items[0].frame)},
-                            {&cell.items[1].shape, 0, cell.frames.in_link(ring)}};
+                            {&cell.items[1].shape, 0, cell.frames.in_link(ring)},
+                            joints_between(*kinematics, 5, 0)};
         double least = 200;
         double first_s = -1;
         constexpr int kSamples = 600;

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "runtime/cell/segment_motion.h"
-#include "runtime/kinematics/dh_chain.h"
+#include "runtime/kinematics/chain.h"
+#include "runtime/kinematics/chain_kinematics.h"
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 
@@ -46,15 +47,16 @@ MotionBound measured(const SegmentMotion& motion, const MotionPart& part, const 
     return most;
 }
 
-kinematics::ChainKinematics random_chain(std::mt19937& random) {
-    std::vector<kinematics::DhLink> links;
-    for (int i = 0; i < 6; ++i) {
+/// Six joints, some of which carry the work.
+kinematics::ChainKinematics random_chain(std::mt19937& random, int tool_joints) {
+    kinematics::Branch tool_side{random_pose(random, 100), {}, random_pose(random, 100)};
+    kinematics::Branch work_side{random_pose(random, 100), {}, random_pose(random, 100)};
+    for (int joint = 0; joint < 6; ++joint) {
+        kinematics::Branch& branch = joint < tool_joints ? tool_side : work_side;
         const auto kind = random() % 2 == 0 ? rrs::JointKind::prismatic : rrs::JointKind::revolute;
-        links.push_back({kind, between(random, -3, 3), between(random, -100, 100), between(random, -100, 100),
-                         between(random, -3, 3)});
+        branch.links.push_back({joint, kind, random_pose(random, 100), random_pose(random, 100)});
     }
-    const auto pose = random_pose(random, 100);
-    return kinematics::ChainKinematics({pose, links, pose});
+    return kinematics::ChainKinematics(kinematics::Chain(tool_side, work_side));
 }
 
 rrs::JointPos random_joints(std::mt19937& random, const rrs::JointPos& about, double most) {
@@ -79,19 +81,20 @@ Segment random_segment(std::mt19937& random) {
 TEST(MotionBound, HoldsForRandomChainsAndMotions) {
     std::mt19937 random(11);
     for (int i = 0; i < 60; ++i) {
-        const auto chain = random_chain(random);
+        const int tool_joints = 3 + i % 4;
+        const auto chain = random_chain(random, tool_joints);
         Segment segment = random_segment(random);
         if (i % 4 == 3) segment.beside = std::make_shared<const Segment>(segment);
         const SegmentMotion motion(chain, segment);
-        const int from = static_cast<int>(random() % 3);
-        const int link = from + 1 + static_cast<int>(random() % 3);
+        const int link = 1 + static_cast<int>(random() % 6);
+        const int from = static_cast<int>(random() % 7);
         const Vector3d middle = random_vector(random, 50);
         std::vector<Vector3d> points;
         for (int p = 0; p < 4; ++p) points.emplace_back(middle + 20 * random_vector(random, 1).normalized());
         MotionPart part = motion.whole();
         for (int halving = 0; halving < 3; ++halving) {
             const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
-            const MotionBound bound = part.chain.bound(ball, link, from);
+            const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from));
             const MotionBound found = measured(motion, part, points, link, from);
             EXPECT_LE(found.way_mm, bound.way_mm + 1e-9);
             EXPECT_LE(found.bend_mm, bound.bend_mm + 1e-9);
@@ -122,7 +125,7 @@ TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
         for (int halving = 0; halving < 4; ++halving) {
             const Vector3d middle = random_vector(random, 100);
             const Ball ball{part.from[5] * middle, 0};
-            const MotionBound bound = part.chain.bound(ball, 5, 0);
+            const MotionBound bound = part.chain.bound(ball, joints_between(*kinematics, 5, 0));
             const MotionBound really = measured(motion, part, {middle}, 5, 0);
             EXPECT_LE(really.way_mm, bound.way_mm + 1e-9);
             EXPECT_LE(really.bend_mm, bound.bend_mm + 1e-9);
@@ -138,11 +141,14 @@ TEST(MotionBound, StraightWaysDoNotBend) {
     const auto kinematics = machine::make_kinematics(machine);
     const Segment segment = line(0, joints(0, 0, 0), joints(30, 40, 0), {50, 490});
     const SegmentMotion motion(*kinematics, segment);
-    const MotionBound bound = motion.whole().chain.bound({Vector3d::Zero(), 100}, 5, 0);
+    const MotionBound bound =
+        motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 0));
     EXPECT_NEAR(bound.way_mm, 50, 1e-9);
     EXPECT_EQ(bound.bend_mm, 0);
-    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, 1, 0).way_mm, 30, 1e-9);
-    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, 5, 1).way_mm, 40, 1e-9);
+    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 1, 0)).way_mm,
+                30, 1e-9);
+    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 1)).way_mm,
+                40, 1e-9);
 }
 
 TEST(MotionBound, ArcsBendByTheirRiseOverTheChord) {
@@ -154,7 +160,7 @@ TEST(MotionBound, ArcsBendByTheirRiseOverTheChord) {
     for (int halving = 0; halving < 6; ++halving)
         part = motion.first_half(part, motion.links_at(part.middle_s()));
     const double angle = 2 * M_PI / 64;
-    const MotionBound bound = part.chain.bound({Vector3d::Zero(), 100}, 5, 0);
+    const MotionBound bound = part.chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 0));
     EXPECT_NEAR(bound.way_mm, 100 * angle, 1e-9);
     EXPECT_NEAR(bound.bend_mm, 100 * (1 - std::cos(angle / 2)), 1e-4);
 }
@@ -164,7 +170,8 @@ TEST(MotionBound, ATurnReachesAsFarAsTheBody) {
     const auto kinematics = machine::make_kinematics(machine);
     const Segment segment = line(0, joints(0, 0, 0), joints(0, 0, 0, 0.1, 0), {1});
     const SegmentMotion motion(*kinematics, segment);
-    const MotionBound bound = motion.whole().chain.bound({Vector3d(30, 40, 7), 10}, 5, 0);
+    const MotionBound bound =
+        motion.whole().chain.bound({Vector3d(30, 40, 7), 10}, joints_between(*kinematics, 5, 0));
     EXPECT_NEAR(bound.way_mm, 0.1 * 60, 1e-9);
     EXPECT_NEAR(bound.bend_mm, 0.1 * 0.1 * 60 / 8, 1e-9);
 }

@@ -1,0 +1,84 @@
+// gsim-run --cell: collisions and near misses.
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps {
+namespace {
+
+using nlohmann::json;
+
+class Cell : public Apps {
+  protected:
+    json report(const std::string& program, int status) {
+        const Ended e = gsim_run({program, "--cell", cell_, "--json"});
+        EXPECT_EQ(e.status, status) << e.err;
+        return json::parse(e.out);
+    }
+    const std::string cell_ = write("cell.toml", R"(
+[cell]
+name = "a post"
+clearance_mm = 3.0
+[[object]]
+name = "post"
+shape = { box_mm = [20.0, 20.0, 20.0] }
+frame = { x_mm = 200.0, y_mm = 200.0 }
+[[shape]]
+name = "tip"
+on = "tool"
+shape = { sphere_mm = 10.0 }
+)");
+};
+
+TEST_F(Cell, CollisionsAndNearMissesAreReported) {
+    const json r = report(write("part.nc", "G1 X100 Y216 F6000\nX300\nY100\nG1 X100 Y200\nX200\n"), 1);
+    EXPECT_EQ(r["status"], "completed");
+    EXPECT_EQ(r["cell"]["name"], "a post");
+    ASSERT_EQ(r["clearances"].size(), 2U);
+    EXPECT_EQ(r["clearances"][0]["line"], 2);
+    EXPECT_NEAR(r["clearances"][0]["clearance_mm"].get<double>(), 1, 1e-3);
+    ASSERT_EQ(r["collisions"].size(), 1U);
+    EXPECT_EQ(r["collisions"][0]["line"], 5);
+    EXPECT_EQ(r["collisions"][0]["pair"], (json{"tip", "post"}));
+    EXPECT_EQ(r["collisions"][0]["kind"], "penetrating");
+    EXPECT_NEAR(r["collisions"][0]["point_mm"][0].get<double>(), 190, 1e-5);
+    EXPECT_EQ(r["clearances"][1]["clearance_mm"], 0);
+    EXPECT_EQ(r["clearances"][1]["point_mm"], r["collisions"][0]["point_mm"]);
+}
+
+TEST_F(Cell, AScriptMovesAFrameWhereItStands) {
+    const std::string script = write("part.lua", R"(local _ENV = require "gsim"
+F(6000) G1{x=150, y=200}
+local status, pose = rrs.GetCellFrame("post")
+assert(status == 0 and pose[1][4] == 200, "frame")
+pose[1][4] = 400
+assert(rrs.ModifyCellFrame("post", pose) == 0)
+assert(rrs.ModifyCellFrame("tool", pose) < 0 and rrs.ModifyCellFrame("pots", pose) < 0)
+G1{x=300}
+)");
+    const Ended e = gsim_run({script, "--cell", cell_, "--json"});
+    EXPECT_EQ(e.status, 0) << e.err << e.out;
+}
+
+TEST_F(Cell, TheSampleRunsWithItsMachine) {
+    const std::string part = write("part.nc", "G0 X200 Y200 Z50\nG0 X1500 Y400\nG1 Z100 F3000\nG0 Z50\n");
+    const std::string cell = fmt::format("{}/samples/cells/af5.toml", GSIM_SOURCE);
+    const Ended e = gsim_run({part, "--cell", cell});
+    EXPECT_EQ(e.status, 1);
+    EXPECT_TRUE(holds(e.out, "nozzle and mould")) << e.out;
+    const Ended quiet = gsim_run({part, "--cell", cell, "--quiet"});
+    EXPECT_TRUE(holds(quiet.err, "collisions in the cell: ")) << quiet.err;
+}
+
+TEST_F(Cell, FaultsOfTheFileAreErrorsOfUsage) {
+    const std::string part = write("part.nc", "G0 X1\n");
+    const Ended e = gsim_run({part, "--cell", write("bad.toml", "[cell]\nname = 3\n")});
+    EXPECT_EQ(e.status, 2);
+    EXPECT_TRUE(holds(e.err, "bad.toml:2:")) << e.err;
+    EXPECT_EQ(gsim_run({part, "--cell", "none.toml"}).status, 2);
+}
+
+}  // namespace
+}  // namespace gsim::apps
