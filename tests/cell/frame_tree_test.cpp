@@ -36,5 +36,23 @@ TEST(FrameTree, TheToolIsWhereTheKinematicsHaveIt) {
     EXPECT_FALSE(frames.find("Q"));
 }
 
+TEST(FrameTree, AxesThatCarryTheWorkCarryItsFrame) {
+    machine::Machine machine = af5();
+    machine.axes[0].carries = machine::Carries::work;
+    machine.inverse = machine::InverseKind::none;
+    const auto kinematics = machine::make_kinematics(machine);
+    const FrameTree frames(machine);
+    const rrs::JointPos at = joints(10, 20, 30, 0.5, 0.25);
+    const LinkFrames links = link_frames(*kinematics, at);
+    const rrs::CartPos work = frames.in_world(*frames.find("work"), links);
+    const rrs::CartPos tool = frames.in_world(*frames.find("tool"), links);
+    EXPECT_TRUE((work.inverse() * tool).isApprox(kinematics->forward(at), 1e-9));
+    EXPECT_EQ(frames.link(*frames.find("work")), 1);
+    EXPECT_EQ(joints_between(*kinematics, 5, 1), (std::vector<int>{4, 3, 2, 1, 0}));
+    EXPECT_EQ(joints_between(*kinematics, 1, 2), (std::vector<int>{0, 1}));
+    EXPECT_EQ(joints_between(*kinematics, 5, 3), (std::vector<int>{4, 3}));
+    EXPECT_TRUE(joints_between(*kinematics, 0, 0).empty());
+}
+
 }  // namespace
 }  // namespace gsim::cell
