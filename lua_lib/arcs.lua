@@ -56,7 +56,7 @@ local function through_point(words)
   local middle = core.target(via)
   local target = core.target(words, " i j k i1 j1 k1 ")
   if path.is_filtered() then
-    alarm("CIP is not possible while something watches or shapes the path (compensation, a corner word, a zone)")
+    alarm("CIP is not possible while something watches or shapes the path (compensation, a corner word)")
   end
   core.arc_via(middle, target, swept_via(programmed_point(), middle, target))
 end

@@ -18,6 +18,7 @@ include "switches"
 include "user_codes"
 include "probe"
 include "neutral"
+include "zones"
 
 -- What belongs to one dialect.
 if core.dialect == "rs274ngc" then

@@ -98,6 +98,7 @@ end)
 -- Offsets of all axes, by their letters.
 local function offset_in_force(offset)
   state.tool_offset = offset
+  path.act(function() core.set_tool_offset(offset.x, offset.y, offset.z) end)
   apply_offsets()
 end
 

@@ -263,10 +263,10 @@ void Brakes::put(std::vector<Segment>& list, Segment segment) {
 bool Brakes::pass_first(double t_s) {
     const Segment& first = planned_.front();
     if (first.beside) {
-        put(stopped_.done, blend_part(first, 0, t_s));
+        put(stopped_.done, segment_until(first, t_s));
         return pass_blend(first, t_s);
     }
-    put(stopped_.done, part_of(first, {}, until(first, t_s), false));
+    put(stopped_.done, segment_until(first, t_s));
     return pass_single(first, progress_at(first, t_s), braking(first, t_s));
 }
 
@@ -322,6 +322,11 @@ void start_slower(double speed, Segment& segment) {
 }
 
 }  // namespace
+
+Segment segment_until(const Segment& segment, double t_s) {
+    if (segment.beside) return blend_part(segment, 0, t_s);
+    return part_of(segment, {}, until(segment, t_s), false);
+}
 
 StoppedMotion stop_motion(std::vector<Segment> planned, double at_s, const rrs::JointPos& acceleration) {
     return Brakes(std::move(planned), acceleration).stop(at_s);

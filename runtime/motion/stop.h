@@ -24,6 +24,9 @@ struct StoppedMotion {
 /// rad/s2).
 StoppedMotion stop_motion(std::vector<Segment> planned, double at_s, const rrs::JointPos& acceleration);
 
+/// The first `t_s` of a segment, as planned. It does not reach the segment's target.
+Segment segment_until(const Segment& segment, double t_s);
+
 /// Plans the rest of a stopped motion anew, from rest: no speed is above what was planned, and each segment
 /// ends with the speed that was planned or with the highest one that it can reach. Their start_s is yet to be
 /// told.

@@ -20,6 +20,8 @@ void add_moves(lua_State* state, Controller& controller);
 void add_frames(lua_State* state, Controller& controller);
 /// Axis values for poses: core.pose_axes.
 void add_poses(lua_State* state, Controller& controller);
+/// Zones, and where the tool's end is: core.set_zone, core.switch_zones, core.set_tool_offset.
+void add_zones(lua_State* state, Controller& controller);
 /// The services of the controller as scripts call them.
 void add_rrs(lua_State* state, Controller& controller);
 

@@ -61,6 +61,7 @@ Engine::Engine(simulation::Simulator& simulator, Options options)
       options_(std::move(options)),
       controller_(simulator, places_),
       lua_(options_.limits) {
+    simulator_.watch_zones(options_.data);
     lua_.on_last_step([this](lua_State* state) { controller_.locate(state, 0); });
     if (!judge(call_protected([](Engine& engine) {
             engine.open_environment();
@@ -112,6 +113,7 @@ void Engine::open_environment() {
     add_moves(state, controller_);
     add_frames(state, controller_);
     add_poses(state, controller_);
+    add_zones(state, controller_);
     set_function<load_program>(state, "load_program", this);
     set_options(state);
     machine::MachineData tables = options_.data;

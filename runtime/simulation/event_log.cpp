@@ -1,5 +1,7 @@
 #include "runtime/simulation/event_log.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace gsim::simulation {
@@ -33,6 +35,14 @@ void EventLog::take(const motion::Segment& segment, const MoveInfo& info) {
         events_[waiting_.front().index].t_s = segment.start_s;
         waiting_.pop_front();
     }
+}
+
+void EventLog::end_early(double end_s) {
+    for (const Waiting& waiting : waiting_)
+        events_[waiting.index].t_s = std::numeric_limits<double>::infinity();
+    waiting_.clear();
+    const auto is_later = [end_s](const Event& event) { return event.t_s > end_s; };
+    events_.erase(std::remove_if(events_.begin(), events_.end(), is_later), events_.end());
 }
 
 void EventLog::end(double end_s) {

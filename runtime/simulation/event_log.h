@@ -23,6 +23,9 @@ class EventLog final : public RunOutput {
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
+    /// The machine goes on no further than to this time: what would happen later never does.
+    void end_early(double end_s);
+
     std::vector<Event> release() { return std::move(events_); }
     /// Events past the most that a report lists.
     std::uint64_t dropped() const { return dropped_; }

@@ -33,6 +33,8 @@ class Recorder : public motion::SegmentSink {
     void expect(const MoveInfo& info) { waiting_.push_back(info); }
     void take(const motion::Segment& segment) override;
 
+    /// The move whose segments arrive; what nobody expects has an id alone.
+    const MoveInfo& move() const { return move_.info; }
     /// End of the segments so far.
     double time_s() const { return end_s_; }
 

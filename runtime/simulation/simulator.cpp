@@ -69,6 +69,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       limits_(limits),
       recorder_(machine_, machine::home_position(machine_)),
       centripetal_(machine_),
+      zones_(machine_, recorder_),
       setup_(planner_setup(machine_)),
       motion_(make_motion(std::move(module))),
       shell_(motion_->shell()),
@@ -82,8 +83,8 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
 }
 
 std::unique_ptr<MotionSource> Simulator::make_motion(std::optional<rrs::RcsModule> module) {
-    if (!module) return std::make_unique<PlannerMotion>(setup_, recorder_);
-    return std::make_unique<ModuleMotion>(*std::move(module), setup_, limits_.max_time_s, recorder_);
+    if (!module) return std::make_unique<PlannerMotion>(setup_, zones_);
+    return std::make_unique<ModuleMotion>(*std::move(module), setup_, limits_.max_time_s, zones_);
 }
 
 void Simulator::start() {
@@ -204,6 +205,7 @@ MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per
 
 bool Simulator::finish_move(Status status, const Place& place) {
     leave_exact_stop();
+    if (zones_.hit()) return fail_in_zone();
     if (static_cast<int>(status) < 0) return refused(place);
     if (status == Status::RRS_MOTION_TIME_RAISED) {
         warn(
@@ -363,6 +365,7 @@ Report Simulator::finish(std::string program) {
     motion_->end_program();
     if (motion_->fault()) refused(last_place_);
     if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too
+    if (zones_.hit()) fail_in_zone();
     Report report;
     recorder_.finish(report);
     if (!sampled()) report.controller = machine_.controller.model;

@@ -17,8 +17,10 @@
 #include "runtime/simulation/event_log.h"
 #include "runtime/simulation/motion_source.h"
 #include "runtime/simulation/move.h"
+#include "runtime/simulation/open_calls.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/zone_watch.h"
 
 namespace gsim::simulation {
 
@@ -130,11 +132,19 @@ class Simulator {
     bool jet() const { return jet_; }
     /// A warning for the report; the same text is given once.
     void warn(const std::string& text);
-    /// A program is called, or the one called last has ended: an alarm names the calls that are open.
-    void enter_program(std::string name, const Place& place) { calls_.push_back({std::move(name), place}); }
-    void leave_program() {
-        if (!calls_.empty()) calls_.pop_back();
+    /// The zones of machine data hold from time 0 on. Before the first move.
+    void watch_zones(const machine::MachineData& data);
+    /// Switches zones of machine data behind the moves so far; false where none has the number.
+    bool switch_zones(int switch_number, bool on) { return zones_.switch_zones(switch_number, on, next_id_); }
+    /// The zone of the program from the moves so far on (ZoneWatch::set_programmed()).
+    void set_programmed_zone(const std::optional<ZoneWalls>& walls) {
+        zones_.set_programmed(walls, next_id_);
     }
+    /// How far the tool's end is from where X, Y and Z of the machine are, for the zones (mm).
+    void set_tool_offset(const Eigen::Vector3d& offset_mm) { zones_.set_tool_offset(offset_mm, next_id_); }
+    /// A program is called, or the one called last has ended: an alarm names the calls that are open.
+    void enter_program(std::string name, const Place& place);
+    void leave_program() { calls_.leave(next_id_); }
     /// Ends the run with an alarm of the program; always false.
     bool fail(std::string message, const Place& place);
     /// Ends the run because of a limit; always false.
@@ -191,6 +201,7 @@ class Simulator {
     bool refused(const Place& place);
     bool stop_for_time(const Place& place);
     void add_cell_findings(Report& report);
+    bool fail_in_zone();
 
     machine::Machine machine_;
     RunLimits limits_;
@@ -198,6 +209,7 @@ class Simulator {
     CentripetalWatch centripetal_;
     CellWatch* cell_ = nullptr;
     EventLog events_;
+    ZoneWatch zones_;
     motion::PlannerSetup setup_;
     std::unique_ptr<MotionSource> motion_;
     rrs::Shell& shell_;              ///< Of motion_.
@@ -206,7 +218,7 @@ class Simulator {
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;
     std::optional<Alarm> alarm_;
-    std::vector<OpenCall> calls_;
+    OpenCalls calls_;
     RunStatus status_ = RunStatus::completed;
     rrs::TargetId next_id_ = 1;
     Place last_place_;  ///< Of the last move.

@@ -1,5 +1,8 @@
 // How a run of Simulator ends before its program does.
 
+#include <string>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "runtime/simulation/simulator.h"
@@ -12,6 +15,28 @@ namespace {
 
 const char* unit(const machine::Axis& axis) {
     return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
+}
+
+std::string text_of(const ZoneHit& hit) {
+    std::string at;
+    std::string walls;
+    for (std::size_t i = 0; i < hit.limits.size(); ++i) {
+        const char letter = static_cast<char>('X' + i);
+        if (hit.tool_mm[i]) at += fmt::format("{}{}{:.4f}", at.empty() ? "" : " ", letter, *hit.tool_mm[i]);
+        if (!hit.limits[i]) continue;
+        walls += fmt::format("{}{} {:.10g} to {:.10g}", walls.empty() ? "" : ", ", letter,
+                             hit.limits[i]->min_mm, hit.limits[i]->max_mm);
+    }
+    const char* place = hit.stay_inside ? "inside" : "outside";
+    const std::string what =
+        hit.stands ? fmt::format("the tool is not {} {} when that comes into force", place, hit.zone)
+                   : fmt::format("the tool {} {} on axis {}", hit.stay_inside ? "leaves" : "enters", hit.zone,
+                                 static_cast<char>('X' + hit.axis));
+    return fmt::format(
+        "{}, at {} mm after {:.9g} s; the zone is {} mm (machine coordinates of the tool's end), and the "
+        "tool "
+        "must stay {} it",
+        what, at, hit.time_s, walls, place);
 }
 
 }  // namespace
@@ -28,7 +53,7 @@ bool Simulator::fail(std::string message, const Place& place) {
     alarm_ = Alarm{};
     alarm_->message = std::move(message);
     alarm_->place = place;
-    alarm_->calls.assign(calls_.rbegin(), calls_.rend());
+    alarm_->calls = calls_.now();
     return false;
 }
 
@@ -54,6 +79,34 @@ void Simulator::warn_if_singular(const AxisVector& axes, const Place& place) {
         fmt::format("{}the pose is singular: axes {} line up, and can turn against each other while the tool "
                     "stands",
                     at, letters));
+}
+
+void Simulator::enter_program(std::string name, const Place& place) {
+    calls_.forget_before(recorder_.move().target_id);
+    calls_.enter({std::move(name), place}, next_id_);
+}
+
+void Simulator::watch_zones(const machine::MachineData& data) {
+    zones_.add_zones(data);
+    for (const char letter : zones_.missing_axes()) {
+        warn(fmt::format("the machine has no linear axis {}, and zones no walls there", letter));
+    }
+}
+
+/// The machine comes to the zone before it comes to what the program has read since: this alarm takes the
+/// place of another one. Nothing happens behind the limit of time.
+bool Simulator::fail_in_zone() {
+    const ZoneHit& hit = *zones_.hit();
+    if (hit.time_s > limits_.max_time_s) return stop_for_time(recorder_.move().place);
+    alarm_.reset();
+    const MoveInfo& move = recorder_.move();
+    fail(text_of(hit), move.place.line > 0 ? move.place : last_place_);
+    alarm_->calls = calls_.at(move.target_id);
+    alarm_->axis = static_cast<char>('X' + hit.axis);
+    alarm_->value = hit.tool_mm[hit.axis];
+    alarm_->limit = hit.wall_mm;
+    events_.end_early(hit.time_s);
+    return false;
 }
 
 /// Turns the planner's last refusal into an alarm in terms of the machine's axes.

@@ -1,4 +1,5 @@
-// Programmable zones: moves are checked along their whole way, not at their ends alone.
+// Zones of programs and of machine data: the tool is watched along its whole way, not at the ends of moves
+// alone.
 
 #include <cmath>
 #include <random>
@@ -106,6 +107,96 @@ TEST(Zones, AgreeWithAWalkAlongTheMove) {
             a[0], a[1], a[2], b[0], b[1], b[2]);
         EXPECT_EQ(run_lua(lua).completed(), depth < 0) << lua;
     }
+}
+
+// --- Zones of the machine data ---
+
+Conditions with_zones() {
+    Conditions setup = with_tools();
+    machine::Zone zone;
+    zone.number = 4;
+    zone.limits[0] = {100, 200};
+    zone.limits[1] = {100, 200};
+    zone.active_at_start = false;
+    zone.switch_number = 3;
+    setup.options.data.security_zones[4] = zone;
+    zone = {.number = 1, .kind = machine::ZoneKind::working};
+    zone.limits[0] = {-1, 600};
+    setup.options.data.working_zone = zone;
+    return setup;
+}
+
+TEST(Zones, OfMachineDataHoldFromTheStartOn) {
+    expect_alarm(run("G0 X500\nG1 X700 F6000", with_zones()), 2,
+                 {"leaves the working zone on axis X", "X600.0000"});
+    Conditions ngc = with_zones();
+    ngc.options.dialect = "rs274ngc";
+    expect_alarm(run("G21\nG0 X500\nG1 X700 F6000\nM2", ngc), 3, {"leaves the working zone on axis X"});
+}
+
+TEST(Zones, OfMachineDataAreSwitchedByTheirNumber) {
+    EXPECT_TRUE(run("G0 X150 Y150\nG0 X0 Y0", with_zones()).completed());
+    const Outcome on = run("G22 P3\nG1 X150 F6000\nY150", with_zones());
+    EXPECT_NE(on.lua.find("G22{p=3}"), std::string::npos) << on.lua;
+    expect_alarm(on, 3, {"enters security zone 4 on axis Y", "X150.0000 Y100.0000"});
+    EXPECT_TRUE(run("G22 P3\nG0 X150\nG23 P3\nG0 Y150\n", with_zones()).completed());
+    expect_alarm(run("G22 P9", with_zones()), 1, {"no zone has SWITCH=9"});
+    expect_alarm(run_lua("G23{p=1.5}", with_zones()), 1, {"from 1 to 99"});
+    Conditions ngc = with_zones();
+    ngc.options.dialect = "rs274ngc";
+    expect_alarm(run_lua("require 'gsim.rs274ngc'\nG21()\nswitch_zone(3, true)\nG0{x=150, y=150}", ngc), 4,
+                 {"enters security zone 4"});
+}
+
+TEST(Zones, OfMachineDataAndOfTheProgramHoldTogether) {
+    const std::string both = "G22 P3\nG22 X300 I400\nG0 X50\n";
+    expect_alarm(run(both + "G0 Y250\nX350", with_zones()), 5, {"enters the zone of G22"});
+    expect_alarm(run(both + "G0 Y150\nX350", with_zones()), 5, {"enters security zone 4"});
+    EXPECT_TRUE(run(both + "G23\nG0 Y250\nX350", with_zones()).completed());
+}
+
+// Where the tool's end is, is told by the offset of the move, not of the block that is read.
+TEST(Zones, AreAboutTheEndOfTheTool) {
+    const std::string low = "G0 Z100\nG22 Z50 K0\n";
+    expect_alarm(run(low + "G1 Z49 F6000", with_tools()), 3, {"axis Z", "Z50.0000"});
+    const Outcome shifted = run(low + "G43 H2\nG1 Z51 F6000\nG1 Z49\nG49", with_tools());
+    expect_alarm(shifted, 5, {"Z50.0000"});
+    EXPECT_NEAR(shifted.end()[2], 75, 1e-9);
+}
+
+// The corner of a box on a diagonal: from first principles, to a microsecond.
+TEST(Zones, TheTimeIsThatOfTheLawAlongTheWay) {
+    for (const double x : {20.0, 100.0, 200.0, 280.0}) {
+        SCOPED_TRACE(x);
+        const Outcome ended =
+            run(fmt::format("F6000 G22 X{} Y{} I400 J400\nG1 X300 Y300", x, x), with_tools());
+        expect_alarm(ended, 2, {"enters the zone of G22"});
+        const double way = std::sqrt(2.0) * x;
+        const double left = std::sqrt(2.0) * (300 - x);
+        const double ramp_mm = 100 * 100 / kAcceleration_mm_s2 / 2;
+        const double whole_s = trapezoid_s(std::sqrt(2.0) * 300, 100, kAcceleration_mm_s2);
+        double wanted_s = 100 / kAcceleration_mm_s2 / 2 + way / 100;
+        if (way < ramp_mm) wanted_s = std::sqrt(2 * way / kAcceleration_mm_s2);
+        if (left < ramp_mm) wanted_s = whole_s - std::sqrt(2 * left / kAcceleration_mm_s2);
+        EXPECT_NEAR(ended.report.cycle_time_s, wanted_s, 1e-9);
+        EXPECT_NEAR(ended.end()[0], x, 1e-6);
+        EXPECT_NEAR(ended.end()[1], x, 1e-6);
+    }
+}
+
+TEST(Zones, ALongStretchBehindTheAlarmIsNotReported) {
+    const Outcome ended = run("F6000 G22 X100 I200\nG1 X50\nM8\nX150\nM9\nX300", with_tools());
+    expect_alarm(ended, 4, {"X100.0000"});
+    EXPECT_EQ(ended.events(), "jet_on");
+    EXPECT_NEAR(ended.report.feed_mm, 100, 1e-6);
+}
+
+TEST(Zones, SeeArcsThroughAPointAndMovesThroughCompensation) {
+    expect_alarm(run_lua("F(6000.0) G22{x=40, i=60, y=20, j=90}\nCIP{x=100, i1=50, j1=50}"), 2, {"enters"});
+    // The path is 3 mm off the programmed one, which keeps out of the zone.
+    expect_alarm(
+        run("F6000 G22 X-10 I500 Y52 J60\nG0 X20 Y20\nG41 D1 G1 Y50\nX200\nY20\nG40 X0", with_tools()), 3,
+        {"axis Y", "Y52.0000"});
 }
 
 }  // namespace

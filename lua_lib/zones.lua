@@ -1,0 +1,14 @@
+-- Zones of the machine data with SWITCH=n, for the words of a dialect and for M codes of the user.
+
+-- switch_zone(n, on): the zones with that number hold from here on, or no more.
+function env.switch_zone(number, on)
+  number = nearly_whole(number)
+  if type(number) ~= "number" or number % 1 ~= 0 or number < 1 or number > 99 then
+    alarm("the number by which zones are switched is a whole number from 1 to 99, not %s", tostring(number))
+  end
+  path.act(function()
+    if not core.switch_zones(math.tointeger(number), on) then
+      alarm("no zone has SWITCH=%d; zones are given in section SECURITY of the machine data", number)
+    end
+  end)
+end
