@@ -11,6 +11,7 @@
 #include "apps/language.h"
 #include "apps/machine_data_file.h"
 #include "apps/outputs.h"
+#include "apps/robots_run.h"
 #include "apps/run_main.h"
 #include "apps/script_input.h"
 #include "apps/variables_file.h"
@@ -39,6 +40,7 @@ struct Arguments {
     std::string variables;
     std::string lua_lib;
     std::string rcs;
+    std::string robots;
     apps::OutputNames outputs;
     simulation::RunLimits limits;
     std::size_t memory_mb = 2048;
@@ -106,6 +108,11 @@ void add_options(CLI::App& app, Arguments& a) {
         ->check(CLI::ExistingDirectory);
     app.add_option("--rcs", a.rcs,
                    "controller module (shared library) that plans in place of the built-in planner")
+        ->check(CLI::ExistingFile);
+    app.add_option(
+           "--robots", a.robots,
+           "robots and conveyors that the script moves (TOML); files of moves, trajectories and plots are "
+           "one for each robot")
         ->check(CLI::ExistingFile);
     app.set_version_flag("--version", "gsim-run " GSIM_VERSION);
 }
@@ -232,7 +239,41 @@ void print_report(const Arguments& arguments, const simulation::Report& report) 
     }
 }
 
+/// A run of several robots, each with the machine that the file of robots gives it.
+int run_robots(const Arguments& arguments) {
+    for (const auto& [value, option] : {std::pair{&arguments.machine, "--machine"},
+                                        {&arguments.machine_data, "--machine-data"},
+                                        {&arguments.save_machine_data, "--save-machine-data"},
+                                        {&arguments.cell, "--cell"},
+                                        {&arguments.rcs, "--rcs"},
+                                        {&arguments.variables, "--variables"}}) {
+        if (!value->empty()) return usage_error(fmt::format("{} does not go with --robots", option));
+    }
+    if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
+    simulation::Progress progress(stderr, false);
+    apps::RobotsRun run;
+    run.input = arguments.input;
+    run.robots = arguments.robots;
+    run.setup = arguments.setup;
+    run.language = arguments.language;
+    run.outputs = arguments.outputs;
+    run.limits = arguments.limits;
+    run.options = engine_options(arguments, {}, {}, progress);
+    tl::expected<simulation::RobotsReport, apps::InputError> report = apps::run_robots(std::move(run));
+    if (!report) return report.error().in_program ? apps::kProgramFault : usage_error(report.error().message);
+    if (arguments.json) {
+        std::printf("%s\n", simulation::to_json(*report).c_str());
+    } else if (!arguments.quiet) {
+        std::printf("%s", simulation::to_text(*report).c_str());
+    } else {
+        print_report(arguments, report->whole);
+    }
+    if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
+    return report->whole.status == simulation::RunStatus::completed ? apps::kDone : apps::kProgramFault;
+}
+
 int run(const Arguments& given) {
+    if (!given.robots.empty()) return run_robots(given);
     const tl::expected<Arguments, std::string> with_cell = with_files_of_cell(given);
     if (!with_cell) return usage_error(with_cell.error());
     const Arguments& arguments = *with_cell;
@@ -285,6 +326,7 @@ int run(const Arguments& given) {
     progress.clear();
 
     simulation::Report report = simulator.finish(program);
+    engine.report(report);
     outputs->explain(report);
     tl::expected<void, std::string> written = outputs->commit(report);
     if (written) written = keep(arguments, engine, *document);

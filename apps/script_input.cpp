@@ -1,5 +1,6 @@
 #include "apps/script_input.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -130,6 +131,10 @@ std::vector<std::string> candidate_names(const fs::path& main_path, const std::s
         for (const char* extension : kExtensions) names.push_back(base + extension);
     };
     if (wanted.find_first_of("/\\") != std::string::npos) return names;  // beside the program, not elsewhere
+    if (std::any_of(kExtensions.begin(), kExtensions.end(),
+                    [&](const char* extension) { return has_extension(wanted, extension); })) {
+        names.push_back(wanted);
+    }
     if (is_number(wanted)) {
         const long number = std::stol(wanted);
         add(fmt::format("O{:04}", number));

@@ -46,6 +46,8 @@ function env.on_input(f)
 end
 
 local function input_is_on(number)
+  local signal = answer == nil and input_value("DI", number)
+  if answer == nil and signal ~= nil then return signal == true or (signal and signal ~= 0) end
   if answer == nil then
     core.warn("inputs (#1000 on) are read as 0; a script answers with on_input(function(kind, number) return 1 end)")
     return false
@@ -59,6 +61,7 @@ end
 local function switch_output(number, on)
   outputs[number] = on or nil
   path.event("digital_output", ("P%d %s"):format(number, on and "on" or "off"))
+  set_output("DO", number, on)
 end
 
 local function signals(first, what, is_on, switch)

@@ -2,6 +2,7 @@
 -- gsim-run with --lua-lib. `core` is the C++ side (see README.md beside this file), `env` is what scripts see.
 
 include "state"
+include "processes"
 include "variables"
 include "programs"
 include "frames"

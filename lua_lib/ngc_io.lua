@@ -1,8 +1,8 @@
 -- RS274/NGC: inputs and outputs. Outputs are events; inputs are answered by a function of the script:
 --   on_input(function(kind, number, wait, timeout_s) return value, waited_s end)
 -- kind is "digital" or "analog"; wait is 0 (the value now), 1 (it rises), 2 (it falls), 3 (it is on) or 4 (it is
--- off). A nil value says that it did not happen in time. Without a function each input is 0 at once, as in a dry
--- run of LinuxCNC.
+-- off). A nil value says that it did not happen in time. Without a function inputs are
+-- signals where there are processes; else each is 0 at once, as in a dry run of LinuxCNC.
 
 local RESULT = 5399
 local TIMED_OUT = -1
@@ -28,6 +28,7 @@ local function digital(name, on, with_move)
     refuse_with_compensation(name)
     local number = number_of(words and words.p, name, "P")
     path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""), with_move)
+    set_output("DO", number, on)
   end)
 end
 digital("M62", true, true)
@@ -42,13 +43,29 @@ local function analog(name, with_move)
     local number = number_of(words and words.e, name, "E")
     if words.q == nil then alarm("%s needs Q, the value of the output", name) end
     path.event("analog_output", ("E%d %.10g%s"):format(number, words.q, with_move and WITH_MOVE or ""), with_move)
+    set_output("AO", number, words.q)
   end)
 end
 analog("M67", true)
 analog("M68", false)
 
+local HOW = { "rises", "falls", "on", "off" }
+
+-- The answer of other processes: the signal of the input. The robot stands idle meanwhile.
+local function ask_signal(kind, number, wait, timeout)
+  local name = kind == "digital" and "DI" or "AI"
+  local value = input_value(name, number)
+  if value == nil then return 0, 0 end
+  if wait > 0 then
+    if not processes.wait_signal(io_signal(name, number), HOW[wait], nil, timeout) then return TIMED_OUT, 0 end
+    value = processes.value(io_signal(name, number))
+  end
+  if kind == "digital" then return (value and value ~= 0) and 1 or 0, 0 end
+  return value == true and 1 or value or 0, 0
+end
+
 local function ask(kind, number, wait, timeout)
-  if answer == nil then return 0, 0 end
+  if answer == nil then return ask_signal(kind, number, wait, timeout) end
   local value, waited = answer(kind, number, wait, timeout)
   if value == true then value = 1 elseif value == false then value = 0 end
   if value ~= nil and type(value) ~= "number" then alarm("on_input's function returns a number, true, false or nil") end

@@ -54,10 +54,11 @@ end
 function load_file(name)
   local outer, outer_last = first, last
   first, last = nil, nil
-  local found = core.load_program(name)
+  local load = core.load_program(name)
+  if load then load() end
   local body = first
   first, last = outer, outer_last
-  return found, body
+  return load ~= nil, body
 end
 
 -- The program of a file beside this one: the one with that number, or the first of the file.
@@ -92,6 +93,18 @@ end
 function leave_call()
   core.leave_program()
   state.depth = state.depth - 1
+end
+
+-- run(name): the first program of a file beside the script, on this robot. Its end, M30 say, ends it alone.
+function env.run(name)
+  if type(name) ~= "string" then alarm("run takes the name of a part program beside the script: run(\"part.nc\")") end
+  local found, body = load_file(name)
+  if not found then alarm("there is no file '%s' beside the script", name) end
+  if body == nil then alarm("the file '%s' has no program", name) end
+  local frame = enter_call(name)
+  core.run_to_end(body)
+  path.flush()
+  leave_call(frame)
 end
 
 -- Calls a program by its number: `times` passes. The result is the number of the block at which the caller goes on

@@ -17,7 +17,9 @@ using std::string_view_literals::operator""sv;
 
 namespace {
 
-constexpr std::array kFileKeys{"cell"sv, "frame"sv, "object"sv, "shape"sv, "ignore"sv};
+constexpr std::array kFileKeys{"cell"sv, "frame"sv, "object"sv, "shape"sv, "ignore"sv,
+                               // of the file of robots, which may be the same
+                               "robot"sv, "conveyor"sv};
 constexpr std::array kCellKeys{"name"sv, "machine"sv, "machine_data"sv, "clearance_mm"sv};
 constexpr std::array kFrameKeys{"name"sv, "attached_to"sv, "frame"sv};
 constexpr std::array kObjectKeys{"name"sv, "shape"sv, "frame"sv, "attached_to"sv, "role"sv};

@@ -75,6 +75,10 @@ void DefaultPlanner::start_over() {
     via_.reset();
     stopped_.reset();
     held_.clear();
+    conveyors_.clear();
+    tracked_.reset();
+    conveyor_until_s_ = 0;
+    object_ = ObjectMotion();
     events_.clear();
     error_ = {};
     end_s_ = 0;
@@ -160,7 +164,7 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
     Status status = queue_.empty() ? Status::RRS_NEED_MORE_DATA : Status::RRS_SUCCESS;
     step_s_ = std::min(from_s + programmed_.interpolation_s, end_s_);
     events_.step(from_s, step_s_, queue_);
-    joints = stopped_ ? stopped_->position : standing();
+    joints = stopped_ ? stopped_->position : position_at_end();
     while (!queue_.empty() && queue_.front().end_s() <= step_s_) {
         step_target_ = queue_.front().target_id;
         if (queue_.front().reaches_target) status = Status::RRS_TARGET_REACHED;
@@ -177,7 +181,7 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
 }
 
 rrs::JointPos DefaultPlanner::standing() const {
-    return model_ ? model_->standing_at(position_) : position_;
+    return holds_back() ? model_->standing_at(position_) : position_;
 }
 
 Status DefaultPlanner::GetTargetOfLastStep(rrs::TargetId& id) {

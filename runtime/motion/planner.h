@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -8,9 +9,11 @@
 #include <string_view>
 
 #include "runtime/motion/axis_space.h"
+#include "runtime/motion/conveyor_frame.h"
 #include "runtime/motion/event_list.h"
 #include "runtime/motion/held_targets.h"
 #include "runtime/motion/motion_model.h"
+#include "runtime/motion/object_motion.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/programmed.h"
@@ -64,7 +67,7 @@ class DefaultPlanner final : public rrs::Shell {
     double time_s() const { return end_s_; }
     /// Where GetNextStep stands on the planner's clock.
     double step_time_s() const { return step_s_; }
-    /// Joint values at the last target.
+    /// Joint values at the last target; while a conveyor is tracked, in its frame.
     const rrs::JointPos& position() const { return position_; }
     /// The last answer other than plain success, with its numbers; GetMessage gives its sentence.
     const PlanError& last_error() const { return error_; }
@@ -135,6 +138,14 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status CancelEvent(int event_id) override;
     rrs::Status GetEvent(int number, int& event_id, double& time_s) override;
 
+    rrs::Status DefineConveyor(int conveyor, const Eigen::Vector3d& direction, double speed_mm_s) override;
+    rrs::Status SelectTracking(int conveyor, bool on) override;
+    rrs::Status SetConveyorPosition(int conveyor, double position_mm) override;
+    rrs::Status SetObjectInitialPosition(const rrs::CartPos& pose) override;
+    rrs::Status SetObjectSpeed(double speed_mm_s) override;
+    rrs::Status SetObjectNextTarget(rrs::TargetId id, const rrs::CartPos& pose) override;
+    rrs::Status GetNextObjectStep(rrs::CartPos& pose, double& elapsed_s) override;
+
   protected:
     rrs::Status not_supported(std::string_view service) override;
 
@@ -172,9 +183,16 @@ class DefaultPlanner final : public rrs::Shell {
     Planned solve_pose(const rrs::CartPos& pose, rrs::JointPos& target) const;
     rrs::Status keep_via(const rrs::CartPos& cartesian, const rrs::JointPos& joints);
 
+    rrs::Status no_such_conveyor(int conveyor);
+    rrs::Status stop_tracking();
+    const PlannerSetup& setup_for_motion();
+    Planned carry(Segment& segment) const;
+    rrs::JointPos position_at_end() const;
+    bool holds_back() const { return model_ && !tracked_; }
+
     Segment& begin_target(rrs::TargetId id, bool along_path);
     Segment& begin_segment(Segment& slot, rrs::TargetId id);
-    rrs::Status finish_target(const Segment& segment, Planned planned);
+    rrs::Status finish_target(Segment& segment, Planned planned);
     Planned add_to_model(const Segment& segment);
     void end_model();
     void append(const Segment& segment);
@@ -183,12 +201,12 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::JointPos standing() const;
     void emit_front();
 
-    Planned plan_selected(Segment& segment) const;
+    Planned plan_selected(Segment& segment);
     Planned plan_orientation(Segment& segment) const;
-    Planned plan_via_arc(Segment& segment) const;
+    Planned plan_via_arc(Segment& segment);
     Planned plan_center_arc(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& axis, double sweep_rad,
-                            Segment& segment) const;
-    Planned plan_along_arc(Segment& segment) const;
+                            Segment& segment);
+    Planned plan_along_arc(Segment& segment);
     Planned circular_allowed() const;
 
     PlannerSetup machine_;
@@ -211,6 +229,16 @@ class DefaultPlanner final : public rrs::Shell {
         rrs::JointPos position;
     };
     std::optional<Stopped> stopped_;
+    std::map<int, ConveyorMotion> conveyors_;
+    /// The conveyor in whose frame targets are, position_ as well.
+    struct Tracked {
+        int conveyor;
+        ConveyorFrame frame;
+        PlannerSetup setup;  ///< What the machine has left beside the conveyor's speed.
+    };
+    std::optional<Tracked> tracked_;
+    double conveyor_until_s_ = 0;  ///< When the last one was left.
+    ObjectMotion object_;
     bool keeps_all_ = false;  ///< Nothing leaves the queue by itself; it grows instead.
     double end_s_ = 0;
     double step_s_ = 0;

@@ -25,6 +25,8 @@ rrs::JointPos accelerations(const PlannerSetup& setup) {
 
 Status DefaultPlanner::StopMotion() {
     if (!initialized_) return not_initialized();
+    if (tracked_ || step_s_ < conveyor_until_s_)
+        return refuse(Status::RRS_MODE_NOT_SUPPORTED, "Motion along a conveyor cannot be stopped.");
     if (!has_position_) return refuse(Status::RRS_NO_INITIAL_POSITION, "There is no motion to stop yet.");
     if (stopped_) return Status::RRS_SUCCESS;
     keeps_all_ = true;

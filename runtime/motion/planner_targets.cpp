@@ -56,6 +56,9 @@ double least_s(const Move& move, const PlannerSetup& setup) {
 Status DefaultPlanner::SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
                                           std::string_view) {
     if (!initialized_) return not_initialized();
+    if (tracked_)
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      "The position cannot be set while a conveyor is tracked.");
     rrs::JointPos position;
     if (Planned solved = solve_target(cartesian, joints, position); !solved)
         return tell(std::move(solved.error()));
@@ -150,7 +153,7 @@ Planned DefaultPlanner::solve_target(const rrs::CartPos& cartesian, const rrs::J
                                      rrs::JointPos& target) const {
     Planned solved = programmed_.target_type == rrs::TargetType::joint ? solve_joints(joints, target)
                                                                        : solve_pose(cartesian, target);
-    if (!solved) return solved;
+    if (!solved || tracked_) return solved;  // in the frame of a conveyor: ranges are looked at along the way
     return check_target_ranges(setup_, target);
 }
 
@@ -194,7 +197,7 @@ Status DefaultPlanner::keep_via(const rrs::CartPos& cartesian, const rrs::JointP
 /// the model fills. Joint motion is no model's.
 Segment& DefaultPlanner::begin_target(rrs::TargetId id, bool along_path) {
     if (!model_) return begin_segment(queue_.next(), id);
-    if (along_path) return begin_segment(draft_, id);
+    if (along_path && holds_back()) return begin_segment(draft_, id);
     end_model();
     position_ = standing();
     model_->clear();
@@ -216,11 +219,12 @@ Segment& DefaultPlanner::begin_segment(Segment& slot, rrs::TargetId id) {
     return slot;
 }
 
-Status DefaultPlanner::finish_target(const Segment& segment, Planned planned) {
+Status DefaultPlanner::finish_target(Segment& segment, Planned planned) {
     const bool held_back = &segment == &draft_;
-    if (planned && held_back) planned = add_to_model(segment);
+    const rrs::JointPos target = segment.end;
+    if (planned) planned = held_back ? add_to_model(segment) : carry(segment);
     if (!planned) return tell(std::move(planned.error()));
-    position_ = segment.end;
+    position_ = target;
     if (!held_back) append(segment);
     double takes_s = segment.duration_s;
     if (held_back && programmed_.motion_time_s > 0)
@@ -255,16 +259,17 @@ void DefaultPlanner::append_rest(rrs::TargetId id, double rest_s) {
     segment.kind = SegmentKind::rest;
     segment.start = segment.end = standing();
     plan_stay(segment, rest_s);
+    if (tracked_) tracked_->frame.carry(segment);
     output_.finish();
 }
 
-Planned DefaultPlanner::plan_selected(Segment& segment) const {
+Planned DefaultPlanner::plan_selected(Segment& segment) {
     switch (programmed_.motion_type) {
-        case rrs::MotionType::joint: return plan_joint_move(setup_, programmed_, segment);
+        case rrs::MotionType::joint: return plan_joint_move(setup_for_motion(), programmed_, segment);
         case rrs::MotionType::linear:
             segment.kind = SegmentKind::linear;
-            if (Planned turned = plan_orientation(segment); !turned || model_) return turned;
-            return plan_line(setup_, programmed_.rules(setup_.path), segment);
+            if (Planned turned = plan_orientation(segment); !turned || holds_back()) return turned;
+            return plan_line(setup_for_motion(), programmed_.rules(setup_.path), segment);
         case rrs::MotionType::circular: break;
     }
     return plan_via_arc(segment);
@@ -278,7 +283,7 @@ Planned DefaultPlanner::plan_orientation(Segment& segment) const {
     return {};
 }
 
-Planned DefaultPlanner::plan_via_arc(Segment& segment) const {
+Planned DefaultPlanner::plan_via_arc(Segment& segment) {
     if (Planned allowed = circular_allowed(); !allowed) return allowed;
     if (!via_) {
         return refused(Status::RRS_INVALID_PARAMETER,
@@ -290,7 +295,7 @@ Planned DefaultPlanner::plan_via_arc(Segment& segment) const {
 }
 
 Planned DefaultPlanner::plan_center_arc(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& axis,
-                                        double sweep_rad, Segment& segment) const {
+                                        double sweep_rad, Segment& segment) {
     if (Planned allowed = circular_allowed(); !allowed) return allowed;
     const bool mapped = programmed_.target_type == rrs::TargetType::cartesian;
     if (mapped && !axis_space_) {
@@ -306,11 +311,11 @@ Planned DefaultPlanner::plan_center_arc(const Eigen::Vector3d& center_mm, const 
     return circle ? plan_along_arc(segment) : circle;
 }
 
-Planned DefaultPlanner::plan_along_arc(Segment& segment) const {
+Planned DefaultPlanner::plan_along_arc(Segment& segment) {
     if (Planned turned = plan_orientation(segment); !turned) return turned;
-    Planned planned =
-        model_ ? shape_arc(setup_, segment) : plan_arc(setup_, programmed_.rules(setup_.path), segment);
-    return planned ? check_arc_ranges(setup_, segment) : planned;
+    Planned planned = holds_back() ? shape_arc(setup_, segment)
+                                   : plan_arc(setup_for_motion(), programmed_.rules(setup_.path), segment);
+    return planned && !tracked_ ? check_arc_ranges(setup_, segment) : planned;
 }
 
 Planned DefaultPlanner::circular_allowed() const {

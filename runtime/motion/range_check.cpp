@@ -34,6 +34,18 @@ Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& join
     return {};
 }
 
+Planned check_way_ranges(const PlannerSetup& setup, const Segment& segment) {
+    rrs::JointPos least = segment.start;
+    rrs::JointPos most = segment.start;
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const Range way = segment.joint_range(joint);
+        least[joint] = way.min;
+        most[joint] = way.max;
+    }
+    Planned checked = check_target_ranges(setup, least);
+    return checked ? check_target_ranges(setup, most) : checked;
+}
+
 Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment) {
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];

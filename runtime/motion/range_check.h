@@ -15,4 +15,7 @@ Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment);
 /// Whether the tilting joint stays in its range all along an orientation arc. RRS_JOINT_LIMIT.
 Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc);
 
+/// Whether all joints stay in their ranges on the way of a segment with a motion beside it. RRS_JOINT_LIMIT.
+Planned check_way_ranges(const PlannerSetup& setup, const Segment& segment);
+
 }  // namespace gsim::motion

@@ -180,6 +180,14 @@ Status Shell::SetConveyorPosition(int, double) {
     return not_supported("SetConveyorPosition");
 }
 
+Status Shell::DefineConveyor(int, const Eigen::Vector3d&, double) {
+    return not_supported("DefineConveyor");
+}
+
+Status Shell::SetObjectInitialPosition(const CartPos&) {
+    return not_supported("SetObjectInitialPosition");
+}
+
 Status Shell::SetObjectSpeed(double) {
     return not_supported("SetObjectSpeed");
 }

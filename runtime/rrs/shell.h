@@ -175,16 +175,24 @@ class Shell {
     /// negative for one that was known too late for its step. In the order of time. RRS_INVALID_PARAMETER
     /// where there were no more.
     virtual Status GetEvent(int number, int& event_id, double& time_s);
-    /// Whether targets follow a conveyor.
+    /// Whether the targets that follow are in the frame of a conveyor and move with it. Where it stands at 0
+    /// its frame is that of other targets. The default planner comes to rest, and then speeds up to the
+    /// conveyor or slows down from it as the joints can; targets are reached at rest on the conveyor.
+    /// RRS_INVALID_PARAMETER for a conveyor that is not defined, or while another is tracked;
+    /// RRS_MODE_NOT_SUPPORTED where no joints carry the tool along it, RRS_JOINT_LIMIT where it is too fast
+    /// for them.
     virtual Status SelectTracking(int conveyor, bool on);
-    /// Where a conveyor stands: mm of travel.
+    /// Where a conveyor stands at the end of what is queued: mm of travel. RRS_INVALID_PARAMETER where it is
+    /// tracked and would jump.
     virtual Status SetConveyorPosition(int conveyor, double position_mm);
 
     // --- Motion of an object of the cell ---
 
-    /// Speed of the object: mm/s, > 0.
+    /// Speed of the object for the targets that follow: mm/s, > 0. No default: RRS_ZERO_SPEED without it.
     virtual Status SetObjectSpeed(double speed_mm_s);
-    /// The pose to which the object moves next, in a straight line.
+    /// Queues a motion of the object to a pose: in a straight line at the speed in force, from the first
+    /// instant to the last; it turns in proportion to the way. RRS_ZERO_SPEED where it would turn only,
+    /// RRS_QUEUE_FULL.
     virtual Status SetObjectNextTarget(TargetId id, const CartPos& pose);
     /// Moves the object on by one interpolation time and tells where it is; answers as GetNextStep does.
     virtual Status GetNextObjectStep(CartPos& pose, double& elapsed_s);
@@ -219,6 +227,12 @@ class Shell {
     /// before) of the tool's way from reaching a target. Known too late it has the time of the step's start,
     /// where the way to it has been passed on by then.
     virtual Status DefinePathEvent(int event_id, TargetId target, double offset_mm);
+    /// Extension. Defines a conveyor, or gives it another direction (a vector of the world, of any length)
+    /// and speed (negative: backwards); new ones stand at 0. RRS_INVALID_PARAMETER while it is tracked.
+    virtual Status DefineConveyor(int conveyor, const Eigen::Vector3d& direction, double speed_mm_s);
+    /// Extension. Where the object is, at rest, before its next target. What is queued for it is dropped.
+    /// Default: the frame of the world.
+    virtual Status SetObjectInitialPosition(const CartPos& pose);
     /// Extension. Queues a dwell of `rest_s` >= 0.
     virtual Status SetNextRest(TargetId id, double rest_s);
     /// Extension. The target whose motion or rest the last step of GetNextStep ended in; -1 for none.

@@ -49,6 +49,7 @@ int Controller::axis(char letter) const {
 }
 
 void Controller::enter(lua_State* state, std::size_t word_id) {
+    attach(state);
     const Place place = places_.current(state);
     if (place.line != place_.line || place.file != place_.file || words_in_block_[word_id]) {
         words_in_block_.reset();

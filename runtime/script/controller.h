@@ -3,9 +3,11 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <lua.hpp>
 
@@ -70,6 +72,19 @@ class Controller {
     /// A word of the library is called: finds its place, and counts a block where the line is another one or
     /// the word has been called in this block before. Raises the end of the run at its limit.
     void enter(lua_State* state, std::size_t word_id);
+    /// Whether the words belong to the process that runs; where they do not, `call` is called before a word
+    /// acts, and may raise.
+    void set_attached(bool attached) { attached_ = attached; }
+    void on_foreign_word(std::function<void(lua_State*, Controller&)> call) {
+        on_foreign_word_ = std::move(call);
+    }
+    void attach(lua_State* state) {
+        if (!attached_) on_foreign_word_(state, *this);
+    }
+    /// The program ends here, by a word of its own.
+    void end_program() { program_ended_ = true; }
+    /// Whether it did since this was asked last.
+    bool take_program_end() { return std::exchange(program_ended_, false); }
     /// A plain word is the modal motion from now on: `move` goes on with it.
     void make_modal(lua_State* state, std::size_t word_id);
     /// Looks up the place only, for functions that are no words.
@@ -119,6 +134,9 @@ class Controller {
     ProgramFrame frame_;
     std::optional<simulation::AxisVector> programmed_;
     std::bitset<kMaxWordIds> words_in_block_;
+    std::function<void(lua_State*, Controller&)> on_foreign_word_;
+    bool attached_ = true;
+    bool program_ended_ = false;
 };
 
 }  // namespace gsim::script

@@ -17,13 +17,17 @@ Controller& self(lua_State* state) {
 
 // --- Words ---
 
-/// A word in Lua; upvalues: controller, function, id.
+int return_all(lua_State* state, int, lua_KContext) {
+    return lua_gettop(state);
+}
+
+/// A word in Lua; upvalues: controller, function, id. It may wait for other processes.
 int call_word(lua_State* state) {
     self(state).enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
     lua_pushvalue(state, lua_upvalueindex(2));
     lua_insert(state, 1);
-    lua_call(state, lua_gettop(state) - 1, LUA_MULTRET);
-    return lua_gettop(state);
+    lua_callk(state, lua_gettop(state) - 1, LUA_MULTRET, 0, return_all);
+    return return_all(state, LUA_OK, 0);
 }
 
 /// core.word(id, function): the function as a word of the language, which counts blocks and knows its place.
@@ -83,7 +87,9 @@ int warn(lua_State* state) {
     return 0;
 }
 
+/// core.finish(): the program is at its end.
 int finish(lua_State* state) {
+    self(state).end_program();
     LuaState::raise_stop(state);
 }
 

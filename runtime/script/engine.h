@@ -9,65 +9,39 @@
 #include <vector>
 
 #include "runtime/machine/machine_data.h"
-#include "runtime/script/controller.h"
+#include "runtime/script/control.h"
 #include "runtime/script/library.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/script/place_finder.h"
+#include "runtime/script/processes.h"
+#include "runtime/script/script.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::script {
 
-/// A stretch of a program's Lua that can be compiled and run by itself.
-struct ScriptChunk {
-    std::uint64_t begin = 0;  ///< Bytes [begin, end) of the text.
-    std::uint64_t end = 0;
-    std::uint32_t line = 1;  ///< Line of the Lua on which it begins.
-};
-
-/// One function of a long script, to be run chunk by chunk.
-struct ScriptFunction {
-    std::string head;  ///< The call in Lua that takes it, up to it: `program(12, `.
-    std::vector<ScriptChunk> chunks;
-};
-
-/// The Lua that is run, as a whole or, where `functions` is not empty, in pieces, so that memory does not
-/// grow with it. `read` gives bytes [begin, end) of it.
-struct Script {
-    std::string dialect = "ab9";  ///< Whose words it calls: "ab9" or "rs274ngc".
-    std::string file_name;  ///< For places: of the G-code where lines are known to match, else of the Lua.
-    std::int64_t line_difference =
-        0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
-    std::uint64_t size = 0;
-    std::function<std::string(std::uint64_t begin, std::uint64_t end)> read;
-    std::vector<ScriptFunction> functions;
-
-    static Script from_text(std::string text, std::string file_name, std::int64_t line_difference);
-};
-
-/// Finds a program that is called, by number ("12") or name, and is not in the script: the Lua of its file,
-/// no value if there is no such file, or a sentence that says what is wrong with it.
-using FindProgram = std::function<tl::expected<std::optional<Script>, std::string>(const std::string& name)>;
-
-/// Runs one script on one simulator: the Lua state, the library and what joins them.
+/// Runs one script on one or several simulators: the Lua state, a control for each, the processes, and what
+/// joins them.
 class Engine {
   public:
     struct Options {
         LuaState::Limits limits;
         Library library;
-        machine::MachineData data;
-        FindProgram find_program;
+        machine::MachineData data;  ///< Of the only robot, as
+        FindProgram find_program;   ///< this is
         std::optional<Script>
             setup;  ///< Runs before the program: user M codes, answers of inputs and probes.
-        std::string dialect = "ab9";  ///< Of all scripts of the run.
+        std::string dialect = "ab9";  ///< and this.
         bool block_delete = false;
         bool optional_stop = false;
         std::function<void(std::uint64_t done, std::uint64_t total)> progress;
     };
 
     /// Loads the library. Throws std::runtime_error with a sentence where that cannot be done.
-    Engine(simulation::Simulator& simulator, Options options);
+    Engine(simulation::Simulator& simulator, const Options& options);
+    /// For several robots, at least one: the script has the words of the first one.
+    Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyors, Options options);
 
-    /// Runs to the end, to an alarm or to a limit; what happened is the simulator's to tell. False where
+    /// Runs to the end, to an alarm or to a limit; what happened is the simulators' to tell. False where
     /// there was an alarm or a limit.
     bool run(Script script);
     /// The variables that a control keeps from one run to the next, as they are now. The error is a sentence:
@@ -76,50 +50,58 @@ class Engine {
     /// The machine data as the control holds them now: work coordinate systems, tools and variables may
     /// differ from those of the start. The error is as above.
     tl::expected<machine::MachineData, std::string> machine_data();
+    /// Adds what is to be told of processes, where there were any but the main one, or several robots.
+    void report(simulation::Report& report) const;
+    /// Time in which a robot, by its number from 0, waited for others.
+    double idle_s(std::size_t robot) const { return controls_[robot]->idle_s(); }
 
   private:
     struct Loaded {
         Script script;
+        Control* control = nullptr;  ///< Whose words it has.
         std::uint32_t file = 0;
         std::map<std::uint64_t, std::string> chunk_names;  ///< By where the chunk begins, once compiled.
         std::map<std::size_t, int> compiled;               ///< By function: what its only chunk became.
     };
 
     int call_protected(void (*work)(Engine&));
-    bool judge(int status);
-    void open_environment();
-    void set_require(lua_State* state, int environment);
-    void set_options(lua_State* state);
-    void call_include(const std::string& file_name);
+    void open_controls();
+    void add_core_functions(lua_State* state, Control& control);
+    void run_processes();
+    bool judge(int status, lua_State* state, Control& control);
+    bool judge_processes(int status);
     tl::expected<void, std::string> read_kept(void (*read)(Engine&));
     void read_permanent();
     void read_stored();
-    void call_library(const char* function);
-    void load_script(Script script);
-    void compile(Loaded& loaded, const ScriptChunk& chunk);
+    void push_script(lua_State* state, Script script, Control& control);
+    void compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk);
+    void note_error(lua_State* state, int index, int level);
+    int run_chunks(lua_State* state, std::size_t next);
 
     static int do_work(lua_State* state);
     static int handle_error(lua_State* state);
-    void register_function(Loaded& loaded, std::size_t index);
+    static int next_script(lua_State* state);
+    static int register_functions(lua_State* state);
     static int function_body(lua_State* state);
-    static int include_file(lua_State* state);
+    static int go_on_with_body(lua_State* state, int status, lua_KContext next);
     static int load_program(lua_State* state);
-    static int require_gsim(lua_State* state);
+    static int run_to_end(lua_State* state);
+    static int finish_run(lua_State* state, int status, lua_KContext context);
 
-    simulation::Simulator& simulator_;
     Options options_;
     PlaceFinder places_;
-    Controller controller_;
+    std::vector<std::unique_ptr<Control>> controls_;
     LuaState lua_;
+    Processes processes_;
     void (*work_)(Engine&) = nullptr;
     std::vector<std::unique_ptr<Loaded>> loaded_;
-    Script pending_;
+    std::vector<Script> pending_;  ///< The last one is loaded first.
+    std::optional<Processes::Outcome> outcome_;
     std::map<int, double> permanent_;
     machine::MachineData stored_;
     std::string error_;
     simulation::Place error_place_;
-    int environment_ = LUA_NOREF;  ///< What scripts see.
-    int library_ = LUA_NOREF;      ///< What the library's files see.
+    simulation::Place last_step_place_;  ///< Where a limit of steps was reached.
 };
 
 }  // namespace gsim::script

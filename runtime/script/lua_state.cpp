@@ -19,7 +19,8 @@ LuaState::LuaState(Limits limits) : limits_(limits) {
     state_ = lua_newstate(allocate, this);
     if (state_ == nullptr) throw std::bad_alloc();
     *static_cast<LuaState**>(lua_getextraspace(state_)) = this;
-    lua_sethook(state_, count_steps, LUA_MASKCOUNT, kStepsBetweenCounts);
+    running_ = state_;
+    set_hook(state_, kStepsBetweenCounts);
 }
 
 LuaState::~LuaState() {
@@ -53,19 +54,36 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
 void LuaState::count_work(std::uint64_t bytes) {
     steps_ += bytes / kBytesPerStep;
     // Past the limit the very next instruction shall look at it.
-    if (steps_ > limits_.steps && state_ != nullptr) lua_sethook(state_, count_steps, LUA_MASKCOUNT, 1);
+    if (steps_ > limits_.steps && running_ != nullptr) set_hook(running_, 1);
 }
 
-void LuaState::count_steps(lua_State* state, lua_Debug*) {
+/// Lines stay watched where they are. Threads get the hook of the main one when they are made.
+void LuaState::set_hook(lua_State* thread, int steps) {
+    lua_sethook(thread, on_hook, LUA_MASKCOUNT | (lua_gethookmask(thread) & LUA_MASKLINE), steps);
+}
+
+void LuaState::watch_lines(lua_State* thread, bool on) {
+    lua_sethook(thread, on_hook, on ? LUA_MASKCOUNT | LUA_MASKLINE : LUA_MASKCOUNT, kStepsBetweenCounts);
+}
+
+void LuaState::on_hook(lua_State* state, lua_Debug* event) {
     LuaState& self = of(state);
+    if (event->event == LUA_HOOKLINE) {
+        self.on_line_(state, event);
+    } else {
+        self.count_steps(state);
+    }
+}
+
+void LuaState::count_steps(lua_State* state) {
     const int count = lua_gethookcount(state);
-    self.steps_ += static_cast<std::uint64_t>(count);
-    if (self.steps_ <= self.limits_.steps) {
-        if (count != kStepsBetweenCounts) lua_sethook(state, count_steps, LUA_MASKCOUNT, kStepsBetweenCounts);
+    steps_ += static_cast<std::uint64_t>(count);
+    if (steps_ <= limits_.steps) {
+        if (count != kStepsBetweenCounts) set_hook(state, kStepsBetweenCounts);
         return;
     }
-    self.ended_ = Ended::steps;
-    if (self.on_last_step_) self.on_last_step_(state);
+    ended_ = Ended::steps;
+    if (on_last_step_) on_last_step_(state);
     raise_stop(state);
 }
 

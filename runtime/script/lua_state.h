@@ -38,6 +38,12 @@ class LuaState {
     /// Called before the run ends for its steps, while the script's stack still stands.
     void on_last_step(std::function<void(lua_State*)> call) { on_last_step_ = std::move(call); }
 
+    /// The thread that runs now; the main one unless told.
+    void set_running(lua_State* thread) { running_ = thread; }
+    /// Called for each line that a watched thread begins; it may yield.
+    void on_line(std::function<void(lua_State*, lua_Debug*)> call) { on_line_ = std::move(call); }
+    static void watch_lines(lua_State* thread, bool on);
+
     /// The LuaState of a lua_State.
     static LuaState& of(lua_State* state);
     /// Raises kStop; does not return.
@@ -49,7 +55,9 @@ class LuaState {
 
   private:
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
-    static void count_steps(lua_State* state, lua_Debug* event);
+    static void on_hook(lua_State* state, lua_Debug* event);
+    void count_steps(lua_State* state);
+    static void set_hook(lua_State* thread, int steps);
 
     Limits limits_;
     std::size_t bytes_ = 0;
@@ -58,7 +66,9 @@ class LuaState {
     Ended ended_ = Ended::no;
     bool refused_ = false;  ///< The last request for more memory was.
     std::function<void(lua_State*)> on_last_step_;
+    std::function<void(lua_State*, lua_Debug*)> on_line_;
     lua_State* state_ = nullptr;
+    lua_State* running_ = nullptr;
 };
 
 /// A C++ function as Lua calls it: an exception becomes an error of Lua with its text.

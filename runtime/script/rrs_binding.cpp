@@ -20,6 +20,7 @@ Controller& self(lua_State* state) {
 }
 
 rrs::Shell& shell(lua_State* state) {
+    self(state).attach(state);
     return self(state).simulator().controller();
 }
 
@@ -257,11 +258,23 @@ int set_joint_ramp_limits(lua_State* state) {
 }
 
 int select_tracking(lua_State* state) {
-    return answer(state, shell(state).SelectTracking(whole(state, 1), lua_toboolean(state, 2) != 0));
+    return answer(state,
+                  self(state).simulator().select_tracking(whole(state, 1), lua_toboolean(state, 2) != 0));
 }
 
 int set_conveyor_position(lua_State* state) {
     return answer(state, shell(state).SetConveyorPosition(whole(state, 1), luaL_checknumber(state, 2)));
+}
+
+/// rrs.DefineConveyor(conveyor, x, y, z, speed_mm_s)
+int define_conveyor(lua_State* state) {
+    const Eigen::Vector3d direction(luaL_checknumber(state, 2), luaL_checknumber(state, 3),
+                                    luaL_checknumber(state, 4));
+    return answer(state, shell(state).DefineConveyor(whole(state, 1), direction, luaL_checknumber(state, 5)));
+}
+
+int set_object_initial_position(lua_State* state) {
+    return answer(state, shell(state).SetObjectInitialPosition(check_pose(state, 1)));
 }
 
 int set_object_next_target(lua_State* state) {
@@ -341,6 +354,8 @@ const std::array kEntries = {
     Entry{"GetEvent", trampoline<get_event>},
     Entry{"SelectTracking", trampoline<select_tracking>},
     Entry{"SetConveyorPosition", trampoline<set_conveyor_position>},
+    Entry{"DefineConveyor", trampoline<define_conveyor>},
+    Entry{"SetObjectInitialPosition", trampoline<set_object_initial_position>},
     Entry{"SetObjectSpeed", trampoline<with_number<&S::SetObjectSpeed>>},
     Entry{"SetObjectNextTarget", trampoline<set_object_next_target>},
     Entry{"GetNextObjectStep", trampoline<get_next_object_step>},

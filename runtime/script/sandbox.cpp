@@ -40,13 +40,19 @@ int print_to_error(lua_State* state) {
     return 0;
 }
 
-int safe_pcall(lua_State* state) {
-    luaL_checkany(state, 1);
-    const int status = lua_pcall(state, lua_gettop(state) - 1, LUA_MULTRET, 0);
-    if (status != LUA_OK) LuaState::pass_on(state, status);
-    lua_pushboolean(state, static_cast<int>(status == LUA_OK));
+/// The end of a pcall; it is LUA_YIELD where the function has waited for other processes.
+int finish_pcall(lua_State* state, int status, lua_KContext) {
+    const bool done = status == LUA_OK || status == LUA_YIELD;
+    if (!done) LuaState::pass_on(state, status);
+    lua_pushboolean(state, static_cast<int>(done));
     lua_insert(state, 1);
     return lua_gettop(state);
+}
+
+int safe_pcall(lua_State* state) {
+    luaL_checkany(state, 1);
+    const int status = lua_pcallk(state, lua_gettop(state) - 1, LUA_MULTRET, 0, 0, finish_pcall);
+    return finish_pcall(state, status, 0);
 }
 
 /// string.find(s, text [, from]): a plain search.

@@ -142,7 +142,7 @@ void Recorder::add_to_sums(const Segment& segment) {
 }
 
 void Recorder::add_to_bounds(const Segment& segment) {
-    if (segment.kind == SegmentKind::rest) return;
+    if (segment.kind == SegmentKind::rest && !segment.beside) return;
     for (int joint = 0; joint < segment.end.size(); ++joint) {
         motion::Range& range = ranges_[static_cast<std::size_t>(joint)];
         if (segment.surely_within(range, joint)) continue;

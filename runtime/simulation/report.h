@@ -96,6 +96,26 @@ struct CellFindings {
     std::uint64_t dropped = 0;  ///< Entries past the most that a report lists.
 };
 
+/// What became of a process of the run.
+struct ProcessSummary {
+    std::string name;
+    std::string robot;        ///< That it moved last; empty where it moved none.
+    std::string state;        ///< "done", "waiting" or, where the run ended before it did, "stopped".
+    bool background = false;  ///< The run did not wait for its end.
+    double start_s = 0;
+    double end_s = 0;
+    double idle_s = 0;  ///< In which its robots waited for others.
+};
+
+/// A signal that a process has changed.
+struct SignalChange {
+    double t_s = 0;
+    Place place = {};
+    std::string process;
+    std::string signal;
+    std::string value;  ///< As scripts write it.
+};
+
 /// The whole result of a run; units are in the names, and in the JSON as well.
 struct Report {
     std::string program;
@@ -115,6 +135,8 @@ struct Report {
     std::vector<SlowBlock> slowest;  ///< At most ten, longest first.
     std::optional<Explanation> explanation;
     std::optional<CellFindings> cell;
+    std::vector<ProcessSummary> processes;  ///< None where there was but the program.
+    std::vector<SignalChange> signals;
     std::vector<std::string> files;  ///< Names that Place::file indexes.
 };
 

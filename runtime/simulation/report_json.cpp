@@ -5,6 +5,7 @@
 
 #include "runtime/simulation/json_text.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/robots_report.h"
 
 namespace gsim::simulation {
 
@@ -131,9 +132,33 @@ Json clearances(const Report& report) {
     return list;
 }
 
-}  // namespace
+Json processes(const std::vector<ProcessSummary>& list) {
+    Json processes = Json::array();
+    for (const ProcessSummary& process : list) {
+        processes.push_back({{"name", process.name},
+                             {"robot", process.robot.empty() ? Json(nullptr) : Json(process.robot)},
+                             {"state", process.state},
+                             {"start_s", number(process.start_s)},
+                             {"end_s", number(process.end_s)},
+                             {"idle_s", number(process.idle_s)}});
+    }
+    return processes;
+}
 
-std::string to_json(const Report& report) {
+Json signals(const Report& report) {
+    Json signals = Json::array();
+    for (const SignalChange& change : report.signals) {
+        signals.push_back({{"t_s", number(change.t_s)},
+                           {"file", file(report, change.place)},
+                           {"line", line(change.place)},
+                           {"process", change.process},
+                           {"signal", change.signal},
+                           {"value", change.value}});
+    }
+    return signals;
+}
+
+Json object(const Report& report) {
     Json json = {
         {"program", report.program},
         {"machine", report.machine},
@@ -166,7 +191,40 @@ std::string to_json(const Report& report) {
         json["collisions"] = collisions(report);
         json["clearances"] = clearances(report);
     }
+    if (!report.processes.empty()) {
+        json["processes"] = processes(report.processes);
+        json["signals"] = signals(report);
+    }
+    return json;
+}
+
+std::string text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+    return text(object(report));
+}
+
+std::string to_json(const RobotsReport& report) {
+    const Report& whole = report.whole;
+    Json json = {{"program", whole.program},
+                 {"status", std::string(name(whole.status))},
+                 {"alarm", alarm(whole)},
+                 {"cycle_time_s", number(whole.cycle_time_s)},
+                 {"processes", processes(whole.processes)},
+                 {"signals", signals(whole)},
+                 {"warnings", whole.warnings}};
+    Json robots = Json::array();
+    for (const RobotReport& robot : report.robots) {
+        Json entry = {{"name", robot.name}, {"idle_s", number(robot.idle_s)}};
+        entry.update(object(robot.report));
+        robots.push_back(std::move(entry));
+    }
+    json["robots"] = std::move(robots);
+    return text(json);
 }
 
 }  // namespace gsim::simulation

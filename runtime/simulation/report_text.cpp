@@ -85,9 +85,11 @@ void add_blends(Text& out, const Report& report) {
 
 void add_head(Text& out, const Report& report) {
     out.line("{:<12}{}", "program", shortened(report.program, kWidth - 12));
-    out.line("{:<12}{}", "machine", shortened(report.machine, kWidth - 12));
-    const std::string_view controller = report.controller.empty() ? "a module" : report.controller;
-    out.line("{:<12}{}", "controller", shortened(controller, kWidth - 12));
+    if (!report.machine.empty()) {
+        out.line("{:<12}{}", "machine", shortened(report.machine, kWidth - 12));
+        const std::string_view controller = report.controller.empty() ? "a module" : report.controller;
+        out.line("{:<12}{}", "controller", shortened(controller, kWidth - 12));
+    }
     out.line("{:<12}{}", "status", name(report.status));
     if (report.alarm) {
         out.line("{:<12}{}", "  at", place_text(report, report.alarm->place, kWidth - 12));
@@ -241,6 +243,27 @@ void add_cell(Text& out, const Report& report) {
     add_clearances(out, report);
 }
 
+void add_processes(Text& out, const Report& report) {
+    if (report.processes.empty()) return;
+    out.blank();
+    out.line("{:<24}  {:<16}  {:<8}{:>12}{:>12}{:>12}", "processes", "robot", "state", "start (s)", "end (s)",
+             "idle (s)");
+    for (const ProcessSummary& process : report.processes) {
+        out.line("{:<24}  {:<16}  {:<8}{:>12.3f}{:>12.3f}{:>12.3f}", shortened(process.name, 24),
+                 shortened(process.robot, 16), process.state, process.start_s, process.end_s, process.idle_s);
+    }
+    if (report.signals.empty()) return;
+    out.blank();
+    out.line("signals changed {} times", report.signals.size());
+    for (std::size_t i = 0; i < std::min(report.signals.size(), kShownEvents); ++i) {
+        const SignalChange& change = report.signals[i];
+        const std::string what = clean(fmt::format("{} = {}", change.signal, change.value));
+        out.line("{:>12.3f} s  {:<30}  {}", change.t_s, place_text(report, change.place, 30),
+                 what.substr(0, kWidth - 48));
+    }
+    if (report.signals.size() > kShownEvents) out.line("{:>14}", "...");
+}
+
 void add_warnings(Text& out, const Report& report) {
     if (report.warnings.empty()) return;
     out.blank();
@@ -254,12 +277,13 @@ void add_warnings(Text& out, const Report& report) {
 std::string to_text(const Report& report) {
     Text out;
     add_head(out, report);
-    add_times(out, report);
+    if (!report.machine.empty()) add_times(out, report);
     add_explanation(out, report);
     add_bounds(out, report);
     add_cell(out, report);
     add_slowest(out, report);
     add_events(out, report);
+    add_processes(out, report);
     add_warnings(out, report);
     return out.take();
 }

@@ -98,8 +98,12 @@ class Simulator {
     const AxisVector& position() const { return position_; }
     /// Where the clock stands when all moves so far have been made: reading it brings the machine to rest.
     double time_s();
+    /// Where the clock stands when what is planned has been made: less than time_s() where moves are held
+    /// back.
+    double planned_s() const { return motion_->time_s(); }
     /// Where the run ends, if not before.
     double max_time_s() const { return limits_.max_time_s; }
+    std::uint64_t max_blocks() const { return limits_.max_blocks; }
 
     /// The index for Place::file of a file name; adds it where it is new.
     std::uint32_t add_file(const std::string& name);
@@ -125,6 +129,13 @@ class Simulator {
     rrs::Status cancel_motion();
     /// The controller waits until all moves have been made, before it reads on.
     void wait() { motion_->come_to_rest(true); }
+    /// Targets that follow are in the frame of a conveyor, until untrack(). `direction` is in the machine's
+    /// world; the machine's frame and the conveyor's are one where its travel is 0.
+    bool track(const Eigen::Vector3d& direction, double position_mm, double speed_mm_s, const Place& place);
+    bool untrack(const Place& place);
+    /// SelectTracking, as a client calls it that defines its conveyors itself: targets of the program are in
+    /// the frame of the conveyor, or no longer.
+    rrs::Status select_tracking(int conveyor, bool on);
     /// Something that happens after all that came before: at rest, or, `in_passing`, when the next move
     /// begins.
     void event(std::string kind, std::string detail, const Place& place, bool in_passing = false);

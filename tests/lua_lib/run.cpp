@@ -66,8 +66,9 @@ Outcome run_script(Script script, Conditions setup) {
     {
         Engine engine(simulator, std::move(setup.options));
         engine.run(std::move(script));
+        result.report = simulator.finish(name);
+        engine.report(result.report);
     }
-    result.report = simulator.finish(name);
     return result;
 }
 

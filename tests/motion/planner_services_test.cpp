@@ -31,20 +31,14 @@ INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, both_ways(), way_name);
 
 TEST_P(PlannerServices, what_is_not_offered_says_so_by_name) {
     CartPos pose = CartPos::Identity();
-    double seconds = 0;
     const std::vector<std::pair<const char*, Status>> answers{
         {"GetCellFrame", planner.GetCellFrame("BASE", pose)},
         {"ModifyCellFrame", planner.ModifyCellFrame("TOOL", pose)},
         {"SelectWorkFrames", planner.SelectWorkFrames("TOOL", "BASE")},
         {"SelectTrajectoryMode", planner.SelectTrajectoryMode(1)},
-        {"SelectTracking", planner.SelectTracking(1, true)},
-        {"SetConveyorPosition", planner.SetConveyorPosition(1, 0)},
-        {"SetObjectSpeed", planner.SetObjectSpeed(1)},
-        {"SetObjectNextTarget", planner.SetObjectNextTarget(1, pose)},
-        {"GetNextObjectStep", planner.GetNextObjectStep(pose, seconds)},
     };
     for (const auto& [name, status] : answers) EXPECT_EQ(status, Status::RRS_SERVICE_NOT_SUPPORTED) << name;
-    EXPECT_THAT(message(planner), HasSubstr("does not offer the service GetNextObjectStep."));
+    EXPECT_THAT(message(planner), HasSubstr("does not offer the service SelectTrajectoryMode."));
 }
 
 TEST_P(PlannerServices, nothing_works_before_initialize_and_after_terminate) {

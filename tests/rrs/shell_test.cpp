@@ -82,6 +82,8 @@ std::vector<Service> all_services() {
         {"GetEvent", [](Shell& s) { return s.GetEvent(0, event, seconds); }},
         {"SelectTracking", [](Shell& s) { return s.SelectTracking(0, true); }},
         {"SetConveyorPosition", [](Shell& s) { return s.SetConveyorPosition(0, 0); }},
+        {"DefineConveyor", [](Shell& s) { return s.DefineConveyor(0, Eigen::Vector3d::UnitX(), 1); }},
+        {"SetObjectInitialPosition", [](Shell& s) { return s.SetObjectInitialPosition(pose); }},
         {"SetObjectSpeed", [](Shell& s) { return s.SetObjectSpeed(1); }},
         {"SetObjectNextTarget", [](Shell& s) { return s.SetObjectNextTarget(1, pose); }},
         {"GetNextObjectStep", [](Shell& s) { return s.GetNextObjectStep(pose_out, seconds); }},

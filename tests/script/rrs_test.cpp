@@ -74,9 +74,7 @@ TEST(Services, EachExistsAndAnswersAStatus) {
 }
 
 TEST(Services, ThatAreNotOfferedSayMinusTwo) {
-    for (const char* call : {"Reset()", "Terminate()", "SelectTracking(1, true)", "SetConveyorPosition(1, 1)",
-                             "SetObjectSpeed(1)", "GetNextObjectStep()",
-                             "SetObjectNextTarget({{1,0,0,0},{0,1,0,0},{0,0,1,0},{0,0,0,1}})"})
+    for (const char* call : {"Reset()", "Terminate()", "SelectTrajectoryMode(1)"})
         expect_true(fmt::format("assert(rrs.{} == -2)", call));
     expect_true("assert(rrs.status_name(-2) == 'RRS_SERVICE_NOT_SUPPORTED')");
 }

@@ -1,0 +1,137 @@
+#include "apps/robots_run.h"
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "runtime/machine/machine_file.h"
+#include "runtime/process/robots_file.h"
+
+namespace gsim::apps {
+
+namespace {
+
+/// All that one robot needs for the run; it stays where it is.
+struct Station {
+    std::string name;
+    std::unique_ptr<simulation::Simulator> simulator;
+    std::unique_ptr<Outputs> outputs;
+    Language language;
+    machine::MachineData data;
+    rrs::CartPos base;
+};
+
+tl::unexpected<InputError> usage(std::string message) {
+    return tl::unexpected(InputError{false, std::move(message)});
+}
+
+OutputNames own_files(const OutputNames& names, const std::string& robot) {
+    OutputNames own = names;
+    own.report.clear();  // one for all
+    for (std::string* name : {&own.moves, &own.trajectory, &own.plot}) *name = robots_own_file(*name, robot);
+    return own;
+}
+
+tl::expected<Station, InputError> make_station(const process::RobotEntry& entry, const RobotsRun& run) {
+    auto machine = entry.machine.empty()
+                       ? machine::read_machine(machine::built_in_machine_toml(), "built-in machine")
+                       : machine::load_machine(entry.machine.string());
+    if (!machine) return usage(machine.error());
+    Station station;
+    station.name = entry.name;
+    station.base = entry.base;
+    if (!entry.machine_data.empty()) {
+        auto data = machine::load_machine_data(entry.machine_data.string(), machine->axes);
+        if (!data) return usage(data.error());
+        station.data = *std::move(data);
+    }
+    LanguageNames names = run.language;
+    if (!entry.dialect.empty()) names.dialect = entry.dialect;
+    auto language = language_of(names, station.data);
+    if (!language) return usage(language.error());
+    station.language = *std::move(language);
+    station.simulator = std::make_unique<simulation::Simulator>(*std::move(machine), run.limits);
+    auto outputs = Outputs::open(own_files(run.outputs, entry.name), *station.simulator);
+    if (!outputs) return usage(outputs.error());
+    station.outputs = std::make_unique<Outputs>(*std::move(outputs));
+    return station;
+}
+
+tl::expected<void, InputError> write_report(const std::string& name, const simulation::RobotsReport& report) {
+    if (name.empty()) return {};
+    auto file = simulation::OutputFile::open(name);
+    if (!file) return usage(file.error());
+    simulation::TextStream text(file->stream());
+    text.buffer().append(to_json(report));
+    text.end_line();
+    if (auto flushed = text.flush(); !flushed) return usage(flushed.error());
+    if (auto committed = file->commit(); !committed) return usage(committed.error());
+    return {};
+}
+
+/// Ends the robots' runs, one after the other, and writes their files.
+tl::expected<simulation::RobotsReport, InputError> finish(const std::string& program,
+                                                          std::vector<Station>& stations,
+                                                          const script::Engine& engine) {
+    simulation::Report whole;
+    whole.program = program;
+    engine.report(whole);
+    std::vector<simulation::RobotReport> reports;
+    reports.reserve(stations.size());
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+        simulation::Report report = stations[i].simulator->finish(program);
+        stations[i].outputs->explain(report);
+        if (auto written = stations[i].outputs->commit(report); !written) return usage(written.error());
+        reports.push_back({stations[i].name, engine.idle_s(i), std::move(report)});
+    }
+    return simulation::robots_report(std::move(whole), std::move(reports));
+}
+
+}  // namespace
+
+std::string robots_own_file(const std::string& name, const std::string& robot) {
+    if (name.empty()) return name;
+    std::filesystem::path path(name);
+    path.replace_filename(path.stem().string() + "." + robot + path.extension().string());
+    return path.string();
+}
+
+tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
+    auto file = process::load_robots(run.robots);
+    if (!file) return usage(file.error());
+    std::vector<Station> stations;
+    stations.reserve(file->robots.size());
+    for (const process::RobotEntry& entry : file->robots) {
+        auto station = make_station(entry, run);
+        if (!station) return tl::unexpected(station.error());
+        stations.push_back(*std::move(station));
+    }
+    auto input = read_script(run.input, stations.front().language);
+    if (!input) return tl::unexpected(input.error());
+    if (!run.setup.empty()) {
+        auto setup = read_script(run.setup, stations.front().language);
+        if (!setup) return tl::unexpected(setup.error());
+        run.options.setup = *std::move(setup);
+    }
+    std::vector<script::Robot> robots;
+    robots.reserve(stations.size());
+    for (Station& station : stations) {
+        robots.push_back({.name = station.name,
+                          .simulator = *station.simulator,
+                          .dialect = station.language.dialect->name(),
+                          .data = std::move(station.data),
+                          .find_program = program_finder(run.input, station.language),
+                          .base = station.base});
+    }
+    const std::string program = input->file_name;
+    script::Engine engine(std::move(robots), std::move(file->conveyors), std::move(run.options));
+    engine.run(*std::move(input));
+    auto report = finish(program, stations, engine);
+    if (!report) return report;
+    if (auto written = write_report(run.outputs.report, *report); !written)
+        return tl::unexpected(written.error());
+    return report;
+}
+
+}  // namespace gsim::apps

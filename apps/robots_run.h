@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "apps/language.h"
+#include "apps/outputs.h"
+#include "apps/script_input.h"
+#include "runtime/script/engine.h"
+#include "runtime/simulation/robots_report.h"
+
+namespace gsim::apps {
+
+/// A run of several robots, as the command line asks for it.
+struct RobotsRun {
+    std::string input;
+    std::string robots;  ///< File with the tables [[robot]] and [[conveyor]].
+    std::string setup;   ///< Empty: none.
+    LanguageNames language;
+    OutputNames outputs;  ///< Each robot has files of its own but for the report: moves.left.jsonl.
+    simulation::RunLimits limits;
+    script::Engine::Options options;
+};
+
+/// Runs it and writes its files. The error is a fault of the program, which has been printed, or a sentence
+/// on files and options.
+tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run);
+
+/// The name of a robot's own file: "moves.left.jsonl" of "moves.jsonl"; empty stays empty.
+std::string robots_own_file(const std::string& name, const std::string& robot);
+
+}  // namespace gsim::apps

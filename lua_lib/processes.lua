@@ -1,0 +1,124 @@
+-- Processes: several activities on one simulated clock, and the signals by which they tell each other. What joins
+-- processes brings the robot to rest and goes on when no other process is behind (processes.join).
+
+processes = core.processes
+
+local function start(background)
+  return function(name, f)
+    processes.join()
+    if type(f) ~= "function" then alarm("a process is a name and a function: process(\"left\", function() ... end)") end
+    processes.start(name, function()
+      f()
+      processes.rest()
+    end, background)
+  end
+end
+env.process = start(false)
+env.device = start(true)
+
+-- The function of the main process: next_script() gives the functions that load the scripts, one after the other.
+function main_process(next_script)
+  return function()
+    local script = next_script()
+    while script do
+      script()
+      script = next_script()
+    end
+    run_first()
+  end
+end
+
+-- on_signal(name, f): f() runs between two lines of the process that says so.
+function run_interrupt(f)
+  processes.rest()
+  f()
+end
+
+function env.on_signal(name, f)
+  processes.join()
+  processes.on_signal(name, f)
+end
+
+function env.wait(seconds)
+  processes.wait(seconds)
+end
+
+local function set(name, value)
+  processes.join()
+  processes.signal(name, value)
+end
+
+function env.signal(name, value)
+  if value == nil then value = true end
+  set(name, value)
+end
+
+-- The control's own inputs and outputs are signals where there are processes: DI1, AI1, DO1 and AO1, or left.DI1 where
+-- robots have names.
+function io_signal(kind, number) return core.signal_prefix .. kind .. number end
+
+function set_output(kind, number, value)
+  if processes.several() then set(io_signal(kind, number), value) end
+end
+
+-- The value of an input now; nil where there are no processes.
+function input_value(kind, number)
+  if not processes.several() then return nil end
+  processes.join()
+  return processes.value(io_signal(kind, number))
+end
+
+function env.value(name)
+  processes.join()
+  return processes.value(name)
+end
+
+-- f() until it is true; asked anew when a signal changes.
+local function wait_for(f, seconds)
+  local last = seconds and processes.time() + seconds
+  while not f() do
+    if not processes.wait_signal(nil, "any", nil, last and math.max(last - processes.time(), 0)) then return f() and true or false end
+  end
+  return true
+end
+
+-- wait_until(name [, value [, seconds]]) or wait_until(f [, seconds])
+function env.wait_until(what, value, seconds)
+  processes.join()
+  if type(what) == "function" then return wait_for(what, value) end
+  return processes.wait_signal(what, value == nil and "on" or "equals", value, seconds)
+end
+
+function env.robot(name)
+  return processes.robot(name)
+end
+
+-- conveyor(name): a table of functions.
+function env.conveyor(name)
+  processes.conveyor(name)
+  local belt = {}
+  function belt.position()
+    processes.join()
+    return processes.conveyor_position(name)
+  end
+  function belt.speed(mm_s)
+    processes.join()
+    processes.conveyor_speed(name, mm_s)
+  end
+  -- Until it has travelled that far; a change of its speed is a change of the signal NAME.speed.
+  function belt.wait_for(position_mm)
+    processes.join()
+    while true do
+      local seconds = processes.conveyor_reaches(name, position_mm)
+      if seconds == 0 then return end
+      if not processes.wait_signal(nil, "any", nil, seconds) then return end
+    end
+  end
+  return belt
+end
+
+-- Moves that follow are in the frame of a conveyor; nil: no longer.
+function env.track(name)
+  processes.join()
+  processes.track(name)
+end

@@ -1,0 +1,130 @@
+#include "runtime/process/robots_file.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "runtime/kinematics/pose.h"
+#include "runtime/machine/text_file.h"
+#include "runtime/machine/toml_section.h"
+
+namespace gsim::process {
+
+using machine::FirstError;
+using machine::NumberRule;
+using machine::TomlSection;
+using std::string_view_literals::operator""sv;
+
+namespace {
+
+constexpr std::array kFileKeys{"robot"sv,  "conveyor"sv, "cell"sv,  "frame"sv,
+                               "object"sv, "shape"sv,    "ignore"sv};
+constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "dialect"sv, "base"sv};
+constexpr std::array kConveyorKeys{"name"sv, "direction"sv, "speed_mm_s"sv};
+constexpr std::array kPoseKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
+constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
+constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv};
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+
+/// Names are parts of names of signals and of files.
+bool is_plain(std::string_view name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+    });
+}
+
+class RobotsReader {
+  public:
+    RobotsReader(FirstError& error, std::filesystem::path folder)
+        : error_(error), folder_(std::move(folder)) {}
+
+    RobotsFile read(const toml::table& root) {
+        TomlSection file(error_, root, "a file of robots", kFileKeys);
+        for (const toml::table* table : file.tables("robot")) read_robot(*table);
+        if (file.has("conveyor")) {
+            for (const toml::table* table : file.tables("conveyor")) read_conveyor(*table);
+        }
+        if (!error_.text() && file_.robots.empty()) file.fail("robot", "a file of robots holds a [[robot]]");
+        return std::move(file_);
+    }
+
+  private:
+    std::string read_name(TomlSection& section) {
+        std::string name = section.text("name");
+        if (!is_plain(name))
+            section.fail("name",
+                         "'name' must be of letters, digits, '_' and '-' (it names signals and files)");
+        if (std::find(names_.begin(), names_.end(), name) != names_.end())
+            section.fail("name", fmt::format("the name '{}' is taken above", name));
+        names_.push_back(name);
+        return name;
+    }
+
+    std::filesystem::path read_path(TomlSection& section, std::string_view key) {
+        return section.has(key) ? folder_ / section.text(key) : std::filesystem::path();
+    }
+
+    rrs::CartPos read_base(const toml::table* table) {
+        if (table == nullptr) return rrs::CartPos::Identity();
+        TomlSection section(error_, *table, "'base'", kPoseKeys);
+        const auto number = [&](std::string_view key) { return section.number(key, 0, NumberRule::finite); };
+        return kinematics::pose_from_rpy({.x_mm = number("x_mm"),
+                                          .y_mm = number("y_mm"),
+                                          .z_mm = number("z_mm"),
+                                          .roll_rad = number("roll_deg") * kRadPerDeg,
+                                          .pitch_rad = number("pitch_deg") * kRadPerDeg,
+                                          .yaw_rad = number("yaw_deg") * kRadPerDeg});
+    }
+
+    void read_robot(const toml::table& table) {
+        TomlSection section(error_, table, "[[robot]]", kRobotKeys);
+        RobotEntry robot;
+        robot.name = read_name(section);
+        robot.machine = read_path(section, "machine");
+        robot.machine_data = read_path(section, "machine_data");
+        if (section.has("dialect")) robot.dialect = kDialects[section.choice("dialect", 0, kDialects)];
+        robot.base = read_base(section.table("base"));
+        file_.robots.push_back(std::move(robot));
+    }
+
+    void read_conveyor(const toml::table& table) {
+        TomlSection section(error_, table, "[[conveyor]]", kConveyorKeys);
+        std::string name = read_name(section);
+        const double speed_mm_s = section.number("speed_mm_s", 0, NumberRule::finite);
+        section.require("direction");
+        Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+        if (const toml::table* axes = section.table("direction")) {
+            TomlSection vector(error_, *axes, "'direction'", kDirectionKeys);
+            for (Eigen::Index i = 0; i < 3; ++i)
+                direction[i] =
+                    vector.number(kDirectionKeys[static_cast<std::size_t>(i)], 0, NumberRule::finite);
+        }
+        const double length = direction.stableNorm();
+        if (!(length > 0)) return section.fail("direction", "'direction' must not be zero: { x = 1.0 }, say");
+        file_.conveyors.emplace_back(std::move(name), direction / length, speed_mm_s);
+    }
+
+    FirstError& error_;
+    std::filesystem::path folder_;
+    RobotsFile file_;
+    std::vector<std::string> names_;
+};
+
+}  // namespace
+
+tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name) {
+    FirstError error(file_name);
+    const toml::table root = machine::parse_toml(error, toml_text);
+    if (error.text()) return tl::unexpected(*error.text());
+    RobotsFile file = RobotsReader(error, std::filesystem::path(file_name).parent_path()).read(root);
+    if (error.text()) return tl::unexpected(*error.text());
+    return file;
+}
+
+tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path) {
+    return machine::read_text_file(path).and_then(
+        [&](const std::string& text) { return read_robots(text, path.string()); });
+}
+
+}  // namespace gsim::process

@@ -1,0 +1,45 @@
+// Conveyors as processes see them: their speeds, and the robots that follow them.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "runtime/script/processes.h"
+
+namespace gsim::script {
+
+process::Conveyor* Processes::find_conveyor(std::string_view name) {
+    const auto found =
+        std::find_if(conveyors_.begin(), conveyors_.end(),
+                     [&](const process::Conveyor& conveyor) { return conveyor.name() == name; });
+    return found == conveyors_.end() ? nullptr : &*found;
+}
+
+void Processes::set_conveyor_speed(lua_State* state, process::Conveyor& conveyor, double speed_mm_s) {
+    for (const auto& [control, followed] : tracked_) {
+        if (followed != &conveyor) continue;
+        alarm(state,
+              fmt::format("the speed of the conveyor '{}' cannot change while {} follows it", conveyor.name(),
+                          control->name().empty() ? "the robot" : fmt::format("'{}'", control->name())));
+    }
+    conveyor.set_speed(speed_mm_s, time_s());
+    set_signal(conveyor.name() + ".speed", speed_mm_s);
+}
+
+void Processes::track(lua_State* state, Control& control, process::Conveyor* conveyor) {
+    control.controller().attach(state);
+    control.controller().locate(state);
+    simulation::Simulator& simulator = control.simulator();
+    const simulation::Place place = control.controller().place();
+    if (tracked_.erase(&control) > 0) control.controller().check(state, simulator.untrack(place));
+    if (conveyor != nullptr) {
+        tracked_.emplace(&control, conveyor);
+        const Eigen::Vector3d direction = control.base().linear().transpose() * conveyor->direction();
+        const bool done = simulator.track(direction, conveyor->position_mm(simulator.time_s()),
+                                          conveyor->speed_mm_s(), place);
+        control.controller().check(state, done);
+    }
+    now().time_s = std::max(now().time_s, simulator.time_s());
+}
+
+}  // namespace gsim::script

@@ -1,0 +1,36 @@
+// Moves in the frame of a conveyor.
+
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::simulation {
+
+using rrs::Status;
+
+namespace {
+
+constexpr int kConveyor = 1;  // that the program's own tracking defines; one at a time is tracked
+
+}  // namespace
+
+Status Simulator::select_tracking(int conveyor, bool on) {
+    motion_->come_to_rest(false);
+    const Status status = controller().SelectTracking(conveyor, on);
+    if (status == Status::RRS_SUCCESS) position_ = to_axes(motion_->position());
+    return status;
+}
+
+bool Simulator::track(const Eigen::Vector3d& direction, double position_mm, double speed_mm_s,
+                      const Place& place) {
+    motion_->come_to_rest(false);
+    rrs::Shell& shell = controller();
+    const bool done = shell.DefineConveyor(kConveyor, direction, speed_mm_s) == Status::RRS_SUCCESS &&
+                      shell.SetConveyorPosition(kConveyor, position_mm) == Status::RRS_SUCCESS &&
+                      select_tracking(kConveyor, true) == Status::RRS_SUCCESS;
+    return done || refused(place);
+}
+
+bool Simulator::untrack(const Place& place) {
+    return select_tracking(kConveyor, false) == Status::RRS_SUCCESS || refused(place);
+}
+
+}  // namespace gsim::simulation

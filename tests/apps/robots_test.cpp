@@ -1,0 +1,101 @@
+// Several robots in one run: the sample cell, files of their own, and what is refused.
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps {
+namespace {
+
+using nlohmann::json;
+
+const std::string kSample = GSIM_SOURCE "/samples/cell/";
+
+class Robots : public Apps {
+  protected:
+    Ended run_sample(const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments{"--robots", kSample + "robots.toml", kSample + "cell.lua"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return gsim_run(arguments);
+    }
+    json run(const std::string& script) const {
+        write("r.toml",
+              "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\ndialect = \"rs274ngc\"\n"
+              "[[conveyor]]\nname = \"belt\"\ndirection = { y = 1.0 }\nspeed_mm_s = 50.0\n");
+        const Ended e = gsim_run({"--robots", "r.toml", write("cell.lua", script), "--json"});
+        json report = json::parse(e.out, nullptr, false);
+        EXPECT_FALSE(report.is_discarded()) << e.err;
+        return report;
+    }
+};
+
+TEST_F(Robots, TheSampleGivesTheSameReportEachTime) {
+    const Ended first = run_sample({"--json", "--moves", "m.jsonl", "--trajectory", "t.csv"});
+    ASSERT_EQ(first.status, 0) << first.err << first.out;
+    const std::string left = read("m.left.jsonl");
+    const std::string right = read("t.right.csv");
+    EXPECT_FALSE(left.empty());
+    const Ended second = run_sample({"--json", "--moves", "m.jsonl", "--trajectory", "t.csv"});
+    EXPECT_EQ(first.out, second.out);
+    EXPECT_EQ(read("m.left.jsonl"), left);
+    EXPECT_EQ(read("t.right.csv"), right);
+    EXPECT_FALSE(exists("m.jsonl"));
+    const json report = json::parse(first.out);
+    EXPECT_EQ(report["robots"].size(), 2U);
+    EXPECT_EQ(report["robots"][1]["name"], "right");
+    EXPECT_GT(report["robots"][1]["idle_s"], 10);
+    EXPECT_EQ(report["processes"].size(), 4U);
+    EXPECT_TRUE(holds(run_sample({}).out, "--- robot right"));
+}
+
+TEST_F(Robots, EachHasItsOwnWordsAndClock) {
+    write("right.ngc", "o<hop> sub\nG91 G0 X[#1]\no<hop> endsub\no<hop> call [30]\nM2\n");
+    const json report =
+        run("local l = robot 'left'\n"
+            "process('l', function() l.G91() l.G0{x=10} l.G0{x=10} signal('go') end)\n"
+            "process('r', function() local _ENV = robot 'right' wait_until 'go'\n"
+            "  run 'right.ngc' G0{x=5} end)\n");
+    ASSERT_EQ(report["status"], "completed") << report["alarm"];
+    EXPECT_EQ(report["robots"][0]["bounds"]["X"]["max"], 20);
+    EXPECT_EQ(report["robots"][1]["bounds"]["X"]["max"], 35);  // incremental still
+    EXPECT_EQ(report["robots"][1]["idle_s"], report["robots"][0]["cycle_time_s"]);
+    EXPECT_EQ(report["cycle_time_s"], report["robots"][1]["cycle_time_s"]);
+}
+
+TEST_F(Robots, AConveyorIsFollowed) {
+    const json report =
+        run("local belt = conveyor 'belt'\n"
+            "process('r', function() local _ENV = robot 'right' F(6000)\n"
+            "  belt.wait_for(100) signal('start', belt.position()) track 'belt'\n"
+            "  G1{x=100, y=0} track(nil) G53() G1{y=0} end)\n");
+    ASSERT_EQ(report["status"], "completed") << report["alarm"];
+    EXPECT_NEAR(report["signals"][0]["t_s"].get<double>(), 2, 1e-9);
+    EXPECT_NEAR(std::stod(report["signals"][0]["value"].get<std::string>()), 100, 1e-9);
+    // At Y0 of the belt it is where the belt has gone.
+    EXPECT_GT(report["robots"][1]["bounds"]["Y"]["max"], 150);
+}
+
+TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
+    const json report =
+        run("process('l', function() local _ENV = robot 'left' wait(1)\nG0{x=9999} end)\n"
+            "process('r', function() local _ENV = robot 'right' for i = 1, 100 do wait(1) end end)\n");
+    EXPECT_EQ(report["status"], "alarm");
+    EXPECT_EQ(report["alarm"]["line"], 2);
+    EXPECT_TRUE(report["robots"][1]["alarm"].is_null());
+    EXPECT_TRUE(holds(run("robot 'lefd'\n")["alarm"]["message"], "did you mean 'left'?"));
+    EXPECT_TRUE(holds(run("robot('left').run 'none.nc'\n")["alarm"]["message"], "no file 'none.nc'"));
+    EXPECT_TRUE(holds(
+        run("process('l', function() track 'belt' conveyor('belt').speed(3) end)\n")["alarm"]["message"],
+        "cannot change"));
+}
+
+TEST_F(Robots, WhatDoesNotGoTogetherIsSaid) {
+    const Ended e = run_sample({"--machine", "x.toml"});
+    EXPECT_EQ(e.status, 2);
+    EXPECT_TRUE(holds(e.err, "--machine does not go with --robots")) << e.err;
+    write("bad.toml", "[[robot]]\nnam = 'x'\n");
+    EXPECT_EQ(gsim_run({"--robots", "bad.toml", write("a.lua", "G0{x=1}")}).status, 2);
+}
+
+}  // namespace
+}  // namespace gsim::apps

@@ -1,0 +1,55 @@
+#include "runtime/process/robots_file.h"
+
+#include <gtest/gtest.h>
+
+namespace gsim::process {
+namespace {
+
+constexpr const char* kGood = R"([[robot]]
+name = "left"
+[[robot]]
+name = "right"
+machine = "m.toml"
+dialect = "rs274ngc"
+base = { x_mm = 1000.0, roll_deg = 90.0 }
+[[conveyor]]
+name = "belt"
+direction = { x = 3.0, y = 4.0 }
+speed_mm_s = -20.0
+)";
+
+TEST(RobotsFile, IsReadInItsOrder) {
+    const auto file = read_robots(kGood, "cells/r.toml");
+    ASSERT_TRUE(file) << file.error();
+    ASSERT_EQ(file->robots.size(), 2U);
+    EXPECT_EQ(file->robots[0].name, "left");
+    EXPECT_TRUE(file->robots[0].machine.empty());
+    EXPECT_EQ(file->robots[1].machine, "cells/m.toml");
+    EXPECT_EQ(file->robots[1].dialect, "rs274ngc");
+    EXPECT_NEAR((file->robots[1].base * Eigen::Vector3d::UnitX() - Eigen::Vector3d(1000, 1, 0)).norm(), 0,
+                1e-12);
+    EXPECT_NEAR((file->conveyors.at(0).direction() - Eigen::Vector3d(0.6, 0.8, 0)).norm(), 0, 1e-15);
+    EXPECT_EQ(file->conveyors.at(0).speed_mm_s(), -20);
+}
+
+void expect_error(const std::string& text, const std::string& part) {
+    const auto file = read_robots(text, "r.toml");
+    ASSERT_FALSE(file) << text;
+    EXPECT_NE(file.error().find(part), std::string::npos) << file.error();
+    EXPECT_EQ(file.error().rfind("r.toml:", 0), 0U) << file.error();
+}
+
+TEST(RobotsFile, FaultsAreToldWithTheirPlace) {
+    expect_error("", "lacks the key 'robot'");
+    expect_error("robot = []", "holds a [[robot]]");
+    expect_error("[[robot]]\nname = \"a b\"", "letters, digits");
+    expect_error("[[robot]]\nname = \"a\"\n[[robot]]\nname = \"a\"", "taken above");
+    expect_error("[[robot]]\nname = \"a\"\nmashine = \"x\"", "did you mean 'machine'?");
+    expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = {}", "must not be zero");
+    expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = { x = nan }",
+                 "'x' must be");
+    expect_error("[[robot", "");
+}
+
+}  // namespace
+}  // namespace gsim::process
