@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gsim::path {
+
+/// A point or a direction in the work frame: x, y, z.
+using Vector = std::array<double, 3>;
+
+/// How the tool goes to a point from the one before.
+enum class MotionType { rapid, linear, circular };
+
+/// The direction of the tool's axis, from its tip to its spindle or nozzle, in the work frame; of any length
+/// above 0. The turn about it is left to the machine.
+struct ToolAxis {
+    Vector direction{0, 0, 1};
+
+    bool operator==(const ToolAxis&) const = default;
+};
+
+/// The whole orientation of the tool in the work frame: Rz(roll) Ry(pitch) Rx(yaw).
+struct RollPitchYaw {
+    double roll_deg = 0, pitch_deg = 0, yaw_deg = 0;
+
+    bool operator==(const RollPitchYaw&) const = default;
+};
+
+/// The machine's rotary axes as programs give them, by letter, in deg.
+using RotaryAxes = std::map<char, double>;
+
+using Orientation = std::variant<ToolAxis, RollPitchYaw, RotaryAxes>;
+
+/// An arc through a point between its ends, in any plane of space; the ends differ.
+struct ViaPoint {
+    Vector via_mm{};
+
+    bool operator==(const ViaPoint&) const = default;
+};
+
+/// An arc about a centre: the sense of `normal` by the right hand, any angle above 0, also more than a full
+/// turn. What the end is off the circle's plane along `normal` makes it a helix.
+struct CenterArc {
+    Vector center_mm{};
+    Vector normal{0, 0, 1};
+    double turn_deg = 0;
+
+    bool operator==(const CenterArc&) const = default;
+};
+
+/// A geometric point (thesis 6.2): where the tool goes, how it goes there, and what is done on arrival. What
+/// is left out is as at the point before.
+struct Point {
+    std::string name;
+    MotionType motion = MotionType::linear;
+    Vector position_mm{};
+    std::variant<ViaPoint, CenterArc> arc;  ///< Of a circular motion.
+    std::optional<Orientation> orientation;
+    std::optional<double> feed_mm_min;         ///< > 0; where rotary axes alone move, feed_deg_min counts.
+    std::optional<double> feed_deg_min;        ///< > 0
+    std::optional<double> duration_s;          ///< > 0; of this motion alone, in place of a feed.
+    std::optional<double> acceleration_mm_s2;  ///< > 0
+    double dwell_s = 0;                        ///< On arrival, before the actions.
+    std::vector<std::string>
+        actions;  ///< On arrival, in this order: "waterjet_on", "abrasive_off", or any other name.
+
+    bool operator==(const Point&) const = default;
+};
+
+/// Another path, gone through `repeats` times.
+struct SubPath {
+    std::size_t path = 0;  ///< Index in Program::paths.
+    int repeats = 1;       ///< >= 1
+
+    bool operator==(const SubPath&) const = default;
+};
+
+using Target = std::variant<Point, SubPath>;
+
+/// A list of targets, gone through in order.
+struct Path {
+    std::string name;
+    std::vector<Target> targets;
+
+    bool operator==(const Path&) const = default;
+};
+
+/// How deep sub-paths may be nested; the root path is not counted (thesis, example 6.1).
+inline constexpr int kMaxDepth = 8;
+
+/// A root path and the paths that it uses. Well formed (validate()) if no path leads back to itself and none
+/// is nested deeper than kMaxDepth.
+struct Program {
+    std::string name;
+    std::vector<Path> paths;
+    std::size_t root = 0;  ///< Index in `paths`.
+
+    bool operator==(const Program&) const = default;
+};
+
+}  // namespace gsim::path
