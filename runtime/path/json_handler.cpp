@@ -1,0 +1,268 @@
+#include "runtime/path/json_handler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace gsim::path {
+
+namespace {
+
+constexpr std::size_t kLongestMessage = 300;
+
+// What the parser says, without its own numbering and place.
+std::string_view plain_message(std::string_view what) {
+    const std::size_t column = what.find("column ");
+    const std::size_t behind = column == std::string_view::npos ? column : what.find(": ", column);
+    return behind == std::string_view::npos ? what : what.substr(behind + 2);
+}
+
+bool add_key(std::vector<std::string>& seen, const std::string& key) {
+    if (std::find(seen.begin(), seen.end(), key) != seen.end()) return false;
+    seen.push_back(key);
+    return true;
+}
+
+bool is_known(const std::string& key, std::span<const std::string_view> known) {
+    return std::find(known.begin(), known.end(), key) != known.end();
+}
+
+}  // namespace
+
+bool JsonHandler::fail(const Place& place, std::string_view sentence) {
+    std::string line(sentence.substr(0, kLongestMessage));
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    error_ = fmt::format("{}:{}:{}: {}", file_.file_name, place.line, place.column, line);
+    return false;
+}
+
+bool JsonHandler::check(tl::expected<void, std::string> done) {
+    return done ? true : fail(done.error());
+}
+
+std::string JsonHandler::wanted() const {
+    switch (level()) {
+        case Level::outside: return "a path file must be an object {...}";
+        case Level::program:
+            return fmt::format("'{}' must be {}", key_, key_ == "paths" ? "an array of paths" : "a string");
+        case Level::paths: return "'paths' must hold objects, each a path with 'name' and 'targets'";
+        case Level::path:
+            return fmt::format("'{}' must be {}", key_,
+                               key_ == "targets" ? "an array of targets" : "a string");
+        case Level::targets: return "'targets' must hold objects, each a point or a sub-path";
+        case Level::vector: return fmt::format("'{}' must hold three numbers", name_of(target_key_));
+        case Level::rotary: return fmt::format("'{}' must be a number", key_);
+        case Level::actions: return "'actions' must hold strings";
+        case Level::target: break;
+    }
+    switch (TargetDraft::kind_of(target_key_)) {
+        case TargetDraft::ValueKind::text: return fmt::format("'{}' must be a string", name_of(target_key_));
+        case TargetDraft::ValueKind::number:
+            return fmt::format("'{}' must be a number", name_of(target_key_));
+        case TargetDraft::ValueKind::vector:
+            return fmt::format("'{}' must be an array of three numbers", name_of(target_key_));
+        case TargetDraft::ValueKind::letters: return "'rotary_deg' must be an object such as {\"B\": 90}";
+        case TargetDraft::ValueKind::list: return "'actions' must be an array of strings";
+    }
+    return {};
+}
+
+bool JsonHandler::wrong_type(std::string_view found) {
+    return fail(fmt::format("{}, not {}", wanted(), found));
+}
+
+bool JsonHandler::number(double value) {
+    if (level() == Level::vector) {
+        if (values_.size() == 3) return fail(fmt::format("{}, not more", wanted()));
+        values_.push_back(value);
+        return true;
+    }
+    if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
+    const bool wants_number =
+        level() == Level::target && TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::number;
+    return wants_number ? check(draft_.set_number(target_key_, value)) : wrong_type("a number");
+}
+
+bool JsonHandler::string(std::string& value) {
+    switch (level()) {
+        case Level::program:
+            if (key_ == "paths") return wrong_type("a string");
+            if (key_ == "name") file_.program.name = value;
+            if (key_ == "root") {
+                root_ = value;
+                root_place_ = bytes_.token();
+            }
+            return true;
+        case Level::path:
+            if (key_ == "targets") return wrong_type("a string");
+            file_.program.paths.back().name = value;
+            return true;
+        case Level::actions: draft_.add_action(std::move(value)); return true;
+        case Level::target:
+            if (TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::text) {
+                return check(draft_.set_text(target_key_, value));
+            }
+            [[fallthrough]];
+        default: return wrong_type("a string");
+    }
+}
+
+bool JsonHandler::start_object(std::size_t) {
+    switch (level()) {
+        case Level::outside: levels_.push_back(Level::program); return true;
+        case Level::paths:
+            levels_.push_back(Level::path);
+            path_keys_.clear();
+            file_.program.paths.emplace_back();
+            file_.paths.push_back(bytes_.token());
+            file_.targets.emplace_back();
+            return true;
+        case Level::targets:
+            levels_.push_back(Level::target);
+            draft_ = {};
+            draft_place_ = bytes_.token();
+            return true;
+        case Level::target:
+            if (TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::letters) {
+                levels_.push_back(Level::rotary);
+                draft_.begin_rotary();
+                return true;
+            }
+            [[fallthrough]];
+        default: return wrong_type("an object");
+    }
+}
+
+bool JsonHandler::key(std::string& name) {
+    switch (level()) {
+        case Level::program: return program_key(name);
+        case Level::path: return path_key(name);
+        case Level::target: return target_key(name);
+        default: key_ = std::move(name); return true;
+    }
+}
+
+bool JsonHandler::program_key(const std::string& name) {
+    if (!is_known(name, kProgramKeys)) return fail(unknown_key(name, "the path file", kProgramKeys));
+    if (!add_key(program_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
+    key_ = name;
+    return true;
+}
+
+bool JsonHandler::path_key(const std::string& name) {
+    if (!is_known(name, kPathKeys)) return fail(unknown_key(name, "a path", kPathKeys));
+    if (!add_key(path_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
+    key_ = name;
+    return true;
+}
+
+bool JsonHandler::target_key(const std::string& name) {
+    const auto* const found = std::find(kTargetKeys.begin(), kTargetKeys.end(), name);
+    if (found == kTargetKeys.end()) return fail(unknown_key(name, "a target", kTargetKeys));
+    target_key_ = static_cast<TargetKey>(found - kTargetKeys.begin());
+    if (draft_.mark(target_key_)) return fail(fmt::format("'{}' is given twice", name));
+    return true;
+}
+
+bool JsonHandler::end_object() {
+    const Level ended = level();
+    levels_.pop_back();
+    if (ended == Level::path) return end_path();
+    if (ended == Level::target) return end_target();
+    return true;
+}
+
+bool JsonHandler::start_array(std::size_t) {
+    if (level() == Level::program && key_ == "paths") {
+        levels_.push_back(Level::paths);
+        return true;
+    }
+    if (level() == Level::path && key_ == "targets") {
+        levels_.push_back(Level::targets);
+        return true;
+    }
+    return level() == Level::target ? start_target_array() : wrong_type("an array");
+}
+
+bool JsonHandler::start_target_array() {
+    const TargetDraft::ValueKind kind = TargetDraft::kind_of(target_key_);
+    if (kind == TargetDraft::ValueKind::list) {
+        levels_.push_back(Level::actions);
+        return true;
+    }
+    if (kind != TargetDraft::ValueKind::vector) return wrong_type("an array");
+    values_.clear();
+    levels_.push_back(Level::vector);
+    return true;
+}
+
+bool JsonHandler::end_array() {
+    const Level ended = level();
+    levels_.pop_back();
+    return ended == Level::vector ? check(draft_.set_vector(target_key_, values_)) : true;
+}
+
+bool JsonHandler::end_path() {
+    const Place place = file_.paths.back();
+    for (const std::string_view name : kPathKeys) {
+        if (std::find(path_keys_.begin(), path_keys_.end(), name) == path_keys_.end()) {
+            return fail(place, fmt::format("a path lacks the key '{}'", name));
+        }
+    }
+    const std::size_t index = file_.program.paths.size() - 1;
+    const std::string& name = file_.program.paths.back().name;
+    if (by_name_.emplace(name, index).second) return true;
+    return fail(place, fmt::format("there are two paths of the name '{}'", name));
+}
+
+bool JsonHandler::end_target() {
+    tl::expected<Target, std::string> target = draft_.finish();
+    if (!target) return fail(draft_place_, target.error());
+    const std::size_t path = file_.program.paths.size() - 1;
+    std::vector<Target>& targets = file_.program.paths.back().targets;
+    if (draft_.is_sub_path()) references_.push_back({{path, targets.size()}, draft_.path_name()});
+    targets.push_back(std::move(*target));
+    file_.targets.back().push_back(draft_place_);
+    return true;
+}
+
+bool JsonHandler::parse_error(std::size_t, const std::string&, const nlohmann::json::exception& exception) {
+    Place place = bytes_.here();
+    if (place.column > 1) --place.column;
+    return fail(place, plain_message(exception.what()));
+}
+
+std::optional<std::size_t> JsonHandler::index_of(std::string_view name) const {
+    const auto found = by_name_.find(name);
+    if (found == by_name_.end()) return std::nullopt;
+    return found->second;
+}
+
+bool JsonHandler::resolve() {
+    if (file_.program.paths.empty())
+        return fail(Place{1, 1}, "a path file needs 'paths' with one path at least");
+    if (root_) {
+        const auto index = index_of(*root_);
+        if (!index) return fail(root_place_, fmt::format("there is no path of the name '{}'", *root_));
+        file_.program.root = *index;
+    }
+    for (const Reference& reference : references_) {
+        const auto [path, target] = reference.from;
+        const auto index = index_of(reference.path_name);
+        if (!index) {
+            return fail(file_.targets[path][*target],
+                        fmt::format("there is no path of the name '{}'", reference.path_name));
+        }
+        std::get<SubPath>(file_.program.paths[path].targets[*target]).path = *index;
+    }
+    return true;
+}
+
+tl::expected<PathFile, std::string> JsonHandler::finish() {
+    if (!resolve()) return tl::unexpected(error_);
+    return std::move(file_);
+}
+
+}  // namespace gsim::path

@@ -1,0 +1,139 @@
+#include "runtime/path/json_writer.h"
+
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/path/keys.h"
+
+namespace gsim::path {
+
+namespace {
+
+constexpr std::size_t kEnough = std::size_t{1} << 16;
+
+// Bytes that are not UTF-8 become U+FFFD.
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+class Writer {
+  public:
+    Writer(const Program& program, const std::function<void(std::string_view)>& sink)
+        : program_(program), sink_(sink) {}
+
+    void write() {
+        put("{{\n\"name\": {},\n\"root\": {},\n\"paths\": [\n", quoted(program_.name),
+            quoted(program_.paths[program_.root].name));
+        for (const Path& path : program_.paths) {
+            write_path(path);
+            put("{}\n", &path == &program_.paths.back() ? "" : ",");
+        }
+        put("]\n}}\n");
+        sink_({text_.data(), text_.size()});
+    }
+
+  private:
+    template <typename... Values>
+    void put(fmt::format_string<Values...> format, Values&&... values) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    }
+
+    void write_path(const Path& path) {
+        put("{{\"name\": {}, \"targets\": [\n", quoted(path.name));
+        for (const Target& target : path.targets) {
+            std::visit([this](const auto& each) { write_target(each); }, target);
+            put("{}\n", &target == &path.targets.back() ? "" : ",");
+            pass_on();
+        }
+        put("]}}");
+    }
+
+    void write_target(const SubPath& sub_path) {
+        put("{{\"path\": {}", quoted(program_.paths[sub_path.path].name));
+        if (sub_path.repeats != 1) put(", \"repeats\": {}", sub_path.repeats);
+        put("}}");
+    }
+
+    void write_target(const Point& point) {
+        put("{{");
+        if (!point.name.empty()) put("\"name\": {}, ", quoted(point.name));
+        put("\"motion\": \"{}\"", kMotionNames[static_cast<std::size_t>(point.motion)]);
+        vector(TargetKey::position_mm, point.position_mm);
+        if (point.motion == MotionType::circular) {
+            std::visit([this](const auto& arc) { write_arc(arc); }, point.arc);
+        }
+        if (point.orientation) {
+            std::visit([this](const auto& value) { write_orientation(value); }, *point.orientation);
+        }
+        number(TargetKey::feed_mm_min, point.feed_mm_min);
+        number(TargetKey::feed_deg_min, point.feed_deg_min);
+        number(TargetKey::duration_s, point.duration_s);
+        number(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2);
+        if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
+        write_actions(point.actions);
+        put("}}");
+    }
+
+    void write_arc(const ViaPoint& arc) { vector(TargetKey::via_mm, arc.via_mm); }
+    void write_arc(const CenterArc& arc) {
+        vector(TargetKey::center_mm, arc.center_mm);
+        vector(TargetKey::normal, arc.normal);
+        number(TargetKey::turn_deg, arc.turn_deg);
+    }
+
+    void write_orientation(const ToolAxis& axis) { vector(TargetKey::tool_axis, axis.direction); }
+    void write_orientation(const RollPitchYaw& angles) {
+        vector(TargetKey::rpy_deg, {angles.roll_deg, angles.pitch_deg, angles.yaw_deg});
+    }
+    void write_orientation(const RotaryAxes& axes) {
+        put(", \"{}\": {{", name_of(TargetKey::rotary_deg));
+        const char* separator = "";
+        for (const auto& [letter, value_deg] : axes) {
+            put("{}\"{}\": {}", separator, letter, value_deg);
+            separator = ", ";
+        }
+        put("}}");
+    }
+
+    void write_actions(const std::vector<std::string>& actions) {
+        if (actions.empty()) return;
+        put(", \"{}\": [", name_of(TargetKey::actions));
+        for (const std::string& action : actions) {
+            put("{}{}", &action == &actions.front() ? "" : ", ", quoted(action));
+        }
+        put("]");
+    }
+
+    void vector(TargetKey key, const Vector& value) {
+        put(", \"{}\": [{}, {}, {}]", name_of(key), value[0], value[1], value[2]);
+    }
+    void number(TargetKey key, std::optional<double> value) {
+        if (value) put(", \"{}\": {}", name_of(key), *value);
+    }
+
+    void pass_on() {
+        if (text_.size() < kEnough) return;
+        sink_({text_.data(), text_.size()});
+        text_.clear();
+    }
+
+    const Program& program_;
+    const std::function<void(std::string_view)>& sink_;
+    fmt::memory_buffer text_;
+};
+
+}  // namespace
+
+void write_json(const Program& program, const std::function<void(std::string_view)>& sink) {
+    Writer(program, sink).write();
+}
+
+std::string to_json(const Program& program) {
+    std::string text;
+    write_json(program, [&text](std::string_view piece) { text += piece; });
+    return text;
+}
+
+}  // namespace gsim::path

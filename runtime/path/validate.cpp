@@ -1,0 +1,236 @@
+#include "runtime/path/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "runtime/path/arc_shape.h"
+#include "runtime/path/keys.h"
+
+namespace gsim::path {
+
+namespace {
+
+constexpr double kGreatest = 1e6;          // mm or deg; beyond any machine
+constexpr double kGreatestRate = 1e9;      // mm/min, s and the like
+constexpr std::size_t kLongestName = 256;  // bytes
+
+using Sentence = std::optional<std::string>;
+
+// Names come into comments of programs and into names of files.
+Sentence name_fault(std::string_view what, std::string_view name) {
+    if (name.size() > kLongestName) return fmt::format("{} is longer than {} bytes", what, kLongestName);
+    const bool control = std::any_of(name.begin(), name.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 || byte == 0x7f;
+    });
+    if (control) return fmt::format("{} holds control characters", what);
+    return std::nullopt;
+}
+
+Sentence vector_fault(TargetKey key, const Vector& vector) {
+    for (const double value : vector) {
+        if (!(std::abs(value) <= kGreatest)) {
+            return fmt::format("'{}' must lie between -1e6 and 1e6; it is {}", name_of(key), value);
+        }
+    }
+    return std::nullopt;
+}
+
+Sentence rate_fault(TargetKey key, std::optional<double> value) {
+    if (!value || (*value > 0 && *value <= kGreatestRate)) return std::nullopt;
+    return fmt::format("'{}' must be greater than 0 and at most 1e9; it is {}", name_of(key), *value);
+}
+
+Sentence orientation_fault(const Orientation& orientation) {
+    if (const auto* axis = std::get_if<ToolAxis>(&orientation)) {
+        if (auto fault = vector_fault(TargetKey::tool_axis, axis->direction)) return fault;
+        if (!(to_eigen(axis->direction).norm() > 1e-9)) return "'tool_axis' must not be 0 0 0";
+        return std::nullopt;
+    }
+    if (const auto* rpy = std::get_if<RollPitchYaw>(&orientation)) {
+        return vector_fault(TargetKey::rpy_deg, {rpy->roll_deg, rpy->pitch_deg, rpy->yaw_deg});
+    }
+    for (const auto& [letter, value_deg] : std::get<RotaryAxes>(orientation)) {
+        if (letter < 'A' || letter > 'Z') return "'rotary_deg' names axes by capital letters";
+        if (auto fault = vector_fault(TargetKey::rotary_deg, {value_deg, 0, 0})) return fault;
+    }
+    return std::nullopt;
+}
+
+Sentence arc_values_fault(const Point& point) {
+    if (point.motion != MotionType::circular) return std::nullopt;
+    if (const auto* via = std::get_if<ViaPoint>(&point.arc)) {
+        return vector_fault(TargetKey::via_mm, via->via_mm);
+    }
+    const auto& arc = std::get<CenterArc>(point.arc);
+    if (auto fault = vector_fault(TargetKey::center_mm, arc.center_mm)) return fault;
+    return vector_fault(TargetKey::normal, arc.normal);
+}
+
+Sentence rates_fault(const Point& point) {
+    if (auto fault = rate_fault(TargetKey::feed_mm_min, point.feed_mm_min)) return fault;
+    if (auto fault = rate_fault(TargetKey::feed_deg_min, point.feed_deg_min)) return fault;
+    if (auto fault = rate_fault(TargetKey::duration_s, point.duration_s)) return fault;
+    if (auto fault = rate_fault(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2)) return fault;
+    if (!(point.dwell_s >= 0 && point.dwell_s <= kGreatest)) {
+        return fmt::format("'dwell_s' must be 0 or greater and at most 1e6; it is {}", point.dwell_s);
+    }
+    return std::nullopt;
+}
+
+Sentence point_fault(const Point& point) {
+    if (auto fault = name_fault("the point's name", point.name)) return fault;
+    if (auto fault = vector_fault(TargetKey::position_mm, point.position_mm)) return fault;
+    if (auto fault = arc_values_fault(point)) return fault;
+    if (point.orientation) {
+        if (auto fault = orientation_fault(*point.orientation)) return fault;
+    }
+    if (auto fault = rates_fault(point)) return fault;
+    for (const std::string& action : point.actions) {
+        if (action.empty()) return "an action must have a name";
+        if (auto fault = name_fault("an action's name", action)) return fault;
+    }
+    return std::nullopt;
+}
+
+class Validator {
+  public:
+    explicit Validator(const Program& program) : program_(program), height_(program.paths.size()) {}
+
+    std::optional<Fault> run() {
+        if (program_.paths.empty()) return Fault{{}, "there is no path"};
+        if (program_.root >= program_.paths.size()) return Fault{{}, "the root is none of the paths"};
+        if (auto sentence = name_fault("the program's name", program_.name)) return Fault{{}, *sentence};
+        check_names();
+        for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_values(path);
+        for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_nesting(path);
+        for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_arcs(path);
+        if (!fault_) check_entry(program_.root, std::nullopt);
+        return fault_;
+    }
+
+  private:
+    void fail(std::size_t path, std::optional<std::size_t> target, std::string sentence) {
+        if (!fault_) fault_ = Fault{{path, target}, std::move(sentence)};
+    }
+
+    void check_names() {
+        std::set<std::string_view> names;
+        for (std::size_t i = 0; i < program_.paths.size() && !fault_; ++i) {
+            const Path& path = program_.paths[i];
+            if (path.name.empty()) fail(i, {}, "a path must have a name");
+            if (auto sentence = name_fault("the path's name", path.name)) fail(i, {}, *sentence);
+            if (!names.insert(path.name).second) {
+                fail(i, {}, fmt::format("there are two paths of the name '{}'", path.name));
+            }
+            if (path.targets.empty()) fail(i, {}, fmt::format("the path '{}' has no targets", path.name));
+        }
+    }
+
+    void check_values(std::size_t path) {
+        const std::vector<Target>& targets = program_.paths[path].targets;
+        for (std::size_t i = 0; i < targets.size() && !fault_; ++i) {
+            if (const auto* point = std::get_if<Point>(&targets[i])) {
+                if (auto sentence = point_fault(*point)) fail(path, i, *sentence);
+                continue;
+            }
+            const auto& sub_path = std::get<SubPath>(targets[i]);
+            if (sub_path.path >= program_.paths.size()) fail(path, i, "there is no such sub-path");
+            if (sub_path.repeats < 1) fail(path, i, "'repeats' must be 1 or greater");
+        }
+    }
+
+    // How many levels are below a path. The way down is never longer than kMaxDepth, however long a chain or
+    // a circle of paths is.
+    int check_nesting(std::size_t path) {
+        if (height_[path]) return *height_[path];
+        if (std::find(way_.begin(), way_.end(), path) != way_.end()) {
+            return refuse(fmt::format("the path '{}' leads back to itself", program_.paths[path].name));
+        }
+        if (way_.size() > static_cast<std::size_t>(kMaxDepth)) return too_deep();
+        way_.push_back(path);
+        int height = 0;
+        const std::vector<Target>& targets = program_.paths[path].targets;
+        for (std::size_t i = 0; i < targets.size() && !fault_; ++i) {
+            const auto* sub_path = std::get_if<SubPath>(&targets[i]);
+            if (sub_path == nullptr) continue;
+            user_ = {path, i};
+            height = std::max(height, 1 + check_nesting(sub_path->path));
+            if (height > kMaxDepth) {
+                user_ = {path, i};
+                too_deep();
+            }
+        }
+        way_.pop_back();
+        height_[path] = height;
+        return height;
+    }
+
+    int refuse(std::string sentence) {
+        fail(user_.path, user_.target, std::move(sentence));
+        return 0;
+    }
+    int too_deep() {
+        return refuse(fmt::format("sub-paths are nested deeper than {} levels here", kMaxDepth));
+    }
+
+    const Point* last_point(std::size_t path) const {
+        const Target& last = program_.paths[path].targets.back();
+        if (const auto* point = std::get_if<Point>(&last)) return point;
+        return last_point(std::get<SubPath>(last).path);
+    }
+
+    // All arcs but one that the path begins with.
+    void check_arcs(std::size_t path) {
+        std::optional<Vector> at_mm;
+        const std::vector<Target>& targets = program_.paths[path].targets;
+        for (std::size_t i = 0; i < targets.size() && !fault_; ++i) {
+            if (const auto* point = std::get_if<Point>(&targets[i])) {
+                if (i > 0) check_arc({path, i}, *point, at_mm);
+                at_mm = point->position_mm;
+                continue;
+            }
+            const auto& sub_path = std::get<SubPath>(targets[i]);
+            if (i > 0) check_entry(sub_path.path, at_mm);
+            at_mm = last_point(sub_path.path)->position_mm;
+            if (sub_path.repeats > 1) check_entry(sub_path.path, at_mm);
+        }
+    }
+
+    // The arc that a path begins with, if it does, for one of the places that lead to it.
+    void check_entry(std::size_t path, const std::optional<Vector>& start_mm) {
+        const Target& first = program_.paths[path].targets.front();
+        if (const auto* point = std::get_if<Point>(&first)) {
+            check_arc({path, 0}, *point, start_mm);
+        } else {
+            check_entry(std::get<SubPath>(first).path, start_mm);
+        }
+    }
+
+    void check_arc(const TargetId& id, const Point& point, const std::optional<Vector>& start_mm) {
+        if (point.motion != MotionType::circular) return;
+        if (!start_mm) {
+            return fail(id.path, id.target,
+                        "the first motion of a program cannot be circular: nothing says where it starts");
+        }
+        if (const auto arc = arc_shape(*start_mm, point); !arc) fail(id.path, id.target, arc.error());
+    }
+
+    const Program& program_;
+    std::optional<Fault> fault_;
+    std::vector<std::optional<int>> height_;  // of each path
+    std::vector<std::size_t> way_;            // from the path where the search began
+    TargetId user_;                           // what leads to the path being looked at
+};
+
+}  // namespace
+
+std::optional<Fault> validate(const Program& program) {
+    return Validator(program).run();
+}
+
+}  // namespace gsim::path

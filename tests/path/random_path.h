@@ -1,0 +1,20 @@
+#pragma once
+
+#include <random>
+
+#include "runtime/path/path.h"
+
+namespace gsim::path {
+
+/// What random programs may hold.
+struct RandomPathOptions {
+    bool tilted_arcs = true;
+    bool orientations = true;  ///< rotary_deg with B and C; otherwise none.
+    bool extras = true;        ///< Names, dwells, actions, accelerations, durations.
+    int sub_paths = 3;
+};
+
+/// A well-formed program inside a box of 100 mm to 400 mm.
+Program random_program(std::mt19937& random, const RandomPathOptions& options = {});
+
+}  // namespace gsim::path
