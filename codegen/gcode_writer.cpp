@@ -1,0 +1,212 @@
+#include "codegen/gcode_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace gsim::codegen {
+
+namespace {
+
+constexpr std::size_t kEnough = std::size_t{1} << 16;
+constexpr std::uint64_t kGreatestNumber = 99'999;
+
+constexpr std::array<std::string_view, 4> kMotions = {"G00", "G01", "G02", "G03"};
+constexpr std::array<std::string_view, 3> kPlanes = {"G17", "G18", "G19"};
+constexpr std::array<char, 3> kCenterLetters = {'I', 'J', 'K'};
+
+// The axes of X, Y, Z that lie in each plane, by index.
+constexpr std::array<std::array<std::size_t, 2>, 3> kInPlane = {{{0, 1}, {0, 2}, {1, 2}}};
+
+bool is_numbered(std::string_view line) {
+    return line.empty() || std::string_view("%Oo(").find(line[0]) == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string comment_text(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    for (const char c : text) {
+        if (c == '(' || c == ')' || c == ';') continue;
+        const auto byte = static_cast<unsigned char>(c);
+        out += byte >= 0x20 && byte < 0x7f ? c : '?';
+    }
+    return out;
+}
+
+GcodeWriter::GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, const WriterOptions& options,
+                         Sink sink)
+    : post_(post),
+      axes_(axes.begin(), axes.end()),
+      options_(options),
+      sink_(std::move(sink)),
+      length_(options.inch ? post.decimals_inch : post.decimals_mm, post.zeros),
+      deg_(post.decimals_deg, post.zeros),
+      feed_(post.decimals_feed, post.zeros),
+      at_(axes.size(), kUnknown) {}
+
+std::int64_t GcodeWriter::units(std::size_t axis, double value) const {
+    return axes_[axis].rotary ? deg_.units(value) : length_.units(in_unit(value));
+}
+
+void GcodeWriter::begin_block() {
+    block_begin_ = text_.size();
+    first_word_ = true;
+    if (post_.number_step == 0) return;
+    number_ += static_cast<std::uint64_t>(post_.number_step);
+    if (number_ > kGreatestNumber) number_ = static_cast<std::uint64_t>(post_.number_step);
+    text_.push_back('N');
+    const fmt::format_int digits(number_);
+    for (auto shown = static_cast<int>(digits.size()); shown < post_.number_digits; ++shown) {
+        text_.push_back('0');
+    }
+    text_.append(digits.data(), digits.data() + digits.size());
+    first_word_ = false;
+}
+
+void GcodeWriter::end_block() {
+    text_.push_back('\n');
+    ++blocks_;
+    if (text_.size() >= kEnough) flush();
+}
+
+void GcodeWriter::flush() {
+    sink_({text_.data(), text_.size()});
+    text_.clear();
+}
+
+void GcodeWriter::code(std::string_view text) {
+    if (!first_word_) text_.push_back(' ');
+    first_word_ = false;
+    text_.append(text.data(), text.data() + text.size());
+}
+
+void GcodeWriter::word(char letter, std::int64_t units, const DecimalFormat& format) {
+    code({&letter, 1});
+    format.append(text_, units);
+}
+
+void GcodeWriter::lines(const std::vector<std::string>& templates) {
+    for (const std::string& each : templates) {
+        const std::string line = filled(each, places_);
+        if (is_numbered(line))
+            begin_block();
+        else
+            first_word_ = true;
+        code(line);
+        end_block();
+    }
+}
+
+void GcodeWriter::forget() {
+    std::fill(at_.begin(), at_.end(), kUnknown);
+    motion_ = -1;
+    plane_ = -1;
+    feed_units_ = kUnknown;
+}
+
+void GcodeWriter::start_position(std::span<const double> values) {
+    if (post_.start_position.empty()) return;
+    begin_block();
+    code(post_.start_position);
+    axis_words(values);
+    end_block();
+}
+
+bool GcodeWriter::motion_word(int motion) {
+    const bool changes = motion_ != motion;
+    motion_ = motion;
+    if (changes || options_.verbose_words) code(kMotions[static_cast<std::size_t>(motion)]);
+    return changes;
+}
+
+bool GcodeWriter::axis_words(std::span<const double> values) {
+    bool changes = false;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::int64_t next = units(i, values[i]);
+        if (next == at_[i] && !options_.verbose_words) continue;
+        changes = changes || next != at_[i];
+        at_[i] = next;
+        word(axes_[i].letter, next, format(i));
+    }
+    return changes;
+}
+
+void GcodeWriter::feed_word(const WrittenFeed& feed) {
+    // A feed that rounds to 0 would never arrive.
+    const std::int64_t next =
+        std::max<std::int64_t>(1, feed_.units(feed.rotary ? feed.per_min : in_unit(feed.per_min)));
+    if (next == feed_units_ && !options_.verbose_words) return;
+    feed_units_ = next;
+    word('F', next, feed_);
+}
+
+void GcodeWriter::plane_word(ArcPlane plane) {
+    const int index = static_cast<int>(plane);
+    if (index == plane_ && !options_.verbose_words) return;
+    plane_ = index;
+    code(kPlanes[static_cast<std::size_t>(index)]);
+}
+
+void GcodeWriter::move(std::span<const double> values, const std::optional<WrittenFeed>& feed) {
+    bool changes = false;
+    for (std::size_t i = 0; i < axes_.size() && !changes; ++i) changes = units(i, values[i]) != at_[i];
+    if (!changes) return;
+    begin_block();
+    motion_word(feed ? 1 : 0);
+    axis_words(values);
+    if (feed) feed_word(*feed);
+    end_block();
+}
+
+void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed) {
+    begin_block();
+    plane_word(words.plane);
+    motion_word(words.clockwise ? 2 : 3);
+    const std::array<std::size_t, 2>& in_plane = kInPlane[static_cast<std::size_t>(words.plane)];
+    const auto axis_of = [this](std::size_t direction) {
+        const char letter = static_cast<char>('X' + direction);
+        const auto found = std::find_if(axes_.begin(), axes_.end(),
+                                        [letter](const WrittenAxis& axis) { return axis.letter == letter; });
+        return static_cast<std::size_t>(found - axes_.begin());
+    };
+    const bool full_circle = std::all_of(in_plane.begin(), in_plane.end(), [&](std::size_t direction) {
+        const std::size_t axis = axis_of(direction);
+        return units(axis, values[axis]) == at_[axis];
+    });
+    // Some controls want a word of the plane to take the block for an arc.
+    if (full_circle) {
+        for (const std::size_t direction : in_plane) at_[axis_of(direction)] = kUnknown;
+    }
+    axis_words(values);
+    for (const std::size_t direction : in_plane) {
+        word(kCenterLetters[direction], length_.units(in_unit(words.center_offset_mm[direction])), length_);
+    }
+    feed_word(feed);
+    end_block();
+}
+
+void GcodeWriter::dwell(double seconds) {
+    Places places = places_;
+    places["seconds"] = fmt::format("{:.3f}", std::max(seconds, 0.001));
+    places["milliseconds"] = fmt::format("{}", std::max(1LL, std::llround(seconds * 1000)));
+    begin_block();
+    code(filled(post_.dwell, places));
+    end_block();
+}
+
+void GcodeWriter::action(std::string_view name) {
+    const auto found = post_.actions.find(name);
+    if (found == post_.actions.end()) return comment(fmt::format("action: {}", name));
+    begin_block();
+    code(found->second);
+    end_block();
+}
+
+void GcodeWriter::comment(std::string_view text) {
+    fmt::format_to(std::back_inserter(text_), "({})", comment_text(text));
+    end_block();
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,206 @@
+#include "codegen/post_file.h"
+
+#include <algorithm>
+#include <array>
+
+#include "codegen/embedded_posts.h"
+#include "runtime/machine/text_file.h"
+#include "runtime/machine/toml_section.h"
+
+namespace gsim::codegen {
+
+namespace {
+
+using machine::FirstError;
+using machine::NumberRule;
+using machine::TomlSection;
+using Names = std::span<const std::string_view>;
+
+constexpr std::string_view kExtension = ".toml";
+constexpr int kMostDecimals = 6;
+constexpr int kMostDigits = 9;
+
+constexpr std::array<std::string_view, 7> kPostKeys = {"name",    "reads_as",   "numbers", "blocks",
+                                                       "program", "subprogram", "actions"};
+constexpr std::array<std::string_view, 5> kNumberKeys = {"decimals_mm", "decimals_inch", "decimals_deg",
+                                                         "decimals_feed", "zeros"};
+constexpr std::array<std::string_view, 5> kBlockKeys = {"number_step", "number_digits", "axes", "dwell",
+                                                        "start_position"};
+constexpr std::array<std::string_view, 2> kProgramKeys = {"begin", "end"};
+constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",         "end",
+                                                             "call",  "call_repeated", "file"};
+constexpr std::array<std::string_view, 2> kOrders = {"after", "before"};
+constexpr std::array<std::string_view, 3> kZeros = {"keep", "point", "cut"};
+constexpr std::array<std::string_view, 2> kDialects = {"ab9", "rs274ngc"};
+
+constexpr std::array<std::string_view, 5> kProgramPlaces = {"number", "title", "program", "lower", "unit"};
+constexpr std::array<std::string_view, 5> kCallPlaces = {"number", "program", "lower", "repeats", "label"};
+constexpr std::array<std::string_view, 3> kFilePlaces = {"number", "program", "lower"};
+constexpr std::array<std::string_view, 2> kDwellPlaces = {"seconds", "milliseconds"};
+
+class PostReader {
+  public:
+    explicit PostReader(std::string_view file_name) : error_(file_name) {}
+
+    tl::expected<Post, std::string> read(std::string_view text) {
+        const toml::table table = machine::parse_toml(error_, text);
+        if (!error_.text()) read_post(table);
+        if (error_.text()) return tl::unexpected(*error_.text());
+        return std::move(post_);
+    }
+
+  private:
+    void read_post(const toml::table& table) {
+        TomlSection section(error_, table, "the post", kPostKeys);
+        post_.name = section.text("name");
+        section.require("reads_as");
+        post_.reads_as = kDialects[section.choice("reads_as", 0, kDialects)];
+        if (const auto* numbers = section_table(section, "numbers")) read_numbers(*numbers);
+        if (const auto* blocks = section_table(section, "blocks")) read_blocks(*blocks);
+        if (const auto* program = section_table(section, "program")) {
+            TomlSection of(error_, *program, "[program]", kProgramKeys);
+            post_.begin = lines(of, "begin", kProgramPlaces);
+            post_.end = lines(of, "end", kProgramPlaces);
+        }
+        if (const auto* subprogram = section.table("subprogram")) read_subprogram(*subprogram);
+        if (const auto* actions = section.table("actions")) read_actions(*actions);
+    }
+
+    const toml::table* section_table(TomlSection& section, std::string_view key) {
+        section.require(key);
+        return section.table(key);
+    }
+
+    int whole(TomlSection& section, std::string_view key, int most) {
+        if (section.require(key) == nullptr) return 0;
+        const double value = section.number(key, 0, NumberRule::not_negative);
+        if (value <= most && value == std::floor(value)) return static_cast<int>(value);
+        section.fail(key, fmt::format("'{}' must be a whole number from 0 to {}", key, most));
+        return 0;
+    }
+
+    void read_numbers(const toml::table& table) {
+        TomlSection section(error_, table, "[numbers]", kNumberKeys);
+        post_.decimals_mm = whole(section, "decimals_mm", kMostDecimals);
+        post_.decimals_inch = whole(section, "decimals_inch", kMostDecimals);
+        post_.decimals_deg = whole(section, "decimals_deg", kMostDecimals);
+        post_.decimals_feed = whole(section, "decimals_feed", kMostDecimals);
+        section.require("zeros");
+        post_.zeros = static_cast<Zeros>(section.choice("zeros", 0, kZeros));
+    }
+
+    void read_blocks(const toml::table& table) {
+        TomlSection section(error_, table, "[blocks]", kBlockKeys);
+        post_.number_step = whole(section, "number_step", 1000);
+        post_.number_digits = whole(section, "number_digits", kMostDigits);
+        if (section.has("axes")) post_.axes = section.text("axes");
+        post_.dwell = section.text("dwell");
+        check_line(section, "dwell", post_.dwell, kDwellPlaces);
+        if (section.has("start_position")) {
+            post_.start_position = section.text("start_position");
+            check_line(section, "start_position", post_.start_position, {});
+        }
+    }
+
+    void read_subprogram(const toml::table& table) {
+        TomlSection section(error_, table, "[subprogram]", kSubprogramKeys);
+        SubprogramLines& lines_of = post_.subprogram.emplace();
+        section.require("order");
+        lines_of.before_program = section.choice("order", 0, kOrders) == 1;
+        lines_of.begin = lines(section, "begin", kProgramPlaces);
+        lines_of.end = lines(section, "end", kProgramPlaces);
+        lines_of.call = lines(section, "call", kCallPlaces);
+        lines_of.call_repeated = lines(section, "call_repeated", kCallPlaces);
+        lines_of.file = section.text("file");
+        check_line(section, "file", lines_of.file, kFilePlaces);
+        if (lines_of.file.find('/') != std::string::npos) {
+            section.fail("file", "'file' must be a name without folders");
+        }
+    }
+
+    void read_actions(const toml::table& table) {
+        for (const auto& [key, node] : table) {
+            const auto* text = node.as_string();
+            if (text == nullptr) {
+                error_.report(node.source().begin, fmt::format("'{}' must be a string", key.str()));
+            } else {
+                check_text(node.source().begin, key.str(), text->get(), {});
+                post_.actions.emplace(key.str(), text->get());
+            }
+        }
+    }
+
+    std::vector<std::string> lines(TomlSection& section, std::string_view key, Names places) {
+        std::vector<std::string> found;
+        const toml::node* node = section.require(key);
+        if (node == nullptr) return found;
+        const toml::array* array = node->as_array();
+        if (array == nullptr) {
+            section.fail(key, fmt::format("'{}' must be an array of strings, one for each line", key));
+            return found;
+        }
+        found.reserve(array->size());
+        for (const toml::node& element : *array) {
+            const auto* text = element.as_string();
+            if (text == nullptr) {
+                error_.report(element.source().begin, fmt::format("'{}' must hold strings only", key));
+            } else {
+                check_text(element.source().begin, key, text->get(), places);
+                found.push_back(text->get());
+            }
+        }
+        return found;
+    }
+
+    void check_line(TomlSection& section, std::string_view key, std::string_view line, Names places) {
+        check_text(section.where(key), key, line, places);
+    }
+
+    // A line is one line, and holds no places but these.
+    void check_text(const toml::source_position& where, std::string_view key, std::string_view line,
+                    Names places) {
+        const bool control = std::any_of(line.begin(), line.end(),
+                                         [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+        if (control) error_.report(where, fmt::format("'{}' must not hold line breaks or the like", key));
+        for (std::size_t open = line.find('{'); open != std::string_view::npos;
+             open = line.find('{', open + 1)) {
+            const std::string_view name = line.substr(open + 1, line.find('}', open) - open - 1);
+            if (std::find(places.begin(), places.end(), name) != places.end()) continue;
+            const std::string hint =
+                places.empty() ? std::string("nothing") : fmt::format("{{{}}}", fmt::join(places, "}, {"));
+            error_.report(where, fmt::format("'{}' knows no {{{}}}; it may hold {}", key, name, hint));
+        }
+    }
+
+    FirstError error_;
+    Post post_;
+};
+
+}  // namespace
+
+tl::expected<Post, std::string> read_post(std::string_view toml_text, std::string_view file_name) {
+    return PostReader(file_name).read(toml_text);
+}
+
+std::vector<std::string_view> built_in_posts() {
+    std::vector<std::string_view> names;
+    names.reserve(embedded::embedded_posts().size());
+    for (const auto& [file_name, text] : embedded::embedded_posts()) {
+        names.push_back(file_name.substr(0, file_name.size() - kExtension.size()));
+    }
+    return names;
+}
+
+tl::expected<Post, std::string> find_post(const std::string& name) {
+    if (name.ends_with(kExtension)) {
+        const tl::expected<std::string, std::string> text = machine::read_text_file(name);
+        if (!text) return tl::unexpected(text.error());
+        return read_post(*text, name);
+    }
+    const std::string_view text = embedded::embedded_posts(name + std::string(kExtension));
+    if (text.data() != nullptr) return read_post(text, name);
+    return tl::unexpected(fmt::format("there is no post '{}'; there are {}, or name a file that ends in {}",
+                                      name, fmt::join(built_in_posts(), ", "), kExtension));
+}
+
+}  // namespace gsim::codegen

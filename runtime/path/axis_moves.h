@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/path/arc_shape.h"
+#include "runtime/path/rotary_plan.h"
+
+namespace gsim::path {
+
+/// An arc in one of the planes of X, Y and Z, of one turn at most; what it moves along the third axis makes
+/// it a helix.
+struct AxisArc {
+    int about = 2;                  ///< The axis that it turns about: 0 X, 1 Y, 2 Z.
+    bool counterclockwise = false;  ///< By the right hand about that axis.
+    Vector center_offset_mm{};      ///< From the start, along X, Y and Z.
+};
+
+/// One move of the machine's axes.
+struct AxisMove {
+    AxisValues axes;              ///< Of all axes, mm or deg.
+    bool rapid = false;           ///< Otherwise `feed_per_min` counts.
+    std::optional<AxisArc> arc;   ///< Otherwise all axes go in proportion.
+    double feed_per_min = 0;      ///< mm/min along X, Y and Z, or deg/min where rotary axes alone move.
+    bool feed_is_rotary = false;  ///< deg/min
+};
+
+/// What the moves of a path are told to, in their order.
+class MoveSink {
+  public:
+    virtual ~MoveSink() = default;
+    virtual void move(const AxisMove& move) = 0;
+    virtual void dwell(double seconds) = 0;
+    virtual void action(const std::string& name) = 0;
+    virtual void call(const SubPath& sub_path) = 0;
+    /// Something to know about what follows.
+    virtual void note(const TargetId& where, std::string_view sentence) = 0;
+};
+
+struct MoveOptions {
+    double tolerance_mm = 0.01;    ///< How far pieces may be off the path.
+    double resolution_mm = 0.001;  ///< Smallest step of a program's numbers.
+};
+
+/// Turns the points of a path into moves of the axes. Arcs stay arcs where they lie in a plane of the axes,
+/// otherwise, and where rotary axes move the linear ones along with them, motions are cut into lines.
+class AxisMoves {
+  public:
+    /// What is given must outlive this.
+    AxisMoves(const Program& program, const MachineSpace& space, const States& states,
+              const std::vector<PathTurns>& turns, const MoveOptions& options)
+        : program_(program),
+          space_(space),
+          states_(states),
+          turns_(turns),
+          options_(options),
+          jet_(has_jet(program)) {}
+
+    /// All of one path that the root leads to. Sub-paths are calls.
+    tl::expected<void, Fault> run(std::size_t path, MoveSink& sink) const;
+
+  private:
+    const Program& program_;
+    const MachineSpace& space_;
+    const States& states_;
+    const std::vector<PathTurns>& turns_;
+    MoveOptions options_;
+    bool jet_;
+};
+
+}  // namespace gsim::path

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "runtime/path/arc_shape.h"
+#include "runtime/path/axis_moves.h"
+
+namespace gsim::path {
+
+/// One motion of the tip with the rotary axes in proportion to it.
+class TipMotion {
+  public:
+    /// A line, or an arc where `arc` is there. `start_rotary` may be empty: then it is as at the end.
+    TipMotion(const MachineSpace& space, const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm,
+              const AxisValues& start_rotary, const AxisValues& end_rotary, std::optional<ArcShape> arc);
+
+    AxisValues at(double share) const;
+    double length_mm() const;
+    const std::optional<ArcShape>& arc() const { return arc_; }
+    double turn_deg() const { return (end_rotary_ - start_rotary_).norm(); }
+
+    /// Whether a single linear move of the axes keeps the tip within the tolerance of the line.
+    bool is_line_of_axes(double tolerance_mm) const;
+    /// The arc of the axes from one share to another, if that is one in a plane of the axes, within the
+    /// tolerance.
+    std::optional<AxisArc> axis_arc(double from, double to, double tolerance_mm) const;
+    /// Calls `piece` with the shares at which lines between them keep within the tolerance, the last is 1.
+    void cut(double tolerance_mm, const std::function<void(double share)>& piece) const;
+
+  private:
+    Eigen::Vector3d tip(double share) const;
+    double deviation(double from, double to) const;
+
+    const MachineSpace& space_;
+    Eigen::Vector3d start_, end_;
+    AxisValues start_rotary_, end_rotary_;
+    std::optional<ArcShape> arc_;
+};
+
+}  // namespace gsim::path

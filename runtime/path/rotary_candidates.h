@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/path/machine_space.h"
+
+namespace gsim::path {
+
+/// What is added up of two rotary positions: how far all axes turn from one to the other, deg.
+double turn_between(const AxisValues& from, const AxisValues& to);
+/// The same modulo whole turns of each axis.
+double least_turn_between(const AxisValues& from, const AxisValues& to);
+
+/// All rotary values within the axes' ranges that give a point's orientation, as seen from where the axes may
+/// stand before it (at least one). `as_given`: rotary_deg is taken literally. The error is a sentence.
+tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const MachineSpace& space,
+                                                                     const Vector& tip_mm,
+                                                                     const Orientation& orientation,
+                                                                     const std::vector<AxisValues>& before,
+                                                                     bool as_given);
+
+}  // namespace gsim::path

@@ -1,0 +1,297 @@
+#include "runtime/path/rotary_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "runtime/path/rotary_candidates.h"
+
+namespace gsim::path {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kSame_deg = 1e-6;
+// What a turn on the spot costs beyond its angle: little with the jet off, more than any turning while
+// cutting.
+constexpr double kStopIdle_deg = 1;
+constexpr double kStopCutting_deg = 1e7;
+// The first point of a path is nowhere near anything; axes near home have room both ways.
+constexpr double kHomeShare = 1e-3;
+
+// The search through one path: of each target the candidates, and which one before led to each.
+class Search {
+  public:
+    explicit Search(std::size_t rotary_count) : rotary_count_(rotary_count) {}
+
+    /// Where the axes may stand; empty before the first target.
+    const std::vector<AxisValues>& now() const { return now_; }
+
+    void begin(std::vector<AxisValues> candidates, const AxisValues& home) {
+        cost_.clear();
+        for (const AxisValues& each : candidates) cost_.push_back(kHomeShare * turn_between(home, each));
+        const std::vector<std::uint8_t> from(candidates.size(), 0);
+        add_layer(std::move(candidates), from);
+    }
+
+    /// Goes on to the candidates of the next target; before, the axes may turn on the spot. False where no
+    /// candidate can be reached by the short way that cutting demands.
+    bool step(std::vector<AxisValues> candidates, bool cutting, double stop_cost) {
+        turn_on_the_spot(stop_cost);
+        std::vector<double> next(candidates.size(), kNever);
+        std::vector<std::uint8_t> from(candidates.size(), 0);
+        for (std::size_t k = 0; k < now_.size(); ++k) {
+            const double most = cutting ? least_turn(now_[k], candidates) + kSame_deg : kNever;
+            for (std::size_t m = 0; m < candidates.size(); ++m) {
+                const double turn = turn_between(now_[k], candidates[m]);
+                if (turn > most || cost_[k] + turn >= next[m]) continue;
+                next[m] = cost_[k] + turn;
+                from[m] = static_cast<std::uint8_t>(k);
+            }
+        }
+        cost_ = std::move(next);
+        add_layer(std::move(candidates), from);
+        return *std::min_element(cost_.begin(), cost_.end()) < kNever;
+    }
+
+    /// The target was a sub-path with one candidate, and leaves the axes here.
+    void leave(const AxisValues& values) {
+        now_ = {values};
+        std::copy(values.begin(), values.end(), values_.end() - static_cast<std::ptrdiff_t>(rotary_count_));
+    }
+
+    PathTurns result() const;
+
+  private:
+    static double least_turn(const AxisValues& from, const std::vector<AxisValues>& candidates) {
+        double least = kNever;
+        for (const AxisValues& each : candidates) least = std::min(least, least_turn_between(from, each));
+        return least;
+    }
+
+    void add_layer(std::vector<AxisValues> candidates, const std::vector<std::uint8_t>& from) {
+        layers_.push_back(from_.size());
+        from_.insert(from_.end(), from.begin(), from.end());
+        for (const AxisValues& each : candidates) values_.insert(values_.end(), each.begin(), each.end());
+        now_ = std::move(candidates);
+    }
+
+    void turn_on_the_spot(double stop_cost) {
+        const std::vector<double> before = cost_;
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            auto from = static_cast<std::uint8_t>(k);
+            for (std::size_t j = 0; j < before.size(); ++j) {
+                const double cost = before[j] + stop_cost + turn_between(now_[j], now_[k]);
+                if (j == k || cost >= cost_[k]) continue;
+                cost_[k] = cost;
+                from = static_cast<std::uint8_t>(j);
+            }
+            turned_from_.push_back(from);
+        }
+    }
+
+    AxisValues value(std::size_t layer, std::size_t candidate) const {
+        AxisValues values(static_cast<Eigen::Index>(rotary_count_));
+        const std::size_t begin = (layers_[layer] + candidate) * rotary_count_;
+        std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(begin), rotary_count_, values.begin());
+        return values;
+    }
+
+    std::size_t rotary_count_;
+    std::vector<AxisValues> now_;
+    std::vector<double> cost_;         // of each of now_
+    std::vector<std::size_t> layers_;  // where each target's candidates begin
+    std::vector<double> values_;       // of all candidates
+    std::vector<std::uint8_t> from_;   // which candidate before leads here
+    std::vector<std::uint8_t>
+        turned_from_;  // which candidate of the same target turns to this one on the spot
+};
+
+PathTurns Search::result() const {
+    PathTurns turns(rotary_count_);
+    turns.values.resize(layers_.size() * rotary_count_);
+    auto at = static_cast<std::size_t>(std::min_element(cost_.begin(), cost_.end()) - cost_.begin());
+    for (std::size_t layer = layers_.size(); layer-- > 0;) {
+        const AxisValues values = value(layer, at);
+        std::copy(values.begin(), values.end(),
+                  turns.values.begin() + static_cast<std::ptrdiff_t>(layer * rotary_count_));
+        if (layer == 0) break;
+        const std::size_t left_as = from_[layers_[layer] + at];
+        at = turned_from_[layers_[layer - 1] + left_as];
+        if (at != left_as) turns.unwindings.push_back({layer - 1, value(layer - 1, left_as)});
+    }
+    std::reverse(turns.unwindings.begin(), turns.unwindings.end());
+    return turns;
+}
+
+class Planner {
+  public:
+    Planner(const Program& program, const MachineSpace& space, const States& states,
+            const RotaryOptions& options)
+        : program_(program),
+          space_(space),
+          states_(states),
+          options_(options),
+          jet_(has_jet(program)),
+          turns_(program.paths.size(), PathTurns(space.rotary_count())),
+          entries_(program.paths.size()) {}
+
+    tl::expected<std::vector<PathTurns>, Fault> run() {
+        const std::vector<std::size_t>& order = states_.users_first();
+        for (auto path = order.rbegin(); path != order.rend(); ++path) {
+            if (auto fault = plan(*path)) return tl::unexpected(*fault);
+        }
+        return std::move(turns_);
+    }
+
+  private:
+    using MaybeFault = std::optional<Fault>;
+
+    MaybeFault plan(std::size_t path) {
+        Search search(space_.rotary_count());
+        State state = states_.entry(path);
+        const std::vector<Target>& targets = program_.paths[path].targets;
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            const auto* sub_path = std::get_if<SubPath>(&targets[i]);
+            auto fault = sub_path != nullptr ? enter(search, state, *sub_path, {path, i})
+                                             : go_to(search, state, std::get<Point>(targets[i]), {path, i});
+            if (fault) return fault;
+            states_.pass(state, targets[i]);
+        }
+        turns_[path] = search.result();
+        entries_[path] = std::holds_alternative<SubPath>(targets[0])
+                             ? entries_[std::get<SubPath>(targets[0]).path]
+                             : turns_[path].at(0);
+        return std::nullopt;
+    }
+
+    const Point& first_point(std::size_t path) const {
+        const Target& first = program_.paths[path].targets.front();
+        if (const auto* point = std::get_if<Point>(&first)) return *point;
+        return first_point(std::get<SubPath>(first).path);
+    }
+    AxisValues exit_of(std::size_t path) const {
+        return turns_[path].at(program_.paths[path].targets.size() - 1);
+    }
+
+    MaybeFault enter(Search& search, State& state, const SubPath& sub_path, const TargetId& id) {
+        const AxisValues& entry = entries_[sub_path.path];
+        const AxisValues exit = exit_of(sub_path.path);
+        const Point& first = first_point(sub_path.path);
+        if (auto fault = advance(search, state, first, {entry}, id)) return fault;
+        if (sub_path.repeats > 1) {
+            State again = state;
+            states_.pass(again, Target(sub_path));
+            const bool long_way = turn_between(exit, entry) > least_turn_between(exit, entry) + kSame_deg;
+            if (long_way && is_cutting(first, again, jet_) && !options_.as_given) {
+                return Fault{id,
+                             "the sub-path cannot be repeated while the tool cuts: the rotary axes would "
+                             "unwind on the way back to its first point"};
+            }
+        }
+        search.leave(exit);
+        return std::nullopt;
+    }
+
+    MaybeFault go_to(Search& search, const State& state, const Point& point, const TargetId& id) {
+        if (space_.rotary_count() == 0) {
+            if (point.orientation && !std::holds_alternative<ToolAxis>(*point.orientation)) {
+                auto none = candidates(search, point, *point.orientation);
+                if (!none) return Fault{id, none.error()};
+            }
+            return advance(search, state, point, {AxisValues(0)}, id);
+        }
+        const bool stays = !point.orientation && !search.now().empty();
+        if (stays) return advance(search, state, point, search.now(), id);
+        const std::optional<Orientation> orientation =
+            point.orientation ? point.orientation : state.orientation.value();
+        if (!orientation) return Fault{id, missing_orientation(state)};
+        auto found = candidates(search, point, *orientation);
+        if (!found) return Fault{id, found.error()};
+        return advance(search, state, point, std::move(*found), id);
+    }
+
+    static std::string missing_orientation(const State& state) {
+        if (state.orientation.differs()) {
+            return "the first point of this sub-path needs an orientation: the places that use it hand over "
+                   "different ones";
+        }
+        return "the point needs an orientation: the machine has rotary axes, and no point before says where "
+               "they stand";
+    }
+
+    tl::expected<std::vector<AxisValues>, std::string> candidates(const Search& search, const Point& point,
+                                                                  const Orientation& orientation) const {
+        const std::vector<AxisValues> home{space_.home_rotary()};
+        return rotary_candidates(space_, point.position_mm, orientation,
+                                 search.now().empty() ? home : search.now(), options_.as_given);
+    }
+
+    MaybeFault advance(Search& search, const State& state, const Point& point, std::vector<AxisValues> next,
+                       const TargetId& id) const {
+        if (search.now().empty()) {
+            search.begin(std::move(next), space_.home_rotary());
+            return std::nullopt;
+        }
+        const bool jet_off = jet_ && state.jet_on.value() == false;
+        const bool cutting = is_cutting(point, state, jet_) && !options_.as_given;
+        if (search.step(std::move(next), cutting, jet_off ? kStopIdle_deg : kStopCutting_deg)) {
+            return std::nullopt;
+        }
+        return Fault{id,
+                     "out of reach: while the tool cuts, the rotary axes cannot go the short way from the "
+                     "point before within their ranges"};
+    }
+
+    const Program& program_;
+    const MachineSpace& space_;
+    const States& states_;
+    const RotaryOptions& options_;
+    bool jet_;
+    std::vector<PathTurns> turns_;
+    std::vector<AxisValues> entries_;  // where each path begins
+};
+
+}  // namespace
+
+AxisValues PathTurns::at(std::size_t target) const {
+    AxisValues found(static_cast<Eigen::Index>(count_));
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(target * count_), count_, found.begin());
+    return found;
+}
+
+const AxisValues* PathTurns::unwinding(std::size_t target) const {
+    const auto found =
+        std::lower_bound(unwindings.begin(), unwindings.end(), target,
+                         [](const Unwinding& each, std::size_t wanted) { return each.target < wanted; });
+    return found != unwindings.end() && found->target == target ? &found->to : nullptr;
+}
+
+bool has_jet(const Program& program) {
+    for (const Path& path : program.paths) {
+        for (const Target& target : path.targets) {
+            const auto* point = std::get_if<Point>(&target);
+            if (point == nullptr) continue;
+            if (std::find(point->actions.begin(), point->actions.end(), "waterjet_on") !=
+                point->actions.end()) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool is_cutting(const Point& point, const State& before, bool program_has_jet) {
+    if (point.motion == MotionType::rapid) return false;
+    return !program_has_jet || before.jet_on.value() != false;
+}
+
+tl::expected<std::vector<PathTurns>, Fault> plan_rotary(const Program& program, const MachineSpace& space,
+                                                        const States& states, const RotaryOptions& options) {
+    return Planner(program, space, states, options).run();
+}
+
+}  // namespace gsim::path

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/path/machine_space.h"
+#include "runtime/path/states.h"
+
+namespace gsim::path {
+
+/// Where the rotary axes stand on one path.
+class PathTurns {
+  public:
+    explicit PathTurns(std::size_t rotary_count = 0) : count_(rotary_count) {}
+
+    /// The rotary values on arrival at a target; of a sub-path, behind it.
+    AxisValues at(std::size_t target) const;
+    /// Where the axes turn once a target is done, if they have to before they go on.
+    const AxisValues* unwinding(std::size_t target) const;
+
+    struct Unwinding {
+        std::size_t target = 0;
+        AxisValues to;
+    };
+    std::vector<double> values;         ///< Of all targets, one behind the other.
+    std::vector<Unwinding> unwindings;  ///< By target.
+
+  private:
+    std::size_t count_;
+};
+
+struct RotaryOptions {
+    bool as_given =
+        false;  ///< rotary_deg is what the axes go to, not an orientation that whole turns may lead to.
+};
+
+/// Chooses, of all rotary values that give each point's orientation within the axes' ranges, those that turn
+/// least over the whole of a path (dynamic programming over the points). While the tool cuts, axes go the
+/// short way; where their ranges do not allow it, the tool stops and the axes unwind, as seldom as can be.
+/// Each path is planned for itself, since all its users share it. One PathTurns for each path.
+tl::expected<std::vector<PathTurns>, Fault> plan_rotary(const Program& program, const MachineSpace& space,
+                                                        const States& states, const RotaryOptions& options);
+
+/// Whether a point is reached while the tool cuts: its motion is at feed, and the waterjet is on or the
+/// program has none.
+bool is_cutting(const Point& point, const State& before, bool program_has_jet);
+
+/// Whether any action of the program turns a waterjet on.
+bool has_jet(const Program& program);
+
+}  // namespace gsim::path

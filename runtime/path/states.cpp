@@ -1,0 +1,94 @@
+#include "runtime/path/states.h"
+
+#include <algorithm>
+
+namespace gsim::path {
+
+namespace {
+
+template <typename T>
+void set(Inherited<T>& target, const std::optional<T>& value) {
+    if (value) target = Inherited<T>(*value);
+}
+
+template <typename T>
+void set(Inherited<T>& target, const Inherited<T>& value) {
+    set(target, value.value());
+}
+
+}  // namespace
+
+void State::merge(const State& other) {
+    position_mm.merge(other.position_mm);
+    orientation.merge(other.orientation);
+    feed_mm_min.merge(other.feed_mm_min);
+    feed_deg_min.merge(other.feed_deg_min);
+    jet_on.merge(other.jet_on);
+    abrasive_on.merge(other.abrasive_on);
+}
+
+void State::pass(const Point& point) {
+    position_mm = Inherited<Vector>(point.position_mm);
+    set(orientation, point.orientation);
+    set(feed_mm_min, point.feed_mm_min);
+    set(feed_deg_min, point.feed_deg_min);
+    for (const std::string& action : point.actions) {
+        if (action == "waterjet_on") jet_on = Inherited<bool>(true);
+        if (action == "waterjet_off") jet_on = Inherited<bool>(false);
+        if (action == "abrasive_on") abrasive_on = Inherited<bool>(true);
+        if (action == "abrasive_off") abrasive_on = Inherited<bool>(false);
+    }
+}
+
+States::States(const Program& program)
+    : program_(program), entries_(program.paths.size()), changes_(program.paths.size()) {
+    std::vector<bool> seen(program.paths.size(), false);
+    visit(program.root, seen);
+    std::reverse(order_.begin(), order_.end());
+    State start;
+    start.jet_on = Inherited<bool>(false);
+    start.abrasive_on = Inherited<bool>(false);
+    entries_[program.root] = start;
+    for (const std::size_t path : order_) {
+        State state = *entries_[path];
+        for (const Target& target : program.paths[path].targets) {
+            const auto* sub_path = std::get_if<SubPath>(&target);
+            if (sub_path != nullptr) enter(sub_path->path, state);
+            pass(state, target);
+            if (sub_path != nullptr && sub_path->repeats > 1) enter(sub_path->path, state);
+        }
+    }
+}
+
+void States::visit(std::size_t path, std::vector<bool>& seen) {
+    seen[path] = true;
+    // From the last to the first, so that the reversed order has paths as they are first used.
+    const std::vector<Target>& targets = program_.paths[path].targets;
+    for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
+        const auto* sub_path = std::get_if<SubPath>(&*target);
+        if (sub_path != nullptr && !seen[sub_path->path]) visit(sub_path->path, seen);
+    }
+    for (const Target& target : targets) pass(changes_[path], target);
+    order_.push_back(path);
+}
+
+void States::enter(std::size_t path, const State& state) {
+    if (entries_[path]) {
+        entries_[path]->merge(state);
+    } else {
+        entries_[path] = state;
+    }
+}
+
+void States::pass(State& state, const Target& target) const {
+    if (const auto* point = std::get_if<Point>(&target)) return state.pass(*point);
+    const State& change = changes_[std::get<SubPath>(target).path];
+    set(state.position_mm, change.position_mm);
+    set(state.orientation, change.orientation);
+    set(state.feed_mm_min, change.feed_mm_min);
+    set(state.feed_deg_min, change.feed_deg_min);
+    set(state.jet_on, change.jet_on);
+    set(state.abrasive_on, change.abrasive_on);
+}
+
+}  // namespace gsim::path

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "runtime/path/validate.h"
+
+namespace gsim::path {
+
+/// A value that a path takes over from those that use it: not there, the same from all of them, or not.
+template <typename T>
+class Inherited {
+  public:
+    Inherited() = default;
+    explicit Inherited(T value) : value_(std::move(value)) {}
+
+    const std::optional<T>& value() const { return value_; }
+    bool differs() const { return differs_; }
+    /// Takes in what another user hands over.
+    void merge(const Inherited& other) {
+        differs_ = differs_ || other.differs_ || value_ != other.value_;
+        if (differs_) value_.reset();
+    }
+    bool operator==(const Inherited&) const = default;
+
+  private:
+    std::optional<T> value_;
+    bool differs_ = false;
+};
+
+/// What holds at one moment of a program.
+struct State {
+    Inherited<Vector> position_mm;
+    Inherited<Orientation> orientation;
+    Inherited<double> feed_mm_min, feed_deg_min;
+    Inherited<bool> jet_on, abrasive_on;
+
+    void merge(const State& other);
+    /// What a point changes, its actions included.
+    void pass(const Point& point);
+    bool operator==(const State&) const = default;
+};
+
+/// What holds where each path begins, over all places that use it, and what holds behind it.
+class States {
+  public:
+    /// `program` must be well formed, and outlive this.
+    explicit States(const Program& program);
+
+    const State& entry(std::size_t path) const { return *entries_[path]; }
+    /// Whether the root leads to it.
+    bool used(std::size_t path) const { return entries_[path].has_value(); }
+    /// The state behind any target.
+    void pass(State& state, const Target& target) const;
+    /// Paths that the root leads to, each behind all that use it.
+    const std::vector<std::size_t>& users_first() const { return order_; }
+
+  private:
+    void visit(std::size_t path, std::vector<bool>& seen);
+    void enter(std::size_t path, const State& state);
+
+    const Program& program_;
+    std::vector<std::optional<State>> entries_;
+    std::vector<std::size_t> order_;
+    std::vector<State> changes_;  ///< What each path sets; nothing where it leaves a value as it was.
+};
+
+}  // namespace gsim::path
