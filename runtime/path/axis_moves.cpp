@@ -27,7 +27,8 @@ class Walk {
         : space_(space), turns_(turns), options_(options), jet_(jet), path_(path), sink_(sink) {}
 
     std::optional<Fault> go_to(const Point& point, std::size_t target, const State& before);
-    void unwind(std::size_t target, const State& after);
+    /// Turns on the spot, if `to` is not null.
+    void unwind(std::size_t target, const AxisValues* to, const State& at);
     void set_rotary(const AxisValues& rotary) { rotary_ = rotary; }
 
   private:
@@ -189,19 +190,33 @@ bool Walk::arcs(const TipMotion& motion, const Feed& feed) {
 }
 
 // With the jet off, so that it does not cut a hole where it stands.
-void Walk::unwind(std::size_t target, const State& after) {
-    const AxisValues* to = turns_.unwinding(target);
+void Walk::unwind(std::size_t target, const AxisValues* to, const State& at) {
     if (to == nullptr) return;
     target_ = target;
-    const bool jet = jet_ && after.jet_on.value() != false;
-    const bool abrasive = jet && after.abrasive_on.value() == true;
+    const bool jet = jet_ && at.jet_on.value() != false;
+    const bool abrasive = jet && at.abrasive_on.value() == true;
     sink_.note(here(), jet ? "the rotary axes unwind, with the jet off" : "the rotary axes unwind");
     if (abrasive) sink_.action("abrasive_off");
     if (jet) sink_.action("waterjet_off");
-    sink_.move({space_.axes(to_eigen(*after.position_mm.value()), *to), true, std::nullopt, 0, false});
+    sink_.move({space_.axes(to_eigen(*at.position_mm.value()), *to), true, std::nullopt, 0, false});
     if (jet) sink_.action("waterjet_on");
     if (abrasive) sink_.action("abrasive_on");
     rotary_ = *to;
+}
+
+// A call, or one for each repeat where the axes unwind in between.
+void call(const SubPath& sub_path, std::size_t target, const PathTurns& turns, const State& behind,
+          Walk& walk, MoveSink& sink) {
+    const AxisValues* to = turns.between_repeats(target);
+    if (to == nullptr) {
+        sink.call(sub_path);
+    } else {
+        for (int i = 0; i < sub_path.repeats; ++i) {
+            if (i > 0) walk.unwind(target, to, behind);
+            sink.call({sub_path.path, 1});
+        }
+    }
+    walk.set_rotary(turns.at(target));
 }
 
 }  // namespace
@@ -213,12 +228,12 @@ tl::expected<void, Fault> AxisMoves::run(std::size_t path, MoveSink& sink) const
     for (std::size_t i = 0; i < targets.size(); ++i) {
         if (const auto* point = std::get_if<Point>(&targets[i])) {
             if (auto fault = walk.go_to(*point, i, state)) return tl::unexpected(*fault);
+            states_.pass(state, targets[i]);
         } else {
-            sink.call(std::get<SubPath>(targets[i]));
-            walk.set_rotary(turns_[path].at(i));
+            states_.pass(state, targets[i]);
+            call(std::get<SubPath>(targets[i]), i, turns_[path], state, walk, sink);
         }
-        states_.pass(state, targets[i]);
-        walk.unwind(i, state);
+        walk.unwind(i, turns_[path].unwinding(i), state);
     }
     return {};
 }

@@ -39,23 +39,6 @@ std::vector<double> in_range(const machine::Axis& axis, double value, double nea
     return found;
 }
 
-void add_turned(const MachineSpace& space, const AxisValues& base, const AxisValues& near,
-                std::vector<AxisValues>& out) {
-    std::vector<AxisValues> partial{base};
-    for (std::size_t axis = 0; axis < space.rotary_count(); ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
-        std::vector<AxisValues> next;
-        for (const AxisValues& each : partial) {
-            for (const double value : in_range(space.rotary_axis(axis), each[i], near[i])) {
-                next.push_back(each);
-                next.back()[i] = value;
-            }
-        }
-        partial = std::move(next);
-    }
-    for (const AxisValues& each : partial) add_new(out, each);
-}
-
 // Axes that are not named stay as they are.
 tl::expected<AxisValues, std::string> given_values(const MachineSpace& space, const RotaryAxes& given,
                                                    const AxisValues& before) {
@@ -94,6 +77,23 @@ double least_turn_between(const AxisValues& from, const AxisValues& to) {
     return sum;
 }
 
+void add_whole_turns(const MachineSpace& space, const AxisValues& values, const AxisValues& near,
+                     std::vector<AxisValues>& out) {
+    std::vector<AxisValues> partial{values};
+    for (std::size_t axis = 0; axis < space.rotary_count(); ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        std::vector<AxisValues> next;
+        for (const AxisValues& each : partial) {
+            for (const double turned : in_range(space.rotary_axis(axis), each[i], near[i])) {
+                next.push_back(each);
+                next.back()[i] = turned;
+            }
+        }
+        partial = std::move(next);
+    }
+    for (const AxisValues& each : partial) add_new(out, each);
+}
+
 tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const MachineSpace& space,
                                                                      const Vector& tip_mm,
                                                                      const Orientation& orientation,
@@ -125,7 +125,7 @@ tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const Machi
             solutions = std::move(*solved);
         }
         for (const AxisValues& each : solutions) {
-            add_turned(space, each, near, found);
+            add_whole_turns(space, each, near, found);
             if (!beyond) beyond = each;
         }
     }

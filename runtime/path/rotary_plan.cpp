@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,9 @@ constexpr double kStopIdle_deg = 1;
 constexpr double kStopCutting_deg = 1e7;
 // The first point of a path is nowhere near anything; axes near home have room both ways.
 constexpr double kHomeShare = 1e-3;
+// A sub-path begins within half a turn of home, so that the axes can come there the short way from anywhere.
+constexpr double kFarEntry_deg = 1e9;
+constexpr int kMostUnwound = 1000;  // repeats that are calls of their own, since the axes unwind in between
 
 // The search through one path: of each target the candidates, and which one before led to each.
 class Search {
@@ -30,9 +34,13 @@ class Search {
     /// Where the axes may stand; empty before the first target.
     const std::vector<AxisValues>& now() const { return now_; }
 
-    void begin(std::vector<AxisValues> candidates, const AxisValues& home) {
+    void begin(std::vector<AxisValues> candidates, const AxisValues& home, bool near_home) {
         cost_.clear();
-        for (const AxisValues& each : candidates) cost_.push_back(kHomeShare * turn_between(home, each));
+        cost_.reserve(candidates.size());
+        for (const AxisValues& each : candidates) {
+            const double share = near_home && is_far(home, each) ? kFarEntry_deg : kHomeShare;
+            cost_.push_back(share * turn_between(home, each));
+        }
         const std::vector<std::uint8_t> from(candidates.size(), 0);
         add_layer(std::move(candidates), from);
     }
@@ -57,15 +65,23 @@ class Search {
         return *std::min_element(cost_.begin(), cost_.end()) < kNever;
     }
 
-    /// The target was a sub-path with one candidate, and leaves the axes here.
-    void leave(const AxisValues& values) {
-        now_ = {values};
-        std::copy(values.begin(), values.end(), values_.end() - static_cast<std::ptrdiff_t>(rotary_count_));
+    /// The target was a sub-path with one candidate, and leaves the axes at the first of these; to the others
+    /// they may turn on the spot.
+    void leave(std::vector<AxisValues> values) {
+        values_.resize(values_.size() - rotary_count_);
+        for (const AxisValues& each : values) values_.insert(values_.end(), each.begin(), each.end());
+        from_.resize(from_.size() + values.size() - 1, 0);
+        cost_.resize(values.size(), kNever);
+        now_ = std::move(values);
     }
 
     PathTurns result() const;
 
   private:
+    static bool is_far(const AxisValues& home, const AxisValues& values) {
+        return home.size() > 0 && (values - home).cwiseAbs().maxCoeff() > 180 + kSame_deg;
+    }
+
     static double least_turn(const AxisValues& from, const std::vector<AxisValues>& candidates) {
         double least = kNever;
         for (const AxisValues& each : candidates) least = std::min(least, least_turn_between(from, each));
@@ -162,6 +178,7 @@ class Planner {
             states_.pass(state, targets[i]);
         }
         turns_[path] = search.result();
+        turns_[path].between = std::exchange(between_, {});
         entries_[path] = std::holds_alternative<SubPath>(targets[0])
                              ? entries_[std::get<SubPath>(targets[0]).path]
                              : turns_[path].at(0);
@@ -183,16 +200,34 @@ class Planner {
         const Point& first = first_point(sub_path.path);
         if (auto fault = advance(search, state, first, {entry}, id)) return fault;
         if (sub_path.repeats > 1) {
-            State again = state;
-            states_.pass(again, Target(sub_path));
-            const bool long_way = turn_between(exit, entry) > least_turn_between(exit, entry) + kSame_deg;
-            if (long_way && is_cutting(first, again, jet_) && !options_.as_given) {
+            if (auto fault = check_repeats(state, sub_path, id)) return fault;
+        }
+        std::vector<AxisValues> behind{exit};
+        add_whole_turns(space_, exit, exit, behind);
+        search.leave(std::move(behind));
+        return std::nullopt;
+    }
+
+    // Where the sub-path begins while the tool cuts, the axes come to its beginning by the short way too.
+    MaybeFault check_repeats(const State& before, const SubPath& sub_path, const TargetId& id) {
+        const AxisValues& entry = entries_[sub_path.path];
+        const AxisValues exit = exit_of(sub_path.path);
+        State again = before;
+        states_.pass(again, Target(sub_path));
+        const bool short_way = turn_between(exit, entry) <= least_turn_between(exit, entry) + kSame_deg;
+        const bool cutting = is_cutting(first_point(sub_path.path), again, jet_) && !options_.as_given;
+        if (short_way || !cutting) return std::nullopt;
+        AxisValues unwound = entry;
+        for (Eigen::Index i = 0; i < unwound.size(); ++i) {
+            unwound[i] += std::remainder(exit[i] - entry[i], 360.0);
+            const machine::Axis& axis = space_.rotary_axis(static_cast<std::size_t>(i));
+            if (unwound[i] < axis.min || unwound[i] > axis.max || sub_path.repeats > kMostUnwound) {
                 return Fault{id,
-                             "the sub-path cannot be repeated while the tool cuts: the rotary axes would "
-                             "unwind on the way back to its first point"};
+                             "the sub-path cannot be repeated: the rotary axes would have to unwind each "
+                             "time before its first point, and have no room for that"};
             }
         }
-        search.leave(exit);
+        between_.push_back({*id.target, unwound});
         return std::nullopt;
     }
 
@@ -233,7 +268,7 @@ class Planner {
     MaybeFault advance(Search& search, const State& state, const Point& point, std::vector<AxisValues> next,
                        const TargetId& id) const {
         if (search.now().empty()) {
-            search.begin(std::move(next), space_.home_rotary());
+            search.begin(std::move(next), space_.home_rotary(), id.path != program_.root);
             return std::nullopt;
         }
         const bool jet_off = jet_ && state.jet_on.value() == false;
@@ -252,7 +287,8 @@ class Planner {
     const RotaryOptions& options_;
     bool jet_;
     std::vector<PathTurns> turns_;
-    std::vector<AxisValues> entries_;  // where each path begins
+    std::vector<AxisValues> entries_;            // where each path begins
+    std::vector<PathTurns::Unwinding> between_;  // of the path being planned
 };
 
 }  // namespace
@@ -263,11 +299,19 @@ AxisValues PathTurns::at(std::size_t target) const {
     return found;
 }
 
-const AxisValues* PathTurns::unwinding(std::size_t target) const {
+const AxisValues* PathTurns::find(const std::vector<Unwinding>& list, std::size_t target) {
     const auto found =
-        std::lower_bound(unwindings.begin(), unwindings.end(), target,
+        std::lower_bound(list.begin(), list.end(), target,
                          [](const Unwinding& each, std::size_t wanted) { return each.target < wanted; });
-    return found != unwindings.end() && found->target == target ? &found->to : nullptr;
+    return found != list.end() && found->target == target ? &found->to : nullptr;
+}
+
+const AxisValues* PathTurns::unwinding(std::size_t target) const {
+    return find(unwindings, target);
+}
+
+const AxisValues* PathTurns::between_repeats(std::size_t target) const {
+    return find(between, target);
 }
 
 bool has_jet(const Program& program) {

@@ -19,14 +19,20 @@ class PathTurns {
     /// Where the axes turn once a target is done, if they have to before they go on.
     const AxisValues* unwinding(std::size_t target) const;
 
+    /// Where they turn between two runs of a repeated sub-path, if they have to.
+    const AxisValues* between_repeats(std::size_t target) const;
+
     struct Unwinding {
         std::size_t target = 0;
         AxisValues to;
     };
     std::vector<double> values;         ///< Of all targets, one behind the other.
     std::vector<Unwinding> unwindings;  ///< By target.
+    std::vector<Unwinding> between;     ///< By target; of repeated sub-paths.
 
   private:
+    static const AxisValues* find(const std::vector<Unwinding>& list, std::size_t target);
+
     std::size_t count_;
 };
 

@@ -1,0 +1,118 @@
+#include "codegen/gcode_writer.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "codegen/post_file.h"
+
+namespace gsim::codegen {
+namespace {
+
+constexpr std::array<WrittenAxis, 4> kAxes{{{'X', false}, {'Y', false}, {'Z', false}, {'B', true}}};
+constexpr WrittenFeed kFeed{1000, false};
+
+struct Text {
+    explicit Text(const std::string& post_name, WriterOptions options = {})
+        : post(find_post(post_name).value()),
+          writer(post, kAxes, options, [this](std::string_view piece) { text += piece; }) {}
+    std::string all() {
+        writer.flush();
+        return text;
+    }
+    void to(double x, double y, double z, double b) { writer.move(std::array{x, y, z, b}, kFeed); }
+    Post post;
+    std::string text;
+    GcodeWriter writer;
+};
+
+TEST(GcodeWriter, WordsThatHaveNotChangedAreLeftOut) {
+    Text ngc("rs274ngc");
+    ngc.to(1, 2, 3, 0);
+    ngc.to(1, 2.5, 3, 0);
+    ngc.to(1, 2.50001, 3, 0);
+    ngc.writer.move(std::array{1.0, 2.5, 9.0, -0.00001}, std::nullopt);
+    EXPECT_EQ(ngc.all(), "G01 X1 Y2 Z3 B0 F1000\nY2.5\nG00 Z9\n");
+}
+
+TEST(GcodeWriter, VerboseWritesThemAll) {
+    Text ngc("rs274ngc", {.inch = false, .verbose_words = true});
+    ngc.to(1, 2, 3, 0);
+    ngc.to(1, 2.5, 3, 0);
+    EXPECT_EQ(ngc.all(), "G01 X1 Y2 Z3 B0 F1000\nG01 X1 Y2.5 Z3 B0 F1000\n");
+}
+
+TEST(GcodeWriter, NumbersByDialect) {
+    Text ab9("ab9"), fanuc("fanuc"), ngc("rs274ngc", {.inch = true, .verbose_words = false});
+    for (Text* each : {&ab9, &fanuc, &ngc}) each->to(500, -0.0004, 25.4, -360);
+    EXPECT_EQ(ab9.all(), "N00005 G01 X500.000 Y0.000 Z25.400 B-360.000 F1000.000\n");
+    EXPECT_EQ(fanuc.all(), "N10 G01 X500. Y0. Z25.4 B-360. F1000.\n");
+    EXPECT_EQ(ngc.all(), "G01 X19.68504 Y-0.00002 Z1 B-360 F39.37\n");
+}
+
+TEST(GcodeWriter, ArcsOfEachPlane) {
+    Text ngc("rs274ngc");
+    ngc.to(10, 0, 0, 0);
+    ngc.writer.arc(std::array{0.0, 10.0, 5.0, 0.0}, {ArcPlane::about_z, false, {-10, 0, 0}}, kFeed);
+    ngc.writer.arc(std::array{0.0, 10.0, 5.0, 0.0}, {ArcPlane::about_z, true, {0, -10, 0}}, kFeed);
+    ngc.writer.arc(std::array{0.0, 20.0, 15.0, 0.0}, {ArcPlane::about_x, true, {0, 10, 0}}, kFeed);
+    ngc.writer.arc(std::array{10.0, 20.0, 5.0, 0.0}, {ArcPlane::about_y, true, {0, 0, -10}}, kFeed);
+    EXPECT_EQ(ngc.all(),
+              "G01 X10 Y0 Z0 B0 F1000\nG17 G03 X0 Y10 Z5 I-10 J0\nG02 X0 Y10 I0 J-10\n"
+              "G19 Y20 Z15 J10 K0\nG18 X10 Z5 I0 K-10\n");
+}
+
+TEST(GcodeWriter, AfterACallNothingIsKnown) {
+    Text ab9("ab9");
+    ab9.to(1, 2, 3, 4);
+    ab9.writer.places()["number"] = "0007";
+    ab9.writer.lines(ab9.post.subprogram->call);
+    ab9.writer.forget();
+    ab9.to(1, 2, 3, 4);
+    EXPECT_EQ(ab9.all(),
+              "N00005 G01 X1.000 Y2.000 Z3.000 B4.000 F1000.000\nN00010 M98P0007\n"
+              "N00015 G01 X1.000 Y2.000 Z3.000 B4.000 F1000.000\n");
+}
+
+TEST(GcodeWriter, ActionsDwellsAndComments) {
+    Text ab9("ab9");
+    ab9.writer.action("waterjet_on");
+    ab9.writer.action("clamp (left) \xc3\xa4;");
+    ab9.writer.dwell(0.25);
+    EXPECT_EQ(ab9.all(), "N00005 M08\n(action: clamp left ?" "?)\nN00010 G04 P0.250\n");
+}
+
+TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
+    Text ab9("ab9");
+    for (int i = 0; i < 20'000; ++i) ab9.writer.dwell(1);
+    const std::string text = ab9.all();
+    EXPECT_NE(text.find("N99995 G04 P1.000\nN00005 G04"), std::string::npos);
+}
+
+TEST(PostFile, TheBuiltInOnesAreThere) {
+    for (const std::string name : {"ab9", "fanuc", "rs274ngc", "grbl"}) {
+        EXPECT_EQ(find_post(name).value().name, name);
+    }
+    EXPECT_FALSE(find_post("grbl").value().subprogram);
+    EXPECT_EQ(
+        find_post("gbrl").error(),
+        "there is no post 'gbrl'; there are ab9, fanuc, rs274ngc, grbl, or name a file that ends in .toml");
+}
+
+TEST(PostFile, ErrorsNameThePlace) {
+    const auto error = [](const std::string& text) { return read_post(text, "p").error(); };
+    EXPECT_EQ(error("name = 1"), "p:1:8: 'name' must be a string, not a number");
+    EXPECT_EQ(error("nmae = \"x\""), "p:1:1: unknown key 'nmae' in the post; did you mean 'name'?");
+    const std::string head = "name = \"x\"\nreads_as = \"ab9\"\n";
+    EXPECT_EQ(error(head + "[numbers]\ndecimals_mm = 2.5"),
+              "p:4:15: 'decimals_mm' must be a whole number from 0 to 6");
+    const std::string numbers =
+        "[numbers]\ndecimals_mm = 3\ndecimals_inch = 4\ndecimals_deg = 3\ndecimals_feed = 3\nzeros = "
+        "\"cut\"\n";
+    EXPECT_EQ(error(head + numbers + "[blocks]\nnumber_step = 0\nnumber_digits = 0\ndwell = \"G4 P{sec}\""),
+              "p:12:9: 'dwell' knows no {sec}; it may hold {seconds}, {milliseconds}");
+    EXPECT_EQ(error("[program]\nbegin = [3]").substr(0, 2), "p:");
+}
+
+}  // namespace
+}  // namespace gsim::codegen
