@@ -1,0 +1,20 @@
+#pragma once
+
+namespace gsim::waterjet {
+
+/// How wide a cut is. Rules of this project with numbers that a shop sets (docs/cutting.md).
+struct KerfRule {
+    double width_to_tube = 0;  ///< Width at the entry, by the mixing tube's diameter; > 0.
+    double taper_mm = 0;       ///< By which each side closes towards the exit at the separation speed; >= 0.
+
+    bool operator==(const KerfRule&) const = default;
+};
+
+/// At the entry, in mm.
+double kerf_mm(const KerfRule& rule, double mixing_tube_mm);
+
+/// At the exit, in mm, never below 0: slower cuts have less taper, in proportion to the speed.
+/// `separation_share` is the speed as a share of the separation speed.
+double exit_kerf_mm(const KerfRule& rule, double kerf_mm, double separation_share);
+
+}  // namespace gsim::waterjet

@@ -1,0 +1,131 @@
+#include "runtime/waterjet/materials_file.h"
+
+#include <cctype>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sample.h"
+
+namespace gsim::waterjet {
+namespace {
+
+using testing::HasSubstr;
+
+// The sample with one piece of text replaced; the piece must be there.
+std::string error_with(std::string_view piece, std::string_view other) {
+    std::string text(built_in_materials_toml());
+    const std::size_t at = text.find(piece);
+    EXPECT_NE(at, std::string::npos) << piece;
+    text.replace(at, piece.size(), other);
+    const auto materials = read_materials(text, "f");
+    return materials ? "" : materials.error();
+}
+
+TEST(MaterialsFile, Sample) {
+    const Materials& materials = sample_materials();
+    EXPECT_EQ(materials.jet.pressure_mpa, 345);
+    EXPECT_FALSE(materials.jet.mixing_tube_mm);
+    EXPECT_EQ(materials.lag.contour_error_mm[4], 0.05);
+    EXPECT_EQ(materials.prices.currency, "EUR");
+    EXPECT_GE(materials.materials.size(), 15U);
+    EXPECT_EQ(find_material(materials, "glass").value()->machinability, 596);
+}
+
+TEST(MaterialsFile, EveryMaterialCanBePlanned) {
+    for (const Material& material : sample_materials().materials)
+        EXPECT_GT(sample_plan(material.name, 10, 3).cutting_speed_mm_min, 0) << material.name;
+}
+
+TEST(MaterialsFile, ErrorsSayWhereWhatAndWhatWouldBeRight) {
+    EXPECT_EQ(error_with("pressure_mpa = 345.0", "presure_mpa = 345.0"),
+              "f:4:1: unknown key 'presure_mpa' in [jet]; did you mean 'pressure_mpa'?");
+    EXPECT_EQ(error_with("orifice_mm = 0.35\n", "\n"), "f:3:1: [jet] lacks the key 'orifice_mm'");
+    EXPECT_EQ(error_with("345.0", "-345.0"), "f:4:16: 'pressure_mpa' must be between 1 and 1000; it is -345");
+    EXPECT_THAT(error_with("345.0", "nan"), HasSubstr("f:4:16: 'pressure_mpa' must be a number"));
+    EXPECT_THAT(error_with("345.0", "\"345\""), HasSubstr("must be a number, not a string"));
+    EXPECT_THAT(error_with("quality = 3", "quality = 6"), HasSubstr("'quality' must be between 1 and 5"));
+    EXPECT_THAT(error_with("orifice_mm = 0.35", "orifice_mm = 0.35\nmixing_tube_mm = 0.3"),
+                HasSubstr("f:6:18: 'mixing_tube_mm' must be greater than 'orifice_mm'"));
+    EXPECT_THAT(error_with("[0.4, 0.25", "[0.25"), HasSubstr("must be 5 numbers"));
+    EXPECT_THAT(error_with("[0.4, 0.25", "[0.4, -0.25"), HasSubstr("must hold numbers between"));
+    EXPECT_THAT(error_with("[kerf]", "[kerb]"), HasSubstr("did you mean 'kerf'?"));
+    EXPECT_THAT(error_with("currency = \"EUR\"", "currency = \"\\u0007\""), HasSubstr("control characters"));
+}
+
+TEST(MaterialsFile, ErrorsOfMaterials) {
+    EXPECT_THAT(error_with("like = \"mild steel\"", "like = \"mild stel\""),
+                HasSubstr("unknown material \"mild stel\"; did you mean \"mild steel\"?"));
+    EXPECT_THAT(error_with("like = \"mild steel\"", "like = \"HY-80 steel\""),
+                HasSubstr("'like' must name a material with a 'machinability'"));
+    EXPECT_THAT(error_with("like = \"mild steel\"", "like = \"mild steel\"\nmachinability = 3.0"),
+                HasSubstr("must have one of 'machinability', 'like' and 'measured'; it has 2"));
+    EXPECT_THAT(error_with("machinability = 213.0\n", ""), HasSubstr("it has 0"));
+    EXPECT_THAT(error_with("name = \"lead\"", "name = \"glass\""), HasSubstr("\"glass\" is given twice"));
+    EXPECT_THAT(error_with("name = \"lead\"", "name = \"\""), HasSubstr("'name' must be 1 to 200 bytes"));
+}
+
+TEST(MaterialsFile, MeasuredCut) {
+    constexpr std::string_view kCut =
+        "measured = { speed_mm_min = 120, thickness_mm = 10, quality = 3, pressure_mpa = 345, "
+        "orifice_mm = 0.35, mixing_tube_mm = 1.05, abrasive_g_min = 370, abrasive_factor = 1 }";
+    EXPECT_EQ(error_with("machinability = 213.0", kCut), "");
+    EXPECT_THAT(error_with("machinability = 213.0", "measured = { speed_mm_min = 120 }"),
+                HasSubstr("'measured' lacks the key 'pressure_mpa'"));
+    EXPECT_THAT(error_with("machinability = 213.0", "measured = 3"), HasSubstr("must be a table"));
+}
+
+TEST(MaterialsFile, NoFile) {
+    EXPECT_FALSE(load_materials("no-such-file.toml"));
+    EXPECT_FALSE(read_materials("", "f"));
+    EXPECT_FALSE(read_materials(std::string_view("\0", 1), "f"));
+}
+
+bool is_located(const std::string& error) {
+    std::size_t at = 2;
+    if (error.substr(0, at) != "f:") return false;
+    for (int numbers = 0; numbers < 2; ++numbers) {
+        const std::size_t start = at;
+        while (at < error.size() && std::isdigit(static_cast<unsigned char>(error[at]))) ++at;
+        if (at == start || at == error.size() || error[at++] != ':') return false;
+    }
+    return error.size() > at + 1 && error.find('\n') == std::string::npos;
+}
+
+// Whatever a file holds, reading it ends with materials that can be planned, or with a sentence that says
+// where.
+TEST(MaterialsFile, Mangled) {
+    std::mt19937 random(5);
+    const auto below = [&](std::size_t end) {
+        return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
+    };
+    for (int i = 0; i < 2000; ++i) {
+        std::string text(built_in_materials_toml());
+        for (std::size_t changes = 1 + below(4); changes > 0 && !text.empty(); --changes) {
+            const std::size_t at = below(text.size());
+            switch (below(4)) {
+                case 0: text.erase(at, 1 + below(20)); break;
+                case 1: text[at] = static_cast<char>(below(256)); break;
+                case 2: text.insert(at, text.substr(below(text.size()), 1 + below(20))); break;
+                default: text.resize(at); break;
+            }
+        }
+        const auto materials = read_materials(text, "f");
+        if (!materials) {
+            EXPECT_TRUE(is_located(materials.error())) << materials.error();
+            continue;
+        }
+        for (const Material& material : materials->materials) {
+            CuttingRequest request;
+            request.material = material.name;
+            request.thickness_mm = 10;
+            EXPECT_TRUE(plan_cutting(*materials, request)) << material.name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gsim::waterjet
