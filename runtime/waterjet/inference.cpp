@@ -5,7 +5,7 @@ namespace gsim::waterjet {
 std::string_view origin_name(Origin origin) {
     switch (origin) {
         case Origin::given: return "given";
-        case Origin::from_file: return "from the file";
+        case Origin::from_file: return "file";
         case Origin::inferred: return "inferred";
     }
     return "";

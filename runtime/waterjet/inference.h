@@ -14,7 +14,7 @@ enum class Origin {
     inferred,   ///< From other values, by a rule.
 };
 
-/// "given", "from the file", "inferred".
+/// "given", "file", "inferred".
 std::string_view origin_name(Origin origin);
 
 /// A value of a plan and where it comes from.

@@ -17,9 +17,13 @@ std::string clock_text(double time_s) {
 }
 
 std::string source_text(const SettledValue& value) {
-    const std::string_view origin = origin_name(value.origin);
-    if (value.basis.empty()) return std::string(origin);
-    return fmt::format("{} {}{}", origin, value.origin == Origin::inferred ? "from " : "- ", value.basis);
+    switch (value.origin) {
+        case Origin::given: return "given";
+        case Origin::from_file:
+            return value.basis.empty() ? "the file" : fmt::format("the file: {}", value.basis);
+        case Origin::inferred: return fmt::format("inferred from {}", value.basis);
+    }
+    return {};
 }
 
 void append_plan(std::string& out, const CuttingPlan& plan) {

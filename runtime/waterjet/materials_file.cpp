@@ -82,6 +82,11 @@ std::string short_text(TomlSection& section, std::string_view key) {
     return text;
 }
 
+void check_tube(TomlSection& section, double mixing_tube_mm, double orifice_mm) {
+    if (mixing_tube_mm <= orifice_mm)
+        section.fail("mixing_tube_mm", "'mixing_tube_mm' must be greater than 'orifice_mm'");
+}
+
 JetRule read_jet(TomlSection& section) {
     JetRule rule;
     rule.pressure_mpa = number(section, range::kPressure);
@@ -93,8 +98,7 @@ JetRule read_jet(TomlSection& section) {
     rule.tube_to_orifice = number(section, kTubeRatio);
     rule.abrasive_to_water = number(section, kAbrasiveRatio);
     rule.quality = number(section, range::kQuality);
-    if (rule.mixing_tube_mm && *rule.mixing_tube_mm <= rule.orifice_mm)
-        section.fail("mixing_tube_mm", "'mixing_tube_mm' must be greater than 'orifice_mm'");
+    if (rule.mixing_tube_mm) check_tube(section, *rule.mixing_tube_mm, rule.orifice_mm);
     return rule;
 }
 
@@ -151,14 +155,20 @@ PriceRule read_prices(TomlSection& section) {
 
 MeasuredCut read_measured(FirstError& error, const toml::table& table) {
     TomlSection section(error, table, "'measured'", kMeasuredKeys);
-    return {.jet = {.pressure_mpa = number(section, range::kPressure),
-                    .orifice_mm = number(section, range::kOrifice),
-                    .mixing_tube_mm = number(section, range::kMixingTube),
-                    .abrasive_g_min = number(section, range::kAbrasive),
-                    .abrasive_factor = number(section, kFactor)},
-            .speed_mm_min = number(section, range::kSpeed),
-            .thickness_mm = number(section, range::kThickness),
-            .quality = number(section, range::kQuality)};
+    MeasuredCut cut{.jet = {.pressure_mpa = number(section, range::kPressure),
+                            .orifice_mm = number(section, range::kOrifice),
+                            .mixing_tube_mm = number(section, range::kMixingTube),
+                            .abrasive_g_min = number(section, range::kAbrasive),
+                            .abrasive_factor = number(section, kFactor)},
+                    .speed_mm_min = number(section, range::kSpeed),
+                    .thickness_mm = number(section, range::kThickness),
+                    .quality = number(section, range::kQuality)};
+    check_tube(section, cut.jet.mixing_tube_mm, cut.jet.orifice_mm);
+    const double machinability =
+        machinability_of_cut(cut.jet, cut.speed_mm_min, cut.thickness_mm, cut.quality);
+    if (const auto fault = range::kMachinability.find_fault(machinability))
+        section.fail("speed_mm_min", fmt::format("such a cut cannot be: {}", *fault));
+    return cut;
 }
 
 Material read_material(FirstError& error, const toml::table& table) {
@@ -167,14 +177,8 @@ Material read_material(FirstError& error, const toml::table& table) {
     material.name = short_text(section, "name");
     material.machinability = optional_number(section, range::kMachinability);
     if (section.has("like")) material.like = short_text(section, "like");
-    if (const toml::table* measured = section.table("measured")) {
+    if (const toml::table* measured = section.table("measured"))
         material.measured = read_measured(error, *measured);
-        const double number =
-            machinability_of_cut(material.measured->jet, material.measured->speed_mm_min,
-                                 material.measured->thickness_mm, material.measured->quality);
-        if (const auto fault = range::kMachinability.find_fault(number))
-            section.fail("measured", fmt::format("the measured cut cannot be: {}", *fault));
-    }
     if (section.has("source")) material.source = short_text(section, "source");
     const int ways = static_cast<int>(section.has("machinability")) + static_cast<int>(section.has("like")) +
                      static_cast<int>(section.has("measured"));

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/waterjet/cutting_speed.h"
+
 namespace gsim::waterjet {
 
 /// What a value may be. The ranges are far wider than what is used in practice; they keep the sums finite.
@@ -27,7 +29,7 @@ inline constexpr ValueRange kPressure{"pressure_mpa", 1, 1000};
 inline constexpr ValueRange kOrifice{"orifice_mm", 0.01, 10};
 inline constexpr ValueRange kMixingTube{"mixing_tube_mm", 0.01, 100};
 inline constexpr ValueRange kAbrasive{"abrasive_g_min", 0.01, 1e5};
-inline constexpr ValueRange kQuality{"quality", 1, 5};
+inline constexpr ValueRange kQuality{"quality", kSeparationQuality, kFinestQuality};
 inline constexpr ValueRange kThickness{"thickness_mm", 1e-3, 1e4};
 inline constexpr ValueRange kMachinability{"machinability", 1e-3, 1e6};
 inline constexpr ValueRange kSpeed{"speed_mm_min", 1e-3, 1e6};

@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -75,7 +76,22 @@ TEST(MaterialsFile, MeasuredCut) {
     EXPECT_EQ(error_with("machinability = 213.0", kCut), "");
     EXPECT_THAT(error_with("machinability = 213.0", "measured = { speed_mm_min = 120 }"),
                 HasSubstr("'measured' lacks the key 'pressure_mpa'"));
+    std::string other(kCut);
+    other.replace(other.find("345"), 3, "1");
+    other.replace(other.find("120"), 3, "1e6");
+    EXPECT_THAT(error_with("machinability = 213.0", other),
+                HasSubstr("such a cut cannot be: 'machinability'"));
     EXPECT_THAT(error_with("machinability = 213.0", "measured = 3"), HasSubstr("must be a table"));
+}
+
+TEST(MaterialsFile, MeasuredCutAsATableOfItsOwn) {
+    const std::string text = fmt::format(
+        "{}\n[[material]]\nname = \"our bronze\"\n[material.measured]\nspeed_mm_min = 120\n"
+        "thickness_mm = 10\nquality = 3\npressure_mpa = 345\norifice_mm = 0.35\nmixing_tube_mm = 1.05\n"
+        "abrasive_g_min = 370\nabrasive_factor = 1\n",
+        built_in_materials_toml());
+    const Materials materials = read_materials(text, "f").value();
+    EXPECT_EQ(materials.materials.back().measured, (MeasuredCut{{345, 0.35, 1.05, 370, 1}, 120, 10, 3}));
 }
 
 TEST(MaterialsFile, NoFile) {
