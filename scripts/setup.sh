@@ -6,7 +6,7 @@ set -euo pipefail
 declare -A packages=(
     [build]="g++ cmake make bison flex pkg-config liblua5.4-dev lua5.4 libeigen3-dev libfmt-dev libcli11-dev
              nlohmann-json3-dev libtomlplusplus-dev libexpected-dev libfcl-dev libgtest-dev libgmock-dev liborocos-kdl-dev
-             gnuplot-nox"
+             libpugixml-dev libpolyclipping-dev gnuplot-nox"
     [lint]="clang-format clang-tidy"
     [fuzz]="clang libclang-rt-14-dev llvm"
 )

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cutting/cut_rules.h"
+#include "cutting/lead.h"
+#include "runtime/path/path.h"
+
+namespace gsim::cutting {
+
+/// Where the tool goes besides the contours. The material's upper side is z = 0.
+struct ToolHeights {
+    double safe_mm = 25;  ///< Of ways between cuts.
+    double cut_mm = 3;    ///< Of the nozzle's tip while the jet is on.
+};
+
+struct ProgramOptions {
+    std::string name;
+    ToolHeights heights;
+    /// How far the jet leans while it cuts, in deg; above 0 the part is smaller at its lower side. The tool
+    /// stands upright where it is 0.
+    double bevel_deg = 0;
+    double turn_feed_deg_min = 3600;  ///< Of the lean's turn in corners.
+};
+
+/// The program that makes the cuts in that order, a path for each: rapid to its pierce at the safe height,
+/// down, jet and abrasive on, pierce time, lead-in, contour, lead-out, off, up.
+path::Program cut_program(const std::vector<Cut>& cuts, std::span<const std::size_t> order,
+                          const CutRules& rules, const ProgramOptions& options);
+
+}  // namespace gsim::cutting

@@ -1,0 +1,169 @@
+#include "cutting/lead.h"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/box_tree.h"
+#include "geometry/meet.h"
+
+namespace gsim::cutting {
+
+using geometry::Box;
+using geometry::Contour;
+using geometry::Edge;
+using geometry::Point;
+
+namespace {
+
+constexpr std::size_t kPlaces = 8;  // in which a lead is tried
+constexpr int kSizes = 6;           // each half of the one before
+constexpr double kLeastRadius_mm = 0.05;
+constexpr double kNear_mm = 1e-4;
+
+struct Item {
+    std::uint32_t contour, edge;
+};
+
+// The edges of many contours.
+class EdgeIndex {
+  public:
+    void add(const Contour& contour) {
+        for (std::size_t e = 0; e < contour.edges(); ++e) {
+            edges_.push_back(contour.edge(e));
+            boxes_.push_back(box_of(edges_.back()));
+        }
+    }
+    void build() { tree_ = geometry::BoxTree(boxes_); }
+
+    bool is_near(Point point, double distance) const {
+        bool near = false;
+        tree_.visit(Box{point, point}.grown(distance), [&](std::size_t i) {
+            near = distance_mm(edges_[i], point) < distance;
+            return !near;
+        });
+        return near;
+    }
+
+    // Whether an edge is met anywhere but around one point, further off than `around_mm`.
+    bool is_met(const Edge& edge, Point but_for, double around_mm) const {
+        bool met = false;
+        tree_.visit(box_of(edge), [&](std::size_t i) {
+            for (const Point& point : geometry::meets(edge, edges_[i])) {
+                met = met || distance(point, but_for) > around_mm;
+            }
+            return !met;
+        });
+        return met;
+    }
+
+  private:
+    std::vector<Edge> edges_;
+    std::vector<Box> boxes_;
+    geometry::BoxTree tree_;
+};
+
+struct Place {
+    std::size_t edge = 0;
+    double share = 0;
+};
+
+struct Leads {
+    Edge in, out;
+};
+
+// Quarter circles to the right of the way, where the waste is.
+Leads leads_at(Point entry, Point along, double radius) {
+    static const double kQuarter = std::tan(std::numbers::pi / 8);
+    const Point center = entry + radius * right_of(along);
+    return {{center - radius * along, entry, -kQuarter}, {entry, center + radius * along, -kQuarter}};
+}
+
+// The middles and quarters of the longest edges: far from corners there is the most room.
+std::vector<Place> places_on(const Contour& loop) {
+    constexpr std::size_t kLongest = (kPlaces + 2) / 3;
+    std::vector<std::size_t> edges(loop.edges());
+    std::vector<double> lengths(loop.edges());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        edges[i] = i;
+        lengths[i] = length_mm(loop.edge(i));
+    }
+    const std::size_t count = std::min(kLongest, edges.size());
+    std::partial_sort(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(count), edges.end(),
+                      [&](std::size_t a, std::size_t b) {
+                          return lengths[a] != lengths[b] ? lengths[a] > lengths[b] : a < b;
+                      });
+    std::vector<Place> places;
+    places.reserve(3 * count);
+    for (const double share : {0.5, 0.25, 0.75}) {
+        for (std::size_t i = 0; i < count; ++i) places.push_back({edges[i], share});
+    }
+    return places;
+}
+
+// The same loop from a place within an edge on.
+Contour from_place(const Contour& loop, Place place) {
+    Contour result;
+    result.closed = true;
+    result.vertices.reserve(loop.vertices.size() + 1);
+    const Edge edge = loop.edge(place.edge);
+    const Edge second = part_of(edge, place.share, 1);
+    const std::uint32_t source = loop.vertices[place.edge].source;
+    result.vertices.push_back({second.start, second.bulge, source});
+    for (std::size_t i = 1; i <= loop.vertices.size(); ++i) {
+        result.vertices.push_back(loop.vertices[(place.edge + i) % loop.vertices.size()]);
+    }
+    result.vertices.back().bulge = part_of(edge, 0, place.share).bulge;
+    return result;
+}
+
+class LeadFinder {
+  public:
+    LeadFinder(const Layout& layout, double kerf_mm) : clear_mm_(kerf_mm / 2 - kNear_mm) {
+        for (const Outline& outline : layout.outlines) parts_.add(outline.contour);
+        for (const Loop& loop : layout.loops) loops_.add(loop.contour);
+        parts_.build();
+        loops_.build();
+    }
+
+    Cut find(const Loop& loop, double radius_mm) const {
+        const std::vector<Place> places = places_on(loop.contour);
+        double radius = radius_mm;
+        for (int size = 0; size < kSizes && radius >= kLeastRadius_mm; ++size, radius /= 2) {
+            for (const Place& place : places) {
+                const Edge edge = loop.contour.edge(place.edge);
+                const Point entry = point_at(edge, place.share);
+                const Leads leads = leads_at(entry, end_tangent(part_of(edge, 0, place.share)), radius);
+                if (!is_clear(leads.in, entry, radius) || !is_clear(leads.out, entry, radius)) continue;
+                if (loops_.is_near(leads.in.start, radius / 2))
+                    continue;  // the pierce is wider than the kerf
+                return {from_place(loop.contour, place), leads.in, leads.out, loop.outline};
+            }
+        }
+        return {from_place(loop.contour, places.front()), {}, {}, loop.outline};
+    }
+
+  private:
+    bool is_clear(const Edge& lead, Point entry, double radius) const {
+        for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            if (parts_.is_near(point_at(lead, share), clear_mm_)) return false;
+        }
+        if (parts_.is_met(lead, entry, 0)) return false;
+        // Where the lead touches the loop rounding may find other points that they have in common.
+        return !loops_.is_met(lead, entry, std::max(1e-3, 0.02 * radius));
+    }
+
+    double clear_mm_;
+    EdgeIndex parts_, loops_;
+};
+
+}  // namespace
+
+std::vector<Cut> add_leads(const Layout& layout, double kerf_mm, double radius_mm) {
+    const LeadFinder finder(layout, kerf_mm);
+    std::vector<Cut> cuts;
+    cuts.reserve(layout.loops.size());
+    for (const Loop& loop : layout.loops) cuts.push_back(finder.find(loop, radius_mm));
+    return cuts;
+}
+
+}  // namespace gsim::cutting

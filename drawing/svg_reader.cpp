@@ -1,0 +1,257 @@
+#include "drawing/svg_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include "drawing/pen.h"
+#include "drawing/svg_shapes.h"
+#include "drawing/svg_values.h"
+
+namespace gsim::drawing {
+
+using geometry::Point;
+
+namespace {
+
+constexpr int kMaxDepth = 100;
+constexpr std::size_t kMaxElements = 1'000'000;  // counted as often as they are used
+
+// Thrown inside of this file alone.
+struct Fault {
+    std::string sentence;
+};
+
+struct ViewBox {
+    Point low, size;
+};
+
+std::string_view local_name(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    return name.starts_with("svg:") ? name.substr(4) : name;
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The value of a property, given as an attribute or within style.
+std::string_view property(const pugi::xml_node& node, std::string_view name) {
+    std::string_view style = node.attribute("style").value();
+    while (!style.empty()) {
+        const std::string_view entry = style.substr(0, style.find(';'));
+        style.remove_prefix(std::min(entry.size() + 1, style.size()));
+        const std::size_t colon = entry.find(':');
+        if (colon == std::string_view::npos) continue;
+        const auto trimmed = [](std::string_view text) {
+            const std::size_t first = text.find_first_not_of(" \t\n");
+            return first == std::string_view::npos
+                       ? std::string_view{}
+                       : text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+        };
+        if (trimmed(entry.substr(0, colon)) == name) return trimmed(entry.substr(colon + 1));
+    }
+    return node.attribute(std::string(name).c_str()).value();
+}
+
+class SvgReader {
+  public:
+    SvgReader(std::string_view text, const ReadOptions& options)
+        : text_(text), options_(options), pen_(drawing_.pieces, options.tolerance_mm) {}
+
+    Drawing run() {
+        const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
+        if (!parsed)
+            throw Fault{fmt::format("line {}: this is no sound XML: {}", line_at(parsed.offset),
+                                    parsed.description())};
+        const pugi::xml_node root = document_.document_element();
+        if (local_name(root) != "svg") {
+            throw Fault{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
+        }
+        collect_ids();
+        read_children(root, page(root), 0);
+        for (const auto& [name, count] : left_out_) {
+            drawing_.notes.push_back(fmt::format("not cut: {} {}", count, name));
+        }
+        return std::move(drawing_);
+    }
+
+  private:
+    std::size_t line_at(std::ptrdiff_t offset) const {
+        const auto end = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset));
+        // Elements come in their order: no line is counted twice.
+        if (end < counted_to_) counted_to_ = counted_lines_ = 0;
+        const std::string_view part = text_.substr(0, end).substr(std::min(counted_to_, end));
+        counted_lines_ += static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n'));
+        counted_to_ = std::min(end, text_.size());
+        return counted_lines_ + 1;
+    }
+
+    [[noreturn]] void fail(const pugi::xml_node& node, const std::string& sentence) const {
+        const std::string_view id = node.attribute("id").value();
+        throw Fault{fmt::format("line {}: {}{}{} {}", line_at(node.offset_debug()), node.name(),
+                                id.empty() ? "" : " ", id, sentence)};
+    }
+
+    void collect_ids() {
+        struct Walker : pugi::xml_tree_walker {
+            std::map<std::string, pugi::xml_node, std::less<>>& ids;
+            explicit Walker(std::map<std::string, pugi::xml_node, std::less<>>& to) : ids(to) {}
+            bool for_each(pugi::xml_node& node) override {
+                if (const pugi::xml_attribute id = node.attribute("id")) ids.emplace(id.value(), node);
+                return true;
+            }
+        };
+        Walker walker(ids_);
+        document_.traverse(walker);
+    }
+
+    std::optional<ViewBox> view_box(const pugi::xml_node& node) const {
+        const pugi::xml_attribute attribute = node.attribute("viewBox");
+        if (!attribute) return {};
+        SvgScanner scanner(attribute.value());
+        std::array<double, 4> values{};
+        for (double& value : values) {
+            const std::optional<double> number = scanner.number();
+            if (!number)
+                fail(node, fmt::format("has viewBox=\"{}\"; it takes four numbers", attribute.value()));
+            value = *number;
+        }
+        if (!(values[2] > 0 && values[3] > 0)) fail(node, "has a viewBox without a size");
+        return ViewBox{{values[0], values[1]}, {values[2], values[3]}};
+    }
+
+    // From the units of the outermost element to mm, y upwards.
+    Affine page(const pugi::xml_node& root) const {
+        const std::optional<ViewBox> box = view_box(root);
+        const double unit = options_.unit_mm > 0 ? options_.unit_mm : kMmPerPx;
+        const std::optional<double> width = svg_length_px(root.attribute("width").value());
+        const std::optional<double> height = svg_length_px(root.attribute("height").value());
+        if (!box) return Affine{{unit, 0}, {0, -unit}, {0, height.value_or(0) * unit}};
+        Affine map = moved(-1.0 * box->low);
+        Point scale{unit, unit};
+        if (options_.unit_mm <= 0 && (width || height)) {
+            const double x = width.value_or(HUGE_VAL) / box->size.x;
+            const double y = height.value_or(HUGE_VAL) / box->size.y;
+            scale = kMmPerPx * fitted(root, std::min(x, width ? x : y), std::min(y, height ? y : x));
+        }
+        if (!(scale.x > 0 && scale.y > 0)) fail(root, "has a page without a size");
+        return moved({0, box->size.y * scale.y}) * scaled(scale.x, -scale.y) * map;
+    }
+
+    // A drawing keeps its shape on a page of another shape unless it says otherwise.
+    static Point fitted(const pugi::xml_node& node, double x, double y) {
+        const std::string_view how = node.attribute("preserveAspectRatio").value();
+        if (how.starts_with("none")) return {x, y};
+        const double both = std::min(x, y);
+        return {both, both};
+    }
+
+    void read_children(const pugi::xml_node& node, const Affine& map, int depth) {
+        if (depth > kMaxDepth) fail(node, fmt::format("is nested deeper than {} elements", kMaxDepth));
+        for (const pugi::xml_node& child : node.children()) {
+            if (child.type() == pugi::node_element) read_node(child, map, depth);
+        }
+    }
+
+    void read_node(const pugi::xml_node& node, const Affine& map, int depth) {
+        if (++elements_ > kMaxElements)
+            fail(node, fmt::format("is one too many: more than {} elements", kMaxElements));
+        const std::string_view name = local_name(node);
+        const std::string_view visibility = property(node, "visibility");
+        if (property(node, "display") == "none" || visibility == "hidden" || visibility == "collapse") return;
+        const Affine own = map * own_transform(node);
+        if (is_one_of(name, {"g", "a", "switch"})) {
+            read_children(node, own, depth + 1);
+        } else if (name == "svg") {
+            read_inner(node, own * moved({length(node, "x"), length(node, "y")}), depth);
+        } else if (name == "use") {
+            read_use(node, own, depth);
+        } else if (is_svg_shape(name)) {
+            draw(node, own);
+        } else if (is_one_of(name, {"text", "image", "flowRoot", "foreignObject"})) {
+            ++left_out_[std::string(name)];
+        }
+    }
+
+    Affine own_transform(const pugi::xml_node& node) const {
+        const pugi::xml_attribute attribute = node.attribute("transform");
+        if (!attribute) return {};
+        const std::optional<Affine> map = svg_transform(attribute.value());
+        if (!map)
+            fail(node, fmt::format("has transform=\"{:.60}\", which cannot be read", attribute.value()));
+        return *map;
+    }
+
+    double length(const pugi::xml_node& node, const char* name) const {
+        const std::optional<double> value = length_attribute_px(node, name, 0);
+        if (!value)
+            fail(node,
+                 fmt::format("has {}=\"{:.60}\", which is no length", name, node.attribute(name).value()));
+        return *value;
+    }
+
+    // An svg or symbol within the drawing.
+    void read_inner(const pugi::xml_node& node, const Affine& map, int depth) {
+        const std::optional<ViewBox> box = view_box(node);
+        if (!box) return read_children(node, map, depth + 1);
+        const double width = node.attribute("width") ? length(node, "width") : box->size.x;
+        const double height = node.attribute("height") ? length(node, "height") : box->size.y;
+        const Point scale = fitted(node, width / box->size.x, height / box->size.y);
+        const Point spare{(width - scale.x * box->size.x) / 2, (height - scale.y * box->size.y) / 2};
+        read_children(node, map * moved(spare) * scaled(scale.x, scale.y) * moved(-1.0 * box->low),
+                      depth + 1);
+    }
+
+    void read_use(const pugi::xml_node& node, const Affine& map, int depth) {
+        if (depth > kMaxDepth) fail(node, fmt::format("is nested deeper than {} elements", kMaxDepth));
+        std::string_view target = node.attribute("href").value();
+        if (target.empty()) target = node.attribute("xlink:href").value();
+        const auto found = target.starts_with('#') ? ids_.find(target.substr(1)) : ids_.end();
+        if (found == ids_.end()) fail(node, fmt::format("uses '{:.60}', which is not in the file", target));
+        const Affine there = map * moved({length(node, "x"), length(node, "y")});
+        if (local_name(found->second) == "symbol") return read_inner(found->second, there, depth + 1);
+        read_node_used(found->second, there, depth + 1);
+    }
+
+    void read_node_used(const pugi::xml_node& node, const Affine& map, int depth) {
+        if (depth > kMaxDepth) fail(node, fmt::format("is nested deeper than {} elements", kMaxDepth));
+        read_node(node, map, depth);
+    }
+
+    void draw(const pugi::xml_node& node, const Affine& map) {
+        drawing_.entities.push_back(
+            {std::string(local_name(node)), node.attribute("id").value(), line_at(node.offset_debug())});
+        pen_.take(map, static_cast<std::uint32_t>(drawing_.entities.size() - 1));
+        const std::size_t before = drawing_.pieces.size();
+        if (const auto fault = draw_svg_shape(node, pen_)) fail(node, *fault);
+        if (drawing_.pieces.size() == before) fail(node, "has no length");
+    }
+
+    std::string_view text_;
+    const ReadOptions& options_;
+    Drawing drawing_;
+    Pen pen_;
+    pugi::xml_document document_;
+    std::map<std::string, pugi::xml_node, std::less<>> ids_;
+    std::map<std::string, std::size_t> left_out_;
+    std::size_t elements_ = 0;
+    mutable std::size_t counted_to_ = 0;
+    mutable std::size_t counted_lines_ = 0;
+};
+
+}  // namespace
+
+tl::expected<Drawing, std::string> read_svg(std::string_view text, const ReadOptions& options) {
+    try {
+        return SvgReader(text, options).run();
+    } catch (const Fault& fault) {
+        return tl::unexpected(fault.sentence);
+    }
+}
+
+}  // namespace gsim::drawing

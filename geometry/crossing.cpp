@@ -1,0 +1,92 @@
+#include "geometry/crossing.h"
+
+#include "geometry/box_tree.h"
+#include "geometry/meet.h"
+
+namespace gsim::geometry {
+
+namespace {
+
+struct Item {
+    std::uint32_t contour, edge;
+};
+
+class CrossingSearch {
+  public:
+    CrossingSearch(std::span<const Contour> contours, double tolerance_mm,
+                   std::span<const std::size_t> groups)
+        : contours_(contours), tolerance_mm_(tolerance_mm), groups_(groups) {
+        std::size_t count = 0;
+        for (const Contour& contour : contours) count += contour.edges();
+        items_.reserve(count);
+        boxes_.reserve(count);
+        for (std::size_t c = 0; c < contours.size(); ++c) {
+            for (std::size_t e = 0; e < contours[c].edges(); ++e) {
+                items_.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
+                boxes_.push_back(box_of(contours[c].edge(e)));
+            }
+        }
+        tree_ = BoxTree(boxes_);
+    }
+
+    std::optional<Crossing> run() const {
+        std::optional<Crossing> found;
+        for (std::size_t i = 0; i < items_.size() && !found; ++i) {
+            tree_.visit(boxes_[i].grown(kSamePoint_mm), [&](std::size_t j) {
+                if (j > i) found = between(items_[i], items_[j]);
+                return !found;
+            });
+        }
+        return found;
+    }
+
+  private:
+    std::optional<Crossing> between(Item a, Item b) const {
+        if (!groups_.empty() && groups_[a.contour] == groups_[b.contour]) return {};
+        const Edge edge_a = edge(a);
+        const Edge edge_b = edge(b);
+        for (const Point& place : meets(edge_a, edge_b)) {
+            if (!belongs(a, b, edge_a, edge_b, place)) {
+                return Crossing{place, a.contour, a.edge, b.contour, b.edge};
+            }
+        }
+        return {};
+    }
+
+    Edge edge(Item item) const { return contours_[item.contour].edge(item.edge); }
+
+    // Whether neighbours may meet there.
+    bool belongs(Item a, Item b, const Edge& edge_a, const Edge& edge_b, Point place) const {
+        if (a.contour != b.contour) return false;
+        const Contour& contour = contours_[a.contour];
+        return (contour.next(a.edge) == b.edge && at_corner(edge_a, edge_b, place)) ||
+               (contour.next(b.edge) == a.edge && at_corner(edge_b, edge_a, place));
+    }
+
+    bool at_corner(const Edge& before, const Edge& after, Point place) const {
+        if (distance(place, after.start) <= 10 * kSamePoint_mm) return true;
+        if (dot(end_tangent(before), start_tangent(after)) < 0) return false;
+        const Point between = point_at(after, share_at(after, place) / 2);
+        return distance_mm(before, between) <= tolerance_mm_;
+    }
+
+    std::span<const Contour> contours_;
+    double tolerance_mm_;
+    std::span<const std::size_t> groups_;  // of the contours; empty: all are compared
+    std::vector<Item> items_;
+    std::vector<Box> boxes_;
+    BoxTree tree_;
+};
+
+}  // namespace
+
+std::optional<Crossing> find_crossing(std::span<const Contour> contours, double tolerance_mm) {
+    return CrossingSearch(contours, tolerance_mm, {}).run();
+}
+
+std::optional<Crossing> find_crossing_between(std::span<const Contour> contours,
+                                              std::span<const std::size_t> groups) {
+    return CrossingSearch(contours, 0, groups).run();
+}
+
+}  // namespace gsim::geometry

@@ -1,0 +1,109 @@
+#include "cutting/autopath.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/nesting.h"
+#include "runtime/path/validate.h"
+#include "tests/cutting/cut_path.h"
+#include "tests/geometry/shapes.h"
+
+namespace gsim::cutting {
+
+namespace {
+
+using geometry::Contour;
+using geometry::Point;
+
+CutRules rules() {
+    CutRules rules;
+    rules.kerf_mm = 0.8;
+    rules.speed_mm_min = 300;
+    rules.pierce_s = 2;
+    return rules;
+}
+
+Autopath path_of(const std::vector<Contour>& contours, const AutopathOptions& options = {}) {
+    auto result = autopath(drawing_of(contours), rules(), options);
+    EXPECT_TRUE(result) << result.error();
+    return result ? *result : Autopath{};
+}
+
+TEST(Autopath, ACircleIsCutWithItsLeads) {
+    AutopathOptions options;
+    options.lead_mm = 2;
+    const Autopath result = path_of({geometry::circle({50, 50}, 10)}, options);
+    EXPECT_EQ(result.summary.pierces, 1U);
+    constexpr double kPi = std::numbers::pi;
+    EXPECT_NEAR(result.summary.cut_mm, 2 * kPi * 10.4 + 2 * kPi, 1e-6);
+    EXPECT_NEAR(result.summary.cut_s, result.summary.cut_mm / 300 * 60, 1e-6);
+    const std::vector<JetWay> ways = jet_ways(result.program);
+    ASSERT_EQ(ways.size(), 1U);
+    EXPECT_NEAR(length_mm(ways[0].way), result.summary.cut_mm, 1e-6);
+    EXPECT_GT(distance(ways[0].pierce, {50, 50}), 10.4);
+}
+
+// Plates with holes, anything in any place: the jet's way is never nearer to a contour than half of the kerf.
+TEST(Autopath, TheJetSparesAllParts) {
+    std::mt19937 random(61);
+    for (int i = 0; i < 10; ++i) {
+        std::vector<Contour> contours = {geometry::rectangle({-60, -60}, {60, 60})};
+        for (const Point at : {Point{-30, -30}, Point{30, -30}, Point{-30, 30}, Point{30, 30}}) {
+            Contour hole = geometry::star(random, 12, 8, 25, 0.5);
+            for (geometry::Vertex& vertex : hole.vertices) vertex.position = at + vertex.position;
+            contours.push_back(hole);
+        }
+        const auto result = autopath(drawing_of(contours), rules(), {});
+        if (!result) continue;  // a random hole came too near to another one
+        EXPECT_FALSE(path::validate(result->program));
+        for (const JetWay& way : jet_ways(result->program)) {
+            for (const Point& point : geometry::flattened(way.way, 0.01)) {
+                for (const Contour& contour : contours) {
+                    for (std::size_t e = 0; e < contour.edges(); ++e) {
+                        ASSERT_GE(distance_mm(contour.edge(e), point), 0.4 - 0.001);
+                    }
+                }
+                // In waste: outside of the plate or within a hole.
+                std::size_t around = 0;
+                for (const Contour& contour : contours) around += inside(contour, point) ? 1 : 0;
+                ASSERT_EQ(around % 2, 0U);
+            }
+        }
+    }
+}
+
+TEST(Autopath, HolesComeBeforeTheirPart) {
+    const Autopath result = path_of({geometry::rectangle({0, 0}, {100, 50}), geometry::circle({20, 25}, 8),
+                                     geometry::circle({80, 25}, 8)});
+    const std::vector<JetWay> ways = jet_ways(result.program);
+    ASSERT_EQ(ways.size(), 3U);
+    EXPECT_GT(length_mm(ways[2].way), 300);
+}
+
+TEST(Autopath, ABevelLeansOverTheWaste) {
+    AutopathOptions options;
+    options.program.bevel_deg = 30;
+    const Autopath result = path_of({geometry::rectangle({0, 0}, {40, 30})}, options);
+    EXPECT_FALSE(path::validate(result.program));
+    double highest = 0;
+    for (const path::Target& target : result.program.paths[1].targets) {
+        const auto& point = std::get<path::Point>(target);
+        if (!point.orientation) continue;
+        const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
+        EXPECT_NEAR(axis[2], std::cos(std::numbers::pi / 6), 1e-9);
+        EXPECT_NEAR(std::hypot(axis[0], axis[1]), 0.5, 1e-9);
+        // Behind the upper edge of the rectangle the waste is above.
+        if (std::abs(point.position_mm[1] - 30.4) < 1e-6 && std::abs(axis[0]) < 1e-6) highest = axis[1];
+    }
+    EXPECT_NEAR(highest, 0.5, 1e-9);
+}
+
+TEST(Autopath, AHoleWithoutRoomForAPierceHasNoLead) {
+    const Autopath result =
+        path_of({geometry::rectangle({0, 0}, {40, 30}), geometry::circle({20, 15}, 0.42)});
+    EXPECT_EQ(result.summary.without_leads, 1U);
+    EXPECT_EQ(result.notes.size(), 1U);
+}
+
+}  // namespace
+
+}  // namespace gsim::cutting
