@@ -1,15 +1,23 @@
 #include "apps/path_input.h"
 
 #include <cstdio>
+#include <filesystem>
 
+#include "runtime/machine/text_file.h"
 #include "runtime/path/json_reader.h"
+#include "runtime/script/path_script.h"
 
 namespace gsim::apps {
 
 tl::expected<path::PathFile, std::string> read_path(const std::string& name) {
-    if (name != "-") return path::load_json(name);
-    return path::read_json([](char* buffer, std::size_t size) { return std::fread(buffer, 1, size, stdin); },
-                           "stdin");
+    if (name == "-") {
+        return path::read_json(
+            [](char* buffer, std::size_t size) { return std::fread(buffer, 1, size, stdin); }, "stdin");
+    }
+    if (std::filesystem::path(name).extension() != ".lua") return path::load_json(name);
+    const auto text = machine::read_text_file(name);
+    if (!text) return tl::unexpected(text.error());
+    return script::run_path_script(*text, name);
 }
 
 }  // namespace gsim::apps

@@ -1,0 +1,255 @@
+#include "runtime/script/path_script.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "runtime/path/target_draft.h"
+#include "runtime/path/validate.h"
+#include "runtime/script/sandbox.h"
+
+namespace gsim::script {
+
+namespace {
+
+using path::PathFile;
+using path::Place;
+using path::Target;
+using path::TargetDraft;
+using path::TargetKey;
+
+/// What the constructors hand to the script; no script can make one itself.
+struct Handle {
+    enum class Kind { point, path, repeated } kind = Kind::point;
+    std::size_t index = 0;  ///< In Builder::points, or of the path.
+    int repeats = 1;
+};
+
+/// What the script has made so far.
+struct Builder {
+    struct MadePoint {
+        path::Point point;
+        Place place;
+    };
+    PathFile file;
+    std::vector<MadePoint> points;
+};
+
+void push(lua_State* state, const Handle& handle) {
+    *static_cast<Handle*>(lua_newuserdatauv(state, sizeof(Handle), 0)) = handle;
+}
+
+/// Null where the value is something else.
+const Handle* handle_at(lua_State* state, int index) {
+    if (lua_type(state, index) != LUA_TUSERDATA || lua_rawlen(state, index) != sizeof(Handle)) return nullptr;
+    return static_cast<const Handle*>(lua_touserdata(state, index));
+}
+
+Place calling_place(lua_State* state) {
+    lua_Debug caller{};
+    if (lua_getstack(state, 1, &caller) == 0 || lua_getinfo(state, "l", &caller) == 0) return {};
+    return {static_cast<std::uint32_t>(std::max(1, caller.currentline)), 0};
+}
+
+[[noreturn]] void raise(lua_State* state, const std::string& sentence) {
+    luaL_where(state, 1);
+    lua_pushlstring(state, sentence.data(), sentence.size());
+    lua_concat(state, 2);
+    lua_error(state);
+    std::abort();  // lua_error does not return
+}
+
+// Errors of Lua pass as exceptions, so that destructors run.
+void check(lua_State* state, const tl::expected<void, std::string>& done) {
+    if (!done) raise(state, done.error());
+}
+
+std::string_view text_at(lua_State* state, int index) {
+    std::size_t size = 0;
+    const char* text = lua_tolstring(state, index, &size);
+    return {text, size};
+}
+
+std::vector<double> numbers_at(lua_State* state, int table, std::string_view key) {
+    std::vector<double> numbers;
+    if (lua_istable(state, table)) {
+        const lua_Unsigned count = std::min<lua_Unsigned>(lua_rawlen(state, table), 4);
+        for (lua_Unsigned i = 1; i <= count; ++i) {
+            if (lua_rawgeti(state, table, static_cast<lua_Integer>(i)) == LUA_TNUMBER) {
+                numbers.push_back(lua_tonumber(state, -1));
+            }
+            lua_pop(state, 1);
+        }
+    }
+    if (numbers.size() != 3) raise(state, fmt::format("'{}' must be a table of three numbers", key));
+    return numbers;
+}
+
+void read_letters(lua_State* state, TargetDraft& draft, int table) {
+    if (!lua_istable(state, table)) raise(state, "'rotary_deg' must be a table such as {B = 90}");
+    draft.begin_rotary();
+    for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) != LUA_TSTRING || lua_type(state, -1) != LUA_TNUMBER) {
+            raise(state, "'rotary_deg' must be a table such as {B = 90}");
+        }
+        check(state, draft.set_rotary(text_at(state, -2), lua_tonumber(state, -1)));
+    }
+}
+
+void read_actions(lua_State* state, TargetDraft& draft, int table) {
+    if (!lua_istable(state, table)) raise(state, "'actions' must be a table of strings");
+    const auto count = static_cast<lua_Integer>(lua_rawlen(state, table));
+    for (lua_Integer i = 1; i <= count; ++i) {
+        if (lua_rawgeti(state, table, i) != LUA_TSTRING) raise(state, "'actions' must be a table of strings");
+        draft.add_action(std::string(text_at(state, -1)));
+        lua_pop(state, 1);
+    }
+}
+
+// The value is on top of the stack.
+void read_value(lua_State* state, TargetDraft& draft, TargetKey key) {
+    const int value = lua_gettop(state);
+    const std::string_view name = path::name_of(key);
+    switch (TargetDraft::kind_of(key)) {
+        case TargetDraft::ValueKind::text:
+            if (lua_type(state, value) != LUA_TSTRING)
+                raise(state, fmt::format("'{}' must be a string", name));
+            return check(state, draft.set_text(key, text_at(state, value)));
+        case TargetDraft::ValueKind::number:
+            if (lua_type(state, value) != LUA_TNUMBER)
+                raise(state, fmt::format("'{}' must be a number", name));
+            return check(state, draft.set_number(key, lua_tonumber(state, value)));
+        case TargetDraft::ValueKind::vector:
+            return check(state, draft.set_vector(key, numbers_at(state, value, name)));
+        case TargetDraft::ValueKind::letters: return read_letters(state, draft, value);
+        case TargetDraft::ValueKind::list: return read_actions(state, draft, value);
+    }
+}
+
+/// point{position_mm = {..}, ..}
+int make_point(lua_State* state) {
+    auto& builder = bound<Builder>(state);
+    luaL_checktype(state, 1, LUA_TTABLE);
+    constexpr auto kPointKeys = std::span(path::kTargetKeys).first(static_cast<std::size_t>(TargetKey::path));
+    TargetDraft draft;
+    for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
+        const std::string_view name =
+            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view("[..]");
+        const auto found = std::find(kPointKeys.begin(), kPointKeys.end(), name);
+        if (found == kPointKeys.end()) raise(state, path::unknown_key(name, "a point", kPointKeys));
+        const auto key = static_cast<TargetKey>(found - kPointKeys.begin());
+        draft.mark(key);
+        read_value(state, draft, key);
+    }
+    tl::expected<Target, std::string> target = draft.finish();
+    if (!target) raise(state, target.error());
+    builder.points.push_back({std::get<path::Point>(std::move(*target)), calling_place(state)});
+    push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
+    return 1;
+}
+
+/// repeated(n, path)
+int make_repeated(lua_State* state) {
+    const Handle* handle = handle_at(state, 2);
+    if (handle == nullptr || handle->kind != Handle::Kind::path) {
+        raise(state, "repeated(n, p) takes a number and what path{..} made");
+    }
+    constexpr lua_Integer kMost = 1'000'000'000;
+    const lua_Integer count = luaL_checkinteger(state, 1);
+    if (count < 1 || count > kMost) raise(state, "repeated(n, p): n is a whole number from 1 to 1000000000");
+    push(state, {Handle::Kind::repeated, handle->index, static_cast<int>(count)});
+    return 1;
+}
+
+void check_path_keys(lua_State* state) {
+    for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) == LUA_TNUMBER) continue;
+        const bool name = lua_type(state, -2) == LUA_TSTRING && text_at(state, -2) == "name";
+        if (!name) raise(state, "path{..} takes 'name' and, in their order, points and sub-paths");
+    }
+}
+
+/// path{name = "..", targets..}
+int make_path(lua_State* state) {
+    auto& builder = bound<Builder>(state);
+    luaL_checktype(state, 1, LUA_TTABLE);
+    check_path_keys(state);
+    path::Path made;
+    if (lua_getfield(state, 1, "name") != LUA_TSTRING) raise(state, "a path lacks 'name', a string");
+    made.name = text_at(state, -1);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(state, 1));
+    std::vector<Place> places;
+    const Place here = calling_place(state);
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(state, 1, i);
+        const Handle* handle = handle_at(state, -1);
+        if (handle == nullptr) {
+            raise(state,
+                  fmt::format("target {} of the path '{}' is neither a point nor a path", i, made.name));
+        }
+        if (handle->kind == Handle::Kind::point) {
+            made.targets.emplace_back(builder.points[handle->index].point);
+            places.push_back(builder.points[handle->index].place);
+        } else {
+            made.targets.emplace_back(path::SubPath{handle->index, handle->repeats});
+            places.push_back(here);
+        }
+        lua_pop(state, 1);
+    }
+    builder.file.program.paths.push_back(std::move(made));
+    builder.file.paths.push_back(here);
+    builder.file.targets.push_back(std::move(places));
+    push(state, {Handle::Kind::path, builder.file.program.paths.size() - 1, 1});
+    return 1;
+}
+
+std::string ended_by(const LuaState& lua, const std::string& file_name) {
+    const bool memory = lua.ended() == LuaState::Ended::memory;
+    return fmt::format("{}:1: the script takes more {} than it may", file_name, memory ? "memory" : "steps");
+}
+
+// Leaves what the script returns on the stack.
+tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder) {
+    lua_State* state = lua.get();
+    const std::string chunk = fmt::format("@{}", builder.file.file_name);
+    int status = luaL_loadbufferx(state, text.data(), text.size(), chunk.c_str(), "t");
+    if (status == LUA_OK) {
+        push_safe_library(state);
+        set_function<make_point>(state, "point", &builder);
+        set_function<make_path>(state, "path", &builder);
+        set_function<make_repeated>(state, "repeated", &builder);
+        lua_setupvalue(state, -2, 1);
+        status = lua_pcall(state, 0, 1, 0);
+    }
+    if (status == LUA_OK) return {};
+    if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1)) {
+        return tl::unexpected(ended_by(lua, builder.file.file_name));
+    }
+    std::string message(luaL_tolstring(state, -1, nullptr));
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    return tl::unexpected(message);
+}
+
+}  // namespace
+
+tl::expected<PathFile, std::string> run_path_script(std::string_view text, std::string file_name,
+                                                    const LuaState::Limits& limits) {
+    LuaState lua(limits);
+    Builder builder;
+    builder.file.file_name = std::move(file_name);
+    if (auto done = run(lua, text, builder); !done) return tl::unexpected(done.error());
+    const Handle* root = handle_at(lua.get(), -1);
+    if (root == nullptr || root->kind != Handle::Kind::path) {
+        return tl::unexpected(fmt::format("{}:1: the script must return the root path, what path{{..}} made",
+                                          builder.file.file_name));
+    }
+    builder.file.program.root = root->index;
+    builder.file.program.name = builder.file.program.paths[root->index].name;
+    if (const auto fault = path::validate(builder.file.program)) {
+        return tl::unexpected(builder.file.located(fault->where, fault->sentence));
+    }
+    return std::move(builder.file);
+}
+
+}  // namespace gsim::script

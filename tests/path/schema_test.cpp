@@ -1,0 +1,82 @@
+// docs/path.schema.json knows the keys that the reader knows, and says of each what the reader says.
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/path/json_reader.h"
+#include "runtime/path/keys.h"
+#include "runtime/path/target_draft.h"
+
+namespace gsim::path {
+namespace {
+
+using nlohmann::json;
+
+template <typename Range>
+std::set<std::string> as_set(const Range& keys) {
+    return {keys.begin(), keys.end()};
+}
+
+std::set<std::string> keys_of(const json& object) {
+    std::set<std::string> keys;
+    for (const auto& [key, value] : object.items()) keys.insert(key);
+    return keys;
+}
+
+json schema() {
+    std::ifstream file(GSIM_SOURCE "/docs/path.schema.json");
+    return json::parse(file);
+}
+
+TEST(PathSchema, HasTheReadersKeys) {
+    const json all = schema();
+    EXPECT_EQ(keys_of(all["properties"]), as_set(kProgramKeys));
+    EXPECT_EQ(keys_of(all["$defs"]["path"]["properties"]), as_set(kPathKeys));
+    std::set<std::string> targets = keys_of(all["$defs"]["point"]["properties"]);
+    targets.merge(keys_of(all["$defs"]["sub_path"]["properties"]));
+    EXPECT_EQ(targets, as_set(kTargetKeys));
+    EXPECT_EQ(all["$defs"]["point"]["properties"]["motion"]["enum"], json(kMotionNames));
+}
+
+TEST(PathSchema, HasTheReadersTypes) {
+    const json all = schema();
+    for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
+        const auto key = static_cast<TargetKey>(i);
+        const bool of_sub_path = key == TargetKey::path || key == TargetKey::repeats;
+        const json property =
+            all["$defs"][of_sub_path ? "sub_path" : "point"]["properties"][std::string(kTargetKeys[i])];
+        const std::string type = property.value("type", "string");
+        switch (TargetDraft::kind_of(key)) {
+            case TargetDraft::ValueKind::text: EXPECT_EQ(type, "string") << kTargetKeys[i]; break;
+            case TargetDraft::ValueKind::number:
+                EXPECT_TRUE(type == "number" || type == "integer") << kTargetKeys[i];
+                break;
+            case TargetDraft::ValueKind::letters: EXPECT_EQ(type, "object") << kTargetKeys[i]; break;
+            default: EXPECT_EQ(type, "array") << kTargetKeys[i];
+        }
+    }
+}
+
+// What the schema allows at its limits the reader allows, and nothing beyond.
+TEST(PathSchema, HasTheReadersLimits) {
+    const json all = schema();
+    const auto accepted = [](const std::string& key, double value) {
+        json point = {{"position_mm", {1, 2, 3}}, {"feed_mm_min", 1}};
+        point[key] = value;
+        return read_json(json{{"paths", {{{"name", "a"}, {"targets", {point}}}}}}.dump(), "f").has_value();
+    };
+    for (const auto& [key, property] : all["$defs"]["point"]["properties"].items()) {
+        if (property.value("type", "") != "number" || key == "turn_deg") continue;
+        const double most = property["maximum"];
+        EXPECT_TRUE(accepted(key, most)) << key;
+        EXPECT_FALSE(accepted(key, 2 * most)) << key;
+        EXPECT_EQ(accepted(key, 0), !property.contains("exclusiveMinimum")) << key;
+        EXPECT_FALSE(accepted(key, -1)) << key;
+    }
+}
+
+}  // namespace
+}  // namespace gsim::path

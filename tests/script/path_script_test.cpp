@@ -1,0 +1,68 @@
+// Paths that are built by scripts.
+#include "runtime/script/path_script.h"
+
+#include <gtest/gtest.h>
+
+namespace gsim::script {
+namespace {
+
+TEST(PathScript, BuildsPointsAndSubPathsInLoops) {
+    const auto file = run_path_script(R"lua(
+        local row = {name = "row"}
+        for i = 1, 3 do
+            row[i] = point{position_mm = {10 * i, 0, 5}, feed_mm_min = 100, actions = {"waterjet_on", "x"}}
+        end
+        local part = path(row)
+        return path{name = "part", part, point{motion = "rapid", position_mm = {0, 0, 50},
+                    rotary_deg = {B = 1, C = 2}}, repeated(4, part)}
+    )lua",
+                                      "f.lua");
+    ASSERT_TRUE(file) << file.error();
+    const path::Program& program = file->program;
+    ASSERT_EQ(program.paths.size(), 2U);
+    EXPECT_EQ(program.paths[program.root].name, "part");
+    ASSERT_EQ(program.paths[0].targets.size(), 3U);
+    const auto& second = std::get<path::Point>(program.paths[0].targets[1]);
+    EXPECT_EQ(second.position_mm, (path::Vector{20, 0, 5}));
+    EXPECT_EQ(second.actions, (std::vector<std::string>{"waterjet_on", "x"}));
+    const auto& away = std::get<path::Point>(program.paths[1].targets[1]);
+    EXPECT_EQ(away.motion, path::MotionType::rapid);
+    EXPECT_EQ(std::get<path::RotaryAxes>(*away.orientation), (path::RotaryAxes{{'B', 1}, {'C', 2}}));
+    EXPECT_EQ(std::get<path::SubPath>(program.paths[1].targets[2]), (path::SubPath{0, 4}));
+    EXPECT_EQ(file->located({0, 2}, "x"), "f.lua:4: x");
+}
+
+struct Wrong {
+    std::string script, error;
+};
+
+TEST(PathScript, ErrorsNameTheLine) {
+    const std::vector<Wrong> cases = {
+        {"return 3", "f.lua:1: the script must return the root path"},
+        {"\nreturn point{position = {1, 2, 3}}", "f.lua:2: unknown key 'position' in a point"},
+        {"\nreturn point{position_mm = {1, 2}}", "f.lua:2: 'position_mm' must be a table of three numbers"},
+        {"return point{position_mm = {1, 2, 3}, feed_mm_min = 'x'}",
+         "f.lua:1: 'feed_mm_min' must be a number"},
+        {"return point{motion = 'linear'}", "f.lua:1: a point lacks the key 'position_mm'"},
+        {"return path{point{position_mm = {1, 2, 3}}}", "f.lua:1: a path lacks 'name'"},
+        {"return path{name = 'a', 7}", "f.lua:1: target 1 of the path 'a' is neither"},
+        {"return path{name = 'a'}", "f.lua:1: the path 'a' has no targets"},
+        {"return repeated(0, path{name = 'a'})", "f.lua:1: repeated(n, p)"},
+        {"return path{name = 'a',\n point{position_mm = {1, 2, 3}, feed_mm_min = 0/0}}",
+         "f.lua:2: 'feed_mm_min' must be greater than 0"},
+        {"while true do end", "f.lua:1: the script takes more steps than it may"},
+        {"local t = {} for i = 1, 1e9 do t[i] = {} end", "f.lua:1: the script takes more memory than it may"},
+        {"x = = 1", "f.lua:1: unexpected symbol"},
+        {"io.open('x')", "f.lua:1: attempt to index a nil value"},
+        {"error({})", "table: "},
+    };
+    const LuaState::Limits limits{std::size_t{32} << 20U, 20'000'000};
+    for (const Wrong& each : cases) {
+        const auto file = run_path_script(each.script, "f.lua", limits);
+        ASSERT_FALSE(file) << each.script;
+        EXPECT_EQ(file.error().substr(0, each.error.size()), each.error) << each.script;
+    }
+}
+
+}  // namespace
+}  // namespace gsim::script
