@@ -1,0 +1,243 @@
+// path2gcode as a whole: the test part of the thesis word by word, files, messages, and LinuxCNC's
+// interpreter.
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps {
+namespace {
+
+const std::string kWheel = GSIM_SOURCE "/samples/wheel.path.json";
+
+class Path2Gcode : public Apps {
+  protected:
+    Ended path2gcode(const std::vector<std::string>& arguments, const std::string& input = {}) const {
+        return run_program(GSIM_PATH2GCODE, arguments, folder_, input);
+    }
+};
+
+/// The words of a block that say where the machine goes, and whether an arc turns clockwise.
+struct Block {
+    std::string name;  ///< Its N word.
+    std::map<char, double> words;
+    int motion = -1;  ///< G0 to G3, where the block says one.
+};
+
+// Blocks with any of X Y Z B C I J, in their order.
+std::vector<Block> blocks_of(const std::string& text) {
+    static const std::regex kWord("([A-Z])(-?[0-9.]+)");
+    std::vector<Block> blocks;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        Block block;
+        for (std::sregex_iterator word(line.begin(), line.end(), kWord), end; word != end; ++word) {
+            const char letter = (*word)[1].str()[0];
+            const double value = std::stod((*word)[2].str());
+            if (letter == 'N') block.name = (*word)[0];
+            if (letter == 'G' && value <= 3) block.motion = static_cast<int>(value);
+            if (std::string("XYZBCIJ").find(letter) != std::string::npos) block.words[letter] = value;
+        }
+        if (!block.words.empty()) blocks.push_back(block);
+    }
+    return blocks;
+}
+
+std::string appendix_j() {
+    const char* folder = std::getenv("GSIM_REFERENCE");
+    if (folder == nullptr) return {};
+    std::ifstream file(std::string(folder) + "/appendix_j.nc");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The arcs that the thesis's writer ran the long way round.
+const std::set<std::string> kMendedArcs = {"N00120", "N00130", "N00140", "N00165", "N00185", "N00190",
+                                           "N00195", "N00220", "N00225", "N00245", "N00285", "N00300"};
+
+TEST_F(Path2Gcode, TheThesisTestPartWordByWord) {
+    const std::string reference = appendix_j();
+    if (reference.empty()) GTEST_SKIP() << "no appendix_j.nc in GSIM_REFERENCE";
+    const Ended ended = path2gcode({"--rotary", "as-given", kWheel});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const std::vector<Block> wanted = blocks_of(reference), got = blocks_of(ended.out);
+    ASSERT_EQ(got.size(), wanted.size());
+    int wanted_motion = -1, got_motion = -1;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        ASSERT_EQ(got[i].words.size(), wanted[i].words.size()) << wanted[i].name;
+        for (const auto& [letter, value] : wanted[i].words) {
+            ASSERT_TRUE(got[i].words.contains(letter)) << wanted[i].name << letter;
+            EXPECT_NEAR(got[i].words.at(letter), value, 0.001 + 1e-9) << wanted[i].name << letter;
+        }
+        if (wanted[i].motion >= 0) wanted_motion = wanted[i].motion;
+        if (got[i].motion >= 0) got_motion = got[i].motion;
+        const bool other_sense = kMendedArcs.contains(wanted[i].name);
+        EXPECT_EQ(got_motion, other_sense ? 5 - wanted_motion : wanted_motion) << wanted[i].name;
+    }
+}
+
+TEST_F(Path2Gcode, LessTurningWithTheSameOrientations) {
+    const std::vector<Block> given =
+        blocks_of(path2gcode({"--rotary", "as-given", "--verbose-words", kWheel}).out);
+    const std::vector<Block> least = blocks_of(path2gcode({"--verbose-words", kWheel}).out);
+    ASSERT_EQ(least.size(), given.size());
+    double turned_given = 0, turned_least = 0;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        EXPECT_NEAR(std::remainder(least[i].words.at('B') - given[i].words.at('B'), 360), 0, 1e-9) << i;
+        EXPECT_EQ(least[i].words.at('C'), given[i].words.at('C'));
+        if (i == 0) continue;
+        turned_given += std::abs(given[i].words.at('B') - given[i - 1].words.at('B'));
+        turned_least += std::abs(least[i].words.at('B') - least[i - 1].words.at('B'));
+    }
+    EXPECT_LT(turned_least, 0.5 * turned_given);
+}
+
+TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
+    const auto end_of = [this](const std::string& program, const std::string& dialect) {
+        const Ended ran = gsim_run({"--dialect", dialect, "--quiet", "--report", "r.json", program});
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        return nlohmann::json::parse(read("r.json"))["cycle_time_s"].get<double>();
+    };
+    for (const std::string dialect : {"ab9", "rs274ngc"}) {
+        ASSERT_EQ(path2gcode({"--dialect", dialect, "-o", "whole.nc", kWheel}).status, 0);
+        ASSERT_EQ(path2gcode({"--dialect", dialect, "--separate-files", "-o", "wheel.nc", kWheel}).status, 0);
+        EXPECT_TRUE(exists(dialect == "ab9" ? "wheel_O0002.ppg" : "wheel_o0002.ngc"));
+        EXPECT_NEAR(end_of("wheel.nc", dialect), end_of("whole.nc", dialect), 1e-6) << dialect;
+    }
+}
+
+TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
+    const auto refused = [this](const std::string& text, std::vector<std::string> options = {}) {
+        write("p.path.json", text);
+        options.insert(options.end(), {"-o", "out.nc", "p.path.json"});
+        const Ended ended = path2gcode(options);
+        EXPECT_EQ(ended.status, 1) << text;
+        EXPECT_TRUE(ended.out.empty());
+        EXPECT_EQ(files(), 1U) << "only the input";
+        return ended.err;
+    };
+    const std::string head = R"({"paths": [{"name": "a", "targets": [)"
+                             "\n";
+    const std::string start =
+        R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0, "C": 0}, "feed_mm_min": 100})";
+    EXPECT_EQ(refused(head),
+              "p.path.json:2:1: syntax error while parsing value - unexpected end of input; "
+              "expected '[', '{', or a literal\n");
+    EXPECT_TRUE(holds(refused(head + R"({"position_mm": [1, 2, 3], "feed_mm_min": 1}]}]})"),
+                      "p.path.json:2:1: the point needs an orientation"));
+    EXPECT_TRUE(holds(refused(head + start + ",\n" + R"({"position_mm": [1, 2, 3000]}]}]})"),
+                      "p.path.json:3:1: out of reach: Z 3000 is outside 0 to 609.6"));
+    EXPECT_TRUE(holds(refused(head + start + ",\n" + R"({"path": "a"}]}]})"),
+                      "p.path.json:3:1: the path 'a' leads back to itself"));
+    EXPECT_TRUE(holds(refused(head + R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0}}]}]})"),
+                      "p.path.json:2:1: the motion needs 'feed_mm_min'"));
+    EXPECT_TRUE(holds(refused(head + start + "]}]}", {"--dialect", "grbl"}), "axes XYZ"));
+}
+
+TEST_F(Path2Gcode, OptionsThatMakeNoSenseAreUsageErrors) {
+    EXPECT_EQ(path2gcode({"--dialect", "x", kWheel}).status, 2);
+    EXPECT_EQ(path2gcode({"--machine", "no.toml", kWheel}).status, 2);
+    EXPECT_EQ(path2gcode({"--separate-files", kWheel}).status, 2);
+    EXPECT_EQ(path2gcode({"-o", "no/such/folder.nc", kWheel}).status, 2);
+    EXPECT_EQ(path2gcode({"no.path.json"}).status, 1);
+}
+
+TEST_F(Path2Gcode, StandardInputAndScripts) {
+    std::ifstream file(kWheel);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(path2gcode({"-"}, text).out, path2gcode({kWheel}).out);
+    const Ended flange = path2gcode({GSIM_SOURCE "/samples/flange.path.lua"});
+    EXPECT_EQ(flange.status, 0) << flange.err;
+    EXPECT_TRUE(holds(flange.out, "G17 G03 X348.000 Y369.282 I-8.000 J0.000 F900.000")) << flange.out;
+}
+
+/// A post of one's own.
+TEST_F(Path2Gcode, APostFromAFile) {
+    std::ifstream file(GSIM_SOURCE "/samples/posts/fanuc.toml");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    write("mine.toml", text.replace(text.find("M30"), 3, "M99"));
+    EXPECT_TRUE(holds(path2gcode({"--dialect", "mine.toml", kWheel}).out, " M99\n%\n"));
+}
+
+using Ends = std::vector<std::array<double, 5>>;  // X Y Z B C, mm and deg
+
+// Where moves end, by LinuxCNC's interpreter.
+Ends canon_ends(const std::string& text) {
+    static const std::regex kCall(R"((STRAIGHT_TRAVERSE|STRAIGHT_FEED|ARC_FEED|SELECT_PLANE)\(([^)]*)\))");
+    Ends ends;
+    std::string plane = "CANON_PLANE_XY";
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch call;
+        if (!std::regex_search(line, call, kCall)) continue;
+        if (call[1] == "SELECT_PLANE") {
+            plane = call[2];
+            continue;
+        }
+        std::vector<double> n;
+        std::istringstream numbers(call[2]);
+        for (std::string number; std::getline(numbers, number, ',');) n.push_back(std::stod(number));
+        if (call[1] != "ARC_FEED") {
+            ends.push_back({n.at(0), n.at(1), n.at(2), n.at(4), n.at(5)});
+        } else if (plane.ends_with("XY")) {
+            ends.push_back({n.at(0), n.at(1), n.at(5), n.at(7), n.at(8)});
+        } else if (plane.ends_with("YZ")) {
+            ends.push_back({n.at(5), n.at(0), n.at(1), n.at(7), n.at(8)});
+        } else {
+            ends.push_back({n.at(1), n.at(5), n.at(0), n.at(7), n.at(8)});
+        }
+    }
+    return ends;
+}
+
+Ends ends_of_moves(const std::string& jsonl) {
+    Ends ends;
+    std::istringstream lines(jsonl);
+    for (std::string line; std::getline(lines, line);) {
+        const auto move = nlohmann::json::parse(line);
+        if (move["kind"] == "dwell" || !move.contains("to")) continue;
+        const auto& to = move["to"];
+        ends.push_back({to["X"], to["Y"], to["Z"], to["B"], to["C"]});
+    }
+    return ends;
+}
+
+TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
+    if (std::system("command -v rs274 >/dev/null") != 0) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
+    write("part.path.json", R"json({"name": "part", "root": "all", "paths": [
+        {"name": "all", "targets": [
+            {"motion": "rapid", "position_mm": [100, 100, 100], "rotary_deg": {"B": 0, "C": 0}},
+            {"path": "lap", "repeats": 3},
+            {"motion": "linear", "position_mm": [200, 100, 100], "rotary_deg": {"B": 90, "C": 30}, "feed_mm_min": 500}]},
+        {"name": "lap", "targets": [
+            {"position_mm": [150, 100, 100], "rotary_deg": {"B": 10, "C": 5}, "feed_mm_min": 700},
+            {"motion": "circular", "position_mm": [100, 150, 100], "center_mm": [100, 100, 100], "turn_deg": 90},
+            {"motion": "circular", "position_mm": [100, 150, 100], "center_mm": [100, 100, 100], "turn_deg": 720},
+            {"motion": "circular", "position_mm": [100, 100, 150], "center_mm": [100, 100, 100], "normal": [1, 0, 0], "turn_deg": 90},
+            {"motion": "circular", "position_mm": [150, 110, 100], "center_mm": [100, 100, 100], "normal": [0, 1, 0], "turn_deg": 90},
+            {"motion": "circular", "position_mm": [120, 120, 140], "via_mm": [110, 130, 120], "dwell_s": 0.1,
+             "actions": ["abrasive_on", "waterjet_on", "a (name)", "waterjet_off", "abrasive_off"]}]}]})json");
+    for (const std::string& input : {std::string("part.path.json"), kWheel}) {
+        const Ended written = path2gcode({"--dialect", "rs274ngc", "-o", "part.ngc", input});
+        ASSERT_EQ(written.status, 0) << written.err;
+        const Ended canon = run_program("/usr/bin/env", {"rs274", "-g", "part.ngc"}, folder_);
+        ASSERT_EQ(canon.status, 0) << canon.err.substr(0, 2000);
+        const Ended ran = gsim_run({"--dialect", "rs274ngc", "--quiet", "--moves", "m.jsonl", "part.ngc"});
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        const Ends wanted = canon_ends(canon.out), got = ends_of_moves(read("m.jsonl"));
+        ASSERT_EQ(got.size(), wanted.size());
+        ASSERT_GT(wanted.size(), 20U);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(got[i][k], wanted[i][k], 1e-4) << i << "XYZBC"[k];
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gsim::apps
