@@ -88,6 +88,8 @@ void add_options(CLI::App& app, Arguments& a) {
         ->capture_default_str();
     app.add_option("--plot", a.outputs.plot,
                    "draw path, speed and acceleration into this .svg or .png file (needs gnuplot)");
+    app.add_option("--record", a.outputs.record,
+                   "write what was run as a path to this file, for path2gcode; - for standard output");
     app.add_flag("--block-delete", a.block_delete, "leave out blocks that begin with /");
     app.add_flag("--optional-stop", a.optional_stop, "M01 stops");
     app.add_option("--max-time", a.limits.max_time_s, "end the run after this many seconds of machine time")
@@ -233,7 +235,9 @@ void print_report(const Arguments& arguments, const simulation::Report& report) 
     if (arguments.json) {
         std::printf("%s\n", simulation::to_json(report).c_str());
     } else if (!arguments.quiet) {
-        std::printf("%s", simulation::to_text(report).c_str());
+        // A path on standard output stands alone there.
+        std::FILE* stream = arguments.outputs.record == apps::kStandardStream ? stderr : stdout;
+        std::fputs(simulation::to_text(report).c_str(), stream);
     } else {
         print_faults(report);
     }
@@ -286,6 +290,8 @@ int run(const Arguments& given) {
     if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
     tl::expected<machine::MachineDataDocument, std::string> document = read_data(arguments, *machine);
     if (!document) return usage_error(document.error());
+    if (arguments.json && arguments.outputs.record == apps::kStandardStream)
+        return usage_error("--json and --record - both want standard output; give one of them a file");
     machine::MachineData data = document->data();
     if (!arguments.variables.empty()) {
         const auto variables = apps::read_variables(arguments.variables);

@@ -1,7 +1,10 @@
 #include "apps/outputs.h"
 
+#include <filesystem>
+
 #include <fmt/format.h>
 
+#include "runtime/path/json_writer.h"
 #include "runtime/simulation/plot.h"
 #include "runtime/simulation/report.h"
 
@@ -37,6 +40,10 @@ tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simul
         outputs.plot_ = std::make_unique<simulation::PlotData>(simulator.machine());
         simulator.add_output(*outputs.plot_);
     }
+    if (!names.record.empty()) {
+        outputs.recorder_ = std::make_unique<record::PathRecorder>(simulator.machine());
+        simulator.set_observer(*outputs.recorder_);
+    }
     if (names.explain) outputs.add_explanation(simulator);
     return outputs;
 }
@@ -49,10 +56,33 @@ void Outputs::add_explanation(simulation::Simulator& simulator) {
 }
 
 void Outputs::explain(simulation::Report& report) const {
+    if (recorder_ != nullptr) {
+        const std::set<std::string>& notes = recorder_->notes();
+        report.warnings.insert(report.warnings.end(), notes.begin(), notes.end());
+    }
     if (causes_ == nullptr) return;
     std::optional<double> bound_s;
     if (causes_->bound) bound_s = causes_->bound->bound_s();
     report.explanation = simulation::Explanation{causes_->times.list(causes_->machine), bound_s};
+}
+
+tl::expected<void, std::string> Outputs::write_path(const std::string& program) {
+    const tl::expected<path::Program, std::string> recorded =
+        recorder_->finish(std::filesystem::path(program).stem().string());
+    if (!recorded) return tl::unexpected(fmt::format("the path cannot be recorded: {}", recorded.error()));
+    const auto into = [&recorded](std::FILE* stream) {
+        path::write_json(
+            *recorded, [stream](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); });
+        return std::fflush(stream) == 0 && std::ferror(stream) == 0;
+    };
+    if (names_.record == kStandardStream) {
+        if (into(stdout)) return {};
+        return tl::unexpected(std::string("standard output cannot be written"));
+    }
+    tl::expected<OutputFile, std::string> file = OutputFile::open(names_.record);
+    if (!file) return tl::unexpected(file.error());
+    into(file->stream());
+    return file->commit();
 }
 
 tl::expected<void, std::string> Outputs::commit(const simulation::Report& report) {
@@ -73,7 +103,11 @@ tl::expected<void, std::string> Outputs::commit(const simulation::Report& report
         if (auto flushed = file->text.flush(); !flushed) return flushed;
         if (auto committed = file->file.commit(); !committed) return committed;
     }
-    if (plot_ != nullptr) return simulation::make_plot(*plot_, names_.plot, report.program);
+    if (plot_ != nullptr) {
+        if (auto plotted = simulation::make_plot(*plot_, names_.plot, report.program); !plotted)
+            return plotted;
+    }
+    if (recorder_ != nullptr) return write_path(report.program);
     return {};
 }
 

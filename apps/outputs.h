@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "runtime/record/path_recorder.h"
 #include "runtime/simulation/moves_writer.h"
 #include "runtime/simulation/output_file.h"
 #include "runtime/simulation/path_bound.h"
@@ -18,12 +19,16 @@
 
 namespace gsim::apps {
 
+/// The name of standard output, where a file may be it.
+inline constexpr const char* kStandardStream = "-";
+
 /// What a run writes; an empty name: not wanted.
 struct OutputNames {
     std::string report;
     std::string moves;
     std::string trajectory;
     std::string plot;
+    std::string record;    ///< A path file; - for standard output.
     bool explain = false;  ///< The report tells where the time goes.
     double step_s = 0.01;  ///< Of the trajectory's samples.
 };
@@ -35,7 +40,7 @@ class Outputs {
     static tl::expected<Outputs, std::string> open(const OutputNames& names,
                                                    simulation::Simulator& simulator);
 
-    /// After the run: adds to the report what was asked for.
+    /// After the run: adds to the report what was asked for, and what to know of a recorded path.
     void explain(simulation::Report& report) const;
     /// After the run: writes report and plot, and gives all files their names. The error is a sentence.
     tl::expected<void, std::string> commit(const simulation::Report& report);
@@ -47,6 +52,7 @@ class Outputs {
         simulation::TextStream text;
     };
     tl::expected<TextFile*, std::string> add_file(const std::string& name);
+    tl::expected<void, std::string> write_path(const std::string& program);
     void add_explanation(simulation::Simulator& simulator);
 
     /// What an explanation is made of.
@@ -63,6 +69,7 @@ class Outputs {
     std::unique_ptr<simulation::TrajectoryWriter> trajectory_;
     std::unique_ptr<simulation::PlotData> plot_;
     std::unique_ptr<Causes> causes_;
+    std::unique_ptr<record::PathRecorder> recorder_;
 };
 
 }  // namespace gsim::apps

@@ -215,6 +215,16 @@ bool Simulator::finish_move(Status status, const Place& place) {
     return true;
 }
 
+/// A target that the controller has accepted is where the program is; `tell` gets where it was before.
+template <typename Tell>
+bool Simulator::finish_move(Status status, const AxisVector& target, const Place& place, const Tell& tell) {
+    if (static_cast<int>(status) >= 0) {
+        if (observer_ != nullptr) tell(position_);
+        position_ = target;
+    }
+    return finish_move(status, place);
+}
+
 /// The feed as reports show it; of a move with a time of its own (inverse time feed) its mean.
 double Simulator::feed_per_min(const LineMove& move, bool rotary) const {
     if (!move.feed.motion_s) return rotary ? move.feed.rotary_deg_min : move.feed.linear_mm_min;
@@ -246,8 +256,8 @@ bool Simulator::move(const LineMove& move) {
     recorder_.expect(info);
     const Status status =
         shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), to_joints(move.target), {}, 0);
-    if (static_cast<int>(status) >= 0) position_ = move.target;
-    return finish_move(status, move.place);
+    return finish_move(status, move.target, move.place,
+                       [&](const AxisVector& from) { observer_->line(from, move, rotary); });
 }
 
 bool Simulator::move(const ArcMove& move) {
@@ -265,8 +275,8 @@ bool Simulator::move(const ArcMove& move) {
     recorder_.expect(info);
     const Status status = shell_.SetNextArcTarget(info.target_id, center, axis, move.sweep_rad, no_pose(),
                                                   to_joints(move.target));
-    if (static_cast<int>(status) >= 0) position_ = move.target;
-    return finish_move(status, move.place);
+    return finish_move(status, move.target, move.place,
+                       [&](const AxisVector& from) { observer_->arc(from, move); });
 }
 
 /// X, Y and Z of axis values; 0 where the machine has no such axis.
@@ -294,8 +304,8 @@ bool Simulator::move(const ViaMove& move) {
                                       to_joints(move.target), {}, 0);
     }
     shell_.SelectMotionType(rrs::MotionType::linear);
-    if (static_cast<int>(status) >= 0) position_ = move.target;
-    return finish_move(status, move.place);
+    return finish_move(status, move.target, move.place,
+                       [&](const AxisVector& from) { observer_->arc(from, move); });
 }
 
 tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
@@ -307,7 +317,9 @@ tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pos
 bool Simulator::dwell(double seconds, const Place& place) {
     const MoveInfo info = next_move(MoveKind::dwell, place, 0);
     recorder_.expect(info);
-    return finish_move(shell_.SetNextRest(info.target_id, seconds), place);
+    const Status status = shell_.SetNextRest(info.target_id, seconds);
+    return finish_move(status, AxisVector(position_), place,
+                       [&](const AxisVector& at) { observer_->dwell(at, seconds); });
 }
 
 rrs::Status Simulator::set_start(const std::function<Status()>& set) {
@@ -323,6 +335,7 @@ rrs::Status Simulator::queue_target(MoveKind kind, const Place& place,
     recorder_.expect(info);
     const Status status = queue(info.target_id);
     position_ = to_axes(motion_->position());
+    if (observer_ != nullptr) observer_->service_motion();
     return status;
 }
 
@@ -340,18 +353,8 @@ void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double me
 Status Simulator::cancel_motion() {
     const Status status = shell_.CancelMotion();
     if (status == Status::RRS_SUCCESS) position_ = to_axes(motion_->position());
+    if (observer_ != nullptr) observer_->service_motion();
     return status;
-}
-
-void Simulator::event(std::string kind, std::string detail, const Place& place, bool in_passing) {
-    Event event{.place = place, .kind = std::move(kind), .detail = std::move(detail)};
-    if (in_passing) return events_.add_before(next_id_, std::move(event));
-    wait();
-    events_.add(motion_->time_s(), std::move(event));
-}
-
-void Simulator::set_jet(bool on) {
-    jet_ = on;
 }
 
 void Simulator::warn(const std::string& text) {

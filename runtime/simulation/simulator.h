@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -14,58 +13,22 @@
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/centripetal_watch.h"
+#include "runtime/simulation/commands.h"
 #include "runtime/simulation/event_log.h"
 #include "runtime/simulation/motion_source.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/open_calls.h"
+#include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/zone_watch.h"
 
 namespace gsim::simulation {
 
-/// Values of the machine's axes in their order, as the axes read: mm or deg.
-using AxisVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, rrs::kMaxJoints, 1>;
-
 /// Bounds of a run that ends itself by none of its own words.
 struct RunLimits {
     double max_time_s = 10'000'000;         ///< Of the machine.
     std::uint64_t max_blocks = 20'000'000;  ///< Executed blocks.
-};
-
-/// How fast a feed move goes: a speed, or a time for the whole move (inverse time feed).
-struct Feed {
-    double linear_mm_min = 0;   ///< Of the tool, where a linear axis moves.
-    double rotary_deg_min = 0;  ///< Where rotary axes alone move.
-    std::optional<double> motion_s;
-};
-
-/// One move of the program in machine coordinates.
-struct LineMove {
-    MoveKind kind = MoveKind::linear;  ///< Any but an arc or a dwell.
-    AxisVector target;
-    Feed feed;
-    Place place;
-};
-
-/// An arc in one of the main planes, or a helix about the plane's normal.
-struct ArcMove {
-    MoveKind kind = MoveKind::arc_cw;
-    Plane plane = Plane::xy;
-    double center_first_mm = 0;   ///< On the plane's first axis (x, z, y of xy, zx, yz).
-    double center_second_mm = 0;  ///< On its second axis (y, x, z).
-    double sweep_rad = 0;         ///< > 0
-    AxisVector target;
-    Feed feed;
-    Place place;
-};
-
-/// An arc through a point, in any plane of space.
-struct ViaMove {
-    AxisVector via;
-    AxisVector target;
-    Feed feed;
-    Place place;
 };
 
 /// How the ends of moves are passed.
@@ -92,6 +55,8 @@ class Simulator {
     /// Before the first move: the machine stands in this cell, which was read for it and outlives the
     /// simulator.
     void set_cell(CellWatch& cell);
+    /// The same of one that is told what the program asks for; one at most.
+    void set_observer(ProgramObserver& observer) { observer_ = &observer; }
 
     const machine::Machine& machine() const { return machine_; }
     /// Axis values at the end of the last move.
@@ -155,7 +120,7 @@ class Simulator {
     void set_tool_offset(const Eigen::Vector3d& offset_mm) { zones_.set_tool_offset(offset_mm, next_id_); }
     /// A program is called, or the one called last has ended: an alarm names the calls that are open.
     void enter_program(std::string name, const Place& place);
-    void leave_program() { calls_.leave(next_id_); }
+    void leave_program();
     /// Ends the run with an alarm of the program; always false.
     bool fail(std::string message, const Place& place);
     /// Ends the run because of a limit; always false.
@@ -208,6 +173,8 @@ class Simulator {
     double feed_per_min(const ArcMove& move) const;
     bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
+    template <typename Tell>
+    bool finish_move(rrs::Status status, const AxisVector& target, const Place& place, const Tell& tell);
     bool finish_move(rrs::Status status, const Place& place);
     bool refused(const Place& place);
     bool stop_for_time(const Place& place);
@@ -221,6 +188,7 @@ class Simulator {
     CellWatch* cell_ = nullptr;
     EventLog events_;
     ZoneWatch zones_;
+    ProgramObserver* observer_ = nullptr;
     motion::PlannerSetup setup_;
     std::unique_ptr<MotionSource> motion_;
     rrs::Shell& shell_;              ///< Of motion_.

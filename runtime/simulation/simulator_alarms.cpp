@@ -81,11 +81,6 @@ void Simulator::warn_if_singular(const AxisVector& axes, const Place& place) {
                     at, letters));
 }
 
-void Simulator::enter_program(std::string name, const Place& place) {
-    calls_.forget_before(recorder_.move().target_id);
-    calls_.enter({std::move(name), place}, next_id_);
-}
-
 void Simulator::watch_zones(const machine::MachineData& data) {
     zones_.add_zones(data);
     for (const char letter : zones_.missing_axes()) {
