@@ -334,11 +334,16 @@ int run(const Arguments& given) {
     simulation::Report report = simulator.finish(program);
     engine.report(report);
     outputs->explain(report);
+    const tl::expected<void, std::string> path = outputs->make_path(program);
     tl::expected<void, std::string> written = outputs->commit(report);
     if (written) written = keep(arguments, engine, *document);
     print_report(arguments, report);
     if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
     if (!written) return usage_error(written.error());
+    if (!path) {
+        std::fprintf(stderr, "%s: %s\n", kProgram, path.error().c_str());
+        return apps::kProgramFault;
+    }
     const bool done = report.status == simulation::RunStatus::completed && !has_collisions(report);
     return done ? apps::kDone : apps::kProgramFault;
 }

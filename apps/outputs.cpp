@@ -66,22 +66,27 @@ void Outputs::explain(simulation::Report& report) const {
     report.explanation = simulation::Explanation{causes_->times.list(causes_->machine), bound_s};
 }
 
-tl::expected<void, std::string> Outputs::write_path(const std::string& program) {
-    const tl::expected<path::Program, std::string> recorded =
-        recorder_->finish(std::filesystem::path(program).stem().string());
-    if (!recorded) return tl::unexpected(fmt::format("the path cannot be recorded: {}", recorded.error()));
-    const auto into = [&recorded](std::FILE* stream) {
+tl::expected<void, std::string> Outputs::make_path(const std::string& program) {
+    if (recorder_ == nullptr) return {};
+    return recorder_->finish(std::filesystem::path(program).stem().string())
+        .map([this](path::Program made) { path_ = std::move(made); })
+        .map_error(
+            [](const std::string& sentence) { return fmt::format("no path is recorded: {}", sentence); });
+}
+
+tl::expected<void, std::string> Outputs::write_path() const {
+    const auto write_to = [this](std::FILE* stream) {
         path::write_json(
-            *recorded, [stream](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); });
-        return std::fflush(stream) == 0 && std::ferror(stream) == 0;
+            *path_, [stream](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); });
     };
     if (names_.record == kStandardStream) {
-        if (into(stdout)) return {};
+        write_to(stdout);
+        if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return {};
         return tl::unexpected(std::string("standard output cannot be written"));
     }
     tl::expected<OutputFile, std::string> file = OutputFile::open(names_.record);
     if (!file) return tl::unexpected(file.error());
-    into(file->stream());
+    write_to(file->stream());
     return file->commit();
 }
 
@@ -107,7 +112,7 @@ tl::expected<void, std::string> Outputs::commit(const simulation::Report& report
         if (auto plotted = simulation::make_plot(*plot_, names_.plot, report.program); !plotted)
             return plotted;
     }
-    if (recorder_ != nullptr) return write_path(report.program);
+    if (path_) return write_path();
     return {};
 }
 

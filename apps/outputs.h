@@ -42,6 +42,9 @@ class Outputs {
 
     /// After the run: adds to the report what was asked for, and what to know of a recorded path.
     void explain(simulation::Report& report) const;
+    /// After the run: makes the path that was asked for; `program` names it. The error is a sentence: what
+    /// was run makes no path.
+    tl::expected<void, std::string> make_path(const std::string& program);
     /// After the run: writes report and plot, and gives all files their names. The error is a sentence.
     tl::expected<void, std::string> commit(const simulation::Report& report);
 
@@ -52,7 +55,7 @@ class Outputs {
         simulation::TextStream text;
     };
     tl::expected<TextFile*, std::string> add_file(const std::string& name);
-    tl::expected<void, std::string> write_path(const std::string& program);
+    tl::expected<void, std::string> write_path() const;
     void add_explanation(simulation::Simulator& simulator);
 
     /// What an explanation is made of.
@@ -70,6 +73,7 @@ class Outputs {
     std::unique_ptr<simulation::PlotData> plot_;
     std::unique_ptr<Causes> causes_;
     std::unique_ptr<record::PathRecorder> recorder_;
+    std::optional<path::Program> path_;
 };
 
 }  // namespace gsim::apps

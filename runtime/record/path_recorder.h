@@ -47,6 +47,8 @@ class PathRecorder final : public simulation::ProgramObserver {
         std::optional<path::Orientation> orientation;
     };
 
+    static constexpr double kTolerance_mm = 0.0005;  ///< Of lines in place of another motion of the tip.
+
     bool is_full();
     path::Point point_at(const simulation::AxisVector& axes, path::MotionType motion);
     void set_feed(path::Point& point, const simulation::Feed& feed, bool rotary_alone);

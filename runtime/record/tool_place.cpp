@@ -17,11 +17,11 @@ namespace {
 constexpr double kDegPerRad = 180 / std::numbers::pi;
 constexpr double kPerUnit = 1e9;
 
+}  // namespace
+
 double rounded(double value) {
     return std::round(value * kPerUnit) / kPerUnit + 0.0;  // no -0
 }
-
-}  // namespace
 
 path::Vector to_path(const Vector3d& vector) {
     return {rounded(vector.x()), rounded(vector.y()), rounded(vector.z())};
@@ -78,12 +78,23 @@ Vector3d ToolPlace::xyz(const AxisVector& axes) const {
     return values;
 }
 
+bool ToolPlace::is_xyz(Eigen::Index axis) const {
+    return std::find(xyz_.begin(), xyz_.end(), axis) != xyz_.end();
+}
+
 bool ToolPlace::is_xyz_alone(const AxisVector& from, const AxisVector& to) const {
     for (Eigen::Index i = 0; i < from.size(); ++i) {
-        const bool is_xyz = std::find(xyz_.begin(), xyz_.end(), i) != xyz_.end();
-        if (!is_xyz && from[i] != to[i]) return false;
+        if (!is_xyz(i) && from[i] != to[i]) return false;
     }
     return has_xyz_;
+}
+
+bool ToolPlace::moves_other_linear_axes(const AxisVector& from, const AxisVector& to) const {
+    for (Eigen::Index i = 0; i < from.size(); ++i) {
+        const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(i)];
+        if (axis.kind == AxisKind::linear && !is_xyz(i) && from[i] != to[i]) return true;
+    }
+    return false;
 }
 
 }  // namespace gsim::record

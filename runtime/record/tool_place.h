@@ -33,8 +33,11 @@ class ToolPlace {
     Eigen::Vector3d xyz(const simulation::AxisVector& axes) const;
     /// Whether the tip goes with X, Y and Z alone from one place to the other: no other axis moves.
     bool is_xyz_alone(const simulation::AxisVector& from, const simulation::AxisVector& to) const;
+    /// Whether other linear axes move from one place to the other.
+    bool moves_other_linear_axes(const simulation::AxisVector& from, const simulation::AxisVector& to) const;
 
   private:
+    bool is_xyz(Eigen::Index axis) const;
     rrs::CartPos pose(const simulation::AxisVector& axes) const;
 
     const machine::Machine& machine_;
@@ -44,6 +47,8 @@ class ToolPlace {
     bool has_rotary_ = false;
 };
 
+/// A number to 1e-9, without noise of its last bits.
+double rounded(double value);
 /// A vector or direction as paths hold it.
 path::Vector to_path(const Eigen::Vector3d& vector);
 
