@@ -46,6 +46,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 410, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, left"},
     Code{'G', 420, cutter_compensation, P::compensation, A::none, "D", full, "cutter compensation, right"},
     Code{'G', 430, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset, plus"},
+    Code{'G', 434, Group::tool_length, P::tool_length, A::none, "H", full, "tool-centre-point control"},
     Code{'G', 440, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset, minus"},
     Code{'G', 470, acceleration, P::path_mode, A::none, "", full, "linear acceleration mode"},
     Code{'G', 471, acceleration, P::path_mode, A::none, "", full, "S-curve acceleration mode"},

@@ -54,6 +54,7 @@ constexpr std::array kFixedCodes = {
     Code{'G', 430, Group::tool_length, P::tool_length, A::none, "H", full, "tool length offset"},
     Code{'G', 431, Group::tool_length, P::tool_length, A::data, "", full, "tool offset by its values"},
     Code{'G', 432, Group::tool_length, P::tool_length, A::data, "H", full, "additional tool offset"},
+    Code{'G', 434, Group::tool_length, P::tool_length, A::none, "H", full, "tool-centre-point control"},
     Code{'G', 490, Group::tool_length, P::tool_length, A::none, "", full, "tool length offset off"},
     Code{'G', 520, one_action, P::data, A::data, "", full, "local coordinate system offset"},
     Code{'G', 530, one_action, P::one_shot, A::none, "", full, "move in machine coordinates, in this block"},

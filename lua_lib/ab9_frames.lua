@@ -62,6 +62,9 @@ word("G52", function(words)
 end)
 
 -- G53: this block moves in machine coordinates, absolute.
-word("G53", core.machine_frame_once)
+word("G53", function()
+  refuse_with_tip_control("G53")
+  core.machine_frame_once()
+end)
 
 apply_offsets()

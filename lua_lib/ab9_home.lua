@@ -36,6 +36,7 @@ end
 local function go_home(words, number, code)
   check_table(words, code)
   refuse_with_compensation(code)
+  refuse_with_tip_control(code)
   local home, target = homes(number), {}
   for _, axis in ipairs(axes) do
     if is_named(words, axis.letter) then
@@ -80,6 +81,7 @@ word("G29", function(words)
   check_table(words, "G29")
   if words == nil then alarm("G29 needs the axis words of its target") end
   refuse_with_compensation("G29")
+  refuse_with_tip_control("G29")
   local through = {}
   for letter, value in pairs(way or {}) do
     if is_named(words, letter) then through[letter] = value end
@@ -91,6 +93,7 @@ end)
 word("G27", function(words)
   check_table(words, "G27")
   refuse_with_compensation("G27")
+  refuse_with_tip_control("G27")
   if words ~= nil then path.rapid(core.target(words)) end
   path.flush()
   for _, axis in ipairs(axes) do

@@ -1,28 +1,34 @@
 -- Robot-neutral moves to poses: mm and degrees, roll about Z, pitch about Y, yaw about X. The feed is F, in
--- mm/min; a joint move is as fast as the joints are.
+-- mm/min; a joint move is as fast as the joints are. A linear move is a line of the tool in the work frame, a circular
+-- one an arc; where the linear axes alone carry the tip these are lines and arcs of the axes.
 
 local parts = { x = true, y = true, z = true, roll = true, pitch = true, yaw = true }
 
--- The axis values that bring the tool to a pose.
-local function axes_of(pose, name)
+local function checked(pose, name)
   if type(pose) ~= "table" then alarm("%s takes a pose: %s{x=, y=, z=, roll=, pitch=, yaw=}", name, name) end
   for key, value in pairs(pose) do
     if not parts[key] then alarm("%s: a pose has x, y, z, roll, pitch and yaw, and no '%s'", name, tostring(key)) end
     if type(value) ~= "number" then alarm("%s: the value of '%s' is no number", name, key) end
   end
-  return core.pose_axes(pose)
+  return pose
+end
+
+-- Nothing may stand between the poses and the machine.
+local function begin(name)
+  refuse_with_compensation(name)
+  refuse_with_tip_control(name)
+  path.flush()
 end
 
 word("MoveLinear", function(pose)
-  refuse_with_compensation("MoveLinear")
-  path.flush()
-  core.line_to(axes_of(pose, "MoveLinear"))
+  begin("MoveLinear")
+  checked(pose, "MoveLinear")
+  if core.tip_turns() then core.pose_move(pose) else core.line_to(core.pose_axes(pose)) end
 end)
 
 word("MoveJoint", function(pose)
-  refuse_with_compensation("MoveJoint")
-  path.flush()
-  core.joint_to(axes_of(pose, "MoveJoint"))
+  begin("MoveJoint")
+  core.joint_to(core.pose_axes(checked(pose, "MoveJoint")))
 end)
 
 -- MoveCircular{via={...}, to={...}}
@@ -30,7 +36,11 @@ word("MoveCircular", function(poses)
   if type(poses) ~= "table" or type(poses.via) ~= "table" or type(poses.to) ~= "table" then
     alarm("MoveCircular takes two poses: via={...}, to={...}")
   end
-  refuse_with_compensation("MoveCircular")
-  path.flush()
-  core.arc_via(axes_of(poses.via, "MoveCircular"), axes_of(poses.to, "MoveCircular"), 1)
+  begin("MoveCircular")
+  local via, to = checked(poses.via, "MoveCircular"), checked(poses.to, "MoveCircular")
+  if core.tip_turns() then
+    core.pose_move(to, via)
+  else
+    core.arc_via(core.pose_axes(via), core.pose_axes(to), 1)
+  end
 end)

@@ -26,7 +26,7 @@ watch("distance", { "G90", "G91" })
 watch("arc centre", { "G90_1", "G91_1" })
 watch("feed", { "G93", "G94", "G95" })
 watch("compensation", { "G40", "G41", "G41_1", "G42", "G42_1" })
-watch("length", { "G43", "G43_1", "G43_2", "G49" })
+watch("length", { "G43", "G43_1", "G43_2", "G43_4", "G49" })
 watch("retract", { "G98", "G99" })
 watch("spindle speed", { "G96", "G97" })
 watch("path", { "G61", "G61_1", "G64" })
@@ -67,7 +67,8 @@ end
 -- A tool's length comes back as the one of the tool that is loaded, as in LinuxCNC.
 local function restore_length(saved)
   if saved.active.length == active.length then return end
-  if saved.active.length == "G49" then env.G49() else env.G43() end
+  local name = saved.active.length
+  if name == "G49" or name == "G43_4" then env[name]() else env.G43() end
 end
 
 local groups = {

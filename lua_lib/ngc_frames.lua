@@ -180,6 +180,7 @@ end)
 
 word("G53", function()
   refuse_with_compensation("G53")
+  refuse_with_tip_control("G53")
   if state.incremental then alarm("G53 moves in machine coordinates, which are absolute: it needs G90") end
   core.machine_frame_once()
 end)

@@ -1,4 +1,4 @@
--- Tools and the offsets that belong to them: T, M6, D, H, G43, G44, G49; M61, G43.1 and G43.2 of RS274/NGC.
+-- Tools and the offsets that belong to them: T, M6, D, H, G43, G44, G43.4, G49; M61, G43.1 and G43.2 of RS274/NGC.
 
 local is_ngc = core.dialect == "rs274ngc"
 
@@ -97,6 +97,10 @@ end)
 
 -- Offsets of all axes, by their letters.
 local function offset_in_force(offset)
+  if core.tip_control() then
+    path.flush()
+    core.set_tip_control(nil)
+  end
   state.tool_offset = offset
   path.act(function() core.set_tool_offset(offset.x, offset.y, offset.z) end)
   apply_offsets()
@@ -119,6 +123,24 @@ local function h_word(words, name)
   return number
 end
 
+-- G43.4: X, Y and Z are the tip of the tool, in the work, whatever the rotary axes do (TipFrame). The length goes along
+-- the tool, so that none is left for the frame.
+local function tip_control(offset)
+  for letter, value in pairs(offset) do
+    if value ~= 0 and not ("xyz"):find(letter, 1, true) then
+      alarm("G43.4: the tool has an offset along %s; only those along X, Y and Z turn with it", letter:upper())
+    end
+  end
+  offset_in_force({})
+  path.flush()
+  core.set_tip_control(offset)
+end
+
+-- What means places of the axes themselves.
+function refuse_with_tip_control(what)
+  if core.tip_control() then alarm("%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what) end
+end
+
 local function off()
   check_compensation("G49")
   state.length_sign = nil
@@ -129,6 +151,7 @@ word("G49", off)
 -- 9/Series: the length of offset H is added along Z (G43) or taken away (G44), for as long as one of them holds. H
 -- alone calls another number.
 local function apply_length()
+  if state.length_sign == "tip" then return tip_control({ z = tool_length_mm(state.offset_number_h or 0) }) end
   offset_in_force({ z = state.length_sign * tool_length_mm(state.offset_number_h or 0) })
 end
 
@@ -136,6 +159,15 @@ local function length_offset(name, sign)
   word(name, function(words)
     state.offset_number_h = h_word(words, name) or state.offset_number_h
     state.length_sign = sign
+    apply_length()
+  end)
+end
+
+local function ab9_tip_control()
+  word("G43_4", function(words)
+    refuse_with_compensation("G43.4")
+    state.offset_number_h = h_word(words, "G43.4") or state.offset_number_h
+    state.length_sign = "tip"
     apply_length()
   end)
 end
@@ -151,6 +183,11 @@ local function ngc_words()
   word("G43", function(words)
     check_compensation("G43")
     offset_in_force(offsets_of(h_word(words, "G43") or loaded, "H"))
+  end)
+
+  word("G43_4", function(words)
+    check_compensation("G43.4")
+    tip_control(offsets_of(h_word(words, "G43.4") or loaded, "H"))
   end)
 
   -- Axes that are not named keep their offset.
@@ -193,4 +230,5 @@ if is_ngc then
 else
   length_offset("G43", 1)
   length_offset("G44", -1)
+  ab9_tip_control()
 end

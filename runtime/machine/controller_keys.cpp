@@ -50,6 +50,7 @@ constexpr std::array kNumberKeys{
     NumberKey{"blend_tolerance_deg", &Rules::blend_tolerance_deg, NumberRule::not_negative},
     NumberKey{"speed_step_s", &Rules::speed_step_s, NumberRule::positive},
     NumberKey{"centripetal_share", &Rules::centripetal_share, NumberRule::share},
+    NumberKey{"tcp_tolerance_mm", &Rules::tcp_tolerance_mm, NumberRule::positive},
     NumberKey{"arc_chord_tolerance_mm", &Rules::arc_chord_tolerance_mm, NumberRule::step},
     NumberKey{"least_feed_mm_min", &Rules::least_feed_mm_min, NumberRule::not_negative},
     NumberKey{"settle_s", &Rules::settle_s, NumberRule::not_negative},

@@ -28,6 +28,9 @@ class AxisSpace {
     double handedness_ = 1;
 };
 
+/// Whether rotary joints move the tip in the work frame, so that lines of the joints are none of the tip.
+bool tip_turns(const PlannerSetup& setup);
+
 /// The values of the position joints; 0 where one is absent.
 inline Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints) {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();

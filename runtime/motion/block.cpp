@@ -123,12 +123,36 @@ void limit_by_curvature(const Move& move, const PlannerSetup& setup, Block& bloc
     limit_lead(block, [&](LeadPath& lead) { limit_by_askew_climb(setup, move.arc, share, lead); });
 }
 
+/// The joints go round on the curve that the pieces of a move stand for. That may take half of what a joint
+/// can do; what it leaves at the speed of the block is for the ramps.
+void limit_by_bend(const PlannerSetup& setup, const ToolPiece& piece, const rrs::JointPos& shares,
+                   Block& block) {
+    constexpr double kMostOfBend = 0.5;
+    const auto limit_of = [&](int joint) {
+        return setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
+    };
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        if (piece.bend[joint] > 0) {
+            limit(block.max_speed, block.speed_limit,
+                  std::sqrt(kMostOfBend * limit_of(joint) / piece.bend[joint]), {LimitKind::centripetal, -1});
+        }
+    }
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        if (!(piece.bend[joint] > 0) || shares[joint] < kNoShare || std::isinf(limit_of(joint))) continue;
+        const double rest = limit_of(joint) - piece.bend[joint] * block.max_speed * block.max_speed;
+        limit(block.acceleration, block.acceleration_limit, rest / shares[joint],
+              {LimitKind::acceleration, static_cast<std::int8_t>(joint)});
+        block.deceleration = std::min(block.deceleration, rest / shares[joint]);
+    }
+}
+
 /// How far the tool turns: along the great circle, or by the norm of the rotary joints.
 double turn_of(const Move& move, const JointChanges& changes) {
     return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
 }
 
 Lead lead_of(const Move& move, const JointChanges& changes) {
+    if (move.piece) return {move.piece->role, move.piece->length};
     if (move.kind == SegmentKind::circular) return {JointRole::position, move.arc.length_mm()};
     for (const JointRole role : {JointRole::position, JointRole::secondary}) {
         if (changes.norm(role) > 0) return {role, changes.norm(role)};
@@ -205,6 +229,7 @@ tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const P
     set_slopes(move, setup, changes, block);
     limit_by_program(move, setup, turn_of(move, changes), block);
     limit_by_joints(setup, shares_of(move, setup, block), block);
+    if (move.piece) limit_by_bend(setup, *move.piece, block.slope_in.cwiseAbs(), block);
     if (move.kind == SegmentKind::circular) {
         limit_by_curvature(move, setup, block);
         limit_lead(block, [&](LeadPath& lead) { limit_by_arc_jerk(setup, move.arc, lead); });

@@ -70,14 +70,15 @@ CornerRule rule_at_end(const rrs::ControllerRules& controller, const Block& bloc
     return block.move.mode == rrs::PathMode::continuous ? controller.corner : controller.exact_path_corner;
 }
 
-/// All joints in proportion.
+/// All joints in proportion, and the way is theirs.
 bool is_straight(const Block& block) {
-    return block.move.kind == SegmentKind::linear && !block.move.orientation;
+    return block.move.kind == SegmentKind::linear && !block.move.orientation && !block.move.piece;
 }
 
-/// Blends are between lines.
+/// Blends are between lines. Where the joints' ways are not the tool's, the jumps of their speeds count.
 CornerRule rule_between(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
     const CornerRule rule = rule_at_end(controller, from);
+    if (rule != CornerRule::stop && (from.move.piece || to.move.piece)) return CornerRule::velocity_step;
     if (!is_blend(rule) || (is_straight(from) && is_straight(to))) return rule;
     return is_blend(controller.exact_path_corner) ? CornerRule::stop : controller.exact_path_corner;
 }
@@ -102,10 +103,11 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const Block& from, const B
 
 CornerSpeed corner_speed(const PlannerSetup& setup, const Block& from, const Block& to) {
     const rrs::ControllerRules& controller = setup.controller;
+    const double most = std::min(from.max_speed, to.max_speed);
+    if (from.move.piece && !from.move.reaches_target) return {most, LimitKind::feed, {}};
     const bool changes_mode = controller.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
     if (changes_mode || from.lead.role != to.lead.role || from.move.mode == rrs::PathMode::exact_stop)
         return {};
-    const double most = std::min(from.max_speed, to.max_speed);
     const BlendedCorner corner = pass_by_rule(setup, from, to, most);
     if (corner.speed == 0) return {};
     if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend};

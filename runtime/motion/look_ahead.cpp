@@ -16,6 +16,11 @@ namespace gsim::motion {
 namespace {
 
 constexpr double kSameSpeed = 1e-9;  // relative
+constexpr std::size_t kMostPieces = 2'000;
+
+bool leads_on(const Block& block) {
+    return block.move.piece && !block.move.reaches_target;
+}
 
 rrs::JointPos on_grid(const PlannerSetup& setup, rrs::JointPos position) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
@@ -60,8 +65,9 @@ Planned LookAhead::add_block(const Move& move) {
         return {};
     }
     if (!window_.empty()) join(window_.back(), **block);
+    if (leads_on(**block)) ++inner_;
     window_.push_back(*std::move(*block));
-    if (window_.size() < std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1)) return {};
+    if (!window_is_full()) return {};
     if (!knows_exit()) plan_back(largest_exit_cut(setup_, window_.back()));
     put_out_front();
     return {};
@@ -79,6 +85,11 @@ bool LookAhead::knows_exit() const {
     if (window_.size() < 2) return true;
     const Block& next = window_[1];
     return next.entry >= next.entry_cap || next.entry > reachable_exit();
+}
+
+bool LookAhead::window_is_full() const {
+    const std::size_t most = std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1);
+    return window_.size() - inner_ >= most || inner_ >= kMostPieces;
 }
 
 void LookAhead::join(Block& from, Block& to) const {
@@ -148,6 +159,7 @@ void LookAhead::put_out_front() {
         put_out_blend(block, next, exit, blend_limited_by(block, next, exit), output_);
     }
     if (may_wait) put_out_rest(block.move.target_id, block.move.end, settle_s(block));
+    if (leads_on(block)) --inner_;
     window_.pop_front();
     planned_ = std::max<std::size_t>(planned_, 1) - 1;
     speed_ = exit;
@@ -221,6 +233,7 @@ rrs::JointPos LookAhead::standing_at(const rrs::JointPos& position) const {
 void LookAhead::clear() {
     window_.clear();
     planned_ = 0;
+    inner_ = 0;
     output_.clear();
     speed_ = 0;
     has_rounded_ = false;

@@ -12,7 +12,8 @@ namespace gsim::motion {
 /// A controller that knows some blocks ahead and passes corners by a rule: at a speed that it sets, the way
 /// exact, or by blends, which cut the ends of blocks off (blend.h).
 ///
-/// The window holds look_ahead_blocks blocks, the one under way included. The newest is planned to end at
+/// The window holds look_ahead_blocks blocks, the one under way included, and as many pieces of tool moves
+/// (ToolPiece) as these have, up to a bound. The newest is planned to end at
 /// rest; from there back, a block's entry speed is what its corner allows and what its length lets slow down
 /// from (planned where an entry is asked for that further blocks can yet raise). When the window is full the
 /// oldest block becomes final: its exit speed is the next one's entry speed, and its law the fastest one
@@ -35,6 +36,7 @@ class LookAhead final : public MotionModel {
     Planned add_line(const Move& move);
     Planned add_block(const Move& move);
     void join(Block& from, Block& to) const;
+    bool window_is_full() const;
     void plan_back(double held_back);
     void put_out_front();
     void put_out_way(const Block& block, double exit_speed, bool reaches_target);
@@ -52,6 +54,7 @@ class LookAhead final : public MotionModel {
     FollowingError output_;
     std::deque<Block> window_;
     std::size_t planned_ = 0;  ///< Blocks of the window whose entries were planned, from the oldest on.
+    std::size_t inner_ = 0;    ///< Pieces in it that only lead on within their move: they count as no blocks.
     double speed_ = 0;         ///< At the start of the oldest block, which cannot change any more.
     rrs::JointPos rounded_;    ///< Where the last block ends, on the grid of the joints' steps.
     bool has_rounded_ = false;

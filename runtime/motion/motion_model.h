@@ -6,10 +6,19 @@
 #include "runtime/motion/arc.h"
 #include "runtime/motion/move_rules.h"
 #include "runtime/motion/plan_error.h"
+#include "runtime/motion/planner_setup.h"
 #include "runtime/motion/segment.h"
 #include "runtime/rrs/types.h"
 
 namespace gsim::motion {
+
+/// What a line of the joints stands for that is a piece of a curved way of theirs (tool_moves.h).
+struct ToolPiece {
+    JointRole role = JointRole::position;  ///< The measure of the way: the tool's, or how far it turns.
+    double length = 0;                     ///< mm or rad
+    rrs::JointPos
+        bend;  ///< Second derivative of the joints by that way, without sign: mm or rad per length^2.
+};
 
 /// A move as a controller's planner gets it: the way, and what the program asks for on it.
 struct Move {
@@ -20,6 +29,8 @@ struct Move {
     Arc arc;  ///< Of a circular move, in the position joints; the other joints go in proportion.
     /// The way of the joints that turn the tool, evenly with the tool's way; null: in proportion.
     std::shared_ptr<const OrientationArc> orientation;
+    /// Null: the joints go straight ways by themselves.
+    std::shared_ptr<const ToolPiece> piece;
     bool reaches_target = true;  ///< Ends at its target; else another move leads on to it.
     double length_mm = 0;        ///< Of the tool's way; 0 where rotary joints alone move.
     MoveRules rules;             ///< Programmed speeds and the path's limits, overrides applied.

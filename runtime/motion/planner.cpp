@@ -40,7 +40,9 @@ DefaultPlanner::DefaultPlanner(PlannerSetup setup, SegmentSink* sink)
       queue_(setup_.queue_capacity),
       programmed_(setup_.joint_count()),
       position_(rrs::JointPos::Zero(setup_.joint_count())),
-      model_(make_model(setup_, output_)) {}
+      tip_turns_(tip_turns(setup_)),
+      model_(make_model(setup_, output_)),
+      tool_model_(std::make_unique<LookAhead>(setup_, output_)) {}
 
 Status DefaultPlanner::Initialize() {
     start_over();
@@ -73,6 +75,8 @@ void DefaultPlanner::start_over() {
     setup_ = machine_;
     position_.setZero();
     via_.reset();
+    tip_.reset();
+    tool_model_->clear();
     stopped_.reset();
     held_.clear();
     conveyors_.clear();

@@ -20,6 +20,7 @@
 #include "runtime/motion/segment.h"
 #include "runtime/motion/segment_queue.h"
 #include "runtime/motion/stop.h"
+#include "runtime/motion/tool_path.h"
 #include "runtime/rrs/shell.h"
 
 namespace gsim::motion {
@@ -111,6 +112,7 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status SelectFlybyMode(bool on) override;
     rrs::Status SetPathMode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) override;
     rrs::Status SetRapid(bool on) override;
+    rrs::Status SetTipControl(bool on, const Eigen::Vector3d& tip_mm) override;
     rrs::Status SelectFlybyCriteria(int criterion) override;
     rrs::Status SetFlybyCriteriaParameter(int criterion, int joint, double value) override;
     rrs::Status CancelFlybyCriteria(int criterion) override;
@@ -201,6 +203,22 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::JointPos standing() const;
     void emit_front();
 
+    /// The circle of a target: by its via point, or by its centre.
+    struct Circle {
+        Eigen::Vector3d center_mm;
+        Eigen::Vector3d axis;
+        double sweep_rad = 0;
+    };
+    bool moves_tool(bool along_path) const;
+    tl::expected<TipWay, PlanError> tip_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                            const std::optional<Circle>& circle) const;
+    tl::expected<std::unique_ptr<ToolPath>, PlanError> tool_path(const rrs::CartPos& cartesian,
+                                                                 const rrs::JointPos& joints,
+                                                                 const std::optional<Circle>& circle) const;
+    rrs::Status put_tool_move(rrs::TargetId id, const rrs::CartPos& cartesian, const rrs::JointPos& joints,
+                              const std::optional<Circle>& circle);
+    Planned add_pieces(const Move& whole, const ToolPath& path, const std::vector<PathPiece>& pieces);
+
     Planned plan_selected(Segment& segment);
     Planned plan_orientation(Segment& segment) const;
     Planned plan_via_arc(Segment& segment);
@@ -217,11 +235,14 @@ class DefaultPlanner final : public rrs::Shell {
     Programmed programmed_;
     rrs::JointPos position_;
     std::optional<rrs::JointPos> via_;
+    bool tip_turns_ = false;              ///< The tip is not where the position joints alone say.
+    std::optional<Eigen::Vector3d> tip_;  ///< Under tool-centre-point control, in the tool's frame.
     PlanError error_;
     Output output_{*this};
-    std::unique_ptr<MotionModel> model_;  ///< None where each move ends at rest.
-    Segment draft_;                       ///< Of the target that goes to the model.
-    HeldTargets held_;                    ///< By the model.
+    std::unique_ptr<MotionModel> model_;       ///< None where each move ends at rest.
+    Segment draft_;                            ///< Of the target that goes to the model.
+    std::unique_ptr<MotionModel> tool_model_;  ///< For the pieces of tool moves, where model_ cannot.
+    HeldTargets held_;                         ///< By the model.
     EventList events_;
     /// What is left of a stopped motion, and where it stands.
     struct Stopped {

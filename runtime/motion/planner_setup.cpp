@@ -67,7 +67,8 @@ Trouble check_controller(const rrs::ControllerRules& controller) {
     if (auto trouble = check_corners(controller)) return trouble;
     if (auto trouble = check_positive("speed_step_s of the controller", controller.speed_step_s))
         return trouble;
-    for (const auto& [name, value] : {std::pair{"in_position_mm", controller.in_position_mm},
+    for (const auto& [name, value] : {std::pair{"tcp_tolerance_mm", controller.tcp_tolerance_mm},
+                                      std::pair{"in_position_mm", controller.in_position_mm},
                                       std::pair{"in_position_deg", controller.in_position_deg}}) {
         if (auto trouble = check_positive(fmt::format("{} of the controller", name), value)) return trouble;
     }

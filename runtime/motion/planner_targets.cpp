@@ -79,7 +79,9 @@ Status DefaultPlanner::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, c
     if (param != rrs::TargetParam::end) {
         return refuse(Status::RRS_INVALID_PARAMETER, "A target is the end of a motion or a via point.");
     }
-    Segment& segment = begin_target(id, programmed_.motion_type != rrs::MotionType::joint);
+    const bool along_path = programmed_.motion_type != rrs::MotionType::joint;
+    if (moves_tool(along_path)) return put_tool_move(id, cartesian, joints, std::nullopt);
+    Segment& segment = begin_target(id, along_path);
     Planned planned = solve_target(cartesian, joints, segment.end);
     if (planned) planned = plan_selected(segment);
     return finish_target(segment, std::move(planned));
@@ -99,6 +101,7 @@ Status DefaultPlanner::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d&
                                         const Eigen::Vector3d& axis, double sweep_rad,
                                         const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
     if (Planned ready = ready_for_target(); !ready) return tell(std::move(ready.error()));
+    if (moves_tool(true)) return put_tool_move(id, cartesian, joints, Circle{center_mm, axis, sweep_rad});
     Segment& segment = begin_target(id, true);
     Planned planned = solve_target(cartesian, joints, segment.end);
     if (planned) planned = plan_center_arc(center_mm, axis, sweep_rad, segment);

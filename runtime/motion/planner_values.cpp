@@ -50,6 +50,8 @@ Status DefaultPlanner::SelectTargetType(rrs::TargetType type) {
             fmt::format("There is no target type {}; 0 is Cartesian, 1 joint.", static_cast<int>(type)));
     }
     programmed_.target_type = type;
+    if (type == rrs::TargetType::joint && !setup_.has_position_joints())
+        programmed_.motion_type = rrs::MotionType::joint;
     return Status::RRS_SUCCESS;
 }
 
@@ -61,11 +63,12 @@ Status DefaultPlanner::SelectMotionType(rrs::MotionType type) {
                       fmt::format("There is no motion type {}; 1 is joint, 2 linear, 4 circular.",
                                   static_cast<int>(type)));
     }
-    if (path && !setup_.has_position_joints()) {
+    const bool to_poses = programmed_.target_type == rrs::TargetType::cartesian;
+    if (path && !setup_.has_position_joints() && !(to_poses && tip_turns_)) {
         return refuse(
             Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
-            "Linear and circular motion need joints that carry the position of the tool; this machine has "
-            "none.");
+            "Linear and circular motion to joint values need joints that carry the position of the tool; "
+            "this machine has none.");
     }
     programmed_.motion_type = type;
     via_.reset();

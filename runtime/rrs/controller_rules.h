@@ -63,6 +63,9 @@ struct ControllerRules {
     double arc_chord_tolerance_mm = 0;
     /// The feed of an arc in inverse time mode counts once for each chord, in mm/min (grbl 1.1).
     bool inverse_time_of_chords = false;
+    /// How far the tip may leave its way where the joints go curved ways to keep it there (tool-centre-point
+    /// control, Cartesian targets): these ways become lines of the joints.
+    double tcp_tolerance_mm = 0.001;
     OrientationRule orientation = OrientationRule::joints;
     double least_feed_mm_min = 0;  ///< A lower one is raised to it.
 

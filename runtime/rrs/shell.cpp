@@ -233,6 +233,10 @@ Status Shell::GetTargetOfLastStep(TargetId&) {
     return not_supported("GetTargetOfLastStep");
 }
 
+Status Shell::SetTipControl(bool, const Eigen::Vector3d&) {
+    return not_supported("SetTipControl");
+}
+
 Status Shell::ComeToRest(RestReason) {
     return not_supported("ComeToRest");
 }

@@ -18,7 +18,7 @@ void add_arc_words(lua_State* state, Controller& controller);
 void add_moves(lua_State* state, Controller& controller);
 /// Program and machine coordinates: offsets, matrix, where the machine stands, where a move would end.
 void add_frames(lua_State* state, Controller& controller);
-/// Axis values for poses: core.pose_axes.
+/// Poses: their axis values (core.pose_axes), moves of the tool to them (core.pose_move).
 void add_poses(lua_State* state, Controller& controller);
 /// Zones, and where the tool's end is: core.set_zone, core.switch_zones, core.set_tool_offset.
 void add_zones(lua_State* state, Controller& controller);

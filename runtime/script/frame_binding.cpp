@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -157,6 +158,29 @@ int direction(lua_State* state) {
     return 3;
 }
 
+/// core.set_tip_control(nil or offsets by letter in mm): tool-centre-point control.
+int set_tip_control(lua_State* state) {
+    Controller& controller = self(state);
+    std::optional<Eigen::Vector3d> offset;
+    if (!lua_isnoneornil(state, 1)) {
+        luaL_checktype(state, 1, LUA_TTABLE);
+        offset.emplace();
+        for (int i = 0; i < 3; ++i) {
+            lua_getfield(state, 1, std::array{"x", "y", "z"}[static_cast<std::size_t>(i)]);
+            (*offset)[i] = luaL_optnumber(state, -1, 0);
+            lua_pop(state, 1);
+        }
+    }
+    controller.check(state, controller.simulator().set_tip_control(offset, controller.place()));
+    return 0;
+}
+
+/// core.tip_control(): whether it is on.
+int tip_control(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(self(state).simulator().has_tip_control()));
+    return 1;
+}
+
 }  // namespace
 
 void add_frames(lua_State* state, Controller& controller) {
@@ -174,6 +198,8 @@ void add_frames(lua_State* state, Controller& controller) {
     set_function<to_machine>(state, "to_machine", &controller);
     set_function<set_on_polar>(state, "on_polar", &controller);
     set_function<direction>(state, "direction", &controller);
+    set_function<set_tip_control>(state, "set_tip_control", &controller);
+    set_function<tip_control>(state, "tip_control", &controller);
 }
 
 }  // namespace gsim::script

@@ -46,4 +46,13 @@ struct ViaMove {
     Place place;
 };
 
+/// A line of the tool's centre point in the work frame, or with a point on the way an arc; the tool turns
+/// evenly to the orientation of `target`.
+struct PoseMove {
+    std::optional<rrs::CartPos> via;
+    rrs::CartPos target;
+    Feed feed;
+    Place place;
+};
+
 }  // namespace gsim::simulation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string_view>
 
@@ -30,5 +31,9 @@ struct MoveInfo {
     bool timed = false;       ///< A time is programmed for the move (inverse time feed), no speed.
     bool jet_on = false;
 };
+
+/// An arc through three points is told in the main plane that it lies closest to, with its sense there.
+void set_plane_and_sense(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
+                         const Eigen::Vector3d& end);
 
 }  // namespace gsim::simulation

@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/report.h"
 
@@ -33,6 +35,15 @@ std::string_view name(RunStatus status) {
         case RunStatus::alarm: break;
     }
     return "alarm";
+}
+
+void set_plane_and_sense(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
+                         const Eigen::Vector3d& end) {
+    const Eigen::Vector3d normal = (via - start).cross(end - via);
+    Eigen::Index largest = 0;
+    normal.cwiseAbs().maxCoeff(&largest);
+    info.plane = largest == 2 ? Plane::xy : largest == 1 ? Plane::zx : Plane::yz;
+    info.kind = normal[largest] < 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
 }
 
 }  // namespace gsim::simulation

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/axis_space.h"
 #include "runtime/simulation/module_motion.h"
 #include "runtime/simulation/planner_motion.h"
 
@@ -38,16 +39,6 @@ std::array<Eigen::Index, 3> plane_axes(Plane plane) {
     return {0, 1, 2};
 }
 
-/// An arc through three points is told in the main plane that it lies closest to, with its sense there.
-void set_plane_and_sense(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
-                         const Eigen::Vector3d& end) {
-    const Eigen::Vector3d normal = (via - start).cross(end - via);
-    Eigen::Index largest = 0;
-    normal.cwiseAbs().maxCoeff(&largest);
-    info.plane = largest == 2 ? Plane::xy : largest == 1 ? Plane::zx : Plane::yz;
-    info.kind = normal[largest] < 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
-}
-
 /// A controller module without the service, or broken; any other answer leaves the controller as it can be.
 bool is_missing(Status status) {
     return status == Status::RRS_SERVICE_NOT_SUPPORTED || status == Status::RRS_MODULE_FAULT;
@@ -74,6 +65,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       motion_(make_motion(std::move(module))),
       shell_(motion_->shell()),
       space_axes_(space_axes(machine_)),
+      tip_turns_(motion::tip_turns(setup_)),
       position_(static_cast<Eigen::Index>(machine_.axes.size())) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
@@ -251,30 +243,42 @@ bool Simulator::move(const LineMove& move) {
     } else if (!set_feed(move.feed, rotary, move.place)) {
         return false;
     }
+    const auto joints = joints_of(move.target);
+    if (!joints) return fail(joints.error(), move.place);
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
     info.timed = move.feed.motion_s.has_value();
     recorder_.expect(info);
     const Status status =
-        shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), to_joints(move.target), {}, 0);
+        shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), *joints, {}, 0);
     return finish_move(status, move.target, move.place,
                        [&](const AxisVector& from) { observer_->line(from, move, rotary); });
 }
 
 bool Simulator::move(const ArcMove& move) {
     if (!set_feed(move.feed, false, move.place)) return false;
+    const auto joints = joints_of(move.target);
+    if (!joints) return fail(joints.error(), move.place);
     const auto [first, second, normal] = plane_axes(move.plane);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     center[first] = move.center_first_mm;
     center[second] = move.center_second_mm;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const int at = space_axes_[static_cast<std::size_t>(i)];
+        if (at >= 0) center[i] -= machine_.axes[static_cast<std::size_t>(at)].zero;
+    }
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     axis[normal] = move.kind == MoveKind::arc_ccw ? 1.0 : -1.0;
+    if (tip_frame_) {
+        center = tip_frame_->point(center);
+        axis = tip_frame_->turn_axis(axis);
+    }
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move));
     info.timed = move.feed.motion_s.has_value();
     info.plane = move.plane;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
     recorder_.expect(info);
-    const Status status = shell_.SetNextArcTarget(info.target_id, center, axis, move.sweep_rad, no_pose(),
-                                                  to_joints(move.target));
+    const Status status =
+        shell_.SetNextArcTarget(info.target_id, center, axis, move.sweep_rad, no_pose(), *joints);
     return finish_move(status, move.target, move.place,
                        [&](const AxisVector& from) { observer_->arc(from, move); });
 }
@@ -291,27 +295,21 @@ Eigen::Vector3d Simulator::space_point(const AxisVector& axes) const {
 
 bool Simulator::move(const ViaMove& move) {
     if (!set_feed(move.feed, false, move.place)) return false;
+    const auto via = joints_of(move.via);
+    const auto target = joints_of(move.target);
+    if (!via || !target) return fail(via ? target.error() : via.error(), move.place);
     MoveInfo info = next_move(MoveKind::arc_ccw, move.place, move.feed.linear_mm_min);
     info.timed = move.feed.motion_s.has_value();
     info.turns = 1;
     set_plane_and_sense(info, space_point(position_), space_point(move.via), space_point(move.target));
     recorder_.expect(info);
     shell_.SelectMotionType(rrs::MotionType::circular);
-    Status status =
-        shell_.SetNextTarget(info.target_id, rrs::TargetParam::via, no_pose(), to_joints(move.via), {}, 0);
-    if (static_cast<int>(status) >= 0) {
-        status = shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(),
-                                      to_joints(move.target), {}, 0);
-    }
+    Status status = shell_.SetNextTarget(info.target_id, rrs::TargetParam::via, no_pose(), *via, {}, 0);
+    if (static_cast<int>(status) >= 0)
+        status = shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), *target, {}, 0);
     shell_.SelectMotionType(rrs::MotionType::linear);
     return finish_move(status, move.target, move.place,
                        [&](const AxisVector& from) { observer_->arc(from, move); });
-}
-
-tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
-    return setup_.kinematics->inverse(pose, to_joints(position_)).map([this](const rrs::JointPos& joints) {
-        return to_axes(joints);
-    });
 }
 
 bool Simulator::dwell(double seconds, const Place& place) {
@@ -325,7 +323,7 @@ bool Simulator::dwell(double seconds, const Place& place) {
 rrs::Status Simulator::set_start(const std::function<Status()>& set) {
     if (time_s() > 0) return Status::RRS_INVALID_PARAMETER;
     const Status status = set();
-    position_ = to_axes(motion_->position());
+    position_ = position_at(motion_->position());
     return status;
 }
 
@@ -334,7 +332,7 @@ rrs::Status Simulator::queue_target(MoveKind kind, const Place& place,
     const MoveInfo info = next_move(kind, place, 0);
     recorder_.expect(info);
     const Status status = queue(info.target_id);
-    position_ = to_axes(motion_->position());
+    position_ = position_at(motion_->position());
     if (observer_ != nullptr) observer_->service_motion();
     return status;
 }
@@ -352,7 +350,7 @@ void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double me
 
 Status Simulator::cancel_motion() {
     const Status status = shell_.CancelMotion();
-    if (status == Status::RRS_SUCCESS) position_ = to_axes(motion_->position());
+    if (status == Status::RRS_SUCCESS) position_ = position_at(motion_->position());
     if (observer_ != nullptr) observer_->service_motion();
     return status;
 }

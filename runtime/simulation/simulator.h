@@ -21,6 +21,7 @@
 #include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/tip_frame.h"
 #include "runtime/simulation/zone_watch.h"
 
 namespace gsim::simulation {
@@ -59,7 +60,7 @@ class Simulator {
     void set_observer(ProgramObserver& observer) { observer_ = &observer; }
 
     const machine::Machine& machine() const { return machine_; }
-    /// Axis values at the end of the last move.
+    /// Axis values at the end of the last move; under tool-centre-point control X, Y and Z of the tip.
     const AxisVector& position() const { return position_; }
     /// Where the clock stands when all moves so far have been made: reading it brings the machine to rest.
     double time_s();
@@ -79,6 +80,14 @@ class Simulator {
     bool move(const LineMove& move);
     bool move(const ArcMove& move);
     bool move(const ViaMove& move);
+    bool move(const PoseMove& move);
+    /// Whether a line of the axes between two poses is none of the tool: for such machines PoseMove is made.
+    bool tip_turns() const { return tip_turns_; }
+    /// Tool-centre-point control (TipFrame) for the moves that follow, with a tool length offset of the
+    /// linear axes X, Y and Z in mm; none: off. The machine comes to rest; position() and all targets are
+    /// coordinates of the tip while it is on.
+    bool set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm, const Place& place);
+    bool has_tip_control() const { return tip_frame_.has_value(); }
     bool dwell(double seconds, const Place& place);
     /// How the moves that follow are passed, and within what tolerances (mm; 0: as the controller does).
     void set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm);
@@ -167,6 +176,8 @@ class Simulator {
     void leave_exact_stop();
     rrs::JointPos to_joints(const AxisVector& axes) const;
     AxisVector to_axes(const rrs::JointPos& joints) const;
+    tl::expected<rrs::JointPos, std::string> joints_of(const AxisVector& target) const;
+    AxisVector position_at(const rrs::JointPos& joints) const;
     Eigen::Vector3d space_point(const AxisVector& axes) const;
     bool rotary_alone(const AxisVector& target) const;
     double feed_per_min(const LineMove& move, bool rotary) const;
@@ -193,6 +204,8 @@ class Simulator {
     std::unique_ptr<MotionSource> motion_;
     rrs::Shell& shell_;              ///< Of motion_.
     std::array<int, 3> space_axes_;  ///< Index of X, Y and Z; -1 where the machine has no such axis.
+    bool tip_turns_;
+    std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control.
     AxisVector position_;
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;

@@ -81,7 +81,8 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "name = \"all\"\nplanner = \"look-ahead\"\nlook_ahead_blocks = 7\ncorner = \"velocity-step\"\n"
         "exact_path_corner = \"junction-deviation\"\njunction_deviation_mm = 0.25\nspeed_step_s = 0.125\n"
         "stop_between_rapid_and_feed = false\nlimit_jerk = true\ncentripetal_share = 0.5\n"
-        "arc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
+        "tcp_tolerance_mm = 0.02\narc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = "
+        "true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
         "blend_tolerance_mm = 9\nblend_tolerance_deg = 10\nposition_gain_1_s = 11\nin_position_mm = 12\n"
         "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8\ncorner_override_percent = "
         "60\n"
@@ -99,6 +100,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .limit_jerk = true,
                                  .centripetal_share = 0.5,
                                  .arc_chord_tolerance_mm = 0.75,
+                                 .tcp_tolerance_mm = 0.02,
                                  .inverse_time_of_chords = true,
                                  .least_feed_mm_min = 3,
                                  .settle_s = 4,

@@ -95,6 +95,7 @@ std::vector<Service> all_services() {
         {"SetNextRest", [](Shell& s) { return s.SetNextRest(1, 0); }},
         {"SetPathMode", [](Shell& s) { return s.SetPathMode(PathMode::exact_path, 0, 0); }},
         {"GetTargetOfLastStep", [](Shell& s) { return s.GetTargetOfLastStep(target); }},
+        {"SetTipControl", [](Shell& s) { return s.SetTipControl(true, Eigen::Vector3d::Zero()); }},
         {"ComeToRest", [](Shell& s) { return s.ComeToRest(RestReason::query); }},
     };
 }

@@ -1,0 +1,113 @@
+#include "runtime/motion/tool_path.h"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <utility>
+
+#include "runtime/motion/axis_space.h"
+#include "runtime/motion/joint_changes.h"
+
+namespace gsim::motion {
+
+namespace {
+
+constexpr double kNoWay_mm = 1e-9;
+constexpr double kLeastDeterminant = 1e-9;  // of the directions of the slides
+
+Eigen::Vector3d tip_at(const PlannerSetup& setup, const rrs::JointPos& joints,
+                       const Eigen::Vector3d& tip_mm) {
+    return setup.kinematics->forward(joints) * tip_mm;
+}
+
+class TipPath final : public ToolPath {
+  public:
+    TipPath(const PlannerSetup& setup, TipWay way, const Eigen::Vector3d& tip_mm, const rrs::JointPos& start,
+            const rrs::JointPos& end)
+        : ToolPath(std::move(way), tip_mm, JointChanges(setup, start, end).norm(JointRole::rotary)),
+          setup_(setup),
+          start_(start),
+          end_(end) {}
+
+    tl::expected<rrs::JointPos, std::string> joints_at(double share, const rrs::JointPos&) const override {
+        if (share <= 0) return start_;
+        if (share >= 1) return end_;
+        const rrs::JointPos straight = start_ + share * (end_ - start_);
+        auto joints = place_tip(setup_, straight, tip_mm(), way().at(share));
+        if (joints) return *std::move(joints);
+        return tl::unexpected(std::string("The rotary axes stand so that two slides go the same way."));
+    }
+
+  private:
+    const PlannerSetup& setup_;
+    rrs::JointPos start_;
+    rrs::JointPos end_;
+};
+
+class PosePath final : public ToolPath {
+  public:
+    PosePath(const PlannerSetup& setup, TipWay way, const rrs::CartPos& start, const rrs::CartPos& end)
+        : ToolPath(std::move(way), Eigen::Vector3d::Zero(),
+                   Eigen::Quaterniond(start.linear()).angularDistance(Eigen::Quaterniond(end.linear()))),
+          setup_(setup),
+          start_(start.linear()),
+          end_(end.linear()) {}
+
+    tl::expected<rrs::JointPos, std::string> joints_at(double share,
+                                                       const rrs::JointPos& near) const override {
+        rrs::CartPos pose = rrs::CartPos::Identity();
+        pose.linear() = start_.slerp(share, end_).normalized().toRotationMatrix();
+        pose.translation() = way().at(share);
+        return setup_.kinematics->inverse(pose, near);
+    }
+
+  private:
+    const PlannerSetup& setup_;
+    Eigen::Quaterniond start_;
+    Eigen::Quaterniond end_;
+};
+
+}  // namespace
+
+double TipWay::length_mm() const {
+    if (kind == SegmentKind::circular) return arc.length_mm();
+    const double length = (to - from).norm();
+    return length > kNoWay_mm ? length : 0;
+}
+
+Eigen::Vector3d TipWay::at(double share) const {
+    if (share <= 0) return from;
+    if (share >= 1) return to;
+    if (kind == SegmentKind::circular) return arc.at(arc.phi_at(share * arc.length_mm()));
+    return from + share * (to - from);
+}
+
+std::unique_ptr<ToolPath> tip_path(const PlannerSetup& setup, TipWay way, const Eigen::Vector3d& tip_mm,
+                                   const rrs::JointPos& start, const rrs::JointPos& end) {
+    return std::make_unique<TipPath>(setup, std::move(way), tip_mm, start, end);
+}
+
+std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& start,
+                                    const rrs::CartPos& end) {
+    return std::make_unique<PosePath>(setup, std::move(way), start, end);
+}
+
+// With the other joints where they are the tip goes by a linear function of the slides.
+std::optional<rrs::JointPos> place_tip(const PlannerSetup& setup, const rrs::JointPos& joints,
+                                       const Eigen::Vector3d& tip_mm, const Eigen::Vector3d& point_mm) {
+    const Eigen::Vector3d tip = tip_at(setup, joints, tip_mm);
+    Eigen::Matrix3d directions;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint < 0) return std::nullopt;
+        rrs::JointPos moved = joints;
+        moved[joint] += 1;
+        directions.col(axis) = tip_at(setup, moved, tip_mm) - tip;
+    }
+    if (!(std::abs(directions.determinant()) > kLeastDeterminant)) return std::nullopt;
+    rrs::JointPos placed = joints;
+    put_position(setup.position_joints,
+                 position_of(setup, joints) + directions.partialPivLu().solve(point_mm - tip), placed);
+    return placed;
+}
+
+}  // namespace gsim::motion

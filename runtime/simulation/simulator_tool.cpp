@@ -1,0 +1,73 @@
+// Moves of the tool in the work frame: tool-centre-point control and moves to poses.
+
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::simulation {
+
+using rrs::Status;
+
+bool Simulator::set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm, const Place& place) {
+    if (!offset_mm && !tip_frame_) return true;
+    wait();
+    std::optional<TipFrame> frame;
+    if (offset_mm) {
+        const AxisVector zero = AxisVector::Zero(static_cast<Eigen::Index>(machine_.axes.size()));
+        auto made = TipFrame::make(setup_, to_joints(zero), *offset_mm);
+        if (!made) return fail(made.error(), place);
+        frame = *made;
+    }
+    const Status status =
+        shell_.SetTipControl(frame.has_value(), frame ? frame->tip_mm() : Eigen::Vector3d(0, 0, 0));
+    if (status == Status::RRS_SERVICE_NOT_SUPPORTED)
+        return fail("this controller has no tool-centre-point control", place);
+    if (static_cast<int>(status) < 0) return refused(place);
+    tip_frame_ = frame;
+    position_ = position_at(motion_->position());
+    return true;
+}
+
+tl::expected<rrs::JointPos, std::string> Simulator::joints_of(const AxisVector& target) const {
+    if (tip_frame_) return tip_frame_->joints(setup_, to_joints(target));
+    return to_joints(target);
+}
+
+AxisVector Simulator::position_at(const rrs::JointPos& joints) const {
+    return to_axes(tip_frame_ ? tip_frame_->coordinates(setup_, joints) : joints);
+}
+
+tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
+    return setup_.kinematics->inverse(pose, to_joints(position_)).map([this](const rrs::JointPos& joints) {
+        return to_axes(joints);
+    });
+}
+
+bool Simulator::move(const PoseMove& move) {
+    if (!set_feed(move.feed, false, move.place)) return false;
+    MoveInfo info = next_move(MoveKind::linear, move.place, move.feed.linear_mm_min);
+    info.timed = move.feed.motion_s.has_value();
+    if (move.via) {
+        info.turns = 1;
+        set_plane_and_sense(info, setup_.kinematics->forward(motion_->position()).translation(),
+                            move.via->translation(), move.target.translation());
+    }
+    recorder_.expect(info);
+    const auto put = [&](rrs::TargetParam param, const rrs::CartPos& pose) {
+        return shell_.SetNextTarget(info.target_id, param, pose, motion_->position(), {}, 0);
+    };
+    Status status = shell_.SelectTargetType(rrs::TargetType::cartesian);
+    if (static_cast<int>(status) >= 0)
+        status = shell_.SelectMotionType(move.via ? rrs::MotionType::circular : rrs::MotionType::linear);
+    if (move.via && static_cast<int>(status) >= 0) status = put(rrs::TargetParam::via, *move.via);
+    if (static_cast<int>(status) >= 0) status = put(rrs::TargetParam::end, move.target);
+    const bool refused_here = static_cast<int>(status) < 0;
+    if (refused_here) refused(move.place);  // in its own words, before other services answer
+    shell_.SelectTargetType(rrs::TargetType::joint);
+    shell_.SelectMotionType(rrs::MotionType::linear);  // refused where no slides carry the tool
+    if (refused_here) return false;
+    position_ = position_at(motion_->position());
+    if (observer_ != nullptr) observer_->service_motion();
+    warn_if_singular(position_, move.place);
+    return finish_move(status, move.place);
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,54 @@
+#include "runtime/simulation/tip_frame.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "runtime/motion/axis_space.h"
+#include "runtime/motion/tool_path.h"
+
+namespace gsim::simulation {
+
+tl::expected<TipFrame, std::string> TipFrame::make(const motion::PlannerSetup& setup,
+                                                   const rrs::JointPos& zero,
+                                                   const Eigen::Vector3d& offset_mm) {
+    rrs::JointPos joints = zero;
+    motion::put_position(setup.position_joints, Eigen::Vector3d::Zero(), joints);
+    const rrs::CartPos origin = setup.kinematics->forward(joints);
+    TipFrame frame;
+    frame.origin_mm_ = origin.translation();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
+        if (joint < 0) {
+            return tl::unexpected(std::string(
+                "tool-centre-point control needs the linear axes X, Y and Z; this machine has not "
+                "all of them"));
+        }
+        rrs::JointPos moved = joints;
+        moved[joint] += 1;
+        frame.directions_.col(axis) = setup.kinematics->forward(moved).translation() - frame.origin_mm_;
+    }
+    if (!(frame.directions_.transpose() * frame.directions_).isIdentity(1e-9)) {
+        return tl::unexpected(std::string(
+            "tool-centre-point control needs X, Y and Z at right angles; those of this machine are "
+            "not"));
+    }
+    frame.handedness_ = frame.directions_.determinant() < 0 ? -1 : 1;
+    frame.tip_mm_ = -(origin.linear().transpose() * (frame.directions_ * offset_mm));
+    return frame;
+}
+
+tl::expected<rrs::JointPos, std::string> TipFrame::joints(const motion::PlannerSetup& setup,
+                                                          const rrs::JointPos& coordinates) const {
+    const Eigen::Vector3d wanted = point(motion::position_of(setup, coordinates));
+    if (auto placed = motion::place_tip(setup, coordinates, tip_mm_, wanted)) return *std::move(placed);
+    return tl::unexpected(std::string("the rotary axes would stand so that two slides go the same way"));
+}
+
+rrs::JointPos TipFrame::coordinates(const motion::PlannerSetup& setup, const rrs::JointPos& joints) const {
+    rrs::JointPos coordinates = joints;
+    const Eigen::Vector3d tip = setup.kinematics->forward(joints) * tip_mm_;
+    motion::put_position(setup.position_joints, directions_.transpose() * (tip - origin_mm_), coordinates);
+    return coordinates;
+}
+
+}  // namespace gsim::simulation

@@ -1,0 +1,125 @@
+// G43.4 as programs see it, and moves to poses where slides alone do not carry the tip.
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/kinematics/pose.h"
+#include "runtime/machine/machine_file.h"
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script {
+namespace {
+
+using Eigen::Vector3d;
+
+Conditions on(const std::string& machine) {
+    Conditions conditions;
+    conditions.machine = machine::load_machine(GSIM_SAMPLES "/machines/" + machine + ".toml").value();
+    return with_tools(conditions);
+}
+
+/// The tip of a tool of that length, in the work.
+Vector3d tip_after(const Outcome& r, std::size_t n, const Vector3d& tip_mm = Vector3d::Zero()) {
+    return machine::make_kinematics(r.machine)->forward(r.moves.at(n).end) * tip_mm;
+}
+
+TEST(TipControl, AtRotaryZeroItMeansTheSameAsG43) {
+    const std::string moves = "G0 X10 Y20 Z90\nG1 X30 Y25 Z80 F600\nG2 X40 Y35 I10 J0\nM30\n";
+    for (const std::string machine : {"mill-table-table", "mill-head-table"}) {
+        const Outcome with = run("G43.4 H2\n" + moves, on(machine));
+        const Outcome without = run("G43 H2\n" + moves, on(machine));
+        ASSERT_TRUE(with.completed()) << with.message();
+        ASSERT_EQ(with.moves.size(), without.moves.size());
+        for (std::size_t i = 0; i < with.moves.size(); ++i) {
+            EXPECT_LT((with.moves[i].end - without.moves[i].end).cwiseAbs().maxCoeff(), 1e-9) << i;
+            EXPECT_NEAR(with.moves[i].length_mm, without.moves[i].length_mm, 1e-6);
+        }
+    }
+}
+
+TEST(TipControl, RotaryAxesLeaveTheTipWhereItIs) {
+    const Outcome r =
+        run("G0 X10 Y20 Z90\nG43.4 H2\nG0 A-30 C40\nG1 A-50 C-60 F1000\nM30\n", on("mill-table-table"));
+    ASSERT_TRUE(r.completed()) << r.message();
+    const auto kinematics = machine::make_kinematics(r.machine);
+    const Vector3d tool =
+        -25 * (kinematics->forward(r.moves[0].end).linear().transpose() * Vector3d::UnitZ());
+    for (std::size_t i = 1; i < r.moves.size(); ++i)
+        EXPECT_LT((tip_after(r, i, tool) - tip_after(r, 0, tool)).norm(), 1e-9) << i;
+    EXPECT_NEAR(r.to(2, 'C'), -60, 1e-9);
+    EXPECT_EQ(r.moves[2].length_mm, 0);
+}
+
+TEST(TipControl, WorkOffsetsAndIncrementsAreOfTheTip) {
+    const Outcome r = run("G43.4 H0\nG92 X0 Y0 Z0\nG1 B30 C20 F1000\nG91 X5 Y-3 Z-7\nG90 X0 Y0 Z0\nM30\n",
+                          on("mill-head-table"));
+    ASSERT_TRUE(r.completed()) << r.message();
+    const Vector3d first = tip_after(r, 0);
+    EXPECT_LT((tip_after(r, 1) - first - Vector3d(5, -3, -7)).norm(), 1e-9);
+    EXPECT_LT((tip_after(r, 2) - first).norm(), 1e-9);
+    EXPECT_NEAR(r.moves[1].length_mm, std::sqrt(25 + 9 + 49), 1e-9);
+}
+
+TEST(TipControl, G49EndsItAndPlacesOfTheAxesAreRefused) {
+    const Outcome r = run("G43.4 H1\nG1 B30 C20 F1000\nG49\nG53 G0 X1 Y2 Z300\nM30\n", on("mill-head-table"));
+    ASSERT_TRUE(r.completed()) << r.message();
+    EXPECT_NEAR(r.to(1, 'X'), 1, 1e-9);
+    EXPECT_NEAR(r.to(1, 'Z'), 300, 1e-9);
+    for (const std::string word : {"G53 G0 X1", "G28 X1", "G30 Z1"})
+        expect_alarm(run("G43.4 H1\n" + word + "\n", on("mill-head-table")), "G43.4");
+    expect_alarm(run("G43.4 H1\nG1 X0 F100\n", on("arm6")), "X, Y and Z");
+}
+
+TEST(TipControl, TheOtherDialectHasIt) {
+    Conditions ngc = on("mill-head-table");
+    ngc.options.dialect = "rs274ngc";
+    const Outcome r = run("T1 M6\nG43.4\nG1 B30 C20 F1000\nG49\nM2\n", ngc);
+    ASSERT_TRUE(r.completed()) << r.message();
+    const auto kinematics = machine::make_kinematics(r.machine);
+    const Vector3d tool =
+        -10 * (kinematics->forward(rrs::JointPos::Zero(5)).linear().transpose() * Vector3d::UnitZ());
+    const Vector3d home = kinematics->forward(machine::home_position(r.machine)) * tool;
+    EXPECT_LT((tip_after(r, 0, tool) - home).norm(), 1e-9);
+}
+
+TEST(TipControl, AWayOutOfRangeNamesTheAxisAndTheBlock) {
+    expect_alarm(run("G0 X240\nG43.4 H0\nG1 X240 Y0 A0 C0 F1000\nG1 C180 F5000\n", on("mill-table-table")), 4,
+                 {"axis Y", "past its limit"});
+}
+
+TEST(Poses, LinearMovesOfAnArmAreLinesInSpace) {
+    const Outcome r = run_lua(
+        "F(6000)\nMoveJoint{x=500, y=100, z=200, pitch=150}\nMoveLinear{x=450, y=250, z=300, pitch=160, "
+        "yaw=10}\n"
+        "MoveCircular{via={x=430, y=270, z=300, pitch=160, yaw=10}, to={x=410, y=250, z=300, pitch=160, "
+        "yaw=10}}",
+        on("arm6"));
+    ASSERT_TRUE(r.completed()) << r.message();
+    ASSERT_EQ(r.moves.size(), 3U);
+    EXPECT_NEAR(r.moves[1].length_mm, std::hypot(50, 150, 100), 1e-6);
+    const auto kinematics = machine::make_kinematics(r.machine);
+    const Vector3d from(500, 100, 200);
+    const Vector3d way = Vector3d(-50, 150, 100).normalized();
+    const Vector3d center(430, 250, 300);
+    for (const motion::Segment& segment : r.segments) {
+        const Vector3d tip = kinematics->forward(segment.position_at(segment.duration_s / 2)).translation();
+        const Vector3d off = tip - from;
+        if (segment.target_id == 2) {
+            EXPECT_LT((off - way * way.dot(off)).norm(), 0.0011);
+        }
+        if (segment.target_id == 3) {
+            EXPECT_NEAR((tip - center).norm(), 20, 0.0011);
+        }
+    }
+}
+
+TEST(Poses, AnUnreachableOneNamesItsBlock) {
+    expect_alarm(run_lua("F(6000)\nMoveJoint{x=500, y=100, z=200, pitch=150}\nMoveLinear{x=5000, y=0, z=0}",
+                         on("arm6")),
+                 3, {"The tool cannot follow its way"});
+}
+
+}  // namespace
+}  // namespace gsim::script

@@ -1,0 +1,368 @@
+// Moves that lead the tool's tip in the work frame while the joints go curved ways: tool-centre-point control
+// of 5-axis mills, and Cartesian targets of an arm.
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/kinematics/pose.h"
+#include "runtime/machine/machine_file.h"
+#include "runtime/motion/planner.h"
+#include "runtime/motion/tool_path.h"
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::motion {
+namespace {
+
+using Eigen::Vector3d;
+using rrs::JointPos;
+using rrs::PlannerKind;
+using rrs::Status;
+using testing::HasSubstr;
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kRounding_mm = 1e-6;
+
+PlannerSetup sample(const std::string& name, PlannerKind planner = PlannerKind::rest_to_rest) {
+    machine::Machine machine =
+        machine::load_machine(fmt::format("{}/machines/{}.toml", GSIM_SAMPLES, name)).value();
+    machine.controller.planner = planner;
+    machine.controller.corner = rrs::CornerRule::velocity_step;
+    return simulation::planner_setup(machine);
+}
+
+JointPos joints_of(const std::vector<double>& mm_and_deg, const PlannerSetup& setup) {
+    JointPos joints(setup.joint_count());
+    int i = 0;
+    for (const double value : mm_and_deg) {
+        joints[i] = setup.role(i) == JointRole::rotary ? value * kRadPerDeg : value;
+        ++i;
+    }
+    return joints;
+}
+
+class Kept : public SegmentSink {
+  public:
+    void take(const Segment& segment) override { segments.push_back(segment); }
+    double end_s() const { return segments.empty() ? 0 : segments.back().end_s(); }
+    JointState at(double t_s) const {
+        const auto next = std::upper_bound(segments.begin(), segments.end(), t_s,
+                                           [](double t, const Segment& one) { return t < one.end_s(); });
+        const Segment& segment = next == segments.end() ? segments.back() : *next;
+        return segment.at(t_s - segment.start_s);
+    }
+
+    std::vector<Segment> segments;
+};
+
+/// A planner of a sample machine, and what it has planned.
+struct ToolRun {
+    ToolRun(PlannerSetup machine, const JointPos& start) : setup(std::move(machine)), planner(setup, &kept) {
+        planner.Initialize();
+        planner.SetInitialPosition(rrs::CartPos::Identity(), start, "");
+        planner.SelectMotionType(rrs::MotionType::linear);
+    }
+    Status to(const JointPos& joints) {
+        return planner.SetNextTarget(++id, rrs::TargetParam::end, rrs::CartPos::Identity(), joints, "", 0);
+    }
+    Vector3d tip(const JointPos& joints) const { return setup.kinematics->forward(joints) * tip_mm; }
+    void control_tip(const Vector3d& tip) {
+        tip_mm = tip;
+        ASSERT_EQ(planner.SetTipControl(true, tip), Status::RRS_SUCCESS) << message();
+    }
+    std::string message() {
+        std::string text;
+        planner.GetMessage(text);
+        return text;
+    }
+
+    PlannerSetup setup;
+    Kept kept;
+    DefaultPlanner planner;
+    Vector3d tip_mm = Vector3d::Zero();
+    rrs::TargetId id = 0;
+};
+
+double distance_to_line(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
+    const Vector3d way = (to - from).normalized();
+    return (point - from - way * way.dot(point - from)).norm();
+}
+
+/// Speeds hold at any instant, accelerations over 10 ms: between two pieces of a move speeds jump a little.
+void expect_limits_held(const ToolRun& run, double most = 1.05) {
+    constexpr double kWindow_s = 0.01;
+    const double step_s = run.kept.end_s() / 2000;
+    for (double t = 0; t + kWindow_s < run.kept.end_s(); t += step_s) {
+        const JointState now = run.kept.at(t);
+        const JointState later = run.kept.at(t + kWindow_s);
+        for (int joint = 0; joint < run.setup.joint_count(); ++joint) {
+            const JointSetup& limits = run.setup.joints[static_cast<std::size_t>(joint)];
+            ASSERT_LE(std::abs(now.velocity[joint]), limits.max_speed * (1 + 1e-9)) << joint << " at " << t;
+            ASSERT_LE(std::abs(later.velocity[joint] - now.velocity[joint]) / kWindow_s,
+                      limits.max_acceleration * most)
+                << joint << " at " << t;
+        }
+    }
+}
+
+struct Case {
+    std::string machine;
+    std::vector<double> start;
+    std::vector<double> end;
+};
+
+void PrintTo(const Case& one, std::ostream* out) {
+    *out << one.machine;
+}
+
+class TipControl : public testing::TestWithParam<std::tuple<Case, PlannerKind>> {
+  protected:
+    TipControl()
+        : run(sample(std::get<0>(GetParam()).machine, std::get<1>(GetParam())),
+              joints_of(std::get<0>(GetParam()).start, setup())) {
+        run.control_tip({3, -4, -60});
+    }
+    static const PlannerSetup& setup() {
+        static PlannerSetup kept;
+        kept = sample(std::get<0>(GetParam()).machine);
+        return kept;
+    }
+    JointPos end() const { return joints_of(std::get<0>(GetParam()).end, run.setup); }
+
+    ToolRun run;
+};
+
+TEST_P(TipControl, a_line_is_one_of_the_tip_with_the_feed_as_its_speed) {
+    const Vector3d from = run.tip(run.planner.position());
+    const Vector3d to = run.tip(end());
+    run.planner.SetCartesianPositionSpeed(5);
+    ASSERT_EQ(run.to(end()), Status::RRS_SUCCESS) << run.message();
+    run.planner.flush();
+    EXPECT_TRUE(run.planner.position().isApprox(end(), 1e-12));
+    ASSERT_GT(run.kept.segments.size(), 10U);
+    double length_mm = 0;
+    for (const Segment& segment : run.kept.segments) {
+        EXPECT_EQ(segment.target_id, 1);
+        length_mm += segment.length_mm;
+    }
+    EXPECT_NEAR(length_mm, (to - from).norm(), 1e-6);
+    const double end_s = run.kept.end_s();
+    constexpr double kStep_s = 1e-3;
+    int at_feed = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const double t = end_s * i / 5000;
+        const Vector3d here = run.tip(run.kept.at(t).position);
+        ASSERT_LE(distance_to_line(here, from, to), 0.001 + kRounding_mm) << t;
+        const Vector3d next = run.tip(run.kept.at(std::min(t + kStep_s, end_s)).position);
+        const double speed = (next - here).norm() / kStep_s;
+        ASSERT_LE(speed, 5 * 1.02) << t;
+        if (speed > 5 * 0.98) ++at_feed;
+    }
+    EXPECT_GT(at_feed, 4500);
+    expect_limits_held(run);
+}
+
+TEST_P(TipControl, a_feed_that_joints_cannot_follow_gives_way_to_their_limits) {
+    run.planner.SetCartesianPositionSpeed(1e4);
+    ASSERT_EQ(run.to(end()), Status::RRS_SUCCESS) << run.message();
+    run.planner.flush();
+    expect_limits_held(run);
+}
+
+TEST_P(TipControl, rotary_axes_alone_turn_about_the_tip) {
+    JointPos target = run.planner.position();
+    const Vector3d tip = run.tip(target);
+    for (int joint = 0; joint < run.setup.joint_count(); ++joint)
+        if (run.setup.role(joint) == JointRole::rotary) target[joint] = end()[joint];
+    target = place_tip(run.setup, target, run.tip_mm, tip).value();
+    run.planner.SetCartesianOrientationSpeed(0.1);
+    ASSERT_EQ(run.to(target), Status::RRS_SUCCESS) << run.message();
+    run.planner.flush();
+    double turned = 0;
+    for (int i = 0; i <= 2000; ++i) {
+        const JointState state = run.kept.at(run.kept.end_s() * i / 2000);
+        ASSERT_LE((run.tip(state.position) - tip).norm(), 0.001 + kRounding_mm) << i;
+        double rate = 0;
+        for (int joint = 0; joint < run.setup.joint_count(); ++joint)
+            if (run.setup.role(joint) == JointRole::rotary) rate = std::hypot(rate, state.velocity[joint]);
+        turned = std::max(turned, rate);
+    }
+    EXPECT_NEAR(turned, 0.1, 1e-6);
+    for (const Segment& segment : run.kept.segments) EXPECT_EQ(segment.length_mm, 0);
+}
+
+TEST_P(TipControl, an_arc_is_one_of_the_tip) {
+    const Vector3d from = run.tip(run.planner.position());
+    const Vector3d center = from + Vector3d(0, 20, 0);
+    JointPos target = end();  // a half circle about Z of the work, while the axes turn
+    target = place_tip(run.setup, target, run.tip_mm, from + Vector3d(0, 40, 0)).value();
+    run.planner.SetCartesianPositionSpeed(10);
+    ASSERT_EQ(run.planner.SetNextArcTarget(1, center, Vector3d::UnitZ(), std::numbers::pi,
+                                           rrs::CartPos::Identity(), target),
+              Status::RRS_SUCCESS)
+        << run.message();
+    run.planner.flush();
+    for (int i = 0; i <= 2000; ++i) {
+        const Vector3d tip = run.tip(run.kept.at(run.kept.end_s() * i / 2000).position);
+        ASSERT_NEAR((tip - center).norm(), 20, 0.001 + kRounding_mm) << i;
+        ASSERT_NEAR(tip.z(), from.z(), 0.001 + kRounding_mm) << i;
+        ASSERT_GE(tip.x(), from.x() - 0.001) << i;  // counter-clockwise from the nearest point in Y
+    }
+    expect_limits_held(run);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Machines, TipControl,
+    testing::Combine(
+        testing::Values(Case{"mill-table-table", {20, -30, 150, -10, 20}, {60, 40, 200, -55, 130}},
+                        Case{"mill-head-table", {20, -30, 150, 10, 20}, {60, 40, 200, 60, -100}},
+                        Case{"gantry-offset-head", {900, 800, 300, 10, 20}, {1000, 900, 350, 90, -40}}),
+        testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc)));
+
+TEST(ToolMoves, an_inverse_time_feed_is_the_time_of_the_whole_way) {
+    const PlannerSetup setup = sample("mill-table-table", PlannerKind::look_ahead);
+    ToolRun run(setup, joints_of({20, -30, 150, -10, 20}, setup));
+    run.control_tip(Vector3d::Zero());
+    run.planner.SetMotionTime(30);
+    ASSERT_EQ(run.to(joints_of({60, 40, 200, -55, 130}, setup)), Status::RRS_SUCCESS) << run.message();
+    run.planner.flush();
+    EXPECT_NEAR(run.kept.end_s(), 30, 0.1);
+}
+
+TEST(ToolMoves, moves_in_one_direction_go_on_without_a_stop) {
+    const PlannerSetup setup = sample("mill-head-table", PlannerKind::look_ahead);
+    ToolRun run(setup, joints_of({20, -30, 150, 10, 20}, setup));
+    run.control_tip(Vector3d::Zero());
+    run.planner.SetPathMode(rrs::PathMode::continuous, 0, 0);
+    run.planner.SetCartesianPositionSpeed(5);
+    const JointPos start = run.planner.position();
+    const JointPos end = joints_of({60, 40, 200, 60, 60}, setup);
+    const Vector3d from = run.tip(start);
+    const Vector3d to = run.tip(end);
+    const JointPos middle = place_tip(setup, (start + end) / 2, run.tip_mm, (from + to) / 2).value();
+    ASSERT_EQ(run.to(middle), Status::RRS_SUCCESS);
+    ASSERT_EQ(run.to(end), Status::RRS_SUCCESS);
+    run.planner.flush();
+    EXPECT_NEAR(run.kept.end_s(), (to - from).norm() / 5, 0.2);
+    double slowest = 5;
+    for (const Segment& segment : run.kept.segments)
+        if (segment.target_id == 2 && segment.start_s < run.kept.end_s() / 2 + 1)
+            slowest = std::min(slowest, segment.lead.start_speed());
+    EXPECT_GT(slowest, 4.9);
+}
+
+TEST(ToolMoves, one_without_three_slides_has_no_tool_centre_point_control) {
+    const PlannerSetup setup = sample("arm6");
+    ToolRun run(setup, joints_of({0, 45, -45, 0, 30, 0}, setup));
+    EXPECT_EQ(run.planner.SetTipControl(true, Vector3d::Zero()), Status::RRS_MODE_NOT_SUPPORTED);
+    EXPECT_EQ(run.planner.SetTipControl(false, Vector3d::Zero()), Status::RRS_SUCCESS);
+}
+
+TEST(ToolMoves, a_place_on_the_way_out_of_range_is_named) {
+    const PlannerSetup setup = sample("mill-table-table");
+    ToolRun run(setup, joints_of({0, 0, 100, 0, 0}, setup));
+    run.control_tip(Vector3d::Zero());
+    run.planner.SetCartesianPositionSpeed(50);
+    JointPos end = joints_of({0, 0, 100, 0, 180}, setup);  // the ends are alike, the middle is 3 m off
+    end = place_tip(setup, end, Vector3d::Zero(), run.tip(run.planner.position())).value();
+    EXPECT_EQ(run.to(end), Status::RRS_SUCCESS);  // on the axis of the table nothing has to move
+    JointPos start = joints_of({200, 0, 100, 0, 0}, setup);
+    ToolRun far(setup, start);
+    far.control_tip({300, 0, 0});
+    far.planner.SetCartesianPositionSpeed(50);
+    end = place_tip(setup, joints_of({200, 0, 100, 0, 90}, setup), far.tip_mm, far.tip(start)).value();
+    EXPECT_EQ(far.to(end), Status::RRS_JOINT_LIMIT);
+}
+
+class Arm : public testing::TestWithParam<PlannerKind> {
+  protected:
+    Arm() : setup(sample("arm6", GetParam())), run(setup, joints_of({10, 45, -60, 20, 40, 10}, setup)) {
+        run.planner.SelectTargetType(rrs::TargetType::cartesian);
+        run.planner.SelectMotionType(rrs::MotionType::linear);
+        run.planner.SetCartesianPositionSpeed(50);
+        start = setup.kinematics->forward(run.planner.position());
+    }
+    Status to(const rrs::CartPos& pose, rrs::TargetParam param = rrs::TargetParam::end) {
+        return run.planner.SetNextTarget(++run.id, param, pose, JointPos(), "", 0);
+    }
+
+    PlannerSetup setup;
+    ToolRun run;
+    rrs::CartPos start;
+};
+
+TEST_P(Arm, a_linear_target_is_a_line_in_space_and_the_tool_turns_evenly) {
+    rrs::CartPos end = start;
+    end.translation() += Vector3d(-120, 150, 80);
+    end.rotate(Eigen::AngleAxisd(0.8, Vector3d(1, 2, -1).normalized()));
+    ASSERT_EQ(to(end), Status::RRS_SUCCESS) << run.message();
+    run.planner.flush();
+    const double length_mm = (end.translation() - start.translation()).norm();
+    int at_feed = 0;
+    for (int i = 0; i <= 2000; ++i) {
+        const double t = run.kept.end_s() * i / 2000;
+        const rrs::CartPos pose = setup.kinematics->forward(run.kept.at(t).position);
+        const Vector3d tip = pose.translation();
+        ASSERT_LE(distance_to_line(tip, start.translation(), end.translation()), 0.001 + kRounding_mm) << i;
+        const double share = (tip - start.translation()).norm() / length_mm;
+        const Eigen::Quaterniond turned =
+            Eigen::Quaterniond(start.linear()).slerp(share, Eigen::Quaterniond(end.linear()));
+        ASSERT_LE(turned.angularDistance(Eigen::Quaterniond(pose.linear())), 2e-4) << i;
+        const Vector3d next =
+            setup.kinematics->forward(run.kept.at(std::min(t + 1e-3, run.kept.end_s())).position)
+                .translation();
+        ASSERT_LE((next - tip).norm() / 1e-3, 50 * 1.02);
+        if ((next - tip).norm() / 1e-3 > 50 * 0.98) ++at_feed;
+    }
+    EXPECT_GT(at_feed, 1700);
+    EXPECT_TRUE(setup.kinematics->forward(run.planner.position()).isApprox(end, 1e-9));
+    expect_limits_held(run);
+}
+
+TEST_P(Arm, an_arc_through_a_point_is_an_arc_in_space) {
+    rrs::CartPos via = start;
+    rrs::CartPos end = start;
+    via.translation() += Vector3d(-30, 30, 0);
+    end.translation() += Vector3d(-60, 0, 0);
+    run.planner.SelectMotionType(rrs::MotionType::circular);
+    ASSERT_EQ(to(via, rrs::TargetParam::via), Status::RRS_SUCCESS) << run.message();
+    ASSERT_EQ(to(end), Status::RRS_SUCCESS) << run.message();
+    run.planner.flush();
+    const Vector3d center = start.translation() + Vector3d(-30, 0, 0);
+    for (int i = 0; i <= 1000; ++i) {
+        const JointPos joints = run.kept.at(run.kept.end_s() * i / 1000).position;
+        ASSERT_NEAR((setup.kinematics->forward(joints).translation() - center).norm(), 30,
+                    0.001 + kRounding_mm);
+    }
+    expect_limits_held(run);
+}
+
+TEST_P(Arm, near_a_singular_stance_the_feed_gives_way_to_the_joints) {
+    ToolRun near(setup, joints_of({0, 45, -60, 0, 2, 0}, setup));  // the wrist is almost straight
+    near.planner.SelectTargetType(rrs::TargetType::cartesian);
+    near.planner.SelectMotionType(rrs::MotionType::linear);
+    near.planner.SetCartesianPositionSpeed(200);
+    rrs::CartPos end = setup.kinematics->forward(near.planner.position());
+    end.translation() += Vector3d(0, 100, 0);
+    ASSERT_EQ(near.planner.SetNextTarget(1, rrs::TargetParam::end, end, JointPos(), "", 0),
+              Status::RRS_SUCCESS)
+        << near.message();
+    near.planner.flush();
+    expect_limits_held(near);
+}
+
+TEST_P(Arm, a_way_out_of_reach_is_named) {
+    rrs::CartPos end = start;
+    end.translation() += Vector3d(2000, 0, 0);
+    EXPECT_EQ(to(end), Status::RRS_NO_SOLUTION);
+    EXPECT_THAT(run.message(), HasSubstr("The tool cannot follow its way at X"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, Arm, testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead));
+
+}  // namespace
+}  // namespace gsim::motion
