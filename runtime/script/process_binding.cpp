@@ -60,7 +60,8 @@ template <typename Names>
 std::string hint(std::string_view name, const Names& names) {
     if (const auto nearest = machine::nearest_name(name, names))
         return fmt::format("did you mean '{}'?", *nearest);
-    return names.empty() ? "there is none" : fmt::format("there are: {}", fmt::join(names, ", "));
+    return names.empty() ? "a file of robots (--robots) has them"
+                         : fmt::format("there are: {}", fmt::join(names, ", "));
 }
 
 /// join(): goes on when no process is behind.

@@ -145,7 +145,9 @@ Control* Processes::find_control(std::string_view name) const {
 std::vector<std::string_view> Processes::control_names() const {
     std::vector<std::string_view> names;
     names.reserve(controls_.size());
-    for (const Control* control : controls_) names.push_back(control->name());
+    for (const Control* control : controls_) {
+        if (!control->name().empty()) names.push_back(control->name());
+    }
     return names;
 }
 

@@ -163,6 +163,19 @@ TEST(Processes, WithoutThemTheReportHasNone) {
     EXPECT_NEAR(r.report.cycle_time_s, move_s(100) + 1, 1e-9);
 }
 
+TEST(Processes, InputsAndOutputsAreSignals) {
+    Conditions conditions;
+    conditions.options.dialect = "rs274ngc";
+    conditions.options.setup = Script::from_text(
+        "process('plc', function() wait_until('DO1') wait(2) signal('DI2') end)", "s.lua", 0);
+    const Outcome r =
+        run("M64 P1\nM66 P2 L3 Q10\nG0 X[#5399 * 10]\nM66 P3 L3 Q1\nG0 Y[20 - #5399]\nM2\n", conditions);
+    ASSERT_TRUE(r.completed()) << r.message();
+    EXPECT_NEAR(r.end()[0], 10, 1e-9);  // it came
+    EXPECT_NEAR(r.end()[1], 21, 1e-9);  // it did not: -1
+    EXPECT_NEAR(r.report.processes.at(0).idle_s, 3, 1e-9);
+}
+
 TEST(Processes, ProgramsWaitInThePiecesOfALongScript) {
     Script script;
     const std::string text = "wait_until('x') v[1] = 1\nG0{x=v[1]} wait(1) G0{x=2}\n";
