@@ -20,8 +20,8 @@ struct SubprogramLines {
     bool operator==(const SubprogramLines&) const = default;
 };
 
-/// One controller's way of writing programs (docs/paths.md). Templates hold {number}, {title}, {program}, {lower},
-/// {unit}, {repeats}, {label}, {seconds} and {milliseconds}.
+/// One controller's way of writing programs (docs/paths.md). Templates hold {number}, {title}, {program},
+/// {lower}, {unit}, {repeats}, {label}, {seconds} and {milliseconds}.
 struct Post {
     std::string name;
     std::string reads_as;  ///< The dialect of gcode2lua that reads these programs.

@@ -79,7 +79,9 @@ TEST(GcodeWriter, ActionsDwellsAndComments) {
     ab9.writer.action("waterjet_on");
     ab9.writer.action("clamp (left) \xc3\xa4;");
     ab9.writer.dwell(0.25);
-    EXPECT_EQ(ab9.all(), "N00005 M08\n(action: clamp left ?" "?)\nN00010 G04 P0.250\n");
+    EXPECT_EQ(ab9.all(),
+              "N00005 M08\n(action: clamp left ?"
+              "?)\nN00010 G04 P0.250\n");
 }
 
 TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
