@@ -17,7 +17,7 @@ namespace gsim::record {
 
 /// Makes a path of what a program asks of a machine: loops are unrolled, called programs become sub-paths.
 /// Positions are those of the tip in the machine's work frame, without the program's own offsets, which are
-/// in them; rotary axes stand as they stand. docs/paths.md tells what becomes of what.
+/// in them; rotary axes stand as they stand. docs/report.md tells what becomes of what.
 class PathRecorder final : public simulation::ProgramObserver {
   public:
     /// `machine` must outlive this.

@@ -1,0 +1,246 @@
+// The way round by the programs: what gsim-run records, path2gcode writes and gsim-run runs again moves the
+// same; what path2gcode has written comes back as it was.
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/path/json_writer.h"
+#include "tests/apps/run_program.h"
+#include "tests/path/random_path.h"
+
+namespace gsim::record {
+namespace {
+
+using apps::Ended;
+using apps::holds;
+using nlohmann::json;
+
+constexpr double kHalfDigit = 0.00051;  // of the third decimal
+
+/// A way to write programs, and the dialect that reads them.
+struct Way {
+    std::string post;
+    std::string dialect;
+};
+
+class Record : public apps::Apps {
+  protected:
+    Ended path2gcode(std::vector<std::string> arguments, const std::string& input = {}) const {
+        arguments.emplace_back("--quiet");
+        return apps::run_program(GSIM_PATH2GCODE, arguments, folder_, input);
+    }
+    std::vector<json> moves(const std::string& name) const {
+        std::istringstream text(read(name));
+        std::vector<json> moves;
+        for (std::string line; std::getline(text, line);) moves.push_back(json::parse(line));
+        return moves;
+    }
+    // A program's lines without comments, which hold names.
+    static std::vector<std::string> words(const std::string& program) {
+        std::vector<std::string> lines;
+        std::istringstream text(program);
+        for (std::string line; std::getline(text, line);) {
+            if (const auto comment = line.find('('); comment != std::string::npos) line.resize(comment);
+            lines.push_back(line);
+        }
+        return lines;
+    }
+    void expect_same_moves(const std::string& first, const std::string& second, double tolerance) const {
+        const std::vector<json> expected = moves(first);
+        const std::vector<json> found = moves(second);
+        ASSERT_EQ(found.size(), expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            ASSERT_EQ(found[i]["kind"], expected[i]["kind"]) << i;
+            for (const auto& [letter, value] : expected[i]["to"].items()) {
+                if (!found[i]["to"].contains(letter)) continue;
+                ASSERT_NEAR(found[i]["to"][letter].get<double>(), value.get<double>(), tolerance)
+                    << i << letter << expected[i];
+            }
+            if (!expected[i]["feed"].is_null()) {
+                EXPECT_NEAR(found[i]["feed"].get<double>(), expected[i]["feed"].get<double>(), 0.001);
+            }
+        }
+    }
+    // The built-in machine's axes without the ends of their ranges.
+    std::string wide_machine() const {
+        // The chain's first Z along the world's X, and each row of 90 and 90 turns it to the next one.
+        std::string text =
+            "[machine]\nname = \"wide\"\n[path]\nmax_rapid_mm_s = 1000\n"
+            "[base]\nroll_deg = 90\nyaw_deg = 90\n";
+        for (const char letter : {'X', 'Y', 'Z'}) {
+            text += fmt::format(
+                "[[axis]]\nletter = \"{}\"\nkind = \"linear\"\ndh = {{ theta_deg = 90, alpha_deg = 90 }}\n",
+                letter);
+        }
+        for (const char letter : {'B', 'C'}) {
+            text += fmt::format(
+                "[[axis]]\nletter = \"{}\"\nkind = \"rotary\"\nmax_speed_deg_s = 90\ndh = {{}}\n", letter);
+        }
+        return write("wide.toml", text);
+    }
+    // Runs, records, writes by each post, runs again.
+    void expect_way_round(const std::string& part, const std::string& dialect, const std::vector<Way>& ways,
+                          const std::string& machine = GSIM_SAMPLES "/machines/af5.toml") {
+        const Ended first = gsim_run({part, "--dialect", dialect, "--machine", machine, "--quiet", "--moves",
+                                      "first.jsonl", "--record", "first.path.json"});
+        ASSERT_EQ(first.status, 0) << first.err;
+        for (const Way& way : ways) {
+            const Ended written = path2gcode({"first.path.json", "--machine", machine, "--rotary", "as-given",
+                                              "--dialect", way.post, "-o", "again.nc"});
+            ASSERT_EQ(written.status, 0) << written.err;
+            const Ended again = gsim_run({"again.nc", "--dialect", way.dialect, "--machine", machine,
+                                          "--quiet", "--moves", "again.jsonl"});
+            ASSERT_EQ(again.status, 0) << way.post << again.err;
+            SCOPED_TRACE(way.post);
+            expect_same_moves("first.jsonl", "again.jsonl", kHalfDigit);
+        }
+    }
+};
+
+const std::vector<Way> kAllAxes{{"rs274ngc", "rs274ngc"}, {"ab9", "ab9"}, {"fanuc", "ab9"}};
+
+/// Programs of the 9/Series with loops, subprograms, offsets, arcs in all planes, turning axes and dwells.
+class RandomPart {
+  public:
+    explicit RandomPart(unsigned seed) : random_(seed) {}
+
+    std::string text() {
+        std::string text = "O1\nG21 G90 G94 F1500\nG0 X300 Y300 Z80\n";
+        for (int i = 0; i < 12; ++i) text += block();
+        text += "G52 X10 Y-5\n#1=0\nWHILE [#1 LT 3] DO 1\nG90 G0 X[250+10*#1] Y320\nM98 P2\n" + block() +
+                "#1=[#1+1]\nEND 1\nG52 X0 Y0\nM98 P3 L2\nG90 G0 X300 Y300 Z80\nM98 P3\nG17 G90\nM30\n%\n";
+        text += "O2\nM8\nG91\n" + increments() + "M9\nG90\nM99\n%\n";
+        return text + "O3\nG90 G17 G0 X310 Y300 Z70\nM8\nG1 X320 F1234.5\n" + arc() + "G4 P0.2\nM9\nM99\n";
+    }
+
+  private:
+    double number(double low, double high) {
+        return std::round(std::uniform_real_distribution<double>(low, high)(random_) * 1000) / 1000;
+    }
+    std::string increments() {
+        return fmt::format("G1 X{:.3f} Y{:.3f} F2000\nX{:.3f} Z{:.3f}\n", number(-9, 9), number(-9, 9),
+                           number(-9, 9), number(-9, 9));
+    }
+    std::string arc() {
+        const double x = number(5, 30);
+        const double y = number(5, 30);
+        static constexpr std::array<const char*, 3> kPlanes{"G17 G{} I{:.3f} J{:.3f} X{:.3f}\n",
+                                                            "G18 G{} I{:.3f} K{:.3f} X{:.3f}\n",
+                                                            "G19 G{} J{:.3f} K{:.3f} Y{:.3f}\n"};
+        const char* form = kPlanes[random_() % 3];
+        // Back to the same height: twice the way to the centre.
+        return "G91\n" +
+               fmt::format(fmt::runtime(form), 2 + random_() % 2, x, random_() % 2 == 0 ? y : -y, 2 * x) +
+               "G90 G17\n";
+    }
+    std::string block() {
+        switch (random_() % 6) {
+            case 0: return arc();
+            case 1: return fmt::format("G4 P{:.2f}\n", number(0.1, 0.9));
+            case 2: return fmt::format("G0 X{:.3f} Z{:.3f}\n", number(200, 400), number(60, 90));
+            case 3:
+                return fmt::format("G1 Y{:.3f} B{:.3f} C{:.3f} F{:.1f}\n", number(200, 400), number(-90, 90),
+                                   number(-80, 80), number(500, 5000));
+            case 4: return fmt::format("G1 B{:.3f} F{:.1f}\n", number(-90, 90), number(500, 5000));
+            default:
+                return fmt::format("G1 X{:.3f} Y{:.3f} F{:.1f}\n", number(200, 400), number(200, 400),
+                                   number(500, 5000));
+        }
+    }
+
+    std::mt19937 random_;
+};
+
+TEST_F(Record, RandomProgramsMoveTheSameWrittenInEachDialect) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(seed);
+        const std::string text = RandomPart(seed).text();
+        expect_way_round(write("part.nc", text), "ab9", kAllAxes);
+        ASSERT_FALSE(HasFailure()) << text;
+    }
+}
+
+TEST_F(Record, ThreeAxesAlsoForGrbl) {
+    const std::string part =
+        write("part.ngc",
+              "G21\nG0 X10 Y10 Z-5\no100 sub\nG1 Z[#1-9] F300\nG2 X10 Y10 I5 J0\nG0 Z-5\n"
+              "o100 endsub\no100 call [1]\no100 call [2]\no100 call [2]\nM2\n");
+    expect_way_round(part, "rs274ngc", {{"grbl", "rs274ngc"}, {"rs274ngc", "rs274ngc"}},
+                     GSIM_SAMPLES "/machines/router3.toml");
+    const json program = json::parse(read("first.path.json"));
+    ASSERT_EQ(program["paths"].size(), 3U) << "two that differ, and the root";
+    EXPECT_EQ(program["paths"][2]["targets"].back()["repeats"], 2);
+}
+
+// A path that has been written once: written again from the record, the same blocks come out.
+TEST_F(Record, RandomPathsComeBackAsTheyWereWritten) {
+    const std::string machine = wide_machine();
+    std::mt19937 random(3);
+    for (int round = 0; round < 4; ++round) {
+        const path::Program program =
+            path::random_program(random, {.tilted_arcs = false, .extras = false, .sub_paths = round % 4});
+        write("random.path.json", path::to_json(program));
+        for (const Way& way : {kAllAxes.front()}) {
+            SCOPED_TRACE(way.post);
+            const auto write_by_post = [&](const std::string& path) {
+                const Ended e = path2gcode({path, "--machine", machine, "--rotary", "as-given", "--dialect",
+                                            way.post, "-o", "random.nc"});
+                ASSERT_EQ(e.status, 0) << e.err;
+            };
+            const auto run = [&](const std::string& moves, const std::string& path) {
+                const Ended e = gsim_run({"random.nc", "--dialect", way.dialect, "--machine", machine,
+                                          "--quiet", "--moves", moves, "--record", path});
+                ASSERT_EQ(e.status, 0) << e.err;
+            };
+            write_by_post("random.path.json");
+            const std::string text = read("random.nc");
+            run("first.jsonl", "again.path.json");
+            write_by_post("again.path.json");
+            run("again.jsonl", "last.path.json");
+            EXPECT_EQ(words(read("random.nc")), words(text));
+            ASSERT_FALSE(HasFailure());
+            expect_same_moves("first.jsonl", "again.jsonl", kHalfDigit);
+        }
+    }
+}
+
+TEST_F(Record, StandardOutputIsThePathAlone) {
+    const std::string part = write("part.nc", "G1 X10 F600\nM2\n");
+    const Ended e = gsim_run({part, "--record", "-"});
+    EXPECT_EQ(e.status, 0);
+    EXPECT_EQ(json::parse(e.out)["paths"][0]["targets"].size(), 1U);
+    EXPECT_TRUE(holds(e.err, "part.nc")) << "the report goes to standard error";
+    const Ended written = path2gcode({"--dialect", "rs274ngc", "-"}, e.out);
+    EXPECT_EQ(written.status, 0) << written.err;
+    EXPECT_TRUE(holds(written.out, "G01 X10 Y0 Z0")) << written.out;
+    EXPECT_EQ(gsim_run({part, "--record", "-", "--json"}).status, 2);
+}
+
+TEST_F(Record, IsWrittenUpToAnAlarm) {
+    const std::string bad = write("bad.nc", "G0 X100\nM98 P2\nM30\n%\nO2\nG0 X200\nX9999\nM99\n");
+    EXPECT_EQ(gsim_run({bad, "--quiet", "--record", "bad.path.json"}).status, 1);
+    const json program = json::parse(read("bad.path.json"));
+    EXPECT_EQ(program["paths"][0]["name"], "O2");
+    EXPECT_EQ(program["paths"][0]["targets"].size(), 1U);
+}
+
+TEST_F(Record, WithoutAPathThereIsNoFile) {
+    write("old.path.json", "old");
+    const Ended e = gsim_run({write("empty.nc", "M2\n"), "--quiet", "--record", "old.path.json"});
+    EXPECT_EQ(e.status, 1);
+    EXPECT_TRUE(holds(e.err, "no path is recorded")) << e.err;
+    EXPECT_EQ(read("old.path.json"), "old");
+    EXPECT_EQ(gsim_run({write("part.nc", "G0 X1\n"), "--record", "none/a.path.json"}).status, 2);
+}
+
+TEST_F(Record, TheWheelComesBackExactly) {
+    expect_way_round(GSIM_SAMPLES "/wheel.nc", "ab9", kAllAxes);
+    EXPECT_EQ(json::parse(read("first.path.json"))["paths"].size(), 4U);
+}
+
+}  // namespace
+}  // namespace gsim::record
