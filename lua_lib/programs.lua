@@ -113,7 +113,8 @@ function call_program(number, times)
   local body = find_program(number)
   local frame = enter_call(("O%d"):format(number))
   local block
-  for _ = 1, times do
+  for pass = 1, times do
+    if pass > 1 then core.repeat_program() end
     local ended = body()
     if type(ended) == "table" then
       block = ended.block

@@ -64,6 +64,12 @@ int enter_program(lua_State* state) {
     return 0;
 }
 
+/// core.repeat_program(): the program called last is gone through once more.
+int repeat_program(lua_State* state) {
+    self(state).simulator().repeat_program();
+    return 0;
+}
+
 int leave_program(lua_State* state) {
     self(state).simulator().leave_program();
     return 0;
@@ -184,6 +190,7 @@ void add_core(lua_State* state, Controller& controller) {
     set_function<note_place>(state, "note_place", &controller);
     set_function<alarm_at_noted_place>(state, "alarm_at_noted_place", &controller);
     set_function<enter_program>(state, "enter_program", &controller);
+    set_function<repeat_program>(state, "repeat_program", &controller);
     set_function<leave_program>(state, "leave_program", &controller);
     set_function<stop>(state, "stop", &controller);
     set_function<time>(state, "time", &controller);

@@ -130,6 +130,8 @@ class Simulator {
     /// A program is called, or the one called last has ended: an alarm names the calls that are open.
     void enter_program(std::string name, const Place& place);
     void leave_program();
+    /// The program called last is gone through once more, by the same call.
+    void repeat_program();
     /// Ends the run with an alarm of the program; always false.
     bool fail(std::string message, const Place& place);
     /// Ends the run because of a limit; always false.

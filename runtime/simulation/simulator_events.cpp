@@ -29,4 +29,10 @@ void Simulator::leave_program() {
     if (observer_ != nullptr) observer_->leave_program();
 }
 
+void Simulator::repeat_program() {
+    if (calls_.empty() || observer_ == nullptr) return;
+    observer_->leave_program();
+    observer_->enter_program(calls_.back().program);
+}
+
 }  // namespace gsim::simulation
