@@ -12,7 +12,6 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRounding_mm = 1e-6;
 constexpr double kFlat_mm = 1e-10;
-constexpr double kMostTurns = 100'000;
 
 /// Which coordinate of the segment's arc the joint carries.
 std::optional<Eigen::Index> arc_axis(const Segment& segment, int joint) {
@@ -93,7 +92,7 @@ void add_turns_of_arc(const Segment& segment, Eigen::Index axis, std::vector<dou
     const double level = std::asin(arc.lift[axis] / swing);
     for (const double phase : {base + level, base + std::numbers::pi - level}) {
         const double first = phase - kTurn * std::floor(phase / kTurn);
-        const double turns = std::min(std::ceil((arc.sweep_rad - first) / kTurn), kMostTurns);
+        const double turns = std::ceil((arc.sweep_rad - first) / kTurn);
         for (double turn = 0; turn < turns; ++turn)
             times_s.push_back(time_at(segment.lead, arc.length_to(first + turn * kTurn)));
     }

@@ -14,8 +14,7 @@ namespace gsim::motion {
 Range wide_range(const Segment& segment, int joint);
 
 /// Adds instants to `times_s`, in no order: between two of them that are neighbours, or between one and an
-/// end of the segment, the joint goes one way, but for less than 1e-10 mm. Of an arc of more than 100,000
-/// turns the further ones are left out.
+/// end of the segment, the joint goes one way, but for less than 1e-10 mm.
 void add_turns(const Segment& segment, int joint, std::vector<double>& times_s);
 
 /// When the joint passes `value` between two instants, at which it stands on different sides of it; it goes
