@@ -1,6 +1,7 @@
 // When a box is entered or left on one segment, against closed forms.
 #include "runtime/simulation/zone_box.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -123,6 +124,35 @@ TEST(ZoneBox, two_motions_at_once_enter_at_the_root_of_their_sum) {
     EXPECT_FALSE(box(true, {-1, 17.8572}, {-1, 15}).first_offence(way));
     EXPECT_TRUE(box(true, {-1, 17.8571}, {-1, 15}).first_offence(way));
     expect_offence(box(false, {-1, 20}, {5.4, 20}).first_offence(way), 0.6, 1, false);
+}
+
+// A circle in the frame of a conveyor: an arc, and a straight motion at once.
+TEST(ZoneBox, an_arc_on_a_conveyor_passes_walls_where_both_ways_together_do) {
+    motion::Segment way = arc(1, 0, 0, 0, 40, 0, 720);
+    const motion::LawPiece steady{way.duration_s, 0, 10, 0, 0};
+    auto belt = std::make_shared<motion::Segment>(line(1, 0, joints(0, 0), joints(10 * way.duration_s, 0)));
+    belt->lead = motion::TimeLaw::of_pieces({&steady, 1});
+    belt->duration_s = way.duration_s;
+    way.beside = belt;
+    const auto x_at = [&](double t_s) { return 40 * std::cos(way.lead.at(t_s).s / 40) + 10 * t_s; };
+    double wall = 0;  // the highest x of the first half turn, and when that is
+    double turns_s = 0;
+    for (double t_s = 0; t_s < 1; t_s += 1e-4) {
+        if (x_at(t_s) > wall) turns_s = t_s;
+        wall = std::max(wall, x_at(t_s));
+    }
+    for (const double off_mm : {-1e-2, -1e-4}) {
+        const auto left = box(true, {-100, wall + off_mm}, {-50, 50}).first_offence(way);
+        ASSERT_TRUE(left);
+        EXPECT_LT(left->t_s, turns_s);
+        EXPECT_NEAR(x_at(left->t_s), wall + off_mm, 1e-9);
+    }
+    const auto later = box(true, {-100, wall + 1e-2}, {-50, 50}).first_offence(way);
+    ASSERT_TRUE(later);
+    EXPECT_GT(later->t_s, 2);
+    EXPECT_NEAR(x_at(later->t_s), wall + 1e-2, 1e-9);
+    expect_offence(box(false, {-100, 200}, {20, 100}).first_offence(way), time_at(40 * std::numbers::pi / 6),
+                   1, false);
 }
 
 TEST(ZoneBox, beside_a_law_of_its_own_an_axis_passes_its_wall_by_that) {
