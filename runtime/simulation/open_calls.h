@@ -18,6 +18,7 @@ class OpenCalls {
     /// No one will ask for targets before this one.
     void forget_before(rrs::TargetId id);
 
+    bool any() const { return innermost_ != nullptr; }
     /// From the innermost to the first.
     std::vector<OpenCall> now() const;
     std::vector<OpenCall> at(rrs::TargetId id) const;

@@ -25,14 +25,17 @@ void Simulator::enter_program(std::string name, const Place& place) {
 }
 
 void Simulator::leave_program() {
+    const bool open = calls_.any();
     calls_.leave(next_id_);
-    if (observer_ != nullptr) observer_->leave_program();
+    if (open && observer_ != nullptr) observer_->leave_program();
 }
 
 void Simulator::repeat_program() {
-    if (calls_.empty() || observer_ == nullptr) return;
+    if (observer_ == nullptr) return;
+    const std::vector<OpenCall> calls = calls_.now();
+    if (calls.empty()) return;
     observer_->leave_program();
-    observer_->enter_program(calls_.back().program);
+    observer_->enter_program(calls.front().program);
 }
 
 }  // namespace gsim::simulation
