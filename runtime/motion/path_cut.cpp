@@ -18,7 +18,7 @@ constexpr double kAngleTolerance_rad = 1e-4;
 constexpr double kLargestTurn_rad = 0.2;  // of a piece, before any look at it
 constexpr int kMostHalvings = 30;         // of such a piece
 constexpr std::size_t kMostPieces = 200'000;
-constexpr double kNoBend = 1e-7;  // mm or rad between a chord and its curve: what inverses leave
+constexpr double kNoBend = 2e-9;  // mm or rad between a chord and its curve: what inverses leave
 
 struct Stretch {
     double from = 0;

@@ -237,11 +237,11 @@ class Shell {
     virtual Status SetNextRest(TargetId id, double rest_s);
     /// Extension. The target whose motion or rest the last step of GetNextStep ended in; -1 for none.
     virtual Status GetTargetOfLastStep(TargetId& id);
-    /// Extension. Tool-centre-point control: linear and circular targets that follow lead the tool's tip along
-    /// lines and arcs in the work frame while the rotary joints go in proportion, and the slides make up for
-    /// what these move it; the centre and the axis of an arc are in the work frame, too, and joint targets
-    /// are joint values as ever. `tip_mm`: the tip in the frame of the tool centre point. Default: off.
-    /// RRS_MODE_NOT_SUPPORTED where the machine has no three slides.
+    /// Extension. Tool-centre-point control: linear and circular targets that follow lead the tool's tip
+    /// along lines and arcs in the work frame while the rotary joints go in proportion, and the slides make
+    /// up for what these move it; the centre and the axis of an arc are in the work frame, too, and joint
+    /// targets are joint values as ever. `tip_mm`: the tip in the frame of the tool centre point. Default:
+    /// off. RRS_MODE_NOT_SUPPORTED where the machine has no three slides.
     virtual Status SetTipControl(bool on, const Eigen::Vector3d& tip_mm);
     /// Extension. What is queued is planned to end at rest, without regard to targets that may come.
     virtual Status ComeToRest(RestReason reason);
