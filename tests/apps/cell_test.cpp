@@ -64,7 +64,7 @@ G1{x=300}
 
 TEST_F(Cell, TheSampleRunsWithItsMachine) {
     const std::string part = write("part.nc", "G0 X200 Y200 Z50\nG0 X1500 Y400\nG1 Z100 F3000\nG0 Z50\n");
-    const std::string cell = fmt::format("{}/samples/cells/af5.toml", GSIM_SOURCE);
+    const std::string cell = fmt::format("{}/samples/cell/table.toml", GSIM_SOURCE);
     const Ended e = gsim_run({part, "--cell", cell});
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(holds(e.out, "nozzle and mould")) << e.out;
