@@ -52,7 +52,6 @@ function(gsim_test name)
     cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
     add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
     target_link_libraries(${name} PRIVATE gsim_options ${ARG_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # compiled once, run for seconds
     gsim_precompile(${name} HEADERS <gtest/gtest.h> <gmock/gmock.h>)
     add_test(NAME ${name} COMMAND ${name})
 endfunction()
