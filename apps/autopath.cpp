@@ -65,6 +65,11 @@ void add_path_options(CLI::App& app, Arguments& arguments) {
         ->capture_default_str();
     app.add_option("--lead", arguments.path.lead_mm, "radius of leads in mm (three kerfs)")
         ->check(CLI::Range(0.05, 1000.0));
+    app.add_option(
+           "--at", program.origin_mm,
+           "X Y Z: where the drawing's origin, on the material's upper side, lies in the work frame, in mm")
+        ->check(CLI::Range(-1e6, 1e6))
+        ->default_str("0 0 0");
     app.add_option("--safe-height", program.heights.safe_mm, "height of ways between cuts, in mm")
         ->check(CLI::Range(0.0, 10'000.0))
         ->capture_default_str();

@@ -28,7 +28,7 @@ class CutPath {
         const Edge first = cut.lead_in ? *cut.lead_in : cut.loop.edge(0);
         lean_along(start_tangent(first));
         path::Point& above = add_point(MotionType::rapid, pierce, options_.heights.safe_mm);
-        if (leans()) above.orientation = tool_axis_;
+        above.orientation = tool_axis_;  // machines with rotary axes want to know it
         path::Point& down = add_point(MotionType::rapid, pierce, options_.heights.cut_mm);
         down.actions = {"waterjet_on", "abrasive_on"};
         if (rules_.pierce_s > 0) {
@@ -48,12 +48,17 @@ class CutPath {
     bool leans() const { return std::abs(options_.bevel_deg) > kUpright_deg; }
     path::Point& last_point() { return std::get<path::Point>(path_.targets.back()); }
 
-    path::Point& add_point(MotionType motion, geometry::Point at, double z_mm) {
+    path::Point& add_point(MotionType motion, geometry::Point at, double height_mm) {
         path::Point point;
         point.motion = motion;
-        point.position_mm = {at.x, at.y, z_mm};
+        point.position_mm = in_work(at, height_mm);
         path_.targets.emplace_back(std::move(point));
         return last_point();
+    }
+
+    path::Vector in_work(geometry::Point point, double height_mm) const {
+        const path::Vector& origin = options_.origin_mm;
+        return {origin[0] + point.x, origin[1] + point.y, origin[2] + height_mm};
     }
 
     // The nozzle leans to the right of the way, over the waste.
@@ -93,12 +98,11 @@ class CutPath {
         const double z = options_.heights.cut_mm;
         if (radius_mm(edge) > kGreatestRadius_mm) {
             const geometry::Point via = point_at(edge, 0.5);
-            return path::ViaPoint{{via.x, via.y, z}};
+            return path::ViaPoint{in_work(via, z)};
         }
         const geometry::Point center = geometry::center(edge);
         const double sweep_deg = sweep_rad(edge) * 180 / std::numbers::pi;
-        return path::CenterArc{
-            {center.x, center.y, z}, {0, 0, sweep_deg > 0 ? 1.0 : -1.0}, std::abs(sweep_deg)};
+        return path::CenterArc{in_work(center, z), {0, 0, sweep_deg > 0 ? 1.0 : -1.0}, std::abs(sweep_deg)};
     }
 
     const CutRules& rules_;

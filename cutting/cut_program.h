@@ -10,7 +10,7 @@
 
 namespace gsim::cutting {
 
-/// Where the tool goes besides the contours. The material's upper side is z = 0.
+/// Where the tool goes besides the contours, above the material's upper side.
 struct ToolHeights {
     double safe_mm = 25;  ///< Of ways between cuts.
     double cut_mm = 3;    ///< Of the nozzle's tip while the jet is on.
@@ -19,6 +19,8 @@ struct ToolHeights {
 struct ProgramOptions {
     std::string name;
     ToolHeights heights;
+    /// Where the drawing's origin, on the material's upper side, lies in the work frame.
+    path::Vector origin_mm{};
     /// How far the jet leans while it cuts, in deg; above 0 the part is smaller at its lower side. The tool
     /// stands upright where it is 0.
     double bevel_deg = 0;

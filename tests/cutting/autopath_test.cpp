@@ -97,6 +97,24 @@ TEST(Autopath, ABevelLeansOverTheWaste) {
     EXPECT_NEAR(highest, 0.5, 1e-9);
 }
 
+TEST(Autopath, LiesWhereTheWorkDoesWithTheToolUpright) {
+    const Autopath here = path_of({geometry::rectangle({0, 0}, {40, 30})}, {});
+    AutopathOptions options;
+    options.program.origin_mm = {100, 200, 50};
+    const Autopath there = path_of({geometry::rectangle({0, 0}, {40, 30})}, options);
+    const auto& targets = here.program.paths[1].targets;
+    ASSERT_EQ(there.program.paths[1].targets.size(), targets.size());
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const auto& from = std::get<path::Point>(targets[i]).position_mm;
+        const auto& to = std::get<path::Point>(there.program.paths[1].targets[i]).position_mm;
+        EXPECT_NEAR(to[0] - from[0], 100, 1e-9);
+        EXPECT_NEAR(to[1] - from[1], 200, 1e-9);
+        EXPECT_NEAR(to[2] - from[2], 50, 1e-9);
+    }
+    const path::Orientation upright = path::ToolAxis{{0, 0, 1}};
+    EXPECT_EQ(std::get<path::Point>(targets.front()).orientation, upright);
+}
+
 TEST(Autopath, AHoleWithoutRoomForAPierceHasNoLead) {
     const Autopath result =
         path_of({geometry::rectangle({0, 0}, {40, 30}), geometry::circle({20, 15}, 0.42)});
