@@ -327,7 +327,7 @@ int run(const Arguments& given) {
     simulation::Progress progress(stderr, !arguments.quiet && ::isatty(STDERR_FILENO) == 1);
     script::Engine::Options options = engine_options(arguments, std::move(data), *language, progress);
     options.setup = std::move(setup);
-    script::Engine engine(simulator, std::move(options));
+    script::Engine engine(simulator, options);
     engine.run(std::move(*input));
     progress.clear();
 

@@ -76,7 +76,7 @@ bool BodyPair::overlaps(const LinkFrames& links, const Vector3d& normal) const {
 
 Nearness BodyPair::nearest(const SegmentMotion& motion, const MotionPart& part, double enough_mm) const {
     const auto nearer = [](const Nearness& a, const Nearness& b) { return a.upper_mm <= b.upper_mm ? a : b; };
-    const Nearness look = nearness_in(part, enough_mm);
+    Nearness look = nearness_in(part, enough_mm);
     if (look.lower_mm >= enough_mm || look.upper_mm - look.lower_mm <= kClearance_mm) return look;
     Nearness best{enough_mm, enough_mm};
     best = nearer(nearness_at(part.from, enough_mm), best);

@@ -59,7 +59,7 @@ Vector3d Convex::support(const Vector3d& direction) const {
 }
 
 Vector3d SweptConvex::support(const Vector3d& direction) const {
-    const Vector3d first = placed_support(body, from, direction);
+    Vector3d first = placed_support(body, from, direction);
     if (&from == &to) return first;
     const Vector3d second = placed_support(body, to, direction);
     return second.dot(direction) > first.dot(direction) ? second : first;
