@@ -87,7 +87,7 @@ void add_head(Text& out, const Report& report) {
     out.line("{:<12}{}", "program", shortened(report.program, kWidth - 12));
     if (!report.machine.empty()) {
         out.line("{:<12}{}", "machine", shortened(report.machine, kWidth - 12));
-        const std::string_view controller = report.controller.empty() ? "a module" : report.controller;
+        const std::string controller = report.controller.empty() ? "a module" : report.controller;
         out.line("{:<12}{}", "controller", shortened(controller, kWidth - 12));
     }
     out.line("{:<12}{}", "status", name(report.status));
