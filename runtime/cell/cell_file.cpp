@@ -1,10 +1,10 @@
 #include "runtime/cell/cell_file.h"
 
 #include <array>
-#include <numbers>
 
 #include "runtime/cell/shape_section.h"
-#include "runtime/kinematics/pose.h"
+#include "runtime/machine/frame_pose.h"
+#include "runtime/machine/frame_section.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
 
@@ -24,20 +24,10 @@ constexpr std::array kCellKeys{"name"sv, "machine"sv, "machine_data"sv, "clearan
 constexpr std::array kFrameKeys{"name"sv, "attached_to"sv, "frame"sv};
 constexpr std::array kObjectKeys{"name"sv, "shape"sv, "frame"sv, "attached_to"sv, "role"sv};
 constexpr std::array kShapeKeys{"name"sv, "shape"sv, "frame"sv, "on"sv};
-constexpr std::array kPoseKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
 constexpr std::array kRoles{"workpiece"sv, "fixture"sv};
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 rrs::CartPos read_pose(FirstError& error, const toml::table* table) {
-    if (table == nullptr) return rrs::CartPos::Identity();
-    TomlSection section(error, *table, "'frame'", kPoseKeys);
-    const auto number = [&](std::string_view key) { return section.number(key, 0, NumberRule::finite); };
-    return kinematics::pose_from_rpy({.x_mm = number("x_mm"),
-                                      .y_mm = number("y_mm"),
-                                      .z_mm = number("z_mm"),
-                                      .roll_rad = number("roll_deg") * kRadPerDeg,
-                                      .pitch_rad = number("pitch_deg") * kRadPerDeg,
-                                      .yaw_rad = number("yaw_deg") * kRadPerDeg});
+    return machine::frame_pose(machine::read_frame(error, table, "'frame'"));
 }
 
 /// Reads the tables of a cell file into a cell.

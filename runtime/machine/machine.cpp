@@ -9,7 +9,7 @@
 #include "runtime/kinematics/chain_kinematics.h"
 #include "runtime/kinematics/gantry.h"
 #include "runtime/kinematics/numeric.h"
-#include "runtime/kinematics/pose.h"
+#include "runtime/machine/frame_pose.h"
 
 namespace gsim::machine {
 
@@ -19,18 +19,9 @@ constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kTurn_deg = 360;
 constexpr double kTurnTolerance = 1e-9;  // of a turn
 
-rrs::CartPos pose(const Frame& frame) {
-    return kinematics::pose_from_rpy({.x_mm = frame.x_mm,
-                                      .y_mm = frame.y_mm,
-                                      .z_mm = frame.z_mm,
-                                      .roll_rad = frame.roll_deg * kRadPerDeg,
-                                      .pitch_rad = frame.pitch_deg * kRadPerDeg,
-                                      .yaw_rad = frame.yaw_deg * kRadPerDeg});
-}
-
 kinematics::Link link(const Axis& axis, int joint) {
     const auto kind = axis.kind == AxisKind::linear ? rrs::JointKind::prismatic : rrs::JointKind::revolute;
-    if (axis.frame) return {.joint = joint, .kind = kind, .before = pose(*axis.frame)};
+    if (axis.frame) return {.joint = joint, .kind = kind, .before = frame_pose(*axis.frame)};
     return kinematics::link_of(joint, {.kind = kind,
                                        .theta_rad = axis.dh.theta_deg * kRadPerDeg,
                                        .d_mm = axis.dh.d_mm,
@@ -39,8 +30,8 @@ kinematics::Link link(const Axis& axis, int joint) {
 }
 
 kinematics::Chain chain(const Machine& machine) {
-    kinematics::Branch tool{.base = pose(machine.base), .end = pose(machine.tool)};
-    kinematics::Branch work{.end = pose(machine.work)};
+    kinematics::Branch tool{.base = frame_pose(machine.base), .end = frame_pose(machine.tool)};
+    kinematics::Branch work{.end = frame_pose(machine.work)};
     int joint = 0;
     for (const Axis& axis : machine.axes)
         (axis.carries == Carries::work ? work : tool).links.push_back(link(axis, joint++));

@@ -5,6 +5,7 @@
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
 #include "runtime/machine/embedded_machines.h"
+#include "runtime/machine/frame_section.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
 
@@ -20,7 +21,6 @@ constexpr std::string_view kLetters = "ABCUVWXYZ";
 constexpr std::array kFileKeys{"machine"sv, "path"sv, "base"sv, "tool"sv, "work"sv, "controller"sv, "axis"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
-constexpr std::array kFrameKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
 constexpr std::array kCarriesNames{"tool"sv, "work"sv};                     // of Carries
 constexpr std::array kTurningNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
@@ -68,18 +68,6 @@ constexpr AxisKeys kRotaryKeys{"a rotary [[axis]]",
                                {"home_deg", "home2_deg", "home3_deg", "home4_deg"},
                                "zero_deg",
                                "turning"};
-
-Frame read_frame(FirstError& error, const toml::table* table, std::string title) {
-    if (!table) return {};
-    TomlSection section(error, *table, std::move(title), kFrameKeys);
-    const auto number = [&](std::string_view key) { return section.number(key, 0, NumberRule::finite); };
-    return {.x_mm = number("x_mm"),
-            .y_mm = number("y_mm"),
-            .z_mm = number("z_mm"),
-            .roll_deg = number("roll_deg"),
-            .pitch_deg = number("pitch_deg"),
-            .yaw_deg = number("yaw_deg")};
-}
 
 PathLimits read_path_limits(FirstError& error, const toml::table* table) {
     if (!table) return {};

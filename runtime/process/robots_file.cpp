@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
-#include "runtime/kinematics/pose.h"
+#include "runtime/machine/frame_pose.h"
+#include "runtime/machine/frame_section.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
 
@@ -21,10 +21,8 @@ constexpr std::array kFileKeys{"robot"sv,  "conveyor"sv, "cell"sv,  "frame"sv,
                                "object"sv, "shape"sv,    "ignore"sv};
 constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "dialect"sv, "base"sv};
 constexpr std::array kConveyorKeys{"name"sv, "direction"sv, "speed_mm_s"sv};
-constexpr std::array kPoseKeys{"x_mm"sv, "y_mm"sv, "z_mm"sv, "roll_deg"sv, "pitch_deg"sv, "yaw_deg"sv};
 constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
 constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv};
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 /// Names are parts of names of signals and of files.
 bool is_plain(std::string_view name) {
@@ -65,18 +63,6 @@ class RobotsReader {
         return section.has(key) ? folder_ / section.text(key) : std::filesystem::path();
     }
 
-    rrs::CartPos read_base(const toml::table* table) {
-        if (table == nullptr) return rrs::CartPos::Identity();
-        TomlSection section(error_, *table, "'base'", kPoseKeys);
-        const auto number = [&](std::string_view key) { return section.number(key, 0, NumberRule::finite); };
-        return kinematics::pose_from_rpy({.x_mm = number("x_mm"),
-                                          .y_mm = number("y_mm"),
-                                          .z_mm = number("z_mm"),
-                                          .roll_rad = number("roll_deg") * kRadPerDeg,
-                                          .pitch_rad = number("pitch_deg") * kRadPerDeg,
-                                          .yaw_rad = number("yaw_deg") * kRadPerDeg});
-    }
-
     void read_robot(const toml::table& table) {
         TomlSection section(error_, table, "[[robot]]", kRobotKeys);
         RobotEntry robot;
@@ -84,7 +70,7 @@ class RobotsReader {
         robot.machine = read_path(section, "machine");
         robot.machine_data = read_path(section, "machine_data");
         if (section.has("dialect")) robot.dialect = kDialects[section.choice("dialect", 0, kDialects)];
-        robot.base = read_base(section.table("base"));
+        robot.base = machine::frame_pose(machine::read_frame(error_, section.table("base"), "'base'"));
         file_.robots.push_back(std::move(robot));
     }
 
