@@ -1,5 +1,4 @@
 // Whatever a file holds, reading it ends with a value or with a sentence that says where.
-#include <cctype>
 #include <random>
 #include <string>
 
@@ -8,41 +7,14 @@
 #include "runtime/machine/machine_data.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/machine/text_file.h"
+#include "tests/support/mangled_text.h"
 
 namespace gsim::machine {
 namespace {
 
 using Random = std::mt19937;
-
-std::size_t below(Random& random, std::size_t end) {
-    return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
-}
-
-std::string mangled(Random& random, std::string text) {
-    for (std::size_t changes = 1 + below(random, 4); changes > 0 && !text.empty(); --changes) {
-        const std::size_t at = below(random, text.size());
-        const std::size_t count = 1 + below(random, 20);
-        switch (below(random, 4)) {
-            case 0: text.erase(at, count); break;
-            case 1: text[at] = static_cast<char>(below(random, 256)); break;
-            case 2: text.insert(at, text.substr(below(random, text.size()), count)); break;
-            default: text.resize(at); break;
-        }
-    }
-    return text;
-}
-
-// "file:line:column: sentence", in one line.
-bool is_located(const std::string& error) {
-    std::size_t at = 2;
-    if (error.substr(0, at) != "f:") return false;
-    for (int numbers = 0; numbers < 2; ++numbers) {
-        const std::size_t start = at;
-        while (at < error.size() && std::isdigit(static_cast<unsigned char>(error[at]))) ++at;
-        if (at == start || at == error.size() || error[at++] != ':') return false;
-    }
-    return error.size() > at + 1 && error.find('\n') == std::string::npos;
-}
+using test::is_located;
+using test::mangled;
 
 TEST(MangledFile, MachineFile) {
     Random random(1);

@@ -13,9 +13,7 @@ namespace gsim::motion {
 
 /// Three linear joints; grbl's settings of a router.
 inline PlannerSetup router_setup() {
-    PlannerSetup setup;
-    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
-    setup.position_joints = {0, 1, 2};
+    PlannerSetup setup = three_slides();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
     setup.controller.look_ahead_blocks = 15;
     setup.controller.corner = setup.controller.exact_path_corner = rrs::CornerRule::junction_deviation;

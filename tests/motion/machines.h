@@ -29,6 +29,18 @@ inline PlannerSetup gantry_setup() {
     return setup;
 }
 
+/// Three linear joints without ends: 100 mm/s, 1000 mm/s2, and no limits of the path.
+inline PlannerSetup three_slides() {
+    PlannerSetup setup;
+    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
+    setup.position_joints = {0, 1, 2};
+    const kinematics::DhLink slide{.kind = rrs::JointKind::prismatic};
+    const auto identity = rrs::CartPos::Identity();
+    setup.kinematics = std::make_shared<kinematics::ChainKinematics>(
+        kinematics::DhChain(identity, std::vector{slide, slide, slide}, identity));
+    return setup;
+}
+
 /// Seven joints, the position joints neither first nor in order, with random limits: Z W X C Y B V, where W
 /// and V are secondary slides.
 inline PlannerSetup odd_setup(std::mt19937& random) {

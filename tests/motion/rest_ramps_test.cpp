@@ -21,17 +21,6 @@ rrs::JointPos random_target(std::mt19937& random, int joints) {
     return target;
 }
 
-/// Three linear joints with asymmetric ramps.
-PlannerSetup router() {
-    PlannerSetup setup;
-    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
-    setup.position_joints = {0, 1, 2};
-    const kinematics::DhLink slide{.kind = rrs::JointKind::prismatic};
-    setup.kinematics = std::make_shared<kinematics::ChainKinematics>(kinematics::DhChain(
-        rrs::CartPos::Identity(), std::vector{slide, slide, slide}, rrs::CartPos::Identity()));
-    return setup;
-}
-
 double time_to(ReadyPlanner& ready, double x_mm) {
     const double before_s = ready.planner.time_s();
     EXPECT_EQ(ready.to(joint_pos({x_mm, 0, 0})), Status::RRS_SUCCESS) << ready.message();
@@ -66,7 +55,7 @@ TEST(RestRamps, TakeTheLeastTime) {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> log_scale(-2, 2);
     for (int round = 0; round < 300; ++round) {
-        PlannerSetup setup = router();
+        PlannerSetup setup = three_slides();
         set_ramps(setup, random, true);
         const JointSetup& x = setup.joints[0];
         ReadyPlanner ready(setup, joint_pos({0, 0, 0}));
@@ -97,7 +86,7 @@ TEST(RestRamps, StretchedToATime) {
 }
 
 TEST(RestRamps, InfiniteOnesJump) {
-    ReadyPlanner ready(router(), joint_pos({0, 0, 0}));
+    ReadyPlanner ready(three_slides(), joint_pos({0, 0, 0}));
     ready.planner.SetRampMode(RampMode::infinite);
     EXPECT_NEAR(time_to(ready, 50), 0.5, 1e-12);
     EXPECT_TRUE(ready.last().lead.jumps());
@@ -107,7 +96,7 @@ class RampServices : public AnyPlanner {};
 INSTANTIATE_TEST_SUITE_P(Ways, RampServices, both_ways(), way_name);
 
 TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
-    ReadyShell ready(make(router()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
     const double straight_s = ready.time_to(joint_pos({50, 0, 0}));
     const double jerk = 5000;
     ASSERT_EQ(ready.planner.SetJointJerks({}, std::vector<double>(3, jerk)), Status::RRS_SUCCESS);
@@ -125,7 +114,7 @@ TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
 }
 
 TEST_P(RampServices, ModesOfTheProgram) {
-    PlannerSetup setup = router();
+    PlannerSetup setup = three_slides();
     for (JointSetup& joint : setup.joints) joint.max_jerk = 20000;
     ReadyShell ready(make(setup), joint_pos({0, 0, 0}));
     const double machine_s = ready.time_to(joint_pos({50, 0, 0}));
@@ -144,7 +133,7 @@ TEST_P(RampServices, ModesOfTheProgram) {
 }
 
 TEST_P(RampServices, LimitsOfTheProgramLowerThoseOfTheMachine) {
-    ReadyShell ready(make(router()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
     const int x = 0;
     const double slow = 200;
     const double fast = 1e6;

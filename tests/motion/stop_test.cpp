@@ -16,18 +16,8 @@ rrs::JointPos random_target(std::mt19937& random, int joints) {
     return target;
 }
 
-PlannerSetup chain_of_three() {
-    PlannerSetup setup;
-    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
-    setup.position_joints = {0, 1, 2};
-    const kinematics::DhLink slide{.kind = rrs::JointKind::prismatic};
-    setup.kinematics = std::make_shared<kinematics::ChainKinematics>(kinematics::DhChain(
-        rrs::CartPos::Identity(), std::vector{slide, slide, slide}, rrs::CartPos::Identity()));
-    return setup;
-}
-
 PlannerSetup look_ahead_setup() {
-    PlannerSetup setup = chain_of_three();
+    PlannerSetup setup = three_slides();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
     setup.controller.corner = rrs::CornerRule::velocity_step;
     setup.queue_capacity = 400;
@@ -58,7 +48,7 @@ class StopServices : public AnyPlanner {};
 INSTANTIATE_TEST_SUITE_P(Ways, StopServices, both_ways(), way_name);
 
 TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
-    ReadyShell ready(make(chain_of_three()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
     EXPECT_NEAR(ready.step().joints[0], 45, 1e-9);
@@ -76,7 +66,7 @@ TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
 }
 
 TEST_P(StopServices, CancelDropsTheRest) {
-    ReadyShell ready(make(chain_of_three()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
     ready.to(joint_pos({100, 100, 0}));
@@ -92,7 +82,7 @@ TEST_P(StopServices, CancelDropsTheRest) {
 }
 
 TEST_P(StopServices, WhereNothingMoves) {
-    ReadyShell ready(make(chain_of_three()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
     EXPECT_EQ(ready.planner.ContinueMotion(), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
     EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
@@ -124,7 +114,7 @@ TEST_P(StopServices, ShortBlocksDoNotDelayIt) {
 
 TEST_P(StopServices, OnAnArcItStaysOnTheArc) {
     for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
-        PlannerSetup setup = chain_of_three();
+        PlannerSetup setup = three_slides();
         setup.controller.planner = kind;
         ReadyShell ready(make(setup), joint_pos({50, 0, 0}));
         ready.planner.SetCartesianPositionSpeed(80);
@@ -209,7 +199,7 @@ TEST(Stop, KeepsLimitsOverManyBlocks) {
 
 TEST(Stop, OnAnArcNoWayIsLost) {
     for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
-        PlannerSetup setup = chain_of_three();
+        PlannerSetup setup = three_slides();
         setup.controller.planner = kind;
         ReadyPlanner ready(setup, joint_pos({50, 0, 0}));
         ready.planner.SetCartesianPositionSpeed(80);

@@ -1,5 +1,4 @@
 // What is written is read back; what is wrong is told with its place.
-#include <cctype>
 #include <random>
 #include <string>
 #include <vector>
@@ -9,9 +8,12 @@
 #include "runtime/path/json_reader.h"
 #include "runtime/path/json_writer.h"
 #include "tests/path/random_path.h"
+#include "tests/support/mangled_text.h"
 
 namespace gsim::path {
 namespace {
+
+using test::is_located;
 
 std::string error_of(const std::string& text) {
     const auto file = read_json(text, "f");
@@ -111,35 +113,11 @@ TEST(PathJson, ErrorsNamePlaceAndReason) {
     }
 }
 
-// "file:line:column: sentence", in one line.
-bool is_located(const std::string& error) {
-    std::size_t at = 2;
-    if (error.substr(0, at) != "f:") return false;
-    for (int numbers = 0; numbers < 2; ++numbers) {
-        const std::size_t start = at;
-        while (at < error.size() && std::isdigit(static_cast<unsigned char>(error[at]))) ++at;
-        if (at == start || at == error.size() || error[at++] != ':') return false;
-    }
-    return error.size() > at + 1 && error.find('\n') == std::string::npos;
-}
-
 TEST(PathJson, MangledFilesEndWithAValueOrALocatedSentence) {
     std::mt19937 random(2);
-    const auto below = [&random](std::size_t end) {
-        return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
-    };
     const std::string whole = to_json(random_program(random));
     for (int i = 0; i < 3000; ++i) {
-        std::string text = whole;
-        for (std::size_t changes = 1 + below(3); changes > 0 && !text.empty(); --changes) {
-            const std::size_t at = below(text.size());
-            switch (below(4)) {
-                case 0: text.erase(at, 1 + below(20)); break;
-                case 1: text[at] = static_cast<char>(below(256)); break;
-                case 2: text.insert(at, text.substr(below(text.size()), 1 + below(20))); break;
-                default: text.resize(at); break;
-            }
-        }
+        const std::string text = test::mangled(random, whole);
         const auto file = read_json(text, "f");
         EXPECT_TRUE(file || is_located(file.error())) << error_of(text);
     }

@@ -1,6 +1,5 @@
 #include "runtime/waterjet/materials_file.h"
 
-#include <cctype>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "sample.h"
+#include "tests/support/mangled_text.h"
 
 namespace gsim::waterjet {
 namespace {
@@ -100,38 +100,15 @@ TEST(MaterialsFile, NoFile) {
     EXPECT_FALSE(read_materials(std::string_view("\0", 1), "f"));
 }
 
-bool is_located(const std::string& error) {
-    std::size_t at = 2;
-    if (error.substr(0, at) != "f:") return false;
-    for (int numbers = 0; numbers < 2; ++numbers) {
-        const std::size_t start = at;
-        while (at < error.size() && std::isdigit(static_cast<unsigned char>(error[at]))) ++at;
-        if (at == start || at == error.size() || error[at++] != ':') return false;
-    }
-    return error.size() > at + 1 && error.find('\n') == std::string::npos;
-}
-
 // Whatever a file holds, reading it ends with materials that can be planned, or with a sentence that says
 // where.
 TEST(MaterialsFile, Mangled) {
     std::mt19937 random(5);
-    const auto below = [&](std::size_t end) {
-        return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
-    };
+    const std::string whole(built_in_materials_toml());
     for (int i = 0; i < 2000; ++i) {
-        std::string text(built_in_materials_toml());
-        for (std::size_t changes = 1 + below(4); changes > 0 && !text.empty(); --changes) {
-            const std::size_t at = below(text.size());
-            switch (below(4)) {
-                case 0: text.erase(at, 1 + below(20)); break;
-                case 1: text[at] = static_cast<char>(below(256)); break;
-                case 2: text.insert(at, text.substr(below(text.size()), 1 + below(20))); break;
-                default: text.resize(at); break;
-            }
-        }
-        const auto materials = read_materials(text, "f");
+        const auto materials = read_materials(test::mangled(random, whole), "f");
         if (!materials) {
-            EXPECT_TRUE(is_located(materials.error())) << materials.error();
+            EXPECT_TRUE(test::is_located(materials.error())) << materials.error();
             continue;
         }
         for (const Material& material : materials->materials) {
