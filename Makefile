@@ -6,6 +6,8 @@ PREFIX       ?= /usr/local
 FUZZ_SECONDS ?= 900
 MAKEFLAGS    += --no-print-directory
 
+programs = gcode2lua gsim-run gsim-data path2gcode autopath
+
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
@@ -33,7 +35,7 @@ run: build
 	@scripts/run-wheel.sh build
 
 build: setup
-	@$(call build_into,release) --target gcode2lua gsim-run gsim-data
+	@$(call build_into,release) --target $(programs)
 
 test: setup
 	@$(call build_into,release)
@@ -73,7 +75,7 @@ format:
 lint:
 	@scripts/setup.sh lint
 	@scripts/lint.sh format
-	@$(call build_into,release) --target gcode2lua gsim-run gsim-data
+	@$(call build_into,release) --target $(programs)
 	@scripts/lint.sh tidy build
 
 install: build
