@@ -2,9 +2,10 @@
 
 #include <array>
 
-#include "runtime/cell/shape_section.h"
+#include "runtime/cell/machine_shapes.h"
 #include "runtime/machine/frame_pose.h"
 #include "runtime/machine/frame_section.h"
+#include "runtime/machine/shape_section.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
 
@@ -30,11 +31,14 @@ rrs::CartPos read_pose(FirstError& error, const toml::table* table) {
     return machine::frame_pose(machine::read_frame(error, table, "'frame'"));
 }
 
-/// Reads the tables of a cell file into a cell.
+/// Reads the tables of a cell file into a cell that has the machine's shapes already.
 class CellReader {
   public:
-    CellReader(FirstError& error, std::filesystem::path folder, const machine::Machine& machine)
-        : error_(error), folder_(std::move(folder)), cell_{.frames = FrameTree(machine)} {}
+    CellReader(FirstError& error, std::filesystem::path folder, Cell cell)
+        : error_(error),
+          folder_(std::move(folder)),
+          machine_items_(cell.items.size()),
+          cell_(std::move(cell)) {}
 
     Cell read(const toml::table& root) {
         TomlSection file(error_, root, "a cell file", kFileKeys);
@@ -43,7 +47,9 @@ class CellReader {
         for (const toml::table* table : tables(file, "frame")) read_frame(*table);
         for (const toml::table* table : tables(file, "object")) read_object(*table);
         for (const toml::table* table : tables(file, "shape")) read_link_shape(*table);
-        if (file.has("ignore")) read_ignored(file, root);
+        const auto ignored = machine::read_ignored(error_, file, root,
+                                                   [this](std::string_view name) { return find_item(name); });
+        cell_.ignored.insert(cell_.ignored.end(), ignored.begin(), ignored.end());
         return std::move(cell_);
     }
 
@@ -61,7 +67,11 @@ class CellReader {
     std::string read_name(TomlSection& section) {
         std::string name = section.text("name");
         if (name.empty()) section.fail("name", "'name' must not be empty");
-        if (cell_.frames.find(name)) {
+        const auto item = find_item(name);
+        if (item && *item < machine_items_) {
+            section.fail("name",
+                         fmt::format("the name '{}' is taken by a [[shape]] of the machine file", name));
+        } else if (cell_.frames.find(name)) {
             section.fail("name", fmt::format("the name '{}' is taken: by the machine, or above", name));
         }
         return name;
@@ -117,9 +127,12 @@ class CellReader {
 
     void add_item(TomlSection& section, const toml::table& table, std::string name, Role role,
                   std::size_t parent) {
-        auto shape = read_shape(error_, section, table, folder_);
+        const auto form = machine::read_shape(error_, section, table, folder_);
         const std::size_t frame = add_frame(section, name, parent);
-        if (shape) cell_.items.push_back({std::move(name), role, *std::move(shape), frame});
+        if (!form) return;
+        auto shape = make_shape(*form);
+        if (!shape) return section.fail("shape", shape.error());
+        cell_.items.push_back({std::move(name), role, *std::move(shape), frame});
     }
 
     std::optional<std::size_t> find_item(std::string_view name) const {
@@ -129,28 +142,9 @@ class CellReader {
         return std::nullopt;
     }
 
-    void read_ignored(TomlSection& file, const toml::table& root) {
-        const toml::array* pairs = root.get_as<toml::array>("ignore");
-        if (pairs == nullptr) return file.fail("ignore", "'ignore' must be a list of pairs of names");
-        for (const toml::node& node : *pairs) {
-            const toml::array* pair = node.as_array();
-            const auto name = [&](std::size_t i) { return pair->get(i)->value<std::string_view>(); };
-            if (pair == nullptr || pair->size() != 2 || !name(0) || !name(1)) {
-                return error_.report(node.source().begin,
-                                     "'ignore' must hold pairs of names: [[\"A\", \"B\"]]");
-            }
-            const auto first = find_item(*name(0));
-            const auto second = find_item(*name(1));
-            if (!first || !second) {
-                return error_.report(node.source().begin, fmt::format("no object or shape is called '{}'",
-                                                                      first ? *name(1) : *name(0)));
-            }
-            cell_.ignored.emplace_back(*first, *second);
-        }
-    }
-
     FirstError& error_;
     std::filesystem::path folder_;
+    std::size_t machine_items_;  ///< The first so many items are the machine's.
     Cell cell_;
 };
 
@@ -175,7 +169,10 @@ tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::strin
                                           const machine::Machine& machine) {
     FirstError error(file_name);
     const toml::table root = machine::parse_toml(error, toml_text);
-    Cell cell = CellReader(error, std::filesystem::path(file_name).parent_path(), machine).read(root);
+    auto bare = cell_of_machine(machine);
+    if (!bare) return bare;
+    const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
+    Cell cell = CellReader(error, folder, *std::move(bare)).read(root);
     if (error.text()) return tl::unexpected(*error.text());
     return cell;
 }

@@ -26,12 +26,6 @@ std::string unknown_model(std::string_view model) {
         fmt::join(known, ", "));
 }
 
-// A control character would cut the name short for the operating system, or spread its errors over two lines.
-bool is_printable(std::string_view text) {
-    return std::none_of(text.begin(), text.end(),
-                        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-}
-
 rrs::ControllerRules read_own_file(TomlSection& section, const std::string& model,
                                    const std::filesystem::path& folder) {
     if (!is_printable(model)) {

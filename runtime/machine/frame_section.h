@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "runtime/machine/machine.h"
+#include "runtime/machine/frame.h"
 #include "runtime/machine/toml_section.h"
 
 namespace gsim::machine {

@@ -5,9 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/kinematics/kinematics.h"
+#include "runtime/machine/frame.h"
+#include "runtime/machine/link_shape.h"
 #include "runtime/rrs/controller_rules.h"
 
 namespace gsim::machine {
@@ -33,14 +36,6 @@ struct DhRow {
     double alpha_deg = 0;
 
     bool operator==(const DhRow&) const = default;
-};
-
-/// Fixed frame: translation in mm, then roll about Z, pitch about Y, yaw about X in degrees (Rz Ry Rx).
-struct Frame {
-    double x_mm = 0, y_mm = 0, z_mm = 0;
-    double roll_deg = 0, pitch_deg = 0, yaw_deg = 0;
-
-    bool operator==(const Frame&) const = default;
 };
 
 inline constexpr int kHomes = 4;  ///< Home positions of a machine: the primary one and three others.
@@ -95,6 +90,9 @@ struct Machine {
     Frame work;  ///< Last joint that carries the work, or the world, to the work frame.
     InverseKind inverse = InverseKind::none;
     rrs::ControllerRules controller;
+    std::vector<LinkShape> shapes = {};  ///< Its own bodies; their names differ.
+    /// Pairs of shapes, as indices, that may touch each other.
+    std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
 
     /// Index of the axis with this (upper case) letter.
     std::optional<std::size_t> find(char letter) const;

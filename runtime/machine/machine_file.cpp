@@ -6,6 +6,7 @@
 #include "runtime/machine/controller_keys.h"
 #include "runtime/machine/embedded_machines.h"
 #include "runtime/machine/frame_section.h"
+#include "runtime/machine/link_shapes.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
 
@@ -18,7 +19,8 @@ using std::string_view_literals::operator""sv;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr std::string_view kLetters = "ABCUVWXYZ";
 
-constexpr std::array kFileKeys{"machine"sv, "path"sv, "base"sv, "tool"sv, "work"sv, "controller"sv, "axis"sv};
+constexpr std::array kFileKeys{"machine"sv,    "path"sv, "base"sv,  "tool"sv,  "work"sv,
+                               "controller"sv, "axis"sv, "shape"sv, "ignore"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
@@ -226,6 +228,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     machine.controller = read_controller_table(error, file.table("controller"), folder);
     machine.axes = read_axes(error, file);
     if (error.text()) return machine;
+    read_link_shapes(error, file, root, folder, machine);
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;
     if (const auto fault = find_orientation_fault(machine)) file.fail("controller", *fault);

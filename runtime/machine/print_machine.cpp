@@ -2,6 +2,7 @@
 
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/machine/print_shapes.h"
 #include "runtime/machine/toml_text.h"
 
 namespace gsim::machine {
@@ -52,12 +53,7 @@ void print_joint(TomlText& out, const Axis& axis) {
                                    toml_number(axis.dh.a_mm), toml_number(axis.dh.alpha_deg)));
         return;
     }
-    const Frame& frame = *axis.frame;
-    out.line("frame", fmt::format("{{ x_mm = {}, y_mm = {}, z_mm = {}, roll_deg = {}, pitch_deg = {}, "
-                                  "yaw_deg = {} }}",
-                                  toml_number(frame.x_mm), toml_number(frame.y_mm), toml_number(frame.z_mm),
-                                  toml_number(frame.roll_deg), toml_number(frame.pitch_deg),
-                                  toml_number(frame.yaw_deg)));
+    out.line("frame", inline_frame(*axis.frame));
 }
 
 void print_axis(TomlText& out, const Axis& axis) {
@@ -90,6 +86,7 @@ void print_axis(TomlText& out, const Axis& axis) {
 
 std::string print_machine(const Machine& machine) {
     TomlText out;
+    print_ignored(out, machine);
     out.section("[machine]");
     out.line("name", toml_string(machine.name));
     out.line("inverse", name(machine.inverse));
@@ -99,6 +96,7 @@ std::string print_machine(const Machine& machine) {
     print_frame(out, "[work]", machine.work);
     print_controller(out, machine.controller);
     for (const Axis& axis : machine.axes) print_axis(out, axis);
+    print_link_shapes(out, machine);
     return out.take();
 }
 

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/machine/frame.h"
+
 namespace gsim::machine {
 
 /// A string of TOML with its quotation marks.
@@ -10,6 +12,13 @@ std::string toml_string(std::string_view text);
 
 /// A float of TOML in its shortest form, 254 as "254.0".
 std::string toml_number(double value);
+
+/// A frame as the value of a key: "{ x_mm = 1.0, ... }".
+std::string inline_frame(const Frame& frame);
+
+/// Whether there are no control characters in a text. One in the name of a file would cut it short for the
+/// operating system, or spread errors over two lines.
+bool is_printable(std::string_view text);
 
 /// Writes tables of TOML line by line.
 class TomlText {

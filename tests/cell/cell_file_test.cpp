@@ -111,6 +111,41 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = 3\n", kWhole)), HasSubstr("must be a list of pairs"));
 }
 
+machine::Machine with_body() {
+    machine::Machine machine = af5();
+    machine.shapes = {{"hull", "tool", machine::CylinderShape{60, 200}, {.z_mm = 110}},
+                      {"bed", "base", machine::BoxShape{10, 20, 30}, {}}};
+    machine.ignored = {{0, 1}};
+    return machine;
+}
+
+TEST(CellFile, HasTheShapesOfItsMachine) {
+    const auto cell =
+        read_cell(fmt::format("{}{}", "ignore = [[\"hull\", \"post\"]]\n", kWhole), "c.toml", with_body());
+    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_EQ(cell->items.size(), 6U);
+    EXPECT_EQ(cell->items[0].name, "hull");
+    EXPECT_EQ(cell->items[0].role, Role::machine);
+    EXPECT_EQ(cell->frames.link(cell->items[0].frame), 5);
+    EXPECT_EQ(cell->frames.link(cell->items[1].frame), 0);
+    EXPECT_EQ(cell->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {0, 3}}));
+}
+
+TEST(CellFile, ANameOfTheMachineFileIsTaken) {
+    const auto cell =
+        read_cell(with("[[object]]\nname = \"bed\"\nshape = { sphere_mm = 1 }"), "c.toml", with_body());
+    ASSERT_FALSE(cell);
+    EXPECT_EQ(cell.error(), "c.toml:32:8: the name 'bed' is taken by a [[shape]] of the machine file");
+}
+
+TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {
+    machine::Machine machine = with_body();
+    machine.shapes[1].form = machine::MeshShape{"none.stl"};
+    const auto cell = read_cell(kWhole, "c.toml", machine);
+    ASSERT_FALSE(cell);
+    EXPECT_THAT(cell.error(), HasSubstr("the shape 'bed' of the machine cannot be read: none.stl: No such"));
+}
+
 // Whatever is done to a file, it is read, or refused with a place.
 TEST(CellFile, MangledFilesNeitherHangNorCrash) {
     std::mt19937 random(9);

@@ -1,14 +1,12 @@
-#include "runtime/cell/shape_section.h"
+#include "runtime/machine/shape_section.h"
 
 #include <array>
+#include <system_error>
 
-#include "runtime/cell/mesh_file.h"
+#include "runtime/machine/toml_text.h"
 
-namespace gsim::cell {
+namespace gsim::machine {
 
-using machine::FirstError;
-using machine::NumberRule;
-using machine::TomlSection;
 using std::string_view_literals::operator""sv;
 
 namespace {
@@ -35,43 +33,46 @@ std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const to
     return std::nullopt;
 }
 
-std::optional<Shape> read_mesh_shape(TomlSection& section, const std::filesystem::path& folder) {
+std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesystem::path& folder) {
     const std::string name = section.text("mesh");
     const double scale = section.number("scale", 1, NumberRule::positive);
-    if (name.empty()) {
-        section.fail("mesh", "'mesh' must name a file");
+    if (name.empty() || !is_printable(name)) {
+        section.fail("mesh", "'mesh' must name a file, without control characters");
         return std::nullopt;
     }
-    auto mesh = load_mesh(folder / name, scale);
-    if (mesh) return Shape::mesh(*std::move(mesh));
-    section.fail("mesh", mesh.error());
+    const std::filesystem::path path = folder / name;
+    std::error_code fault;
+    static_cast<void>(std::filesystem::file_size(path, fault));
+    if (!fault) return MeshShape{path, scale};
+    section.fail("mesh", fmt::format("{}: {}", path.string(), fault.message()));
     return std::nullopt;
 }
 
-std::optional<Shape> read_round(TomlSection& section, const toml::table& table, std::string_view key) {
+std::optional<ShapeForm> read_round(TomlSection& section, const toml::table& table, std::string_view key) {
     const auto lengths = read_lengths(section, table, key, 2, "diameter, height");
     if (!lengths) return std::nullopt;
     const auto [diameter, height, none] = *lengths;
-    return key == "cylinder_mm" ? Shape::cylinder(diameter, height) : Shape::capsule(diameter, height);
+    if (key == "cylinder_mm") return CylinderShape{diameter, height};
+    return CapsuleShape{diameter, height};
 }
 
-std::optional<Shape> read_box(TomlSection& section, const toml::table& table) {
+std::optional<ShapeForm> read_box(TomlSection& section, const toml::table& table) {
     const auto size = read_lengths(section, table, "box_mm", 3, "x, y, z");
     if (!size) return std::nullopt;
-    return Shape::box({(*size)[0], (*size)[1], (*size)[2]});
+    return BoxShape{(*size)[0], (*size)[1], (*size)[2]};
 }
 
-std::optional<Shape> read_sphere(TomlSection& section) {
+std::optional<ShapeForm> read_sphere(TomlSection& section) {
     const double diameter = section.number("sphere_mm", 1, NumberRule::positive);
-    if (diameter <= kLongest_mm) return Shape::sphere(diameter);
+    if (diameter <= kLongest_mm) return SphereShape{diameter};
     section.fail("sphere_mm", "'sphere_mm' is a diameter of at most 1e6");
     return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Shape> read_shape(FirstError& error, TomlSection& section, const toml::table& table,
-                                const std::filesystem::path& folder) {
+std::optional<ShapeForm> read_shape(FirstError& error, TomlSection& section, const toml::table& table,
+                                    const std::filesystem::path& folder) {
     section.require("shape");
     if (section.table("shape") == nullptr) return std::nullopt;
     const toml::table& of_shape = *table.get_as<toml::table>("shape");
@@ -92,4 +93,33 @@ std::optional<Shape> read_shape(FirstError& error, TomlSection& section, const t
     return std::nullopt;
 }
 
-}  // namespace gsim::cell
+std::vector<std::pair<std::size_t, std::size_t>> read_ignored(
+    FirstError& error, TomlSection& file, const toml::table& root,
+    const std::function<std::optional<std::size_t>(std::string_view)>& find) {
+    std::vector<std::pair<std::size_t, std::size_t>> ignored;
+    if (!file.has("ignore")) return ignored;
+    const toml::array* pairs = root.get_as<toml::array>("ignore");
+    if (pairs == nullptr) {
+        file.fail("ignore", "'ignore' must be a list of pairs of names");
+        return ignored;
+    }
+    for (const toml::node& node : *pairs) {
+        const toml::array* pair = node.as_array();
+        const auto name = [&](std::size_t i) { return pair->get(i)->value<std::string_view>(); };
+        if (pair == nullptr || pair->size() != 2 || !name(0) || !name(1)) {
+            error.report(node.source().begin, "'ignore' must hold pairs of names: [[\"A\", \"B\"]]");
+            return ignored;
+        }
+        const auto first = find(*name(0));
+        const auto second = find(*name(1));
+        if (!first || !second) {
+            error.report(node.source().begin,
+                         fmt::format("no object or shape is called '{}'", first ? *name(1) : *name(0)));
+            return ignored;
+        }
+        ignored.emplace_back(*first, *second);
+    }
+    return ignored;
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+
+#include "runtime/machine/frame.h"
+
+namespace gsim::machine {
+
+/// A box with its frame in the middle.
+struct BoxShape {
+    double x_mm, y_mm, z_mm;
+    bool operator==(const BoxShape&) const = default;
+};
+
+/// A cylinder along Z with its frame in the middle.
+struct CylinderShape {
+    double diameter_mm, height_mm;
+    bool operator==(const CylinderShape&) const = default;
+};
+
+/// The same with half a sphere at each end, which the height does not count.
+struct CapsuleShape {
+    double diameter_mm, height_mm;
+    bool operator==(const CapsuleShape&) const = default;
+};
+
+struct SphereShape {
+    double diameter_mm;
+    bool operator==(const SphereShape&) const = default;
+};
+
+/// A surface of triangles in a file of its own; coordinates times `scale` are mm.
+struct MeshShape {
+    std::filesystem::path file;
+    double scale = 1;
+    bool operator==(const MeshShape&) const = default;
+};
+
+/// What a body looks like, as files describe it.
+using ShapeForm = std::variant<BoxShape, CylinderShape, CapsuleShape, SphereShape, MeshShape>;
+
+/// A body of the machine itself.
+struct LinkShape {
+    std::string name;
+    std::string on;  ///< "base", the letter of an axis, "tool", "work", or "jet": on the tool while it cuts.
+    ShapeForm form;
+    Frame frame;  ///< From what it is on to the shape.
+
+    bool operator==(const LinkShape&) const = default;
+};
+
+}  // namespace gsim::machine

@@ -1,0 +1,104 @@
+#include "runtime/machine/link_shapes.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "runtime/machine/frame_section.h"
+#include "runtime/machine/shape_section.h"
+
+namespace gsim::machine {
+
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::array kShapeKeys{"name"sv, "on"sv, "shape"sv, "frame"sv};
+constexpr std::array kPlaces{"base"sv, "tool"sv, "work"sv, "jet"sv};
+
+bool is_axis(const Machine& machine, std::string_view name) {
+    return name.size() == 1 && machine.find(name[0]);
+}
+
+// The names that cells know the machine's frames by.
+bool is_frame(const Machine& machine, std::string_view name) {
+    return name == "world" || name == "base" || name == "tool" || name == "work" || is_axis(machine, name);
+}
+
+std::optional<std::size_t> find_shape(const Machine& machine, std::string_view name) {
+    for (std::size_t i = 0; i < machine.shapes.size(); ++i) {
+        if (machine.shapes[i].name == name) return i;
+    }
+    return std::nullopt;
+}
+
+std::string letters(const Machine& machine) {
+    std::vector<char> list;
+    list.reserve(machine.axes.size());
+    for (const Axis& axis : machine.axes) list.push_back(axis.letter);
+    return fmt::format("{}", fmt::join(list, ", "));
+}
+
+class ShapeReader {
+  public:
+    ShapeReader(FirstError& error, const std::filesystem::path& folder, Machine& machine)
+        : error_(error), folder_(folder), machine_(machine) {}
+
+    void read(const toml::table& table) {
+        TomlSection section(error_, table, "[[shape]]", kShapeKeys);
+        LinkShape shape;
+        shape.name = read_name(section);
+        shape.on = read_place(section);
+        const auto form = read_shape(error_, section, table, folder_);
+        shape.frame = read_frame(error_, section.table("frame"), "'frame'");
+        if (!form) return;
+        shape.form = *form;
+        machine_.shapes.push_back(std::move(shape));
+        lines_.push_back(section.where("name").line);
+    }
+
+  private:
+    std::string read_name(TomlSection& section) {
+        std::string name = section.text("name");
+        if (name.empty()) section.fail("name", "'name' must not be empty");
+        if (is_frame(machine_, name))
+            section.fail("name", fmt::format("the name '{}' is taken by a frame of the machine", name));
+        if (const auto other = find_shape(machine_, name)) {
+            section.fail("name",
+                         fmt::format("the name '{}' is given twice; first in line {}", name, lines_[*other]));
+        }
+        return name;
+    }
+
+    std::string read_place(TomlSection& section) {
+        std::string on = section.text("on");
+        if (is_axis(machine_, on) || std::find(kPlaces.begin(), kPlaces.end(), on) != kPlaces.end())
+            return on;
+        const auto nearest = nearest_name(on, kPlaces);
+        section.fail(
+            "on",
+            fmt::format("'on' must be \"base\", the letter of an axis ({}), \"tool\", \"work\" "
+                        "or \"jet\"{}",
+                        letters(machine_), nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : ""));
+        return on;
+    }
+
+    FirstError& error_;
+    const std::filesystem::path& folder_;
+    Machine& machine_;
+    std::vector<unsigned> lines_;  ///< Of the shapes' names.
+};
+
+}  // namespace
+
+void read_link_shapes(FirstError& error, TomlSection& file, const toml::table& root,
+                      const std::filesystem::path& folder, Machine& machine) {
+    ShapeReader reader(error, folder, machine);
+    if (file.has("shape")) {
+        for (const toml::table* table : file.tables("shape")) reader.read(*table);
+    }
+    machine.ignored =
+        read_ignored(error, file, root, [&](std::string_view name) { return find_shape(machine, name); });
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,66 @@
+#include "runtime/machine/print_shapes.h"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace gsim::machine {
+
+namespace {
+
+std::string inline_form(const BoxShape& box) {
+    return fmt::format("box_mm = [{}, {}, {}]", toml_number(box.x_mm), toml_number(box.y_mm),
+                       toml_number(box.z_mm));
+}
+
+std::string inline_form(const CylinderShape& cylinder) {
+    return fmt::format("cylinder_mm = [{}, {}]", toml_number(cylinder.diameter_mm),
+                       toml_number(cylinder.height_mm));
+}
+
+std::string inline_form(const CapsuleShape& capsule) {
+    return fmt::format("capsule_mm = [{}, {}]", toml_number(capsule.diameter_mm),
+                       toml_number(capsule.height_mm));
+}
+
+std::string inline_form(const SphereShape& sphere) {
+    return fmt::format("sphere_mm = {}", toml_number(sphere.diameter_mm));
+}
+
+std::string inline_form(const MeshShape& mesh) {
+    return fmt::format("mesh = {}, scale = {}", toml_string(std::filesystem::absolute(mesh.file).string()),
+                       toml_number(mesh.scale));
+}
+
+std::string inline_shape(const ShapeForm& form) {
+    return fmt::format("{{ {} }}", std::visit([](const auto& of) { return inline_form(of); }, form));
+}
+
+}  // namespace
+
+void print_ignored(TomlText& out, const Machine& machine) {
+    if (machine.ignored.empty()) return;
+    std::vector<std::string> pairs;
+    pairs.reserve(machine.ignored.size());
+    for (const auto& [first, second] : machine.ignored) {
+        pairs.push_back(fmt::format("[{}, {}]", toml_string(machine.shapes[first].name),
+                                    toml_string(machine.shapes[second].name)));
+    }
+    out.line("ignore", fmt::format("[{}]", fmt::join(pairs, ", ")));
+}
+
+void print_link_shapes(TomlText& out, const Machine& machine) {
+    for (const LinkShape& shape : machine.shapes) {
+        out.section("[[shape]]");
+        out.line("name", toml_string(shape.name));
+        out.line("on", toml_string(shape.on));
+        out.line("shape", inline_shape(shape.form));
+        if (shape.frame != Frame{}) out.line("frame", inline_frame(shape.frame));
+    }
+}
+
+}  // namespace gsim::machine
