@@ -1,6 +1,7 @@
 #!/bin/bash
-# Installs the Debian packages that are missing, if any is. Groups: build (programs and tests; always), lint, fuzz.
-# Usage: scripts/setup.sh [lint] [fuzz]
+# Installs the Debian packages that are missing, if any is. Groups: build (programs and tests; always), lint, fuzz,
+# step (OpenCASCADE, which reads STEP and IGES files; the programs are built without it, too).
+# Usage: scripts/setup.sh [lint] [fuzz] [step]
 set -euo pipefail
 
 declare -A packages=(
@@ -9,6 +10,7 @@ declare -A packages=(
              libpugixml-dev libpolyclipping-dev gnuplot-nox"
     [lint]="clang-format clang-tidy"
     [fuzz]="clang libclang-rt-14-dev llvm"
+    [step]="libocct-data-exchange-dev"
 )
 
 wanted=""

@@ -26,7 +26,7 @@ Made make(const machine::SphereShape& sphere) {
     return Shape::sphere(sphere.diameter_mm);
 }
 Made make(const machine::MeshShape& mesh) {
-    return load_mesh(mesh.file, mesh.scale).map(&Shape::mesh);
+    return load_mesh(mesh.file, mesh.scale, mesh.tolerance_mm).map(&Shape::mesh);
 }
 
 }  // namespace

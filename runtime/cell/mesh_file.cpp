@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "runtime/cell/mesh_text.h"
+#include "solid/mesh.h"
 
 namespace gsim::cell {
 
@@ -40,6 +41,22 @@ std::optional<std::string> find_fault(const TriangleSoup& soup) {
     return std::nullopt;
 }
 
+tl::expected<std::shared_ptr<const TriangleMesh>, std::string> make_mesh(TriangleSoup soup,
+                                                                         std::string_view file_name,
+                                                                         double scale) {
+    for (Eigen::Vector3d& vertex : soup.vertices) vertex *= scale;
+    if (const auto fault = find_fault(soup)) return tl::unexpected(fmt::format("{}: {}", file_name, *fault));
+    return std::make_shared<const TriangleMesh>(std::move(soup.vertices), soup.triangles);
+}
+
+TriangleSoup soup_of(const solid::Mesh& mesh) {
+    TriangleSoup soup;
+    soup.vertices.reserve(mesh.vertices_mm.size());
+    for (const auto& [x, y, z] : mesh.vertices_mm) soup.vertices.emplace_back(x, y, z);
+    soup.triangles = mesh.triangles;
+    return soup;
+}
+
 }  // namespace
 
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::string_view bytes,
@@ -47,14 +64,17 @@ tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::st
                                                                          double scale) {
     auto soup = read_soup(bytes, file_name);
     if (!soup) return tl::unexpected(fmt::format("{}{}", file_name, soup.error()));
-    for (Eigen::Vector3d& vertex : soup->vertices) vertex *= scale;
-    if (const auto fault = find_fault(*soup)) return tl::unexpected(fmt::format("{}: {}", file_name, *fault));
-    return std::make_shared<const TriangleMesh>(std::move(soup->vertices), soup->triangles);
+    return make_mesh(*std::move(soup), file_name, scale);
 }
 
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const std::filesystem::path& path,
-                                                                         double scale) {
+                                                                         double scale, double tolerance_mm) {
     const std::string name = path.string();
+    if (solid::is_solid_file(path)) {
+        const auto mesh = solid::read_mesh(path, tolerance_mm);
+        if (!mesh) return tl::unexpected(mesh.error());
+        return make_mesh(soup_of(*mesh), name, scale);
+    }
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error) return tl::unexpected(fmt::format("{}: {}", name, error.message()));

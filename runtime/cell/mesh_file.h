@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/cell/triangle_mesh.h"
+#include "runtime/machine/link_shape.h"
 
 namespace gsim::cell {
 
@@ -19,8 +20,9 @@ tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::st
                                                                          std::string_view file_name,
                                                                          double scale);
 
-/// read_mesh() of a file on disk, of at most 512 MiB.
-tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const std::filesystem::path& path,
-                                                                         double scale);
+/// Reads a file on disk: as read_mesh() does, of at most 512 MiB; or a STEP or IGES file (by its ending
+/// .step, .stp, .iges, .igs), whose surfaces become triangles that are off them by `tolerance_mm` at most.
+tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(
+    const std::filesystem::path& path, double scale, double tolerance_mm = machine::kMeshTolerance_mm);
 
 }  // namespace gsim::cell

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "solid/mesh.h"
+
 namespace gsim::machine {
 
 namespace {
@@ -32,8 +34,12 @@ std::string inline_form(const SphereShape& sphere) {
 }
 
 std::string inline_form(const MeshShape& mesh) {
-    return fmt::format("mesh = {}, scale = {}", toml_string(std::filesystem::absolute(mesh.file).string()),
-                       toml_number(mesh.scale));
+    std::string text =
+        fmt::format("mesh = {}, scale = {}", toml_string(std::filesystem::absolute(mesh.file).string()),
+                    toml_number(mesh.scale));
+    if (solid::is_solid_file(mesh.file))
+        text += fmt::format(", tolerance_mm = {}", toml_number(mesh.tolerance_mm));
+    return text;
 }
 
 std::string inline_shape(const ShapeForm& form) {

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "runtime/machine/toml_text.h"
+#include "solid/mesh.h"
 
 namespace gsim::machine {
 
@@ -11,9 +12,11 @@ using std::string_view_literals::operator""sv;
 
 namespace {
 
-constexpr std::array kShapeKeys{"box_mm"sv,     "cylinder_mm"sv, "sphere_mm"sv,
-                                "capsule_mm"sv, "mesh"sv,        "scale"sv};
+constexpr std::array kShapeKeys{"box_mm"sv, "cylinder_mm"sv, "sphere_mm"sv,   "capsule_mm"sv,
+                                "mesh"sv,   "scale"sv,       "tolerance_mm"sv};
 constexpr double kLongest_mm = 1e6;
+constexpr double kLeastTolerance_mm = 1e-3;
+constexpr double kGreatestTolerance_mm = 100;
 
 /// `count` lengths, each greater than 0; nothing where they are not.
 std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const toml::table& table,
@@ -40,10 +43,21 @@ std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesy
         section.fail("mesh", "'mesh' must name a file, without control characters");
         return std::nullopt;
     }
+    const double tolerance_mm = section.number("tolerance_mm", kMeshTolerance_mm, NumberRule::positive);
+    if (section.has("tolerance_mm") && !solid::is_solid_file(name)) {
+        section.fail("tolerance_mm",
+                     "'tolerance_mm' is for STEP and IGES files; this mesh is made of triangles");
+        return std::nullopt;
+    }
+    if (tolerance_mm < kLeastTolerance_mm || tolerance_mm > kGreatestTolerance_mm) {
+        section.fail("tolerance_mm", fmt::format("'tolerance_mm' must be from {} to {}", kLeastTolerance_mm,
+                                                 kGreatestTolerance_mm));
+        return std::nullopt;
+    }
     const std::filesystem::path path = folder / name;
     std::error_code fault;
     static_cast<void>(std::filesystem::file_size(path, fault));
-    if (!fault) return MeshShape{path, scale};
+    if (!fault) return MeshShape{path, scale, tolerance_mm};
     section.fail("mesh", fmt::format("{}: {}", path.string(), fault.message()));
     return std::nullopt;
 }
@@ -77,12 +91,12 @@ std::optional<ShapeForm> read_shape(FirstError& error, TomlSection& section, con
     if (section.table("shape") == nullptr) return std::nullopt;
     const toml::table& of_shape = *table.get_as<toml::table>("shape");
     TomlSection shape(error, of_shape, "'shape'", kShapeKeys);
-    const bool scaled = shape.has("scale");
-    if (of_shape.size() != (scaled ? 2U : 1U) || (scaled && !shape.has("mesh"))) {
+    const std::size_t more = (shape.has("scale") ? 1U : 0U) + (shape.has("tolerance_mm") ? 1U : 0U);
+    if (of_shape.size() != more + 1 || (more > 0 && !shape.has("mesh"))) {
         section.fail(
             "shape",
             "'shape' must hold one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh; beside mesh "
-            "there may be scale");
+            "there may be scale and tolerance_mm");
         return std::nullopt;
     }
     if (shape.has("box_mm")) return read_box(shape, of_shape);

@@ -95,6 +95,12 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
                 HasSubstr("'cylinder_mm' must be [diameter, height]"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"no.stl\" }")),
                 HasSubstr("dir/no.stl: No such file"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"no.stl\", tolerance_mm = 1 }")),
+                HasSubstr("'tolerance_mm' is for STEP and IGES files"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"a.stp\", tolerance_mm = 1e-4 }")),
+                HasSubstr("'tolerance_mm' must be from 0.001 to 100"));
+    EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 1, tolerance_mm = 1 }")),
+                HasSubstr("beside mesh there may be scale and tolerance_mm"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"post\"\nshape = { sphere_mm = 1 }")),
                 HasSubstr("the name 'post' is taken"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"X\"\nshape = { sphere_mm = 1 }")),

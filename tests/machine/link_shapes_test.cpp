@@ -1,6 +1,7 @@
 // The bodies in machine files.
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -66,6 +67,20 @@ TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
     const auto machine = read_machine(text, std::string(GSIM_SAMPLES) + "/machines/m.toml");
     ASSERT_TRUE(machine) << machine.error();
     EXPECT_TRUE(std::filesystem::exists(std::get<MeshShape>(machine->shapes[0].form).file));
+}
+
+// The file is not read here, so that it need not be a whole one.
+TEST(LinkShapes, TheToleranceOfASolidIsKept) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "link_shapes_test.step";
+    std::ofstream(file) << "ISO-10303-21;";
+    const auto machine = read_machine(
+        with(shape("body", "X", fmt::format("mesh = \"{}\", tolerance_mm = 0.25", file.string()))), "m.toml");
+    ASSERT_TRUE(machine) << machine.error();
+    EXPECT_EQ(machine->shapes[0].form, ShapeForm(MeshShape{file, 1, 0.25}));
+    const auto again = read_machine(print_machine(*machine), "m.toml");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(*again, *machine);
+    std::filesystem::remove(file);
 }
 
 TEST(LinkShapes, SaysWhereAndWhatIsWrong) {

@@ -1,0 +1,29 @@
+#include "solid/mesh.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "solid/mesh_packet.h"
+#include "solid/reader_process.h"
+
+namespace gsim::solid {
+
+bool is_solid_file(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".step" || ending == ".stp" || ending == ".iges" || ending == ".igs";
+}
+
+tl::expected<Mesh, std::string> read_mesh(const std::filesystem::path& file, double tolerance_mm) {
+    const auto answer = ask_reader("mesh", file, {fmt::format("{}", tolerance_mm)});
+    if (!answer) return tl::unexpected(answer.error());
+    PacketReader packet(*answer);
+    Mesh mesh = take_mesh(packet);
+    if (packet.is_whole()) return mesh;
+    return tl::unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
+}
+
+}  // namespace gsim::solid

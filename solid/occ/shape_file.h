@@ -1,0 +1,29 @@
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <XSControl_Reader.hxx>
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+namespace gsim::solid {
+
+/// The shapes of a STEP or IGES file, in mm.
+class ShapeFile {
+  public:
+    /// The error is a sentence. OpenCASCADE's exceptions (Standard_Failure) pass, and it may crash.
+    static tl::expected<ShapeFile, std::string> read(const std::string& name);
+
+    const TopoDS_Shape& shape() const { return shape_; }
+    /// What the file calls a shape: "#57" in STEP, "D57" in IGES; empty if it is not known.
+    std::string label(const TopoDS_Shape& shape) const;
+
+  private:
+    ShapeFile() = default;
+
+    std::unique_ptr<XSControl_Reader> reader_;
+    TopoDS_Shape shape_;
+};
+
+}  // namespace gsim::solid

@@ -1,0 +1,159 @@
+#include "solid/reader_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "solid/packet.h"
+
+extern char** environ;
+
+namespace gsim::solid {
+
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = 256ULL << 20U;
+constexpr bool kHasReader = GSIM_HAS_OPENCASCADE != 0;
+
+using Fault = tl::unexpected<std::string>;
+
+std::string message(int error) {
+    return std::generic_category().message(error);
+}
+
+// A descriptor that is closed when it goes.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+
+    void close() {
+        if (number_ >= 0) ::close(number_);
+        number_ = -1;
+    }
+    int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+class SpawnActions {
+  public:
+    SpawnActions() { ::posix_spawn_file_actions_init(&actions_); }
+    SpawnActions(const SpawnActions&) = delete;
+    SpawnActions& operator=(const SpawnActions&) = delete;
+    ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
+
+    posix_spawn_file_actions_t* get() { return &actions_; }
+
+  private:
+    posix_spawn_file_actions_t actions_{};
+};
+
+// It stands beside the program that runs.
+tl::expected<std::filesystem::path, std::string> reader_program() {
+    std::error_code error;
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path reader = self.parent_path() / "gsim-solid";
+    if (!error && std::filesystem::exists(reader, error)) return reader;
+    return Fault(fmt::format("the program gsim-solid, which reads STEP and IGES files, is not in '{}'",
+                             self.parent_path().string()));
+}
+
+tl::expected<void, std::string> check_file(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (error) return Fault(fmt::format("cannot read '{}': {}", file.string(), error.message()));
+    if (!std::filesystem::is_regular_file(status))
+        return Fault(fmt::format("cannot read '{}': it is no regular file", file.string()));
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) return Fault(fmt::format("cannot read '{}': {}", file.string(), error.message()));
+    if (size > kMaxBytes)
+        return Fault(fmt::format("'{}' is larger than {} MiB", file.string(), kMaxBytes >> 20U));
+    return {};
+}
+
+tl::expected<pid_t, std::string> start(const std::vector<std::string>& command, int output) {
+    std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
+    for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
+    arguments.push_back(nullptr);
+    SpawnActions actions;
+    ::posix_spawn_file_actions_addopen(actions.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_adddup2(actions.get(), output, STDOUT_FILENO);
+    pid_t child = 0;
+    const int error = ::posix_spawn(&child, arguments[0], actions.get(), nullptr, arguments.data(), environ);
+    if (error != 0) return Fault(fmt::format("cannot run {}: {}", command[0], message(error)));
+    return child;
+}
+
+std::string read_to_end(int descriptor) {
+    std::string bytes;
+    std::array<char, 1U << 16U> chunk{};
+    while (true) {
+        const ssize_t count = ::read(descriptor, chunk.data(), chunk.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return bytes;
+        bytes.append(chunk.data(), static_cast<std::size_t>(count));
+    }
+}
+
+int wait_for(pid_t child) {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+// Why a reader ended without an answer.
+std::string end_of(int status) {
+    if (!WIFSIGNALED(status)) return fmt::format("OpenCASCADE ended with status {}", WEXITSTATUS(status));
+    if (WTERMSIG(status) == SIGXCPU) return "OpenCASCADE does not come to an end with it";
+    return fmt::format(
+        "OpenCASCADE crashed over it (signal {}); the file is damaged, or too large for the memory",
+        WTERMSIG(status));
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> ask_reader(const std::string& question,
+                                                  const std::filesystem::path& file,
+                                                  const std::vector<std::string>& settings) {
+    if (!kHasReader) {
+        return Fault(
+            fmt::format("'{}': this build does not read STEP and IGES files; install OpenCASCADE "
+                        "(scripts/setup.sh step), then build again with -DGSIM_OPENCASCADE=ON",
+                        file.string()));
+    }
+    if (const auto good = check_file(file); !good) return Fault(good.error());
+    const auto program = reader_program();
+    if (!program) return Fault(program.error());
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Fault(fmt::format("no pipe: {}", message(errno)));
+    const Descriptor input(ends[0]);
+    Descriptor output(ends[1]);
+    std::vector<std::string> command{program->string(), question, std::filesystem::absolute(file).string()};
+    command.insert(command.end(), settings.begin(), settings.end());
+    const auto child = start(command, output.number());
+    if (!child) return Fault(child.error());
+    output.close();
+    std::string answer = read_to_end(input.number());
+    const int status = wait_for(*child);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty())
+        return Fault(fmt::format("'{}' cannot be read: {}", file.string(), end_of(status)));
+    PacketReader packet(answer);
+    if (packet.get<bool>()) return answer.substr(sizeof(bool));
+    return Fault(fmt::format("{}: {}", file.string(), packet.get_text()));
+}
+
+}  // namespace gsim::solid

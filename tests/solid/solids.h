@@ -1,0 +1,50 @@
+#pragma once
+
+// Solids and the files they are written to, by OpenCASCADE itself.
+
+#include <TopoDS_Shape.hxx>
+#include <array>
+#include <filesystem>
+#include <gp_Pnt.hxx>
+#include <string>
+#include <vector>
+
+namespace gsim::solid {
+
+using Place = std::array<double, 3>;
+
+/// A box between two corners.
+TopoDS_Shape box(const Place& low, const Place& high);
+/// Upright, from its lower end on.
+TopoDS_Shape cylinder(const Place& foot, double radius, double height);
+TopoDS_Shape cone(const Place& foot, double lower_radius, double upper_radius, double height);
+TopoDS_Shape sphere(const Place& middle, double radius);
+TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<TopoDS_Shape>& tools);
+TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes);
+/// Turned about an axis through the origin, then moved.
+TopoDS_Shape turned(const TopoDS_Shape& shape, const Place& axis, double angle_rad, const Place& by = {});
+
+/// A folder for files of one test.
+class SolidFolder {
+  public:
+    SolidFolder();
+    SolidFolder(const SolidFolder&) = delete;
+    SolidFolder& operator=(const SolidFolder&) = delete;
+    ~SolidFolder();
+
+    std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+    std::filesystem::path write(const std::string& name, const std::string& text) const;
+    /// A unit as OpenCASCADE calls it: "MM", "INCH", "M".
+    std::filesystem::path step(const std::string& name, const TopoDS_Shape& shape,
+                               const std::string& unit = "MM") const;
+    /// As one solid, or as the faces by themselves.
+    std::filesystem::path iges(const std::string& name, const TopoDS_Shape& shape,
+                               const std::string& unit = "MM", bool as_solid = true) const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace gsim::solid

@@ -1,0 +1,21 @@
+// A build without OpenCASCADE.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "solid/mesh.h"
+
+namespace gsim::solid {
+
+namespace {
+
+TEST(WithoutReader, SaysHowToGetOne) {
+    const auto mesh = read_mesh("part.step", 0.05);
+    ASSERT_FALSE(mesh);
+    EXPECT_THAT(mesh.error(), testing::HasSubstr("'part.step': this build does not read STEP and IGES files; "
+                                                 "install OpenCASCADE (scripts/setup.sh step)"));
+}
+
+}  // namespace
+
+}  // namespace gsim::solid
