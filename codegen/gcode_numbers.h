@@ -18,6 +18,9 @@ class DecimalFormat {
     }
 
     std::int64_t units(double value) const { return std::llround(value * static_cast<double>(per_one_)); }
+    double value(std::int64_t units) const {
+        return static_cast<double>(units) / static_cast<double>(per_one_);
+    }
     void append(fmt::memory_buffer& out, std::int64_t units) const;
 
   private:

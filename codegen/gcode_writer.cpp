@@ -44,7 +44,8 @@ GcodeWriter::GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, co
       length_(options.inch ? post.decimals_inch : post.decimals_mm, post.zeros),
       deg_(post.decimals_deg, post.zeros),
       feed_(post.decimals_feed, post.zeros),
-      at_(axes.size(), kUnknown) {}
+      at_(axes.size(), kUnknown),
+      rest_(axes.size(), 0) {}
 
 std::int64_t GcodeWriter::units(std::size_t axis, double value) const {
     return axes_[axis].rotary ? deg_.units(value) : length_.units(in_unit(value));
@@ -123,8 +124,15 @@ bool GcodeWriter::motion_word(int motion) {
 
 bool GcodeWriter::axis_words(std::span<const double> values) {
     bool changes = false;
+// What is printed for a value, whose rest is kept.
+std::int64_t GcodeWriter::stand_at(std::size_t axis, double value) {
+    const std::int64_t printed = units(axis, value);
+    rest_[axis] = (axes_[axis].rotary ? value : in_unit(value)) - format(axis).value(printed);
+    return printed;
+}
+
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        const std::int64_t next = units(i, values[i]);
+        const std::int64_t next = stand_at(i, values[i]);
         if (next == at_[i] && !options_.verbose_words) continue;
         changes = changes || next != at_[i];
         at_[i] = next;
@@ -151,7 +159,7 @@ void GcodeWriter::plane_word(ArcPlane plane) {
 
 void GcodeWriter::move(std::span<const double> values, const std::optional<WrittenFeed>& feed) {
     bool changes = false;
-    for (std::size_t i = 0; i < axes_.size() && !changes; ++i) changes = units(i, values[i]) != at_[i];
+    for (std::size_t i = 0; i < axes_.size(); ++i) changes = stand_at(i, values[i]) != at_[i] || changes;
     if (!changes) return;
     begin_block();
     motion_word(feed ? 1 : 0);
@@ -179,12 +187,16 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
     if (full_circle) {
         for (const std::size_t direction : in_plane) at_[axis_of(direction)] = kUnknown;
     }
-    axis_words(values);
+    std::array<std::int64_t, 3> offsets{};
     for (const std::size_t direction : in_plane) {
-        word(kCenterLetters[direction], length_.units(in_unit(words.center_offset_mm[direction])), length_);
+        // Counted from the printed start, so that the centre is off by its own rounding alone.
+        offsets[direction] =
+            length_.units(in_unit(words.center_offset_mm[direction]) + rest_[axis_of(direction)]);
     }
     feed_word(feed);
     end_block();
+    axis_words(values);
+    for (const std::size_t direction : in_plane) word(kCenterLetters[direction], offsets[direction], length_);
 }
 
 void GcodeWriter::dwell(double seconds) {

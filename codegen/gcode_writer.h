@@ -94,6 +94,7 @@ class GcodeWriter {
 
     const Post& post_;
     std::vector<WrittenAxis> axes_;
+    std::int64_t stand_at(std::size_t axis, double value);
     WriterOptions options_;
     Sink sink_;
     Places places_;
@@ -108,6 +109,7 @@ class GcodeWriter {
     int plane_ = -1;
     std::int64_t feed_units_ = kUnknown;
 };
+    std::vector<double> rest_;      // of each axis: its value less the printed one, in the program's unit
 
 /// A comment's text as programs may hold it: ASCII without brackets.
 std::string comment_text(std::string_view text);

@@ -1,7 +1,6 @@
 // path2gcode as a whole: the test part of the thesis word by word, files, messages, and LinuxCNC's
 // interpreter.
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -10,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps {
@@ -165,51 +165,8 @@ TEST_F(Path2Gcode, APostFromAFile) {
     EXPECT_TRUE(holds(path2gcode({"--dialect", "mine.toml", kWheel}).out, " M99\n%\n"));
 }
 
-using Ends = std::vector<std::array<double, 5>>;  // X Y Z B C, mm and deg
-
-// Where moves end, by LinuxCNC's interpreter.
-Ends canon_ends(const std::string& text) {
-    static const std::regex kCall(R"((STRAIGHT_TRAVERSE|STRAIGHT_FEED|ARC_FEED|SELECT_PLANE)\(([^)]*)\))");
-    Ends ends;
-    std::string plane = "CANON_PLANE_XY";
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        std::smatch call;
-        if (!std::regex_search(line, call, kCall)) continue;
-        if (call[1] == "SELECT_PLANE") {
-            plane = call[2];
-            continue;
-        }
-        std::vector<double> n;
-        std::istringstream numbers(call[2]);
-        for (std::string number; std::getline(numbers, number, ',');) n.push_back(std::stod(number));
-        if (call[1] != "ARC_FEED") {
-            ends.push_back({n.at(0), n.at(1), n.at(2), n.at(4), n.at(5)});
-        } else if (plane.ends_with("XY")) {
-            ends.push_back({n.at(0), n.at(1), n.at(5), n.at(7), n.at(8)});
-        } else if (plane.ends_with("YZ")) {
-            ends.push_back({n.at(5), n.at(0), n.at(1), n.at(7), n.at(8)});
-        } else {
-            ends.push_back({n.at(1), n.at(5), n.at(0), n.at(7), n.at(8)});
-        }
-    }
-    return ends;
-}
-
-Ends ends_of_moves(const std::string& jsonl) {
-    Ends ends;
-    std::istringstream lines(jsonl);
-    for (std::string line; std::getline(lines, line);) {
-        const auto move = nlohmann::json::parse(line);
-        if (move["kind"] == "dwell" || !move.contains("to")) continue;
-        const auto& to = move["to"];
-        ends.push_back({to["X"], to["Y"], to["Z"], to["B"], to["C"]});
-    }
-    return ends;
-}
-
 TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
-    if (std::system("command -v rs274 >/dev/null") != 0) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
+    if (!has_rs274()) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
     write("part.path.json", R"json({"name": "part", "root": "all", "paths": [
         {"name": "all", "targets": [
             {"motion": "rapid", "position_mm": [100, 100, 100], "rotary_deg": {"B": 0, "C": 0}},
@@ -226,11 +183,11 @@ TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
     for (const std::string& input : {std::string("part.path.json"), kWheel}) {
         const Ended written = path2gcode({"--dialect", "rs274ngc", "-o", "part.ngc", input});
         ASSERT_EQ(written.status, 0) << written.err;
-        const Ended canon = run_program("/usr/bin/env", {"rs274", "-g", "part.ngc"}, folder_);
+        const Ended canon = run_rs274(folder_, "part.ngc");
         ASSERT_EQ(canon.status, 0) << canon.err.substr(0, 2000);
         const Ended ran = gsim_run({"--dialect", "rs274ngc", "--quiet", "--moves", "m.jsonl", "part.ngc"});
         ASSERT_EQ(ran.status, 0) << ran.err;
-        const Ends wanted = canon_ends(canon.out), got = ends_of_moves(read("m.jsonl"));
+        const Ends wanted = ends_of_canon(canon.out), got = ends_of_moves(read("m.jsonl"));
         ASSERT_EQ(got.size(), wanted.size());
         ASSERT_GT(wanted.size(), 20U);
         for (std::size_t i = 0; i < wanted.size(); ++i) {

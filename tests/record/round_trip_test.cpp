@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/path/json_writer.h"
+#include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
 #include "tests/path/random_path.h"
 
@@ -161,6 +162,54 @@ TEST_F(Record, RandomProgramsMoveTheSameWrittenInEachDialect) {
         const std::string text = RandomPart(seed).text();
         expect_way_round(write("part.nc", text), "ab9", kAllAxes);
         ASSERT_FALSE(HasFailure()) << text;
+    }
+}
+
+TEST_F(Record, LinuxCncRunsWhatIsWrittenToTheSamePlaces) {
+    if (!apps::has_rs274()) GTEST_SKIP() << "LinuxCNC's rs274 is not installed";
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(seed);
+        const std::string text = RandomPart(seed).text();
+        expect_way_round(write("part.nc", text), "ab9", {{"rs274ngc", "rs274ngc"}});
+        const Ended canon = apps::run_rs274(folder_, "again.nc");
+        ASSERT_EQ(canon.status, 0) << canon.err.substr(0, 2000);
+        const apps::Ends ends = apps::ends_of_canon(canon.out);
+        const apps::Ends first = apps::ends_of_moves(read("first.jsonl"));
+        ASSERT_EQ(ends.size(), first.size()) << text;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            for (std::size_t k = 0; k < 5; ++k)
+                ASSERT_NEAR(ends[i][k], first[i][k], 0.0001) << i << "XYZBC"[k];
+        }
+    }
+}
+
+// Steps shorter than the printed digits, lines and arcs: some vanish, and what is left stays where it was.
+TEST_F(Record, ErrorsOfShortMovesDoNotAddUp) {
+    const std::string part =
+        write("part.nc",
+              "G21 G91 F600\nG0 X300.0002 Y300 Z80\n#1=0\nWHILE [#1 LT 300] DO 1\nG1 X.0003 Y-.0002\n"
+              "G2 X.0004 Y.0003 I.1502 J-.1998\nG3 X1.0003 I.50015\nG1 X-1\n#1=[#1+1]\nEND 1\nM30\n");
+    const Ended first = gsim_run(
+        {part, "--dialect", "ab9", "--quiet", "--moves", "first.jsonl", "--record", "first.path.json"});
+    ASSERT_EQ(first.status, 0) << first.err;
+    const apps::Ends wanted = apps::ends_of_moves(read("first.jsonl"));
+    for (const Way& way : kAllAxes) {
+        SCOPED_TRACE(way.post);
+        ASSERT_EQ(path2gcode({"first.path.json", "--dialect", way.post, "-o", "again.nc"}).status, 0);
+        const Ended again =
+            gsim_run({"again.nc", "--dialect", way.dialect, "--quiet", "--moves", "again.jsonl"});
+        ASSERT_EQ(again.status, 0) << again.err;
+        const apps::Ends found = apps::ends_of_moves(read("again.jsonl"));
+        EXPECT_LE(found.size(), wanted.size());
+        const auto near = [](const std::array<double, 5>& a, const std::array<double, 5>& b) {
+            return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < std::sqrt(2) * kHalfDigit;
+        };
+        std::size_t at = 0;
+        for (const auto& end : wanted) {
+            if (at + 1 < found.size() && near(found[at + 1], end)) ++at;
+            ASSERT_TRUE(near(found[at], end)) << at;
+        }
+        EXPECT_EQ(at, found.size() - 1);
     }
 }
 
