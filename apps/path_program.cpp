@@ -41,6 +41,7 @@ class PathProgram::Check : public path::MoveSink {
 
     void move(const path::AxisMove&) override {}
     void dwell(double) override {}
+    void acceleration(double) override { ++accelerations_; }
     void action(const std::string& name) override {
         if (program_.post_->actions.find(name) == program_.post_->actions.end()) ++without_word_[name];
     }
@@ -55,6 +56,11 @@ class PathProgram::Check : public path::MoveSink {
         if (count_ > kMostNotes) {
             program_.notes_.push_back(fmt::format("{} more notes of this kind", count_ - kMostNotes));
         }
+        if (accelerations_ > 0 && program_.post_->acceleration.empty()) {
+            program_.notes_.push_back(fmt::format(
+                "'acceleration_mm_s2' of {} points is not written: the post '{}' has no words for it",
+                accelerations_, program_.post_->name));
+        }
         for (const auto& [name, count] : without_word_) {
             program_.notes_.push_back(
                 fmt::format("action '{}' is a comment, {} times: the post '{}' has no block for it", name,
@@ -65,6 +71,7 @@ class PathProgram::Check : public path::MoveSink {
   private:
     PathProgram& program_;
     std::size_t count_ = 0;
+    std::size_t accelerations_ = 0;
     std::map<std::string, int> without_word_;
 };
 
@@ -102,6 +109,7 @@ class PathProgram::Sink : public path::MoveSink {
                     feed);
     }
     void dwell(double seconds) override { writer_.dwell(seconds); }
+    void acceleration(double mm_s2) override { writer_.acceleration(mm_s2); }
     void action(const std::string& name) override { writer_.action(name); }
     void note(const path::TargetId&, std::string_view sentence) override { writer_.comment(sentence); }
 
@@ -237,6 +245,7 @@ void PathProgram::write_path(std::size_t order, Sink& sink) const {
     writer.lines(order == 0 ? post_->begin : post_->subprogram->begin);
     if (order == 0) sink.start_position();
     sink.run(states_.users_first()[order]);
+    if (order == 0) writer.end_acceleration();
     writer.lines(order == 0 ? post_->end : post_->subprogram->end);
 }
 

@@ -105,6 +105,8 @@ void GcodeWriter::forget() {
     motion_ = -1;
     plane_ = -1;
     feed_units_ = kUnknown;
+    acceleration_units_ = kUnknown;
+    std::fill(rest_.begin(), rest_.end(), 0);
 }
 
 void GcodeWriter::start_position(std::span<const double> values) {
@@ -206,6 +208,22 @@ void GcodeWriter::dwell(double seconds) {
     begin_block();
     code(filled(post_.dwell, places));
     end_block();
+}
+
+void GcodeWriter::acceleration(double mm_s2) {
+    if (post_.acceleration.empty()) return;
+    const std::int64_t next = std::max<std::int64_t>(1, feed_.units(in_unit(mm_s2)));
+    if (next == acceleration_units_ && !options_.verbose_words) return;
+    acceleration_units_ = next;
+    sets_acceleration_ = true;
+    fmt::memory_buffer number;
+    feed_.append(number, next);
+    places_["acceleration"] = fmt::to_string(number);
+    lines(post_.acceleration);
+}
+
+void GcodeWriter::end_acceleration() {
+    if (sets_acceleration_) lines(post_.end_acceleration);
 }
 
 void GcodeWriter::action(std::string_view name) {

@@ -65,6 +65,10 @@ class GcodeWriter {
     /// An arc or helix of one turn at most; a full circle ends where it starts.
     void arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed);
     void dwell(double seconds);
+    /// The post's blocks for an acceleration; nothing where it has none, or where the same one is in force.
+    void acceleration(double mm_s2);
+    /// The post's blocks that end what acceleration() has set, if it has set anything in any program.
+    void end_acceleration();
     /// The post's block for the action, or a comment.
     void action(std::string_view name);
     void comment(std::string_view text);
@@ -109,6 +113,8 @@ class GcodeWriter {
     int plane_ = -1;
     std::int64_t feed_units_ = kUnknown;
 };
+    std::int64_t acceleration_units_ = kUnknown;
+    bool sets_acceleration_ = false;
     std::vector<double> rest_;      // of each axis: its value less the printed one, in the program's unit
 
 /// A comment's text as programs may hold it: ASCII without brackets.

@@ -21,7 +21,7 @@ struct SubprogramLines {
 };
 
 /// One controller's way of writing programs (docs/paths.md). Templates hold {number}, {title}, {program},
-/// {lower}, {unit}, {repeats}, {label}, {seconds} and {milliseconds}.
+/// {lower}, {unit}, {repeats}, {label}, {seconds}, {milliseconds} and {acceleration}.
 struct Post {
     std::string name;
     std::string reads_as;  ///< The dialect of gcode2lua that reads these programs.
@@ -33,6 +33,8 @@ struct Post {
     std::string dwell;
     std::string
         start_position;  ///< Word of a block that names where the tool stands at the start; may be empty.
+    std::vector<std::string> acceleration;      ///< Lines that set it; empty: the controller has no words.
+    std::vector<std::string> end_acceleration;  ///< Lines that take it back, at the program's end.
     std::vector<std::string> begin, end;        ///< Of the program.
     std::optional<SubprogramLines> subprogram;  ///< None: sub-paths are written where they are used.
     std::map<std::string, std::string, std::less<>> actions;  ///< Action to block; others become comments.

@@ -20,8 +20,8 @@ constexpr std::string_view kExtension = ".toml";
 constexpr int kMostDecimals = 6;
 constexpr int kMostDigits = 9;
 
-constexpr std::array<std::string_view, 7> kPostKeys = {"name",    "reads_as",   "numbers", "blocks",
-                                                       "program", "subprogram", "actions"};
+constexpr std::array<std::string_view, 8> kPostKeys = {"name",    "reads_as",   "numbers", "blocks",
+                                                       "program", "subprogram", "actions", "acceleration"};
 constexpr std::array<std::string_view, 5> kNumberKeys = {"decimals_mm", "decimals_inch", "decimals_deg",
                                                          "decimals_feed", "zeros"};
 constexpr std::array<std::string_view, 5> kBlockKeys = {"number_step", "number_digits", "axes", "dwell",
@@ -29,6 +29,7 @@ constexpr std::array<std::string_view, 5> kBlockKeys = {"number_step", "number_d
 constexpr std::array<std::string_view, 2> kProgramKeys = {"begin", "end"};
 constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",         "end",
                                                              "call",  "call_repeated", "file"};
+constexpr std::array<std::string_view, 2> kAccelerationKeys = {"set", "end"};
 constexpr std::array<std::string_view, 2> kOrders = {"after", "before"};
 constexpr std::array<std::string_view, 3> kZeros = {"keep", "point", "cut"};
 constexpr std::array<std::string_view, 2> kDialects = {"ab9", "rs274ngc"};
@@ -37,6 +38,7 @@ constexpr std::array<std::string_view, 5> kProgramPlaces = {"number", "title", "
 constexpr std::array<std::string_view, 5> kCallPlaces = {"number", "program", "lower", "repeats", "label"};
 constexpr std::array<std::string_view, 3> kFilePlaces = {"number", "program", "lower"};
 constexpr std::array<std::string_view, 2> kDwellPlaces = {"seconds", "milliseconds"};
+constexpr std::array<std::string_view, 1> kAccelerationPlaces = {"acceleration"};
 
 class PostReader {
   public:
@@ -63,6 +65,11 @@ class PostReader {
             post_.end = lines(of, "end", kProgramPlaces);
         }
         if (const auto* subprogram = section.table("subprogram")) read_subprogram(*subprogram);
+        if (const auto* acceleration = section.table("acceleration")) {
+            TomlSection of(error_, *acceleration, "[acceleration]", kAccelerationKeys);
+            post_.acceleration = lines(of, "set", kAccelerationPlaces);
+            post_.end_acceleration = lines(of, "end", {});
+        }
         if (const auto* actions = section.table("actions")) read_actions(*actions);
     }
 

@@ -81,6 +81,7 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
             }
             arc = arc_shape(*start, point).value();
         }
+    if (point.acceleration_mm_s2) sink_.acceleration(*point.acceleration_mm_s2);
         failed =
             run(TipMotion(space_, start ? to_eigen(*start) : end, end, rotary_, rotary, arc), point, before);
     }

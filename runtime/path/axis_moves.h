@@ -37,6 +37,8 @@ class MoveSink {
     virtual ~MoveSink() = default;
     virtual void move(const AxisMove& move) = 0;
     virtual void dwell(double seconds) = 0;
+    /// From the next move on, along the path.
+    virtual void acceleration(double mm_s2) = 0;
     virtual void action(const std::string& name) = 0;
     virtual void call(const SubPath& sub_path) = 0;
     /// Something to know about what follows.

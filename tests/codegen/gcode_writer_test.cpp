@@ -50,6 +50,35 @@ TEST(GcodeWriter, NumbersByDialect) {
     EXPECT_EQ(ngc.all(), "G01 X19.68504 Y-0.00002 Z1 B-360 F39.37\n");
 }
 
+TEST(GcodeWriter, CentresAreCountedFromWhatIsPrinted) {
+    Text ab9("ab9");
+    ab9.to(10.0004, 0, 0, 0);
+    ab9.writer.arc(std::array{20.0004, 10.0, 0.0, 0.0}, {ArcPlane::about_z, true, {10.0003, 0, 0}}, kFeed);
+    ab9.to(20.0001, 10, 0, 0);  // prints nothing, and still stands there
+    ab9.writer.arc(std::array{30.0, 0.0, 0.0, 0.0}, {ArcPlane::about_z, true, {-0.0004, -10, 0}}, kFeed);
+    EXPECT_EQ(ab9.all(),
+              "N00005 G01 X10.000 Y0.000 Z0.000 B0.000 F1000.000\n"
+              "N00010 G17 G02 X20.000 Y10.000 I10.001 J0.000\n"
+              "N00015 X30.000 Y0.000 I0.000 J-10.000\n");
+}
+
+TEST(GcodeWriter, AccelerationsWhereThePostHasWordsForThem) {
+    Text ab9("ab9"), ngc("rs274ngc");
+    for (Text* each : {&ab9, &ngc}) {
+        each->writer.acceleration(500);
+        each->writer.acceleration(500.0001);
+        each->to(1, 2, 3, 0);
+        each->writer.end_acceleration();
+    }
+    EXPECT_EQ(ab9.all(),
+              "N00005 G48.1 X500.000 Y500.000 Z500.000\nN00010 G48.2 X500.000 Y500.000 Z500.000\n"
+              "N00015 G01 X1.000 Y2.000 Z3.000 B0.000 F1000.000\nN00020 G48\n");
+    EXPECT_EQ(ngc.all(), "G01 X1 Y2 Z3 B0 F1000\n");
+    Text inch("ab9", {.inch = true, .verbose_words = false});
+    inch.writer.acceleration(254);
+    EXPECT_TRUE(inch.all().starts_with("N00005 G48.1 X10.000 Y10.000 Z10.000\n"));
+}
+
 TEST(GcodeWriter, ArcsOfEachPlane) {
     Text ngc("rs274ngc");
     ngc.to(10, 0, 0, 0);

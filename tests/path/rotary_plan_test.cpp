@@ -103,6 +103,7 @@ TEST(RotaryPlan, TheJetIsOffWhileAxesUnwind) {
             before = move.axes;
         }
         void dwell(double) override {}
+        void acceleration(double) override {}
         void action(const std::string& name) override { jet = name == "waterjet_on"; }
         void call(const SubPath&) override {}
         void note(const TargetId&, std::string_view) override {}
