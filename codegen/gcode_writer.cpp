@@ -124,8 +124,6 @@ bool GcodeWriter::motion_word(int motion) {
     return changes;
 }
 
-bool GcodeWriter::axis_words(std::span<const double> values) {
-    bool changes = false;
 // What is printed for a value, whose rest is kept.
 std::int64_t GcodeWriter::stand_at(std::size_t axis, double value) {
     const std::int64_t printed = units(axis, value);
@@ -133,6 +131,8 @@ std::int64_t GcodeWriter::stand_at(std::size_t axis, double value) {
     return printed;
 }
 
+bool GcodeWriter::axis_words(std::span<const double> values) {
+    bool changes = false;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::int64_t next = stand_at(i, values[i]);
         if (next == at_[i] && !options_.verbose_words) continue;
@@ -195,10 +195,10 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
         offsets[direction] =
             length_.units(in_unit(words.center_offset_mm[direction]) + rest_[axis_of(direction)]);
     }
-    feed_word(feed);
-    end_block();
     axis_words(values);
     for (const std::size_t direction : in_plane) word(kCenterLetters[direction], offsets[direction], length_);
+    feed_word(feed);
+    end_block();
 }
 
 void GcodeWriter::dwell(double seconds) {

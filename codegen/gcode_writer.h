@@ -94,11 +94,11 @@ class GcodeWriter {
     void plane_word(ArcPlane plane);
     double in_unit(double mm) const { return options_.inch ? mm / 25.4 : mm; }
     std::int64_t units(std::size_t axis, double value) const;
+    std::int64_t stand_at(std::size_t axis, double value);
     const DecimalFormat& format(std::size_t axis) const { return axes_[axis].rotary ? deg_ : length_; }
 
     const Post& post_;
     std::vector<WrittenAxis> axes_;
-    std::int64_t stand_at(std::size_t axis, double value);
     WriterOptions options_;
     Sink sink_;
     Places places_;
@@ -109,13 +109,13 @@ class GcodeWriter {
     std::uint64_t blocks_ = 0;
     std::uint64_t number_ = 0;
     std::vector<std::int64_t> at_;  // printed units of each axis
+    std::vector<double> rest_;      // of each axis: its value less the printed one, in the program's unit
     int motion_ = -1;
     int plane_ = -1;
     std::int64_t feed_units_ = kUnknown;
-};
     std::int64_t acceleration_units_ = kUnknown;
     bool sets_acceleration_ = false;
-    std::vector<double> rest_;      // of each axis: its value less the printed one, in the program's unit
+};
 
 /// A comment's text as programs may hold it: ASCII without brackets.
 std::string comment_text(std::string_view text);

@@ -17,18 +17,27 @@ using Eigen::Vector3d;
 constexpr double kFullTurn_rad = 2 * std::numbers::pi;
 constexpr double kLeastSteps = 20;  // of a program's numbers, in an arc's radius and between its ends
 constexpr double kGreatestRadius_mm = 1e5;
+constexpr double kGreatestTurn_deg = 360'000;
 constexpr int kRangeSamples = 16;
 
 // One path on its way into the sink.
 class Walk {
   public:
     Walk(const MachineSpace& space, const PathTurns& turns, const MoveOptions& options, bool jet,
-         std::size_t path, MoveSink& sink)
-        : space_(space), turns_(turns), options_(options), jet_(jet), path_(path), sink_(sink) {}
+         std::size_t path, bool is_sub_path, const std::optional<AxisValues>& rotary, MoveSink& sink)
+        : space_(space),
+          turns_(turns),
+          options_(options),
+          jet_(jet),
+          path_(path),
+          is_sub_path_(is_sub_path),
+          sink_(sink) {
+        if (rotary) rotary_ = *rotary;
+    }
 
     std::optional<Fault> go_to(const Point& point, std::size_t target, const State& before);
-    /// Turns on the spot, if `to` is not null.
-    void unwind(std::size_t target, const AxisValues* to, const State& at);
+    /// Turns about the tip, if `to` is not null.
+    std::optional<Fault> unwind(std::size_t target, const AxisValues* to, const State& at);
     void set_rotary(const AxisValues& rotary) { rotary_ = rotary; }
 
   private:
@@ -47,7 +56,10 @@ class Walk {
     std::optional<Fault> run(const TipMotion& motion, const Point& point, const State& before);
     std::optional<Feed> feed_of(const TipMotion& motion, const Point& point, const State& before,
                                 bool rotary_alone) const;
-    void lines(const TipMotion& motion, const Feed& feed);
+    Feed feed_of_axes(const TipMotion& motion, double from, double to, const Feed& feed) const;
+    bool prints_same(const Vector3d& a, const Vector3d& b) const;
+    bool is_one_line(const TipMotion& motion, bool start_is_known);
+    void lines(const TipMotion& motion, const Feed& feed, double tolerance_mm);
     bool arcs(const TipMotion& motion, const Feed& feed);
     bool is_worth_an_arc(const ArcShape& arc) const;
 
@@ -56,6 +68,7 @@ class Walk {
     const MoveOptions& options_;
     bool jet_;
     std::size_t path_;
+    bool is_sub_path_;
     MoveSink& sink_;
     std::size_t target_ = 0;
     AxisValues rotary_;  // empty where it is not known
@@ -68,6 +81,7 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
     const AxisValues axes = space_.axes(end, rotary);
     if (auto beyond = check_range(axes)) return beyond;
     std::optional<Fault> failed;
+    if (point.acceleration_mm_s2) sink_.acceleration(*point.acceleration_mm_s2);
     if (point.motion == MotionType::rapid) {
         sink_.move({axes, true, std::nullopt, 0, false});
     } else {
@@ -81,7 +95,6 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
             }
             arc = arc_shape(*start, point).value();
         }
-    if (point.acceleration_mm_s2) sink_.acceleration(*point.acceleration_mm_s2);
         failed =
             run(TipMotion(space_, start ? to_eigen(*start) : end, end, rotary_, rotary, arc), point, before);
     }
@@ -124,38 +137,67 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
                   "over different feeds"
                 : "the motion needs 'feed_mm_min': no point before has one");
     }
-    if (motion.arc()) {
+    if (motion.arc() || space_.coupled()) {
+        if (motion.turn_deg() > kGreatestTurn_deg) return fault("the rotary axes turn too far in one motion");
         for (int i = 1; i < kRangeSamples; ++i) {
             if (auto beyond = check_range(motion.at(static_cast<double>(i) / kRangeSamples))) return beyond;
         }
+    }
+    if (motion.arc()) {
+        if (!is_worth_an_arc(*motion.arc()) && (!space_.coupled() || motion.turn_deg() == 0)) {
+            // The program's numbers say no more of such an arc.
+            lines(motion, *feed, std::min(options_.tolerance_mm, options_.resolution_mm / 2));
+            return std::nullopt;
+        }
         if (arcs(motion, *feed)) return std::nullopt;
-    } else if (!start_is_known || rotary_.size() != static_cast<Eigen::Index>(space_.rotary_count()) ||
-               motion.is_line_of_axes(options_.tolerance_mm)) {
-        sink_.move({motion.at(1), false, std::nullopt, feed->per_min, feed->rotary});
+    } else if (is_one_line(motion, start_is_known)) {
+        const Feed of_axes = start_is_known ? feed_of_axes(motion, 0, 1, *feed) : *feed;
+        sink_.move({motion.at(1), false, std::nullopt, of_axes.per_min, of_axes.rotary});
         return std::nullopt;
     }
-    lines(motion, *feed);
-    return std::nullopt;
-}
-
-void Walk::lines(const TipMotion& motion, const Feed& feed) {
     sink_.note(here(), fmt::format("{} by lines within {:.6g} mm",
                                    motion.arc() ? "an arc outside the planes of the axes"
                                                 : "a line with turning axes",
                                    options_.tolerance_mm));
+    lines(motion, *feed, options_.tolerance_mm);
+    return std::nullopt;
+}
+
+// Where it is not known how the axes come to a sub-path, there is no other way.
+bool Walk::is_one_line(const TipMotion& motion, bool start_is_known) {
+    const bool rotary_is_known = rotary_.size() == static_cast<Eigen::Index>(space_.rotary_count());
+    if (start_is_known && rotary_is_known) return motion.is_line_of_axes(options_.tolerance_mm);
+    if (space_.coupled() && is_sub_path_ && (!rotary_is_known || motion.turn_deg() > 0)) {
+        sink_.note(here(),
+                   "the tip may leave the line to the first point of this sub-path, to which the axes come "
+                   "from different places; a rapid would be better");
+    }
+    return true;
+}
+
+bool Walk::prints_same(const Vector3d& a, const Vector3d& b) const {
+    return ((a / options_.resolution_mm).array().round() == (b / options_.resolution_mm).array().round())
+        .all();
+}
+
+// A feed is of the tip, or of the rotary axes where the tip stands; where they are coupled the axes go
+// another length, and a controller takes F as mm of X, Y and Z if any of them moves.
+Walk::Feed Walk::feed_of_axes(const TipMotion& motion, double from, double to, const Feed& feed) const {
+    const double turn_deg = motion.turn_deg() * (to - from);
+    if (!space_.coupled() || turn_deg == 0) return feed;
+    const double minutes = (feed.rotary ? turn_deg : motion.length_mm() * (to - from)) / feed.per_min;
+    const Vector3d start = space_.linear(motion.at(from));
+    const Vector3d end = space_.linear(motion.at(to));
+    if (prints_same(start, end)) return {turn_deg / minutes, true};
+    return {(end - start).norm() / minutes, false};
+}
+
+void Walk::lines(const TipMotion& motion, const Feed& feed, double tolerance_mm) {
     double before = 0;
-    Vector3d from = space_.linear(motion.at(0));
-    motion.cut(options_.tolerance_mm, [&](double share) {
-        const AxisValues axes = motion.at(share);
-        const Vector3d to = space_.linear(axes);
-        // The feed is of the tip; the axes go another length where they are coupled.
-        const double tip_mm = motion.length_mm() * (share - before);
-        const double axes_mm = (to - from).norm();
-        const double scale =
-            space_.coupled() && tip_mm > 0 && axes_mm > 0 && !feed.rotary ? axes_mm / tip_mm : 1;
-        sink_.move({axes, false, std::nullopt, feed.per_min * scale, feed.rotary});
+    motion.cut(tolerance_mm, [&](double share) {
+        const Feed of_axes = feed_of_axes(motion, before, share, feed);
+        sink_.move({motion.at(share), false, std::nullopt, of_axes.per_min, of_axes.rotary});
         before = share;
-        from = to;
     });
 }
 
@@ -191,39 +233,52 @@ bool Walk::arcs(const TipMotion& motion, const Feed& feed) {
 }
 
 // With the jet off, so that it does not cut a hole where it stands.
-void Walk::unwind(std::size_t target, const AxisValues* to, const State& at) {
-    if (to == nullptr) return;
+std::optional<Fault> Walk::unwind(std::size_t target, const AxisValues* to, const State& at) {
+    if (to == nullptr) return std::nullopt;
     target_ = target;
     const bool jet = jet_ && at.jet_on.value() != false;
     const bool abrasive = jet && at.abrasive_on.value() == true;
     sink_.note(here(), jet ? "the rotary axes unwind, with the jet off" : "the rotary axes unwind");
     if (abrasive) sink_.action("abrasive_off");
     if (jet) sink_.action("waterjet_off");
-    sink_.move({space_.axes(to_eigen(*at.position_mm.value()), *to), true, std::nullopt, 0, false});
+    // A tip that is off the axes would swing about them, through the work.
+    const Vector3d tip = to_eigen(*at.position_mm.value());
+    const TipMotion turn(space_, tip, tip, rotary_, *to, std::nullopt);
+    std::optional<Fault> beyond;
+    turn.cut(options_.tolerance_mm, [&](double share) {
+        const AxisValues axes = turn.at(share);
+        if (!beyond) beyond = check_range(axes);
+        sink_.move({axes, true, std::nullopt, 0, false});
+    });
     if (jet) sink_.action("waterjet_on");
     if (abrasive) sink_.action("abrasive_on");
     rotary_ = *to;
+    return beyond;
 }
 
 // A call, or one for each repeat where the axes unwind in between.
-void call(const SubPath& sub_path, std::size_t target, const PathTurns& turns, const State& behind,
-          Walk& walk, MoveSink& sink) {
+std::optional<Fault> call(const SubPath& sub_path, std::size_t target, const PathTurns& turns,
+                          const State& behind, Walk& walk, MoveSink& sink) {
     const AxisValues* to = turns.between_repeats(target);
     if (to == nullptr) {
         sink.call(sub_path);
     } else {
         for (int i = 0; i < sub_path.repeats; ++i) {
-            if (i > 0) walk.unwind(target, to, behind);
+            walk.set_rotary(turns.at(target));
+            if (i > 0) {
+                if (auto fault = walk.unwind(target, to, behind)) return fault;
+            }
             sink.call({sub_path.path, 1});
         }
     }
     walk.set_rotary(turns.at(target));
+    return std::nullopt;
 }
 
 }  // namespace
 
 tl::expected<void, Fault> AxisMoves::run(std::size_t path, MoveSink& sink) const {
-    Walk walk(space_, turns_[path], options_, jet_, path, sink);
+    Walk walk(space_, turns_[path], options_, jet_, path, path != program_.root, entries_[path], sink);
     State state = states_.entry(path);
     const std::vector<Target>& targets = program_.paths[path].targets;
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -232,9 +287,11 @@ tl::expected<void, Fault> AxisMoves::run(std::size_t path, MoveSink& sink) const
             states_.pass(state, targets[i]);
         } else {
             states_.pass(state, targets[i]);
-            call(std::get<SubPath>(targets[i]), i, turns_[path], state, walk, sink);
+            const auto& sub_path = std::get<SubPath>(targets[i]);
+            if (auto fault = call(sub_path, i, turns_[path], state, walk, sink))
+                return tl::unexpected(*fault);
         }
-        walk.unwind(i, turns_[path].unwinding(i), state);
+        if (auto fault = walk.unwind(i, turns_[path].unwinding(i), state)) return tl::unexpected(*fault);
     }
     return {};
 }

@@ -10,7 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/path/arc_shape.h"
-#include "runtime/path/rotary_plan.h"
+#include "runtime/path/rotary_entries.h"
 
 namespace gsim::path {
 
@@ -62,6 +62,7 @@ class AxisMoves {
           states_(states),
           turns_(turns),
           options_(options),
+          entries_(rotary_entries(program, states, turns)),
           jet_(has_jet(program)) {}
 
     /// All of one path that the root leads to. Sub-paths are calls.
@@ -73,6 +74,7 @@ class AxisMoves {
     const States& states_;
     const std::vector<PathTurns>& turns_;
     MoveOptions options_;
+    std::vector<std::optional<AxisValues>> entries_;  // where the rotary axes stand when each path begins
     bool jet_;
 };
 

@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 
 constexpr int kDeepest = 24;  // halvings of one motion
 constexpr double kQuarter_rad = std::numbers::pi / 2;
+constexpr double kQuarter_deg = 90;
 constexpr int kSamples = 16;  // at which an arc of coupled axes is looked at
 
 }  // namespace
@@ -43,12 +44,25 @@ double TipMotion::length_mm() const {
     return std::hypot(arc_->radius_mm() * arc_->turn_rad, arc_->rise_mm);
 }
 
-// How far the axes' way is off the straight line between two of its points, looked at in its quarters.
+// Into how many parts a stretch falls in which neither the arc nor an axis that moves the tip turns more than
+// a quarter.
+int TipMotion::quarters(double from, double to) const {
+    double most = arc_ ? arc_->turn_rad / kQuarter_rad : 0;
+    if (space_.coupled() && end_rotary_.size() > 0) {
+        most = std::max(most, (end_rotary_ - start_rotary_).cwiseAbs().maxCoeff() / kQuarter_deg);
+    }
+    return std::max(1, static_cast<int>(std::ceil(most * (to - from) - 1e-9)));
+}
+
+// How far the axes' way is off the straight line between two of its points, looked at four times in each
+// quarter turn.
 double TipMotion::deviation(double from, double to) const {
     const Vector3d first = space_.linear(at(from));
     const Vector3d last = space_.linear(at(to));
     double greatest = 0;
-    for (const double share : {0.25, 0.5, 0.75}) {
+    const int samples = 4 * quarters(from, to);
+    for (int i = 1; i < samples; ++i) {
+        const double share = static_cast<double>(i) / samples;
         const Vector3d wanted = space_.linear(at(from + share * (to - from)));
         greatest = std::max(greatest, (wanted - first - share * (last - first)).norm());
     }
@@ -62,7 +76,7 @@ bool TipMotion::is_line_of_axes(double tolerance_mm) const {
 }
 
 void TipMotion::cut(double tolerance_mm, const std::function<void(double share)>& piece) const {
-    const int pieces = arc_ ? std::max(1, static_cast<int>(std::ceil(arc_->turn_rad / kQuarter_rad))) : 1;
+    const int pieces = quarters(0, 1);
     struct Halver {
         const TipMotion& motion;
         double tolerance;

@@ -30,6 +30,7 @@ class TipMotion {
 
   private:
     Eigen::Vector3d tip(double share) const;
+    int quarters(double from, double to) const;
     double deviation(double from, double to) const;
 
     const MachineSpace& space_;

@@ -11,6 +11,7 @@
 #include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 #include "tests/path/random_path.h"
+#include "tests/path/way.h"
 
 namespace gsim::path {
 namespace {
@@ -133,24 +134,10 @@ class Follower {
             if (segment.start_s > move.end_s - 1e-9) break;
             for (int k = 0; k <= kSamples; ++k) {
                 const double t = segment.start_s + segment.duration_s * k / kSamples;
-                EXPECT_LT(off_the_way(position(segment.position_at(t)), end, arc),
+                EXPECT_LT(off_the_way(position(segment.position_at(t)), at_, end, arc),
                           kTolerance_mm + 3 * digit_mm_);
             }
         }
-    }
-
-    double off_the_way(const Vector3d& tip, const Vector3d& end, const std::optional<ArcShape>& arc) const {
-        if (!arc) {
-            const Vector3d way = end - at_;
-            const double share =
-                way.norm() > 0 ? std::clamp((tip - at_).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
-            return (at_ + share * way - tip).norm();
-        }
-        const double height = arc->normal.dot(tip - arc->center);
-        const Vector3d radius = tip - arc->center - height * arc->normal;
-        const double beyond =
-            std::max({0.0, -height * (arc->rise_mm < 0 ? -1 : 1), std::abs(height) - std::abs(arc->rise_mm)});
-        return std::hypot(radius.norm() - arc->radius_mm(), beyond);
     }
 
     const Program& program_;

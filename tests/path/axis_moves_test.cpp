@@ -1,0 +1,192 @@
+// Machines whose tip is off the axes that turn it: the tip keeps to its lines and arcs while it turns.
+#include "runtime/path/axis_moves.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::path {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTolerance_mm = 0.02;
+constexpr double kDigit_mm = 0.001;
+
+machine::Machine offset_head() {
+    return machine::load_machine(GSIM_SAMPLES "/machines/gantry-offset-head.toml").value();
+}
+
+struct Log : MoveSink {
+    std::vector<AxisMove> moves;
+    std::vector<std::string> notes, actions;
+    void move(const AxisMove& move) override { moves.push_back(move); }
+    void dwell(double) override {}
+    void acceleration(double) override {}
+    void action(const std::string& name) override { actions.push_back(name); }
+    void call(const SubPath&) override {}
+    void note(const TargetId&, std::string_view sentence) override { notes.emplace_back(sentence); }
+};
+
+/// The moves of one path of a program.
+struct Moved {
+    machine::Machine machine;
+    Log log;
+    std::string fault;
+
+    Moved(const machine::Machine& of, const Program& program, std::size_t path) : machine(of) {
+        const MachineSpace space = MachineSpace::make(machine).value();
+        EXPECT_TRUE(space.coupled());
+        const States states(program);
+        const auto turns = plan_rotary(program, space, states, {});
+        EXPECT_TRUE(turns) << turns.error().sentence;
+        if (!turns) return;
+        const auto done =
+            AxisMoves(program, space, states, *turns, {kTolerance_mm, kDigit_mm}).run(path, log);
+        if (!done) fault = done.error().sentence;
+    }
+    explicit Moved(std::vector<Target> targets)
+        : Moved(offset_head(), {"n", {{"root", std::move(targets)}}, 0}, 0) {}
+
+    Vector3d tip(const AxisValues& axes) const {
+        rrs::JointPos joints(axes.size());
+        for (Eigen::Index i = 0; i < axes.size(); ++i) {
+            joints[i] = machine::joint_value(machine.axes[static_cast<std::size_t>(i)], axes[i]);
+        }
+        return machine::make_kinematics(machine)->forward(joints).translation();
+    }
+    /// Where the tip is in the middle of linear move `n`.
+    Vector3d middle(std::size_t n) const { return tip((log.moves[n - 1].axes + log.moves[n].axes) / 2); }
+    /// The time that the feeds of the moves from `n` on make, min.
+    double minutes_from(std::size_t n) const {
+        double minutes = 0;
+        for (std::size_t i = n; i < log.moves.size(); ++i) {
+            const AxisValues way = log.moves[i].axes - log.moves[i - 1].axes;
+            const double linear_mm = way.head(3).norm();
+            const bool rotary = linear_mm < kDigit_mm / 2;
+            EXPECT_EQ(log.moves[i].feed_is_rotary, rotary);
+            minutes += (rotary ? way.tail(2).norm() : linear_mm) / log.moves[i].feed_per_min;
+        }
+        return minutes;
+    }
+};
+
+Point to(const Vector& position, double a, double c) {
+    Point point;
+    point.position_mm = position;
+    point.orientation = RotaryAxes{{'A', a}, {'C', c}};
+    point.feed_mm_min = 1000;
+    return point;
+}
+
+TEST(AxisMoves, ALineWithTurningAxesKeepsTheTipOnIt) {
+    const Moved run({to({900, 800, 300}, 0, 10), to({1000, 800, 300}, 40, 75)});
+    ASSERT_GT(run.log.moves.size(), 5U);
+    EXPECT_EQ(run.log.notes.size(), 1U);
+    for (std::size_t i = 1; i < run.log.moves.size(); ++i) {
+        for (const Vector3d& tip : {run.tip(run.log.moves[i].axes), run.middle(i)}) {
+            EXPECT_LT(std::hypot(tip.y() - 800, tip.z() - 300), 1.5 * kTolerance_mm) << i;
+        }
+        EXPECT_FALSE(run.log.moves[i].arc);
+    }
+    EXPECT_LT((run.tip(run.log.moves.back().axes) - Vector3d(1000, 800, 300)).norm(), 1e-9);
+    EXPECT_NEAR(run.minutes_from(1), 100.0 / 1000, 1e-3) << "the feed is of the tip";
+}
+
+TEST(AxisMoves, AnArcStaysOneWhileTheHeadIsStill) {
+    Point arc = to({900, 800, 300}, 30, 20);
+    arc.motion = MotionType::circular;
+    arc.arc = CenterArc{{950, 800, 300}, {0, 0, 1}, 360};
+    const Moved still({to({900, 800, 300}, 30, 20), arc});
+    ASSERT_EQ(still.log.moves.size(), 2U);
+    ASSERT_TRUE(still.log.moves[1].arc);
+    EXPECT_NEAR(still.log.moves[1].arc->center_offset_mm[0], 50, 1e-9);
+
+    arc.orientation = RotaryAxes{{'A', 30}, {'C', 100}};
+    const Moved turning({to({900, 800, 300}, 30, 20), arc});
+    EXPECT_GT(turning.log.moves.size(), 20U);
+    for (std::size_t i = 1; i < turning.log.moves.size(); ++i) {
+        const Vector3d tip = turning.middle(i);
+        EXPECT_NEAR(std::hypot(tip.x() - 950, tip.y() - 800), 50, 1.5 * kTolerance_mm) << i;
+        EXPECT_NEAR(tip.z(), 300, 1.5 * kTolerance_mm);
+    }
+}
+
+// The tip stays in the work while the head turns about it: X, Y and Z go, so F is in mm/min.
+TEST(AxisMoves, TurningAboutTheTip) {
+    Point turn = to({900, 800, 300}, 40, 60);
+    turn.feed_deg_min = 2000;
+    const Moved run({to({900, 800, 300}, 0, 0), turn});
+    ASSERT_GT(run.log.moves.size(), 5U);
+    for (std::size_t i = 1; i < run.log.moves.size(); ++i) {
+        EXPECT_LT((run.middle(i) - Vector3d(900, 800, 300)).norm(), 1.5 * kTolerance_mm);
+    }
+    EXPECT_NEAR(run.minutes_from(1), std::hypot(40, 60) / 2000, 1e-4);
+}
+
+// Whole turns bring X, Y and Z back to where they were; between them the tip must not swing.
+TEST(AxisMoves, UnwindingKeepsTheTipWhereItIs) {
+    std::vector<Target> targets;
+    for (int i = 0; i <= 30; ++i) targets.emplace_back(to({900.0 + i, 800, 300}, 20, 30 * i));
+    std::get<Point>(targets[0]).actions = {"waterjet_on"};
+    const Moved run(std::move(targets));
+    ASSERT_EQ(run.fault, "");
+    std::size_t unwinding = 0;
+    for (std::size_t i = 1; i < run.log.moves.size(); ++i) {
+        if (!run.log.moves[i].rapid) continue;
+        ++unwinding;
+        EXPECT_LT((run.middle(i) - run.tip(run.log.moves[i].axes)).norm(), 1.5 * kTolerance_mm) << i;
+    }
+    EXPECT_GT(unwinding, 20U);
+    EXPECT_EQ(run.log.actions.size() % 2, 1U) << "off and on again";
+    EXPECT_GE(run.log.actions.size(), 3U);
+}
+
+TEST(AxisMoves, WhatIsOutOfReachBetweenPointsIsAnError) {
+    // Both ends are within X; between them, at C 180, its axis is 60 mm further than at C 0.
+    const Moved run({to({2950, 800, 300}, 0, 100), to({2950, 800, 300}, 0, 260)});
+    EXPECT_NE(run.fault.find("out of reach: X"), std::string::npos) << run.fault;
+}
+
+Program with_sub_path(const Point& first_use, const Point& second_use, const Point& begin) {
+    return {"n",
+            {{"root", {first_use, SubPath{1, 1}, second_use, SubPath{1, 1}}},
+             {"sub", {begin, to({1000, 900, 300}, 10, 60)}}},
+            0};
+}
+
+TEST(AxisMoves, SubPathsKnowHowTheyAreEntered) {
+    const Point begin = to({1000, 800, 300}, 30, 20);
+    const Point near = to({900, 800, 300}, 0, 0);
+    const Moved same(offset_head(), with_sub_path(near, near, begin), 1);
+    EXPECT_GT(same.log.moves.size(), 5U);
+    EXPECT_EQ(same.log.notes.size(), 2U) << "two lines with turning axes";
+    EXPECT_LT(std::hypot(same.middle(1).y() - 800, same.middle(1).z() - 300), 1.5 * kTolerance_mm);
+
+    const Moved other(offset_head(), with_sub_path(near, to({900, 800, 300}, 0, 40), begin), 1);
+    ASSERT_EQ(other.log.notes.size(), 2U);
+    EXPECT_NE(other.log.notes[0].find("may leave the line"), std::string::npos);
+
+    const Point turned_before = to({900, 800, 300}, 30, 20);
+    const Point elsewhere = to({900, 850, 300}, 30, 20);
+    const Moved still(offset_head(), with_sub_path(turned_before, elsewhere, begin), 1);
+    EXPECT_EQ(still.log.notes.size(), 1U) << "the head comes turned already";
+}
+
+// The program's digits say no more of them than lines do.
+TEST(AxisMoves, TinyArcsAreLinesWithinTheirDigits) {
+    Point arc = to({900.02, 800, 300}, 0, 0);
+    arc.motion = MotionType::circular;
+    arc.arc = CenterArc{{900.01, 800, 300}, {0, 0, 1}, 180};
+    const Moved run({to({900, 800, 300}, 0, 0), arc});
+    EXPECT_TRUE(run.log.notes.empty());
+    for (std::size_t i = 1; i < run.log.moves.size(); ++i) {
+        const Vector3d tip = run.middle(i);
+        EXPECT_NEAR(std::hypot(tip.x() - 900.01, tip.y() - 800), 0.01, kDigit_mm / 2);
+    }
+}
+
+}  // namespace
+}  // namespace gsim::path

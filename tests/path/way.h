@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "runtime/path/arc_shape.h"
+
+namespace gsim::path {
+
+/// How far a place is off the line or arc from `start` to `end`, mm.
+inline double off_the_way(const Eigen::Vector3d& place, const Eigen::Vector3d& start,
+                          const Eigen::Vector3d& end, const std::optional<ArcShape>& arc) {
+    if (!arc) {
+        const Eigen::Vector3d way = end - start;
+        const double share =
+            way.norm() > 0 ? std::clamp((place - start).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
+        return (start + share * way - place).norm();
+    }
+    const double height = arc->normal.dot(place - arc->center);
+    const Eigen::Vector3d radius = place - arc->center - height * arc->normal;
+    const double beyond =
+        std::max({0.0, -height * (arc->rise_mm < 0 ? -1 : 1), std::abs(height) - std::abs(arc->rise_mm)});
+    return std::hypot(radius.norm() - arc->radius_mm(), beyond);
+}
+
+}  // namespace gsim::path
