@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <unordered_map>
 
 #include "geometry/box_tree.h"
 #include "geometry/meet.h"
@@ -62,6 +64,49 @@ class EdgeIndex {
     geometry::BoxTree tree_;
 };
 
+// Leads that there are already, by the cells of a grid that they reach into.
+class LeadGrid {
+  public:
+    explicit LeadGrid(double cell_mm) : cell_mm_(cell_mm) {}
+
+    void add(const Edge& lead) {
+        for_cells(box_of(lead), [&](std::uint64_t key) { cells_[key].push_back(lead); });
+    }
+
+    /// Whether a lead comes nearer than that to one of them.
+    bool is_near(const Edge& lead, double distance) const {
+        bool near = false;
+        for_cells(box_of(lead).grown(distance), [&](std::uint64_t key) {
+            const auto cell = cells_.find(key);
+            if (near || cell == cells_.end()) return;
+            near = std::any_of(cell->second.begin(), cell->second.end(), [&](const Edge& other) {
+                if (!box_of(other).grown(distance).meets(box_of(lead))) return false;
+                return geometry::meets(lead, other).count > 0 || ends_near(lead, other, distance) ||
+                       ends_near(other, lead, distance);
+            });
+        });
+        return near;
+    }
+
+  private:
+    static bool ends_near(const Edge& a, const Edge& b, double distance) {
+        return distance_mm(b, a.start) < distance || distance_mm(b, a.end) < distance;
+    }
+
+    template <typename Visit>
+    void for_cells(const Box& box, Visit&& visit) const {
+        const auto cell = [this](double mm) { return static_cast<std::int64_t>(std::floor(mm / cell_mm_)); };
+        for (std::int64_t x = cell(box.low.x); x <= cell(box.high.x); ++x) {
+            for (std::int64_t y = cell(box.low.y); y <= cell(box.high.y); ++y) {
+                visit((static_cast<std::uint64_t>(x) << 32) ^ (static_cast<std::uint64_t>(y) & 0xffffffffU));
+            }
+        }
+    }
+
+    double cell_mm_;
+    std::unordered_map<std::uint64_t, std::vector<Edge>> cells_;
+};
+
 struct Place {
     std::size_t edge = 0;
     double share = 0;
@@ -118,14 +163,26 @@ Contour from_place(const Contour& loop, Place place) {
 
 class LeadFinder {
   public:
-    LeadFinder(const Layout& layout, double kerf_mm) : clear_mm_(kerf_mm / 2 - kNear_mm) {
+    LeadFinder(const Layout& layout, double kerf_mm, double radius_mm)
+        : kerf_mm_(kerf_mm), clear_mm_(kerf_mm / 2 - kNear_mm), leads_(std::max(2 * kerf_mm, radius_mm / 8)) {
         for (const Outline& outline : layout.outlines) parts_.add(outline.contour);
         for (const Loop& loop : layout.loops) loops_.add(loop.contour);
         parts_.build();
         loops_.build();
     }
 
-    Cut find(const Loop& loop, double radius_mm) const {
+    /// Leads that keep a kerf away from those before, else any; none where there is no room.
+    Cut find(const Loop& loop, double radius_mm) {
+        std::optional<Cut> cut = find(loop, radius_mm, true);
+        if (!cut) cut = find(loop, radius_mm, false);
+        if (!cut) return {from_place(loop.contour, places_on(loop.contour).front()), {}, {}, loop.outline};
+        leads_.add(*cut->lead_in);
+        leads_.add(*cut->lead_out);
+        return *std::move(cut);
+    }
+
+  private:
+    std::optional<Cut> find(const Loop& loop, double radius_mm, bool apart) const {
         const std::vector<Place> places = places_on(loop.contour);
         double radius = radius_mm;
         for (int size = 0; size < kSizes && radius >= kLeastRadius_mm; ++size, radius /= 2) {
@@ -136,13 +193,15 @@ class LeadFinder {
                 if (!is_clear(leads.in, entry, radius) || !is_clear(leads.out, entry, radius)) continue;
                 if (loops_.is_near(leads.in.start, radius / 2))
                     continue;  // the pierce is wider than the kerf
-                return {from_place(loop.contour, place), leads.in, leads.out, loop.outline};
+                if (apart && (leads_.is_near(leads.in, kerf_mm_) || leads_.is_near(leads.out, kerf_mm_))) {
+                    continue;  // the jet would run out of its cut into another one
+                }
+                return Cut{from_place(loop.contour, place), leads.in, leads.out, loop.outline};
             }
         }
-        return {from_place(loop.contour, places.front()), {}, {}, loop.outline};
+        return {};
     }
 
-  private:
     bool is_clear(const Edge& lead, Point entry, double radius) const {
         for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
             if (parts_.is_near(point_at(lead, share), clear_mm_)) return false;
@@ -152,14 +211,15 @@ class LeadFinder {
         return !loops_.is_met(lead, entry, std::max(1e-3, 0.02 * radius));
     }
 
-    double clear_mm_;
+    double kerf_mm_, clear_mm_;
     EdgeIndex parts_, loops_;
+    LeadGrid leads_;
 };
 
 }  // namespace
 
 std::vector<Cut> add_leads(const Layout& layout, double kerf_mm, double radius_mm) {
-    const LeadFinder finder(layout, kerf_mm);
+    LeadFinder finder(layout, kerf_mm, radius_mm);
     std::vector<Cut> cuts;
     cuts.reserve(layout.loops.size());
     for (const Loop& loop : layout.loops) cuts.push_back(finder.find(loop, radius_mm));

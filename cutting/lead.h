@@ -20,7 +20,8 @@ struct Cut {
 
 /// The cuts of the loops, in the same order. Leads are quarter circles of `radius_mm`, or a half, a quarter
 /// and so on of it where there is no room for it, that run into the loop along its tangent through what is
-/// waste. They come nowhere nearer to a part than half of the kerf.
+/// waste. They come nowhere nearer to a part than half of the kerf, and
+/// keep a kerf away from each other where there is a place for that.
 std::vector<Cut> add_leads(const Layout& layout, double kerf_mm, double radius_mm);
 
 }  // namespace gsim::cutting

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "drawing/fit_spline.h"
+
 namespace gsim::drawing {
 
 using geometry::Point;
@@ -102,6 +104,27 @@ void draw_lwpolyline(const GroupList& entity, Pen& pen) {
     draw_corners(entity, corners, (entity.whole(70, 0) & 1) != 0, pen);
 }
 
+void draw_fitted(const GroupList& entity, Pen& pen) {
+    std::vector<Point> points;
+    for (const Group& group : entity.groups()) {
+        if (group.code == 11) points.push_back({number_of(group), 0});
+        if (group.code == 21 && !points.empty()) points.back().y = number_of(group);
+    }
+    FitEnds ends;
+    ends.closed = (entity.whole(70, 0) & 1) != 0;
+    const auto along = [&entity](int code) -> std::optional<Point> {
+        const Point direction{entity.number(code, 0), entity.number(code + 10, 0)};
+        if (direction == Point{}) return {};
+        return direction;
+    };
+    ends.start_along = along(12);
+    ends.finish_along = along(13);
+    const std::vector<Nurbs> pieces = spline_through(points, ends);
+    if (pieces.empty()) fail(entity, fmt::format("has {} fit points, which have no length", points.size()));
+    for (const Nurbs& piece : pieces) pen.nurbs(piece);
+}
+
+// By control points, or by points on it alone.
 void draw_spline(const GroupList& entity, Pen& pen) {
     Nurbs curve;
     const int degree = entity.whole(71, 3);
@@ -114,9 +137,7 @@ void draw_spline(const GroupList& entity, Pen& pen) {
         if (group.code == 20 && !curve.points.empty()) curve.points.back().y = number_of(group);
         fitted = fitted || group.code == 11;
     }
-    if (curve.points.empty() && fitted) {
-        fail(entity, "has fit points alone; the program that drew it can write control points as well");
-    }
+    if (curve.points.empty() && fitted) return draw_fitted(entity, pen);
     if (const auto fault = fault_of(curve)) fail(entity, *fault);
     pen.nurbs(curve);
 }

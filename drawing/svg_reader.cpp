@@ -10,6 +10,7 @@
 
 #include "drawing/pen.h"
 #include "drawing/svg_shapes.h"
+#include "drawing/svg_style.h"
 #include "drawing/svg_values.h"
 
 namespace gsim::drawing {
@@ -30,32 +31,8 @@ struct ViewBox {
     Point low, size;
 };
 
-std::string_view local_name(const pugi::xml_node& node) {
-    const std::string_view name = node.name();
-    return name.starts_with("svg:") ? name.substr(4) : name;
-}
-
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// The value of a property, given as an attribute or within style.
-std::string_view property(const pugi::xml_node& node, std::string_view name) {
-    std::string_view style = node.attribute("style").value();
-    while (!style.empty()) {
-        const std::string_view entry = style.substr(0, style.find(';'));
-        style.remove_prefix(std::min(entry.size() + 1, style.size()));
-        const std::size_t colon = entry.find(':');
-        if (colon == std::string_view::npos) continue;
-        const auto trimmed = [](std::string_view text) {
-            const std::size_t first = text.find_first_not_of(" \t\n");
-            return first == std::string_view::npos
-                       ? std::string_view{}
-                       : text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
-        };
-        if (trimmed(entry.substr(0, colon)) == name) return trimmed(entry.substr(colon + 1));
-    }
-    return node.attribute(std::string(name).c_str()).value();
 }
 
 class SvgReader {
@@ -72,10 +49,14 @@ class SvgReader {
         if (local_name(root) != "svg") {
             throw Fault{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
         }
-        collect_ids();
+        collect_ids_and_styles();
         read_children(root, page(root), 0);
         for (const auto& [name, count] : left_out_) {
             drawing_.notes.push_back(fmt::format("not cut: {} {}", count, name));
+        }
+        for (const std::string& selector : styles_.not_understood()) {
+            drawing_.notes.push_back(fmt::format(
+                "the style sheet's selector '{}' is not understood: what it hides is cut", selector));
         }
         return std::move(drawing_);
     }
@@ -97,16 +78,21 @@ class SvgReader {
                                 id.empty() ? "" : " ", id, sentence)};
     }
 
-    void collect_ids() {
+    void collect_ids_and_styles() {
         struct Walker : pugi::xml_tree_walker {
-            std::map<std::string, pugi::xml_node, std::less<>>& ids;
-            explicit Walker(std::map<std::string, pugi::xml_node, std::less<>>& to) : ids(to) {}
+            SvgReader& reader;
+            explicit Walker(SvgReader& of) : reader(of) {}
             bool for_each(pugi::xml_node& node) override {
-                if (const pugi::xml_attribute id = node.attribute("id")) ids.emplace(id.value(), node);
+                if (const pugi::xml_attribute id = node.attribute("id")) {
+                    reader.ids_.emplace(id.value(), node);
+                }
+                if (local_name(node) == "style") {
+                    for (const pugi::xml_node& text : node.children()) reader.styles_.add(text.value());
+                }
                 return true;
             }
         };
-        Walker walker(ids_);
+        Walker walker(*this);
         document_.traverse(walker);
     }
 
@@ -162,15 +148,24 @@ class SvgReader {
         if (++elements_ > kMaxElements)
             fail(node, fmt::format("is one too many: more than {} elements", kMaxElements));
         const std::string_view name = local_name(node);
-        const std::string_view visibility = property(node, "visibility");
-        if (property(node, "display") == "none" || visibility == "hidden" || visibility == "collapse") return;
-        const Affine own = map * own_transform(node);
+        if (styles_.property(node, "display") == "none") return;
+        const bool hidden_around = hidden_;
+        const std::string_view visibility = styles_.property(node, "visibility");
+        if (!visibility.empty() && visibility != "inherit") hidden_ = visibility != "visible";
+        read_visible(node, name, map * own_transform(node), depth);
+        hidden_ = hidden_around;
+    }
+
+    // What is hidden may hold what is visible.
+    void read_visible(const pugi::xml_node& node, std::string_view name, const Affine& own, int depth) {
         if (is_one_of(name, {"g", "a", "switch"})) {
             read_children(node, own, depth + 1);
         } else if (name == "svg") {
             read_inner(node, own * moved({length(node, "x"), length(node, "y")}), depth);
         } else if (name == "use") {
             read_use(node, own, depth);
+        } else if (hidden_) {
+            return;
         } else if (is_svg_shape(name)) {
             draw(node, own);
         } else if (is_one_of(name, {"text", "image", "flowRoot", "foreignObject"})) {
@@ -239,6 +234,8 @@ class SvgReader {
     pugi::xml_document document_;
     std::map<std::string, pugi::xml_node, std::less<>> ids_;
     std::map<std::string, std::size_t> left_out_;
+    SvgStyles styles_;
+    bool hidden_ = false;
     std::size_t elements_ = 0;
     mutable std::size_t counted_to_ = 0;
     mutable std::size_t counted_lines_ = 0;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cutting/lead.h"
+#include "geometry/meet.h"
 #include "geometry/nesting.h"
 #include "runtime/path/validate.h"
 #include "tests/cutting/cut_path.h"
@@ -67,6 +69,35 @@ TEST(Autopath, TheJetSparesAllParts) {
                 for (const Contour& contour : contours) around += inside(contour, point) ? 1 : 0;
                 ASSERT_EQ(around % 2, 0U);
             }
+        }
+    }
+}
+
+// Two edges that face each other, nearer than their two leads are deep.
+TEST(Autopath, LeadsKeepAwayFromEachOther) {
+    std::vector<Contour> contours;
+    for (int i = 0; i < 6; ++i) {
+        Contour part = geometry::rectangle({15.0 * i, 0}, {15.0 * i + 10, 40});
+        // The right side first, or the left one.
+        std::rotate(part.vertices.begin(), part.vertices.begin() + (i % 2 == 0 ? 1 : 3), part.vertices.end());
+        contours.push_back(part);
+    }
+    const auto layout = lay_out(drawing_of(contours), {0.8, 0.02});
+    ASSERT_TRUE(layout);
+    const std::vector<Cut> cuts = add_leads(*layout, 0.8, 2.4);
+    std::vector<geometry::Edge> leads;
+    for (const Cut& cut : cuts) {
+        ASSERT_TRUE(cut.lead_in && cut.lead_out);
+        for (const geometry::Edge& lead : {*cut.lead_in, *cut.lead_out}) {
+            EXPECT_NEAR(radius_mm(lead), 2.4, 1e-9) << "there is room for whole ones";
+            for (const geometry::Edge& other : leads) {
+                const bool own = distance(other.end, lead.start) < 1e-9;
+                EXPECT_TRUE(own || geometry::meets(lead, other).count == 0);
+                for (const double share : {0.0, 0.3, 0.6, 1.0}) {
+                    EXPECT_TRUE(own || distance_mm(other, point_at(lead, share)) > 0.7);
+                }
+            }
+            leads.push_back(lead);
         }
     }
 }

@@ -98,6 +98,51 @@ TEST(Dxf, AnEllipseAndASplineAreWithinTheTolerance) {
     EXPECT_THAT(areas_of(dxf_drawing(dxf_of(spline))), ElementsAre(DoubleNear(kPi, 1e-6)));
 }
 
+std::string fitted(const std::string& flags, const std::vector<geometry::Point>& points,
+                   const std::string& ends = {}) {
+    std::string spline = groups({{0, "SPLINE"}, {5, "2A"}, {70, flags}, {71, "3"}, {74, "9"}}) + ends;
+    for (const geometry::Point& point : points) {
+        spline +=
+            groups({{11, fmt::format("{:.9f}", point.x)}, {21, fmt::format("{:.9f}", point.y)}, {31, "0"}});
+    }
+    return dxf_of(spline);
+}
+
+// Points of a circle: what goes through them smoothly is nearly that circle.
+TEST(Dxf, ASplineThroughItsFitPoints) {
+    std::vector<geometry::Point> points;
+    for (int i = 0; i <= 12; ++i) {
+        points.push_back({50 + 20 * std::cos(kPi * i / 6), 50 + 20 * std::sin(kPi * i / 6)});
+    }
+    for (const std::size_t count : {13U, 12U}) {  // the first one again at the end, or not
+        points.resize(count);
+        const Drawing ring = dxf_drawing(fitted("11", points));
+        EXPECT_THAT(areas_of(ring), ElementsAre(DoubleNear(400 * kPi, 0.6)));
+        for (const geometry::Vertex& vertex : ring.pieces[0].vertices) {
+            EXPECT_NEAR(distance(vertex.position, {50, 50}), 20, 0.02);
+        }
+    }
+    // Half of it with its directions at the ends, which have any length.
+    points.resize(7);
+    const std::string ends = groups({{12, "0"}, {22, "7"}, {13, "0"}, {23, "-0.1"}});
+    const Drawing half = dxf_drawing(fitted("8", points, ends));
+    for (const geometry::Vertex& vertex : half.pieces.at(0).vertices) {
+        EXPECT_NEAR(distance(vertex.position, {50, 50}), 20, 0.02);
+    }
+    const Drawing straight = dxf_drawing(fitted("8", {{0, 0}, {0, 0}, {10, 0}, {25, 0}}));
+    for (const geometry::Vertex& vertex : straight.pieces.at(0).vertices) {
+        EXPECT_NEAR(vertex.position.y, 0, 1e-9);
+        EXPECT_NEAR(vertex.bulge, 0, 1e-9);
+    }
+    EXPECT_THAT(dxf_fault(fitted("8", {{3, 4}, {3, 4}})),
+                HasSubstr("SPLINE 2A has 2 fit points, which have no length"));
+}
+
+TEST(Dxf, BinaryFormIsRefusedByName) {
+    EXPECT_THAT(dxf_fault(std::string("AutoCAD Binary DXF\r\n\x1a\0\0", 23)),
+                HasSubstr("save it as text (ASCII)"));
+}
+
 TEST(Dxf, BlocksAreScaledTurnedAndRepeated) {
     const std::string blocks = section(
         "BLOCKS", groups({{0, "BLOCK"}, {2, "hole"}, {10, "1"}, {20, "1"}}) + circle("1", "1", "2") +

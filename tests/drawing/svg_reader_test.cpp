@@ -106,6 +106,37 @@ TEST(Svg, TransformsGroupsAndUses) {
                 ElementsAre());
 }
 
+TEST(Svg, StyleSheetsHide) {
+    const std::string shapes =
+        "<rect width='1' height='1' class='a frame'/><rect id='b' width='2' height='1'/>"
+        "<circle r='1' class='frame'/><rect width='4' height='1' class='frame' style='display:inline'/>";
+    const auto left = [&shapes](const std::string& sheet) {
+        return areas_in("<style type='text/css'>" + sheet + "</style>" + shapes);
+    };
+    const auto near = [](double area) { return DoubleNear(area, 1e-6); };
+    EXPECT_THAT(left(""), ElementsAre(near(1), near(2), near(kPi), near(4)));
+    EXPECT_THAT(left(".frame { fill: none; display: none }"), ElementsAre(near(2), near(4)));
+    EXPECT_THAT(left("<![CDATA[ rect.frame, #b {visibility:hidden;} ]]>"), ElementsAre(near(kPi)));
+    EXPECT_THAT(left("circle{display:none} .frame{display:inline} "),
+                ElementsAre(near(1), near(2), near(kPi), near(4)));
+    EXPECT_THAT(left("/* .a{ */ *{display:none !important} @import url(x); #b{display:block}"),
+                ElementsAre(near(2), near(4)));
+    EXPECT_THAT(left(".frame{display:none"), ElementsAre(near(2), near(4)));  // cut off
+    EXPECT_THAT(left("{}}{;{@media print{.frame{fill:red}}"), testing::SizeIs(4));
+
+    const Drawing drawing =
+        svg_drawing(svg_of("<style>g > rect{display:none} g rect{fill:red} @media print{a{display:none}}"
+                           "</style><rect width='1' height='1'/>"));
+    EXPECT_THAT(drawing.notes,
+                ElementsAre(HasSubstr("'g > rect' is not understood"), HasSubstr("'@media print'")));
+}
+
+TEST(Svg, WhatIsVisibleInAHiddenGroupIsCut) {
+    EXPECT_THAT(areas_in("<g visibility='hidden'><rect width='1' height='1'/>"
+                         "<g visibility='visible'><rect width='2' height='1'/></g></g>"),
+                ElementsAre(DoubleNear(2, 1e-6)));
+}
+
 TEST(Svg, MessagesNameElementAndPlace) {
     const auto fault = [](const std::string& content) { return svg_fault(svg_of(content)); };
     EXPECT_THAT(fault(path_of("M0 0 L10")),
