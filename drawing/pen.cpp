@@ -96,9 +96,10 @@ void Pen::arc(const EllipseArc& arc) {
         return;
     }
     Contour fitted;
+    const double way = arc.sweep_rad < 0 ? -1 : 1;
     fit_arcs(
         [&](double t) {
-            return CurvePoint{at(there, t), std::cos(t) * there.v - std::sin(t) * there.u};
+            return CurvePoint{at(there, t), way * (std::cos(t) * there.v - std::sin(t) * there.u)};
         },
         arc.from_rad, to, tolerance_mm_, source_, fitted);
     for (std::size_t i = 0; i < fitted.edges(); ++i) add(fitted.edge(i));

@@ -6,7 +6,8 @@
 
 namespace gsim::geometry {
 
-/// A point of a curve and the direction of travel there, of any length.
+/// A point of a curve and the direction of travel there, of any length; where the parameter falls, that of
+/// the falling parameter.
 struct CurvePoint {
     Point position, direction;
 };

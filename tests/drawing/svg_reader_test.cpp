@@ -91,6 +91,20 @@ TEST(Svg, ArcsTakeTheRightOneOfFour) {
     EXPECT_THAT(areas_in(path_of("M0 0A1 1 0 0 1 20 0Z")), ElementsAre(DoubleNear(50 * kPi, 1e-6)));  // grown
 }
 
+// Clockwise and counter-clockwise: a quarter of an ellipse within 0.005 mm takes some arcs, not thousands.
+TEST(Svg, EllipsesEitherWayRound) {
+    for (const char* sweep : {"0", "1"}) {
+        const Drawing drawing = svg_drawing(
+            svg_of(path_of(fmt::format("M10 20A10 5 0 0 {} 30 20A10 5 0 0 {} 10 20Z", sweep, sweep))));
+        EXPECT_THAT(areas_of(drawing), ElementsAre(DoubleNear(50 * kPi, 0.05)));
+        EXPECT_LT(drawing.pieces[0].edges(), 100U);
+    }
+    const Drawing stretched =
+        svg_drawing(svg_of("<path transform='scale(2 1)' d='M0 0H10A5 5 0 0 0 20 0V-10H0Z'/>"));
+    EXPECT_THAT(areas_of(stretched), ElementsAre(DoubleNear(2 * (200 + 12.5 * kPi), 0.05)));
+    EXPECT_LT(stretched.pieces[0].edges(), 100U);
+}
+
 TEST(Svg, TransformsGroupsAndUses) {
     EXPECT_THAT(
         areas_in(
