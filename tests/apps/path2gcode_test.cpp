@@ -112,6 +112,32 @@ TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
     }
 }
 
+// At rest at both ends: way / speed + speed / acceleration.
+TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
+    write("a.path.json", R"json({"paths": [{"name": "a", "targets": [
+        {"motion": "rapid", "position_mm": [100, 100, 100], "rotary_deg": {"B": 0, "C": 0}},
+        {"position_mm": [300, 100, 100], "feed_mm_min": 6000, "acceleration_mm_s2": 50},
+        {"position_mm": [300, 200, 100]}, {"position_mm": [100, 200, 100], "acceleration_mm_s2": 200}]}]})json");
+    const Ended written = path2gcode({"-o", "a.nc", "a.path.json"});
+    EXPECT_EQ(written.status, 0);
+    EXPECT_EQ(written.err, "");
+    ASSERT_EQ(gsim_run({"--quiet", "--moves", "m.jsonl", "a.nc"}).status, 0);
+    std::istringstream lines(read("m.jsonl"));
+    std::vector<double> seconds;
+    for (std::string line; std::getline(lines, line);) {
+        const auto move = nlohmann::json::parse(line);
+        seconds.push_back(move["end_s"].get<double>() - move["start_s"].get<double>());
+    }
+    ASSERT_EQ(seconds.size(), 4U);
+    EXPECT_NEAR(seconds[1], 200.0 / 100 + 100.0 / 50, 1e-6);
+    EXPECT_NEAR(seconds[2], 2 * std::sqrt(100.0 / 50), 1e-6)
+        << "as at the point before; too short for the feed";
+    EXPECT_NEAR(seconds[3], 200.0 / 100 + 100.0 / 200, 1e-6);
+    EXPECT_EQ(
+        path2gcode({"--dialect", "fanuc", "-o", "a.nc", "a.path.json"}).err,
+        "note: 'acceleration_mm_s2' of 2 points is not written: the post 'fanuc' has no words for it\n");
+}
+
 TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
     const auto refused = [this](const std::string& text, std::vector<std::string> options = {}) {
         write("p.path.json", text);
