@@ -41,7 +41,7 @@ class PathProgram::Check : public path::MoveSink {
 
     void move(const path::AxisMove&) override {}
     void dwell(double) override {}
-    void acceleration(double) override { ++accelerations_; }
+    void acceleration(double) override { ++program_.accelerations_; }
     void action(const std::string& name) override {
         if (program_.post_->actions.find(name) == program_.post_->actions.end()) ++without_word_[name];
     }
@@ -56,10 +56,10 @@ class PathProgram::Check : public path::MoveSink {
         if (count_ > kMostNotes) {
             program_.notes_.push_back(fmt::format("{} more notes of this kind", count_ - kMostNotes));
         }
-        if (accelerations_ > 0 && program_.post_->acceleration.empty()) {
+        if (program_.accelerations_ > 0 && program_.post_->acceleration.empty()) {
             program_.notes_.push_back(fmt::format(
                 "'acceleration_mm_s2' of {} points is not written: the post '{}' has no words for it",
-                accelerations_, program_.post_->name));
+                program_.accelerations_, program_.post_->name));
         }
         for (const auto& [name, count] : without_word_) {
             program_.notes_.push_back(
@@ -71,7 +71,6 @@ class PathProgram::Check : public path::MoveSink {
   private:
     PathProgram& program_;
     std::size_t count_ = 0;
-    std::size_t accelerations_ = 0;
     std::map<std::string, int> without_word_;
 };
 
@@ -245,7 +244,7 @@ void PathProgram::write_path(std::size_t order, Sink& sink) const {
     writer.lines(order == 0 ? post_->begin : post_->subprogram->begin);
     if (order == 0) sink.start_position();
     sink.run(states_.users_first()[order]);
-    if (order == 0) writer.end_acceleration();
+    if (order == 0 && accelerations_ > 0) writer.lines(post_->end_acceleration);
     writer.lines(order == 0 ? post_->end : post_->subprogram->end);
 }
 

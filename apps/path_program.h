@@ -64,6 +64,7 @@ class PathProgram {
     path::States states_;
     std::vector<path::PathTurns> turns_;
     std::vector<std::string> notes_;
+    std::size_t accelerations_ = 0;  // points with one
 };
 
 }  // namespace gsim::apps

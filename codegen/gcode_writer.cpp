@@ -215,15 +215,10 @@ void GcodeWriter::acceleration(double mm_s2) {
     const std::int64_t next = std::max<std::int64_t>(1, feed_.units(in_unit(mm_s2)));
     if (next == acceleration_units_ && !options_.verbose_words) return;
     acceleration_units_ = next;
-    sets_acceleration_ = true;
     fmt::memory_buffer number;
     feed_.append(number, next);
     places_["acceleration"] = fmt::to_string(number);
     lines(post_.acceleration);
-}
-
-void GcodeWriter::end_acceleration() {
-    if (sets_acceleration_) lines(post_.end_acceleration);
 }
 
 void GcodeWriter::action(std::string_view name) {

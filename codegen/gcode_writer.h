@@ -67,8 +67,6 @@ class GcodeWriter {
     void dwell(double seconds);
     /// The post's blocks for an acceleration; nothing where it has none, or where the same one is in force.
     void acceleration(double mm_s2);
-    /// The post's blocks that end what acceleration() has set, if it has set anything in any program.
-    void end_acceleration();
     /// The post's block for the action, or a comment.
     void action(std::string_view name);
     void comment(std::string_view text);
@@ -114,7 +112,6 @@ class GcodeWriter {
     int plane_ = -1;
     std::int64_t feed_units_ = kUnknown;
     std::int64_t acceleration_units_ = kUnknown;
-    bool sets_acceleration_ = false;
 };
 
 /// A comment's text as programs may hold it: ASCII without brackets.

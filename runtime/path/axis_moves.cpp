@@ -137,8 +137,11 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
                   "over different feeds"
                 : "the motion needs 'feed_mm_min': no point before has one");
     }
+    if (space_.coupled() && motion.turn_deg() > kGreatestTurn_deg) {
+        return fault(fmt::format("the rotary axes turn by {:.6g} degrees in one motion; {:.6g} is the most",
+                                 motion.turn_deg(), kGreatestTurn_deg));
+    }
     if (motion.arc() || space_.coupled()) {
-        if (motion.turn_deg() > kGreatestTurn_deg) return fault("the rotary axes turn too far in one motion");
         for (int i = 1; i < kRangeSamples; ++i) {
             if (auto beyond = check_range(motion.at(static_cast<double>(i) / kRangeSamples))) return beyond;
         }

@@ -121,6 +121,7 @@ TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
     const Ended written = path2gcode({"-o", "a.nc", "a.path.json"});
     EXPECT_EQ(written.status, 0);
     EXPECT_EQ(written.err, "");
+    EXPECT_TRUE(holds(read("a.nc"), " G48\n")) << "taken back at the end";
     ASSERT_EQ(gsim_run({"--quiet", "--moves", "m.jsonl", "a.nc"}).status, 0);
     std::istringstream lines(read("m.jsonl"));
     std::vector<double> seconds;

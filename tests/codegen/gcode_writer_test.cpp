@@ -68,11 +68,10 @@ TEST(GcodeWriter, AccelerationsWhereThePostHasWordsForThem) {
         each->writer.acceleration(500);
         each->writer.acceleration(500.0001);
         each->to(1, 2, 3, 0);
-        each->writer.end_acceleration();
     }
     EXPECT_EQ(ab9.all(),
               "N00005 G48.1 X500.000 Y500.000 Z500.000\nN00010 G48.2 X500.000 Y500.000 Z500.000\n"
-              "N00015 G01 X1.000 Y2.000 Z3.000 B0.000 F1000.000\nN00020 G48\n");
+              "N00015 G01 X1.000 Y2.000 Z3.000 B0.000 F1000.000\n");
     EXPECT_EQ(ngc.all(), "G01 X1 Y2 Z3 B0 F1000\n");
     Text inch("ab9", {.inch = true, .verbose_words = false});
     inch.writer.acceleration(254);
