@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/path/merged_lines.h"
+
 namespace gsim::apps {
 
 using codegen::GcodeWriter;
@@ -91,7 +93,10 @@ class PathProgram::Sink : public path::MoveSink {
     GcodeWriter& writer() { return writer_; }
     void run(std::size_t path) {
         // Everything was looked at in Check.
-        static_cast<void>(moves_.run(path, *this));
+        path::MergedLines merged(*this, program_.space_, program_.move_options());
+        static_cast<void>(
+            moves_.run(path, program_.space_.coupled() ? merged : static_cast<MoveSink&>(*this)));
+        merged.finish();
     }
     void start_position() { writer_.start_position(values_of(program_.space_.home())); }
 

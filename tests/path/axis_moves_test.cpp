@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
+#include "runtime/path/merged_lines.h"
 
 namespace gsim::path {
 namespace {
@@ -173,6 +174,35 @@ TEST(AxisMoves, SubPathsKnowHowTheyAreEntered) {
     const Point elsewhere = to({900, 850, 300}, 30, 20);
     const Moved still(offset_head(), with_sub_path(turned_before, elsewhere, begin), 1);
     EXPECT_EQ(still.log.notes.size(), 1U) << "the head comes turned already";
+}
+
+// Of points on one line of the axes only the last is left; the others bend, turn nothing, or have other
+// feeds.
+TEST(AxisMoves, LinesThatGoOnAreMerged) {
+    const machine::Machine machine = offset_head();
+    const MachineSpace space = MachineSpace::make(machine).value();
+    Log log;
+    MergedLines merged(log, space, {kTolerance_mm, kDigit_mm});
+    const auto line = [&merged](double x, double c, double feed) {
+        AxisMove move;
+        move.axes = AxisValues::Zero(5);
+        move.axes[0] = x;
+        move.axes[3] = c;
+        move.feed_per_min = feed;
+        merged.move(move);
+    };
+    for (int i = 0; i <= 10; ++i) line(i, 2 * i, 500);
+    for (int i = 11; i <= 20; ++i) line(i, 20 + 0.1 * i * i, 500);
+    line(21, 62, 600);
+    line(22, 64, 600);
+    merged.action("waterjet_on");
+    line(23, 66, 600);
+    line(24, 66, 600);
+    line(25, 66, 600);
+    merged.finish();
+    std::vector<double> ends;
+    for (const AxisMove& move : log.moves) ends.push_back(move.axes[0]);
+    EXPECT_EQ(ends, (std::vector<double>{0, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 22, 23, 24, 25}));
 }
 
 // The program's digits say no more of them than lines do.

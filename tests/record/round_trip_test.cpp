@@ -257,6 +257,18 @@ TEST_F(Record, RandomPathsComeBackAsTheyWereWritten) {
     }
 }
 
+// Recorded as many short ways of the tip; written again, each line of the axes is one block.
+TEST_F(Record, LinesOfTurningAxesComeBackWhereTheTipIsOffThem) {
+    const std::string part =
+        write("part.ngc",
+              "G21 G90 G0 X1000 Y1000 Z600 C0 A0\nG1 X1100 Y1020 C60 A30 F2000\nX1150 C10\n"
+              "M8\nC80 F1500\nG1 A-20 C-40\nG93 G1 X1100 C20 F30\nG94 G1 X1000 F1000\nM2\n");
+    expect_way_round(part, "rs274ngc", {{"rs274ngc", "rs274ngc"}, {"ab9", "ab9"}},
+                     GSIM_SAMPLES "/machines/gantry-offset-head.toml");
+    const json program = json::parse(read("first.path.json"));
+    EXPECT_GT(program["paths"][0]["targets"].size(), 200U);
+}
+
 TEST_F(Record, StandardOutputIsThePathAlone) {
     const std::string part = write("part.nc", "G1 X10 F600\nM2\n");
     const Ended e = gsim_run({part, "--record", "-"});
