@@ -93,7 +93,7 @@ class Derivatives {
 
 }  // namespace
 
-std::vector<Nurbs> spline_through(std::vector<Point> points, const FitEnds& ends) {
+std::vector<Nurbs> spline_through(const std::vector<Point>& points, const FitEnds& ends) {
     std::vector<Point> apart;
     apart.reserve(points.size());
     for (const Point& point : points) {

@@ -18,6 +18,6 @@ struct FitEnds {
 /// and curvature, its parameter the length of the chords (de Boor, "A Practical Guide to Splines", 1978, ch.
 /// IV; Piegl and Tiller, "The NURBS Book", 1997, 9.2). Points that lie on each other count once. Nothing
 /// where fewer than two are left.
-std::vector<Nurbs> spline_through(std::vector<geometry::Point> points, const FitEnds& ends);
+std::vector<Nurbs> spline_through(const std::vector<geometry::Point>& points, const FitEnds& ends);
 
 }  // namespace gsim::drawing
