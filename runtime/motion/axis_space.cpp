@@ -22,16 +22,16 @@ std::optional<AxisSpace> AxisSpace::of(const PlannerSetup& setup) {
     return space;
 }
 
-bool tip_turns(const PlannerSetup& setup) {
+bool tip_turns(const PlannerSetup& setup, const Eigen::Vector3d& tip_mm) {
     constexpr double kNoMotion_mm = 1e-7;
     rrs::JointPos joints = rrs::JointPos::Zero(setup.joint_count());
     for (int stance = 0; stance < 3; ++stance) {
-        const Eigen::Vector3d tip = setup.kinematics->forward(joints).translation();
+        const Eigen::Vector3d tip = setup.kinematics->forward(joints) * tip_mm;
         for (int joint = 0; joint < setup.joint_count(); ++joint) {
             if (setup.role(joint) != JointRole::rotary) continue;
             rrs::JointPos turned = joints;
             turned[joint] += 1;
-            if ((setup.kinematics->forward(turned).translation() - tip).norm() > kNoMotion_mm) return true;
+            if ((setup.kinematics->forward(turned) * tip_mm - tip).norm() > kNoMotion_mm) return true;
         }
         for (int joint = 0; joint < setup.joint_count(); ++joint)  // elsewhere, with no axes in line
             joints[joint] += setup.role(joint) == JointRole::rotary ? 0.5 + 0.1 * joint : 100.0 + 10 * joint;

@@ -28,8 +28,9 @@ class AxisSpace {
     double handedness_ = 1;
 };
 
-/// Whether rotary joints move the tip in the work frame, so that lines of the joints are none of the tip.
-bool tip_turns(const PlannerSetup& setup);
+/// Whether rotary joints move the tip, a point in the frame of the tool centre point, in the work frame, so
+/// that lines of the joints are none of the tip.
+bool tip_turns(const PlannerSetup& setup, const Eigen::Vector3d& tip_mm = Eigen::Vector3d::Zero());
 
 /// The values of the position joints; 0 where one is absent.
 inline Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints) {

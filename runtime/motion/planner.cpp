@@ -76,6 +76,9 @@ void DefaultPlanner::start_over() {
     position_.setZero();
     via_.reset();
     tip_.reset();
+    work_frames_ = {};
+    selected_.reset();
+    tip_turns_ = tip_turns(setup_);
     tool_model_->clear();
     stopped_.reset();
     held_.clear();
@@ -179,7 +182,7 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
         joints = front.position_at(step_s_ - front.start_s);
         if (step_s_ > front.start_s) step_target_ = front.target_id;
     }
-    pose = setup_.kinematics->forward(joints);
+    pose = work_frames_.target_of(setup_.kinematics->forward(joints));
     elapsed_s = step_s_ - from_s;
     return status;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "runtime/motion/axis_space.h"
+#include "runtime/motion/cell_frames.h"
 #include "runtime/motion/conveyor_frame.h"
 #include "runtime/motion/event_list.h"
 #include "runtime/motion/held_targets.h"
@@ -56,6 +57,11 @@ class DefaultPlanner final : public rrs::Shell {
     /// segment. Throws std::invalid_argument with the sentence of setup.validate() where that finds fault.
     explicit DefaultPlanner(PlannerSetup setup, SegmentSink* sink = nullptr);
 
+    /// The robot stands in this cell, which must outlive the planner, on whose clock the run's time is.
+    void set_cell(CellFrames& cell) { cell_ = &cell; }
+    /// The frames of Cartesian targets: until SelectWorkFrames the tool centre point and the work frame.
+    const WorkFrames& work_frames() const { return work_frames_; }
+
     /// Makes all queued segments final and passes them on; the step clock goes to their end.
     void flush();
     /// Plans what a model holds back to end at rest. `waits`: the controller then waits for its program,
@@ -83,6 +89,10 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status GetInverseKinematics(const rrs::CartPos& pose, const rrs::JointPos& near,
                                      rrs::JointPos& joints) override;
     rrs::Status GetForwardKinematics(const rrs::JointPos& joints, rrs::CartPos& pose) override;
+
+    rrs::Status GetCellFrame(std::string_view frame_name, rrs::CartPos& frame) override;
+    rrs::Status ModifyCellFrame(std::string_view frame_name, const rrs::CartPos& frame) override;
+    rrs::Status SelectWorkFrames(std::string_view tool_frame, std::string_view object_frame) override;
 
     rrs::Status SelectTargetType(rrs::TargetType type) override;
     rrs::Status SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
@@ -210,6 +220,7 @@ class DefaultPlanner final : public rrs::Shell {
         double sweep_rad = 0;
     };
     bool moves_tool(bool along_path) const;
+    Eigen::Vector3d tip_mm() const;
     tl::expected<TipWay, PlanError> tip_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                             const std::optional<Circle>& circle) const;
     tl::expected<std::unique_ptr<ToolPath>, PlanError> tool_path(const rrs::CartPos& cartesian,
@@ -235,6 +246,14 @@ class DefaultPlanner final : public rrs::Shell {
     Programmed programmed_;
     rrs::JointPos position_;
     std::optional<rrs::JointPos> via_;
+    CellFrames* cell_ = nullptr;
+    WorkFrames work_frames_;
+    /// The names of work_frames_, where the program has selected them.
+    struct SelectedFrames {
+        std::string tool;
+        std::string object;
+    };
+    std::optional<SelectedFrames> selected_;
     bool tip_turns_ = false;              ///< The tip is not where the position joints alone say.
     std::optional<Eigen::Vector3d> tip_;  ///< Under tool-centre-point control, in the tool's frame.
     PlanError error_;

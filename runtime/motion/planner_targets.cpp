@@ -179,7 +179,7 @@ Planned DefaultPlanner::solve_pose(const rrs::CartPos& pose, rrs::JointPos& targ
     if (auto checked = kinematics::check_pose(pose); !checked) {
         return refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     }
-    auto joints = setup_.kinematics->inverse(pose, position_);
+    auto joints = setup_.kinematics->inverse(work_frames_.tool_centre_of(pose), position_);
     if (!joints) return refused(Status::RRS_NO_SOLUTION, std::move(joints.error()));
     return solve_joints(*joints, target);
 }
@@ -307,10 +307,15 @@ Planned DefaultPlanner::plan_center_arc(const Eigen::Vector3d& center_mm, const 
             "This machine takes the centre of an arc only with joint targets: its position joints do not "
             "span the space of the work frame.");
     }
+    // The tool does not turn here: its centre point goes the same circle beside that of the tool frame.
+    const auto tool_centre = [this](const Eigen::Vector3d& point) -> Eigen::Vector3d {
+        const rrs::CartPos tool = setup_.kinematics->forward(position_);
+        return work_frames_.object * point - tool.linear() * work_frames_.tip_mm();
+    };
     Planned circle = arc_about(position_of(setup_, segment.start), position_of(setup_, segment.end),
-                               mapped ? axis_space_->point(center_mm) : center_mm,
-                               mapped ? axis_space_->turn_axis(axis) : axis, sweep_rad,
-                               setup_.arc_tolerance_mm, segment.arc);
+                               mapped ? axis_space_->point(tool_centre(center_mm)) : center_mm,
+                               mapped ? axis_space_->turn_axis(work_frames_.object.linear() * axis) : axis,
+                               sweep_rad, setup_.arc_tolerance_mm, segment.arc);
     return circle ? plan_along_arc(segment) : circle;
 }
 

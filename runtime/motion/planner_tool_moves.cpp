@@ -67,11 +67,12 @@ tl::expected<TipWay, PlanError> DefaultPlanner::tip_way(const Eigen::Vector3d& f
     way.kind = SegmentKind::circular;
     Planned planned;
     if (circle) {
-        planned = arc_about(from, to, circle->center_mm, circle->axis, circle->sweep_rad,
-                            setup_.arc_tolerance_mm, way.arc);
+        const bool by_pose = programmed_.target_type == rrs::TargetType::cartesian;
+        const rrs::CartPos frame = by_pose ? work_frames_.object : rrs::CartPos::Identity();
+        planned = arc_about(from, to, frame * circle->center_mm, frame.linear() * circle->axis,
+                            circle->sweep_rad, setup_.arc_tolerance_mm, way.arc);
     } else if (via_) {
-        const Eigen::Vector3d tip = tip_.value_or(Eigen::Vector3d::Zero());
-        planned = arc_through(from, tip_of(setup_, *via_, tip), to, way.arc);
+        planned = arc_through(from, tip_of(setup_, *via_, tip_mm()), to, way.arc);
     } else {
         planned = refused(Status::RRS_INVALID_PARAMETER,
                           "Circular motion needs a via point before its target, which tells the circle.");
@@ -91,11 +92,12 @@ tl::expected<std::unique_ptr<ToolPath>, PlanError> DefaultPlanner::tool_path(
         if (auto checked = kinematics::check_pose(cartesian); !checked)
             return refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     }
-    const Eigen::Vector3d tip = tip_.value_or(Eigen::Vector3d::Zero());
-    const Eigen::Vector3d to = by_pose ? Eigen::Vector3d(cartesian.translation()) : tip_of(setup_, end, tip);
+    const Eigen::Vector3d tip = tip_mm();
+    const rrs::CartPos target = work_frames_.object * cartesian;
+    const Eigen::Vector3d to = by_pose ? Eigen::Vector3d(target.translation()) : tip_of(setup_, end, tip);
     auto way = tip_way(tip_of(setup_, position_, tip), to, circle);
     if (!way) return tl::unexpected(std::move(way.error()));
-    if (by_pose) return pose_path(setup_, *std::move(way), setup_.kinematics->forward(position_), cartesian);
+    if (by_pose) return pose_path(setup_, *std::move(way), work_frames_.tool, position_, target);
     return tip_path(setup_, *std::move(way), tip, position_, end);
 }
 

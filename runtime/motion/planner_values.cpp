@@ -28,7 +28,7 @@ Status DefaultPlanner::GetInverseKinematics(const rrs::CartPos& pose, const rrs:
     }
     rrs::JointPos valid_near;
     if (Planned solved = solve_joints(near, valid_near); !solved) return tell(std::move(solved.error()));
-    auto solution = setup_.kinematics->inverse(pose, valid_near);
+    auto solution = setup_.kinematics->inverse(work_frames_.tool_centre_of(pose), valid_near);
     if (!solution) return refuse(Status::RRS_NO_SOLUTION, std::move(solution.error()));
     joints = *solution;
     return Status::RRS_SUCCESS;
@@ -38,7 +38,7 @@ Status DefaultPlanner::GetForwardKinematics(const rrs::JointPos& joints, rrs::Ca
     if (!initialized_) return not_initialized();
     rrs::JointPos valid;
     if (Planned solved = solve_joints(joints, valid); !solved) return tell(std::move(solved.error()));
-    pose = setup_.kinematics->forward(valid);
+    pose = work_frames_.target_of(setup_.kinematics->forward(valid));
     return Status::RRS_SUCCESS;
 }
 

@@ -45,10 +45,12 @@ class TipPath final : public ToolPath {
 
 class PosePath final : public ToolPath {
   public:
-    PosePath(const PlannerSetup& setup, TipWay way, const rrs::CartPos& start, const rrs::CartPos& end)
-        : ToolPath(std::move(way), Eigen::Vector3d::Zero(),
+    PosePath(const PlannerSetup& setup, TipWay way, const rrs::CartPos& tool, const rrs::CartPos& start,
+             const rrs::CartPos& end)
+        : ToolPath(std::move(way), tool.translation(),
                    Eigen::Quaterniond(start.linear()).angularDistance(Eigen::Quaterniond(end.linear()))),
           setup_(setup),
+          from_tool_(tool.inverse()),
           start_(start.linear()),
           end_(end.linear()) {}
 
@@ -57,11 +59,12 @@ class PosePath final : public ToolPath {
         rrs::CartPos pose = rrs::CartPos::Identity();
         pose.linear() = start_.slerp(share, end_).normalized().toRotationMatrix();
         pose.translation() = way().at(share);
-        return setup_.kinematics->inverse(pose, near);
+        return setup_.kinematics->inverse(pose * from_tool_, near);
     }
 
   private:
     const PlannerSetup& setup_;
+    rrs::CartPos from_tool_;  ///< The tool centre point in the frame of the tool.
     Eigen::Quaterniond start_;
     Eigen::Quaterniond end_;
 };
@@ -86,9 +89,10 @@ std::unique_ptr<ToolPath> tip_path(const PlannerSetup& setup, TipWay way, const 
     return std::make_unique<TipPath>(setup, std::move(way), tip_mm, start, end);
 }
 
-std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& start,
-                                    const rrs::CartPos& end) {
-    return std::make_unique<PosePath>(setup, std::move(way), start, end);
+std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& tool,
+                                    const rrs::JointPos& start, const rrs::CartPos& end) {
+    const rrs::CartPos from = setup.kinematics->forward(start) * tool;
+    return std::make_unique<PosePath>(setup, std::move(way), tool, from, end);
 }
 
 // With the other joints where they are the tip goes by a linear function of the slides.

@@ -61,10 +61,11 @@ class ToolPath {
 std::unique_ptr<ToolPath> tip_path(const PlannerSetup& setup, TipWay way, const Eigen::Vector3d& tip_mm,
                                    const rrs::JointPos& start, const rrs::JointPos& end);
 
-/// The tool turns evenly about one axis from the orientation of `start` to that of `end` (poses in the work
-/// frame) while its centre point goes along the way. `setup` must outlive the path.
-std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& start,
-                                    const rrs::CartPos& end);
+/// A frame of the tool, `tool` in that of the tool centre point, turns evenly about one axis from where it is
+/// with the joints at `start` to `end`, a pose in the work frame, while its origin goes along the way.
+/// `setup` must outlive the path.
+std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& tool,
+                                    const rrs::JointPos& start, const rrs::CartPos& end);
 
 /// `joints` with the values of the slides x, y, z that bring the tip to a point of the work frame; nothing
 /// where two slides go the same way, or one is missing.

@@ -3,8 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "runtime/kinematics/pose.h"
+#include "runtime/machine/nearest_name.h"
+
 namespace gsim::simulation {
 
+using motion::PlanError;
+using motion::Planned;
 using rrs::Status;
 
 namespace {
@@ -18,31 +25,76 @@ std::array<double, 3> array_of(const Eigen::Vector3d& point) {
 }  // namespace
 
 CellWatch::CellWatch(cell::Cell cell, const machine::Machine& machine)
-    : cell_(std::move(cell)), watch_(cell_, machine) {
+    : cell_(std::move(cell)), set_frames_(cell_.frames), watch_(cell_, machine) {
     findings_.name = cell_.name;
     findings_.clearance_mm = cell_.clearance_mm;
 }
 
-Status CellWatch::get_frame(std::string_view name, rrs::CartPos& frame) const {
-    const auto found = cell_.frames.find(name);
-    if (!found) return Status::RRS_UNKNOWN_FRAME;
-    frame = cell_.frames.in_parent(*found);
-    return Status::RRS_SUCCESS;
+tl::expected<std::size_t, PlanError> CellWatch::find(std::string_view name) const {
+    if (const auto found = set_frames_.find(name)) return *found;
+    const std::vector<std::string_view> names = set_frames_.names();
+    const auto nearest = machine::nearest_name(name, names);
+    return motion::refused(Status::RRS_UNKNOWN_FRAME,
+                           fmt::format("The cell has no frame '{}'; {}", name,
+                                       nearest ? fmt::format("did you mean '{}'?", *nearest)
+                                               : fmt::format("there are: {}.", fmt::join(names, ", "))));
 }
 
-Status CellWatch::move_frame(std::string_view name, const rrs::CartPos& frame) {
-    const auto found = cell_.frames.find(name);
-    if (!found) return Status::RRS_UNKNOWN_FRAME;
-    if (cell_.frames.is_of_machine(*found)) return Status::RRS_INVALID_PARAMETER;
-    cell_.frames.move(*found, frame);
+tl::expected<rrs::CartPos, PlanError> CellWatch::frame(std::string_view name) const {
+    return find(name).map([this](std::size_t found) { return set_frames_.in_parent(found); });
+}
+
+Planned CellWatch::move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) {
+    const auto found = find(name);
+    if (!found) return tl::unexpected(found.error());
+    if (set_frames_.is_of_machine(*found)) {
+        return motion::refused(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("The frame '{}' is the machine's, whose file says where it is.", name));
+    }
+    if (auto checked = kinematics::check_pose(pose); !checked)
+        return motion::refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+    set_frames_.move(*found, pose);
+    frame_moves_.push_back({time_s, *found, pose});
+    return {};
+}
+
+/// Targets lead the tool centre point in the work frame, so that a frame that moves against one of them by
+/// itself cannot be meant.
+tl::expected<motion::WorkFrames, PlanError> CellWatch::work_frames(std::string_view tool_frame,
+                                                                   std::string_view object_frame) const {
+    const auto in_frame_of = [this](std::string_view name,
+                                    std::string_view of) -> tl::expected<rrs::CartPos, PlanError> {
+        const auto frame = find(name);
+        if (!frame) return tl::unexpected(frame.error());
+        const std::size_t origin = *set_frames_.find(of);
+        if (set_frames_.link(*frame) == set_frames_.link(origin))
+            return set_frames_.in_link(origin).inverse() * set_frames_.in_link(*frame);
+        return motion::refused(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("The frame '{}' moves against the frame '{}', to which it would have to be attached.",
+                        name, of));
+    };
+    const auto tool = in_frame_of(tool_frame, "tool");
+    if (!tool) return tl::unexpected(tool.error());
+    const auto object = in_frame_of(object_frame, "work");
+    if (!object) return tl::unexpected(object.error());
+    return motion::WorkFrames{*tool, *object};
+}
+
+/// Brings the frames to where they are in motion that begins at a time.
+void CellWatch::move_frames(double until_s) {
+    if (frame_moves_.empty() || frame_moves_.front().time_s > until_s) return;
+    for (; !frame_moves_.empty() && frame_moves_.front().time_s <= until_s; frame_moves_.pop_front())
+        cell_.frames.move(frame_moves_.front().frame, frame_moves_.front().pose);
     watch_.frames_changed();
-    return Status::RRS_SUCCESS;
 }
 
 void CellWatch::take(const motion::Segment& segment, const MoveInfo& info) {
     const bool goes_on = block_ && block_->file == info.place.file && block_->line == info.place.line;
     if (!goes_on) end_block();
     block_ = info.place;
+    move_frames(segment.start_s);
     watch_.take(segment, info.jet_on);
     places_.resize(watch_.contacts().size(), info.place);
 }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "runtime/cell/clearance_watch.h"
-#include "runtime/rrs/status.h"
+#include "runtime/motion/cell_frames.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"
 
@@ -13,18 +14,17 @@ namespace gsim::simulation {
 
 /// The cell of a run: looks at each segment for contacts and near misses of its block, and has the frames
 /// that programs may ask for and move.
-class CellWatch final : public RunOutput {
+class CellWatch final : public RunOutput, public motion::CellFrames {
   public:
     CellWatch(cell::Cell cell, const machine::Machine& machine);
     CellWatch(const CellWatch&) = delete;
     CellWatch& operator=(const CellWatch&) = delete;
 
     const cell::Cell& cell() const { return cell_; }
-    /// The value of a frame, relative to what it is attached to. RRS_UNKNOWN_FRAME.
-    rrs::Status get_frame(std::string_view name, rrs::CartPos& frame) const;
-    /// Gives a frame another value, from now on. RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER for a frame of the
-    /// machine.
-    rrs::Status move_frame(std::string_view name, const rrs::CartPos& frame);
+    tl::expected<rrs::CartPos, motion::PlanError> frame(std::string_view name) const override;
+    motion::Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) override;
+    tl::expected<motion::WorkFrames, motion::PlanError> work_frames(
+        std::string_view tool_frame, std::string_view object_frame) const override;
 
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
@@ -34,9 +34,19 @@ class CellWatch final : public RunOutput {
     CellFindings release() { return std::move(findings_); }
 
   private:
+    tl::expected<std::size_t, motion::PlanError> find(std::string_view name) const;
+    void move_frames(double until_s);
     void end_block();
 
     cell::Cell cell_;
+    /// Frames as the program has set them so far, which segments that are still to come may be behind.
+    cell::FrameTree set_frames_;
+    struct FrameMove {
+        double time_s;
+        std::size_t frame;
+        rrs::CartPos pose;
+    };
+    std::deque<FrameMove> frame_moves_;  ///< Not reached yet, in the order of time.
     cell::ClearanceWatch watch_;
     CellFindings findings_;
     std::optional<Place> block_;

@@ -26,6 +26,8 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
                  motion::SegmentSink& sink);
 
     rrs::Shell& shell() override { return *this; }
+    bool set_cell(motion::CellFrames& /*cell*/) override { return false; }
+    motion::WorkFrames work_frames() const override { return {}; }
     void come_to_rest(bool waits) override;
     void end_program() override;
     double time_s() const override { return time_s_; }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/motion/plan_error.h"
+#include "runtime/motion/cell_frames.h"
 #include "runtime/rrs/shell.h"
 
 namespace gsim::simulation {
@@ -15,6 +15,10 @@ class MotionSource {
     virtual ~MotionSource() = default;
 
     virtual rrs::Shell& shell() = 0;
+    /// Tells the controller of the cell, which must outlive this; false where it has frames of its own.
+    virtual bool set_cell(motion::CellFrames& cell) = 0;
+    /// The frames of the controller's Cartesian targets, where they are the cell's.
+    virtual motion::WorkFrames work_frames() const = 0;
     /// As rrs::Shell::ComeToRest(); a controller that has not that service comes to rest by itself.
     virtual void come_to_rest(bool waits) = 0;
     /// No more targets will come: all segments go to the sink.

@@ -13,6 +13,11 @@ class PlannerMotion final : public MotionSource {
         : planner_(std::move(setup), &sink) {}
 
     rrs::Shell& shell() override { return planner_; }
+    bool set_cell(motion::CellFrames& cell) override {
+        planner_.set_cell(cell);
+        return true;
+    }
+    motion::WorkFrames work_frames() const override { return planner_.work_frames(); }
     void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
     void end_program() override { planner_.end_program(); }
     double time_s() const override { return planner_.time_s(); }

@@ -65,7 +65,6 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       motion_(make_motion(std::move(module))),
       shell_(motion_->shell()),
       space_axes_(space_axes(machine_)),
-      tip_turns_(motion::tip_turns(setup_)),
       position_(static_cast<Eigen::Index>(machine_.axes.size())) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/machine/machine.h"
+#include "runtime/motion/axis_space.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/simulation/cell_watch.h"
@@ -82,7 +83,7 @@ class Simulator {
     bool move(const ViaMove& move);
     bool move(const PoseMove& move);
     /// Whether a line of the axes between two poses is none of the tool: for such machines PoseMove is made.
-    bool tip_turns() const { return tip_turns_; }
+    bool tip_turns() const { return motion::tip_turns(setup_, motion_->work_frames().tip_mm()); }
     /// Tool-centre-point control (TipFrame) for the moves that follow, with a tool length offset of the
     /// linear axes X, Y and Z in mm; none: off. The machine comes to rest; position() and all targets are
     /// coordinates of the tip while it is on.
@@ -137,7 +138,8 @@ class Simulator {
     /// Ends the run because of a limit; always false.
     bool stop(std::string message, const Place& place);
 
-    /// Axis values that bring the tool to a pose, nearest to where the machine is; the error is a sentence.
+    /// Axis values that bring the tool to a pose in the frames that are selected (SelectWorkFrames), nearest
+    /// to where the machine is; the error is a sentence.
     tl::expected<AxisVector, std::string> axes_of(const rrs::CartPos& pose) const;
     /// Warns where the tool has lost a direction to move in at these axis values: some joints line up.
     void warn_if_singular(const AxisVector& axes, const Place& place);
@@ -199,14 +201,14 @@ class Simulator {
     Recorder recorder_;
     CentripetalWatch centripetal_;
     CellWatch* cell_ = nullptr;
+    bool controller_has_cell_ = false;  ///< Its services know the frames of cell_.
     EventLog events_;
     ZoneWatch zones_;
     ProgramObserver* observer_ = nullptr;
     motion::PlannerSetup setup_;
     std::unique_ptr<MotionSource> motion_;
-    rrs::Shell& shell_;              ///< Of motion_.
-    std::array<int, 3> space_axes_;  ///< Index of X, Y and Z; -1 where the machine has no such axis.
-    bool tip_turns_;
+    rrs::Shell& shell_;                  ///< Of motion_.
+    std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 where the machine has no such axis.
     std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control.
     AxisVector position_;
     std::vector<std::string> files_;

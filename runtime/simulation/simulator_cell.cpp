@@ -8,17 +8,23 @@ namespace gsim::simulation {
 
 void Simulator::set_cell(CellWatch& cell) {
     cell_ = &cell;
+    controller_has_cell_ = motion_->set_cell(cell);
     recorder_.add_output(cell);
 }
 
 rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame) {
-    return cell_ != nullptr ? cell_->get_frame(name, frame) : controller().GetCellFrame(name, frame);
+    if (cell_ == nullptr || controller_has_cell_) return controller().GetCellFrame(name, frame);
+    const auto found = cell_->frame(name);
+    if (!found) return found.error().status;
+    frame = *found;
+    return rrs::Status::RRS_SUCCESS;
 }
 
 rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartPos& frame) {
-    if (cell_ == nullptr) return controller().ModifyCellFrame(name, frame);
+    if (cell_ == nullptr || controller_has_cell_) return controller().ModifyCellFrame(name, frame);
     wait();
-    return cell_->move_frame(name, frame);
+    const motion::Planned moved = cell_->move_frame(name, frame, motion_->time_s());
+    return moved ? rrs::Status::RRS_SUCCESS : moved.error().status;
 }
 
 void Simulator::add_cell_findings(Report& report) {

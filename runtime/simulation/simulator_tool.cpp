@@ -36,9 +36,8 @@ AxisVector Simulator::position_at(const rrs::JointPos& joints) const {
 }
 
 tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
-    return setup_.kinematics->inverse(pose, to_joints(position_)).map([this](const rrs::JointPos& joints) {
-        return to_axes(joints);
-    });
+    return setup_.kinematics->inverse(motion_->work_frames().tool_centre_of(pose), to_joints(position_))
+        .map([this](const rrs::JointPos& joints) { return to_axes(joints); });
 }
 
 bool Simulator::move(const PoseMove& move) {
@@ -47,8 +46,10 @@ bool Simulator::move(const PoseMove& move) {
     info.timed = move.feed.motion_s.has_value();
     if (move.via) {
         info.turns = 1;
-        set_plane_and_sense(info, setup_.kinematics->forward(motion_->position()).translation(),
-                            move.via->translation(), move.target.translation());
+        const motion::WorkFrames frames = motion_->work_frames();
+        set_plane_and_sense(info, setup_.kinematics->forward(motion_->position()) * frames.tip_mm(),
+                            (frames.object * *move.via).translation(),
+                            (frames.object * move.target).translation());
     }
     recorder_.expect(info);
     const auto put = [&](rrs::TargetParam param, const rrs::CartPos& pose) {

@@ -62,6 +62,42 @@ G1{x=300}
     EXPECT_EQ(e.status, 0) << e.err << e.out;
 }
 
+// What was met before a frame was moved stays met, though the moves were still waiting in the planner.
+TEST_F(Cell, AFrameIsMovedBehindTheMovesSoFar) {
+    const std::string script = write("part.lua", R"(local _ENV = require "gsim"
+F(6000) G1{x=150, y=200}
+G1{x=250}
+local status, pose = rrs.GetCellFrame("post")
+pose[2][4] = 400
+assert(rrs.ModifyCellFrame("post", pose) == 0)
+G1{x=150}
+)");
+    const json r = report(script, 1);
+    ASSERT_EQ(r["collisions"].size(), 1U);
+    EXPECT_EQ(r["collisions"][0]["line"], 3);
+}
+
+TEST_F(Cell, TargetsOfAScriptAreInFramesOfTheCell) {
+    const std::string script = write("part.lua", R"(local _ENV = require "gsim"
+G0{x=250, y=250, z=50}
+assert(rrs.SelectWorkFrames("tip", "pst") == -10)
+local _, message = rrs.GetMessage()
+assert(message:find("did you mean 'post'?", 1, true), message)
+assert(rrs.SelectWorkFrames("tip", "post") == 0)
+assert(rrs.SelectTargetType("cartesian") == 0 and rrs.SelectMotionType("linear") == 0)
+local _, joints, pose = rrs.GetNextStep()
+rrs.SetCartesianPositionSpeed(100)
+for _, at in ipairs{{100, 20, 30}, {-60, 40, 35}} do
+  for i = 1, 3 do pose[i][4] = at[i] end
+  assert(rrs.SetNextTarget(pose) == 0, select(2, rrs.GetMessage()))
+end
+F(6000) MoveLinear{x=-60, y=100, z=35}
+)");
+    const json r = report(script, 0);
+    EXPECT_NEAR(r["bounds"]["X"]["max"].get<double>(), 200 + 100, 1e-9);
+    EXPECT_NEAR(r["bounds"]["Y"]["max"].get<double>(), 200 + 100, 1e-9);
+}
+
 TEST_F(Cell, TheSampleRunsWithItsMachine) {
     const std::string part = write("part.nc", "G0 X200 Y200 Z50\nG0 X1500 Y400\nG1 Z100 F3000\nG0 Z50\n");
     const std::string cell = fmt::format("{}/samples/cell/table.toml", GSIM_SOURCE);
