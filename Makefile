@@ -64,7 +64,7 @@ docs: setup
 	@build/bin/gcode2lua --print-language > docs/language.md
 
 fuzz:
-	@scripts/setup.sh fuzz
+	@scripts/setup.sh clang
 	@$(call build_into,fuzz) --target translate_fuzz
 	@tests/fuzz/run.sh build-fuzz $(FUZZ_SECONDS)
 

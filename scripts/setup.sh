@@ -1,7 +1,8 @@
 #!/bin/bash
-# Installs the Debian packages that are missing, if any is. Groups: build (programs and tests; always), lint, fuzz,
-# step (OpenCASCADE, which reads STEP and IGES files; the programs are built without it, too).
-# Usage: scripts/setup.sh [lint] [fuzz] [step]
+# Installs the Debian packages that are missing, if any is. Groups: build (programs and tests; always), lint, clang
+# (compiles for sanitizers and fuzzing), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
+# without it, too).
+# Usage: scripts/setup.sh [lint] [clang] [step]
 set -euo pipefail
 
 declare -A packages=(
@@ -9,7 +10,7 @@ declare -A packages=(
              nlohmann-json3-dev libtomlplusplus-dev libexpected-dev libfcl-dev libgtest-dev libgmock-dev liborocos-kdl-dev
              libpugixml-dev libpolyclipping-dev gnuplot-nox"
     [lint]="clang-format clang-tidy"
-    [fuzz]="clang libclang-rt-14-dev llvm"
+    [clang]="clang libclang-rt-14-dev llvm"
     [step]="libocct-data-exchange-dev"
 )
 
