@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "runtime/path/merged_lines.h"
+#include "text/letter_case.h"
 
 namespace gsim::apps {
 
@@ -26,12 +27,6 @@ std::string plain_name(const std::string& name) {
         plain += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
     }
     return plain.empty() ? "path" : plain;
-}
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 }  // namespace
@@ -225,7 +220,7 @@ Places PathProgram::places_of(std::size_t order) const {
     return {{"number", fmt::format("{:04}", order + 1)},
             {"title", codegen::comment_text(title)},
             {"program", name},
-            {"lower", lower(name)},
+            {"lower", text::lower(name)},
             {"unit", options_.words.inch ? "G20" : "G21"}};
 }
 

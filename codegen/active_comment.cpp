@@ -7,7 +7,7 @@
 
 #include "codegen/lua_text.h"
 #include "codegen/word_writer.h"
-#include "lexer/alias.h"
+#include "text/letter_case.h"
 
 namespace gsim::codegen {
 
@@ -65,7 +65,7 @@ class ValueText {
             const std::size_t end = rest_.find('>');
             if (end == std::string_view::npos) return false;
             std::string name;
-            for (const char c : lexer::lower(rest_.substr(2, end - 2))) {
+            for (const char c : text::lower(rest_.substr(2, end - 2))) {
                 if (c != ' ' && c != '\t') name += c;
             }
             values_ += ", parameter(";
@@ -138,7 +138,7 @@ const Active* find_active(std::string_view name) {
 
 std::optional<std::string> write_active_comment(std::string_view comment, std::string& out) {
     comment = without_blanks(comment);
-    const Active* active = find_active(lexer::upper(comment.substr(0, 12)));
+    const Active* active = find_active(text::upper(comment.substr(0, 12)));
     if (active == nullptr) return std::nullopt;
     std::string_view text = comment.substr(active->name.size());
     if (active->needs_comma) {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "grammar/dialect.h"
-#include "lexer/alias.h"
 #include "lexer/names.h"
+#include "text/letter_case.h"
 
 namespace gsim::codegen {
 
@@ -94,7 +94,7 @@ void add_codes(Page& page, const Dialect& dialect) {
         }
         if (codes.empty()) continue;
         const std::string_view title = grammar::name(group);
-        page.line("### {}{}\n", lexer::upper(title.substr(0, 1)), title.substr(1));
+        page.line("### {}{}\n", text::upper(title.substr(0, 1)), title.substr(1));
         add_group(page, dialect, codes);
     }
 }
@@ -214,7 +214,7 @@ std::string language_page() {
     add_dialect(page, grammar::dialect_rs274ngc(), lexer::NameStyle::ab9);
     page.line("{}", kNgcFlow);
     for (const lexer::FlowName& flow : lexer::kFlowNames)
-        page.line("| {} | {} |", lexer::lower(flow.name), flow.meaning);
+        page.line("| {} | {} |", text::lower(flow.name), flow.meaning);
     page.line("{}", kNgcStatements);
     return page.take();
 }

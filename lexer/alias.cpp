@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "text/letter_case.h"
+
 namespace gsim::lexer {
 
 namespace {
@@ -32,37 +34,6 @@ bool is_number(std::string_view text) {
 
 }  // namespace
 
-std::string upper(std::string_view text) {
-    std::string out(text);
-    for (char& c : out) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
-    return out;
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return result;
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-        }
-    }
-    return row[b.size()];
-}
-
 std::optional<std::string> Aliases::add(std::string_view name, std::string_view word) {
     if (!is_name(name)) {
         return fmt::format(
@@ -72,14 +43,14 @@ std::optional<std::string> Aliases::add(std::string_view name, std::string_view 
         return fmt::format(
             "'{}' is not a word that an alias can stand for: one letter and a number, such as M08", word);
     }
-    const auto [place, added] =
-        words_.try_emplace(upper(name), Word{upper(word.substr(0, 1))[0], std::string(word.substr(1))});
+    const auto [place, added] = words_.try_emplace(
+        text::upper(name), Word{text::upper(word.substr(0, 1))[0], std::string(word.substr(1))});
     if (!added) return fmt::format("the alias '{}' is given twice", name);
     return std::nullopt;
 }
 
 const Aliases::Word* Aliases::find(std::string_view name) const {
-    const auto place = words_.find(upper(name));
+    const auto place = words_.find(text::upper(name));
     return place == words_.end() ? nullptr : &place->second;
 }
 
@@ -92,7 +63,7 @@ bool Aliases::stand_for(char letter, int number) const {
 std::string Aliases::nearest(std::string_view name) const {
     std::vector<std::string> names;
     for (const auto& entry : words_) names.push_back(entry.first);
-    return nearest_name(upper(name), names);
+    return nearest_name(text::upper(name), names);
 }
 
 }  // namespace gsim::lexer

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "text/edit_distance.h"
+
 namespace gsim::lexer {
 
 /// Names that stand for a word of the language, such as WaterJetOn for M08 (the controller's machine data).
@@ -32,25 +34,17 @@ class Aliases {
     std::map<std::string, Word, std::less<>> words_;  // by name in upper case
 };
 
-/// Upper case, ASCII only.
-std::string upper(std::string_view text);
-/// Lower case, ASCII only.
-std::string lower(std::string_view text);
-
 /// Of `candidates` the one with the smallest edit distance to `name`, if that is at most 2, at most half of
 /// the name's length, and less than it.
 template <typename Range>
 std::string nearest_name(std::string_view name, const Range& candidates);
-
-/// Number of single-character insertions, deletions and substitutions between two texts.
-std::size_t edit_distance(std::string_view a, std::string_view b);
 
 template <typename Range>
 std::string nearest_name(std::string_view name, const Range& candidates) {
     std::string best;
     std::size_t best_distance = std::min<std::size_t>(3, name.size() / 2 + 1);  // short names: one letter
     for (const auto& candidate : candidates) {
-        const std::size_t distance = edit_distance(name, candidate);
+        const std::size_t distance = text::edit_distance(name, candidate);
         if (distance < best_distance && distance < name.size()) {
             best_distance = distance;
             best = candidate;

@@ -9,6 +9,7 @@
 #include "lexer/blanks.h"
 #include "lexer/lexer.h"
 #include "lexer/names.h"
+#include "text/letter_case.h"
 
 namespace gsim::lexer {
 
@@ -189,7 +190,7 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
     if (const Aliases::Word* alias = aliases_.find(text)) {
         return word(std::string(1, alias->letter) + alias->number, value);
     }
-    const std::string name = lexer::upper(text);
+    const std::string name = text::upper(text);
     if (name == "CIP") {
         Word word;
         word.address = kIntermediatePoint;
@@ -323,7 +324,7 @@ bool Lexer::begins_block(std::string_view text) const {
     const auto* end = std::find_if_not(text.begin(), text.end(), [](char c) { return is_name_character(c); });
     const std::string_view name(text.data(), static_cast<std::size_t>(end - text.begin()));
     if (aliases_.find(name) != nullptr) return true;
-    const std::string letters = lexer::upper(name.substr(0, name.find_first_of("0123456789")));
+    const std::string letters = text::upper(name.substr(0, name.find_first_of("0123456789")));
     if (letters == "CIP") return true;
     if (letters == "DPRNT" || letters == "POPEN" || letters == "PCLOS") return true;
     const bool keyword = letters == "AR" || find_keyword(letters) != nullptr;

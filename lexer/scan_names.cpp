@@ -9,6 +9,7 @@
 #include "lexer/blanks.h"
 #include "lexer/lexer.h"
 #include "lexer/names.h"
+#include "text/letter_case.h"
 
 namespace gsim::lexer {
 
@@ -78,7 +79,7 @@ std::size_t length_with_blanks(std::string_view text, std::size_t characters) {
 }  // namespace
 
 Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& value) {
-    const std::string name = lexer::upper(remove_blanks(text));
+    const std::string name = text::upper(remove_blanks(text));
     const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
     const bool may_be_joined = is_ngc() && brackets_ > 0;
     const auto* place =
@@ -108,7 +109,7 @@ Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& va
 
 /// What stands where a name of an expression, or a keyword behind an O-word, is expected.
 Token Lexer::wrong_name(std::string_view text) {
-    const std::string name = lexer::upper(text);
+    const std::string name = text::upper(text);
     if (!is_ngc() && brackets_ == 0 && name.size() == 1) {
         fail(token_column_,
              fmt::format("the word {} stands in the same block as an assignment; give it a block of its own",

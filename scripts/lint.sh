@@ -6,7 +6,7 @@
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
-readonly rooms='lexer|grammar|codegen|runtime|geometry|drawing|solid|cutting|lua_lib|apps|bench'
+readonly rooms='text|lexer|grammar|codegen|runtime|geometry|drawing|solid|cutting|lua_lib|apps|bench'
 
 format() {
     local file code=0

@@ -61,16 +61,6 @@ TEST(Aliases, ErrorsSayWhatIsWrong) {
     EXPECT_EQ(aliases.find("jet"), nullptr);
 }
 
-TEST(EditDistance, CountsSingleCharacterChanges) {
-    EXPECT_EQ(edit_distance("", ""), 0U);
-    EXPECT_EQ(edit_distance("", "abc"), 3U);
-    EXPECT_EQ(edit_distance("abc", ""), 3U);
-    EXPECT_EQ(edit_distance("goto", "goto"), 0U);
-    EXPECT_EQ(edit_distance("goto", "gato"), 1U);
-    EXPECT_EQ(edit_distance("goto", "gto"), 1U);
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
-}
-
 TEST(NearestName, TakesTheBestWithinTwoChanges) {
     const std::vector<std::string> names = {"WHILE", "GOTO", "THEN"};
     EXPECT_EQ(nearest_name("GOTU", names), "GOTO");
