@@ -1,7 +1,8 @@
-// autopath: from a drawing to the path that a jet cuts it out by.
+// autopath: from a drawing or a solid to the path that a jet cuts it out by.
 
 #include "cutting/autopath.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -17,6 +18,8 @@
 #include "runtime/waterjet/cutting_plan.h"
 #include "runtime/waterjet/job_report.h"
 #include "runtime/waterjet/materials_file.h"
+#include "solid/mesh.h"
+#include "solid/plate.h"
 
 namespace {
 
@@ -30,6 +33,7 @@ struct Arguments {
     drawing::ReadOptions read;
     cutting::AutopathOptions path;
     std::string units;
+    bool flip = false;
     bool report = false;
 };
 
@@ -41,7 +45,7 @@ int usage_error(const std::string& message) {
 
 void add_material_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--material", arguments.cut.material, "material, as the materials file names it");
-    app.add_option("--thickness", arguments.cut.thickness_mm, "of the material, in mm");
+    app.add_option("--thickness", arguments.cut.thickness_mm, "of the material, in mm (that of the solid)");
     app.add_option("--quality", arguments.cut.quality, "of the edge, 1 (just through) to 5 (finest)");
     app.add_option("--materials", arguments.materials, "materials file (TOML) instead of the built-in one");
     app.add_option("--speed", arguments.cut.speed_mm_min,
@@ -77,13 +81,17 @@ void add_path_options(CLI::App& app, Arguments& arguments) {
                    "height of the nozzle's tip over the material, in mm")
         ->check(CLI::Range(0.0, 1000.0))
         ->capture_default_str();
-    app.add_option("--bevel", program.bevel_deg, "lean of the jet in deg; above 0 the part is smaller below")
+    app.add_option(
+           "--bevel", program.bevel_deg,
+           "lean of the jet in deg, but for edges that have a bevel of their own; above 0 the part is "
+           "smaller below")
         ->check(CLI::Range(-60.0, 60.0))
         ->capture_default_str();
 }
 
 void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("drawing", arguments.input, "drawing: .dxf or .svg")->required();
+    app.add_option("drawing", arguments.input, "drawing: .dxf, .svg; flat part: .step, .stp, .iges, .igs")
+        ->required();
     app.add_option("-o,--output", arguments.output,
                    "write the path to this file; it appears only if all went well");
     add_material_options(app, arguments);
@@ -92,7 +100,34 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::IsMember({"mm", "inch"}));
     app.add_option("--layer", arguments.read.layers,
                    "only what is on this layer; may be given more than once (DXF)");
+    app.add_flag("--flip", arguments.flip,
+                 "the largest face of the solid is the lower side of the plate (STEP, IGES)");
     app.set_version_flag("--version", "autopath " GSIM_VERSION);
+}
+
+tl::expected<solid::Plate, std::string> read_input(const Arguments& arguments) {
+    if (solid::is_solid_file(arguments.input)) {
+        if (!arguments.units.empty() || !arguments.read.layers.empty())
+            return tl::unexpected(
+                std::string("--unit and --layer are for drawings; a STEP or IGES file says its unit"));
+        return solid::read_plate(arguments.input, {arguments.read.tolerance_mm, arguments.flip});
+    }
+    if (arguments.flip) return tl::unexpected(std::string("--flip is for STEP and IGES files"));
+    drawing::ReadOptions read = arguments.read;
+    if (!arguments.units.empty()) read.unit_mm = arguments.units == "inch" ? 25.4 : 1;
+    auto drawing = drawing::read_drawing(arguments.input, read);
+    if (!drawing) return tl::unexpected(drawing.error());
+    return solid::Plate{*std::move(drawing), 0};
+}
+
+// The thickness is the solid's where none is given.
+void take_thickness(solid::Plate& plate, waterjet::CuttingRequest& cut) {
+    if (plate.thickness_mm <= 0) return;
+    if (cut.thickness_mm == 0) cut.thickness_mm = plate.thickness_mm;
+    constexpr double kSame = 0.01;
+    if (std::abs(cut.thickness_mm - plate.thickness_mm) <= kSame * plate.thickness_mm) return;
+    plate.drawing.notes.push_back(fmt::format("the solid is {:.6g} mm thick; --thickness says {:.6g} mm",
+                                              plate.thickness_mm, cut.thickness_mm));
 }
 
 tl::expected<waterjet::Materials, std::string> materials_of(const Arguments& arguments) {
@@ -148,26 +183,26 @@ int run(const Arguments& arguments) {
     waterjet::CuttingPlan plan;
     tl::expected<cutting::CutRules, std::string> rules;
     const bool has_material = !arguments.cut.material.empty();
+    auto plate = read_input(arguments);
+    if (!plate) return usage_error(plate.error());
+    waterjet::CuttingRequest cut = arguments.cut;
+    take_thickness(*plate, cut);
     if (has_material) {
         auto loaded = materials_of(arguments);
         if (!loaded) return usage_error(loaded.error());
         materials = std::move(*loaded);
-        auto planned = waterjet::plan_cutting(materials, arguments.cut);
+        auto planned = waterjet::plan_cutting(materials, cut);
         if (!planned) return usage_error(planned.error());
         plan = std::move(*planned);
         rules = rules_of(plan);
     } else {
-        rules = given_rules(arguments.cut);
+        rules = given_rules(cut);
     }
     if (!rules) return usage_error(rules.error());
     if (arguments.report && !has_material) return usage_error("--report needs --material and --thickness");
-    drawing::ReadOptions read = arguments.read;
-    if (!arguments.units.empty()) read.unit_mm = arguments.units == "inch" ? 25.4 : 1;
-    auto drawing = drawing::read_drawing(arguments.input, read);
-    if (!drawing) return usage_error(drawing.error());
     cutting::AutopathOptions options = arguments.path;
     options.program.name = std::filesystem::path(arguments.input).stem().string();
-    const auto made = cutting::autopath(std::move(*drawing), *rules, options);
+    const auto made = cutting::autopath(std::move(plate->drawing), *rules, options);
     if (!made) {
         usage_error(fmt::format("{}: {}", arguments.input, made.error()));
         return apps::kProgramFault;
@@ -187,7 +222,8 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return apps::run_main<Arguments>(argc, argv, kProgram,
-                                     "Makes the path of a cutting jet from a drawing (DXF or SVG).",
-                                     add_options, run);
+    return apps::run_main<Arguments>(
+        argc, argv, kProgram,
+        "Makes the path of a cutting jet from a drawing (DXF, SVG) or a flat part (STEP, IGES).", add_options,
+        run);
 }

@@ -47,13 +47,16 @@ CutSummary summary_of(const Layout& layout, const std::vector<Cut>& cuts, const 
 
 tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const CutRules& rules,
                                              const AutopathOptions& options) {
+    std::vector<double> bevels_deg;
+    bevels_deg.reserve(drawing.entities.size());
+    for (const drawing::Entity& entity : drawing.entities) bevels_deg.push_back(entity.bevel_deg);
     tl::expected<Layout, std::string> layout = lay_out(std::move(drawing), {rules.kerf_mm, options.gap_mm});
     if (!layout) return tl::unexpected(std::move(layout.error()));
     const double lead_mm = options.lead_mm > 0 ? options.lead_mm : kLeadKerfs * rules.kerf_mm;
     const std::vector<Cut> cuts = add_leads(*layout, rules.kerf_mm, lead_mm);
     const std::vector<std::size_t> order = cutting_order(*layout, cuts, options.start_mm);
-    Autopath result{cut_program(cuts, order, rules, options.program), summary_of(*layout, cuts, rules),
-                    std::move(layout->notes)};
+    Autopath result{cut_program(cuts, order, rules, bevels_deg, options.program),
+                    summary_of(*layout, cuts, rules), std::move(layout->notes)};
     result.summary.travel_mm = travel_of(cuts, order, options.start_mm);
     if (result.summary.without_leads > 0) {
         result.notes.push_back(

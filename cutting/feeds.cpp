@@ -19,8 +19,8 @@ double corner_feed(const Edge& before, const Edge& after, const CutRules& rules)
 }
 
 // An edge between two corners, in up to three parts.
-void add_edge(const Edge& edge, double first_feed, double last_feed, const CutRules& rules,
-              std::vector<FedEdge>& result) {
+void add_edge(const Edge& edge, std::uint32_t source, double first_feed, double last_feed,
+              const CutRules& rules, std::vector<FedEdge>& result) {
     const double own = feed_on_mm_min(edge, rules);
     const double zone = std::min(1.0, rules.corner_zone_mm / length_mm(edge));
     double first_end = first_feed < kWorthIt * own ? zone : 0;
@@ -31,9 +31,9 @@ void add_edge(const Edge& edge, double first_feed, double last_feed, const CutRu
     if (first_end < least) first_end = 0;
     if (1 - last_begin < least) last_begin = 1;
     if (last_begin - first_end < least && first_end > 0) first_end = last_begin;
-    if (first_end > 0) result.push_back({part_of(edge, 0, first_end), std::min(first_feed, own)});
-    if (first_end < last_begin) result.push_back({part_of(edge, first_end, last_begin), own});
-    if (last_begin < 1) result.push_back({part_of(edge, last_begin, 1), std::min(last_feed, own)});
+    if (first_end > 0) result.push_back({part_of(edge, 0, first_end), std::min(first_feed, own), source});
+    if (first_end < last_begin) result.push_back({part_of(edge, first_end, last_begin), own, source});
+    if (last_begin < 1) result.push_back({part_of(edge, last_begin, 1), std::min(last_feed, own), source});
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::vector<FedEdge> with_feeds(const geometry::Contour& loop, const CutRules& r
     double first = corner_feed(loop.edge(count - 1), loop.edge(0), rules);
     for (std::size_t i = 0; i < count; ++i) {
         const double last = corner_feed(loop.edge(i), loop.edge(loop.next(i)), rules);
-        add_edge(loop.edge(i), first, last, rules, result);
+        add_edge(loop.edge(i), loop.vertices[i].source, first, last, rules, result);
         first = last;
     }
     return result;

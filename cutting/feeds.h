@@ -11,6 +11,7 @@ namespace gsim::cutting {
 struct FedEdge {
     geometry::Edge edge;
     double feed_mm_min = 0;
+    std::uint32_t source = 0;  ///< geometry::Vertex::source
 };
 
 /// The edges of a closed loop in order, each with its feed: slower on arcs, and before and behind corners,

@@ -5,8 +5,10 @@
 namespace gsim::drawing {
 
 std::string shown(const Entity& entity) {
-    if (entity.name.empty()) return fmt::format("{} at line {}", entity.kind, entity.line);
-    return fmt::format("{} {} at line {}", entity.kind, entity.name, entity.line);
+    std::string text = entity.kind;
+    if (!entity.name.empty()) text += fmt::format(" {}", entity.name);
+    if (entity.line > 0) text += fmt::format(" at line {}", entity.line);
+    return text;
 }
 
 }  // namespace gsim::drawing

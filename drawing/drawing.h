@@ -10,12 +10,14 @@ namespace gsim::drawing {
 
 /// What a piece of contour comes from, for messages.
 struct Entity {
-    std::string kind;  ///< "LINE", "path"
-    std::string name;  ///< A DXF handle or an SVG id; may be empty.
-    std::size_t line = 0;
+    std::string kind;      ///< "LINE", "path"
+    std::string name;      ///< A DXF handle or an SVG id; may be empty.
+    std::size_t line = 0;  ///< 0 where the file's lines mean nothing to its readers.
+    /// How far the side of the part below it leans, in deg; above 0 the part is smaller below.
+    double bevel_deg = 0;
 };
 
-/// "LINE 2F at line 120"
+/// "LINE 2F at line 120", or without the line.
 std::string shown(const Entity& entity);
 
 /// The contours of a drawing, in mm, y upwards.

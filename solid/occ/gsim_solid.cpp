@@ -1,6 +1,7 @@
 // gsim-solid: reads a STEP or IGES file for the other programs and answers with a packet.
 //
 //     gsim-solid mesh FILE TOLERANCE-MM
+//     gsim-solid plate FILE TOLERANCE-MM flip|as-it-lies
 //
 // A packet begins with whether all went well; if not, a sentence follows.
 
@@ -16,8 +17,10 @@
 #include <unistd.h>
 
 #include "solid/mesh_packet.h"
+#include "solid/occ/plate_reader.h"
 #include "solid/occ/shape_file.h"
 #include "solid/occ/tessellation.h"
+#include "solid/plate_packet.h"
 
 namespace {
 
@@ -50,7 +53,7 @@ int silence() {
     return output;
 }
 
-Answer mesh_of(const std::string& file, double tolerance_mm) {
+Answer mesh_answer(const std::string& file, double tolerance_mm) {
     const auto shapes = ShapeFile::read(file);
     if (!shapes) return tl::unexpected(shapes.error());
     const auto mesh = tessellate(shapes->shape(), tolerance_mm);
@@ -61,9 +64,23 @@ Answer mesh_of(const std::string& file, double tolerance_mm) {
     return packet;
 }
 
+Answer plate_answer(const std::string& file, const PlateOptions& options) {
+    const auto shapes = ShapeFile::read(file);
+    if (!shapes) return tl::unexpected(shapes.error());
+    const auto plate = plate_of(*shapes, options);
+    if (!plate) return tl::unexpected(plate.error());
+    PacketWriter packet;
+    packet.put(true);
+    put_plate(packet, *plate);
+    return packet;
+}
+
 Answer answer(std::span<char* const> arguments) {
     const std::string_view question = arguments[1];
-    if (question == "mesh") return mesh_of(arguments[2], std::strtod(arguments[3], nullptr));
+    const double tolerance_mm = std::strtod(arguments[3], nullptr);
+    if (question == "mesh") return mesh_answer(arguments[2], tolerance_mm);
+    if (question == "plate" && arguments.size() > 4)
+        return plate_answer(arguments[2], {tolerance_mm, arguments[4] == std::string_view("flip")});
     return tl::unexpected(std::string("gsim-solid is of another version than the program that runs it"));
 }
 

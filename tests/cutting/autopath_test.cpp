@@ -122,10 +122,80 @@ TEST(Autopath, ABevelLeansOverTheWaste) {
         const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
         EXPECT_NEAR(axis[2], std::cos(std::numbers::pi / 6), 1e-9);
         EXPECT_NEAR(std::hypot(axis[0], axis[1]), 0.5, 1e-9);
-        // Behind the upper edge of the rectangle the waste is above.
-        if (std::abs(point.position_mm[1] - 30.4) < 1e-6 && std::abs(axis[0]) < 1e-6) highest = axis[1];
+        // Behind the upper edge of the rectangle the waste is above. The tip is 3 mm over the material.
+        const double way = 30 + 0.4 / std::cos(std::numbers::pi / 6) + 3 * std::tan(std::numbers::pi / 6);
+        if (std::abs(point.position_mm[1] - way) < 1e-6 && std::abs(axis[0]) < 1e-6) highest = axis[1];
     }
     EXPECT_NEAR(highest, 0.5, 1e-9);
+}
+
+// The side of the part that a jet leaves, above a depth: half of the kerf from the jet's middle.
+Point cut_at(const path::Point& point, double depth_mm) {
+    const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
+    const double down = (point.position_mm[2] + depth_mm) / axis[2];
+    const Point middle{point.position_mm[0] - down * axis[0], point.position_mm[1] - down * axis[1]};
+    const Point to_waste = geometry::unit({axis[0], axis[1]});
+    const double lean_rad = std::atan2(std::hypot(axis[0], axis[1]), axis[2]);
+    return middle - 0.4 / std::cos(lean_rad) * to_waste;
+}
+
+// A box with a bevel of its own on each side, and a conical hole.
+TEST(Autopath, EdgesHaveBevelsOfTheirOwn) {
+    constexpr double kDepth = 10;
+    drawing::Drawing drawing;
+    const Contour rectangle = geometry::rectangle({0, 0}, {60, 40});
+    const std::vector<double> bevels{5, 20, 12, 33};
+    for (std::size_t i = 0; i < 4; ++i) {
+        Contour side;
+        append_edge(side, rectangle.edge(i), static_cast<std::uint32_t>(i));
+        drawing.pieces.push_back(side);
+        drawing.entities.push_back({"side", std::to_string(i), 0, bevels[i]});
+    }
+    drawing.pieces.push_back(geometry::circle({30, 20}, 8));
+    for (geometry::Vertex& vertex : drawing.pieces.back().vertices) vertex.source = 4;
+    drawing.entities.push_back({"hole", "", 0, 25});
+    const auto made = autopath(drawing, rules(), {});
+    ASSERT_TRUE(made) << made.error();
+    EXPECT_FALSE(path::validate(made->program));
+    const double round = 8 + kDepth * std::tan(25 * std::numbers::pi / 180);
+    const auto at = [&](std::size_t side) {
+        return kDepth * std::tan(bevels[side] * std::numbers::pi / 180);
+    };
+    std::size_t straight = 0;
+    std::size_t curved = 0;
+    for (const path::Path& path : made->program.paths) {
+        for (const path::Target& target : path.targets) {
+            const auto* point = std::get_if<path::Point>(&target);
+            if (point == nullptr || !point->orientation || !point->feed_mm_min) continue;
+            const Point upper = cut_at(*point, 0);
+            const Point lower = cut_at(*point, kDepth);
+            if (std::abs(distance(upper, {30, 20}) - 8) < 1e-6) {
+                EXPECT_NEAR(distance(lower, {30, 20}), round, 1e-6);
+                ++curved;
+            }
+            // The part's corners on the upper side have those of the lower side below them.
+            const bool on_x_side = upper.x > 1 && upper.x < 59;
+            if (on_x_side && std::abs(upper.y) < 1e-6) {
+                EXPECT_NEAR(lower.y, at(0), 1e-6);
+                ++straight;
+            }
+            if (on_x_side && std::abs(upper.y - 40) < 1e-6) {
+                EXPECT_NEAR(lower.y, 40 - at(2), 1e-6);
+                ++straight;
+            }
+        }
+    }
+    EXPECT_GE(straight, 1U);
+    EXPECT_GE(curved, 2U);
+}
+
+// Where the tip would stand still over the middle of a hole the tool turns there.
+TEST(Autopath, ATipOverTheMiddleOfAHoleTurnsTheTool) {
+    AutopathOptions options;
+    options.program.bevel_deg = 45;
+    options.program.heights.cut_mm = 10 - 0.4 / std::cos(std::numbers::pi / 4);
+    const Autopath result = path_of({geometry::circle({50, 50}, 10)}, options);
+    EXPECT_FALSE(path::validate(result.program));
 }
 
 TEST(Autopath, LiesWhereTheWorkDoesWithTheToolUpright) {

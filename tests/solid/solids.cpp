@@ -1,12 +1,21 @@
 #include "tests/solid/solids.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepGProp.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <GProp_GProps.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -15,10 +24,17 @@
 #include <Message_Printer.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <fstream>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Trsf.hxx>
 #include <sstream>
 
@@ -66,10 +82,64 @@ TopoDS_Shape sphere(const Place& middle, double radius) {
     return BRepPrimAPI_MakeSphere(at(middle), radius).Shape();
 }
 
+TopoDS_Shape loft(const std::vector<Place>& lower, const std::vector<Place>& upper) {
+    BRepOffsetAPI_ThruSections sections(true, true);
+    for (const std::vector<Place>& corners : {lower, upper}) {
+        BRepBuilderAPI_MakePolygon polygon;
+        for (const Place& corner : corners) polygon.Add(at(corner));
+        polygon.Close();
+        sections.AddWire(polygon.Wire());
+    }
+    return sections.Shape();
+}
+
+TopoDS_Shape frustum(const Place& foot, double lower_x, double lower_y, double upper_x, double upper_y,
+                     double height) {
+    const auto rectangle = [&](double x, double y, double z) {
+        return std::vector<Place>{{foot[0] - x / 2, foot[1] - y / 2, z},
+                                  {foot[0] + x / 2, foot[1] - y / 2, z},
+                                  {foot[0] + x / 2, foot[1] + y / 2, z},
+                                  {foot[0] - x / 2, foot[1] + y / 2, z}};
+    };
+    return loft(rectangle(lower_x, lower_y, foot[2]), rectangle(upper_x, upper_y, foot[2] + height));
+}
+
+TopoDS_Shape elliptic_cylinder(const Place& foot, double x_radius, double y_radius, double height) {
+    const bool along_x = x_radius >= y_radius;
+    const gp_Ax2 axes(at(foot), gp_Dir(0, 0, 1), along_x ? gp_Dir(1, 0, 0) : gp_Dir(0, 1, 0));
+    const gp_Elips ellipse(axes, std::max(x_radius, y_radius), std::min(x_radius, y_radius));
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(ellipse).Edge());
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, height)).Shape();
+}
+
 TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<TopoDS_Shape>& tools) {
     TopoDS_Shape rest = body;
     for (const TopoDS_Shape& tool : tools) rest = BRepAlgoAPI_Cut(rest, tool).Shape();
     return rest;
+}
+
+TopoDS_Shape largest_face(const TopoDS_Shape& shape) {
+    TopoDS_Shape largest;
+    double most = 0;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(faces.Current(), properties);
+        if (properties.Mass() <= most) continue;
+        most = properties.Mass();
+        largest = faces.Current();
+    }
+    return largest;
+}
+
+TopoDS_Shape edges_of(const TopoDS_Shape& shape) {
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+    std::vector<TopoDS_Shape> list(edges.cbegin(), edges.cend());
+    return together(list);
+}
+
+TopoDS_Shape as_splines(const TopoDS_Shape& shape) {
+    return BRepBuilderAPI_NurbsConvert(shape).Shape();
 }
 
 TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
