@@ -6,6 +6,9 @@
 #include <Interface_InterfaceModel.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_Binder.hxx>
+#include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <fstream>
@@ -67,14 +70,24 @@ tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
         return Fault(good.error());
     if (reader.NbShapes() < 1) return Fault("there is no body, surface or curve in it");
     file.shape_ = reader.OneShape();
+    file.list_entities();
     return file;
 }
 
+// OpenCASCADE would look through all of them for each shape.
+void ShapeFile::list_entities() {
+    const Handle(Transfer_TransientProcess) transfer = reader_->WS()->TransferReader()->TransientProcess();
+    for (int i = 1; i <= transfer->NbMapped(); ++i) {
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(transfer->MapItem(i));
+        const int number = reader_->Model()->Number(transfer->Mapped(i));
+        if (!shape.IsNull() && number > 0) entities_.Bind(shape, number);
+    }
+}
+
 std::string ShapeFile::label(const TopoDS_Shape& shape) const {
-    const Handle(Standard_Transient) entity =
-        reader_->WS()->TransferReader()->EntityFromShapeResult(shape, -1);
-    if (entity.IsNull()) return {};
-    return reader_->Model()->StringLabel(entity)->ToCString();
+    const int* number = entities_.Seek(shape);
+    if (number == nullptr) return {};
+    return reader_->Model()->StringLabel(reader_->Model()->Value(*number))->ToCString();
 }
 
 }  // namespace gsim::solid

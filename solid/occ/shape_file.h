@@ -1,5 +1,6 @@
 #pragma once
 
+#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XSControl_Reader.hxx>
 #include <memory>
@@ -21,9 +22,11 @@ class ShapeFile {
 
   private:
     ShapeFile() = default;
+    void list_entities();
 
     std::unique_ptr<XSControl_Reader> reader_;
     TopoDS_Shape shape_;
+    TopTools_DataMapOfShapeInteger entities_;  // numbers in the model
 };
 
 }  // namespace gsim::solid
