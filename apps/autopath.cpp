@@ -123,7 +123,10 @@ tl::expected<solid::Plate, std::string> read_input(const Arguments& arguments) {
 // The thickness is the solid's where none is given.
 void take_thickness(solid::Plate& plate, waterjet::CuttingRequest& cut) {
     if (plate.thickness_mm <= 0) return;
-    if (cut.thickness_mm == 0) cut.thickness_mm = plate.thickness_mm;
+    if (cut.thickness_mm == 0) {
+        cut.thickness_mm = plate.thickness_mm;
+        cut.thickness_basis = "the solid";
+    }
     constexpr double kSame = 0.01;
     if (std::abs(cut.thickness_mm - plate.thickness_mm) <= kSame * plate.thickness_mm) return;
     plate.drawing.notes.push_back(fmt::format("the solid is {:.6g} mm thick; --thickness says {:.6g} mm",

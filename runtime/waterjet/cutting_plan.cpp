@@ -147,7 +147,10 @@ tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
     Settlement settlement;
     plan.material = (*material)->name;
     plan.lag = materials.lag;
-    plan.thickness_mm = settlement.given("thickness", "mm", request.thickness_mm);
+    plan.thickness_mm =
+        request.thickness_basis.empty()
+            ? settlement.given("thickness", "mm", request.thickness_mm)
+            : settlement.inferred("thickness", "mm", {request.thickness_mm, request.thickness_basis});
     plan.machinability = settle_machinability(settlement, materials, **material);
     plan.quality =
         settlement.settle("quality", {}, request.quality, materials.jet.quality, [] { return Inferred{}; });

@@ -16,6 +16,7 @@ namespace gsim::waterjet {
 struct CuttingRequest {
     std::string material;
     double thickness_mm = 0;
+    std::string thickness_basis;    ///< From what it was inferred; empty where it was given.
     std::optional<double> quality;  ///< 1 (just through) .. 5 (finest edge)
     std::optional<double> pressure_mpa;
     std::optional<double> orifice_mm;
