@@ -71,7 +71,8 @@ tl::expected<void, std::string> OutlinePen::check(const Contour& piece) const {
         return Fault(fmt::format("the outlines have more than {} lines and arcs", drawing::kMaxEdges));
     for (const geometry::Vertex& vertex : piece.vertices) {
         const Point& at = vertex.position;
-        if (std::max(std::abs(at.x), std::abs(at.y)) <= drawing::kMaxCoordinate_mm) continue;
+        const auto is_near = [](double value) { return std::abs(value) <= drawing::kMaxCoordinate_mm; };
+        if (is_near(at.x) && is_near(at.y)) continue;  // false for NaN
         return Fault(fmt::format("{} has the point ({}, {}) mm; nothing can be cut further off than {} mm",
                                  shown(drawing_.entities.back()), at.x, at.y, drawing::kMaxCoordinate_mm));
     }

@@ -32,7 +32,8 @@ std::string text_of(const std::string& name) {
 }
 
 // What OpenCASCADE found wrong with an entity; it goes on without it, so that a part of the body is missing.
-tl::expected<void, std::string> check(Interface_CheckIterator list, const Interface_InterfaceModel& model) {
+tl::expected<void, std::string> check(const Interface_CheckIterator& list,
+                                      const Interface_InterfaceModel& model) {
     for (list.Start(); list.More(); list.Next()) {
         const Handle(Interface_Check)& found = list.Value();
         if (!found->HasFailed()) continue;

@@ -6,6 +6,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -69,6 +71,10 @@ tl::expected<Mesh, std::string> tessellate(const TopoDS_Shape& shape, double tol
         if (auto added = builder.add(TopoDS::Face(faces.Current())); !added) return Fault(added.error());
     }
     Mesh mesh = std::move(builder).mesh();
+    for (const auto& vertex : mesh.vertices_mm) {
+        if (!std::all_of(vertex.begin(), vertex.end(), [](double x) { return std::isfinite(x); }))
+            return Fault("it has places that are infinitely far");
+    }
     if (mesh.triangles.empty()) return Fault("there is no surface in it");
     return mesh;
 }
