@@ -33,7 +33,7 @@ struct Arguments {
     drawing::ReadOptions read;
     cutting::AutopathOptions path;
     std::string units;
-    bool flip = false;
+    solid::PlateOptions plate;
     bool report = false;
 };
 
@@ -100,8 +100,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
         ->check(CLI::IsMember({"mm", "inch"}));
     app.add_option("--layer", arguments.read.layers,
                    "only what is on this layer; may be given more than once (DXF)");
-    app.add_flag("--flip", arguments.flip,
-                 "the largest face of the solid is the lower side of the plate (STEP, IGES)");
+    app.add_option("--up", arguments.plate.along,
+                   "x, y, z, -x, -y, -z: where the upper side looks (that of the largest face; STEP, IGES)")
+        ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
+    app.add_flag("--flip", arguments.plate.flip, "turn the plate over (STEP, IGES)");
     app.set_version_flag("--version", "autopath " GSIM_VERSION);
 }
 
@@ -110,9 +112,12 @@ tl::expected<solid::Plate, std::string> read_input(const Arguments& arguments) {
         if (!arguments.units.empty() || !arguments.read.layers.empty())
             return tl::unexpected(
                 std::string("--unit and --layer are for drawings; a STEP or IGES file says its unit"));
-        return solid::read_plate(arguments.input, {arguments.read.tolerance_mm, arguments.flip});
+        solid::PlateOptions options = arguments.plate;
+        options.tolerance_mm = arguments.read.tolerance_mm;
+        return solid::read_plate(arguments.input, options);
     }
-    if (arguments.flip) return tl::unexpected(std::string("--flip is for STEP and IGES files"));
+    if (arguments.plate.flip || !arguments.plate.along.empty())
+        return tl::unexpected(std::string("--up and --flip are for STEP and IGES files"));
     drawing::ReadOptions read = arguments.read;
     if (!arguments.units.empty()) read.unit_mm = arguments.units == "inch" ? 25.4 : 1;
     auto drawing = drawing::read_drawing(arguments.input, read);

@@ -9,7 +9,8 @@ namespace gsim::solid {
 
 tl::expected<Plate, std::string> read_plate(const std::filesystem::path& file, const PlateOptions& options) {
     const auto answer = ask_reader(
-        "plate", file, {fmt::format("{}", options.tolerance_mm), options.flip ? "flip" : "as-it-lies"});
+        "plate", file,
+        {fmt::format("{}", options.tolerance_mm), options.flip ? "flip" : "as-it-lies", options.along});
     if (!answer) return tl::unexpected(answer.error());
     PacketReader packet(*answer);
     Plate plate = take_plate(packet);

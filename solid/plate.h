@@ -12,6 +12,9 @@ namespace gsim::solid {
 struct PlateOptions {
     double tolerance_mm = 0.005;  ///< How far arcs may be off the curves they stand for.
     bool flip = false;            ///< The other side of the plate is the upper one.
+    /// "x", "-x", "y" and so on: bodies lie in the plane of the largest face that looks along this axis of
+    /// the file; empty: of the largest one.
+    std::string along;
 };
 
 /// A flat part, or several of one thickness in one plane.

@@ -1,7 +1,7 @@
 // gsim-solid: reads a STEP or IGES file for the other programs and answers with a packet.
 //
 //     gsim-solid mesh FILE TOLERANCE-MM
-//     gsim-solid plate FILE TOLERANCE-MM flip|as-it-lies
+//     gsim-solid plate FILE TOLERANCE-MM flip|as-it-lies AXIS
 //
 // A packet begins with whether all went well; if not, a sentence follows.
 
@@ -79,8 +79,9 @@ Answer answer(std::span<char* const> arguments) {
     const std::string_view question = arguments[1];
     const double tolerance_mm = std::strtod(arguments[3], nullptr);
     if (question == "mesh") return mesh_answer(arguments[2], tolerance_mm);
-    if (question == "plate" && arguments.size() > 4)
-        return plate_answer(arguments[2], {tolerance_mm, arguments[4] == std::string_view("flip")});
+    if (question == "plate" && arguments.size() > 5)
+        return plate_answer(arguments[2],
+                            {tolerance_mm, arguments[4] == std::string_view("flip"), arguments[5]});
     return tl::unexpected(std::string("gsim-solid is of another version than the program that runs it"));
 }
 

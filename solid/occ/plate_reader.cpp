@@ -19,7 +19,7 @@ void note_rest(std::size_t count, const char* what, Plate& plate) {
 
 tl::expected<Plate, std::string> plate_of_solids(const Bodies& bodies, const ShapeFile& file,
                                                  const PlateOptions& options) {
-    const auto frame = find_plate(bodies.solids, options.flip);
+    const auto frame = find_plate(bodies.solids, options);
     if (!frame) return Fault(frame.error());
     Plate plate;
     SolidOutline outline(file, *frame, options.tolerance_mm, plate);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,6 +60,16 @@ bool is_better(const PlaneFace& a, const PlaneFace& b) {
     return looks_up_more(a.normal, b.normal);
 }
 
+// "-x" and the like; empty: whatever the normal.
+bool looks_along(const gp_Dir& normal, std::string_view axis) {
+    constexpr double kAlong = 0.999;
+    if (axis.empty()) return true;
+    const double sense = axis.front() == '-' ? -1 : 1;
+    const char letter = axis.back();
+    const double along = letter == 'x' ? normal.X() : letter == 'y' ? normal.Y() : normal.Z();
+    return sense * along > kAlong;
+}
+
 // The place on the other side, which is the farthest that a body reaches.
 gp_Pnt lowest_point(std::span<const TopoDS_Solid> solids, const PlateFrame& frame) {
     gp_Pnt lowest;
@@ -76,22 +87,25 @@ gp_Pnt lowest_point(std::span<const TopoDS_Solid> solids, const PlateFrame& fram
 
 }  // namespace
 
-tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids, bool flip) {
+tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids,
+                                                 const PlateOptions& options) {
     std::optional<PlaneFace> best;
     for (const TopoDS_Solid& solid : solids) {
         for (const TopoDS_Face& face : faces_of(solid)) {
             const auto plane = plane_of(face);
-            if (!plane) continue;
+            if (!plane || !looks_along(plane->Axis().Direction(), options.along)) continue;
             const PlaneFace candidate{area_mm2(face), place_of(face), plane->Axis().Direction()};
             if (!best || is_better(candidate, *best)) best = candidate;
         }
     }
     if (!best) {
-        return Fault(fmt::format("the body at {} has no plane face; only flat plates are cut",
-                                 shown(place_of(faces_of(solids.front()).front()))));
+        return Fault(
+            fmt::format("the body at {} has no plane face{}; only flat plates are cut",
+                        shown(place_of(faces_of(solids.front()).front())),
+                        options.along.empty() ? "" : fmt::format(" that looks along {}", options.along)));
     }
     const PlateFrame frame(best->place, best->normal);
-    if (!flip) return frame;
+    if (!options.flip) return frame;
     return PlateFrame(lowest_point(solids, frame), best->normal.Reversed());
 }
 

@@ -17,9 +17,10 @@
 
 namespace gsim::solid {
 
-/// The upper side of plates: the plane of the largest plane face among them, or the other way up. Of several
-/// of one size it is the one that looks along Z, then Y, then X the most. The error is a sentence.
-tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids, bool flip);
+/// The upper side of plates: the plane of the largest plane face among them, as the options have it. Of
+/// several of one size it is the one that looks along Z, then Y, then X the most. The error is a sentence.
+tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids,
+                                                 const PlateOptions& options);
 
 /// Adds the outlines of bodies to a plate; all lie in one plane and have one thickness.
 class SolidOutline {

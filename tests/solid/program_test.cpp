@@ -32,6 +32,8 @@ TEST_F(SolidProgram, APartGivesItsThickness) {
     EXPECT_TRUE(holds(ended.err, "inferred from the solid")) << ended.err;
     EXPECT_TRUE(holds(read("ring.path.json"), "waterjet_on"));
     const Ended other = autopath({file, "--material", "aluminum", "--thickness", "10", "-o", "b.path.json"});
+    const Ended upright = autopath({file, "--material", "aluminum", "--up", "-x", "-o", "c.path.json"});
+    EXPECT_TRUE(holds(upright.err, "no plane face that looks along -x")) << upright.err;
     EXPECT_TRUE(holds(other.err, "the solid is 8 mm thick; --thickness says 10 mm")) << other.err;
 }
 
@@ -52,7 +54,8 @@ TEST_F(SolidProgram, WhatCannotBeCutLeavesNoFile) {
     EXPECT_TRUE(holds(slit, "line of plane face #")) << slit;
     EXPECT_TRUE(
         holds(refused({step("ring.step", ring()), "--unit", "inch"}), "--unit and --layer are for drawings"));
-    EXPECT_TRUE(holds(refused({write("a.svg", "<svg/>"), "--flip"}), "--flip is for STEP and IGES files"));
+    EXPECT_TRUE(
+        holds(refused({write("a.svg", "<svg/>"), "--flip"}), "--up and --flip are for STEP and IGES files"));
     EXPECT_TRUE(holds(refused({write("a.step", "ISO-10303-21;\n")}), "a.step: the file is cut off"));
 }
 
