@@ -1,7 +1,5 @@
 #include "drawing/drawing_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -11,6 +9,7 @@
 
 #include "drawing/dxf_reader.h"
 #include "drawing/svg_reader.h"
+#include "text/letter_case.h"
 
 namespace gsim::drawing {
 
@@ -42,17 +41,11 @@ tl::expected<std::string, std::string> read_bytes(const std::filesystem::path& p
     return text;
 }
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 }  // namespace
 
 tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path,
                                                 const ReadOptions& options) {
-    const std::string ending = lower(path.extension().string());
+    const std::string ending = text::lower(path.extension().string());
     if (ending != ".dxf" && ending != ".svg") {
         return tl::unexpected(fmt::format("'{}' is neither a .dxf nor an .svg file", path.string()));
     }

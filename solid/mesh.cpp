@@ -1,19 +1,15 @@
 #include "solid/mesh.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include <fmt/format.h>
 
 #include "solid/mesh_packet.h"
 #include "solid/reader_process.h"
+#include "text/letter_case.h"
 
 namespace gsim::solid {
 
 bool is_solid_file(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = text::lower(file.extension().string());
     return ending == ".step" || ending == ".stp" || ending == ".iges" || ending == ".igs";
 }
 

@@ -1,13 +1,12 @@
 #include "runtime/cell/mesh_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include "runtime/cell/mesh_text.h"
 #include "solid/mesh.h"
+#include "text/letter_case.h"
 
 namespace gsim::cell {
 
@@ -16,11 +15,7 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = 512ULL << 20U;
 
 bool is_obj(std::string_view file_name) {
-    if (file_name.size() < 4) return false;
-    std::string ending(file_name.substr(file_name.size() - 4));
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".obj";
+    return text::lower(file_name).ends_with(".obj");
 }
 
 tl::expected<TriangleSoup, std::string> read_soup(std::string_view bytes, std::string_view file_name) {
