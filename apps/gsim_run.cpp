@@ -80,16 +80,18 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_flag("--quiet", a.quiet, "no report for people, no progress");
     app.add_flag("--explain", a.outputs.explain,
                  "the report tells where the time goes, and the least time that the path allows");
-    app.add_option("--report", a.outputs.report, "write the report as JSON to this file");
-    app.add_option("--moves", a.outputs.moves, "write each move as a line of JSON to this file");
-    app.add_option("--trajectory", a.outputs.trajectory, "write samples of the trajectory to this CSV file");
+    app.add_option("--report", a.outputs.report, "write the report as JSON to this file; -: standard output");
+    app.add_option("--moves", a.outputs.moves,
+                   "write each move as a line of JSON to this file; -: standard output");
+    app.add_option("--trajectory", a.outputs.trajectory,
+                   "write samples of the trajectory to this CSV file; -: standard output");
     app.add_option("--step", a.outputs.step_s, "seconds between samples")
         ->check(CLI::Range(simulation::TrajectoryWriter::kMinStep_s, 1e6))
         ->capture_default_str();
     app.add_option("--plot", a.outputs.plot,
                    "draw path, speed and acceleration into this .svg or .png file (needs gnuplot)");
     app.add_option("--record", a.outputs.record,
-                   "write what was run as a path to this file, for path2gcode; - for standard output");
+                   "write what was run as a path to this file, for path2gcode; -: standard output");
     app.add_flag("--block-delete", a.block_delete, "leave out blocks that begin with /");
     app.add_flag("--optional-stop", a.optional_stop, "M01 stops");
     app.add_option("--max-time", a.limits.max_time_s, "end the run after this many seconds of machine time")
@@ -235,8 +237,8 @@ void print_report(const Arguments& arguments, const simulation::Report& report) 
     if (arguments.json) {
         std::printf("%s\n", simulation::to_json(report).c_str());
     } else if (!arguments.quiet) {
-        // A path on standard output stands alone there.
-        std::FILE* stream = arguments.outputs.record == apps::kStandardStream ? stderr : stdout;
+        // What goes to standard output stands alone there.
+        std::FILE* stream = arguments.outputs.on_standard_output() ? stderr : stdout;
         std::fputs(simulation::to_text(report).c_str(), stream);
     } else {
         print_faults(report);
@@ -254,6 +256,8 @@ int run_robots(const Arguments& arguments) {
         if (!value->empty()) return usage_error(fmt::format("{} does not go with --robots", option));
     }
     if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
+    if (arguments.outputs.on_standard_output())
+        return usage_error("'-' does not go with --robots: each robot has files of its own");
     simulation::Progress progress(stderr, false);
     apps::RobotsRun run;
     run.input = arguments.input;
@@ -278,6 +282,9 @@ int run_robots(const Arguments& arguments) {
 
 int run(const Arguments& given) {
     if (!given.robots.empty()) return run_robots(given);
+    if (const auto conflict = given.outputs.conflict()) return usage_error(*conflict);
+    if (given.json && given.outputs.on_standard_output())
+        return usage_error("--json and a file '-' both want standard output; give one of them a file");
     const tl::expected<Arguments, std::string> with_cell = with_files_of_cell(given);
     if (!with_cell) return usage_error(with_cell.error());
     const Arguments& arguments = *with_cell;
@@ -290,8 +297,6 @@ int run(const Arguments& given) {
     if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
     tl::expected<machine::MachineDataDocument, std::string> document = read_data(arguments, *machine);
     if (!document) return usage_error(document.error());
-    if (arguments.json && arguments.outputs.record == apps::kStandardStream)
-        return usage_error("--json and --record - both want standard output; give one of them a file");
     machine::MachineData data = document->data();
     if (!arguments.variables.empty()) {
         const auto variables = apps::read_variables(arguments.variables);

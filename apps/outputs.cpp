@@ -12,6 +12,35 @@ namespace gsim::apps {
 
 using simulation::OutputFile;
 
+namespace {
+
+bool is_standard(const std::string& name) {
+    return name == simulation::kStandardStream;
+}
+
+}  // namespace
+
+bool OutputNames::on_standard_output() const {
+    return is_standard(report) || is_standard(moves) || is_standard(trajectory) || is_standard(record);
+}
+
+std::optional<std::string> OutputNames::conflict() const {
+    if (is_standard(plot))
+        return "--plot needs the name of a file, whose ending says which kind of picture it is";
+    std::string first;
+    for (const auto& [name, option] :
+         {std::pair{&report, "--report"}, std::pair{&moves, "--moves"},
+          std::pair{&trajectory, "--trajectory"}, std::pair{&record, "--record"}}) {
+        if (!is_standard(*name)) continue;
+        if (!first.empty()) {
+            return fmt::format("{} - and {} - both want standard output; give one of them a file", first,
+                               option);
+        }
+        first = option;
+    }
+    return std::nullopt;
+}
+
 tl::expected<Outputs::TextFile*, std::string> Outputs::add_file(const std::string& name) {
     tl::expected<OutputFile, std::string> file = OutputFile::open(name);
     if (!file) return tl::unexpected(file.error());
@@ -75,18 +104,11 @@ tl::expected<void, std::string> Outputs::make_path(const std::string& program) {
 }
 
 tl::expected<void, std::string> Outputs::write_path() const {
-    const auto write_to = [this](std::FILE* stream) {
-        path::write_json(
-            *path_, [stream](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); });
-    };
-    if (names_.record == kStandardStream) {
-        write_to(stdout);
-        if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return {};
-        return tl::unexpected(std::string("standard output cannot be written"));
-    }
     tl::expected<OutputFile, std::string> file = OutputFile::open(names_.record);
     if (!file) return tl::unexpected(file.error());
-    write_to(file->stream());
+    path::write_json(*path_, [stream = file->stream()](std::string_view text) {
+        std::fwrite(text.data(), 1, text.size(), stream);
+    });
     return file->commit();
 }
 

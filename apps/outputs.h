@@ -19,18 +19,20 @@
 
 namespace gsim::apps {
 
-/// The name of standard output, where a file may be it.
-inline constexpr const char* kStandardStream = "-";
-
-/// What a run writes; an empty name: not wanted.
+/// What a run writes; an empty name: not wanted, "-": standard output.
 struct OutputNames {
     std::string report;
     std::string moves;
     std::string trajectory;
     std::string plot;
-    std::string record;    ///< A path file; - for standard output.
+    std::string record;    ///< A path file.
     bool explain = false;  ///< The report tells where the time goes.
     double step_s = 0.01;  ///< Of the trajectory's samples.
+
+    /// Whether something goes to standard output.
+    bool on_standard_output() const;
+    /// What cannot be done, as a sentence: two of them on standard output, or a picture.
+    std::optional<std::string> conflict() const;
 };
 
 /// The files that a run writes, attached to its simulator. They appear under their names with commit() only.

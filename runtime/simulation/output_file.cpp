@@ -32,6 +32,11 @@ int create_beside(const fs::path& path, fs::path& name) {
 tl::expected<OutputFile, std::string> OutputFile::open(const fs::path& path) {
     OutputFile file;
     file.shown_path_ = file.path_ = path;
+    if (path == kStandardStream) {
+        if (auto opened = file.open_standard_output(); !opened)
+            return tl::unexpected(std::move(opened.error()));
+        return file;
+    }
     std::error_code error;
     const bool direct = fs::exists(path, error) && !fs::is_regular_file(path, error);
     if (!direct) {
@@ -49,6 +54,15 @@ OutputFile::~OutputFile() {
 
 tl::expected<void, std::string> OutputFile::open_directly() {
     stream_.reset(std::fopen(path_.c_str(), "we"));
+    if (!stream_) return cannot_write(errno);
+    return {};
+}
+
+// A stream of its own, so that closing it tells of every error and leaves standard output open.
+tl::expected<void, std::string> OutputFile::open_standard_output() {
+    shown_path_ = "standard output";
+    const int descriptor = ::dup(STDOUT_FILENO);
+    if (descriptor >= 0) stream_.reset(::fdopen(descriptor, "w"));
     if (!stream_) return cannot_write(errno);
     return {};
 }

@@ -9,9 +9,13 @@
 
 namespace gsim::simulation {
 
+/// The name of standard output, where a file may be it.
+inline constexpr const char* kStandardStream = "-";
+
 /// A file that appears under its name only when it is complete: it is written under another name in the same
 /// folder, renamed by commit(), and removed without one. What is no regular file (a terminal, a pipe) is
-/// written directly. An existing file keeps its permissions, and a symbolic link stays one.
+/// written directly, and so is standard output under its name. An existing file keeps its permissions, and a
+/// symbolic link stays one.
 class OutputFile {
   public:
     /// The error is a sentence that names the file.
@@ -35,6 +39,7 @@ class OutputFile {
     OutputFile() = default;
     tl::expected<void, std::string> open_beside();
     tl::expected<void, std::string> open_directly();
+    tl::expected<void, std::string> open_standard_output();
     tl::unexpected<std::string> cannot_write(int error) const;
 
     std::filesystem::path shown_path_;  // as the caller gave it

@@ -50,6 +50,31 @@ TEST_F(Outputs, Moves) {
     EXPECT_TRUE(json::parse(moves[3])["limited_by"].is_null());
 }
 
+TEST_F(Outputs, GoToStandardOutput) {
+    for (const std::string option : {"--moves", "--trajectory", "--record"}) {
+        const Ended ended = gsim_run({part_, option, "-"});
+        ASSERT_EQ(ended.status, 0) << ended.err;
+        EXPECT_TRUE(holds(ended.err, "cycle time")) << "the report for people makes way: " << ended.err;
+        EXPECT_EQ(gsim_run({part_, "--quiet", option, "file"}).status, 0);
+        EXPECT_EQ(ended.out, read("file"));
+    }
+    const Ended report = gsim_run({part_, "--quiet", "--report", "-"});
+    EXPECT_EQ(json::parse(report.out)["status"], "completed");
+    EXPECT_FALSE(exists("-"));
+}
+
+TEST_F(Outputs, ShareNoStream) {
+    const Ended two = gsim_run({part_, "--moves", "-", "--trajectory", "-"});
+    EXPECT_EQ(two.status, 2);
+    EXPECT_TRUE(holds(two.err, "--moves - and --trajectory - both want standard output")) << two.err;
+    const Ended json = gsim_run({part_, "--json", "--moves", "-"});
+    EXPECT_EQ(json.status, 2);
+    EXPECT_TRUE(holds(json.err, "both want standard output")) << json.err;
+    const Ended plot = gsim_run({part_, "--plot", "-"});
+    EXPECT_EQ(plot.status, 2);
+    EXPECT_TRUE(holds(plot.err, "--plot needs the name of a file")) << plot.err;
+}
+
 TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {
     std::string machine = "[machine]\nname = \"blends\"\n[controller]\nmodel = \"blend\"\n";
     for (const char letter : {'X', 'Y', 'Z'}) {
