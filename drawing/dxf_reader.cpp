@@ -214,7 +214,8 @@ tl::expected<Drawing, std::string> read_dxf(std::string_view text, const ReadOpt
     try {
         return DxfReader(text, options).run();
     } catch (const DrawingFault& fault) {
-        return tl::unexpected(fmt::format("line {}: {}", fault.line, fault.sentence));
+        const auto line = std::max<std::size_t>(1, fault.line);  // an empty file ends in its first
+        return tl::unexpected(fmt::format("line {}: {}", line, fault.sentence));
     }
 }
 

@@ -138,7 +138,8 @@ TEST(Dxf, ASplineThroughItsFitPoints) {
                 HasSubstr("SPLINE 2A has 2 fit points, which have no length"));
 }
 
-TEST(Dxf, BinaryFormIsRefusedByName) {
+TEST(Dxf, EmptyAndBinaryFilesAreRefused) {
+    EXPECT_EQ(dxf_fault(""), "line 1: the file ends without EOF: it was cut off, or is no DXF file");
     EXPECT_THAT(dxf_fault(std::string("AutoCAD Binary DXF\r\n\x1a\0\0", 23)),
                 HasSubstr("save it as text (ASCII)"));
 }
