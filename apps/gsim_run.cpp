@@ -1,5 +1,6 @@
 // gsim-run: runs a script or a part program on a simulated machine and tells what it would do.
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -277,7 +278,11 @@ int run_robots(const Arguments& arguments) {
         print_report(arguments, report->whole);
     }
     if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
-    return report->whole.status == simulation::RunStatus::completed ? apps::kDone : apps::kProgramFault;
+    const bool collided =
+        std::any_of(report->robots.begin(), report->robots.end(),
+                    [](const simulation::RobotReport& robot) { return has_collisions(robot.report); });
+    const bool completed = report->whole.status == simulation::RunStatus::completed;
+    return completed && !collided ? apps::kDone : apps::kProgramFault;
 }
 
 int run(const Arguments& given) {

@@ -5,8 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/cell/cell_file.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/process/robots_file.h"
+#include "runtime/simulation/cell_watch.h"
 
 namespace gsim::apps {
 
@@ -15,6 +17,7 @@ namespace {
 /// All that one robot needs for the run; it stays where it is.
 struct Station {
     std::string name;
+    std::unique_ptr<simulation::CellWatch> cell;
     std::unique_ptr<simulation::Simulator> simulator;
     std::unique_ptr<Outputs> outputs;
     Language language;
@@ -33,7 +36,9 @@ OutputNames own_files(const OutputNames& names, const std::string& robot) {
     return own;
 }
 
-tl::expected<Station, InputError> make_station(const process::RobotEntry& entry, const RobotsRun& run) {
+tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
+                                               const std::vector<std::string>& conveyors,
+                                               const RobotsRun& run) {
     auto machine = entry.machine.empty()
                        ? machine::read_machine(machine::built_in_machine_toml(), "built-in machine")
                        : machine::load_machine(entry.machine.string());
@@ -51,7 +56,13 @@ tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
     auto language = language_of(names, station.data);
     if (!language) return usage(language.error());
     station.language = *std::move(language);
+    if (!entry.cell.empty()) {
+        auto cell = cell::load_cell(entry.cell.string(), *machine, conveyors);
+        if (!cell) return usage(cell.error());
+        station.cell = std::make_unique<simulation::CellWatch>(*std::move(cell), *machine);
+    }
     station.simulator = std::make_unique<simulation::Simulator>(*std::move(machine), run.limits);
+    if (station.cell) station.simulator->set_cell(*station.cell);
     auto outputs = Outputs::open(own_files(run.outputs, entry.name), *station.simulator);
     if (!outputs) return usage(outputs.error());
     station.outputs = std::make_unique<Outputs>(*std::move(outputs));
@@ -100,10 +111,13 @@ std::string robots_own_file(const std::string& name, const std::string& robot) {
 tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
     auto file = process::load_robots(run.robots);
     if (!file) return usage(file.error());
+    std::vector<std::string> conveyors;
+    conveyors.reserve(file->conveyors.size());
+    for (const process::Conveyor& conveyor : file->conveyors) conveyors.push_back(conveyor.name());
     std::vector<Station> stations;
     stations.reserve(file->robots.size());
     for (const process::RobotEntry& entry : file->robots) {
-        auto station = make_station(entry, run);
+        auto station = make_station(entry, conveyors, run);
         if (!station) return tl::unexpected(station.error());
         stations.push_back(*std::move(station));
     }

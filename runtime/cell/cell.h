@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "runtime/cell/carrier.h"
 #include "runtime/cell/frame_tree.h"
 #include "runtime/cell/shape.h"
 
@@ -28,8 +30,18 @@ struct Cell {
     double clearance_mm = 0;  ///< Bodies that come nearer to each other are reported.
     FrameTree frames;
     std::vector<Item> items = {};
+    /// Frames that go by themselves, in the order of their links.
+    std::vector<CarriedFrame> carried = {};
     /// Pairs of items, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
+
+    /// A frame that goes by itself from now on; it stands at first.
+    void carry(std::size_t frame, bool conveyor) {
+        const auto behind = std::find_if(carried.begin(), carried.end(),
+                                         [frame](const CarriedFrame& one) { return one.frame > frame; });
+        carried.insert(behind, {frame, conveyor, Carrier(frames.in_parent(frame))});
+        frames.carry(frame);
+    }
 };
 
 }  // namespace gsim::cell

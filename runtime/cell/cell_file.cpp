@@ -40,6 +40,15 @@ class CellReader {
           machine_items_(cell.items.size()),
           cell_(std::move(cell)) {}
 
+    void add_conveyor(const std::string& name, const toml::table& root) {
+        if (cell_.frames.find(name)) {
+            return error_.report(
+                root.source().begin,
+                fmt::format("the conveyor '{}' has the name of a frame of the machine", name));
+        }
+        cell_.carry(cell_.frames.add(name, 0, rrs::CartPos::Identity()), true);
+    }
+
     Cell read(const toml::table& root) {
         TomlSection file(error_, root, "a cell file", kFileKeys);
         file.require("cell");
@@ -166,13 +175,15 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
 }
 
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
-                                          const machine::Machine& machine) {
+                                          const machine::Machine& machine,
+                                          std::span<const std::string> conveyors) {
     FirstError error(file_name);
     const toml::table root = machine::parse_toml(error, toml_text);
     auto bare = cell_of_machine(machine);
     if (!bare) return bare;
-    const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
-    Cell cell = CellReader(error, folder, *std::move(bare)).read(root);
+    CellReader reader(error, std::filesystem::path(file_name).parent_path(), *std::move(bare));
+    for (const std::string& conveyor : conveyors) reader.add_conveyor(conveyor, root);
+    Cell cell = reader.read(root);
     if (error.text()) return tl::unexpected(*error.text());
     return cell;
 }
@@ -182,10 +193,10 @@ tl::expected<CellFiles, std::string> load_cell_files(const std::filesystem::path
         [&](const std::string& text) { return read_cell_files(text, path.string()); });
 }
 
-tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path,
-                                          const machine::Machine& machine) {
+tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path, const machine::Machine& machine,
+                                          std::span<const std::string> conveyors) {
     return machine::read_text_file(path).and_then(
-        [&](const std::string& text) { return read_cell(text, path.string(), machine); });
+        [&](const std::string& text) { return read_cell(text, path.string(), machine, conveyors); });
 }
 
 }  // namespace gsim::cell

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,12 +22,15 @@ struct CellFiles {
 tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name);
 
 /// Reads a cell file (docs/cell-file.md) for a machine, strictly: what it does not know or does not
-/// understand is an error. Reads the meshes that it names, too.
+/// understand is an error. Reads the meshes that it names, too. `conveyors` are names of frames, in the world
+/// where those stand at 0, to which things may be attached; Cell::carried begins with them.
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
-                                          const machine::Machine& machine);
+                                          const machine::Machine& machine,
+                                          std::span<const std::string> conveyors = {});
 
 /// The same of a file on disk.
 tl::expected<CellFiles, std::string> load_cell_files(const std::filesystem::path& path);
-tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path, const machine::Machine& machine);
+tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path, const machine::Machine& machine,
+                                          std::span<const std::string> conveyors = {});
 
 }  // namespace gsim::cell

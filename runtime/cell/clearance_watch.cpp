@@ -18,8 +18,16 @@ bool moves_with_links(Role role) {
 
 ClearanceWatch::ClearanceWatch(const Cell& cell, const machine::Machine& machine)
     : cell_(cell), kinematics_(machine::make_kinematics(machine)) {
-    for (std::size_t a = 0; a < cell.items.size(); ++a) {
-        for (std::size_t b = a + 1; b < cell.items.size(); ++b) add_pair(a, b);
+    make_pairs();
+}
+
+void ClearanceWatch::make_pairs() {
+    pairs_.clear();
+    parents_.clear();
+    for (const CarriedFrame& carried : cell_.carried)
+        parents_.push_back(cell_.frames.link(cell_.frames.parent(carried.frame)));
+    for (std::size_t a = 0; a < cell_.items.size(); ++a) {
+        for (std::size_t b = a + 1; b < cell_.items.size(); ++b) add_pair(a, b);
     }
 }
 
@@ -41,7 +49,7 @@ void ClearanceWatch::add_pair(std::size_t a, std::size_t b) {
     const Body of_b = body(b);
     const Role role_a = cell_.items[a].role;
     const Role role_b = cell_.items[b].role;
-    const std::vector<int> between = joints_between(*kinematics_, of_a.link, of_b.link);
+    const std::vector<int> between = joints_between(*kinematics_, of_a.link, of_b.link, parents_);
     if (between.empty() || is_ignored(a, b)) return;
     if (between.size() == 1 && moves_with_links(role_a) && moves_with_links(role_b)) return;
     const bool jet = role_a == Role::jet || role_b == Role::jet;
@@ -55,6 +63,7 @@ void ClearanceWatch::add_pair(std::size_t a, std::size_t b) {
 }
 
 void ClearanceWatch::frames_changed() {
+    if (parents_.size() != cell_.carried.size()) return make_pairs();
     for (Watched& pair : pairs_) {
         pair.bodies.first = body(pair.items.first);
         pair.bodies.second = body(pair.items.second);
@@ -64,16 +73,53 @@ void ClearanceWatch::frames_changed() {
 }
 
 void ClearanceWatch::take(const motion::Segment& segment, bool jet_on) {
-    const SegmentMotion motion(*kinematics_, segment);
-    const MotionPart whole = motion.whole();
-    for (Watched& pair : pairs_) {
-        if (pair.with_jet && !jet_on) {
-            pair.at_least_mm = 0;
-            pair.contact.reset();
-        } else {
-            watch(motion, whole, pair);
+    double from_s = 0;
+    double to_s = 0;
+    do {
+        to_s = stretch_end_s(segment, from_s);
+        const std::vector<DriftingLink> links = drifting(segment.start_s + from_s + (to_s - from_s) / 2);
+        const SegmentMotion motion(*kinematics_, segment, links);
+        const MotionPart stretch = motion.between(from_s, to_s);
+        for (Watched& pair : pairs_) {
+            if (pair.with_jet && !jet_on) {
+                pair.at_least_mm = 0;
+                pair.contact.reset();
+            } else {
+                watch(motion, stretch, pair);
+            }
         }
+        from_s = to_s;
+    } while (to_s < segment.duration_s);
+}
+
+/// Where links that go by themselves next go otherwise, or the segment ends.
+double ClearanceWatch::stretch_end_s(const motion::Segment& segment, double from_s) const {
+    double end_s = segment.duration_s;
+    for (const CarriedFrame& carried : cell_.carried) {
+        const auto change_s = carried.carrier.next_change_s(segment.start_s + from_s);
+        if (change_s && *change_s - segment.start_s > from_s)
+            end_s = std::min(end_s, *change_s - segment.start_s);
     }
+    return end_s;
+}
+
+/// What goes otherwise than before may have jumped: distances are not known then.
+std::vector<DriftingLink> ClearanceWatch::drifting(double time_s) {
+    std::vector<DriftingLink> links;
+    std::vector<double> since_s;
+    links.reserve(cell_.carried.size());
+    since_s.reserve(cell_.carried.size());
+    for (const CarriedFrame& carried : cell_.carried) {
+        const std::size_t parent = cell_.frames.parent(carried.frame);
+        links.push_back(
+            {cell_.frames.link(parent), cell_.frames.in_link(parent), carried.carrier.drift_at(time_s)});
+        since_s.push_back(links.back().drift.from_s);
+    }
+    if (since_s != drifts_since_s_) {
+        for (Watched& pair : pairs_) pair.at_least_mm = 0;
+        drifts_since_s_ = std::move(since_s);
+    }
+    return links;
 }
 
 void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {

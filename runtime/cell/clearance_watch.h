@@ -38,7 +38,8 @@ class ClearanceWatch {
     /// `cell` must outlive this; it was read for this machine.
     ClearanceWatch(const Cell& cell, const machine::Machine& machine);
 
-    /// Frames of the cell have been moved: what touches then counts as another contact.
+    /// Frames of the cell have been moved, or go by themselves from now on: what touches then counts as
+    /// another contact.
     void frames_changed();
     /// The segments that follow belong to another block.
     void begin_block() { nearest_.reset(); }
@@ -61,6 +62,9 @@ class ClearanceWatch {
     };
 
     Body body(std::size_t item) const;
+    void make_pairs();
+    double stretch_end_s(const motion::Segment& segment, double from_s) const;
+    std::vector<DriftingLink> drifting(double time_s);
     void add_pair(std::size_t a, std::size_t b);
     bool is_ignored(std::size_t a, std::size_t b) const;
     void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
@@ -70,6 +74,8 @@ class ClearanceWatch {
 
     const Cell& cell_;
     std::shared_ptr<const kinematics::Kinematics> kinematics_;
+    std::vector<int> parents_;            ///< Of links that go by themselves.
+    std::vector<double> drifts_since_s_;  ///< Of those, in the stretch before.
     std::vector<Watched> pairs_;
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;

@@ -11,13 +11,13 @@ FrameTree::FrameTree(const machine::Machine& machine) {
     const auto kinematics = machine::make_kinematics(machine);
     const kinematics::Chain& chain = kinematics->chain();
     frames_.reserve(machine.axes.size() + 4);
-    frames_.push_back({"world", 0, rrs::CartPos::Identity(), 0});
+    frames_.push_back({"world", 0, rrs::CartPos::Identity(), 0, true});
     const std::size_t base = add("base", 0, chain.tool_side().base);
     const std::size_t before_axes = frames_.size();
     for (const machine::Axis& axis : machine.axes) {
         const std::size_t frame = frames_.size();
         const int link = static_cast<int>(frame - before_axes) + 1;
-        frames_.push_back({std::string(1, axis.letter), frame, rrs::CartPos::Identity(), link});
+        frames_.push_back({std::string(1, axis.letter), frame, rrs::CartPos::Identity(), link, true});
     }
     const auto link_frame = [&](const kinematics::Branch& branch) {
         return before_axes + static_cast<std::size_t>(branch.links.back().joint);
@@ -31,6 +31,7 @@ FrameTree::FrameTree(const machine::Machine& machine) {
         add("work", link_frame(work_side), work_side.end);
     }
     machine_frames_ = frames_.size();
+    machine_links_ = static_cast<int>(machine.axes.size()) + 1;
 }
 
 std::optional<std::size_t> FrameTree::find(std::string_view name) const {
@@ -46,12 +47,17 @@ std::size_t FrameTree::add(std::string name, std::size_t parent, const rrs::Cart
 }
 
 rrs::CartPos FrameTree::in_link(std::size_t frame) const {
-    rrs::CartPos pose = frames_[frame].in_parent;
-    while (frames_[frame].parent != frame) {
-        frame = frames_[frame].parent;
-        pose = frames_[frame].in_parent * pose;
-    }
+    rrs::CartPos pose = rrs::CartPos::Identity();
+    for (; !frames_[frame].is_link; frame = frames_[frame].parent) pose = frames_[frame].in_parent * pose;
     return pose;
+}
+
+// What is attached to a frame stands behind it.
+void FrameTree::carry(std::size_t frame) {
+    frames_[frame].is_link = true;
+    int link = machine_links_;
+    for (std::size_t i = machine_frames_; i < frames_.size(); ++i)
+        frames_[i].link = frames_[i].is_link ? link++ : frames_[frames_[i].parent].link;
 }
 
 std::vector<std::string_view> FrameTree::names() const {

@@ -28,6 +28,13 @@ class FrameTree {
     /// Moves a frame that is not the machine's, and with it all that is attached to it.
     void move(std::size_t frame, const rrs::CartPos& in_parent) { frames_[frame].in_parent = in_parent; }
 
+    /// A frame that is not the machine's goes by itself from now on, and with it what is attached to it, as a
+    /// link of its own. Such links are numbered behind the machine's, in the order of their frames, so that
+    /// each stands behind the one in which it goes.
+    void carry(std::size_t frame);
+    /// What the frame is attached to.
+    std::size_t parent(std::size_t frame) const { return frames_[frame].parent; }
+
     /// The link that the frame moves with, as LinkFrames numbers them.
     int link(std::size_t frame) const { return frames_[frame].link; }
     /// Relative to that link.
@@ -41,12 +48,14 @@ class FrameTree {
   private:
     struct Frame {
         std::string name;
-        std::size_t parent;  ///< Itself: the frame is a link's.
+        std::size_t parent;
         rrs::CartPos in_parent;
         int link;
+        bool is_link = false;  ///< The frame is where its link is.
     };
 
     std::vector<Frame> frames_;
+    int machine_links_ = 0;
     std::size_t machine_frames_ = 0;
 };
 

@@ -86,10 +86,10 @@ bool JointTravel::moves() const {
     return arc_mm > 0 || std::any_of(way.begin(), way.end(), [](double length) { return length > 0; });
 }
 
-JointTravel travel_of(const Segment& segment, double from_s, double to_s) {
+JointTravel travel_of(const Segment& segment, double from_s, double to_s, bool by_time) {
     JointTravel travel;
     const Span span{from_s, to_s};
-    const bool by_time = !segment.followers().empty() || segment.beside != nullptr;
+    by_time = by_time || !segment.followers().empty() || segment.beside != nullptr;
     add(segment, span, by_time, travel);
     if (segment.beside) add(*segment.beside, span, by_time, travel);
     return travel;

@@ -21,7 +21,8 @@ struct JointTravel {
     bool moves() const;
 };
 
-/// The travel between two times, in s since the start of the segment.
-JointTravel travel_of(const motion::Segment& segment, double from_s, double to_s);
+/// The travel between two times, in s since the start of the segment. `by_time`: something else moves
+/// meanwhile, so that bends are those over time; else they are those over the way of the lead.
+JointTravel travel_of(const motion::Segment& segment, double from_s, double to_s, bool by_time = false);
 
 }  // namespace gsim::cell

@@ -33,8 +33,14 @@ std::vector<JointAxis> joint_axes(const kinematics::Kinematics& kinematics, cons
     return axes;
 }
 
-std::vector<int> joints_to(const kinematics::Kinematics& kinematics, int link) {
+std::vector<int> joints_to(const kinematics::Kinematics& kinematics, int link, std::span<const int> parents) {
     const kinematics::Chain& chain = kinematics.chain();
+    if (const int own = link - chain.joint_count() - 1; own >= 0) {
+        std::vector<int> joints = joints_to(kinematics, parents[static_cast<std::size_t>(own)], parents);
+        const int slide = chain.joint_count() + 2 * own;
+        joints.insert(joints.end(), {slide, slide + 1});
+        return joints;
+    }
     for (const kinematics::Branch* branch : {&chain.tool_side(), &chain.work_side()}) {
         std::vector<int> joints;
         joints.reserve(branch->links.size());
@@ -46,9 +52,10 @@ std::vector<int> joints_to(const kinematics::Kinematics& kinematics, int link) {
     return {};
 }
 
-std::vector<int> joints_between(const kinematics::Kinematics& kinematics, int first, int second) {
-    const std::vector<int> to_first = joints_to(kinematics, first);
-    const std::vector<int> to_second = joints_to(kinematics, second);
+std::vector<int> joints_between(const kinematics::Kinematics& kinematics, int first, int second,
+                                std::span<const int> parents) {
+    const std::vector<int> to_first = joints_to(kinematics, first, parents);
+    const std::vector<int> to_second = joints_to(kinematics, second, parents);
     const auto [own, other] =
         std::mismatch(to_first.begin(), to_first.end(), to_second.begin(), to_second.end());
     std::vector<int> joints(std::make_reverse_iterator(to_first.end()), std::make_reverse_iterator(own));

@@ -46,44 +46,73 @@ class Slides {
     double square_ = 0;
 };
 
+/// Adds up the joints from the body on.
+class BoundSum {
+  public:
+    explicit BoundSum(const Ball& body) : body_(body) {}
+
+    void slide(const Eigen::Vector3d& direction, double way_mm, double bend_mm) {
+        slides_.add(direction, way_mm);
+        slide_bends_.add(direction, bend_mm);
+    }
+    void slide_on_arc(double way_mm, double bend_mm) {
+        slides_.add_arc(way_mm);
+        slide_bends_.add_arc(bend_mm);
+    }
+    /// A slide in any direction.
+    void drift(double way_mm) {
+        end_slides();
+        bound_.way_mm += way_mm;
+    }
+    void turn(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis, double angle, double bend) {
+        end_slides();
+        const double reach = axis.cross(body_.middle_mm - point_mm).norm() + body_.radius_mm + bound_.way_mm;
+        second_order_ += angle * (2 * bound_.way_mm + angle * reach);
+        bound_.bend_mm += bend * reach;
+        bound_.way_mm += angle * reach;
+    }
+    MotionBound result() {
+        end_slides();
+        bound_.bend_mm += second_order_ / 8;
+        return bound_;
+    }
+
+  private:
+    void end_slides() {
+        bound_.way_mm += slides_.way_mm();
+        bound_.bend_mm += slide_bends_.way_mm();
+        slides_ = slide_bends_ = {};
+    }
+
+    const Ball& body_;
+    MotionBound bound_;
+    double second_order_ = 0;
+    Slides slides_;
+    Slides slide_bends_;
+};
+
 }  // namespace
 
-double ChainMotion::reach_mm(const Ball& body, int joint) const {
-    const JointAxis& axis = axes_[static_cast<std::size_t>(joint)];
-    return axis.direction.cross(body.middle_mm - axis.point_mm).norm() + body.radius_mm;
-}
-
 MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) const {
-    MotionBound bound;
-    double second_order = 0;
-    Slides slides;
-    Slides slide_bends;
-    const auto end_slides = [&] {
-        bound.way_mm += slides.way_mm();
-        bound.bend_mm += slide_bends.way_mm();
-        slides = slide_bends = {};
-    };
+    BoundSum sum(body);
     for (const int joint : between) {
         const auto index = static_cast<std::size_t>(joint);
-        if (axes_[index].kind == rrs::JointKind::prismatic) {
-            slides.add(axes_[index].direction, travel_.way[index]);
-            slide_bends.add(axes_[index].direction, travel_.bend[index]);
-            if (travel_.on_arc(joint)) {
-                slides.add_arc(travel_.arc_mm);
-                slide_bends.add_arc(travel_.arc_bend_mm);
+        if (index >= axes_.size()) {
+            const std::size_t own = index - axes_.size();
+            const DriftTravel& drift = drifted_[own / 2];
+            if (own % 2 == 0) {
+                sum.drift(drift.way_mm);
+            } else {
+                sum.turn(drift.origin_mm, drift.axis, drift.angle_rad, 0);
             }
-            continue;
+        } else if (axes_[index].kind == rrs::JointKind::prismatic) {
+            sum.slide(axes_[index].direction, travel_.way[index], travel_.bend[index]);
+            if (travel_.on_arc(joint)) sum.slide_on_arc(travel_.arc_mm, travel_.arc_bend_mm);
+        } else {
+            sum.turn(axes_[index].point_mm, axes_[index].direction, travel_.way[index], travel_.bend[index]);
         }
-        end_slides();
-        const double angle = travel_.way[index];
-        const double reach = reach_mm(body, joint) + bound.way_mm;
-        second_order += angle * (2 * bound.way_mm + angle * reach);
-        bound.bend_mm += travel_.bend[index] * reach;
-        bound.way_mm += angle * reach;
     }
-    end_slides();
-    bound.bend_mm += second_order / 8;
-    return bound;
+    return sum.result();
 }
 
 }  // namespace gsim::cell

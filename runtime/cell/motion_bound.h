@@ -22,11 +22,19 @@ struct Ball {
     double radius_mm;
 };
 
+/// How far a link goes by itself, straight and evenly: the two joints of its own (joints_to()).
+struct DriftTravel {
+    double way_mm;
+    double angle_rad;
+    Eigen::Vector3d origin_mm;  ///< Of the link where the motion begins; in the world, as
+    Eigen::Vector3d axis;       ///< the unit vector about which it turns.
+};
+
 /// The axes of a machine's joints where a motion begins, and how far the joints go.
 class ChainMotion {
   public:
-    ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel)
-        : axes_(std::move(axes)), travel_(travel) {}
+    ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel, std::vector<DriftTravel> drifted = {})
+        : axes_(std::move(axes)), travel_(travel), drifted_(std::move(drifted)) {}
 
     /// Of a body that the joints `between` move, from its own one on (joints_between()), seen from the link
     /// behind the last of them. A prismatic joint moves its points by its own way; a revolute one by its
@@ -36,10 +44,9 @@ class ChainMotion {
     MotionBound bound(const Ball& body, std::span<const int> between) const;
 
   private:
-    double reach_mm(const Ball& body, int joint) const;
-
     std::vector<JointAxis> axes_;
     JointTravel travel_;
+    std::vector<DriftTravel> drifted_;
 };
 
 }  // namespace gsim::cell

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/cell/carrier.h"
 #include "runtime/cell/link_frames.h"
 #include "runtime/cell/motion_bound.h"
 
@@ -16,16 +17,19 @@ struct MotionPart {
     double middle_s() const { return from_s + (to_s - from_s) / 2; }
 };
 
-/// The motion of a machine's links in a segment. Both must outlive this.
+/// The motion of a machine's links in a segment, and of links that go by themselves meanwhile. All must
+/// outlive this.
 class SegmentMotion {
   public:
-    SegmentMotion(const kinematics::Kinematics& kinematics, const motion::Segment& segment)
-        : kinematics_(kinematics), segment_(segment) {}
+    SegmentMotion(const kinematics::Kinematics& kinematics, const motion::Segment& segment,
+                  std::span<const DriftingLink> drifting = {})
+        : kinematics_(kinematics), segment_(segment), drifting_(drifting) {}
 
     const motion::Segment& segment() const { return segment_; }
-    LinkFrames links_at(double t_s) const { return link_frames(kinematics_, segment_.position_at(t_s)); }
-    MotionPart whole() const {
-        return part(0, links_at(0), segment_.duration_s, links_at(segment_.duration_s));
+    LinkFrames links_at(double t_s) const;
+    MotionPart whole() const { return between(0, segment_.duration_s); }
+    MotionPart between(double from_s, double to_s) const {
+        return part(from_s, links_at(from_s), to_s, links_at(to_s));
     }
     MotionPart first_half(const MotionPart& of, const LinkFrames& middle) const {
         return part(of.from_s, of.from, of.middle_s(), middle);
@@ -39,6 +43,7 @@ class SegmentMotion {
 
     const kinematics::Kinematics& kinematics_;
     const motion::Segment& segment_;
+    std::span<const DriftingLink> drifting_;
 };
 
 }  // namespace gsim::cell

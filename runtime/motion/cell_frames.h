@@ -29,11 +29,17 @@ class CellFrames {
   public:
     virtual ~CellFrames() = default;
 
-    /// A frame's value, relative to what it is attached to. RRS_UNKNOWN_FRAME.
-    virtual tl::expected<rrs::CartPos, PlanError> frame(std::string_view name) const = 0;
+    /// A frame's value at a time of the run, relative to what it is attached to. RRS_UNKNOWN_FRAME.
+    virtual tl::expected<rrs::CartPos, PlanError> frame(std::string_view name, double time_s) const = 0;
     /// Gives it another value from `time_s` of the run on, which is not before that of the last change.
-    /// RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER for a frame of the machine, and for what is no pose.
+    /// RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER for a frame of the machine or of a conveyor, and for what is
+    /// no pose.
     virtual Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) = 0;
+    /// The frame may be led from now on, and stands until then. Refused as by move_frame().
+    virtual Planned carry_frame(std::string_view name) = 0;
+    /// Leads such a frame straight and evenly to a pose, from `from_s` to `to_s`, which are not before the
+    /// end of the way before.
+    virtual void lead_frame(std::string_view name, const rrs::CartPos& pose, double from_s, double to_s) = 0;
     /// A tool frame and an object frame as targets need them. RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER where
     /// the first does not move with the tool or the second not with the work frame.
     virtual tl::expected<WorkFrames, PlanError> work_frames(std::string_view tool_frame,

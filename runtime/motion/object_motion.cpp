@@ -36,7 +36,7 @@ void ObjectMotion::stand_at(const CartPos& pose) {
     end_ = pose;
 }
 
-Planned ObjectMotion::add_target(const CartPos& pose) {
+tl::expected<double, PlanError> ObjectMotion::add_target(const CartPos& pose) {
     if (!(speed_mm_s_ > 0))
         return refused(Status::RRS_ZERO_SPEED, "The object has no speed yet; call SetObjectSpeed first.");
     if (ways_.size() == kMostTargets) {
@@ -54,7 +54,7 @@ Planned ObjectMotion::add_target(const CartPos& pose) {
     }
     ways_.push_back({end_, pose, length_mm / speed_mm_s_});
     end_ = pose;
-    return {};
+    return ways_.back().duration_s;
 }
 
 ObjectMotion::Step ObjectMotion::step(double step_s) {

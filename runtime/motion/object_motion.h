@@ -25,8 +25,9 @@ class ObjectMotion {
     void stand_at(const rrs::CartPos& pose);
     /// For the targets that follow, > 0.
     void set_speed(double speed_mm_s) { speed_mm_s_ = speed_mm_s; }
-    /// RRS_ZERO_SPEED without a speed, or where the object would turn without going anywhere; RRS_QUEUE_FULL.
-    Planned add_target(const rrs::CartPos& pose);
+    /// The time that the way takes, s. RRS_ZERO_SPEED without a speed, or where the object would turn without
+    /// going anywhere; RRS_QUEUE_FULL.
+    tl::expected<double, PlanError> add_target(const rrs::CartPos& pose);
     /// Moves on by `step_s`, or to the end of the last way where that comes before.
     Step step(double step_s);
 

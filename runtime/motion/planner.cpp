@@ -86,6 +86,7 @@ void DefaultPlanner::start_over() {
     tracked_.reset();
     conveyor_until_s_ = 0;
     object_ = ObjectMotion();
+    object_frame_.reset();
     events_.clear();
     error_ = {};
     end_s_ = 0;

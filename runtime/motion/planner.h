@@ -153,6 +153,7 @@ class DefaultPlanner final : public rrs::Shell {
     rrs::Status DefineConveyor(int conveyor, const Eigen::Vector3d& direction, double speed_mm_s) override;
     rrs::Status SelectTracking(int conveyor, bool on) override;
     rrs::Status SetConveyorPosition(int conveyor, double position_mm) override;
+    rrs::Status SelectObject(std::string_view frame_name) override;
     rrs::Status SetObjectInitialPosition(const rrs::CartPos& pose) override;
     rrs::Status SetObjectSpeed(double speed_mm_s) override;
     rrs::Status SetObjectNextTarget(rrs::TargetId id, const rrs::CartPos& pose) override;
@@ -221,6 +222,7 @@ class DefaultPlanner final : public rrs::Shell {
     };
     bool moves_tool(bool along_path) const;
     Eigen::Vector3d tip_mm() const;
+    void lead_object(const rrs::CartPos& pose, double duration_s);
     tl::expected<TipWay, PlanError> tip_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                             const std::optional<Circle>& circle) const;
     tl::expected<std::unique_ptr<ToolPath>, PlanError> tool_path(const rrs::CartPos& cartesian,
@@ -279,7 +281,9 @@ class DefaultPlanner final : public rrs::Shell {
     std::optional<Tracked> tracked_;
     double conveyor_until_s_ = 0;  ///< When the last one was left.
     ObjectMotion object_;
-    bool keeps_all_ = false;  ///< Nothing leaves the queue by itself; it grows instead.
+    std::optional<std::string> object_frame_;  ///< Of the cell; that the object is.
+    double object_free_s_ = 0;                 ///< When it is at its last target.
+    bool keeps_all_ = false;                   ///< Nothing leaves the queue by itself; it grows instead.
     double end_s_ = 0;
     double step_s_ = 0;
     rrs::TargetId step_target_ = kNoTarget;  ///< Of the last step.

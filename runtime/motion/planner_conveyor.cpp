@@ -115,6 +115,11 @@ Status DefaultPlanner::SetObjectInitialPosition(const rrs::CartPos& pose) {
     if (!initialized_) return not_initialized();
     if (auto checked = kinematics::check_pose(pose); !checked)
         return refuse(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+    if (object_frame_) {
+        const Status moved = ModifyCellFrame(*object_frame_, pose);
+        if (moved != Status::RRS_SUCCESS) return moved;
+        object_free_s_ = end_s_;
+    }
     object_.stand_at(pose);
     return Status::RRS_SUCCESS;
 }
@@ -134,7 +139,9 @@ Status DefaultPlanner::SetObjectNextTarget(rrs::TargetId, const rrs::CartPos& po
     if (!initialized_) return not_initialized();
     if (auto checked = kinematics::check_pose(pose); !checked)
         return refuse(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
-    if (Planned added = object_.add_target(pose); !added) return tell(std::move(added.error()));
+    auto duration_s = object_.add_target(pose);
+    if (!duration_s) return tell(std::move(duration_s.error()));
+    lead_object(pose, *duration_s);
     return Status::RRS_SUCCESS;
 }
 

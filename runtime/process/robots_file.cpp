@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array kFileKeys{"robot"sv,  "conveyor"sv, "cell"sv,  "frame"sv,
                                "object"sv, "shape"sv,    "ignore"sv};
-constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "dialect"sv, "base"sv};
+constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "cell"sv, "dialect"sv, "base"sv};
 constexpr std::array kConveyorKeys{"name"sv, "direction"sv, "speed_mm_s"sv};
 constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
 constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv};
@@ -69,6 +69,7 @@ class RobotsReader {
         robot.name = read_name(section);
         robot.machine = read_path(section, "machine");
         robot.machine_data = read_path(section, "machine_data");
+        robot.cell = read_path(section, "cell");
         if (section.has("dialect")) robot.dialect = kDialects[section.choice("dialect", 0, kDialects)];
         robot.base = machine::frame_pose(machine::read_frame(error_, section.table("base"), "'base'"));
         file_.robots.push_back(std::move(robot));

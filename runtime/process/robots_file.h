@@ -17,6 +17,7 @@ struct RobotEntry {
     std::string name;
     std::filesystem::path machine;                 ///< Empty: the one that is built in.
     std::filesystem::path machine_data;            ///< Empty: none.
+    std::filesystem::path cell;                    ///< That it stands in; empty: none.
     std::string dialect;                           ///< Empty: that of the run.
     rrs::CartPos base = rrs::CartPos::Identity();  ///< Of the machine's world in that of the file.
 };

@@ -1,6 +1,7 @@
 #include "runtime/process/schedule.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -52,6 +53,10 @@ std::optional<double> Schedule::due_s(const Process& process) {
     if (process.state == ProcessState::ready) return process.time_s;
     if (process.state == ProcessState::waiting) return process.wait.until_s;
     return std::nullopt;
+}
+
+double Schedule::next_act_s(ProcessId id) const {
+    return due_s(processes_[id]).value_or(std::numeric_limits<double>::infinity());
 }
 
 bool Schedule::unfinished() const {

@@ -59,6 +59,8 @@ class Schedule {
     /// The process to go on: nothing when all but background processes are done, or all of them wait for
     /// what never comes. A wait that gives up is over then, and its process's clock stands at that time.
     std::optional<ProcessId> take_next();
+    /// Before that time the process does nothing unless another one wakes it; infinite where it is done.
+    double next_act_s(ProcessId id) const;
     /// True where a process that the run waits for has not come to its end.
     bool unfinished() const;
     /// The process waits from its time on; where the signal is so already, it need not.

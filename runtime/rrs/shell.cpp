@@ -188,6 +188,10 @@ Status Shell::SetObjectInitialPosition(const CartPos&) {
     return not_supported("SetObjectInitialPosition");
 }
 
+Status Shell::SelectObject(std::string_view) {
+    return not_supported("SelectObject");
+}
+
 Status Shell::SetObjectSpeed(double) {
     return not_supported("SetObjectSpeed");
 }

@@ -39,13 +39,15 @@ class Shell {
     /// Joint values that bring the tool to `pose`, of all solutions the one nearest to `near`; joint ranges
     /// are not looked at. RRS_NO_SOLUTION where there is none.
     virtual Status GetInverseKinematics(const CartPos& pose, const JointPos& near, JointPos& joints);
-    /// Pose of the tool centre point for joint values, whether in range or not.
+    /// Pose of the tool, as targets have it, for joint values, whether in range or not.
     virtual Status GetForwardKinematics(const JointPos& joints, CartPos& pose);
     /// The frame called `frame_name` in the cell. RRS_UNKNOWN_FRAME.
     virtual Status GetCellFrame(std::string_view frame_name, CartPos& frame);
     /// Gives the frame called `frame_name` (such as the robot's tool or base) a new value. RRS_UNKNOWN_FRAME.
     virtual Status ModifyCellFrame(std::string_view frame_name, const CartPos& frame);
-    /// Selects the tool frame that moves and the object frame in which targets are given. RRS_UNKNOWN_FRAME.
+    /// Selects the tool frame that moves and the object frame in which targets are given, and poses told.
+    /// Default: the tool centre point and the work frame. RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER where the
+    /// frames do not move with those of the default.
     virtual Status SelectWorkFrames(std::string_view tool_frame, std::string_view object_frame);
 
     // --- Targets ---
@@ -188,6 +190,10 @@ class Shell {
 
     // --- Motion of an object of the cell ---
 
+    /// Extension. The object that is moved is this frame of the cell, and what is attached to it: from where
+    /// it is, on the clock of the motion. Its targets are relative to what it is attached to, and begin where
+    /// the program stands, which comes to rest. RRS_UNKNOWN_FRAME.
+    virtual Status SelectObject(std::string_view frame_name);
     /// Speed of the object for the targets that follow: mm/s, > 0. No default: RRS_ZERO_SPEED without it.
     virtual Status SetObjectSpeed(double speed_mm_s);
     /// Queues a motion of the object to a pose: in a straight line at the speed in force, from the first

@@ -1,12 +1,15 @@
 // Conveyors as processes see them: their speeds, and the robots that follow them.
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "runtime/script/processes.h"
 
 namespace gsim::script {
+
+using process::ProcessId;
 
 process::Conveyor* Processes::find_conveyor(std::string_view name) {
     const auto found =
@@ -23,7 +26,34 @@ void Processes::set_conveyor_speed(lua_State* state, process::Conveyor& conveyor
                           control->name().empty() ? "the robot" : fmt::format("'{}'", control->name())));
     }
     conveyor.set_speed(speed_mm_s, time_s());
+    tell_conveyor(conveyor, time_s());
     set_signal(conveyor.name() + ".speed", speed_mm_s);
+}
+
+bool Processes::follows_conveyors() const {
+    return std::any_of(controls_.begin(), controls_.end(),
+                       [](Control* control) { return control->simulator().has_conveyors(); });
+}
+
+/// The conveyor's motion from a time on, for the cells of robots that it goes through.
+void Processes::tell_conveyor(const process::Conveyor& conveyor, double time_s) {
+    for (Control* control : controls_) {
+        const Eigen::Vector3d direction = control->base().linear().transpose() * conveyor.direction();
+        control->simulator().set_conveyor(conveyor.name(), conveyor.position_mm(time_s) * direction,
+                                          conveyor.speed_mm_s() * direction, time_s);
+    }
+}
+
+/// A process changes conveyors at its own time alone, with its own robot at rest.
+void Processes::tell_known_time() {
+    for (Control* control : controls_) {
+        if (!control->simulator().has_conveyors()) continue;
+        double known_s = std::numeric_limits<double>::infinity();
+        for (ProcessId id = 0; id < strands_.size(); ++id) {
+            if (strands_[id]->control != control) known_s = std::min(known_s, schedule_.next_act_s(id));
+        }
+        control->simulator().know_conveyors_until(known_s);
+    }
 }
 
 void Processes::track(lua_State* state, Control& control, process::Conveyor* conveyor) {

@@ -24,6 +24,7 @@ Processes::Processes(LuaState& lua, PlaceFinder& places, std::vector<Control*> c
 }
 
 Processes::Outcome Processes::run(lua_State* state) {
+    for (const process::Conveyor& conveyor : conveyors_) tell_conveyor(conveyor, 0);
     start(state, "main", false);
     if (controls_.size() == 1) take(*strands_[0], controls_[0]);
     while (const std::optional<ProcessId> id = schedule_.take_next()) {
@@ -66,6 +67,8 @@ void Processes::start(lua_State* state, std::string name, bool background) {
     schedule_.add(std::move(name), background, start_s, places_.current(state));
     strands_.push_back(std::make_unique<Strand>());
     strands_.back()->threads.push_back(new_thread(state));
+    LuaState::watch_lines(strands_.back()->threads.front().state, follows_conveyors());
+    tell_known_time();
 }
 
 /// Lets the process run until it yields or ends; an outcome where the run is over.
@@ -74,6 +77,7 @@ std::optional<Processes::Outcome> Processes::go_on(ProcessId id) {
     Strand& strand = *strands_[id];
     for (Control* control : controls_) control->controller().set_attached(control == strand.control);
     stand_idle(strand);
+    tell_known_time();
     if (strand.yielded == Yielded::at_block && !strand.pending.empty()) start_interrupt(strand);
     const int arguments = arguments_for(strand);
     lua_State* thread = strand.threads.back().state;
@@ -278,7 +282,7 @@ void Processes::on_signal(lua_State* state, const std::string& name) {
     } else {
         strand.handlers.emplace(name, luaL_ref(state, LUA_REGISTRYINDEX));
     }
-    LuaState::watch_lines(strand.threads.front().state, !strand.handlers.empty());
+    LuaState::watch_lines(strand.threads.front().state, !strand.handlers.empty() || follows_conveyors());
 }
 
 /// A process that can be interrupted is about to run another line: what happens up to its time must be known.

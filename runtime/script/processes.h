@@ -118,6 +118,9 @@ class Processes {
     void take(Strand& strand, Control* control);
     void count_join(lua_State* state);
     Outcome deadlock();
+    bool follows_conveyors() const;
+    void tell_conveyor(const process::Conveyor& conveyor, double time_s);
+    void tell_known_time();
 
     LuaState& lua_;
     PlaceFinder& places_;

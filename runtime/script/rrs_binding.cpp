@@ -273,6 +273,10 @@ int define_conveyor(lua_State* state) {
     return answer(state, shell(state).DefineConveyor(whole(state, 1), direction, luaL_checknumber(state, 5)));
 }
 
+int select_object(lua_State* state) {
+    return answer(state, shell(state).SelectObject(text(state, 1)));
+}
+
 int set_object_initial_position(lua_State* state) {
     return answer(state, shell(state).SetObjectInitialPosition(check_pose(state, 1)));
 }
@@ -355,6 +359,7 @@ const std::array kEntries = {
     Entry{"SelectTracking", trampoline<select_tracking>},
     Entry{"SetConveyorPosition", trampoline<set_conveyor_position>},
     Entry{"DefineConveyor", trampoline<define_conveyor>},
+    Entry{"SelectObject", trampoline<select_object>},
     Entry{"SetObjectInitialPosition", trampoline<set_object_initial_position>},
     Entry{"SetObjectSpeed", trampoline<with_number<&S::SetObjectSpeed>>},
     Entry{"SetObjectNextTarget", trampoline<set_object_next_target>},

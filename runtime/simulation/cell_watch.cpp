@@ -40,23 +40,88 @@ tl::expected<std::size_t, PlanError> CellWatch::find(std::string_view name) cons
                                                : fmt::format("there are: {}.", fmt::join(names, ", "))));
 }
 
-tl::expected<rrs::CartPos, PlanError> CellWatch::frame(std::string_view name) const {
-    return find(name).map([this](std::size_t found) { return set_frames_.in_parent(found); });
-}
-
-Planned CellWatch::move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) {
+/// Of a frame that a program may move.
+tl::expected<std::size_t, PlanError> CellWatch::find_movable(std::string_view name) const {
     const auto found = find(name);
-    if (!found) return tl::unexpected(found.error());
+    if (!found) return found;
     if (set_frames_.is_of_machine(*found)) {
         return motion::refused(
             Status::RRS_INVALID_PARAMETER,
             fmt::format("The frame '{}' is the machine's, whose file says where it is.", name));
     }
+    if (const auto moving = carrier_of(*found); moving && cell_.carried[*moving].conveyor) {
+        return motion::refused(Status::RRS_INVALID_PARAMETER,
+                               fmt::format("The frame '{}' goes with its conveyor.", name));
+    }
+    return found;
+}
+
+/// Which of the cell's carried frames this is.
+std::optional<std::size_t> CellWatch::carrier_of(std::size_t frame) const {
+    const auto found = std::find_if(cell_.carried.begin(), cell_.carried.end(),
+                                    [frame](const cell::CarriedFrame& one) { return one.frame == frame; });
+    if (found == cell_.carried.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - cell_.carried.begin());
+}
+
+tl::expected<rrs::CartPos, PlanError> CellWatch::frame(std::string_view name, double time_s) const {
+    return find(name).map([&](std::size_t found) {
+        const auto moving = carrier_of(found);
+        return moving ? cell_.carried[*moving].carrier.at(time_s) : set_frames_.in_parent(found);
+    });
+}
+
+Planned CellWatch::move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) {
+    const auto found = find_movable(name);
+    if (!found) return tl::unexpected(found.error());
     if (auto checked = kinematics::check_pose(pose); !checked)
         return motion::refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+    if (const auto moving = carrier_of(*found)) {
+        cell_.carried[*moving].carrier.add({.from_s = time_s, .pose = pose});
+        return {};
+    }
     set_frames_.move(*found, pose);
     frame_moves_.push_back({time_s, *found, pose});
     return {};
+}
+
+/// Moves of the frame that segments have not reached yet become jumps.
+Planned CellWatch::carry_frame(std::string_view name) {
+    const auto found = find_movable(name);
+    if (!found) return tl::unexpected(found.error());
+    if (carrier_of(*found)) return {};
+    cell_.carry(*found, false);
+    set_frames_.carry(*found);
+    for (const FrameMove& move : frame_moves_) {
+        if (move.frame == *found)
+            cell_.carried[*carrier_of(*found)].carrier.add({.from_s = move.time_s, .pose = move.pose});
+    }
+    watch_.frames_changed();
+    return {};
+}
+
+void CellWatch::lead_frame(std::string_view name, const rrs::CartPos& pose, double from_s, double to_s) {
+    cell::Carrier& carrier = cell_.carried[*carrier_of(*set_frames_.find(name))].carrier;
+    carrier.add(cell::drift_between(carrier.at(from_s), pose, from_s, to_s));
+    carrier.add({.from_s = to_s, .pose = pose});
+}
+
+bool CellWatch::has_conveyors() const {
+    return std::any_of(cell_.carried.begin(), cell_.carried.end(),
+                       [](const cell::CarriedFrame& carried) { return carried.conveyor; });
+}
+
+void CellWatch::set_conveyor(std::string_view name, const cell::Drift& drift) {
+    const auto found = set_frames_.find(name);
+    if (!found) return;
+    if (const auto moving = carrier_of(*found); moving && cell_.carried[*moving].conveyor)
+        cell_.carried[*moving].carrier.add(drift);
+}
+
+void CellWatch::know_until(double time_s) {
+    known_until_s_ = time_s;
+    for (; !waiting_.empty() && waiting_.front().segment.end_s() <= time_s; waiting_.pop_front())
+        look_at(waiting_.front().segment, waiting_.front().info);
 }
 
 /// Targets lead the tool centre point in the work frame, so that a frame that moves against one of them by
@@ -91,10 +156,19 @@ void CellWatch::move_frames(double until_s) {
 }
 
 void CellWatch::take(const motion::Segment& segment, const MoveInfo& info) {
+    if (waiting_.empty() && segment.end_s() <= known_until_s_) {
+        look_at(segment, info);
+    } else {
+        waiting_.push_back({segment, info});
+    }
+}
+
+void CellWatch::look_at(const motion::Segment& segment, const MoveInfo& info) {
     const bool goes_on = block_ && block_->file == info.place.file && block_->line == info.place.line;
     if (!goes_on) end_block();
     block_ = info.place;
     move_frames(segment.start_s);
+    for (cell::CarriedFrame& moving : cell_.carried) moving.carrier.forget_before(segment.start_s);
     watch_.take(segment, info.jet_on);
     places_.resize(watch_.contacts().size(), info.place);
 }
@@ -114,6 +188,7 @@ void CellWatch::end_block() {
 }
 
 void CellWatch::end(double /*end_s*/) {
+    know_until(std::numeric_limits<double>::infinity());
     end_block();
     const std::vector<cell::Contact>& contacts = watch_.contacts();
     const std::size_t listed = std::min(contacts.size(), kMaxListed);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -21,10 +22,20 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     CellWatch& operator=(const CellWatch&) = delete;
 
     const cell::Cell& cell() const { return cell_; }
-    tl::expected<rrs::CartPos, motion::PlanError> frame(std::string_view name) const override;
+    tl::expected<rrs::CartPos, motion::PlanError> frame(std::string_view name, double time_s) const override;
     motion::Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) override;
+    motion::Planned carry_frame(std::string_view name) override;
+    void lead_frame(std::string_view name, const rrs::CartPos& pose, double from_s, double to_s) override;
     tl::expected<motion::WorkFrames, motion::PlanError> work_frames(
         std::string_view tool_frame, std::string_view object_frame) const override;
+
+    /// Whether there are conveyors, whose motion must be known before a segment can be looked at.
+    bool has_conveyors() const;
+    /// A conveyor runs so from drift.from_s on, no matter where it was. Nothing where the cell does not know
+    /// it.
+    void set_conveyor(std::string_view name, const cell::Drift& drift);
+    /// The motion of conveyors is known up to that time (at first, for ever): segments that end later wait.
+    void know_until(double time_s);
 
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
@@ -34,7 +45,15 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     CellFindings release() { return std::move(findings_); }
 
   private:
+    struct Waiting {
+        motion::Segment segment;
+        MoveInfo info;
+    };
+
     tl::expected<std::size_t, motion::PlanError> find(std::string_view name) const;
+    tl::expected<std::size_t, motion::PlanError> find_movable(std::string_view name) const;
+    std::optional<std::size_t> carrier_of(std::size_t frame) const;
+    void look_at(const motion::Segment& segment, const MoveInfo& info);
     void move_frames(double until_s);
     void end_block();
 
@@ -47,6 +66,8 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
         rrs::CartPos pose;
     };
     std::deque<FrameMove> frame_moves_;  ///< Not reached yet, in the order of time.
+    double known_until_s_ = std::numeric_limits<double>::infinity();
+    std::deque<Waiting> waiting_;
     cell::ClearanceWatch watch_;
     CellFindings findings_;
     std::optional<Place> block_;

@@ -166,6 +166,13 @@ class Simulator {
     /// A target that such a client queues: `queue` gets its id and calls the service.
     rrs::Status queue_target(MoveKind kind, const Place& place,
                              const std::function<rrs::Status(rrs::TargetId)>& queue);
+    /// Whether the cell has conveyors, whose motion it has to be told.
+    bool has_conveyors() const { return cell_ != nullptr && cell_->has_conveyors(); }
+    /// A conveyor of the cell, by its frame's name, runs so from a time on; in the machine's world.
+    void set_conveyor(std::string_view name, const Eigen::Vector3d& at_mm,
+                      const Eigen::Vector3d& velocity_mm_s, double time_s);
+    /// Of those, what is told so far holds up to that time: what moves later is looked at later.
+    void know_conveyors_until(double time_s) { cell_->know_until(time_s); }
 
     /// Finishes all motion and returns the report.
     Report finish(std::string program);

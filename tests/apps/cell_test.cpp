@@ -98,6 +98,27 @@ F(6000) MoveLinear{x=-60, y=100, z=35}
     EXPECT_NEAR(r["bounds"]["Y"]["max"].get<double>(), 200 + 100, 1e-9);
 }
 
+TEST_F(Cell, AnObjectThatAScriptLeadsIsLookedAtOnItsWay) {
+    const std::string script = write("part.lua", R"(local _ENV = require "gsim"
+F(6000) G1{x=150, y=200}
+assert(rrs.SelectObject("tool") < 0 and rrs.SelectObject("psot") < 0)
+assert(rrs.SelectObject("post") == 0)
+assert(rrs.SetObjectSpeed(10) == 0)
+local _, pose = rrs.GetCellFrame("post")
+pose[1][4] = 100
+assert(rrs.SetObjectNextTarget(pose) == 0)
+assert(rrs.SelectWorkFrames("tip", "post") < 0)
+wait(2)
+_, pose = rrs.GetCellFrame("post")
+assert(math.abs(pose[1][4] - 180) < 1e-9, "on its way")
+wait(8)
+)");
+    const json r = report(script, 1);
+    ASSERT_EQ(r["collisions"].size(), 1U);
+    EXPECT_NEAR(r["collisions"][0]["t_s"].get<double>(),
+                r["cycle_time_s"].get<double>() - 10 + (190 - 155) / 10.0, 1e-6);
+}
+
 TEST_F(Cell, TheSampleRunsWithItsMachine) {
     const std::string part = write("part.nc", "G0 X200 Y200 Z50\nG0 X1500 Y400\nG1 Z100 F3000\nG0 Z50\n");
     const std::string cell = fmt::format("{}/samples/cell/table.toml", GSIM_SOURCE);

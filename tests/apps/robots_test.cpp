@@ -75,6 +75,41 @@ TEST_F(Robots, AConveyorIsFollowed) {
     EXPECT_GT(report["robots"][1]["bounds"]["Y"]["max"], 150);
 }
 
+// A plate on the belt comes 500 mm towards the left robot, at 50 mm/s and from 2 s on at 25, while that one has
+// long planned its move.
+TEST_F(Robots, WhatRidesOnAConveyorHitsARobotAtItsTime) {
+    write("cell.toml", R"([cell]
+name = "belt"
+[[object]]
+name = "plate"
+attached_to = "belt"
+shape = { box_mm = [4000.0, 0.1, 400.0] }
+frame = { y_mm = -500.0 }
+[[shape]]
+name = "tip"
+on = "tool"
+shape = { sphere_mm = 10.0 }
+)");
+    write("belt.toml",
+          "[[robot]]\nname = \"left\"\ncell = \"cell.toml\"\n[[robot]]\nname = \"right\"\n"
+          "base = { x_mm = 3000.0, roll_deg = 90.0 }\ncell = \"cell.toml\"\n"
+          "[[conveyor]]\nname = \"belt\"\ndirection = { y = 1.0 }\nspeed_mm_s = 50.0\n");
+    const std::string script = write("cell.lua",
+                                     "local _ENV = require 'gsim'\n"
+                                     "process('l', function() local _ENV = robot 'left' F(600)\n"
+                                     "  G1{x=300}\n"
+                                     "  G1{x=310}\n"
+                                     "end)\n"
+                                     "device('slow', function() wait(2) conveyor('belt').speed(25) end)\n");
+    const Ended e = gsim_run({"--robots", "belt.toml", script, "--json"});
+    EXPECT_EQ(e.status, 1) << e.err;
+    const json robots = json::parse(e.out)["robots"];
+    ASSERT_EQ(robots[0]["collisions"].size(), 1U);
+    EXPECT_NEAR(robots[0]["collisions"][0]["t_s"].get<double>(), 2 + (500 - 5.05 - 100) / 25, 1e-6);
+    EXPECT_EQ(robots[0]["collisions"][0]["line"], 3);
+    EXPECT_TRUE(robots[1]["collisions"].empty());  // in whose world the belt runs along -X
+}
+
 TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
     const json report =
         run("process('l', function() local _ENV = robot 'left' wait(1)\nG0{x=9999} end)\n"

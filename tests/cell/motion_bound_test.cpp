@@ -104,6 +104,37 @@ TEST(MotionBound, HoldsForRandomChainsAndMotions) {
     }
 }
 
+// Links that drift in the world, on a link of the machine and on each other.
+TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
+    std::mt19937 random(17);
+    for (int i = 0; i < 60; ++i) {
+        const auto chain = random_chain(random, 3 + i % 4);
+        const Segment segment = random_segment(random);
+        const std::array<int, 3> parents{0, 1 + i % 6, 7};
+        std::vector<DriftingLink> drifting;
+        for (const int parent : parents) {
+            drifting.push_back({parent, random_pose(random, 100),
+                                drift_between(random_pose(random, 100), random_pose(random, 100), 0,
+                                              segment.duration_s * between(random, 1, 5))});
+        }
+        const SegmentMotion motion(chain, segment, drifting);
+        const int link = static_cast<int>(random() % 10);
+        const int from = static_cast<int>(random() % 10);
+        const Vector3d middle = random_vector(random, 50);
+        const std::vector<Vector3d> points{middle, middle + 20 * random_vector(random, 1).normalized()};
+        MotionPart part = motion.whole();
+        for (int halving = 0; halving < 3; ++halving) {
+            const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
+            const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from, parents));
+            const MotionBound found = measured(motion, part, points, link, from);
+            EXPECT_LE(found.way_mm, bound.way_mm + 1e-9);
+            EXPECT_LE(found.bend_mm, bound.bend_mm + 1e-9);
+            const LinkFrames half = motion.links_at(part.middle_s());
+            part = random() % 2 == 0 ? motion.first_half(part, half) : motion.second_half(part, half);
+        }
+    }
+}
+
 // The tool on a great circle while its tip goes on, in proportion to the way or to the time.
 TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
     std::mt19937 random(13);

@@ -10,6 +10,7 @@ name = "left"
 [[robot]]
 name = "right"
 machine = "m.toml"
+cell = "c.toml"
 dialect = "rs274ngc"
 base = { x_mm = 1000.0, roll_deg = 90.0 }
 [[conveyor]]
@@ -25,6 +26,8 @@ TEST(RobotsFile, IsReadInItsOrder) {
     EXPECT_EQ(file->robots[0].name, "left");
     EXPECT_TRUE(file->robots[0].machine.empty());
     EXPECT_EQ(file->robots[1].machine, "cells/m.toml");
+    EXPECT_TRUE(file->robots[0].cell.empty());
+    EXPECT_EQ(file->robots[1].cell, "cells/c.toml");
     EXPECT_EQ(file->robots[1].dialect, "rs274ngc");
     EXPECT_NEAR((file->robots[1].base * Eigen::Vector3d::UnitX() - Eigen::Vector3d(1000, 1, 0)).norm(), 0,
                 1e-12);
