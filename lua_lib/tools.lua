@@ -134,6 +134,7 @@ local function tip_control(offset)
   offset_in_force({})
   path.flush()
   core.set_tip_control(offset)
+  core.set_tool_offset(offset.x, offset.y, offset.z)   -- zones are where they are with G43
 end
 
 -- What means places of the axes themselves.

@@ -39,6 +39,25 @@ TEST(TipControl, AtRotaryZeroItMeansTheSameAsG43) {
     }
 }
 
+TEST(TipControl, ZonesAreWhereTheyAreWithG43) {
+    const std::string part = "G0 X10 Y20 Z90\nG22 X100 Y100 Z70 I-100 J-100 K0\nG1 Z60 F600\nM30\n";
+    for (const std::string machine : {"mill-table-table", "mill-head-table"}) {
+        const Outcome with = run("G43.4 H2\n" + part, on(machine));
+        const Outcome without = run("G43 H2\n" + part, on(machine));
+        expect_alarm(with, 4, {"enters the zone", "Z70.0000"});
+        EXPECT_EQ(with.message(), without.message());
+        EXPECT_NEAR(with.report.cycle_time_s, without.report.cycle_time_s, 1e-9);
+    }
+    // With the head turned the box is still one of the axes.
+    const Outcome turned =
+        run("G43.4 H2\nG0 X10 Y20 Z130 B30\nG22 X900 Y900 Z70 I-900 J-900 K0\nG1 Z80 F600\nM30\n",
+            on("mill-head-table"));
+    expect_alarm(turned, 4, {"enters the zone", "axis Z"});
+    ASSERT_FALSE(turned.segments.empty());
+    const double z = turned.to(turned.moves.size() - 1, 'Z');
+    EXPECT_NEAR(z, 70 + 25, 1e-6);
+}
+
 TEST(TipControl, RotaryAxesLeaveTheTipWhereItIs) {
     const Outcome r =
         run("G0 X10 Y20 Z90\nG43.4 H2\nG0 A-30 C40\nG1 A-50 C-60 F1000\nM30\n", on("mill-table-table"));
