@@ -27,7 +27,8 @@ local function digital(name, on, with_move)
     check_table(words, name)
     refuse_with_compensation(name)
     local number = number_of(words and words.p, name, "P")
-    path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""), with_move)
+    path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""),
+               with_move and "with_motion" or "at_rest")
     set_output("DO", number, on)
   end)
 end
@@ -42,7 +43,8 @@ local function analog(name, with_move)
     refuse_with_compensation(name)
     local number = number_of(words and words.e, name, "E")
     if words.q == nil then alarm("%s needs Q, the value of the output", name) end
-    path.event("analog_output", ("E%d %.10g%s"):format(number, words.q, with_move and WITH_MOVE or ""), with_move)
+    path.event("analog_output", ("E%d %.10g%s"):format(number, words.q, with_move and WITH_MOVE or ""),
+               with_move and "with_motion" or "at_rest")
     set_output("AO", number, words.q)
   end)
 end

@@ -141,14 +141,14 @@ for _, kind in ipairs { "message", "print", "debug", "log", "log_open", "log_app
   in_passing[kind] = true
 end
 
--- `passing`: the machine does not stop for it, whatever the kind.
-function path.event(kind, detail, passing)
-  passing = passing or in_passing[kind]
+-- `when` is "at_rest", "in_passing" (as the next move or dwell begins) or "with_motion" (as the next move begins).
+function path.event(kind, detail, when)
+  when = when or in_passing[kind] and "in_passing" or "at_rest"
   if head == machine then
-    core.event(kind, detail, nil, passing)
+    core.event(kind, detail, nil, when)
   else
     local place = core.place()
-    head:act(function() core.event(kind, detail, place, passing) end)
+    head:act(function() core.event(kind, detail, place, when) end)
   end
 end
 

@@ -161,11 +161,13 @@ int dwell(lua_State* state) {
     return 0;
 }
 
-/// core.event(kind, detail, place, in_passing)
+/// core.event(kind, detail, place, "at_rest" | "in_passing" | "with_motion")
 int event(lua_State* state) {
+    static constexpr std::array<const char*, 4> kWhen{"at_rest", "in_passing", "with_motion", nullptr};
     Controller& controller = self(state);
-    controller.simulator().event(luaL_checkstring(state, 1), luaL_optstring(state, 2, ""),
-                                 check_place(state, 3), lua_toboolean(state, 4) != 0);
+    controller.simulator().event(
+        luaL_checkstring(state, 1), luaL_optstring(state, 2, ""), check_place(state, 3),
+        static_cast<simulation::Simulator::When>(luaL_checkoption(state, 4, "at_rest", kWhen.data())));
     return 0;
 }
 

@@ -17,8 +17,8 @@ class EventLog final : public RunOutput {
     /// Something that happens at a known time.
     void add(double t_s, Event event);
     /// Something that happens when the move with this target id, or one behind it, begins; else at the end of
-    /// the run.
-    void add_before(rrs::TargetId id, Event event);
+    /// the run. `with_motion`: dwells are no such move, and without one it never happens.
+    void add_before(rrs::TargetId id, Event event, bool with_motion = false);
 
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
@@ -34,9 +34,11 @@ class EventLog final : public RunOutput {
     struct Waiting {
         rrs::TargetId id;
         std::size_t index;  ///< In events_.
+        bool with_motion;
     };
 
     bool has_room();
+    void erase_later(double end_s);
 
     std::vector<Event> events_;
     std::deque<Waiting> waiting_;  ///< In the order of their ids.

@@ -111,9 +111,14 @@ class Simulator {
     /// SelectTracking, as a client calls it that defines its conveyors itself: targets of the program are in
     /// the frame of the conveyor, or no longer.
     rrs::Status select_tracking(int conveyor, bool on);
-    /// Something that happens after all that came before: at rest, or, `in_passing`, when the next move
-    /// begins.
-    void event(std::string kind, std::string detail, const Place& place, bool in_passing = false);
+    /// When an event happens that stands between moves.
+    enum class When : std::uint8_t {
+        at_rest,      ///< The machine stops for it.
+        in_passing,   ///< As the next move or dwell begins, else at the end.
+        with_motion,  ///< As the next move begins that is no dwell, else never.
+    };
+    /// Something that happens after all that came before.
+    void event(std::string kind, std::string detail, const Place& place, When when = When::at_rest);
     void set_jet(bool on);
     bool jet() const { return jet_; }
     /// A warning for the report; the same text is given once.
@@ -161,11 +166,6 @@ class Simulator {
     /// Moves a frame of the cell at the present place of the program: the machine comes to rest first.
     /// Without a cell what the controller answers.
     rrs::Status modify_cell_frame(std::string_view name, const rrs::CartPos& frame);
-    /// Sets the position at time 0 by a service; refused later, as the machine cannot jump.
-    rrs::Status set_start(const std::function<rrs::Status()>& set);
-    /// A target that such a client queues: `queue` gets its id and calls the service.
-    rrs::Status queue_target(MoveKind kind, const Place& place,
-                             const std::function<rrs::Status(rrs::TargetId)>& queue);
     /// Whether the cell has conveyors, whose motion it has to be told.
     bool has_conveyors() const { return cell_ != nullptr && cell_->has_conveyors(); }
     /// A conveyor of the cell, by its frame's name, runs so from a time on; in the machine's world.
@@ -173,6 +173,11 @@ class Simulator {
                       const Eigen::Vector3d& velocity_mm_s, double time_s);
     /// Of those, what is told so far holds up to that time: what moves later is looked at later.
     void know_conveyors_until(double time_s) { cell_->know_until(time_s); }
+    /// Sets the position at time 0 by a service; refused later, as the machine cannot jump.
+    rrs::Status set_start(const std::function<rrs::Status()>& set);
+    /// A target that such a client queues: `queue` gets its id and calls the service.
+    rrs::Status queue_target(MoveKind kind, const Place& place,
+                             const std::function<rrs::Status(rrs::TargetId)>& queue);
 
     /// Finishes all motion and returns the report.
     Report finish(std::string program);

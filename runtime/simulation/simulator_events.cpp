@@ -6,10 +6,11 @@
 
 namespace gsim::simulation {
 
-void Simulator::event(std::string kind, std::string detail, const Place& place, bool in_passing) {
+void Simulator::event(std::string kind, std::string detail, const Place& place, When when) {
     Event event{.place = place, .kind = std::move(kind), .detail = std::move(detail)};
     if (observer_ != nullptr) observer_->event(position_, event);
-    if (in_passing) return events_.add_before(next_id_, std::move(event));
+    if (when != When::at_rest)
+        return events_.add_before(next_id_, std::move(event), when == When::with_motion);
     wait();
     events_.add(motion_->time_s(), std::move(event));
 }

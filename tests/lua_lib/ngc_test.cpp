@@ -303,11 +303,46 @@ TEST(NgcInputs, WrongWords) {
 }
 
 TEST(NgcOutputs, AreEvents) {
-    const Outcome r = run_ngc("M62 P1\nM65 P2\nM67 E3 Q1.5\nM2\n");
+    const Outcome r = run_ngc("M62 P1\nM65 P2\nM67 E3 Q1.5\nG0 X1\nM2\n");
     ASSERT_EQ(r.events(), "digital_output digital_output analog_output");
     EXPECT_EQ(r.report.events.at(0).detail, "P1 on with the next move");
     EXPECT_EQ(r.report.events.at(1).detail, "P2 off");
     EXPECT_EQ(r.report.events.at(2).detail, "E3 1.5 with the next move");
+}
+
+// M62, M63 and M67 wait for a move, for which a dwell is none; the others stop the machine and act at once.
+TEST(NgcOutputs, ChangeWithTheNextMoveOrAtOnce) {
+    const Outcome r = run_ngc(
+        "G21 G64\nM62 P1\nG4 P1\nG1 X10 F600\nM64 P2\nG1 X20\nM67 E1 Q2\nM63 P3\nM68 E2 Q5\nG1 X30\nM62 "
+        "P4\nG4 P1\nM65 P5\nM2\n");
+    ASSERT_EQ(r.moves.size(), 5U);
+    const auto time_of = [&](const std::string& detail) {
+        for (const simulation::Event& event : r.report.events)
+            if (event.detail == detail) return event.t_s;
+        return -1.0;
+    };
+    EXPECT_EQ(r.moves[1].start_s, 1);
+    EXPECT_EQ(time_of("P1 on with the next move"), r.moves[1].start_s);
+    EXPECT_EQ(time_of("P2 on"), r.moves[1].end_s);
+    EXPECT_EQ(time_of("E1 2 with the next move"), r.moves[3].start_s);
+    EXPECT_EQ(time_of("P3 off with the next move"), r.moves[3].start_s);
+    EXPECT_EQ(time_of("E2 5"), r.moves[2].end_s);
+    EXPECT_EQ(time_of("P4 on with the next move"), -1);  // no move comes any more
+    EXPECT_EQ(time_of("P5 off"), r.moves[4].end_s);
+}
+
+// Where the controller does not stop, the next move begins in the corner.
+TEST(NgcOutputs, DoNotStopTheMachineIfTheyGoWithAMove) {
+    Conditions conditions = ngc_conditions();
+    conditions.machine.controller.planner = rrs::PlannerKind::look_ahead;
+    for (machine::Axis& axis : conditions.machine.axes) axis.max_acceleration = 100;
+    const std::string before = "G21 G64\nG1 X10 F600\n";
+    const Outcome through = run_ngc(before + "M62 P1\nX20\nM2\n", conditions);
+    const Outcome without = run_ngc(before + "X20\nM2\n", conditions);
+    const Outcome stopped = run_ngc(before + "M64 P1\nX20\nM2\n", conditions);
+    EXPECT_EQ(through.report.cycle_time_s, without.report.cycle_time_s);
+    EXPECT_EQ(through.report.events.at(0).t_s, through.moves.at(1).start_s);
+    EXPECT_LT(through.report.cycle_time_s, stopped.report.cycle_time_s);
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ TEST(ZoneWatch, the_alarm_names_the_block_of_the_motion_not_the_one_that_is_read
     simulator.enter_program("O2", {0, 2});
     simulator.move(line_to(150, 0, {0, 10}));
     simulator.leave_program();
-    simulator.event("message", "later", {0, 3}, true);
+    simulator.event("message", "later", {0, 3}, Simulator::When::in_passing);
     simulator.move(line_to(300, 0, {0, 4}));
     simulator.fail("the program has a fault of its own", {0, 5});
     const Report report = simulator.finish("p");
