@@ -75,8 +75,8 @@ TEST_F(Robots, AConveyorIsFollowed) {
     EXPECT_GT(report["robots"][1]["bounds"]["Y"]["max"], 150);
 }
 
-// A plate on the belt comes 500 mm towards the left robot, at 50 mm/s and from 2 s on at 25, while that one has
-// long planned its move.
+// A plate on the belt comes 500 mm towards the left robot, at 50 mm/s and from 2 s on at 25, while that one
+// has long planned its move.
 TEST_F(Robots, WhatRidesOnAConveyorHitsARobotAtItsTime) {
     write("cell.toml", R"([cell]
 name = "belt"
