@@ -10,10 +10,6 @@ namespace {
 constexpr double kLeastCutoff_mm = 2 * kContact_mm;
 constexpr int kOverlapLooks = 24;
 
-bool moves_with_links(Role role) {
-    return role == Role::machine || role == Role::jet;
-}
-
 }  // namespace
 
 ClearanceWatch::ClearanceWatch(const Cell& cell, const machine::Machine& machine)
@@ -22,51 +18,16 @@ ClearanceWatch::ClearanceWatch(const Cell& cell, const machine::Machine& machine
 }
 
 void ClearanceWatch::make_pairs() {
+    parents_ = carried_parents(cell_);
     pairs_.clear();
-    parents_.clear();
-    for (const CarriedFrame& carried : cell_.carried)
-        parents_.push_back(cell_.frames.link(cell_.frames.parent(carried.frame)));
-    for (std::size_t a = 0; a < cell_.items.size(); ++a) {
-        for (std::size_t b = a + 1; b < cell_.items.size(); ++b) add_pair(a, b);
-    }
-}
-
-Body ClearanceWatch::body(std::size_t item) const {
-    const Item& of = cell_.items[item];
-    return {&of.shape, cell_.frames.link(of.frame), cell_.frames.in_link(of.frame)};
-}
-
-bool ClearanceWatch::is_ignored(std::size_t a, std::size_t b) const {
-    return std::any_of(cell_.ignored.begin(), cell_.ignored.end(), [&](const auto& pair) {
-        return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
-    });
-}
-
-// Bodies that do not move against each other cannot meet. Parts of the machine next to each other in the
-// chain are made to touch.
-void ClearanceWatch::add_pair(std::size_t a, std::size_t b) {
-    const Body of_a = body(a);
-    const Body of_b = body(b);
-    const Role role_a = cell_.items[a].role;
-    const Role role_b = cell_.items[b].role;
-    const std::vector<int> between = joints_between(*kinematics_, of_a.link, of_b.link, parents_);
-    if (between.empty() || is_ignored(a, b)) return;
-    if (between.size() == 1 && moves_with_links(role_a) && moves_with_links(role_b)) return;
-    const bool jet = role_a == Role::jet || role_b == Role::jet;
-    if (jet && (role_a == Role::workpiece || role_b == Role::workpiece)) return;
-    // What stands in the world is the one at rest.
-    if (of_b.link == 0) {
-        pairs_.push_back({{a, b}, jet, {of_a, of_b, between}, 0, std::nullopt});
-    } else {
-        pairs_.push_back({{b, a}, jet, {of_b, of_a, {between.rbegin(), between.rend()}}, 0, std::nullopt});
-    }
+    for (MeetingPair& pair : meeting_pairs(cell_, *kinematics_)) pairs_.push_back({std::move(pair)});
 }
 
 void ClearanceWatch::frames_changed() {
     if (parents_.size() != cell_.carried.size()) return make_pairs();
     for (Watched& pair : pairs_) {
-        pair.bodies.first = body(pair.items.first);
-        pair.bodies.second = body(pair.items.second);
+        pair.bodies.first = body_of(cell_, pair.items.first);
+        pair.bodies.second = body_of(cell_, pair.items.second);
         pair.at_least_mm = 0;
         pair.contact.reset();
     }

@@ -4,16 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/cell/body_pair.h"
 #include "runtime/cell/cell.h"
+#include "runtime/cell/meeting_pairs.h"
 
 namespace gsim::cell {
-
-/// Two items of a cell, as indices.
-struct ItemPair {
-    std::size_t first;
-    std::size_t second;
-};
 
 /// Two bodies begin to touch. One that is touched all the time is told once.
 struct Contact {
@@ -52,21 +46,15 @@ class ClearanceWatch {
     const std::optional<Clearance>& nearest() const { return nearest_; }
 
   private:
-    struct Watched {
-        ItemPair items;
-        bool with_jet;
-        BodyPair bodies;
-        double at_least_mm = 0;              ///< Distance at the end of the last segment.
-        std::optional<std::size_t> contact;  ///< In contacts_, while it lasts.
+    struct Watched : MeetingPair {
+        double at_least_mm = 0;                             ///< Distance at the end of the last segment.
+        std::optional<std::size_t> contact = std::nullopt;  ///< In contacts_, while it lasts.
         std::optional<Eigen::Vector3d> normal = std::nullopt;
     };
 
-    Body body(std::size_t item) const;
     void make_pairs();
     double stretch_end_s(const motion::Segment& segment, double from_s) const;
     std::vector<DriftingLink> drifting(double time_s);
-    void add_pair(std::size_t a, std::size_t b);
-    bool is_ignored(std::size_t a, std::size_t b) const;
     void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
     void note(const Nearness& nearness, const Watched& pair);
     void begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "runtime/cell/body_pair.h"
+#include "runtime/cell/cell.h"
+
+namespace gsim::cell {
+
+/// Two items of a cell, as indices.
+struct ItemPair {
+    std::size_t first;
+    std::size_t second;
+};
+
+/// Two bodies of a cell that may meet.
+struct MeetingPair {
+    ItemPair items;
+    bool with_jet;
+    BodyPair bodies;
+};
+
+/// An item of a cell as a body on its link. The cell must outlive it.
+Body body_of(const Cell& cell, std::size_t item);
+
+/// The links that those frames are on which go by themselves, in their order (joints_between()).
+std::vector<int> carried_parents(const Cell& cell);
+
+/// The pairs to look at: not those that do not move against each other, neighbouring parts of the machine,
+/// the jet and workpieces, and those that the cell ignores. The cell must outlive them.
+std::vector<MeetingPair> meeting_pairs(const Cell& cell, const kinematics::Kinematics& kinematics);
+
+}  // namespace gsim::cell

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "runtime/machine/joint_box.h"
+
+namespace gsim::envelope {
+
+using Eigen::Vector3d;
+
+/// A joint as it moves the tip against the work: along or about a line in the work frame, by a value of the
+/// joint (mm, rad) between two ends.
+struct TipJoint {
+    int joint;
+    rrs::JointKind kind;
+    Vector3d point_mm;
+    Vector3d direction;  ///< Unit vector.
+    double low;
+    double high;
+
+    bool is_slide() const { return kind == rrs::JointKind::prismatic; }
+    /// Where the joint takes a point.
+    Vector3d moved(const Vector3d& point, double value) const;
+};
+
+/// The tip in the work frame as a product of exponentials without its turning (kinematics::ScrewChain): the
+/// first joint takes what all others have made of the start. Only joints that move the tip.
+struct TipChain {
+    std::vector<TipJoint> joints;
+    Vector3d start_mm;
+
+    Vector3d tip(const std::vector<double>& values) const;
+};
+
+/// The chain of a machine whose joints go over the box; those that have no range there stand still.
+TipChain tip_chain(const machine::Machine& machine, const machine::JointBox& box);
+
+/// The chain of two joints, first < second in `whole`, with all others at home.
+TipChain pair_chain(const TipChain& whole, std::size_t first, std::size_t second, const rrs::JointPos& home);
+
+}  // namespace gsim::envelope

@@ -1,0 +1,140 @@
+#include "runtime/check/machine_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/cell/machine_shapes.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::check {
+namespace {
+
+using cell::Verdict;
+using testing::HasSubstr;
+
+machine::Machine sample(const std::string& name) {
+    return machine::load_machine(std::string(GSIM_SAMPLES "/machines/") + name).value();
+}
+
+MachineCheck check_of(const machine::Machine& machine) {
+    return check_machine(machine, cell::cell_of_machine(machine).value());
+}
+
+/// The router with a ball at its tip and a post beside its box, at a distance.
+machine::Machine router_beside_post(double distance_mm) {
+    machine::Machine machine = sample("router3.toml");
+    machine.shapes = {{"ball", "tool", machine::SphereShape{20}, {}},
+                      {"post", "base", machine::BoxShape{10, 10, 10}, {}}};
+    // The base's frame has its Z along X.
+    machine.base = {};
+    machine.shapes[1].frame = {.z_mm = 600 + 10 + 5 + distance_mm};
+    return machine;
+}
+
+MachineCheck post_check(double distance_mm) {
+    machine::Machine machine = router_beside_post(distance_mm);
+    return check_of(machine);
+}
+
+TEST(JointBoxSearch, ProvesWhatIsJustFreeAndFindsWhatJustTouches) {
+    const MachineCheck free = post_check(0.5);
+    ASSERT_EQ(free.meetings.size(), 1U);
+    EXPECT_EQ(free.meetings[0].verdict, Verdict::free);
+    EXPECT_GE(free.meetings[0].nearest_mm, 0.5 - 1e-6);
+    EXPECT_TRUE(free.is_clean());
+    const MachineCheck touching = post_check(-0.01);
+    EXPECT_EQ(touching.meetings[0].verdict, Verdict::contact);
+    EXPECT_FALSE(touching.is_clean());
+}
+
+// Where a contact is said to be the bodies do touch, by the watch of runs.
+TEST(JointBoxSearch, ContactsOfTheArmAreContacts) {
+    const machine::Machine machine = sample("arm6.toml");
+    const cell::Cell cell = cell::cell_of_machine(machine).value();
+    const auto kinematics = machine::make_kinematics(machine);
+    const MachineCheck check = check_machine(machine, cell);
+    EXPECT_GT(check.count(Verdict::contact), 0U);
+    EXPECT_GT(check.count(Verdict::free), 0U);
+    for (const cell::MeetingPair& pair : cell::meeting_pairs(cell, *kinematics)) {
+        for (const cell::MeetingFinding& meeting : check.meetings) {
+            if (meeting.items.first != pair.items.first || meeting.items.second != pair.items.second)
+                continue;
+            const auto links = cell::link_frames(*kinematics, meeting.joints);
+            const double upper_mm = pair.bodies.nearness_at(links, 1e4).upper_mm;
+            if (meeting.verdict == Verdict::contact) {
+                EXPECT_LE(upper_mm, cell::kContact_mm);
+            } else {
+                EXPECT_NEAR(upper_mm, meeting.nearest_mm, 1e-3);
+            }
+        }
+    }
+}
+
+// No random stance contradicts what is proven.
+TEST(JointBoxSearch, WhatIsFreeIsFreeInRandomStances) {
+    const machine::Machine machine = sample("mill-table-table.toml");
+    const cell::Cell cell = cell::cell_of_machine(machine).value();
+    const auto kinematics = machine::make_kinematics(machine);
+    const MachineCheck check = check_machine(machine, cell);
+    const auto pairs = cell::meeting_pairs(cell, *kinematics);
+    ASSERT_EQ(pairs.size(), check.meetings.size());
+    EXPECT_EQ(check.count(Verdict::undecided), 0U);
+    for (int number = 5001; number <= 8000; ++number) {
+        const auto links = cell::link_frames(*kinematics, check.box.at(machine::halton_point(number, 5)));
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            if (check.meetings[i].verdict != Verdict::free) continue;
+            EXPECT_GT(pairs[i].bodies.nearness_at(links, 1).upper_mm, cell::kContact_mm);
+        }
+    }
+}
+
+TEST(MachineCheck, InversesOfTheSamplesClose) {
+    for (const char* name : {"af5.toml", "gantry-offset-head.toml", "mill-head-table.toml", "arm6.toml"}) {
+        const machine::Machine machine = sample(name);
+        const InverseCheck inverse = check_inverse(machine, machine::joint_box(machine));
+        EXPECT_GT(inverse.poses, 0) << name;
+        EXPECT_TRUE(inverse.closes()) << name << ": " << inverse.sentence;
+    }
+    const machine::Machine none = sample("unlimited.toml");
+    EXPECT_EQ(check_inverse(none, machine::joint_box(none)).poses, 0);
+}
+
+TEST(MachineCheck, FindsTheSingularRangesOfAnArm) {
+    const machine::Machine machine = sample("arm6.toml");
+    const SingularCheck check = check_singular(machine, machine::joint_box(machine));
+    ASSERT_EQ(check.ranges.size(), 2U);
+    // The elbow is straight where the forearm's 431.8 and 20.3 mm point along the upper arm.
+    const double straight = -std::atan2(431.8, 20.3);
+    EXPECT_EQ(check.ranges[0].joint, 2);
+    EXPECT_LT(check.ranges[0].low, straight);
+    EXPECT_GT(check.ranges[0].high, straight);
+    EXPECT_EQ(check.ranges[1].joint, 4);
+    EXPECT_NEAR(check.ranges[1].low + check.ranges[1].high, 0, 0.01);
+    EXPECT_EQ(check.ranges[1].lined_up, (std::vector<int>{3, 5}));
+}
+
+TEST(MachineCheck, TellsItAsTextAndAsJson) {
+    const MachineCheck check = post_check(-0.01);
+    const std::string text = to_text(check);
+    EXPECT_THAT(text, HasSubstr("machine    3-axis router"));
+    EXPECT_THAT(text, HasSubstr("ball and post"));
+    EXPECT_THAT(text, HasSubstr("found: 1 pairs can touch"));
+    const auto json = nlohmann::json::parse(to_json(check));
+    EXPECT_EQ(json["clean"], false);
+    EXPECT_EQ(json["axes"].size(), 3U);
+    EXPECT_EQ(json["pairs"][0]["verdict"], "touch");
+    EXPECT_EQ(json["inverse"]["unsolved"], 0);
+    EXPECT_EQ(text, to_text(post_check(-0.01)));
+}
+
+TEST(MachineCheck, NotesWhatIsWorthALook) {
+    const MachineCheck check = check_of(sample("unlimited.toml"));
+    EXPECT_TRUE(check.is_clean());
+    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("axis X has a range without end")));
+    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("there is no inverse")));
+    EXPECT_THAT(check.notes, testing::Contains(HasSubstr("there are no bodies")));
+}
+
+}  // namespace
+}  // namespace gsim::check
