@@ -42,7 +42,8 @@ TEST(TimeReport, IsMarkdownToo) {
 
 TEST(TimeReport, DoesNotCutACharacterInTwo) {
     std::vector<TimeOutcome> outcomes = some_times();
-    outcomes[0].note = fmt::format("{}\xC3\xA4 and so on", std::string(36, 'a'));  // the cut is inside the a with dots
+    outcomes[0].note =
+        fmt::format("{}\xC3\xA4 and so on", std::string(36, 'a'));  // the cut is inside the a with dots
     const std::string report = time_report(outcomes, kGrbl, Format::plain);
     EXPECT_NE(report.find(std::string(36, 'a') + "... "), std::string::npos) << report;
 }
