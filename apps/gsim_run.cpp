@@ -11,6 +11,7 @@
 #include "apps/exit_status.h"
 #include "apps/language.h"
 #include "apps/machine_data_file.h"
+#include "apps/machine_studies.h"
 #include "apps/outputs.h"
 #include "apps/robots_run.h"
 #include "apps/run_main.h"
@@ -43,6 +44,7 @@ struct Arguments {
     std::string rcs;
     std::string robots;
     apps::OutputNames outputs;
+    apps::MachineStudies studies;
     simulation::RunLimits limits;
     std::size_t memory_mb = 2048;
     std::uint64_t max_steps = script::LuaState::Limits{}.steps;
@@ -71,6 +73,7 @@ void add_options(CLI::App& app, Arguments& a) {
                    "cell file (TOML): the run is looked at for collisions and near misses; it may name the "
                    "machine, too");
     app.add_flag("--print-machine", a.print_machine, "print the machine file and end");
+    apps::add_study_options(app, a.studies);
     apps::add_language_options(app, a.language);
     app.add_option("--setup", a.setup,
                    "script (Lua) that runs before the program: user M codes, inputs, answers of the probe")
@@ -123,6 +126,7 @@ void add_options(CLI::App& app, Arguments& a) {
 }
 
 tl::expected<machine::Machine, std::string> read_machine(const Arguments& arguments) {
+    if (!arguments.studies.check.empty()) return machine::load_machine(arguments.studies.check);
     if (arguments.machine.empty())
         return machine::read_machine(machine::built_in_machine_toml(), "built-in machine");
     return machine::load_machine(arguments.machine);
@@ -285,7 +289,29 @@ int run_robots(const Arguments& arguments) {
     return completed && !collided ? apps::kDone : apps::kProgramFault;
 }
 
+/// What is told of a machine without a program.
+int run_studies(const Arguments& arguments, const machine::Machine& machine) {
+    const auto ended = apps::run_studies(arguments.studies, machine, arguments.cell,
+                                         {.json = arguments.json, .quiet = arguments.quiet});
+    if (!ended) return usage_error(ended.error());
+    return std::fflush(stdout) == 0 ? *ended : usage_error("standard output cannot be written");
+}
+
+/// Why options do not go together; empty where they do.
+std::string find_contradiction(const Arguments& arguments) {
+    if (!arguments.studies.any()) return {};
+    if (!arguments.robots.empty()) return "--robots does not go with --check-machine or --envelope";
+    if (!arguments.input.empty())
+        return fmt::format("--check-machine and --envelope run no program; take away {}", arguments.input);
+    if (!arguments.outputs.report.empty())
+        return "--report is of a run; --check-machine prints, with --json as JSON";
+    if (!arguments.studies.check.empty() && !arguments.machine.empty())
+        return "--check-machine names the machine file; take away --machine";
+    return {};
+}
+
 int run(const Arguments& given) {
+    if (const std::string fault = find_contradiction(given); !fault.empty()) return usage_error(fault);
     if (!given.robots.empty()) return run_robots(given);
     if (const auto conflict = given.outputs.conflict()) return usage_error(*conflict);
     if (given.json && given.outputs.on_standard_output())
@@ -299,6 +325,7 @@ int run(const Arguments& given) {
         std::printf("%s", machine::print_machine(*machine).c_str());
         return std::fflush(stdout) == 0 ? apps::kDone : usage_error("standard output cannot be written");
     }
+    if (arguments.studies.any()) return run_studies(arguments, *machine);
     if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
     tl::expected<machine::MachineDataDocument, std::string> document = read_data(arguments, *machine);
     if (!document) return usage_error(document.error());

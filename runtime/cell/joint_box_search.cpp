@@ -150,7 +150,8 @@ class PairSearch {
             whole.middle[joint] = (box_.low[joint] + box_.high[joint]) / 2;
             whole.half[joint] = (box_.high[joint] - box_.low[joint]) / 2;
         }
-        const bool meshes = bodies_.first.shape->triangles() || bodies_.second.shape->triangles();
+        const bool meshes =
+            bodies_.first.shape->triangles() != nullptr || bodies_.second.shape->triangles() != nullptr;
         waiting.push(whole);
         for (int parts = meshes ? kMaxMeshParts : kMaxParts; !waiting.empty() && parts > 0; --parts) {
             const Part next = waiting.top();

@@ -64,6 +64,7 @@ MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& ce
                        .has_head = kinematics->tilting_head().has_value()};
     check.inverse = check_inverse(machine, check.box);
     check.singular = check_singular(machine, check.box);
+    check.bodies.reserve(cell.items.size());
     for (const cell::Item& item : cell.items) check.bodies.push_back(item.name);
     check.meetings = cell::search_joint_box(cell, machine, check.box);
     check.notes = find_notes(check);

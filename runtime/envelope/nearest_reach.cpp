@@ -62,7 +62,7 @@ rrs::JointPos step(const TipChain& chain, const rrs::JointPos& values, const Tip
 
 }  // namespace
 
-Vector3d nearest_reach(const TipChain& chain, std::vector<double> from, const Vector3d& target) {
+Vector3d nearest_reach(const TipChain& chain, const std::vector<double>& from, const Vector3d& target) {
     rrs::JointPos values =
         Eigen::Map<const Eigen::VectorXd>(from.data(), static_cast<Eigen::Index>(from.size()));
     Tip tip = tip_at(chain, values);

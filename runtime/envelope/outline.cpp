@@ -49,7 +49,9 @@ Curve way(const TipChain& chain, std::size_t moving, double value) {
     const TipJoint& joint = chain.joints[moving];
     const int steps = joint.is_slide() ? 1 : kPointsOfTurn;
     Curve curve{!joint.is_slide() && joint.high - joint.low >= kFullTurn, {}};
-    for (int i = 0; i < steps + (curve.closed ? 0 : 1); ++i) {
+    const int count = steps + (curve.closed ? 0 : 1);
+    curve.points_mm.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
         std::vector<double> values(2, value);
         values[moving] = joint.low + (joint.high - joint.low) * i / steps;
         curve.points_mm.push_back(chain.tip(values));
@@ -59,6 +61,7 @@ Curve way(const TipChain& chain, std::size_t moving, double value) {
 
 std::vector<Curve> border_ways(const TipChain& chain) {
     std::vector<Curve> curves;
+    curves.reserve(4);
     for (const std::size_t fixed : {std::size_t{0}, std::size_t{1}}) {
         const TipJoint& joint = chain.joints[fixed];
         if (!joint.is_slide() && joint.high - joint.low >= kFullTurn) continue;

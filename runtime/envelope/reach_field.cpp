@@ -95,6 +95,7 @@ const TipJoint* ReachField::joint_of(std::size_t level) const {
 
 std::vector<AlignedBox3d> ReachField::loose_boxes() const {
     std::vector<AlignedBox3d> boxes;
+    boxes.reserve(chain_.joints.size());
     AlignedBox3d box = tail_.bounds();
     for (std::size_t i = chain_.joints.size() - tail_.joint_count(); i > 0; --i) {
         box = swept(chain_.joints[i - 1], box);
@@ -135,6 +136,7 @@ void ReachField::build(const std::vector<AlignedBox3d>& boxes, int nodes) {
             margins[level] = error_mm * (level + 1 == boxes.size() ? 2 : 1) + 2 * steps[level];
     }
     grids_.clear();
+    grids_.reserve(boxes.size());
     for (std::size_t level = 0; level < boxes.size(); ++level) {
         grids_.push_back(empty_grid(boxes[level], steps[level], margins[level]));
         fill(level);

@@ -118,22 +118,22 @@ class PlaneField {
     std::vector<Vector3d> take_loop(double& error_mm) {
         std::vector<Vector3d> loop;
         const Edge first = next_.begin()->first;
-        for (auto here = next_.find(first); here != next_.end(); here = next_.find(first_of(here))) {
+        for (auto here = next_.find(first); here != next_.end(); here = next_.find(take_piece(here))) {
             const Vector3d outside = cut(here->first);
             const NearestPass nearest = pass(outside, chain_.joints.front().low, {step_mm_, 0});
             std::vector<double> values{nearest.value};
             const std::vector<double> last =
                 tail_.nearest_values(Orbit(chain_.joints.front(), outside).at(nearest.value));
             values.insert(values.end(), last.begin(), last.end());
-            const Vector3d reached = nearest_reach(chain_, std::move(values), outside);
+            const Vector3d reached = nearest_reach(chain_, values, outside);
             error_mm = std::max(error_mm, (reached - outside).norm());
             if (loop.empty() || (reached - loop.back()).norm() > kSame_mm) loop.push_back(reached);
         }
         return loop;
     }
 
-    // Takes a piece of the line; what comes behind it.
-    Edge first_of(std::unordered_map<Edge, Edge>::iterator piece) {
+    // Takes a piece out of the line; the edge that it leads to.
+    Edge take_piece(std::unordered_map<Edge, Edge>::iterator piece) {
         const Edge behind = piece->second;
         next_.erase(piece);
         return behind;

@@ -38,6 +38,7 @@ std::vector<TipJoint> three_slides(const TipChain& chain) {
 
 Surface block(const TipChain& chain, const std::vector<TipJoint>& slides) {
     Surface surface;
+    surface.points_mm.reserve(8);
     for (int i = 0; i < 8; ++i) {
         Vector3d corner = chain.start_mm;
         for (int k = 0; k < 3; ++k) {

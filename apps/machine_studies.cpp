@@ -1,0 +1,137 @@
+#include "apps/machine_studies.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/exit_status.h"
+#include "runtime/cell/cell_file.h"
+#include "runtime/cell/machine_shapes.h"
+#include "runtime/check/machine_check.h"
+#include "runtime/envelope/outline_files.h"
+#include "runtime/envelope/stl.h"
+#include "runtime/envelope/volume.h"
+#include "runtime/simulation/output_file.h"
+
+namespace gsim::apps {
+
+namespace {
+
+tl::expected<int, std::string> print_check(const machine::Machine& machine, const std::string& cell_file,
+                                           const StudyOutput& output) {
+    const tl::expected<cell::Cell, std::string> bodies =
+        cell_file.empty() ? cell::cell_of_machine(machine) : cell::load_cell(cell_file, machine);
+    if (!bodies) return tl::unexpected(bodies.error());
+    const check::MachineCheck found = check::check_machine(machine, *bodies);
+    if (output.json) {
+        std::fputs(check::to_json(found).c_str(), stdout);
+    } else if (!output.quiet) {
+        std::fputs(check::to_text(found).c_str(), stdout);
+    }
+    return found.is_clean() ? kDone : kProgramFault;
+}
+
+/// The contents of envelope files; each kind is made once, however many files want it.
+class Envelope {
+  public:
+    Envelope(const machine::Machine& machine, envelope::TipChain chain)
+        : machine_(machine), chain_(std::move(chain)) {}
+
+    static bool is_known(const std::string& file) {
+        const std::string ending = std::filesystem::path(file).extension().string();
+        return ending == ".stl" || ending == ".csv" || ending == ".svg";
+    }
+
+    std::string contents(const std::string& file) {
+        const std::string ending = std::filesystem::path(file).extension().string();
+        if (ending == ".stl") return envelope::to_stl(volume().surface);
+        return ending == ".csv" ? envelope::to_csv(machine_, outlines())
+                                : envelope::to_svg(machine_, outlines());
+    }
+
+    /// How exact it is, in sentences for people.
+    std::string summary() const {
+        std::string text;
+        if (volume_) {
+            text +=
+                fmt::format("volume: {:.6g} l, {} triangles, ", envelope::volume_mm3(volume_->surface) / 1e6,
+                            volume_->surface.triangles.size());
+            text += volume_->step_mm > 0 ? fmt::format("to {:.3g} mm (grid of {:.3g} mm)\n",
+                                                       volume_->error_mm, volume_->step_mm)
+                                         : std::string("exact\n");
+        }
+        if (outlines_) {
+            double error_mm = 0;
+            for (const envelope::PairOutline& outline : *outlines_)
+                error_mm = std::max(error_mm, outline.error_mm);
+            text += fmt::format("pairs of axes: {}, outlines to {:.3g} mm\n", outlines_->size(), error_mm);
+        }
+        return text;
+    }
+
+  private:
+    const envelope::Volume& volume() {
+        if (!volume_) volume_ = envelope::reached_volume(chain_);
+        return *volume_;
+    }
+    const std::vector<envelope::PairOutline>& outlines() {
+        if (!outlines_) outlines_ = envelope::pair_outlines(chain_, machine::home_position(machine_));
+        return *outlines_;
+    }
+
+    const machine::Machine& machine_;
+    envelope::TipChain chain_;
+    std::optional<envelope::Volume> volume_;
+    std::optional<std::vector<envelope::PairOutline>> outlines_;
+};
+
+tl::expected<void, std::string> write_file(const std::string& name, const std::string& contents) {
+    auto file = simulation::OutputFile::open(name);
+    if (!file) return tl::unexpected(file.error());
+    std::fwrite(contents.data(), 1, contents.size(), file->stream());
+    return file->commit();
+}
+
+tl::expected<void, std::string> write_envelopes(const std::vector<std::string>& files,
+                                                const machine::Machine& machine, const StudyOutput& output) {
+    for (const std::string& file : files) {
+        if (!Envelope::is_known(file))
+            return tl::unexpected(fmt::format("{}: an envelope's file ends in .stl, .csv or .svg", file));
+    }
+    auto chain = envelope::envelope_chain(machine);
+    if (!chain) return tl::unexpected(chain.error());
+    Envelope envelope(machine, *std::move(chain));
+    for (const std::string& file : files) {
+        if (auto written = write_file(file, envelope.contents(file)); !written) return written;
+    }
+    if (!output.json && !output.quiet) std::fputs(envelope.summary().c_str(), stdout);
+    return {};
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& app, MachineStudies& studies) {
+    app.add_option("--check-machine", studies.check,
+                   "check this machine file, without a program: limits, inverse, singular ranges, collisions "
+                   "of its bodies (with --cell: of the cell's) whatever the joints do");
+    app.add_option("--envelope", studies.envelopes,
+                   "write what the tool's tip can reach, without a program, to this .stl file (the volume), "
+                   ".csv or .svg file (for each pair of joints); may be given several times")
+        ->allow_extra_args(false);
+}
+
+tl::expected<int, std::string> run_studies(const MachineStudies& studies, const machine::Machine& machine,
+                                           const std::string& cell, const StudyOutput& output) {
+    int status = kDone;
+    if (!studies.check.empty()) {
+        const auto checked = print_check(machine, cell, output);
+        if (!checked) return checked;
+        status = *checked;
+    }
+    if (studies.envelopes.empty()) return status;
+    return write_envelopes(studies.envelopes, machine, output).map([status] { return status; });
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <tl/expected.hpp>
+
+#include "runtime/machine/machine.h"
+
+namespace gsim::apps {
+
+/// What gsim-run tells of a machine without a program.
+struct MachineStudies {
+    std::string check;                   ///< A machine file to check; empty: not wanted.
+    std::vector<std::string> envelopes;  ///< Files for the working envelope.
+
+    bool any() const { return !check.empty() || !envelopes.empty(); }
+};
+
+void add_study_options(CLI::App& app, MachineStudies& studies);
+
+/// How to tell what was found.
+struct StudyOutput {
+    bool json = false;
+    bool quiet = false;  ///< Nothing for people on standard output.
+};
+
+/// Makes what was asked for: prints the check, with the bodies of a cell file where `cell` names one, and
+/// writes the envelopes. The exit status; the error is a sentence on files.
+tl::expected<int, std::string> run_studies(const MachineStudies& studies, const machine::Machine& machine,
+                                           const std::string& cell, const StudyOutput& output);
+
+}  // namespace gsim::apps

@@ -1,0 +1,69 @@
+// gsim-run --check-machine, --envelope.
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps {
+namespace {
+
+class MachineStudies : public Apps {
+  protected:
+    static std::string sample(const std::string& name) {
+        return fmt::format("{}/samples/{}", GSIM_SOURCE, name);
+    }
+};
+
+TEST_F(MachineStudies, AnArmThatCanTouchItselfIsStatusOne) {
+    const Ended e = gsim_run({"--check-machine", sample("machines/arm6.toml"), "--json"});
+    EXPECT_EQ(e.status, 1) << e.err;
+    const auto json = nlohmann::json::parse(e.out);
+    EXPECT_EQ(json["machine"], "6-joint arm, PUMA 560");
+    EXPECT_EQ(json["pairs"].size(), 15U);
+    EXPECT_EQ(gsim_run({"--check-machine", sample("machines/arm6.toml"), "--quiet"}).out, "");
+}
+
+TEST_F(MachineStudies, ARouterIsClean) {
+    const Ended e = gsim_run({"--check-machine", sample("machines/router3.toml")});
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_TRUE(holds(e.out, "clean: nothing was found")) << e.out;
+}
+
+TEST_F(MachineStudies, ObjectsOfACellAreLookedAt) {
+    const std::string cell =
+        write("vice.toml",
+              "[cell]\nname = \"vice\"\n"
+              "[[object]]\nname = \"jaw\"\nshape = { sphere_mm = 40 }\nframe = { x_mm = 300, y_mm = 90 }\n"
+              "[[shape]]\nname = \"cutter\"\non = \"tool\"\nshape = { capsule_mm = [6, 30] }\n");
+    const Ended e = gsim_run({"--check-machine", sample("machines/router3.toml"), "--cell", cell});
+    EXPECT_EQ(e.status, 1) << e.err;
+    EXPECT_TRUE(holds(e.out, "cutter and jaw")) << e.out;
+}
+
+TEST_F(MachineStudies, FaultsOfFilesAndOptionsAreUsage) {
+    const Ended e = gsim_run({"--check-machine", write("bad.toml", "[machine]\nname = 3\n")});
+    EXPECT_EQ(e.status, 2);
+    EXPECT_TRUE(holds(e.err, "bad.toml:2:8: 'name' must be a string")) << e.err;
+    const std::string router = sample("machines/router3.toml");
+    EXPECT_EQ(gsim_run({"--check-machine", router, write("part.nc", "G0 X1\n")}).status, 2);
+    EXPECT_EQ(gsim_run({"--check-machine", router, "--machine", router}).status, 2);
+    EXPECT_EQ(gsim_run({"--machine", router, "--envelope", "out.obj"}).status, 2);
+    const Ended endless = gsim_run({"--machine", sample("machines/unlimited.toml"), "--envelope", "out.stl"});
+    EXPECT_EQ(endless.status, 2);
+    EXPECT_TRUE(holds(endless.err, "has a range without end")) << endless.err;
+    EXPECT_FALSE(exists("out.stl"));
+}
+
+TEST_F(MachineStudies, EnvelopesGoToFilesByTheirEndings) {
+    const Ended e = gsim_run({"--machine", sample("machines/router3.toml"), "--envelope", "out.stl",
+                              "--envelope", "out.csv", "--envelope", "out.svg"});
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_TRUE(holds(e.out, "volume: 28.8 l, 12 triangles, exact")) << e.out;
+    EXPECT_EQ(read("out.stl").size(), 84U + 12 * 50);
+    EXPECT_TRUE(holds(read("out.csv"), "X Y,plane,1,1,600,400,0\n")) << read("out.csv");
+    EXPECT_TRUE(holds(read("out.svg"), "X to the right, Y up")) << read("out.svg");
+}
+
+}  // namespace
+}  // namespace gsim::apps
