@@ -14,6 +14,7 @@
 #include "runtime/envelope/stl.h"
 #include "runtime/envelope/volume.h"
 #include "runtime/simulation/output_file.h"
+#include "text/letter_case.h"
 
 namespace gsim::apps {
 
@@ -40,12 +41,12 @@ class Envelope {
         : machine_(machine), chain_(std::move(chain)) {}
 
     static bool is_known(const std::string& file) {
-        const std::string ending = std::filesystem::path(file).extension().string();
+        const std::string ending = ending_of(file);
         return ending == ".stl" || ending == ".csv" || ending == ".svg";
     }
 
     std::string contents(const std::string& file) {
-        const std::string ending = std::filesystem::path(file).extension().string();
+        const std::string ending = ending_of(file);
         if (ending == ".stl") return envelope::to_stl(volume().surface);
         return ending == ".csv" ? envelope::to_csv(machine_, outlines())
                                 : envelope::to_svg(machine_, outlines());
@@ -72,6 +73,10 @@ class Envelope {
     }
 
   private:
+    static std::string ending_of(const std::string& file) {
+        return text::lower(std::filesystem::path(file).extension().string());
+    }
+
     const envelope::Volume& volume() {
         if (!volume_) volume_ = envelope::reached_volume(chain_);
         return *volume_;

@@ -20,6 +20,10 @@ bool is_standard(const std::string& name) {
 
 }  // namespace
 
+bool OutputNames::any() const {
+    return !report.empty() || !moves.empty() || !trajectory.empty() || !plot.empty() || !record.empty();
+}
+
 bool OutputNames::on_standard_output() const {
     return is_standard(report) || is_standard(moves) || is_standard(trajectory) || is_standard(record);
 }

@@ -29,6 +29,8 @@ struct OutputNames {
     bool explain = false;  ///< The report tells where the time goes.
     double step_s = 0.01;  ///< Of the trajectory's samples.
 
+    /// Whether a file is wanted.
+    bool any() const;
     /// Whether something goes to standard output.
     bool on_standard_output() const;
     /// What cannot be done, as a sentence: two of them on standard output, or a picture.

@@ -65,5 +65,14 @@ TEST_F(MachineStudies, EnvelopesGoToFilesByTheirEndings) {
     EXPECT_TRUE(holds(read("out.svg"), "X to the right, Y up")) << read("out.svg");
 }
 
+TEST_F(MachineStudies, OptionsOfARunDoNotGoWithThem) {
+    for (const std::string option : {"--moves", "--plot", "--report", "--record"}) {
+        const Ended e = gsim_run({"--check-machine", sample("machines/router3.toml"), option, "file"});
+        EXPECT_EQ(e.status, 2);
+        EXPECT_TRUE(holds(e.err, "run no program")) << e.err;
+        EXPECT_FALSE(exists("file"));
+    }
+}
+
 }  // namespace
 }  // namespace gsim::apps
