@@ -67,9 +67,9 @@ TEST_F(Outputs, ShareNoStream) {
     const Ended two = gsim_run({part_, "--moves", "-", "--trajectory", "-"});
     EXPECT_EQ(two.status, 2);
     EXPECT_TRUE(holds(two.err, "--moves - and --trajectory - both want standard output")) << two.err;
-    const Ended json = gsim_run({part_, "--json", "--moves", "-"});
-    EXPECT_EQ(json.status, 2);
-    EXPECT_TRUE(holds(json.err, "both want standard output")) << json.err;
+    const Ended as_json = gsim_run({part_, "--json", "--moves", "-"});
+    EXPECT_EQ(as_json.status, 2);
+    EXPECT_TRUE(holds(as_json.err, "both want standard output")) << as_json.err;
     const Ended plot = gsim_run({part_, "--plot", "-"});
     EXPECT_EQ(plot.status, 2);
     EXPECT_TRUE(holds(plot.err, "--plot needs the name of a file")) << plot.err;
