@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
+#include <numeric>
 #include <queue>
 
+#include "runtime/cell/separation.h"
 #include "runtime/kinematics/chain.h"
 
 namespace gsim::cell {
+
+using Eigen::Vector3d;
 
 namespace {
 
@@ -24,6 +27,10 @@ struct Part {
 
     bool operator<(const Part& other) const { return lower_mm > other.lower_mm; }  // nearest first
 };
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 constexpr double kCoaxial = 1e-9;  // of a direction, and of mm
 
@@ -177,27 +184,40 @@ class PairSearch {
 
     Look look(const Part& part) {
         const LinkFrames links = link_frames(kinematics_, part.middle);
-        JointTravel travel;
-        for (const int joint : joints_) travel.way[static_cast<std::size_t>(joint)] = part.half[joint];
-        const ChainMotion chain(joint_axes(kinematics_, part.middle), travel);
+        const std::vector<JointAxis> axes = joint_axes(kinematics_, part.middle);
         const Ball first = bodies_.first.ball(links);
         const Ball second = bodies_.second.ball(links);
+        JointTravel travel;
+        for (const int joint : joints_) travel.way[static_cast<std::size_t>(joint)] = part.half[joint];
+        const ChainMotion chain(axes, travel);
         const double way_mm =
             std::min(chain.bound(first, joints_).way_mm, chain.bound(second, backwards_).way_mm);
-        const Nearness here = bodies_.nearness_at(links, way_mm + 2 * kContact_mm);
+        const Gap here = gap_at(links, way_mm + 2 * kContact_mm);
         if (here.upper_mm < way_mm + 2 * kContact_mm) note(here.upper_mm, part.middle);
         if (here.upper_mm <= kContact_mm) finding_.verdict = Verdict::contact;
-        int widest = joints_.front();
-        double most_mm = -1;
-        for (const int joint : joints_) {
-            const bool slide = kinematics_.chain().kind(joint) == rrs::JointKind::prismatic;
-            const double reach =
-                slide ? 1 : std::min(chain.reach_mm(first, joint), chain.reach_mm(second, joint));
-            if (part.half[joint] * reach <= most_mm) continue;
-            most_mm = part.half[joint] * reach;
-            widest = joint;
-        }
-        return {widest, std::max(part.lower_mm, here.lower_mm - way_mm)};
+        Look found{joints_.front(), std::max(part.lower_mm, here.lower_mm - way_mm)};
+        if (here.upper_mm <= kContact_mm || found.lower_mm > kContact_mm) return found;
+        // From the second body to the first, where they are nearest.
+        const Vector3d across =
+            (bodies_.second.in_world(links).linear() * (here.on_first - here.on_second)).normalized();
+        const JointPart ways{axes, part.half};
+        const std::vector<double> of_first = ways_along_mm(first, ways, joints_, across);
+        std::vector<double> of_second = ways_along_mm(second, ways, backwards_, -across);
+        std::reverse(of_second.begin(), of_second.end());
+        const bool first_is_less = sum(of_first) < sum(of_second);
+        const std::vector<double>& least = first_is_less ? of_first : of_second;
+        const double gap_mm = gap_along_mm(bodies_.first, bodies_.second, links, across);
+        found.lower_mm = std::max(found.lower_mm, gap_mm - sum(least));
+        found.joint =
+            joints_[static_cast<std::size_t>(std::max_element(least.begin(), least.end()) - least.begin())];
+        return found;
+    }
+
+    // In the frame of the second body.
+    Gap gap_at(const LinkFrames& links, double enough_mm) const {
+        const Eigen::Isometry3d pose =
+            bodies_.second.in_world(links).inverse() * bodies_.first.in_world(links);
+        return gap_between(*bodies_.first.shape, pose, *bodies_.second.shape, enough_mm);
     }
 
     const kinematics::Kinematics& kinematics_;

@@ -27,8 +27,8 @@ struct MeetingFinding {
 /// Looks for contacts between the bodies of a cell over all joint values of a box. Samples (Halton) find
 /// most; where they find none, the box is halved again and again, the part with the least lower bound first:
 /// no point of a body goes farther between the middle of a part and its ends than ChainMotion::bound(), so a
-/// part in whose middle the bodies are farther apart is free. The jet is not looked at. The same input gives
-/// the same findings.
+/// part in whose middle the bodies are farther apart is free, and so is one in which the plane between them
+/// is not reached (ways_along_mm()). The jet is not looked at. The same input gives the same findings.
 std::vector<MeetingFinding> search_joint_box(const Cell& cell, const machine::Machine& machine,
                                              const machine::JointBox& box);
 
