@@ -37,7 +37,7 @@ void limit_resources() {
     ::setrlimit(RLIMIT_CPU, &cpu);
     const rlimit core{0, 0};
     ::setrlimit(RLIMIT_CORE, &core);
-#ifndef __SANITIZE_ADDRESS__  // it takes all addresses that there are
+#ifndef GSIM_SANITIZES_ADDRESSES  // that takes all addresses that there are
     const rlimit memory{kMaxMemory_bytes, kMaxMemory_bytes};
     ::setrlimit(RLIMIT_DATA, &memory);
 #endif

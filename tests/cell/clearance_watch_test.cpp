@@ -234,7 +234,7 @@ TEST(ClearanceWatch, RandomMotionsAreAsNearAsTheirSamples) {
         EXPECT_LE(watch.contacts()[0].t_s, first_s + 1e-9);
         EXPECT_GE(watch.contacts()[0].t_s, first_s - 2 * segment.duration_s / kSamples);
         const double at = pair.nearness_at(motion.links_at(watch.contacts()[0].t_s), 1).upper_mm;
-        EXPECT_LE(at, 2e-6);
+        EXPECT_LE(at, 1e-5) << "kContact_mm, and what rounding leaves in flat sets of corners";
     }
     EXPECT_GT(touching, 5);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gsim::roundtrip {
 
@@ -180,9 +181,10 @@ void Ab9Control::move(const ReadBlock& block) {
         if (!block.has(code)) continue;
         const bool is_cycle = std::string(code).size() == 3;
         if (is_cycle && !series_) {
-            series_.emplace();
-            series_->before = motion_;
-            series_->initial = program_point()[kPlanes[at(plane_)][2]];
+            Series series;
+            series.before = motion_;
+            series.initial = program_point()[kPlanes[at(plane_)][2]];
+            series_ = std::move(series);
         }
         if (!is_cycle) series_.reset();
         motion_ = code;
