@@ -131,7 +131,7 @@ tl::expected<int, std::string> run_studies(const MachineStudies& studies, const 
                                            const std::string& cell, const StudyOutput& output) {
     int status = kDone;
     if (!studies.check.empty()) {
-        const auto checked = print_check(machine, cell, output);
+        auto checked = print_check(machine, cell, output);
         if (!checked) return checked;
         status = *checked;
     }

@@ -117,8 +117,9 @@ std::string to_svg(const machine::Machine& machine, const std::vector<PairOutlin
         columns * kPitch, rows * kPitch);
     int panel = 0;
     for (const PairOutline& outline : outlines) {
-        append_panel(svg, axes(machine, outline), outline, kFrame + panel % kColumns * kPitch,
-                     kFrame + panel / kColumns * kPitch);
+        const int column = panel % kColumns;
+        const int row = panel / kColumns;
+        append_panel(svg, axes(machine, outline), outline, kFrame + column * kPitch, kFrame + row * kPitch);
         ++panel;
     }
     return svg + "</svg>\n";

@@ -63,8 +63,9 @@ class PlaneField {
         return chain_.start_mm + point.x() * view_.right + point.y() * view_.up;
     }
     Vector2d node(std::int64_t index) const {
-        return low_ + step_mm_ * Vector2d(static_cast<double>(index % columns_),
-                                          static_cast<double>(index / columns_));
+        const std::int64_t column = index % columns_;
+        const std::int64_t row = index / columns_;
+        return low_ + step_mm_ * Vector2d(static_cast<double>(column), static_cast<double>(row));
     }
     bool is_inside(std::int64_t index) const {
         return distance_mm_[static_cast<std::size_t>(index)] <= level_mm();
