@@ -42,7 +42,7 @@ tl::expected<std::size_t, PlanError> CellWatch::find(std::string_view name) cons
 
 /// Of a frame that a program may move.
 tl::expected<std::size_t, PlanError> CellWatch::find_movable(std::string_view name) const {
-    const auto found = find(name);
+    auto found = find(name);
     if (!found) return found;
     if (set_frames_.is_of_machine(*found)) {
         return motion::refused(
