@@ -1,8 +1,10 @@
 #!/bin/bash
 # Looks at our own sources without running them.
 # Usage: scripts/lint.sh format          is everything formatted as .clang-format says?
-#        scripts/lint.sh tidy BUILD      clang-tidy (.clang-tidy) over the programs' sources; BUILD holds a finished build,
-#                                        since the generated parser's headers are read
+#        scripts/lint.sh tidy BUILD [COMMITS]
+#                                        clang-tidy (.clang-tidy) over the programs' sources; BUILD holds a finished build,
+#                                        since the generated parser's headers are read. COMMITS: only over what that many
+#                                        of the last commits changed, and what includes a header that they changed
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -19,11 +21,24 @@ format() {
     return $code
 }
 
+# The sources that the last commits changed, and those that include a header that they changed.
+changed() {
+    local base=$1 file
+    git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
+        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi
+    done | grep -E "^($rooms)/" | sort -u
+}
+
 # The rooms are anchored at this folder, so that what flex and bison wrote below BUILD stays out.
 tidy() {
-    local log own="^$PWD/($rooms)/"
+    local log base own="^$PWD/($rooms)/"
+    local sources=("$own.*\.cpp$")
+    if (($# > 1)) && base=$(git rev-parse --verify --quiet "HEAD~$2"); then
+        mapfile -t sources < <(changed "$base" | sed -e 's/\./\\./g' -e "s|.*|^$PWD/&\$|")
+        ((${#sources[@]})) || return 0
+    fi
     log=$(mktemp)
-    if run-clang-tidy -quiet -j "$(scripts/jobs.sh)" -p "$1" -header-filter="$own" "$own.*\.cpp$" >"$log" 2>&1; then
+    if run-clang-tidy -quiet -j "$(scripts/jobs.sh)" -p "$1" -header-filter="$own" "${sources[@]}" >"$log" 2>&1; then
         rm -f "$log"
         return
     fi
@@ -34,9 +49,9 @@ tidy() {
 
 case ${1:-} in
 format) format ;;
-tidy) tidy "${2:?the build folder}" ;;
+tidy) tidy "${2:?the build folder}" "${@:3}" ;;
 *)
-    echo "usage: $0 format | tidy BUILD" >&2
+    echo "usage: $0 format | tidy BUILD [COMMITS]" >&2
     exit 2
     ;;
 esac
