@@ -8,7 +8,7 @@
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
-readonly rooms='text|lexer|grammar|codegen|runtime|geometry|drawing|solid|cutting|lua_lib|apps|bench'
+readonly rooms='text|os|lexer|grammar|codegen|runtime|geometry|drawing|solid|cutting|lua_lib|apps|bench'
 
 format() {
     local file code=0

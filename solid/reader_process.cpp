@@ -8,13 +8,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "os/descriptor.h"
+#include "os/spawn.h"
 #include "solid/packet.h"
-
-extern char** environ;
 
 namespace gsim::solid {
 
@@ -28,37 +27,6 @@ using Fault = tl::unexpected<std::string>;
 std::string message(int error) {
     return std::generic_category().message(error);
 }
-
-// A descriptor that is closed when it goes.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-
-    void close() {
-        if (number_ >= 0) ::close(number_);
-        number_ = -1;
-    }
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
-
-class SpawnActions {
-  public:
-    SpawnActions() { ::posix_spawn_file_actions_init(&actions_); }
-    SpawnActions(const SpawnActions&) = delete;
-    SpawnActions& operator=(const SpawnActions&) = delete;
-    ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
-
-    posix_spawn_file_actions_t* get() { return &actions_; }
-
-  private:
-    posix_spawn_file_actions_t actions_{};
-};
 
 // It stands beside the program that runs.
 tl::expected<std::filesystem::path, std::string> reader_program() {
@@ -83,20 +51,6 @@ tl::expected<void, std::string> check_file(const std::filesystem::path& file) {
     return {};
 }
 
-tl::expected<pid_t, std::string> start(const std::vector<std::string>& command, int output) {
-    std::vector<char*> arguments;
-    arguments.reserve(command.size() + 1);
-    for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
-    arguments.push_back(nullptr);
-    SpawnActions actions;
-    ::posix_spawn_file_actions_addopen(actions.get(), STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    ::posix_spawn_file_actions_adddup2(actions.get(), output, STDOUT_FILENO);
-    pid_t child = 0;
-    const int error = ::posix_spawn(&child, arguments[0], actions.get(), nullptr, arguments.data(), environ);
-    if (error != 0) return Fault(fmt::format("cannot run {}: {}", command[0], message(error)));
-    return child;
-}
-
 std::string read_to_end(int descriptor) {
     std::string bytes;
     std::array<char, 1U << 16U> chunk{};
@@ -106,13 +60,6 @@ std::string read_to_end(int descriptor) {
         if (count <= 0) return bytes;
         bytes.append(chunk.data(), static_cast<std::size_t>(count));
     }
-}
-
-int wait_for(pid_t child) {
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    return status;
 }
 
 // Why a reader ended without an answer.
@@ -140,17 +87,21 @@ tl::expected<std::string, std::string> ask_reader(const std::string& question,
     if (!program) return Fault(program.error());
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Fault(fmt::format("no pipe: {}", message(errno)));
-    const Descriptor input(ends[0]);
-    Descriptor output(ends[1]);
+    const os::Descriptor input(ends[0]);
+    os::Descriptor output(ends[1]);
     std::vector<std::string> command{program->string(), question, std::filesystem::absolute(file).string()};
     command.insert(command.end(), settings.begin(), settings.end());
-    const auto child = start(command, output.number());
-    if (!child) return Fault(child.error());
+    os::SpawnActions actions;
+    actions.read_nothing(STDIN_FILENO);
+    actions.redirect(output.number(), STDOUT_FILENO);
+    const auto child = os::spawn(command, actions);
+    if (!child) return Fault(fmt::format("cannot run {}: {}", command[0], message(child.error())));
     output.close();
     std::string answer = read_to_end(input.number());
-    const int status = wait_for(*child);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || answer.empty())
-        return Fault(fmt::format("'{}' cannot be read: {}", file.string(), end_of(status)));
+    const auto status = os::wait_for(*child);
+    if (!status) return Fault(fmt::format("lost {}: {}", command[0], message(status.error())));
+    if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0 || answer.empty())
+        return Fault(fmt::format("'{}' cannot be read: {}", file.string(), end_of(*status)));
     PacketReader packet(answer);
     if (packet.get<bool>()) return answer.substr(sizeof(bool));
     return Fault(fmt::format("{}: {}", file.string(), packet.get_text()));

@@ -16,6 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "os/descriptor.h"
+
 namespace gsim::rrs {
 
 namespace {
@@ -23,21 +25,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr char kDone = '\0';  // ends what the work says: a child that ends before has not done it
-
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-    int number() const { return number_; }
-    void close() {
-        if (number_ >= 0) ::close(std::exchange(number_, -1));
-    }
-
-  private:
-    int number_;
-};
 
 std::string system_error(const char* what) {
     return fmt::format("could not be tried ({}: {})", what, std::generic_category().message(errno));
@@ -100,8 +87,8 @@ int wait_for(pid_t child) {
 tl::expected<std::string, std::string> run_trial(const std::function<std::string()>& work, int timeout_ms) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) return tl::unexpected(system_error("pipe"));
-    const Descriptor input(ends[0]);
-    Descriptor output(ends[1]);
+    const os::Descriptor input(ends[0]);
+    os::Descriptor output(ends[1]);
     std::fflush(nullptr);  // a child that calls exit() would write what is in the buffers once more
     const pid_t child = ::fork();
     if (child < 0) return tl::unexpected(system_error("fork"));

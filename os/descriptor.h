@@ -1,0 +1,26 @@
+#pragma once
+
+#include <utility>
+
+#include <unistd.h>
+
+namespace gsim::os {
+
+/// A file descriptor that is closed when it goes.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+
+    int number() const { return number_; }
+    void close() {
+        if (number_ >= 0) ::close(std::exchange(number_, -1));
+    }
+
+  private:
+    int number_;  // -1: closed
+};
+
+}  // namespace gsim::os
