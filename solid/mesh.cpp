@@ -14,12 +14,7 @@ bool is_solid_file(const std::filesystem::path& file) {
 }
 
 tl::expected<Mesh, std::string> read_mesh(const std::filesystem::path& file, double tolerance_mm) {
-    const auto answer = ask_reader("mesh", file, {fmt::format("{}", tolerance_mm)});
-    if (!answer) return tl::unexpected(answer.error());
-    PacketReader packet(*answer);
-    Mesh mesh = take_mesh(packet);
-    if (packet.is_whole()) return mesh;
-    return tl::unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
+    return ask_reader_for("mesh", file, {fmt::format("{}", tolerance_mm)}, take_mesh);
 }
 
 }  // namespace gsim::solid

@@ -8,14 +8,10 @@
 namespace gsim::solid {
 
 tl::expected<Plate, std::string> read_plate(const std::filesystem::path& file, const PlateOptions& options) {
-    const auto answer = ask_reader(
+    return ask_reader_for(
         "plate", file,
-        {fmt::format("{}", options.tolerance_mm), options.flip ? "flip" : "as-it-lies", options.along});
-    if (!answer) return tl::unexpected(answer.error());
-    PacketReader packet(*answer);
-    Plate plate = take_plate(packet);
-    if (packet.is_whole()) return plate;
-    return tl::unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
+        {fmt::format("{}", options.tolerance_mm), options.flip ? "flip" : "as-it-lies", options.along},
+        take_plate);
 }
 
 }  // namespace gsim::solid

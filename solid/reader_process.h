@@ -2,9 +2,13 @@
 
 #include <filesystem>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include <fmt/format.h>
 #include <tl/expected.hpp>
+
+#include "solid/packet.h"
 
 namespace gsim::solid {
 
@@ -18,5 +22,18 @@ namespace gsim::solid {
 tl::expected<std::string, std::string> ask_reader(const std::string& question,
                                                   const std::filesystem::path& file,
                                                   const std::vector<std::string>& settings);
+
+/// What `take` makes of the packet (PacketReader), all of which it has to use up.
+template <typename Take>
+auto ask_reader_for(const std::string& question, const std::filesystem::path& file,
+                    const std::vector<std::string>& settings, Take take)
+    -> tl::expected<std::invoke_result_t<Take, PacketReader&>, std::string> {
+    const auto answer = ask_reader(question, file, settings);
+    if (!answer) return tl::unexpected(answer.error());
+    PacketReader packet(*answer);
+    auto taken = take(packet);
+    if (packet.is_whole()) return taken;
+    return tl::unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
+}
 
 }  // namespace gsim::solid

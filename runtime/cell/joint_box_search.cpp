@@ -6,7 +6,6 @@
 #include <queue>
 
 #include "runtime/cell/separation.h"
-#include "runtime/kinematics/chain.h"
 
 namespace gsim::cell {
 

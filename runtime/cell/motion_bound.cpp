@@ -46,10 +46,6 @@ class Slides {
     double square_ = 0;
 };
 
-double reach_of(const Ball& body, const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis) {
-    return axis.cross(body.middle_mm - point_mm).norm() + body.radius_mm;
-}
-
 /// Adds up the joints from the body on.
 class BoundSum {
   public:
@@ -70,7 +66,7 @@ class BoundSum {
     }
     void turn(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis, double angle, double bend) {
         end_slides();
-        const double reach = reach_of(body_, point_mm, axis) + bound_.way_mm;
+        const double reach = axis.cross(body_.middle_mm - point_mm).norm() + body_.radius_mm + bound_.way_mm;
         second_order_ += angle * (2 * bound_.way_mm + angle * reach);
         bound_.bend_mm += bend * reach;
         bound_.way_mm += angle * reach;
@@ -117,11 +113,6 @@ MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) c
         }
     }
     return sum.result();
-}
-
-double ChainMotion::reach_mm(const Ball& body, int joint) const {
-    const JointAxis& axis = axes_[static_cast<std::size_t>(joint)];
-    return reach_of(body, axis.point_mm, axis.direction);
 }
 
 }  // namespace gsim::cell

@@ -42,8 +42,6 @@ class ChainMotion {
     /// bend is that of x(q) by its second derivatives, an eighth of their bound, with that of the joints' own
     /// ways.
     MotionBound bound(const Ball& body, std::span<const int> between) const;
-    /// How far from the axis of a revolute joint a point of the body may be.
-    double reach_mm(const Ball& body, int joint) const;
 
   private:
     std::vector<JointAxis> axes_;

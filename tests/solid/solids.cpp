@@ -39,7 +39,6 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 // OpenCASCADE leaks; LeakSanitizer asks here what it shall not report.
 extern "C" const char* __lsan_default_suppressions();
@@ -159,20 +158,7 @@ TopoDS_Shape turned(const TopoDS_Shape& shape, const Place& axis, double angle_r
 }
 
 SolidFolder::SolidFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "gsim-solid-XXXXXX").string();
-    EXPECT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
     silence();
-}
-
-SolidFolder::~SolidFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
-}
-
-std::filesystem::path SolidFolder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
 }
 
 std::filesystem::path SolidFolder::step(const std::string& name, const TopoDS_Shape& shape,

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/conformance/scratch_folder.h"
+
 namespace gsim::solid {
 
 using Place = std::array<double, 3>;
@@ -41,12 +43,11 @@ TopoDS_Shape turned(const TopoDS_Shape& shape, const Place& axis, double angle_r
 class SolidFolder {
   public:
     SolidFolder();
-    SolidFolder(const SolidFolder&) = delete;
-    SolidFolder& operator=(const SolidFolder&) = delete;
-    ~SolidFolder();
 
-    std::filesystem::path path(const std::string& name) const { return folder_ / name; }
-    std::filesystem::path write(const std::string& name, const std::string& text) const;
+    std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        return folder_.write(name, text);
+    }
     /// A unit as OpenCASCADE calls it: "MM", "INCH", "M".
     std::filesystem::path step(const std::string& name, const TopoDS_Shape& shape,
                                const std::string& unit = "MM") const;
@@ -55,7 +56,7 @@ class SolidFolder {
                                const std::string& unit = "MM", bool as_solid = true) const;
 
   private:
-    std::filesystem::path folder_;
+    conformance::ScratchFolder folder_;
 };
 
 std::string read_file(const std::filesystem::path& path);
