@@ -6,26 +6,28 @@ PREFIX       ?= /usr/local
 FUZZ_SECONDS ?= 900
 MAKEFLAGS    += --no-print-directory
 
-programs = gcode2lua gsim-run gsim-data path2gcode autopath
-
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test setup build bench accuracy docs fuzz golden format lint install clean
+.PHONY: help run test setup build bench accuracy docs pictures site fuzz golden format lint install uninstall package clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
 	@echo 'make test     build everything and run all tests'
-	@echo 'make setup    install the Debian packages that are missing'
+	@echo 'make setup    install the Debian packages that building the programs takes'
 	@echo 'make build    build the programs into build/bin'
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
 	@echo 'make accuracy GSIM_REFERENCE=FOLDER  compare cycle times and positions with recorded controllers'
 	@echo 'make fuzz     fuzz the translator for FUZZ_SECONDS=$(FUZZ_SECONDS)'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
 	@echo 'make docs     renew docs/language.md from the tables'
+	@echo 'make pictures renew the pictures of the documentation'
+	@echo 'make site     the documentation as pages with a search, in build/site'
 	@echo 'make format   format the C++ sources'
 	@echo 'make lint     check the format, then run clang-tidy'
 	@echo 'make install  install into PREFIX=$(PREFIX) (DESTDIR is honoured)'
+	@echo 'make uninstall  remove what make install installed (DESTDIR as it was)'
+	@echo 'make package  Debian packages and an archive for other systems, in build/packages'
 	@echo 'make clean    remove the build folders'
 
 setup:
@@ -35,18 +37,20 @@ run: build
 	@scripts/run-wheel.sh build
 
 build: setup
-	@$(call build_into,release) --target $(programs)
+	@$(call build_into,release) --target product
 
-test: setup
+test:
+	@scripts/setup.sh test
 	@$(call build_into,release)
 	@scripts/test.sh build --parallel $(JOBS)
 
-golden: setup
-	@$(call build_into,release) --target golden_test
-	@GSIM_RENEW_GOLDEN=1 ctest --test-dir build --output-on-failure -R '^golden_test$$'
+golden:
+	@scripts/setup.sh test
+	@$(call build_into,release) --target golden_test golden_run_test
+	@GSIM_RENEW_GOLDEN=1 ctest --test-dir build --output-on-failure -R '^golden'
 
 bench: setup
-	@$(call build_into,release) --target gcode2lua gsim-run gsim-bench-generate gsim-bench-floor gsim-bench-compare
+	@$(call build_into,release) --target gsim gsim-bench-generate gsim-bench-floor gsim-bench-compare
 	@bench/run.sh build
 
 # The recordings are no part of the project. An empty name must not become the folder '/'.
@@ -54,17 +58,25 @@ ifeq ($(and $(GSIM_REFERENCE),$(wildcard $(GSIM_REFERENCE)/.)),)
 accuracy:
 	@echo "accuracy: there is no folder '$(GSIM_REFERENCE)' of recorded controllers; name it: make accuracy GSIM_REFERENCE=FOLDER"
 else
-accuracy: setup
-	@$(call build_into,release) --target gsim-run gsim-accuracy
+accuracy:
+	@scripts/setup.sh test
+	@$(call build_into,release) --target gsim gsim-accuracy
 	@build/bin/gsim-accuracy --gsim-run build/bin/gsim-run --machines samples/machines --positions '$(GSIM_REFERENCE)'
 endif
 
 docs: setup
-	@$(call build_into,release) --target gcode2lua
+	@$(call build_into,release) --target gsim
 	@build/bin/gcode2lua --print-language > docs/language.md
 
+pictures: build
+	@scripts/pictures.sh build
+
+site:
+	@scripts/setup.sh site
+	@scripts/site.sh
+
 fuzz:
-	@scripts/setup.sh clang
+	@scripts/setup.sh test clang
 	@$(call build_into,fuzz) --target translate_fuzz
 	@tests/fuzz/run.sh build-fuzz $(FUZZ_SECONDS)
 
@@ -75,11 +87,19 @@ format:
 lint:
 	@scripts/setup.sh lint
 	@scripts/lint.sh format
-	@$(call build_into,release) --target $(programs)
-	@scripts/lint.sh tidy build
+	@scripts/lint.sh tidy
 
 install: build
 	@cmake --install build --prefix '$(PREFIX)'
+	@cp build/install_manifest.txt build/installed.txt
+
+uninstall:
+	@scripts/uninstall.sh build/installed.txt
+
+package:
+	@scripts/setup.sh package step || scripts/setup.sh package
+	@$(call build_into,release) --target product
+	@scripts/package.sh build
 
 clean:
-	@rm -rf build build-debug build-sanitize build-fuzz
+	@rm -rf build build-debug build-sanitize build-fuzz build-lint build-alone

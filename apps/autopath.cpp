@@ -7,11 +7,12 @@
 #include <filesystem>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "apps/data_file.h"
 #include "apps/exit_status.h"
-#include "apps/run_main.h"
+#include "apps/findings.h"
+#include "apps/programs.h"
 #include "drawing/drawing_file.h"
 #include "runtime/path/json_writer.h"
 #include "runtime/simulation/output_file.h"
@@ -25,7 +26,7 @@ namespace {
 
 using namespace gsim;
 
-struct Arguments {
+struct AutopathArguments {
     std::string input;
     std::string output;
     std::string materials;
@@ -35,92 +36,115 @@ struct Arguments {
     std::string units;
     solid::PlateOptions plate;
     bool report = false;
+    apps::FindingOptions findings;
 };
 
-constexpr const char* kProgram = "autopath";
+using Kind = text::DiagnosticKind;
 
-int usage_error(const std::string& message) {
-    return apps::usage_error(kProgram, message);
+constexpr const char* kAutopath = "autopath";
+
+void add_material_options(apps::CommandLine& line, AutopathArguments& arguments) {
+    line.begin_group("Material");
+    line.add("--material", &arguments.cut.material, "material, as the materials file names it");
+    line.add("--thickness", &arguments.cut.thickness_mm, "of the material (that of the solid)").called("MM");
+    line.add("--quality", &arguments.cut.quality, "of the edge, 1 (just through) to 5 (finest)");
+    line.add("--materials", &arguments.materials, "materials file (TOML) instead of the built-in one")
+        .of_file(apps::FileKind::input, {".toml"});
+    line.add("--speed", &arguments.cut.speed_mm_min, "cutting speed, instead of the material's")
+        .called("MM/MIN")
+        .within(1e-3, 1e6);
+    line.add("--kerf", &arguments.cut.kerf_mm, "width of the cut, instead of the material's")
+        .called("MM")
+        .within(1e-3, 100);
+    line.add("--pierce", &arguments.cut.pierce_s, "time of a pierce, instead of the material's")
+        .called("SECONDS")
+        .within(0, 3600);
+    line.add("--report", &arguments.report, "print how the values were found and what the job costs")
+        .not_with("--json");
 }
 
-void add_material_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("--material", arguments.cut.material, "material, as the materials file names it");
-    app.add_option("--thickness", arguments.cut.thickness_mm, "of the material, in mm (that of the solid)");
-    app.add_option("--quality", arguments.cut.quality, "of the edge, 1 (just through) to 5 (finest)");
-    app.add_option("--materials", arguments.materials, "materials file (TOML) instead of the built-in one");
-    app.add_option("--speed", arguments.cut.speed_mm_min,
-                   "cutting speed in mm/min, instead of the material's")
-        ->check(CLI::Range(1e-3, 1e6));
-    app.add_option("--kerf", arguments.cut.kerf_mm, "width of the cut in mm, instead of the material's")
-        ->check(CLI::Range(1e-3, 100.0));
-    app.add_option("--pierce", arguments.cut.pierce_s, "time of a pierce in s, instead of the material's")
-        ->check(CLI::Range(0.0, 3600.0));
-    app.add_flag("--report", arguments.report, "print how the values were found and what the job costs");
-}
-
-void add_path_options(CLI::App& app, Arguments& arguments) {
+void add_path_options(apps::CommandLine& line, AutopathArguments& arguments) {
     cutting::ProgramOptions& program = arguments.path.program;
-    app.add_option("--tolerance", arguments.path.gap_mm, "join ends that are nearer than this, in mm")
-        ->check(CLI::Range(1e-6, 10.0))
-        ->capture_default_str();
-    app.add_option("--curve-tolerance", arguments.read.tolerance_mm,
-                   "how far arcs may be off splines and ellipses, in mm")
-        ->check(CLI::Range(1e-5, 10.0))
-        ->capture_default_str();
-    app.add_option("--lead", arguments.path.lead_mm, "radius of leads in mm (three kerfs)")
-        ->check(CLI::Range(0.05, 1000.0));
-    app.add_option(
-           "--at", program.origin_mm,
-           "X Y Z: where the drawing's origin, on the material's upper side, lies in the work frame, in mm")
-        ->check(CLI::Range(-1e6, 1e6))
-        ->default_str("0 0 0");
-    app.add_option("--safe-height", program.heights.safe_mm, "height of ways between cuts, in mm")
-        ->check(CLI::Range(0.0, 10'000.0))
-        ->capture_default_str();
-    app.add_option("--cut-height", program.heights.cut_mm,
-                   "height of the nozzle's tip over the material, in mm")
-        ->check(CLI::Range(0.0, 1000.0))
-        ->capture_default_str();
-    app.add_option(
-           "--bevel", program.bevel_deg,
-           "lean of the jet in deg, but for edges that have a bevel of their own; above 0 the part is "
-           "smaller below")
-        ->check(CLI::Range(-60.0, 60.0))
-        ->capture_default_str();
+    line.begin_group("Path");
+    line.add("--at", &program.origin_mm,
+             "where the drawing's origin, on the material's upper side, lies in the work frame, in mm")
+        .called("X Y Z")
+        .within(-1e6, 1e6)
+        .shows_default();
+    line.add("--lead", &arguments.path.lead_mm, "radius of leads (three kerfs)")
+        .called("MM")
+        .within(0.05, 1000);
+    line.add("--safe-height", &program.heights.safe_mm, "height of ways between cuts")
+        .called("MM")
+        .within(0, 10'000)
+        .shows_default();
+    line.add("--cut-height", &program.heights.cut_mm, "height of the nozzle's tip over the material")
+        .called("MM")
+        .within(0, 1000)
+        .shows_default();
+    line.add("--bevel", &program.bevel_deg,
+             "lean of the jet, but for edges that have a bevel of their own; above 0 the part is smaller "
+             "below")
+        .called("DEG")
+        .within(-60, 60)
+        .shows_default();
 }
 
-void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("drawing", arguments.input, "drawing: .dxf, .svg; flat part: .step, .stp, .iges, .igs")
-        ->required();
-    app.add_option("-o,--output", arguments.output,
-                   "write the path to this file; it appears only if all went well");
-    add_material_options(app, arguments);
-    add_path_options(app, arguments);
-    app.add_option("--unit", arguments.units, "of the drawing: mm or inch (what the drawing says)")
-        ->check(CLI::IsMember({"mm", "inch"}));
-    app.add_option("--layer", arguments.read.layers,
-                   "only what is on this layer; may be given more than once (DXF)");
-    app.add_option("--up", arguments.plate.along,
-                   "x, y, z, -x, -y, -z: where the upper side looks (that of the largest face; STEP, IGES)")
-        ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-    app.add_flag("--flip", arguments.plate.flip, "turn the plate over (STEP, IGES)");
-    app.set_version_flag("--version", "autopath " GSIM_VERSION);
+void add_reading_options(apps::CommandLine& line, AutopathArguments& arguments) {
+    line.begin_group("Drawing or solid");
+    line.add("--unit", &arguments.units, "of the drawing (what the drawing says)").one_of({"mm", "inch"});
+    line.add("--layer", &arguments.read.layers,
+             "only what is on this layer; may be given more than once (DXF)");
+    line.add("--tolerance", &arguments.path.gap_mm, "join ends that are nearer than this")
+        .called("MM")
+        .within(1e-6, 10)
+        .shows_default();
+    line.add("--curve-tolerance", &arguments.read.tolerance_mm,
+             "how far arcs may be off splines and ellipses")
+        .called("MM")
+        .within(1e-5, 10)
+        .shows_default();
+    line.add("--up", &arguments.plate.along,
+             "where the upper side looks (that of the largest face; STEP, IGES)")
+        .one_of({"x", "y", "z", "-x", "-y", "-z"});
+    line.add("--flip", &arguments.plate.flip, "turn the plate over (STEP, IGES)");
 }
 
-tl::expected<solid::Plate, std::string> read_input(const Arguments& arguments) {
-    if (solid::is_solid_file(arguments.input)) {
+void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments) {
+    using apps::FileKind;
+    line.add("drawing", &arguments.input, "drawing: .dxf, .svg; flat part: .step, .stp, .iges, .igs")
+        .of_file(FileKind::input, {".dxf", ".svg", ".step", ".stp", ".iges", ".igs"})
+        .must_be_given();
+    line.begin_group("Output");
+    line.add("-o,--output", &arguments.output,
+             "write the path to this file; it appears only if all went well")
+        .of_file(FileKind::output, {".json"});
+    add_material_options(line, arguments);
+    add_path_options(line, arguments);
+    add_reading_options(line, arguments);
+    line.begin_group("Diagnostics");
+    apps::add_finding_options(line, arguments.findings);
+    line.add_example("autopath plate.svg --material aluminum --thickness 12 -o plate.path.json",
+                     "cutting speeds, kerf and piercing by the material");
+    line.add_example("autopath plate.dxf --speed 400 --kerf 1 | path2gcode -",
+                     "by your own figures, to a part program");
+}
+
+tl::expected<solid::Plate, std::string> read_input(const AutopathArguments& arguments,
+                                                   const std::string& file) {
+    if (solid::is_solid_file(file)) {
         if (!arguments.units.empty() || !arguments.read.layers.empty())
             return tl::unexpected(
                 std::string("--unit and --layer are for drawings; a STEP or IGES file says its unit"));
         solid::PlateOptions options = arguments.plate;
         options.tolerance_mm = arguments.read.tolerance_mm;
-        return solid::read_plate(arguments.input, options);
+        return solid::read_plate(file, options);
     }
     if (arguments.plate.flip || !arguments.plate.along.empty())
         return tl::unexpected(std::string("--up and --flip are for STEP and IGES files"));
     drawing::ReadOptions read = arguments.read;
     if (!arguments.units.empty()) read.unit_mm = arguments.units == "inch" ? 25.4 : 1;
-    auto drawing = drawing::read_drawing(arguments.input, read);
+    auto drawing = drawing::read_drawing(file, read);
     if (!drawing) return tl::unexpected(drawing.error());
     return solid::Plate{*std::move(drawing), 0};
 }
@@ -138,8 +162,11 @@ void take_thickness(solid::Plate& plate, waterjet::CuttingRequest& cut) {
                                               plate.thickness_mm, cut.thickness_mm));
 }
 
-tl::expected<waterjet::Materials, std::string> materials_of(const Arguments& arguments) {
-    if (!arguments.materials.empty()) return waterjet::load_materials(arguments.materials);
+tl::expected<waterjet::Materials, std::string> materials_of(const AutopathArguments& arguments) {
+    if (!arguments.materials.empty()) {
+        return apps::find_file(apps::InstalledKind::sample, arguments.materials)
+            .and_then([](const std::string& file) { return waterjet::load_materials(file); });
+    }
     return waterjet::read_materials(waterjet::built_in_materials_toml(), "materials.toml");
 }
 
@@ -178,48 +205,57 @@ tl::expected<void, std::string> write_path(const path::Program& program, const s
     return file->commit();
 }
 
-void print_summary(const cutting::CutSummary& summary) {
-    std::fputs(
-        fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts\n",
-                    summary.outlines, summary.pierces, summary.cut_mm, summary.cut_s, summary.travel_mm)
-            .c_str(),
-        stderr);
+void tell_summary(const cutting::CutSummary& summary, apps::Findings& findings) {
+    const std::string sentence =
+        fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
+                    summary.outlines, summary.pierces, summary.cut_mm, summary.cut_s, summary.travel_mm);
+    if (findings.options().json) {
+        findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = sentence});
+    } else {
+        std::fprintf(stderr, "%s\n", sentence.c_str());
+    }
 }
 
-int run(const Arguments& arguments) {
+/// Makes the path as the arguments say, and tells what is wrong; the exit status.
+int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     waterjet::Materials materials;
     waterjet::CuttingPlan plan;
     tl::expected<cutting::CutRules, std::string> rules;
     const bool has_material = !arguments.cut.material.empty();
-    auto plate = read_input(arguments);
-    if (!plate) return usage_error(plate.error());
+    const auto drawing = apps::find_file(apps::InstalledKind::sample, arguments.input);
+    if (!drawing) return findings.fail(Kind::input_file, drawing.error());
+    auto plate = read_input(arguments, *drawing);
+    if (!plate) return findings.fail(Kind::input_file, plate.error(), arguments.input);
     waterjet::CuttingRequest cut = arguments.cut;
     take_thickness(*plate, cut);
     if (has_material) {
         auto loaded = materials_of(arguments);
-        if (!loaded) return usage_error(loaded.error());
+        if (!loaded) return findings.fail(Kind::input_file, loaded.error(), arguments.materials);
         materials = std::move(*loaded);
         auto planned = waterjet::plan_cutting(materials, cut);
-        if (!planned) return usage_error(planned.error());
+        if (!planned) return findings.fail(Kind::usage, planned.error());
         plan = std::move(*planned);
         rules = rules_of(plan);
     } else {
         rules = given_rules(cut);
     }
-    if (!rules) return usage_error(rules.error());
-    if (arguments.report && !has_material) return usage_error("--report needs --material and --thickness");
+    if (!rules) return findings.fail(Kind::usage, rules.error());
+    if (arguments.report && !has_material)
+        return findings.fail(Kind::usage, "--report needs --material and --thickness");
     cutting::AutopathOptions options = arguments.path;
     options.program.name = std::filesystem::path(arguments.input).stem().string();
     const auto made = cutting::autopath(std::move(plate->drawing), *rules, options);
     if (!made) {
-        usage_error(fmt::format("{}: {}", arguments.input, made.error()));
+        findings.fail(Kind::path, fmt::format("{}: {}", arguments.input, made.error()), arguments.input);
         return apps::kProgramFault;
     }
-    for (const std::string& note : made->notes)
-        std::fprintf(stderr, "%s: note: %s\n", kProgram, note.c_str());
+    for (const std::string& note : made->notes) {
+        findings.take(
+            {.severity = text::Severity::note, .kind = Kind::path, .file = arguments.input, .text = note});
+    }
     const auto written = write_path(made->program, arguments.output);
-    if (!written) return usage_error(written.error());
-    print_summary(made->summary);
+    if (!written) return findings.fail(Kind::output, written.error());
+    tell_summary(made->summary, findings);
     if (!arguments.report) return apps::kDone;
     const waterjet::JobPrice price = waterjet::price_job(
         plan, materials.prices, {made->summary.cut_mm, made->summary.pierces, made->summary.cut_s, 0});
@@ -227,11 +263,19 @@ int run(const Arguments& arguments) {
     return apps::kDone;
 }
 
+int run_autopath(const AutopathArguments& arguments) {
+    using Stream = apps::Findings::Stream;
+    apps::Findings findings(kAutopath, arguments.findings);
+    const int status = make_path(arguments, findings);
+    const bool product_on_standard_output = status == apps::kDone && arguments.output.empty();
+    return findings.finish(status,
+                           product_on_standard_output ? Stream::standard_error : Stream::standard_output);
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-    return apps::run_main<Arguments>(
-        argc, argv, kProgram,
-        "Makes the path of a cutting jet from a drawing (DXF, SVG) or a flat part (STEP, IGES).", add_options,
-        run);
+std::unique_ptr<apps::Program> apps::make_autopath() {
+    return std::make_unique<ProgramOf<AutopathArguments>>(
+        kAutopath, "Makes the path of a cutting jet from a drawing (DXF, SVG) or a flat part (STEP, IGES)",
+        add_autopath_options, run_autopath);
 }

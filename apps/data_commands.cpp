@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 
 #include "apps/data_check.h"
+#include "apps/data_import.h"
 #include "apps/data_json.h"
 #include "apps/data_table.h"
 #include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
-#include "runtime/machine/machine_file.h"
+#include "apps/machine_input.h"
 #include "runtime/machine/text_file.h"
 
 namespace gsim::apps {
@@ -38,8 +39,8 @@ Status printed(const nlohmann::ordered_json& json) {
 
 class Command {
   public:
-    Command(const DataArguments& arguments, std::optional<machine::Machine> machine)
-        : arguments_(arguments), machine_(std::move(machine)), document_(axes()) {}
+    Command(const DataArguments& arguments, std::optional<machine::Machine> machine, Findings& findings)
+        : arguments_(arguments), findings_(findings), machine_(std::move(machine)), document_(axes()) {}
 
     Status run() {
         if (arguments_.command == DataCommand::check) return check();
@@ -90,13 +91,14 @@ class Command {
             case DataCommand::reset: return save(document_.reset(*section_, arguments_.id));
             case DataCommand::reset_all: return save(reset_all());
             case DataCommand::check: return check();
-            case DataCommand::convert: break;
+            case DataCommand::convert:
+            case DataCommand::import: break;
         }
         return convert();
     }
 
     Status list() const {
-        if (arguments_.json) {
+        if (arguments_.findings.json) {
             nlohmann::ordered_json json = data_to_json(document_);
             if (!section_) return printed(json);
             return printed(json.value(std::string(rules().keyword), nlohmann::ordered_json::array()));
@@ -117,14 +119,14 @@ class Command {
             return Sentence(fmt::format("there is no {} {} in the file", rules().keyword, arguments_.id));
         const nlohmann::ordered_json json = row_to_json(rules(), *row);
         if (arguments_.field.empty())
-            return arguments_.json ? printed(json) : printed(data_list(rules(), *row));
+            return arguments_.findings.json ? printed(json) : printed(data_list(rules(), *row));
         const std::string name = machine::upper_case(arguments_.field);
         const auto field = rules().find(name);
         if (!field) {
             return Sentence(
                 fmt::format("{} has no '{}'", rules().keyword, machine::shown_word(arguments_.field)));
         }
-        if (!arguments_.json) return printed(fmt::format("{}\n", row->values[*field]));
+        if (!arguments_.findings.json) return printed(fmt::format("{}\n", row->values[*field]));
         return printed(json.contains(name) ? json[name] : nlohmann::ordered_json());
     }
 
@@ -153,13 +155,14 @@ class Command {
             const auto document = MachineDataDocument::read(text, arguments_.file, axes());
             const std::vector<std::string> found =
                 document ? check_data(*document, arguments_.file, machine_) : document.error();
-            for (const std::string& sentence : found) std::fprintf(stderr, "%s\n", sentence.c_str());
+            for (const std::string& sentence : found)
+                findings_.take(text::diagnostic_of(text::DiagnosticKind::input_file, sentence));
             return document ? kDone : kProgramFault;
         });
     }
 
     Status convert() {
-        if (arguments_.json) {
+        if (arguments_.findings.json) {
             if (arguments_.output.empty()) return printed(data_to_json(document_));
             return saved(arguments_.output, data_to_json(document_).dump(2) + '\n');
         }
@@ -189,6 +192,7 @@ class Command {
     }
 
     const DataArguments& arguments_;
+    Findings& findings_;
     std::optional<machine::Machine> machine_;
     MachineDataDocument document_;
     std::optional<DataSection> section_;
@@ -196,14 +200,16 @@ class Command {
 
 }  // namespace
 
-Status run_data_command(const DataArguments& arguments) {
+Status run_data_command(const DataArguments& arguments, Findings& findings) {
     std::optional<machine::Machine> machine;
     if (!arguments.machine.empty()) {
-        auto loaded = machine::load_machine(arguments.machine);
+        auto loaded = read_machine_input(arguments.machine);
         if (!loaded) return Sentence(std::move(loaded.error()));
-        machine = *std::move(loaded);
+        machine = std::move(loaded->machine);
     }
-    return Command(arguments, std::move(machine)).run();
+    if (arguments.command == DataCommand::import) return import_settings(arguments, machine, findings);
+    if (arguments.file.empty()) return Sentence("FILE is required: the machine data (NCFILE)");
+    return Command(arguments, std::move(machine), findings).run();
 }
 
 }  // namespace gsim::apps

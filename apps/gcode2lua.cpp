@@ -3,11 +3,14 @@
 #include <cstdio>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/data_file.h"
 #include "apps/exit_status.h"
+#include "apps/findings.h"
 #include "apps/language.h"
-#include "apps/run_main.h"
+#include "apps/machine_input.h"
+#include "apps/print.h"
+#include "apps/programs.h"
+#include "apps/translation.h"
 #include "codegen/language_page.h"
 #include "codegen/translate.h"
 #include "runtime/simulation/output_file.h"
@@ -16,89 +19,107 @@ namespace {
 
 using namespace gsim;
 
-struct Arguments {
+struct TranslateArguments {
     std::string input = "-";
     std::string output;
     apps::LanguageNames language;
+    std::string machine;
     std::string machine_data;
     bool annotate = false;
     bool check = false;
     bool print_language = false;
-    std::size_t max_errors = 100;
+    std::uint64_t max_errors = 100;
+    apps::FindingOptions findings;
 };
 
-constexpr const char* kProgram = "gcode2lua";
+constexpr const char* kGcode2lua = "gcode2lua";
 
-int usage_error(const std::string& message) {
-    return apps::usage_error(kProgram, message);
+void add_translate_options(apps::CommandLine& line, TranslateArguments& arguments) {
+    using apps::FileKind;
+    line.add("part.nc", &arguments.input, "part program, or - for standard input")
+        .of_file(FileKind::input, {".nc", ".ngc"})
+        .shows_default();
+    line.begin_group("Language");
+    apps::add_language_options(line, arguments.language);
+    line.add("--machine", &arguments.machine, "machine file (TOML): dialect and units of its programs")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--machine-data", &arguments.machine_data, "machine data (NCFILE) with aliases")
+        .of_file(FileKind::input, {".txt"});
+    line.begin_group("Output");
+    line.add("-o,--output", &arguments.output, "write the Lua to this file; it appears only if all went well")
+        .of_file(FileKind::output, {".lua"});
+    line.add("--annotate", &arguments.annotate, "each whole source block as a trailing comment");
+    line.begin_group("Instead of a translation");
+    line.add("--check", &arguments.check, "only look for errors, write nothing");
+    line.add("--print-language", &arguments.print_language,
+             "print the reference of both dialects (docs/language.md) and end");
+    line.begin_group("Diagnostics");
+    apps::add_finding_options(line, arguments.findings);
+    line.begin_group("Limits");
+    line.add("--max-errors", &arguments.max_errors, "stop after this many errors")
+        .within(1, 1'000'000)
+        .shows_default();
+    line.add_example("gcode2lua part.nc -o part.lua", "line n of the program is line n+1 of the script");
+    line.add_example("gcode2lua --check part.nc", "all errors with line and column");
+    line.add_example("gcode2lua --dialect rs274ngc part.ngc | gsim-run -", "translate and run");
 }
 
-void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("part.nc", arguments.input, "part program, or - for standard input")
-        ->capture_default_str();
-    app.add_option("-o,--output", arguments.output,
-                   "write the Lua to this file; it appears only if all went well");
-    apps::add_language_options(app, arguments.language);
-    app.add_option("--machine-data", arguments.machine_data, "machine data (NCFILE) with aliases");
-    app.add_flag("--annotate", arguments.annotate, "each whole source block as a trailing comment");
-    app.add_flag("--print-language", arguments.print_language,
-                 "print the reference of both dialects (docs/language.md) and end");
-    app.add_flag("--check", arguments.check, "only look for errors, write nothing");
-    app.add_option("--max-errors", arguments.max_errors, "stop after this many errors")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
-        ->capture_default_str();
-    app.set_version_flag("--version", "gcode2lua " GSIM_VERSION);
-}
-
-tl::expected<lexer::Source, std::string> open_source(const Arguments& arguments) {
+tl::expected<lexer::Source, std::string> open_source(const TranslateArguments& arguments) {
     if (arguments.input == "-") return lexer::Source::spool(stdin, "stdin");
-    return lexer::Source::open(arguments.input);
+    return apps::find_file(apps::InstalledKind::sample, arguments.input)
+        .and_then([](const std::string& file) { return lexer::Source::open(file); });
 }
 
-tl::expected<void, std::string> write_file(const codegen::LuaSpool& spool, const std::string& path) {
+tl::expected<void, std::string> write_spool(const codegen::LuaSpool& spool, const std::string& path) {
     tl::expected<simulation::OutputFile, std::string> file = simulation::OutputFile::open(path);
     if (!file) return tl::unexpected(file.error());
     if (!spool.copy_to(file->stream())) return tl::unexpected(path + ": cannot be written");
     return file->commit();
 }
 
-int run(const Arguments& arguments) {
-    if (arguments.print_language) {
-        std::printf("%s", codegen::language_page().c_str());
-        return std::fflush(stdout) == 0 ? apps::kDone : usage_error("standard output cannot be written");
-    }
+constexpr const char* kNoOutput = "standard output cannot be written";
+
+/// Translates as the arguments say, and tells what is wrong; the exit status.
+int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
+    using Kind = text::DiagnosticKind;
     codegen::TranslateOptions options;
-    options.source_name = arguments.input == "-" ? "stdin" : arguments.input;
     options.annotate = arguments.annotate;
     options.max_errors = arguments.max_errors;
     tl::expected<machine::MachineData, std::string> data;
     if (!arguments.machine_data.empty()) data = machine::load_machine_data(arguments.machine_data);
-    if (!data) return usage_error(data.error());
-    tl::expected<apps::Language, std::string> language = apps::language_of(arguments.language, *data);
-    if (!language) return usage_error(language.error());
-    options.dialect = language->dialect;
-    options.aliases = std::move(language->aliases);
-    options.unknown = language->unknown;
+    if (!data) return findings.fail(Kind::input_file, data.error(), arguments.machine_data);
+    tl::expected<machine::ProgramTable, std::string> program;
+    if (!arguments.machine.empty()) program = apps::read_program_input(arguments.machine);
+    if (!program) return findings.fail(Kind::input_file, program.error(), arguments.machine);
+    const auto language = apps::language_of(arguments.language, *program, *data);
+    if (!language) return findings.fail(Kind::input_file, language.error());
     tl::expected<lexer::Source, std::string> source = open_source(arguments);
-    if (!source) return usage_error(source.error());
+    if (!source) return findings.fail(Kind::file, source.error(), arguments.input);
     codegen::LuaSpool spool;
-    const codegen::Translation translation =
-        codegen::translate(*source, spool, options,
-                           [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); });
+    const codegen::Translation translation = apps::translate_source(
+        *source, spool, *language, options, [&](const auto& told) { findings.take(told); });
     if (!translation.ok) return apps::kProgramFault;
     if (arguments.check) return apps::kDone;
     if (!arguments.output.empty()) {
-        const auto written = write_file(spool, arguments.output);
-        return written ? apps::kDone : usage_error(written.error());
+        const auto written = write_spool(spool, arguments.output);
+        return written ? apps::kDone : findings.fail(Kind::output, written.error(), arguments.output);
     }
-    return spool.copy_to(stdout) ? apps::kDone : usage_error("standard output cannot be written");
+    return spool.copy_to(stdout) ? apps::kDone : findings.fail(Kind::output, kNoOutput);
+}
+
+int run_translate(const TranslateArguments& arguments) {
+    using Stream = apps::Findings::Stream;
+    if (arguments.print_language) return apps::print(codegen::language_page());
+    apps::Findings findings(kGcode2lua, arguments.findings);
+    const int status = translate_program(arguments, findings);
+    const bool lua_on_standard_output = status == apps::kDone && !arguments.check && arguments.output.empty();
+    return findings.finish(status, lua_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    return apps::run_main<Arguments>(
-        argc, argv, kProgram,
-        "Translates a CNC part program (G-code) into a Lua script that gsim-run simulates.", add_options,
-        run);
+std::unique_ptr<apps::Program> apps::make_gcode2lua() {
+    return std::make_unique<ProgramOf<TranslateArguments>>(
+        kGcode2lua, "Translates a CNC part program (G-code) into a Lua script that gsim-run simulates",
+        add_translate_options, run_translate);
 }

@@ -2,10 +2,8 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "apps/data_commands.h"
-#include "apps/run_main.h"
+#include "apps/programs.h"
 
 namespace {
 
@@ -13,92 +11,121 @@ using namespace gsim;
 using apps::DataArguments;
 using apps::DataCommand;
 
-constexpr const char* kProgram = "gsim-data";
+constexpr const char* kGsimData = "gsim-data";
 
-constexpr const char* kExamples =
-    "Sections: OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, SECURITY, WORKING.\n"
-    "Examples:\n"
-    "  gsim-data jet.txt list OFFSET\n"
-    "  gsim-data jet.txt get TOOL 1 LENGTH\n"
-    "  gsim-data jet.txt set OFFSET 54 X=200.0001 Y=200.0002\n"
-    "  gsim-data jet.txt set TOOL 2 LENGTH=2 DIAMETER=0.04 KIND=JET --inch --create\n"
-    "  gsim-data jet.txt reset OFFSET 54\n"
-    "  gsim-data jet.txt check --machine mine.toml\n"
-    "  gsim-data jet.txt convert --json\n"
-    "Exit statuses: 0 done, 1 errors in the data (check), 2 options or files.";
-
-CLI::App& add_command(CLI::App& app, DataArguments& a, const char* name, DataCommand command,
-                      const char* description) {
-    CLI::App& added = *app.add_subcommand(name, description);
-    added.callback([&a, command] { a.command = command; });
-    added.fallthrough();
+apps::CommandLine& add_data_command(apps::CommandLine& line, DataArguments& a, const char* name,
+                                    DataCommand command, const char* description) {
+    apps::CommandLine& added = line.add_command(name, description, [&a, command] { a.command = command; });
+    added.begin_group("Options");
     return added;
 }
 
-void add_entry(CLI::App& command, DataArguments& a) {
-    command.add_option("SECTION", a.section, "OFFSET, TOOL, ...")->required();
-    command.add_option("ID", a.id, "number of the entry, code of the frame, name of the alias")->required();
+void add_section(apps::CommandLine& command, DataArguments& a) {
+    command.add("SECTION", &a.section, "OFFSET, TOOL, ...");
 }
 
-void add_units(CLI::App& command, DataArguments& a, const char* inch, const char* metric) {
-    CLI::Option* in = command.add_flag("--inch", a.inch, inch);
-    command.add_flag("--metric", a.metric, metric)->excludes(in);
+void add_entry(apps::CommandLine& command, DataArguments& a) {
+    command.add("SECTION", &a.section, "OFFSET, TOOL, ...").must_be_given();
+    command.add("ID", &a.id, "number of the entry, code of the frame, name of the alias").must_be_given();
 }
 
-void add_set(CLI::App& app, DataArguments& a) {
-    CLI::App& set =
-        add_command(app, a, "set", DataCommand::set, "change an entry, or add it to the end of its section");
+void add_units(apps::CommandLine& command, DataArguments& a, const char* inch, const char* metric) {
+    command.add("--inch", &a.inch, inch);
+    command.add("--metric", &a.metric, metric).not_with("--inch");
+}
+
+void add_set(apps::CommandLine& line, DataArguments& a) {
+    apps::CommandLine& set = add_data_command(line, a, "set", DataCommand::set,
+                                              "change an entry, or add it to the end of its section");
     add_entry(set, a);
-    set.add_option("FIELD=VALUE", a.changes, "such as X=200.5; an empty value takes it away")->required();
+    set.add("FIELD=VALUE", &a.changes, "such as X=200.5; an empty value takes it away").must_be_given();
     add_units(set, a, "the lengths are inches; an entry in mm is converted",
               "the lengths are mm; an entry in inches is converted");
-    set.add_flag("--create", a.create, "begin a new file where there is none");
+    set.add("--create", &a.create, "begin a new file where there is none");
 }
 
-void add_convert(CLI::App& app, DataArguments& a) {
-    CLI::App& convert =
-        add_command(app, a, "convert", DataCommand::convert, "to one unit, to JSON (--json), or from JSON");
+void add_convert(apps::CommandLine& line, DataArguments& a) {
+    using apps::FileKind;
+    apps::CommandLine& convert = add_data_command(line, a, "convert", DataCommand::convert,
+                                                  "to one unit, to JSON (--json), or from JSON");
     add_units(convert, a, "all lengths in inches", "all lengths in mm");
-    convert.add_option("--from-json", a.from_json, "make the file from this JSON");
-    convert.add_option("-o,--output", a.output,
-                       "write here, not over the file (or, for JSON, to standard output)");
+    convert.add("--from-json", &a.from_json, "make the file from this JSON")
+        .of_file(FileKind::input, {".json"});
+    convert.add("-o,--output", &a.output, "write here, not over the file (or, for JSON, to standard output)")
+        .of_file(FileKind::output);
 }
 
-void add_options(CLI::App& app, DataArguments& a) {
-    app.add_option("FILE", a.file, "machine data (NCFILE)")->required();
-    app.add_option("--machine", a.machine,
-                   "machine file (TOML): names the axes behind X, Y and Z, and has ranges to check");
-    app.add_flag("--json", a.json, "list, get, convert: print JSON");
-    app.set_version_flag("--version", "gsim-data " GSIM_VERSION);
-    app.require_subcommand(1);
-    app.footer(kExamples);
-    add_command(app, a, "list", DataCommand::list, "print all entries, or those of a section")
-        .add_option("SECTION", a.section, "OFFSET, TOOL, ...");
-    CLI::App& get = add_command(app, a, "get", DataCommand::get, "print an entry, or one value of it");
+void add_import(apps::CommandLine& line, DataArguments& a) {
+    using apps::FileKind;
+    apps::CommandLine& command = add_data_command(line, a, "import", DataCommand::import,
+                                                  "a machine file from a LinuxCNC .ini or from what grbl "
+                                                  "answers to $$; machine data from a .tbl or .var");
+    command.add("SETTINGS", &a.source, "the .ini, .tbl or .var file, or grbl's answers as text")
+        .of_file(FileKind::input, {".ini", ".tbl", ".var", ".txt"});
+    command.add("-o,--output", &a.output, "write here, not to standard output")
+        .of_file(FileKind::output, {".toml", ".txt"});
+    command.add("--data", &a.data, "write the offsets and tools that a machine's settings name to this file")
+        .of_file(FileKind::output, {".txt"});
+    add_units(command, a, "lengths of a .tbl or .var are inches", "they are mm");
+}
+
+void add_examples(apps::CommandLine& line) {
+    line.add_note("Sections: OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, SECURITY, WORKING.");
+    line.add_example("gsim-data jet.txt list OFFSET", "all work offsets");
+    line.add_example("gsim-data jet.txt get TOOL 1 LENGTH", "one value");
+    line.add_example("gsim-data jet.txt set OFFSET 54 X=200.0001 Y=200.0002", "change an offset");
+    line.add_example("gsim-data jet.txt set TOOL 2 LENGTH=2 DIAMETER=0.04 KIND=JET --inch --create",
+                     "add a tool");
+    line.add_example("gsim-data jet.txt reset OFFSET 54", "set an offset to zero");
+    line.add_example("gsim-data jet.txt check --machine mine.toml", "what cannot be right on this machine");
+    line.add_example("gsim-data jet.txt convert --json", "for other programs");
+    line.add_example("gsim-data import mill.ini -o mill.toml --data mill.txt",
+                     "a machine file from LinuxCNC's");
+}
+
+void add_data_options(apps::CommandLine& line, DataArguments& a) {
+    line.add("FILE", &a.file, "machine data (NCFILE)").of_file(apps::FileKind::input, {".txt"});
+    line.begin_group("Options of all commands");
+    line.add("--machine", &a.machine,
+             "machine file (TOML): names the axes behind X, Y and Z, and has ranges to check")
+        .of_file(apps::FileKind::input, {".toml"});
+    line.add("--json", &a.findings.json,
+             "list, get, convert: print JSON; what a check finds, and mistakes, as JSON too");
+    apps::add_sarif_option(line, a.findings);
+    add_section(
+        add_data_command(line, a, "list", DataCommand::list, "print all entries, or those of a section"), a);
+    apps::CommandLine& get =
+        add_data_command(line, a, "get", DataCommand::get, "print an entry, or one value of it");
     add_entry(get, a);
-    get.add_option("FIELD", a.field, "such as X or LENGTH");
-    add_set(app, a);
-    add_entry(add_command(app, a, "reset", DataCommand::reset,
-                          "set the values of an entry to 0; an alias or a zone goes away"),
+    get.add("FIELD", &a.field, "such as X or LENGTH");
+    add_set(line, a);
+    add_entry(add_data_command(line, a, "reset", DataCommand::reset,
+                               "set the values of an entry to 0; an alias or a zone goes away"),
               a);
-    add_command(app, a, "reset-all", DataCommand::reset_all, "reset all entries, or those of a section")
-        .add_option("SECTION", a.section, "OFFSET, TOOL, ...");
-    add_command(app, a, "check", DataCommand::check,
-                "print errors and what is suspect, with line and column");
-    add_convert(app, a);
+    add_section(add_data_command(line, a, "reset-all", DataCommand::reset_all,
+                                 "reset all entries, or those of a section"),
+                a);
+    add_data_command(line, a, "check", DataCommand::check,
+                     "print errors and what is suspect, with line and column");
+    add_convert(line, a);
+    add_import(line, a);
+    add_examples(line);
 }
 
-int run(const DataArguments& arguments) {
-    const auto status = apps::run_data_command(arguments);
-    return status ? *status : apps::usage_error(kProgram, status.error());
+int run_data(const DataArguments& arguments) {
+    apps::Findings findings(kGsimData, arguments.findings);
+    const auto status = apps::run_data_command(arguments, findings);
+    const bool told = status && arguments.command != DataCommand::check;  // JSON of its own, or none
+    const int code =
+        status ? *status : findings.fail(text::DiagnosticKind::input_file, status.error(), arguments.file);
+    return told ? findings.finish_told(code) : findings.finish(code, apps::Findings::Stream::standard_output);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    return apps::run_main<DataArguments>(
-        argc, argv, kProgram,
-        "Shows, changes and checks the data of a controller: offsets, points, "
-        "tools, variables, aliases, zones.",
-        add_options, run);
+std::unique_ptr<apps::Program> apps::make_gsim_data() {
+    return std::make_unique<ProgramOf<DataArguments>>(kGsimData,
+                                                      "Shows, changes and checks the data of a controller: "
+                                                      "offsets, points, tools, variables, aliases, zones",
+                                                      add_data_options, run_data);
 }

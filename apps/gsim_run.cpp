@@ -3,30 +3,43 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "apps/exit_status.h"
+#include "apps/findings.h"
 #include "apps/machine_data_file.h"
+#include "apps/print.h"
+#include "apps/programs.h"
 #include "apps/robots_run.h"
 #include "apps/run_arguments.h"
+#include "apps/run_engine.h"
 #include "apps/run_inputs.h"
-#include "apps/run_main.h"
 #include "apps/variables_file.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/simulation/output_file.h"
 #include "runtime/simulation/progress.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/report_diagnostics.h"
 
 namespace {
 
 using namespace gsim;
 using apps::RunArguments;
+using Kind = text::DiagnosticKind;
 
-constexpr const char* kProgram = "gsim-run";
+constexpr const char* kGsimRun = "gsim-run";
+constexpr const char* kNoProgram = "no program given; gsim-run --help tells how";
 
-int usage_error(const std::string& message) {
-    return apps::usage_error(kProgram, message);
+/// Whether what the control keeps can be written behind the run.
+tl::expected<void, std::string> check_kept(const RunArguments& arguments) {
+    for (const std::string* file : {&arguments.variables, &arguments.save_machine_data}) {
+        if (file->empty()) continue;
+        if (auto writable = simulation::OutputFile::check(*file); !writable) return writable;
+    }
+    return {};
 }
 
 /// What the control keeps, in the files that are asked for.
@@ -47,161 +60,192 @@ tl::expected<void, std::string> keep(const RunArguments& arguments, script::Engi
         .and_then([&] { return apps::save_text(arguments.save_machine_data, document.text()); });
 }
 
-bool has_collisions(const simulation::Report& report) {
-    return report.cell && !report.cell->collisions.empty();
-}
-
-script::Engine::Options engine_options(const RunArguments& arguments, machine::MachineData data,
-                                       const apps::Language& language, simulation::Progress& progress) {
-    script::Engine::Options options;
-    options.limits.memory_bytes = arguments.memory_mb << 20U;
-    options.limits.steps = arguments.max_steps;
-    if (!arguments.lua_lib.empty()) options.library = script::Library(arguments.lua_lib);
-    options.data = std::move(data);
-    options.find_program = apps::program_finder(arguments.input, language);
-    options.dialect = language.dialect->name();
-    options.block_delete = arguments.block_delete;
-    options.optional_stop = arguments.optional_stop;
-    options.progress = [&progress](std::uint64_t done, std::uint64_t total) { progress.update(done, total); };
-    return options;
-}
-
 /// A program with errors is not run: the report says so, for those who read reports alone.
 simulation::Report failed_report(const RunArguments& arguments, const machine::Machine& machine,
-                                 const std::string& message) {
+                                 const apps::InputError& error, const apps::Findings& findings) {
     simulation::Report report;
     report.program = arguments.input == "-" ? "stdin" : arguments.input;
     report.machine = machine.name;
     if (arguments.rcs.empty()) report.controller = machine.controller.model;
     report.status = simulation::RunStatus::alarm;
     report.alarm = simulation::Alarm{};
-    report.alarm->message = "the program has errors: " + message;
+    report.alarm->kind = error.kind;
+    report.alarm->message = "the program has errors: " + error.message;
+    if (error.first_error) {
+        report.files.push_back(error.first_error->file);
+        report.alarm->place = {0, error.first_error->line};
+    }
+    report.diagnostics = findings.all();
     return report;
 }
 
-/// What must be said even where no report is wanted.
-void print_faults(const simulation::Report& report) {
-    if (has_collisions(report))
-        std::fprintf(stderr, "collisions in the cell: %zu\n", report.cell->collisions.size());
-    if (!report.alarm) return;
-    const simulation::Place place = report.alarm->place;
-    const std::string where =
-        place.line > 0 ? fmt::format("{}:{}: ", report.files[place.file], place.line) : "";
-    std::fprintf(stderr, "%s%s: %s\n", where.c_str(), std::string(name(report.status)).c_str(),
-                 report.alarm->message.c_str());
-    for (const simulation::OpenCall& call : report.alarm->calls) {
-        std::fprintf(stderr, "  in %s, called at %s:%u\n", call.program.c_str(),
-                     report.files[call.place.file].c_str(), call.place.line);
+/// A run with what it was asked for and what it has to tell.
+class Run {
+  public:
+    explicit Run(const RunArguments& given)
+        : arguments_(given),
+          findings_(kGsimRun, given.findings),
+          tell_([this](const text::Diagnostic& told) { findings_.take(told); }) {}
+
+    int run() {
+        const int status = run_as_asked();
+        // A report has told it all.
+        return told_ ? findings_.finish_told(status)
+                     : findings_.finish(status, apps::Findings::Stream::standard_output);
     }
-}
 
-void print_report(const RunArguments& arguments, const simulation::Report& report) {
-    if (arguments.json) {
-        std::printf("%s\n", simulation::to_json(report).c_str());
-    } else if (!arguments.quiet) {
-        // What goes to standard output stands alone there.
-        std::FILE* stream = arguments.outputs.on_standard_output() ? stderr : stdout;
-        std::fputs(simulation::to_text(report).c_str(), stream);
-    } else {
-        print_faults(report);
+  private:
+    int fail(Kind kind, const std::string& sentence, const std::string& file = {}) {
+        return findings_.fail(kind, sentence, file);
     }
-}
 
-/// A run of several robots, each with the machine that the file of robots gives it.
-int run_robots(const RunArguments& arguments) {
-    if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
-    simulation::Progress progress(stderr, false);
-    apps::RobotsRun run;
-    run.input = arguments.input;
-    run.robots = arguments.robots;
-    run.setup = arguments.setup;
-    run.language = arguments.language;
-    run.outputs = arguments.outputs;
-    run.limits = arguments.limits;
-    run.options = engine_options(arguments, {}, {}, progress);
-    tl::expected<simulation::RobotsReport, apps::InputError> report = apps::run_robots(std::move(run));
-    if (!report) return report.error().in_program ? apps::kProgramFault : usage_error(report.error().message);
-    if (arguments.json) {
-        std::printf("%s\n", simulation::to_json(*report).c_str());
-    } else if (!arguments.quiet) {
-        std::printf("%s", simulation::to_text(*report).c_str());
-    } else {
-        print_report(arguments, report->whole);
+    int run_as_asked() {
+        if (const std::string fault = find_contradiction(arguments_); !fault.empty())
+            return fail(Kind::usage, fault);
+        tl::expected<RunArguments, std::string> found = apps::with_files_found(arguments_);
+        if (!found) return fail(Kind::input_file, found.error(), arguments_.cell);
+        arguments_ = *std::move(found);
+        if (!arguments_.robots.empty()) return run_robots();
+        const tl::expected<apps::MachineInput, std::string> input = apps::read_machine(arguments_);
+        if (!input) return fail(Kind::input_file, input.error(), arguments_.machine);
+        tell_notes(*input);
+        if (arguments_.print_machine) {
+            told_ = true;
+            return apps::print(machine::print_machine(input->machine));
+        }
+        if (arguments_.studies.any()) return run_studies(input->machine);
+        if (arguments_.input.empty()) return fail(Kind::usage, kNoProgram);
+        return run_program(*input);
     }
-    if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
-    const bool collided =
-        std::any_of(report->robots.begin(), report->robots.end(),
-                    [](const simulation::RobotReport& robot) { return has_collisions(robot.report); });
-    const bool completed = report->whole.status == simulation::RunStatus::completed;
-    return completed && !collided ? apps::kDone : apps::kProgramFault;
-}
 
-/// What is told of a machine without a program.
-int run_studies(const RunArguments& arguments, const machine::Machine& machine) {
-    const auto ended = apps::run_studies(arguments.studies, machine, arguments.cell,
-                                         {.json = arguments.json, .quiet = arguments.quiet});
-    if (!ended) return usage_error(ended.error());
-    return std::fflush(stdout) == 0 ? *ended : usage_error("standard output cannot be written");
-}
+    /// What of a control's settings is not taken over.
+    void tell_notes(const apps::MachineInput& input) {
+        if (arguments_.quiet) return;
+        for (const std::string& note : input.notes)
+            findings_.take({.severity = text::Severity::note, .kind = Kind::machine, .text = note});
+    }
 
-/// Runs what was read, and writes what was asked for.
-int simulate(const RunArguments& arguments, apps::RunInputs inputs) {
-    simulation::Simulator simulator(std::move(inputs.machine), arguments.limits, std::move(inputs.module));
-    if (inputs.cell != nullptr) simulator.set_cell(*inputs.cell);
-    tl::expected<apps::Outputs, std::string> outputs = apps::Outputs::open(arguments.outputs, simulator);
-    if (!outputs) return usage_error(outputs.error());
-    simulation::Progress progress(stderr, !arguments.quiet && ::isatty(STDERR_FILENO) == 1);
-    script::Engine::Options options =
-        engine_options(arguments, std::move(inputs.data), inputs.language, progress);
-    options.setup = std::move(inputs.setup);
-    script::Engine engine(simulator, options);
-    const std::string program = inputs.program.file_name;
-    engine.run(std::move(inputs.program));
-    progress.clear();
-
-    simulation::Report report = simulator.finish(program);
-    engine.report(report);
-    outputs->explain(report);
-    const tl::expected<void, std::string> path = outputs->make_path(program);
-    tl::expected<void, std::string> written = outputs->commit(report);
-    if (written) written = keep(arguments, engine, inputs.document);
-    print_report(arguments, report);
-    if (std::fflush(stdout) != 0) return usage_error("standard output cannot be written");
-    if (!written) return usage_error(written.error());
-    if (!path) {
-        std::fprintf(stderr, "%s: %s\n", kProgram, path.error().c_str());
+    int run_program(const apps::MachineInput& input) {
+        tl::expected<apps::RunInputs, apps::InputError> inputs =
+            apps::read_run_inputs(arguments_, input, tell_);
+        if (inputs) return simulate(*std::move(inputs));
+        if (!inputs.error().in_program)
+            return fail(inputs.error().kind, inputs.error().message, inputs.error().file);
+        if (arguments_.findings.json)
+            return ended(failed_report(arguments_, input.machine, inputs.error(), findings_),
+                         apps::kProgramFault);
         return apps::kProgramFault;
     }
-    const bool done = report.status == simulation::RunStatus::completed && !has_collisions(report);
-    return done ? apps::kDone : apps::kProgramFault;
-}
 
-int run(const RunArguments& given) {
-    if (const std::string fault = find_contradiction(given); !fault.empty()) return usage_error(fault);
-    if (!given.robots.empty()) return run_robots(given);
-    const tl::expected<RunArguments, std::string> with_cell = apps::with_files_of_cell(given);
-    if (!with_cell) return usage_error(with_cell.error());
-    const RunArguments& arguments = *with_cell;
-    const tl::expected<machine::Machine, std::string> machine = apps::read_machine(arguments);
-    if (!machine) return usage_error(machine.error());
-    if (arguments.print_machine) {
-        std::printf("%s", machine::print_machine(*machine).c_str());
-        return std::fflush(stdout) == 0 ? apps::kDone : usage_error("standard output cannot be written");
+    /// Runs what was read, and writes what was asked for.
+    int simulate(apps::RunInputs inputs) {
+        apps::ProgramRun run(arguments_, std::move(inputs), !arguments_.quiet && ::isatty(STDERR_FILENO) == 1,
+                             tell_);
+        tl::expected<apps::Outputs, std::string> outputs =
+            apps::Outputs::open(arguments_.outputs, run.simulator());
+        if (!outputs) return fail(Kind::output, outputs.error());
+        if (auto kept = check_kept(arguments_); !kept) return fail(Kind::output, kept.error());
+        simulation::Report report = run.run();
+        report.diagnostics = findings_.all();
+        outputs->explain(report);
+        const tl::expected<void, std::string> path = outputs->make_path(run.program());
+        tl::expected<void, std::string> written = outputs->commit(report);
+        if (written) written = keep(arguments_, run.engine(), run.document());
+        const bool clean = report.status == simulation::RunStatus::completed && !apps::has_collisions(report);
+        int status = ended(report, clean ? apps::kDone : apps::kProgramFault);
+        if (!written) return fail(Kind::output, written.error());
+        if (!path) {
+            fail(Kind::path, path.error());
+            return std::max<int>(status, apps::kProgramFault);
+        }
+        return status;
     }
-    if (arguments.studies.any()) return run_studies(arguments, *machine);
-    if (arguments.input.empty()) return usage_error("no program given; gsim-run --help tells how");
-    tl::expected<apps::RunInputs, apps::InputError> inputs = apps::read_run_inputs(arguments, *machine);
-    if (inputs) return simulate(arguments, *std::move(inputs));
-    if (!inputs.error().in_program) return usage_error(inputs.error().message);
-    if (arguments.json) print_report(arguments, failed_report(arguments, *machine, inputs.error().message));
-    return apps::kProgramFault;
+
+    /// A run of several robots, each with the machine that the file of robots gives it.
+    int run_robots() {
+        if (arguments_.input.empty()) return fail(Kind::usage, kNoProgram);
+        simulation::Progress progress(stderr, false);
+        apps::RobotsRun run;
+        run.input = arguments_.input;
+        run.robots = arguments_.robots;
+        run.setup = arguments_.setup;
+        run.language = arguments_.language;
+        run.outputs = arguments_.outputs;
+        run.limits = arguments_.limits;
+        run.tell = tell_;
+        run.options = apps::engine_options(arguments_, {}, {}, progress, tell_);
+        tl::expected<simulation::RobotsReport, apps::InputError> report = apps::run_robots(std::move(run));
+        if (!report) {
+            if (report.error().in_program) return apps::kProgramFault;
+            return fail(report.error().kind, report.error().message, report.error().file);
+        }
+        const bool collided = std::any_of(
+            report->robots.begin(), report->robots.end(),
+            [](const simulation::RobotReport& robot) { return apps::has_collisions(robot.report); });
+        const bool completed = report->whole.status == simulation::RunStatus::completed;
+        return ended(*report, completed && !collided ? apps::kDone : apps::kProgramFault);
+    }
+
+    /// What is told of a machine without a program.
+    int run_studies(const machine::Machine& machine) {
+        const auto ended = apps::run_studies(arguments_.studies, machine, arguments_.cell,
+                                             {.json = arguments_.findings.json, .quiet = arguments_.quiet});
+        if (!ended) return fail(Kind::input_file, ended.error());
+        told_ = true;
+        return std::fflush(stdout) == 0 ? *ended : fail(Kind::output, "standard output cannot be written");
+    }
+
+    /// Prints the report; `status`, or that of an output that cannot be written.
+    int ended(const simulation::Report& report, int status) {
+        return printed(report, report, diagnostics_of(report), status);
+    }
+
+    int ended(const simulation::RobotsReport& report, int status) {
+        std::vector<text::Diagnostic> all = findings_.all();
+        for (const simulation::RobotReport& robot : report.robots) {
+            const std::vector<text::Diagnostic> own = diagnostics_of(robot.report);
+            all.insert(all.end(), own.begin(), own.end());
+        }
+        return printed(report, report.whole, std::move(all), status);
+    }
+
+    template <typename AnyReport>
+    int printed(const AnyReport& report, const simulation::Report& whole,
+                std::vector<text::Diagnostic> diagnostics, int status) {
+        told_ = true;
+        findings_.replace(std::move(diagnostics));
+        if (arguments_.findings.json) return printed(to_json(report) + '\n', status);
+        if (!arguments_.quiet) return printed(to_text(report), status);
+        apps::print_faults(whole);
+        return status;
+    }
+
+    /// What goes to standard output stands alone there: a report for people makes way for it.
+    int printed(const std::string& text, int status) const {
+        const bool make_way = !arguments_.findings.json &&
+                              (arguments_.outputs.on_standard_output() || arguments_.findings.sarif == "-");
+        if (make_way) {
+            std::fputs(text.c_str(), stderr);
+            return std::fflush(stdout) == 0 ? status : apps::kUsage;
+        }
+        const int printed = apps::print(text);
+        return printed == apps::kDone ? status : printed;
+    }
+
+    RunArguments arguments_;
+    apps::Findings findings_;
+    apps::TellDiagnostic tell_;
+    bool told_ = false;
+};
+
+int run_simulation(const RunArguments& given) {
+    return Run(given).run();
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    return apps::run_main<RunArguments>(
-        argc, argv, kProgram,
-        "Simulates a script or a part program: cycle time, moves, trajectory, what goes wrong.",
-        apps::add_run_options, run);
+std::unique_ptr<apps::Program> apps::make_gsim_run() {
+    return std::make_unique<ProgramOf<RunArguments>>(
+        kGsimRun, "Simulates a script or a part program: cycle time, moves, trajectory, what goes wrong",
+        add_run_options, run_simulation);
 }

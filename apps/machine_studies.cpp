@@ -92,39 +92,45 @@ class Envelope {
     std::optional<std::vector<envelope::PairOutline>> outlines_;
 };
 
-tl::expected<void, std::string> write_file(const std::string& name, const std::string& contents) {
-    auto file = simulation::OutputFile::open(name);
-    if (!file) return tl::unexpected(file.error());
-    std::fwrite(contents.data(), 1, contents.size(), file->stream());
-    return file->commit();
-}
-
 tl::expected<void, std::string> write_envelopes(const std::vector<std::string>& files,
                                                 const machine::Machine& machine, const StudyOutput& output) {
     for (const std::string& file : files) {
         if (!Envelope::is_known(file))
             return tl::unexpected(fmt::format("{}: an envelope's file ends in .stl, .csv or .svg", file));
+        if (auto writable = simulation::OutputFile::check(file); !writable) return writable;
     }
     auto chain = envelope::envelope_chain(machine);
     if (!chain) return tl::unexpected(chain.error());
     Envelope envelope(machine, *std::move(chain));
     for (const std::string& file : files) {
-        if (auto written = write_file(file, envelope.contents(file)); !written) return written;
+        if (auto written = simulation::write_file(file, envelope.contents(file)); !written) return written;
     }
     if (!output.json && !output.quiet) std::fputs(envelope.summary().c_str(), stdout);
     return {};
 }
 
+tl::expected<void, std::string> draw_axes(const std::string& file, const machine::Machine& machine) {
+    if (text::lower(std::filesystem::path(file).extension().string()) != ".svg")
+        return tl::unexpected(fmt::format("{}: the picture of the axes is a file that ends in .svg", file));
+    return simulation::write_file(file, check::axes_svg(machine));
+}
+
 }  // namespace
 
-void add_study_options(CLI::App& app, MachineStudies& studies) {
-    app.add_option("--check-machine", studies.check,
-                   "check this machine file, without a program: limits, inverse, singular ranges, collisions "
-                   "of its bodies (with --cell: of the cell's) whatever the joints do");
-    app.add_option("--envelope", studies.envelopes,
-                   "write what the tool's tip can reach, without a program, to this .stl file (the volume), "
-                   ".csv or .svg file (for each pair of joints); may be given several times")
-        ->allow_extra_args(false);
+void add_study_options(CommandLine& line, MachineStudies& studies) {
+    line.add(
+            "--check-machine", &studies.check,
+            "check this machine file, without a program: limits, inverse, singular ranges, collisions of its "
+            "bodies (with --cell: of the cell's) whatever the joints do")
+        .of_file(FileKind::input, {".toml"});
+    line.add(
+            "--envelope", &studies.envelopes,
+            "write what the tool's tip can reach, without a program, to this .stl file (the volume), .csv or "
+            ".svg file (for each pair of joints); may be given several times")
+        .of_file(FileKind::output, {".stl", ".csv", ".svg"});
+    line.add("--draw-axes", &studies.axes,
+             "draw which way each axis moves the tool, without a program, into this .svg file")
+        .of_file(FileKind::output, {".svg"});
 }
 
 tl::expected<int, std::string> run_studies(const MachineStudies& studies, const machine::Machine& machine,
@@ -134,6 +140,9 @@ tl::expected<int, std::string> run_studies(const MachineStudies& studies, const 
         auto checked = print_check(machine, cell, output);
         if (!checked) return checked;
         status = *checked;
+    }
+    if (!studies.axes.empty()) {
+        if (auto drawn = draw_axes(studies.axes, machine); !drawn) return tl::unexpected(drawn.error());
     }
     if (studies.envelopes.empty()) return status;
     return write_envelopes(studies.envelopes, machine, output).map([status] { return status; });

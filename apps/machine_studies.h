@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <tl/expected.hpp>
 
+#include "apps/command_line.h"
 #include "runtime/machine/machine.h"
 
 namespace gsim::apps {
@@ -14,11 +14,12 @@ namespace gsim::apps {
 struct MachineStudies {
     std::string check;                   ///< A machine file to check; empty: not wanted.
     std::vector<std::string> envelopes;  ///< Files for the working envelope.
+    std::string axes;                    ///< A file for the picture of what each axis does.
 
-    bool any() const { return !check.empty() || !envelopes.empty(); }
+    bool any() const { return !check.empty() || !envelopes.empty() || !axes.empty(); }
 };
 
-void add_study_options(CLI::App& app, MachineStudies& studies);
+void add_study_options(CommandLine& line, MachineStudies& studies);
 
 /// How to tell what was found.
 struct StudyOutput {

@@ -69,16 +69,42 @@ tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simul
             (*file)->text, simulator.machine(), names.step_s, simulator.max_time_s());
         simulator.add_output(*outputs.trajectory_);
     }
-    if (!names.plot.empty()) {
-        outputs.plot_ = std::make_unique<simulation::PlotData>(simulator.machine());
-        simulator.add_output(*outputs.plot_);
+    for (const std::string* late : {&names.report, &names.record}) {
+        if (late->empty()) continue;
+        if (auto writable = OutputFile::check(*late); !writable) return tl::unexpected(writable.error());
     }
+    if (auto plot = outputs.add_plot(simulator); !plot) return tl::unexpected(plot.error());
     if (!names.record.empty()) {
         outputs.recorder_ = std::make_unique<record::PathRecorder>(simulator.machine());
         simulator.set_observer(*outputs.recorder_);
     }
     if (names.explain) outputs.add_explanation(simulator);
     return outputs;
+}
+
+tl::expected<void, std::string> Outputs::add_plot(simulation::Simulator& simulator) {
+    if (names_.plot.empty()) return {};
+    const simulation::Plane plane = names_.plot_plane == "zx"   ? simulation::Plane::zx
+                                    : names_.plot_plane == "yz" ? simulation::Plane::yz
+                                                                : simulation::Plane::xy;
+    if (auto lacks = simulation::PlotData::lacks_axes(simulator.machine(), plane))
+        return tl::unexpected(*lacks);
+    auto picture = simulation::Picture::named(names_.plot);
+    if (!picture) return tl::unexpected(picture.error());
+    picture_ = *std::move(picture);
+    plot_ = std::make_unique<simulation::PlotData>(simulator.machine(), plane);
+    simulator.add_output(*plot_);
+    return {};
+}
+
+tl::expected<void, std::string> Outputs::draw(const simulation::Report& report) {
+    if (!picture_) return {};
+    if (report.cell) {
+        for (const simulation::Collision& collision : report.cell->collisions)
+            plot_->mark_collision(collision.joints);
+    }
+    if (report.status == simulation::RunStatus::alarm) plot_->mark_alarm();
+    return picture_->draw(*plot_, report.program);
 }
 
 void Outputs::add_explanation(simulation::Simulator& simulator) {
@@ -134,10 +160,7 @@ tl::expected<void, std::string> Outputs::commit(const simulation::Report& report
         if (auto flushed = file->text.flush(); !flushed) return flushed;
         if (auto committed = file->file.commit(); !committed) return committed;
     }
-    if (plot_ != nullptr) {
-        if (auto plotted = simulation::make_plot(*plot_, names_.plot, report.program); !plotted)
-            return plotted;
-    }
+    if (auto drawn = draw(report); !drawn) return drawn;
     if (path_) return write_path();
     return {};
 }

@@ -11,6 +11,7 @@
 #include "runtime/simulation/moves_writer.h"
 #include "runtime/simulation/output_file.h"
 #include "runtime/simulation/path_bound.h"
+#include "runtime/simulation/plot.h"
 #include "runtime/simulation/plot_data.h"
 #include "runtime/simulation/simulator.h"
 #include "runtime/simulation/text_stream.h"
@@ -25,9 +26,10 @@ struct OutputNames {
     std::string moves;
     std::string trajectory;
     std::string plot;
-    std::string record;    ///< A path file.
-    bool explain = false;  ///< The report tells where the time goes.
-    double step_s = 0.01;  ///< Of the trajectory's samples.
+    std::string plot_plane = "xy";  ///< Which the picture shows the path in.
+    std::string record;             ///< A path file.
+    bool explain = false;           ///< The report tells where the time goes.
+    double step_s = 0.01;           ///< Of the trajectory's samples.
 
     /// Whether a file is wanted.
     bool any() const;
@@ -40,7 +42,8 @@ struct OutputNames {
 /// The files that a run writes, attached to its simulator. They appear under their names with commit() only.
 class Outputs {
   public:
-    /// The error is a sentence. `simulator` must not have moved yet, and must outlive the outputs' use.
+    /// The error is a sentence; what the names would stop the run's files with is known here, not behind the
+    /// run. `simulator` must not have moved yet, and must outlive the outputs' use.
     static tl::expected<Outputs, std::string> open(const OutputNames& names,
                                                    simulation::Simulator& simulator);
 
@@ -49,7 +52,7 @@ class Outputs {
     /// After the run: makes the path that was asked for; `program` names it. The error is a sentence: what
     /// was run makes no path.
     tl::expected<void, std::string> make_path(const std::string& program);
-    /// After the run: writes report and plot, and gives all files their names. The error is a sentence.
+    /// After the run: writes report and picture, and gives all files their names. The error is a sentence.
     tl::expected<void, std::string> commit(const simulation::Report& report);
 
   private:
@@ -61,6 +64,8 @@ class Outputs {
     tl::expected<TextFile*, std::string> add_file(const std::string& name);
     tl::expected<void, std::string> write_path() const;
     void add_explanation(simulation::Simulator& simulator);
+    tl::expected<void, std::string> add_plot(simulation::Simulator& simulator);
+    tl::expected<void, std::string> draw(const simulation::Report& report);
 
     /// What an explanation is made of.
     struct Causes {
@@ -75,6 +80,7 @@ class Outputs {
     std::unique_ptr<simulation::MovesWriter> moves_;
     std::unique_ptr<simulation::TrajectoryWriter> trajectory_;
     std::unique_ptr<simulation::PlotData> plot_;
+    std::optional<simulation::Picture> picture_;
     std::unique_ptr<Causes> causes_;
     std::unique_ptr<record::PathRecorder> recorder_;
     std::optional<path::Program> path_;

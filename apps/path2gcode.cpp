@@ -1,76 +1,101 @@
 // path2gcode: writes a path as a part program for a machine and its controller.
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
 
+#include "apps/data_file.h"
 #include "apps/exit_status.h"
+#include "apps/findings.h"
+#include "apps/machine_input.h"
 #include "apps/path_input.h"
 #include "apps/path_program.h"
-#include "apps/run_main.h"
+#include "apps/programs.h"
 #include "codegen/post_file.h"
-#include "runtime/machine/machine_file.h"
 #include "runtime/simulation/output_file.h"
 
 namespace {
 
 using namespace gsim;
 namespace fs = std::filesystem;
+using Kind = text::DiagnosticKind;
 
-struct Arguments {
+struct WriteArguments {
     std::string input = "-";
     std::string output;
     std::string post = "ab9";
     std::string machine;
-    std::string rotary = "least-turn";
+    std::string rotary;
+    std::string offsets;
     double tolerance_mm = 0.01;
+    std::string decimals;
     bool inch = false;
     bool verbose_words = false;
     bool separate_files = false;
+    bool go_on = false;
     bool quiet = false;
+    apps::FindingOptions findings;
 };
 
-constexpr const char* kProgram = "path2gcode";
+constexpr const char* kPath2gcode = "path2gcode";
 constexpr const char* kAsGiven = "as-given";
+constexpr const char* kLeastTurn = "least-turn";
+constexpr std::array<std::pair<const char*, apps::Offsets>, 3> kOffsets = {
+    {{"keep", apps::Offsets::keep}, {"none", apps::Offsets::none}, {"G53", apps::Offsets::machine}}};
 
-int usage_error(const std::string& message) {
-    return apps::usage_error(kProgram, message);
+void add_write_options(apps::CommandLine& line, WriteArguments& a) {
+    using apps::FileKind;
+    line.add("part.path.json|part.lua", &a.input, "path, or - for a path file on standard input")
+        .of_file(FileKind::input, {".json", ".lua"})
+        .shows_default();
+    line.begin_group("Control and machine");
+    line.add("--dialect", &a.post,
+             fmt::format("how the controller wants programs: {}, or a file that ends in .toml",
+                         fmt::join(codegen::built_in_posts(), ", ")))
+        .called("NAME|FILE")
+        .of_file(FileKind::input, {".toml"})
+        .shows_default();
+    line.add("--machine", &a.machine,
+             "machine file (TOML); without it the 5-axis waterjet gantry that is built in")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--rotary", &a.rotary,
+             "least-turn: rotary axes go the way that turns least; as-given: rotary_deg is taken as it is, "
+             "the default for recorded paths")
+        .one_of({kLeastTurn, kAsGiven});
+    line.add("--offsets", &a.offsets,
+             "keep: the work offsets that the recorded run used, the default there; none: all offsets are "
+             "taken back; G53: machine coordinates, in which there are no arcs")
+        .one_of({kOffsets[0].first, kOffsets[1].first, kOffsets[2].first});
+    line.add("--go-on", &a.go_on,
+             "what the control has no word for becomes a comment, counted and listed, instead of an error");
+    line.add("--tolerance", &a.tolerance_mm, "by which lines in place of an arc may be off it")
+        .called("MM")
+        .within(1e-4, 10)
+        .shows_default();
+    line.begin_group("Output");
+    line.add("-o,--output", &a.output, "write the program to this file; it appears only if all went well")
+        .of_file(FileKind::output, {".nc", ".ngc"});
+    line.add("--separate-files", &a.separate_files, "each sub-path in a file of its own beside the output");
+    line.add("--decimals", &a.decimals, "digits behind the point of lengths in mm, in place of the post's")
+        .one_of({"1", "2", "3", "4", "5", "6"});
+    line.add("--inch", &a.inch, "the program is in inches");
+    line.add("--verbose-words", &a.verbose_words, "write words though they have not changed");
+    line.add("--quiet", &a.quiet, "no notes on standard error");
+    line.begin_group("Diagnostics");
+    apps::add_finding_options(line, a.findings);
+    line.add_example("path2gcode plate.path.json -o plate.nc", "a path for the built-in machine");
+    line.add_example("gsim-run --record - part.nc | path2gcode --dialect grbl -",
+                     "what was run, for another control");
 }
 
-void add_options(CLI::App& app, Arguments& a) {
-    app.add_option("part.path.json|part.lua", a.input, "path, or - for a path file on standard input")
-        ->capture_default_str();
-    app.add_option("-o,--output", a.output,
-                   "write the program to this file; it appears only if all went well");
-    app.add_option("--dialect", a.post,
-                   fmt::format("how the controller wants programs: {}, or a file that ends in .toml",
-                               fmt::join(codegen::built_in_posts(), ", ")))
-        ->capture_default_str();
-    app.add_option("--machine", a.machine,
-                   "machine file (TOML); without it the 5-axis waterjet gantry that is built in");
-    app.add_option(
-           "--rotary", a.rotary,
-           "least-turn: rotary axes go the way that turns least; as-given: rotary_deg is taken as it is")
-        ->check(CLI::IsMember({"least-turn", kAsGiven}))
-        ->capture_default_str();
-    app.add_option("--tolerance", a.tolerance_mm, "mm by which lines in place of an arc may be off it")
-        ->check(CLI::Range(1e-4, 10.0))
-        ->capture_default_str();
-    app.add_flag("--inch", a.inch, "the program is in inches");
-    app.add_flag("--verbose-words", a.verbose_words, "write words though they have not changed");
-    app.add_flag("--separate-files", a.separate_files,
-                 "each sub-path in a file of its own beside the output");
-    app.add_flag("--quiet", a.quiet, "no notes on standard error");
-    app.set_version_flag("--version", "path2gcode " GSIM_VERSION);
-}
-
-// Files that get their names together, once all are written.
-class Files {
+// ProgramFiles that get their names together, once all are written.
+class ProgramFiles {
   public:
     tl::expected<void, std::string> open(const fs::path& main, const std::vector<std::string>& beside) {
         if (auto opened = add("", main); !opened) return opened;
@@ -102,52 +127,69 @@ codegen::GcodeWriter::Sink into(std::FILE* stream) {
     return [stream](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); };
 }
 
-int write(const apps::PathProgram& program, const std::string& output) {
+int write_program(const apps::PathProgram& program, const std::string& output, apps::Findings& findings) {
     if (output.empty()) {
         program.write([](const std::string&) { return into(stdout); });
         const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-        return written ? apps::kDone : usage_error("standard output cannot be written");
+        return written ? apps::kDone : findings.fail(Kind::output, "standard output cannot be written");
     }
-    Files files;
-    if (auto opened = files.open(output, program.file_names()); !opened) return usage_error(opened.error());
+    ProgramFiles files;
+    if (auto opened = files.open(output, program.file_names()); !opened)
+        return findings.fail(Kind::output, opened.error());
     program.write([&files](const std::string& name) { return into(files.stream(name)); });
     const auto committed = files.commit();
-    return committed ? apps::kDone : usage_error(committed.error());
+    return committed ? apps::kDone : findings.fail(Kind::output, committed.error());
 }
 
-int path_fault(const std::string& message) {
-    std::fprintf(stderr, "%s\n", message.c_str());
+/// A path with a mistake, or one that the machine or the control cannot do.
+int path_fault(apps::Findings& findings, const std::string& message) {
+    findings.take(text::diagnostic_of(Kind::path, message));
     return apps::kProgramFault;
 }
 
-int run(const Arguments& a) {
-    if (a.separate_files && a.output.empty()) return usage_error("--separate-files needs --output");
-    const auto post = codegen::find_post(a.post);
-    if (!post) return usage_error(post.error());
-    const auto machine = a.machine.empty()
-                             ? machine::read_machine(machine::built_in_machine_toml(), "af5.toml")
-                             : machine::load_machine(a.machine);
-    if (!machine) return usage_error(machine.error());
-    const auto file = apps::read_path(a.input);
-    if (!file) return path_fault(file.error());
+int write_path_program(const WriteArguments& a, apps::Findings& findings) {
+    if (a.separate_files && a.output.empty())
+        return findings.fail(Kind::usage, "--separate-files needs --output");
+    const auto post = apps::find_post_file(a.post).and_then(codegen::find_post);
+    if (!post) return findings.fail(Kind::input_file, post.error());
+    const auto input = apps::read_machine_input(a.machine);
+    if (!input) return findings.fail(Kind::input_file, input.error());
+    const machine::Machine* machine = &input->machine;
+    const auto file = apps::find_file(apps::InstalledKind::sample, a.input).and_then(apps::read_path);
+    if (!file) return path_fault(findings, file.error());
 
     apps::PathProgramOptions options;
-    options.words = {a.inch, a.verbose_words};
-    options.rotary.as_given = a.rotary == kAsGiven;
+    options.words.inch = a.inch;
+    options.words.verbose_words = a.verbose_words;
+    if (!a.decimals.empty()) options.words.decimals_mm = a.decimals.front() - '0';
+    options.rotary.as_given = a.rotary.empty() ? file->program.is_recorded() : a.rotary == kAsGiven;
+    for (const auto& [name, offsets] : kOffsets) {
+        if (a.offsets == name) options.offsets = offsets;
+    }
+    options.go_on = a.go_on;
     options.tolerance_mm = a.tolerance_mm;
     options.separate_files = a.separate_files;
     options.name = a.output.empty() ? file->program.name : fs::path(a.output).stem().string();
     const auto program = apps::PathProgram::plan(*file, *machine, *post, options);
-    if (!program) return path_fault(program.error());
-    if (!a.quiet) {
-        for (const std::string& note : program->notes()) std::fprintf(stderr, "note: %s\n", note.c_str());
+    if (!program) return path_fault(findings, program.error());
+    for (const std::string& note : program->notes()) {
+        if (!a.quiet) findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = note});
     }
-    return write(*program, a.output);
+    return write_program(*program, a.output, findings);
+}
+
+int run_write(const WriteArguments& a) {
+    using Stream = apps::Findings::Stream;
+    apps::Findings findings(kPath2gcode, a.findings);
+    const int status = write_path_program(a, findings);
+    const bool product_on_standard_output = status == apps::kDone && a.output.empty();
+    return findings.finish(status,
+                           product_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    return apps::run_main<Arguments>(argc, argv, kProgram,
-                                     "Writes a path of points as a part program (G-code).", add_options, run);
+std::unique_ptr<apps::Program> apps::make_path2gcode() {
+    return std::make_unique<ProgramOf<WriteArguments>>(
+        kPath2gcode, "Writes a path of points as a part program (G-code)", add_write_options, run_write);
 }

@@ -1,10 +1,12 @@
 #include "apps/path_program.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runtime/path/merged_lines.h"
 #include "text/letter_case.h"
@@ -19,7 +21,8 @@ namespace {
 
 constexpr double kMostTargets = 1e8;  // of a program whose sub-paths are written where they are used
 constexpr std::size_t kMostNotes = 20;
-constexpr int kFirstLabel = 5001;  // of O-words that repeat a call
+constexpr std::size_t kMostNames = 8;  // in an error
+constexpr int kFirstLabel = 5001;      // of O-words that repeat a call
 
 std::string plain_name(const std::string& name) {
     std::string plain;
@@ -34,13 +37,21 @@ std::string plain_name(const std::string& name) {
 // Looks at the moves, so that what is wrong is known before anything is written, and gathers what to tell.
 class PathProgram::Check : public path::MoveSink {
   public:
-    explicit Check(PathProgram& program) : program_(program) {}
+    explicit Check(PathProgram& program) : program_(program), words_(program.post_->actions) {}
 
-    void move(const path::AxisMove&) override {}
+    void move(const path::AxisMove& move) override {
+        const codegen::Post& post = *program_.post_;
+        if (move.duration_s) post.feed_modes.inverse_time.empty() ? ++mean_feeds_ : ++feed_modes_;
+        if (move.feed_mm_rev) post.feed_modes.per_revolution.empty() ? ++per_minute_ : ++feed_modes_;
+        if (move.lead_mm && post.thread.empty()) ++without_word_["a line in step with the spindle"];
+        if (move.lead_mm && program_.offsets() == Offsets::machine)
+            ++without_word_["a line in step with the spindle, in machine coordinates"];
+    }
     void dwell(double) override {}
     void acceleration(double) override { ++program_.accelerations_; }
     void action(const std::string& name) override {
-        if (program_.post_->actions.find(name) == program_.post_->actions.end()) ++without_word_[name];
+        if (name == codegen::kRest || words_.block_of(name, 1)) return;
+        ++(is_said(name) ? said_ : without_word_)[fmt::format("'{}'", name)];
     }
     void call(const path::SubPath&) override {}
     void note(const path::TargetId& where, std::string_view sentence) override {
@@ -49,26 +60,63 @@ class PathProgram::Check : public path::MoveSink {
         }
     }
 
-    void finish() {
+    /// The error is a sentence.
+    tl::expected<void, std::string> finish() {
+        program_.options_.words.feed_modes = feed_modes_ > 0;
         if (count_ > kMostNotes) {
             program_.notes_.push_back(fmt::format("{} more notes of this kind", count_ - kMostNotes));
         }
+        const std::string& post = program_.post_->name;
         if (program_.accelerations_ > 0 && program_.post_->acceleration.empty()) {
-            program_.notes_.push_back(fmt::format(
-                "'acceleration_mm_s2' of {} points is not written: the post '{}' has no words for it",
-                program_.accelerations_, program_.post_->name));
+            note_of("'acceleration_mm_s2' of {} points is not written: the post '{}' has no words for it",
+                    program_.accelerations_, post);
         }
-        for (const auto& [name, count] : without_word_) {
-            program_.notes_.push_back(
-                fmt::format("action '{}' is a comment, {} times: the post '{}' has no block for it", name,
-                            count, program_.post_->name));
+        if (mean_feeds_ > 0)
+            note_of("times of {} moves are written as feeds: the post '{}' has no inverse time feed",
+                    mean_feeds_, post);
+        if (per_minute_ > 0)
+            note_of("feeds per revolution of {} moves are written per minute: the post '{}' has no others",
+                    per_minute_, post);
+        if (!program_.options_.go_on && !without_word_.empty()) return tl::unexpected(refusal());
+        for (const auto* list : {&said_, &without_word_}) {
+            for (const auto& [name, count] : *list)
+                note_of("{} is a comment, {} times: the post '{}' has no block for it", name, count, post);
         }
+        return {};
     }
 
   private:
+    // What a program tells people, without anything being done.
+    static bool is_said(std::string_view action) {
+        constexpr std::array<std::string_view, 11> kSaid = {
+            "message",  "print",      "print_open", "print_close", "debug",      "log",
+            "log_open", "log_append", "log_close",  "probe_open",  "probe_close"};
+        const std::string_view kind = action.substr(0, action.find(' '));
+        return std::find(kSaid.begin(), kSaid.end(), kind) != kSaid.end();
+    }
+
+    template <typename... Values>
+    void note_of(fmt::format_string<Values...> format, Values&&... values) {
+        program_.notes_.push_back(fmt::format(format, std::forward<Values>(values)...));
+    }
+
+    std::string refusal() const {
+        std::vector<std::string> names;
+        for (const auto& [name, count] : without_word_) {
+            if (names.size() == kMostNames) break;
+            names.push_back(count == 1 ? name : fmt::format("{} ({} times)", name, count));
+        }
+        const std::size_t more = without_word_.size() - names.size();
+        return fmt::format("the post '{}' has no words for {}{}; with --go-on they become comments",
+                           program_.post_->name, fmt::join(names, ", "),
+                           more > 0 ? fmt::format(" and {} more", more) : "");
+    }
+
     PathProgram& program_;
+    codegen::ActionWords words_;
     std::size_t count_ = 0;
-    std::map<std::string, int> without_word_;
+    std::size_t feed_modes_ = 0, mean_feeds_ = 0, per_minute_ = 0;  // moves
+    std::map<std::string, int> without_word_, said_;
 };
 
 // Moves as blocks.
@@ -80,6 +128,7 @@ class PathProgram::Sink : public path::MoveSink {
           axes_(program.written_axes()),
           writer_(*program.post_, axes_, program.options_.words, std::move(text)) {
         values_.resize(axes_.size());
+        origin_.resize(axes_.size());
         for (const codegen::WrittenAxis& axis : axes_) {
             indices_.push_back(static_cast<Eigen::Index>(*program.space_.machine().find(axis.letter)));
         }
@@ -93,19 +142,47 @@ class PathProgram::Sink : public path::MoveSink {
             moves_.run(path, program_.space_.coupled() ? merged : static_cast<MoveSink&>(*this)));
         merged.finish();
     }
-    void start_position() { writer_.start_position(values_of(program_.space_.home())); }
+    /// The root's lines behind those of the program's beginning.
+    void begin() {
+        const codegen::Post& post = *program_.post_;
+        const Offsets offsets = program_.offsets();
+        if (offsets != Offsets::as_path) writer_.lines(post.offsets.begin);
+        const std::string& here = offsets == Offsets::as_path ? post.start_position : post.offsets.here;
+        if (!here.empty() && (offsets == Offsets::as_path || offsets == Offsets::none))
+            writer_.here(here, values_of(program_.space_.home()));
+        if (!post.offsets.systems.empty()) writer_.begin_in(post.offsets.systems.front());
+    }
+    /// Those before the lines of its end.
+    void end() {
+        if (program_.offsets() == Offsets::none) writer_.lines(program_.post_->offsets.end);
+        if (program_.accelerations_ > 0) writer_.lines(program_.post_->end_acceleration);
+    }
 
     void move(const path::AxisMove& move) override {
         const std::span<const double> values = values_of(move.axes);
         if (move.rapid) return writer_.move(values, std::nullopt);
-        const codegen::WrittenFeed feed{move.feed_per_min, move.feed_is_rotary};
+        const codegen::WrittenFeed feed{move.feed_per_min, move.feed_is_rotary, move.duration_s,
+                                        move.feed_mm_rev, program_.thread_lead(move)};
         if (!move.arc) return writer_.move(values, feed);
+        if (move.arc->via_mm)
+            return writer_.arc_through(values, from_origin(*move.arc->via_mm), feed, move.arc->turn_rad);
         constexpr std::array kPlanes = {codegen::ArcPlane::about_x, codegen::ArcPlane::about_y,
                                         codegen::ArcPlane::about_z};
         writer_.arc(values,
                     {kPlanes[static_cast<std::size_t>(move.arc->about)], !move.arc->counterclockwise,
-                     move.arc->center_offset_mm},
+                     move.arc->center_offset_mm, move.arc->turn_rad},
                     feed);
+    }
+    void stand(const path::AxisValues& axes) override { writer_.stand(values_of(axes)); }
+    // The numbers are counted from where the machine's data has the system.
+    void work_offset(const std::string& name) override {
+        if (program_.offsets() != Offsets::keep) return;
+        const auto& origin = program_.file_->program.work_offsets.find(name)->second.origin;
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            const auto value = origin.find(axes_[i].letter);
+            origin_[i] = value == origin.end() ? 0 : value->second;
+        }
+        writer_.work_offset(name);
     }
     void dwell(double seconds) override { writer_.dwell(seconds); }
     void acceleration(double mm_s2) override { writer_.acceleration(mm_s2); }
@@ -131,8 +208,12 @@ class PathProgram::Sink : public path::MoveSink {
     }
 
   private:
+    // X, Y and Z, which are the first axes.
+    path::Vector from_origin(const path::Vector& xyz) const {
+        return {xyz[0] - origin_[0], xyz[1] - origin_[1], xyz[2] - origin_[2]};
+    }
     std::span<const double> values_of(const path::AxisValues& axes) {
-        for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = axes[indices_[i]];
+        for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = axes[indices_[i]] - origin_[i];
         return values_;
     }
 
@@ -141,6 +222,7 @@ class PathProgram::Sink : public path::MoveSink {
     std::vector<codegen::WrittenAxis> axes_;
     GcodeWriter writer_;
     std::vector<double> values_;
+    std::vector<double> origin_;  // of the numbers: machine coordinates of 0
     std::vector<Eigen::Index> indices_;
     int next_label_ = kFirstLabel;
 };
@@ -159,32 +241,91 @@ tl::expected<PathProgram, std::string> PathProgram::plan(const path::PathFile& f
                         "by --machine",
                         post.name, post.axes, machine.name, axis.letter));
     }
+    if (!program.options_.words.decimals_mm && file.program.is_recorded())
+        program.options_.words.decimals_mm = post.decimals_recorded_mm;
+    program.options_.words.in_machine = program.offsets() == Offsets::machine;
+    if (auto checked = program.check_offsets(); !checked) return tl::unexpected(checked.error());
     auto turns = path::plan_rotary(file.program, program.space_, program.states_, options.rotary);
     if (!turns) return tl::unexpected(file.located(turns.error().where, turns.error().sentence));
     program.turns_ = std::move(*turns);
-    if (auto looked = program.look_at_moves(); !looked) {
-        return tl::unexpected(file.located(looked.error().where, looked.error().sentence));
-    }
+    if (auto looked = program.look_at_moves(); !looked) return tl::unexpected(looked.error());
     return program;
 }
 
-path::MoveOptions PathProgram::move_options() const {
-    const double digit_mm = options_.words.inch ? 25.4 * std::pow(10.0, -post_->decimals_inch)
-                                                : std::pow(10.0, -post_->decimals_mm);
-    return {options_.tolerance_mm, digit_mm};
+Offsets PathProgram::offsets() const {
+    return options_.offsets.value_or(file_->program.is_recorded() ? Offsets::keep : Offsets::as_path);
 }
 
-tl::expected<void, Fault> PathProgram::look_at_moves() {
+tl::expected<void, std::string> PathProgram::check_offsets() const {
+    const codegen::OffsetWords& words = post_->offsets;
+    const auto no_word = [this](std::string_view what) {
+        return tl::unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
+    };
+    switch (offsets()) {
+        case Offsets::as_path: return {};
+        case Offsets::none:
+            if (words.here.empty()) return no_word("the place where the machine stands ([offsets] here)");
+            return {};
+        case Offsets::machine:
+            if (words.machine.empty()) return no_word("machine coordinates ([offsets] machine)");
+            return {};
+        case Offsets::keep: break;
+    }
+    if (!file_->program.is_recorded()) {
+        return tl::unexpected<std::string>(
+            "--offsets keep is for recorded paths (gsim-run --record), which say what offsets were in force");
+    }
+    for (const auto& [name, offset] : file_->program.work_offsets) {
+        if (auto known = check_work_offset(name); !known) return known;
+    }
+    return {};
+}
+
+tl::expected<void, std::string> PathProgram::check_work_offset(const std::string& name) const {
+    const std::vector<std::string>& systems = post_->offsets.systems;
+    const double rotation_deg = file_->program.work_offsets.find(name)->second.rotation_deg;
+    if (std::find(systems.begin(), systems.end(), name) == systems.end()) {
+        return tl::unexpected(
+            fmt::format("the post '{}' has no word for the work offset G{}; --offsets none or G53 writes the "
+                        "program without",
+                        post_->name, name));
+    }
+    if (rotation_deg == 0) return {};
+    return tl::unexpected(fmt::format(
+        "the work offset G{} is turned by {:.10g} degrees, which is not written; --offsets none or "
+        "G53 writes the program without",
+        name, rotation_deg));
+}
+
+// As a line of its feed where the control has no threads, and the user wants the program all the same.
+std::optional<double> PathProgram::thread_lead(const path::AxisMove& move) const {
+    const bool has_word = !post_->thread.empty() && offsets() != Offsets::machine;
+    return has_word ? move.lead_mm : std::nullopt;
+}
+
+path::MoveOptions PathProgram::move_options() const {
+    const double digit_mm = options_.words.inch
+                                ? 25.4 * std::pow(10.0, -post_->decimals_inch)
+                                : std::pow(10.0, -options_.words.decimals_mm.value_or(post_->decimals_mm));
+    const auto oblique = post_->through_point          ? path::ObliqueArcs::through_points
+                         : post_->refuses_oblique_arcs ? path::ObliqueArcs::refused
+                                                       : path::ObliqueArcs::lines;
+    return {options_.tolerance_mm, digit_mm, oblique, offsets() != Offsets::machine};
+}
+
+tl::expected<void, std::string> PathProgram::look_at_moves() {
+    const auto located = [this](const Fault& fault) {
+        return tl::unexpected(file_->located(fault.where, fault.sentence));
+    };
     if (inlined()) {
-        if (auto size = check_size(); !size) return size;
+        if (auto size = check_size(); !size) return located(size.error());
     }
     const path::AxisMoves moves(file_->program, space_, states_, turns_, move_options());
     Check check(*this);
     for (const std::size_t path : states_.users_first()) {
-        if (auto run = moves.run(path, check); !run) return run;
+        if (auto run = moves.run(path, check); !run) return located(run.error());
     }
-    check.finish();
-    return {};
+    return check.finish();
 }
 
 tl::expected<void, Fault> PathProgram::check_size() const {
@@ -242,9 +383,9 @@ void PathProgram::write_path(std::size_t order, Sink& sink) const {
     writer.places() = places_of(order);
     writer.forget();
     writer.lines(order == 0 ? post_->begin : post_->subprogram->begin);
-    if (order == 0) sink.start_position();
+    if (order == 0) sink.begin();
     sink.run(states_.users_first()[order]);
-    if (order == 0 && accelerations_ > 0) writer.lines(post_->end_acceleration);
+    if (order == 0) sink.end();
     writer.lines(order == 0 ? post_->end : post_->subprogram->end);
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,19 @@
 
 namespace gsim::apps {
 
+/// How a program finds the places of the machine: by its work coordinate systems, whose offsets the numbers
+/// are counted from; with all offsets taken back; in machine coordinates; or, of paths that no run has
+/// recorded, as the numbers are.
+enum class Offsets { as_path, keep, none, machine };
+
 struct PathProgramOptions {
     codegen::WriterOptions words;
     path::RotaryOptions rotary;
     double tolerance_mm = 0.01;
-    bool separate_files = false;  ///< Each sub-path in a file of its own.
-    std::string name;             ///< {program} of the post: the main file's name without its extension.
+    bool separate_files = false;          ///< Each sub-path in a file of its own.
+    std::optional<Offsets> offsets = {};  ///< Left out: keep for recorded paths, else as_path.
+    bool go_on = false;  ///< What the post has no words for becomes comments, instead of an error.
+    std::string name;    ///< {program} of the post: the main file's name without its extension.
 };
 
 /// A path on its way to G-code for one machine and one controller.
@@ -49,8 +57,12 @@ class PathProgram {
         : file_(&file), space_(std::move(space)), post_(&post), options_(options), states_(file.program) {}
 
     bool inlined() const { return !post_->subprogram; }
+    Offsets offsets() const;
+    tl::expected<void, std::string> check_offsets() const;
+    tl::expected<void, std::string> check_work_offset(const std::string& name) const;
     path::MoveOptions move_options() const;
-    tl::expected<void, path::Fault> look_at_moves();
+    std::optional<double> thread_lead(const path::AxisMove& move) const;
+    tl::expected<void, std::string> look_at_moves();
     tl::expected<void, path::Fault> check_size() const;
     std::vector<codegen::WrittenAxis> written_axes() const;
     codegen::Places places_of(std::size_t order) const;

@@ -5,10 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "apps/machine_input.h"
+#include "apps/process_words.h"
+#include "apps/run_inputs.h"
 #include "runtime/cell/cell_file.h"
-#include "runtime/machine/machine_file.h"
 #include "runtime/process/robots_file.h"
 #include "runtime/simulation/cell_watch.h"
+#include "runtime/simulation/output_file.h"
 
 namespace gsim::apps {
 
@@ -26,7 +29,8 @@ struct Station {
 };
 
 tl::unexpected<InputError> usage(std::string message) {
-    return tl::unexpected(InputError{false, std::move(message)});
+    return tl::unexpected(
+        InputError{.message = std::move(message), .kind = text::DiagnosticKind::input_file});
 }
 
 OutputNames own_files(const OutputNames& names, const std::string& robot) {
@@ -39,11 +43,11 @@ OutputNames own_files(const OutputNames& names, const std::string& robot) {
 tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
                                                const std::vector<std::string>& conveyors,
                                                const RobotsRun& run) {
-    auto machine = entry.machine.empty()
-                       ? machine::read_machine(machine::built_in_machine_toml(), "built-in machine")
-                       : machine::load_machine(entry.machine.string());
-    if (!machine) return usage(machine.error());
+    auto input = read_machine_input(entry.machine.string());
+    if (!input) return usage(input.error());
+    machine::Machine* machine = &input->machine;
     Station station;
+    if (input->data) station.data = *std::move(input->data);
     station.name = entry.name;
     station.base = entry.base;
     if (!entry.machine_data.empty()) {
@@ -53,15 +57,19 @@ tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
     }
     LanguageNames names = run.language;
     if (!entry.dialect.empty()) names.dialect = entry.dialect;
-    auto language = language_of(names, station.data);
+    auto language = language_of(names, machine->program, station.data);
     if (!language) return usage(language.error());
     station.language = *std::move(language);
+    if (machine->process) {
+        if (const auto fault = fault_of_process(*machine->process, *station.language.dialect))
+            return usage(*fault);
+    }
     if (!entry.cell.empty()) {
         auto cell = cell::load_cell(entry.cell.string(), *machine, conveyors);
         if (!cell) return usage(cell.error());
         station.cell = std::make_unique<simulation::CellWatch>(*std::move(cell), *machine);
     }
-    station.simulator = std::make_unique<simulation::Simulator>(*std::move(machine), run.limits);
+    station.simulator = std::make_unique<simulation::Simulator>(std::move(*machine), run.limits);
     if (station.cell) station.simulator->set_cell(*station.cell);
     auto outputs = Outputs::open(own_files(run.outputs, entry.name), *station.simulator);
     if (!outputs) return usage(outputs.error());
@@ -114,6 +122,10 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
     std::vector<std::string> conveyors;
     conveyors.reserve(file->conveyors.size());
     for (const process::Conveyor& conveyor : file->conveyors) conveyors.push_back(conveyor.name());
+    if (!run.outputs.report.empty()) {
+        if (auto writable = simulation::OutputFile::check(run.outputs.report); !writable)
+            return usage(writable.error());
+    }
     std::vector<Station> stations;
     stations.reserve(file->robots.size());
     for (const process::RobotEntry& entry : file->robots) {
@@ -121,10 +133,10 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
         if (!station) return tl::unexpected(station.error());
         stations.push_back(*std::move(station));
     }
-    auto input = read_script(run.input, stations.front().language);
+    auto input = read_script(run.input, stations.front().language, run.tell);
     if (!input) return tl::unexpected(input.error());
     if (!run.setup.empty()) {
-        auto setup = read_script(run.setup, stations.front().language);
+        auto setup = read_script(run.setup, stations.front().language, run.tell);
         if (!setup) return tl::unexpected(setup.error());
         run.options.setup = *std::move(setup);
     }
@@ -134,8 +146,10 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
         robots.push_back({.name = station.name,
                           .simulator = *station.simulator,
                           .dialect = station.language.dialect->name(),
+                          .unit_mm = start_unit_mm(station.language),
                           .data = std::move(station.data),
-                          .find_program = program_finder(run.input, station.language),
+                          .find_program = program_finder(run.input, station.language, run.tell),
+                          .find_module = module_finder(run.input),
                           .base = station.base});
     }
     const std::string program = input->file_name;

@@ -21,6 +21,7 @@ struct RobotsRun {
     OutputNames outputs;  ///< Each robot has files of its own but for the report: moves.left.jsonl.
     simulation::RunLimits limits;
     script::Engine::Options options;
+    TellDiagnostic tell;  ///< Gets what is wrong with programs' texts.
 };
 
 /// Runs it and writes its files. The error is a fault of the program, which has been printed, or a sentence

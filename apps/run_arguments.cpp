@@ -12,12 +12,15 @@ namespace {
 
 std::string contradiction_of_studies(const RunArguments& arguments) {
     if (!arguments.studies.any()) return {};
-    if (!arguments.robots.empty()) return "--robots does not go with --check-machine or --envelope";
+    if (!arguments.robots.empty())
+        return "--robots does not go with --check-machine, --envelope or --draw-axes";
     if (!arguments.input.empty())
-        return fmt::format("--check-machine and --envelope run no program; take away {}", arguments.input);
+        return fmt::format("--check-machine, --envelope and --draw-axes run no program; take away {}",
+                           arguments.input);
     if (arguments.outputs.any() || arguments.outputs.explain) {
-        return "--check-machine and --envelope run no program, of which there would be a report, moves or a "
-               "path; --check-machine prints, with --json as JSON";
+        return "--check-machine, --envelope and --draw-axes run no program, of which there would be a "
+               "report, "
+               "moves or a path; --check-machine prints, with --json as JSON";
     }
     if (!arguments.studies.check.empty() && !arguments.machine.empty())
         return "--check-machine names the machine file; take away --machine";
@@ -30,6 +33,7 @@ std::string contradiction_of_robots(const RunArguments& arguments) {
                                         {&arguments.machine_data, "--machine-data"},
                                         {&arguments.save_machine_data, "--save-machine-data"},
                                         {&arguments.cell, "--cell"},
+                                        {&arguments.probe, "--probe"},
                                         {&arguments.rcs, "--rcs"},
                                         {&arguments.variables, "--variables"}}) {
         if (!value->empty()) return fmt::format("{} does not go with --robots", option);
@@ -41,75 +45,140 @@ std::string contradiction_of_robots(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run_options(CLI::App& app, RunArguments& a) {
-    app.add_option("part.lua|part.nc", a.input, "script or part program, or - for standard input");
-    app.add_option("--machine", a.machine,
-                   "machine file (TOML); without it the 5-axis waterjet gantry that is built in");
-    app.add_option("--machine-data", a.machine_data,
-                   "machine data (NCFILE): work offsets, variables, aliases");
-    app.add_option("--save-machine-data", a.save_machine_data,
-                   "write the machine data as the program left them to this file; it may be the same one");
-    app.add_option("--cell", a.cell,
-                   "cell file (TOML): the run is looked at for collisions and near misses; it may name the "
-                   "machine, too");
-    app.add_flag("--print-machine", a.print_machine, "print the machine file and end");
-    add_study_options(app, a.studies);
-    add_language_options(app, a.language);
-    app.add_option("--setup", a.setup,
-                   "script (Lua) that runs before the program: user M codes, inputs, answers of the probe")
-        ->check(CLI::ExistingFile);
-    app.add_option("--variables", a.variables,
-                   "keep permanent variables in this file: read at the start, written at the end");
-    app.add_flag("--json", a.json, "the report as JSON on standard output");
-    app.add_flag("--quiet", a.quiet, "no report for people, no progress");
-    app.add_flag("--explain", a.outputs.explain,
-                 "the report tells where the time goes, and the least time that the path allows");
-    app.add_option("--report", a.outputs.report, "write the report as JSON to this file; -: standard output");
-    app.add_option("--moves", a.outputs.moves,
-                   "write each move as a line of JSON to this file; -: standard output");
-    app.add_option("--trajectory", a.outputs.trajectory,
-                   "write samples of the trajectory to this CSV file; -: standard output");
-    app.add_option("--step", a.outputs.step_s, "seconds between samples")
-        ->check(CLI::Range(simulation::TrajectoryWriter::kMinStep_s, 1e6))
-        ->capture_default_str();
-    app.add_option("--plot", a.outputs.plot,
-                   "draw path, speed and acceleration into this .svg or .png file (needs gnuplot)");
-    app.add_option("--record", a.outputs.record,
-                   "write what was run as a path to this file, for path2gcode; -: standard output");
-    app.add_flag("--block-delete", a.block_delete, "leave out blocks that begin with /");
-    app.add_flag("--optional-stop", a.optional_stop, "M01 stops");
-    app.add_option("--max-time", a.limits.max_time_s, "end the run after this many seconds of machine time")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    app.add_option("--max-blocks", a.limits.max_blocks, "end the run after this many blocks")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    app.add_option("--max-steps", a.max_steps,
-                   "end the run after this many steps of the script without a motion")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    app.add_option("--memory", a.memory_mb, "MB that the script may use")
-        ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 20U))
-        ->capture_default_str();
-    app.add_option("--lua-lib", a.lua_lib,
-                   "folder with the library in Lua, in place of the one that is built in")
-        ->check(CLI::ExistingDirectory);
-    app.add_option("--rcs", a.rcs,
-                   "controller module (shared library) that plans in place of the built-in planner")
-        ->check(CLI::ExistingFile);
-    app.add_option(
-           "--robots", a.robots,
-           "robots and conveyors that the script moves (TOML); files of moves, trajectories and plots are "
-           "one for each robot")
-        ->check(CLI::ExistingFile);
-    app.set_version_flag("--version", "gsim-run " GSIM_VERSION);
+void add_machine_options(CommandLine& line, RunArguments& a) {
+    line.begin_group("Machine and language");
+    line.add("--machine", &a.machine,
+             "machine file (TOML); without it the 5-axis waterjet gantry that is built in")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--machine-data", &a.machine_data, "machine data (NCFILE): work offsets, variables, aliases")
+        .of_file(FileKind::input, {".txt"});
+    line.add(
+            "--cell", &a.cell,
+            "cell file (TOML): the run is looked at for collisions and near misses; it may name the machine, "
+            "too")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--probe", &a.probe,
+             "what probes touch: z=-3.2 (or x=, y=) is a plane, in mm of machine coordinates of the tool's "
+             "end; "
+             "none: nothing; without it the bodies of the cell, or without one their targets")
+        .called("none|AXIS=MM");
+    add_language_options(line, a.language);
+    line.add("--setup", &a.setup,
+             "script (Lua) that runs before the program: user M codes, inputs, answers of the probe")
+        .of_file(FileKind::input, {".lua"});
+    line.add("--block-delete", &a.block_delete, "leave out blocks that begin with /");
+}
+
+void add_limit_options(CommandLine& line, RunArguments& a) {
+    line.begin_group("Limits");
+    line.add("--stop-at-first", &a.limits.stop_at_first,
+             "end the run with an alarm where an axis would pass its limit, or the tool break a zone's rule; "
+             "else it goes on, and all of these are told");
+    line.add("--passes", &a.passes,
+             "how often to run a main program that ends in M99 and leads back to its start")
+        .called("N")
+        .within(1, 1'000'000)
+        .shows_default();
+    line.add("--max-time", &a.limits.max_time_s, "end the run after this many seconds of machine time")
+        .called("SECONDS")
+        .above_zero()
+        .shows_default();
+    line.add("--max-blocks", &a.limits.max_blocks, "end the run after this many blocks")
+        .above_zero()
+        .shows_default();
+    line.add("--max-steps", &a.max_steps, "end the run after this many steps of the script without a motion")
+        .shows_default();
+    line.add("--memory", &a.memory_mb, "memory that the script may use")
+        .called("MB")
+        .within(16, 1 << 20U)
+        .shows_default();
+}
+
+namespace {
+
+void add_output_options(CommandLine& line, RunArguments& a) {
+    line.begin_group("Results");
+    line.add("--json", &a.findings.json, "the report as JSON on standard output");
+    add_sarif_option(line, a.findings);
+    line.add("--quiet", &a.quiet, "no report for people, no progress");
+    line.add("--explain", &a.outputs.explain,
+             "the report tells where the time goes, and the least time that the path allows");
+    line.add("--report", &a.outputs.report, "write the report as JSON to this file; -: standard output")
+        .of_file(FileKind::output, {".json"});
+    line.add("--moves", &a.outputs.moves,
+             "write each move as a line of JSON to this file; -: standard output")
+        .of_file(FileKind::output, {".jsonl"});
+    line.add("--trajectory", &a.outputs.trajectory,
+             "write samples of the trajectory to this CSV file; -: standard output")
+        .of_file(FileKind::output, {".csv"});
+    line.add("--step", &a.outputs.step_s, "time between samples")
+        .called("SECONDS")
+        .within(simulation::TrajectoryWriter::kMinStep_s, 1e6)
+        .shows_default();
+    line.add("--plot", &a.outputs.plot,
+             "draw path, speed and acceleration into this .svg or .png file (needs gnuplot)")
+        .of_file(FileKind::output, {".svg", ".png"});
+    line.add("--plot-plane", &a.outputs.plot_plane,
+             "what the picture shows the path in: xy from above, zx or yz from a side")
+        .one_of({"xy", "zx", "yz"})
+        .shows_default();
+    line.add("--record", &a.outputs.record,
+             "write what was run as a path to this file, for path2gcode; -: standard output")
+        .of_file(FileKind::output, {".json"});
+}
+
+void add_stored_options(CommandLine& line, RunArguments& a) {
+    line.begin_group("What the control keeps");
+    line.add("--variables", &a.variables,
+             "keep permanent variables in this file: read at the start, written at the end")
+        .of_file(FileKind::output);
+    line.add("--save-machine-data", &a.save_machine_data,
+             "write the machine data as the program left them to this file; it may be the same one")
+        .of_file(FileKind::output, {".txt"});
+}
+
+void add_further_options(CommandLine& line, RunArguments& a) {
+    line.begin_group("Further");
+    line.add("--optional-stop", &a.optional_stop, "M01 stops");
+    line.add("--robots", &a.robots,
+             "robots and conveyors that the script moves (TOML); files of moves, trajectories and plots are "
+             "one for each robot")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--rcs", &a.rcs,
+             "controller module (shared library) that plans in place of the built-in planner")
+        .of_file(FileKind::input, {".so"});
+    line.add("--lua-lib", &a.lua_lib, "folder with the library in Lua, in place of the one that is built in")
+        .of_file(FileKind::folder);
+}
+
+}  // namespace
+
+void add_run_options(CommandLine& line, RunArguments& a) {
+    line.add("part.lua|part.nc", &a.input, "script or part program, or - for standard input")
+        .of_file(FileKind::input, {".lua", ".nc", ".ngc"});
+    add_machine_options(line, a);
+    add_output_options(line, a);
+    line.begin_group("A machine without a program");
+    line.add("--print-machine", &a.print_machine, "print the machine file and end");
+    add_study_options(line, a.studies);
+    add_stored_options(line, a);
+    add_limit_options(line, a);
+    add_further_options(line, a);
+    line.add_example("gsim-run part.nc", "the report: cycle time, moves, what went wrong");
+    line.add_example("gsim-run --machine mine.toml --plot part.svg part.nc",
+                     "on another machine, with a picture");
+    line.add_example("gsim-run --cell cell.toml part.nc", "collisions and near misses");
+    line.add_example("gsim-run --json part.nc | jq .cycle_time_s", "one figure, for a script");
+    line.add_example("gsim-run --print-machine > mine.toml", "a machine file to begin with");
+    line.add_example("gsim-run --record - part.nc | path2gcode --dialect rs274ngc -",
+                     "the same motion for another control");
 }
 
 std::string find_contradiction(const RunArguments& arguments) {
     if (std::string fault = contradiction_of_studies(arguments); !fault.empty()) return fault;
     if (std::string fault = contradiction_of_robots(arguments); !fault.empty()) return fault;
     if (const auto conflict = arguments.outputs.conflict()) return *conflict;
-    if (arguments.json && arguments.outputs.on_standard_output())
+    if (arguments.findings.json && arguments.outputs.on_standard_output())
         return "--json and a file '-' both want standard output; give one of them a file";
     return {};
 }

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/command_line.h"
+#include "apps/findings.h"
 #include "apps/language.h"
 #include "apps/machine_studies.h"
 #include "apps/outputs.h"
@@ -20,6 +20,7 @@ struct RunArguments {
     std::string machine_data;
     std::string save_machine_data;
     std::string cell;
+    std::string probe;
     LanguageNames language;
     std::string setup;
     std::string variables;
@@ -29,16 +30,22 @@ struct RunArguments {
     OutputNames outputs;
     MachineStudies studies;
     simulation::RunLimits limits;
-    std::size_t memory_mb = 2048;
+    std::uint64_t memory_mb = 2048;
+    std::uint64_t passes = 1;  ///< Of a main program that leads back to its start.
     std::uint64_t max_steps = script::LuaState::Limits{}.steps;
-    bool json = false;
+    FindingOptions findings;  ///< `json`: the report is JSON.
     bool quiet = false;
     bool print_machine = false;
     bool block_delete = false;
     bool optional_stop = false;
 };
 
-void add_run_options(CLI::App& app, RunArguments& arguments);
+/// The options of gsim-run.
+void add_run_options(CommandLine& line, RunArguments& arguments);
+/// Those of them that say what is run and on what: the machine, its data, its cell, the language.
+void add_machine_options(CommandLine& line, RunArguments& arguments);
+/// Those that bound a run.
+void add_limit_options(CommandLine& line, RunArguments& arguments);
 
 /// Why options do not go together, as a sentence; empty where they do.
 std::string find_contradiction(const RunArguments& arguments);

@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "apps/data_file.h"
 #include "apps/machine_data_file.h"
+#include "apps/probe_option.h"
+#include "apps/process_words.h"
 #include "apps/variables_file.h"
 #include "runtime/cell/cell_file.h"
-#include "runtime/machine/machine_file.h"
 #include "runtime/rcs/rcs_machine.h"
 
 namespace gsim::apps {
@@ -13,8 +15,13 @@ namespace gsim::apps {
 namespace {
 
 tl::expected<machine::MachineDataDocument, std::string> read_data(const RunArguments& arguments,
-                                                                  const machine::Machine& machine) {
-    if (arguments.machine_data.empty()) return machine::MachineDataDocument(machine.axes);
+                                                                  const MachineInput& input) {
+    const machine::Machine& machine = input.machine;
+    if (arguments.machine_data.empty()) {
+        machine::MachineDataDocument document(machine.axes);
+        if (!input.data) return document;
+        return document.update(*input.data).map([&] { return document; });
+    }
     return open_machine_data(arguments.machine_data, machine.axes).map_error([](const auto& errors) {
         return errors.front();
     });
@@ -30,10 +37,11 @@ tl::expected<machine::MachineData, std::string> with_variables(const RunArgument
 }
 
 tl::expected<std::optional<script::Script>, std::string> read_setup(const RunArguments& arguments,
-                                                                    const Language& language) {
+                                                                    const Language& language,
+                                                                    const TellDiagnostic& tell) {
     std::optional<script::Script> none;
     if (arguments.setup.empty()) return none;
-    return read_script(arguments.setup, language)
+    return read_script(arguments.setup, language, tell)
         .map([](script::Script script) { return std::optional(std::move(script)); })
         .map_error([](InputError error) { return std::move(error.message); });
 }
@@ -62,7 +70,18 @@ tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const RunAr
 
 }  // namespace
 
-tl::expected<RunArguments, std::string> with_files_of_cell(RunArguments arguments) {
+tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments) {
+    for (const auto& [name, kind] : {std::pair{&arguments.input, InstalledKind::sample},
+                                     {&arguments.machine_data, InstalledKind::sample},
+                                     {&arguments.cell, InstalledKind::sample},
+                                     {&arguments.robots, InstalledKind::sample},
+                                     {&arguments.setup, InstalledKind::sample},
+                                     {&arguments.lua_lib, InstalledKind::library},
+                                     {&arguments.rcs, InstalledKind::module}}) {
+        auto found = find_file(kind, *name);
+        if (!found) return tl::unexpected(found.error());
+        *name = *std::move(found);
+    }
     if (arguments.cell.empty()) return arguments;
     return cell::load_cell_files(arguments.cell).map([&](const cell::CellFiles& files) {
         if (arguments.machine.empty()) arguments.machine = files.machine.string();
@@ -71,27 +90,34 @@ tl::expected<RunArguments, std::string> with_files_of_cell(RunArguments argument
     });
 }
 
-tl::expected<machine::Machine, std::string> read_machine(const RunArguments& arguments) {
-    if (!arguments.studies.check.empty()) return machine::load_machine(arguments.studies.check);
-    if (arguments.machine.empty())
-        return machine::read_machine(machine::built_in_machine_toml(), "built-in machine");
-    return machine::load_machine(arguments.machine);
+tl::expected<MachineInput, std::string> read_machine(const RunArguments& arguments) {
+    return read_machine_input(arguments.studies.check.empty() ? arguments.machine : arguments.studies.check);
 }
 
-tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& arguments, machine::Machine machine) {
+tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& arguments, MachineInput input,
+                                                    const TellDiagnostic& tell) {
+    machine::Machine& machine = input.machine;
     const auto fault = [](std::string message) {
-        return tl::unexpected(InputError{false, std::move(message)});
+        return tl::unexpected(
+            InputError{.message = std::move(message), .kind = text::DiagnosticKind::input_file});
     };
-    auto document = read_data(arguments, machine);
+    const auto probe = read_probe_option(arguments.probe, machine);
+    if (!probe) return fault(probe.error());
+    auto document = read_data(arguments, input);
     if (!document) return fault(document.error());
     auto data = with_variables(arguments, document->data());
     if (!data) return fault(data.error());
-    auto language = language_of(arguments.language, *data);
+    auto language = language_of(arguments.language, machine.program, *data);
     if (!language) return fault(language.error());
-    auto program = read_script(arguments.input, *language);
+    auto program = read_script(arguments.input, *language, tell);
     if (!program) return tl::unexpected(program.error());
     language->dialect = grammar::dialect_named(program->dialect);
-    auto setup = read_setup(arguments, *language);
+    if (program->inch) language->units = machine::ProgramUnits::inch;
+    if (machine.process) {
+        if (const auto fault_of_words = fault_of_process(*machine.process, *language->dialect))
+            return fault(*fault_of_words);
+    }
+    auto setup = read_setup(arguments, *language, tell);
     if (!setup) return fault(setup.error());
     auto module = load_module(arguments, machine);
     if (!module) return fault(module.error());
@@ -104,7 +130,8 @@ tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& argument
                      .program = *std::move(program),
                      .setup = *std::move(setup),
                      .module = *std::move(module),
-                     .cell = *std::move(cell)};
+                     .cell = *std::move(cell),
+                     .probe = *probe};
 }
 
 }  // namespace gsim::apps

@@ -6,20 +6,23 @@
 
 #include <tl/expected.hpp>
 
+#include "apps/machine_input.h"
 #include "apps/run_arguments.h"
 #include "apps/script_input.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/cell_watch.h"
+#include "runtime/simulation/probe.h"
 
 namespace gsim::apps {
 
-/// The files that the cell file names stand for options that are not given.
-tl::expected<RunArguments, std::string> with_files_of_cell(RunArguments arguments);
+/// Files of the installation stand for names that are none of the user's files, and the files that the cell
+/// file names for options that are not given. The error is a sentence.
+tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments);
 
 /// The machine to check or to run; the built-in one where none is named.
-tl::expected<machine::Machine, std::string> read_machine(const RunArguments& arguments);
+tl::expected<MachineInput, std::string> read_machine(const RunArguments& arguments);
 
 /// All that a run reads before the machine moves.
 struct RunInputs {
@@ -31,8 +34,11 @@ struct RunInputs {
     std::optional<script::Script> setup;
     std::optional<rrs::RcsModule> module;         ///< Where a controller module is asked for.
     std::unique_ptr<simulation::CellWatch> cell;  ///< Null where no cell is asked for.
+    simulation::ProbeFeels probe;
 };
 
-tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& arguments, machine::Machine machine);
+/// `tell` gets what is wrong with the program's text.
+tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& arguments, MachineInput input,
+                                                    const TellDiagnostic& tell);
 
 }  // namespace gsim::apps

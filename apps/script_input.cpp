@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "apps/translation.h"
 #include "codegen/lua_spool.h"
 #include "lexer/source.h"
 
@@ -22,10 +24,6 @@ namespace {
 /// Scripts with more lines than this are run in pieces.
 constexpr std::uint32_t kLinesInOnePiece = 50'000;
 constexpr std::size_t kLookedAtBytes = 4096;
-
-void print_error(std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stderr);
-}
 
 bool has_extension(const std::string& path, std::string_view extension) {
     return fs::path(path).extension() == extension;
@@ -62,11 +60,16 @@ std::string read_all(lexer::Source& source) {
 Script lua_script(lexer::Source& source) {
     std::string text = read_all(source);
     const codegen::ScriptOrigin origin = codegen::script_origin(text);
-    const bool rs274ngc =
-        std::string_view(text).substr(0, kLookedAtBytes).find("\"gsim.rs274ngc\"") != std::string_view::npos;
+    const auto requires_name = [head = text.substr(0, kLookedAtBytes)](std::string_view name) {
+        return head.find(fmt::format("\"{}\"", name)) != std::string::npos;
+    };
+    const bool ngc_inch = requires_name("gsim.rs274ngc.inch");
+    const bool rs274ngc = ngc_inch || requires_name("gsim.rs274ngc");
+    const bool inch = ngc_inch || requires_name("gsim.inch");
     Script script = origin.unedited ? Script::from_text(std::move(text), origin.source_name, -1)
                                     : Script::from_text(std::move(text), source.name(), 0);
     if (rs274ngc) script.dialect = "rs274ngc";
+    script.inch = inch;
     return script;
 }
 
@@ -80,15 +83,17 @@ std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
     return chunks;
 }
 
-tl::expected<Script, InputError> translated_script(lexer::Source& source, const Language& language) {
+tl::expected<Script, InputError> translated_script(lexer::Source& source, const Language& language,
+                                                   const TellDiagnostic& tell) {
     auto spool = std::make_shared<codegen::LuaSpool>();
-    codegen::TranslateOptions options;
-    options.source_name = source.name();
-    options.aliases = language.aliases;
-    options.dialect = language.dialect;
-    options.unknown = language.unknown;
-    const codegen::Translation translation = codegen::translate(source, *spool, options, print_error);
-    if (!translation.ok) return tl::unexpected(InputError{true, translation.first_error});
+    const codegen::Translation translation = translate_source(source, *spool, language, {}, tell);
+    if (!translation.ok) {
+        const text::Diagnostic& first = *translation.first_error;
+        return tl::unexpected(InputError{.in_program = true,
+                                         .message = fmt::format("{}: {}", text::place_of(first), first.text),
+                                         .kind = first.kind,
+                                         .first_error = first});
+    }
     Script script;
     script.dialect = language.dialect->name();
     script.file_name = source.name();
@@ -102,9 +107,10 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
     return script;
 }
 
-tl::expected<Script, InputError> script_of(lexer::Source& source, bool lua, const Language& language) {
+tl::expected<Script, InputError> script_of(lexer::Source& source, bool lua, const Language& language,
+                                           const TellDiagnostic& tell) {
     if (lua) return lua_script(source);
-    return translated_script(source, language);
+    return translated_script(source, language, tell);
 }
 
 /// "wheel" of wheel.nc, and of wheel_O0001.ppg.
@@ -116,7 +122,7 @@ std::string head_name(const fs::path& main_path) {
     return numbered ? stem.substr(0, mark) : stem;
 }
 
-constexpr std::array kExtensions = {".nc", ".lua", ".ngc", ".tap", ".ppg"};
+constexpr std::array kExtensions = {".nc", ".lua", ".ngc", ".tap", ".ppg", ".NC", ".NGC", ".TAP"};
 constexpr std::size_t kMaxNumberDigits = 9;
 
 bool is_number(std::string_view name) {
@@ -129,6 +135,7 @@ std::vector<std::string> candidate_names(const fs::path& main_path, const std::s
     std::vector<std::string> names;
     const auto add = [&](const std::string& base) {
         for (const char* extension : kExtensions) names.push_back(base + extension);
+        names.push_back(base);
     };
     if (wanted.find_first_of("/\\") != std::string::npos) return names;  // beside the program, not elsewhere
     if (std::any_of(kExtensions.begin(), kExtensions.end(),
@@ -151,17 +158,20 @@ std::vector<std::string> candidate_names(const fs::path& main_path, const std::s
 
 }  // namespace
 
-tl::expected<Script, InputError> read_script(const std::string& path, const Language& language) {
+tl::expected<Script, InputError> read_script(const std::string& path, const Language& language,
+                                             const TellDiagnostic& tell) {
     tl::expected<lexer::Source, std::string> source =
         path == "-" ? lexer::Source::spool(stdin, "stdin") : lexer::Source::open(path);
-    if (!source) return tl::unexpected(InputError{false, source.error()});
+    if (!source) return tl::unexpected(InputError{.message = source.error(), .file = path});
     const bool lua = has_extension(path, ".lua") || (path == "-" && looks_like_lua(*source));
-    return script_of(*source, lua, language);
+    return script_of(*source, lua, language, tell);
 }
 
-script::FindProgram program_finder(const std::string& main_path, const Language& language) {
+script::FindProgram program_finder(const std::string& main_path, const Language& language,
+                                   const TellDiagnostic& tell) {
     const fs::path main = main_path == "-" ? fs::path("stdin") : fs::path(main_path);
-    return [main, language](const std::string& wanted) -> tl::expected<std::optional<Script>, std::string> {
+    return [main, language,
+            tell](const std::string& wanted) -> tl::expected<std::optional<Script>, std::string> {
         for (const std::string& name : candidate_names(main, wanted)) {
             const fs::path path = main.parent_path() / name;
             std::error_code ignored;
@@ -169,13 +179,68 @@ script::FindProgram program_finder(const std::string& main_path, const Language&
             tl::expected<lexer::Source, std::string> source = lexer::Source::open(path.string());
             if (!source) return tl::unexpected(source.error());
             tl::expected<Script, InputError> script =
-                script_of(*source, has_extension(name, ".lua"), language);
+                script_of(*source, has_extension(name, ".lua"), language, tell);
             if (!script)
                 return tl::unexpected(
                     fmt::format("the called program cannot be translated: {}", script.error().message));
             return std::optional<Script>(std::move(*script));
         }
         return std::optional<Script>();
+    };
+}
+
+namespace {
+
+/// "lib/shapes.lua" for "lib.shapes"; nothing for what is no name of a module.
+std::optional<fs::path> module_file(const std::string& name) {
+    const auto is_part_of_name = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+    };
+    fs::path path;
+    std::string part;
+    for (const char c : name + '.') {
+        if (c != '.') {
+            if (!is_part_of_name(c)) return std::nullopt;
+            part += c;
+            continue;
+        }
+        if (part.empty()) return std::nullopt;
+        path /= std::exchange(part, {});
+    }
+    return path += ".lua";
+}
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
+    const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    return end == folder.end();
+}
+
+}  // namespace
+
+script::FindProgram module_finder(const std::string& main_path) {
+    const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
+    const fs::path folder = parent.empty() ? fs::path(".") : parent;
+    return [folder](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
+        const std::optional<fs::path> file = module_file(name);
+        if (!file) {
+            return tl::unexpected(
+                std::string("a module's name has letters, digits, _ and -, and dots for folders within that "
+                            "of the script: \"lib.shapes\" is lib/shapes.lua there"));
+        }
+        const fs::path path = folder / *file;
+        std::error_code ignored;
+        if (!fs::is_regular_file(path, ignored))
+            return tl::unexpected(
+                fmt::format("there is no file {} in the folder of the script", file->string()));
+        if (!is_inside(fs::canonical(path, ignored), fs::canonical(folder, ignored))) {
+            return tl::unexpected(
+                fmt::format("{} is a link that leads out of the folder of the script", file->string()));
+        }
+        tl::expected<lexer::Source, std::string> source =
+            lexer::Source::open(path.lexically_normal().string());
+        if (!source) return tl::unexpected(source.error());
+        return std::optional<Script>(lua_script(*source));
     };
 }
 

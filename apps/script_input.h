@@ -1,20 +1,29 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
 
 #include "codegen/translate.h"
+#include "runtime/machine/program_table.h"
 #include "runtime/script/engine.h"
 
 namespace gsim::apps {
 
+/// Who is told what is wrong with a program's text.
+using TellDiagnostic = std::function<void(const text::Diagnostic&)>;
+
 /// Why an input cannot be run: a file that cannot be read (usage), or a program with errors, which have been
-/// printed.
+/// told.
 struct InputError {
     bool in_program = false;
     std::string message;
+    std::string file = {};  ///< Of the input; empty where the message names it.
+    text::DiagnosticKind kind = text::DiagnosticKind::file;
+    std::optional<text::Diagnostic> first_error = {};  ///< Of a program.
 };
 
 /// How G-code is read: the language, the names that the machine data give to codes, and what to make of codes
@@ -23,14 +32,22 @@ struct Language {
     const grammar::Dialect* dialect = &grammar::dialect_ab9();
     lexer::Aliases aliases;
     codegen::Unknown unknown = codegen::Unknown::error;
+    std::optional<machine::ProgramUnits> units;  ///< In force at the start; none: not said, which is mm.
+    std::string caution;  ///< Where the control's own language is only near to the dialect: a sentence.
 };
 
 /// Reads part.lua or part.nc (or standard input, "-", which is looked at to tell which it is) as a script;
-/// G-code is translated first, with its diagnostics on standard error.
-tl::expected<script::Script, InputError> read_script(const std::string& path, const Language& language);
+/// G-code is translated first.
+tl::expected<script::Script, InputError> read_script(const std::string& path, const Language& language,
+                                                     const TellDiagnostic& tell);
 
 /// Finds the file of a program that is called but not in the script: O0002.nc and the like, or
 /// NAME_O0002.ppg, or sub.ngc by its name, in the folder of the main file.
-script::FindProgram program_finder(const std::string& main_path, const Language& language);
+script::FindProgram program_finder(const std::string& main_path, const Language& language,
+                                   const TellDiagnostic& tell);
+
+/// Finds modules of scripts: `shapes` is shapes.lua in the folder of the main program, `lib.shapes`
+/// lib/shapes.lua. Nothing is found outside of that folder; the errors are sentences.
+script::FindProgram module_finder(const std::string& main_path);
 
 }  // namespace gsim::apps

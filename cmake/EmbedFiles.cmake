@@ -24,6 +24,8 @@ function(gsim_embed target stem)
         COMMENT "Embedding files as ${stem}.h"
         VERBATIM)
     target_sources(${target} PRIVATE ${output}.cpp ${output}.h)
+    gsim_generated(${target} ${output}.h)
+    set_source_files_properties(${output}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # all have the same names inside
 endfunction()
 
 # The bytes of a file as character literals, 16 to a line.

@@ -1,7 +1,65 @@
-# What `cmake --install` adds to the programs: the Lua library to read and change (--lua-lib), machines, samples.
+# What `cmake --install` puts where, in components: programs (with the Lua library to read and change, and the samples), solid,
+# development, docs, licence. Debian's packages take the components as they are (debian/rules).
+# The build calls nothing by where it will be installed, so one build serves every prefix.
 set(GSIM_DATADIR ${CMAKE_INSTALL_DATADIR}/gsim)
 
-install(DIRECTORY lua_lib DESTINATION ${GSIM_DATADIR} FILES_MATCHING PATTERN "*.lua")
-install(DIRECTORY samples DESTINATION ${GSIM_DATADIR})
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+install(DIRECTORY lua_lib DESTINATION ${GSIM_DATADIR} COMPONENT programs FILES_MATCHING PATTERN "*.lua" PATTERN "README.md")
+install(DIRECTORY samples DESTINATION ${GSIM_DATADIR} COMPONENT programs)
+
+# The programs' folder has what they may be told to read; people look for it, and the links in the documentation lead, below docs.
+foreach(folder samples lua_lib)
+    file(RELATIVE_PATH there /${CMAKE_INSTALL_DOCDIR} /${GSIM_DATADIR}/${folder})
+    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/links)
+    file(CREATE_LINK ${there} ${CMAKE_BINARY_DIR}/links/${folder} SYMBOLIC)
+    install(FILES ${CMAKE_BINARY_DIR}/links/${folder} DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+endforeach()
+
+configure_file(cmake/gsim.pc.in gsim.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/gsim.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig COMPONENT development)
+install(FILES runtime/rrs/rcs_module.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gsim COMPONENT development)
+# The example finds the header where a maker of modules has it.
+file(READ tests/rrs/modules/small_module.c example)
+string(REPLACE "\"runtime/rrs/rcs_module.h\"" "<gsim/rcs_module.h>" example "${example}")
+file(CONFIGURE OUTPUT examples/small_module.c CONTENT "${example}" @ONLY)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tests/rrs/modules/small_module.c)
+install(FILES ${CMAKE_BINARY_DIR}/examples/small_module.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT development)
+
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
+
+# All that is installed; what is added to it below are the targets that install themselves.
+add_custom_target(product)
+
+# gsim_pages(NAMES...): man pages and completions of gsim and of the programs it is called by, as the program prints them.
+function(gsim_pages)
+    set(man ${CMAKE_BINARY_DIR}/man)
+    set(completions ${CMAKE_BINARY_DIR}/completions)
+    set(commands "")
+    set(pages "")
+    foreach(name gsim ${ARGN})
+        list(APPEND pages ${man}/${name}.1)
+        list(APPEND commands COMMAND gsim manual ${name} > ${man}/${name}.1)
+    endforeach()
+    foreach(shell bash zsh fish)
+        list(APPEND commands COMMAND gsim completion ${shell} > ${completions}/gsim.${shell})
+    endforeach()
+    # bash and fish look for a file of the program's name.
+    foreach(name ${ARGN})
+        list(APPEND commands COMMAND ${CMAKE_COMMAND} -E create_symlink gsim ${completions}/${name})
+        list(APPEND commands COMMAND ${CMAKE_COMMAND} -E create_symlink gsim.fish ${completions}/${name}.fish)
+        install(FILES ${completions}/${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT programs)
+        install(FILES ${completions}/${name}.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
+    endforeach()
+    set(made ${pages} ${completions}/gsim.bash ${completions}/gsim.zsh ${completions}/gsim.fish)
+    add_custom_command(OUTPUT ${made} COMMAND ${CMAKE_COMMAND} -E make_directory ${man} ${completions} ${commands}
+                       DEPENDS gsim COMMENT "Writing man pages and completions" VERBATIM)
+    add_custom_target(gsim-pages ALL DEPENDS ${made})
+    add_dependencies(product gsim-pages)
+
+    install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
+    install(FILES ${completions}/gsim.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gsim COMPONENT programs)
+    install(FILES ${completions}/gsim.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
+    # Where zsh looks below /usr/local; Debian's own packages have another folder (debian/rules).
+    install(FILES ${completions}/gsim.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _gsim COMPONENT programs)
+endfunction()

@@ -7,6 +7,7 @@
 
 #include "codegen/lua_text.h"
 #include "codegen/word_writer.h"
+#include "text/digits.h"
 #include "text/letter_case.h"
 
 namespace gsim::codegen {
@@ -31,13 +32,13 @@ constexpr std::array kActive = {
     Active{"LOG", Takes::values, true},
     Active{"PROBEOPEN", Takes::text, false},
     Active{"PROBECLOSE", Takes::nothing, false},
+    Active{"ABORT", Takes::values, true},
+    Active{"PYRUN", Takes::text, true},
+    Active{"PYRELOAD", Takes::nothing, false},
+    Active{"PY", Takes::text, true},
 };
 
 constexpr std::size_t kMaxValues = 50;  // a call of Lua takes some 200 at most
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// Takes a text with values apart: a format for Lua's string.format, and the values behind it.
 class ValueText {
@@ -74,7 +75,7 @@ class ValueText {
             rest_.remove_prefix(end + 1);
         } else {
             std::size_t end = 1;
-            while (end < rest_.size() && is_digit(rest_[end])) ++end;
+            while (end < rest_.size() && text::is_digit(rest_[end])) ++end;
             if (end == 1) return false;
             values_ += numbered(rest_.substr(1, end - 1));
             rest_.remove_prefix(end);
@@ -99,7 +100,7 @@ class ValueText {
     bool take_format() {
         if (rest_.starts_with("%d")) return set_format("%.0f", 2);
         if (rest_.starts_with("%f")) return set_format("%.4f", 2);
-        if (rest_.size() >= 4 && rest_[1] == '.' && is_digit(rest_[2]) && rest_[3] == 'f')
+        if (rest_.size() >= 4 && rest_[1] == '.' && text::is_digit(rest_[2]) && rest_[3] == 'f')
             return set_format(std::string(rest_.substr(0, 4)), 4);
         return false;
     }

@@ -15,6 +15,7 @@ using grammar::Group;
 using grammar::Phase;
 using grammar::Support;
 using lexer::Address;
+using lexer::DiagnosticKind;
 using lexer::Role;
 using lexer::Word;
 
@@ -77,8 +78,9 @@ std::string_view lua_key(Address address) {
     }
 }
 
-bool BlockPlan::fail(const Block& block, std::uint32_t word, const std::string& message) {
-    lexer_.fail(block.text->words[word].column, message);
+bool BlockPlan::fail(const Block& block, std::uint32_t word, DiagnosticKind kind, const std::string& message,
+                     const std::string& hint) {
+    lexer_.fail(block.text->words[word].column, kind, message, hint);
     return false;
 }
 
@@ -113,7 +115,7 @@ bool BlockPlan::plan(const Block& block) {
         return true;
     }
     if (!choose_axis_owner(block) || !assign_words(block) || !check_all_needs(block)) return false;
-    gather_operands();
+    gather_operands(block);
     drop_idle_one_shots(block);
     put_in_order();
     return true;
@@ -132,9 +134,11 @@ bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t 
         const bool motion = call.kind == Call::Kind::via_point;
         const Group group = motion ? Group::motion : call.code->group;
         const std::string other = motion ? "CIP" : grammar::code_name(*call.code);
-        if (call.code == &code) return fail(block, index, fmt::format("{} stands twice in the block", other));
+        if (call.code == &code)
+            return fail(block, index, DiagnosticKind::word_twice,
+                        fmt::format("{} stands twice in the block", other));
         if (group != Group::none && group == code.group) {
-            return fail(block, index,
+            return fail(block, index, DiagnosticKind::code_conflict,
                         fmt::format("{} and {} are of one modal group ({}); a block takes one of them", other,
                                     grammar::code_name(code), grammar::name(group)));
         }
@@ -147,11 +151,12 @@ std::string BlockPlan::hint(const Word& word) const {
     for (const grammar::Dialect* other : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()}) {
         const Code* code = other->find(static_cast<char>(word.address), word.code_x10);
         if (other != &dialect_ && code != nullptr && code->group != Group::user)
-            return fmt::format("; {} has it ({}), see --dialect", other->title(), code->meaning);
+            return fmt::format("{} has it ({}), see --dialect {}", other->title(), code->meaning,
+                               other->name());
     }
     const Code* whole = dialect_.find(static_cast<char>(word.address), word.code_x10 / 10 * 10);
     return word.code_x10 > 0 && whole != nullptr
-               ? fmt::format("; there is {} ({})", grammar::code_name(*whole), whole->meaning)
+               ? fmt::format("there is {} ({})", grammar::code_name(*whole), whole->meaning)
                : "";
 }
 
@@ -160,7 +165,7 @@ bool BlockPlan::add_computed_code(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
     if (!lexer_.is_ngc()) {
         return fail(
-            block, index,
+            block, index, DiagnosticKind::code_unsupported,
             fmt::format("the number of a {} code must be written out; a computed one is not supported",
                         static_cast<char>(word.address)));
     }
@@ -189,10 +194,11 @@ bool BlockPlan::add_code(const Block& block, std::uint32_t index) {
             unknown_word_ = index;
             return true;
         }
-        return fail(block, index, fmt::format("{} is no code of {}{}", name, dialect_.title(), hint(word)));
+        return fail(block, index, DiagnosticKind::code_unknown,
+                    fmt::format("{} is no code of {}", name, dialect_.title()), hint(word));
     }
     if (code->support == Support::later) {
-        return fail(block, index,
+        return fail(block, index, DiagnosticKind::code_unsupported,
                     fmt::format("{} ({}) is not supported", grammar::code_name(*code), code->meaning));
     }
     if (!check_group(block, *code, index)) return false;
@@ -214,7 +220,8 @@ bool BlockPlan::collect_codes(const Block& block) {
             for (const Call& other : calls_) {
                 const bool motion = other.kind == Call::Kind::via_point || other.code->group == Group::motion;
                 if (motion)
-                    return fail(block, i, "CIP stands with another motion code; a block takes one of them");
+                    return fail(block, i, DiagnosticKind::code_conflict,
+                                "CIP stands with another motion code; a block takes one of them");
             }
             Call call;
             call.kind = Call::Kind::via_point;
@@ -245,7 +252,7 @@ bool BlockPlan::choose_axis_owner(const Block& block) {
         if (axis_owner_ != kUnowned) {
             const Call& owner = calls_[static_cast<std::size_t>(axis_owner_)];
             if (quarrel(block, owner, call)) {
-                return fail(block, call.word,
+                return fail(block, call.word, DiagnosticKind::code_conflict,
                             fmt::format("{} and {} both take the axis words of the block",
                                         grammar::code_name(*owner.code), grammar::code_name(*call.code)));
             }
@@ -288,7 +295,7 @@ bool BlockPlan::may_have_corner() const {
 
 bool BlockPlan::fail_beside_motion(const Block& block, std::uint32_t index) {
     const Code* code = calls_[static_cast<std::size_t>(axis_owner_)].code;
-    return fail(block, index,
+    return fail(block, index, DiagnosticKind::word_out_of_place,
                 fmt::format("{} has no meaning in a block with {}",
                             lexer::address_name(block.text->words[index].address),
                             code == nullptr ? "CIP" : grammar::code_name(*code)));
@@ -320,7 +327,7 @@ bool BlockPlan::assign(const Block& block, std::uint32_t index) {
     if (!is_axis(word) && leaves_out_words_) return true;
     const bool moves = is_axis(word) || (may_go_with_move(word.address) && has_target(block));
     if (!moves) {
-        return fail(block, index,
+        return fail(block, index, DiagnosticKind::word_out_of_place,
                     fmt::format("{} has no meaning in this block: no code of the block takes it",
                                 lexer::address_name(word.address)));
     }
@@ -345,7 +352,8 @@ bool BlockPlan::assign_words(const Block& block) {
         const Code* owner =
             owners_[i] == kUnowned ? nullptr : calls_[static_cast<std::size_t>(owners_[i])].code;
         if (twice && !takes_repeated(owner, address))
-            return fail(block, i, fmt::format("{} stands twice in the block", lexer::address_name(address)));
+            return fail(block, i, DiagnosticKind::word_twice,
+                        fmt::format("{} stands twice in the block", lexer::address_name(address)));
     }
     const bool corner = std::any_of(words.begin(), words.end(),
                                     [](const Word& word) { return is_corner_word(word.address); });
@@ -358,22 +366,13 @@ bool BlockPlan::assign_words(const Block& block) {
     return true;
 }
 
-void BlockPlan::gather_operands() {
-    for (std::uint32_t c = 0; c < calls_.size(); ++c) {
-        calls_[c].first_operand = static_cast<std::uint32_t>(operands_.size());
-        for (std::uint32_t i = 0; i < owners_.size(); ++i) {
-            if (owners_[i] == static_cast<std::int32_t>(c)) operands_.push_back(i);
-        }
-    }
-}
-
 /// G53 and G09 say how the move of their block is made; without one they must not wait for the next block's.
 void BlockPlan::drop_idle_one_shots(const Block& block) {
     if (axis_owner_ != kUnowned) return;
     std::erase_if(calls_, [&](const Call& call) {
         if (call.phase != Phase::one_shot || call.kind != Call::Kind::code) return false;
         diagnostics_.warning(
-            block.text->at(block.text->words[call.word].column),
+            block.text->at(block.text->words[call.word].column), DiagnosticKind::code_idle,
             fmt::format("{} does nothing in a block without a move", grammar::code_name(*call.code)));
         return true;
     });

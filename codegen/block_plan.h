@@ -29,6 +29,8 @@ struct Call {
     std::uint32_t word = 0;               ///< The word that asked for the call.
     std::uint32_t first_operand = 0;      ///< Into BlockPlan::operands().
     std::uint32_t operand_count = 0;
+    /// Behind them: words that another code of the block has taken and that the modal motion may want too.
+    std::uint32_t shared_count = 0;
 };
 
 /// Decides what the words of a block mean together: which code takes which word, what is missing, extra,
@@ -54,6 +56,10 @@ class BlockPlan {
     std::span<const std::uint32_t> operands(const Call& call) const {
         return std::span(operands_).subspan(call.first_operand, call.operand_count);
     }
+    /// Word indices of what a call of the modal motion shares with other codes.
+    std::span<const std::uint32_t> shared(const Call& call) const {
+        return std::span(operands_).subspan(call.first_operand + call.operand_count, call.shared_count);
+    }
 
   private:
     static constexpr std::int32_t kUnowned = -1;
@@ -72,6 +78,8 @@ class BlockPlan {
     bool quarrel(const grammar::Block& block, const Call& a, const Call& b) const;
     bool choose_axis_owner(const grammar::Block& block);
     bool assign_words(const grammar::Block& block);
+    bool belongs(const grammar::Block& block, std::uint32_t word, std::uint32_t call) const;
+    bool is_shared(const grammar::Block& block, std::uint32_t word, std::uint32_t call) const;
     bool may_have_corner() const;
     bool has_target(const grammar::Block& block) const;
     bool fail_beside_motion(const grammar::Block& block, std::uint32_t index);
@@ -80,10 +88,11 @@ class BlockPlan {
     bool check_needs(const grammar::Block& block, const Call& call, std::uint64_t addresses);
     bool check_all_needs(const grammar::Block& block);
     bool check_alone(const grammar::Block& block, const Call& call);
-    void gather_operands();
+    void gather_operands(const grammar::Block& block);
     void put_in_order();
     void drop_idle_one_shots(const grammar::Block& block);
-    bool fail(const grammar::Block& block, std::uint32_t word, const std::string& message);
+    bool fail(const grammar::Block& block, std::uint32_t word, lexer::DiagnosticKind kind,
+              const std::string& message, const std::string& hint = {});
 
     const grammar::Dialect& dialect_;
     lexer::Lexer& lexer_;

@@ -4,11 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "codegen/call_codes.h"
 #include "codegen/lua_text.h"
 #include "codegen/lua_writer.h"
 #include "codegen/word_writer.h"
 
 namespace gsim::codegen {
+
+using lexer::DiagnosticKind;
 
 using grammar::Block;
 using grammar::Node;
@@ -16,8 +19,6 @@ using grammar::NodeKind;
 
 namespace {
 
-constexpr std::int32_t kCallCode = 980;    // M98
-constexpr std::int32_t kReturnCode = 990;  // M99
 constexpr std::int32_t kAlarmVariable = 3000;
 constexpr std::int32_t kStopVariable = 3006;
 
@@ -26,7 +27,7 @@ bool is_m_code(const Call& call, std::int32_t code_x10) {
 }
 
 bool is_macro_call(const Call& call) {
-    return call.kind == Call::Kind::code && call.code->letter == 'G' && call.code->code_x10 == 650;
+    return call.kind == Call::Kind::code && call.code->letter == 'G' && call.code->code_x10 == kMacroCode;
 }
 
 bool ends_program(const Call& call) {
@@ -45,7 +46,8 @@ void LuaWriter::write_content(const Block& block) {
 /// All values of the block first, then its settings and its comment, then its words act.
 void LuaWriter::write_content_ngc(const Block& block) {
     if (block.assignments.size() > Settings::kMost) {
-        lexer_.fail(1, fmt::format("a block sets at most {} parameters", Settings::kMost));
+        lexer_.fail(1, DiagnosticKind::too_large,
+                    fmt::format("a block sets at most {} parameters", Settings::kMost));
         return;
     }
     const bool acts = !block.text->words.empty();
@@ -84,7 +86,9 @@ void LuaWriter::write_calls(const Block& block, const BlockValues& values) {
             // M99 P in the program that is called: this one goes on at that block.
             code_ += "jump = ";
             write_call(block, plan_, call, values, code_, ", true");
-            code_ += "if jump then goto computed end ";
+            code_ += "if jump then ";
+            write_computed_jump();
+            code_ += " end ";
         } else if (!is_m_code(call, kReturnCode) || next_ordinal_ != 1 ||
                    !write_goto_of_return(block, call)) {
             write_call(block, plan_, call, values, code_);

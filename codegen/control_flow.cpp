@@ -4,16 +4,18 @@
 
 #include <fmt/format.h>
 
+#include "codegen/lua_limits.h"
+
 namespace gsim::codegen {
 
 using grammar::Block;
+using lexer::DiagnosticKind;
 using lexer::Location;
 
 namespace {
 
-constexpr std::size_t kMaxLabels = 32000;             // Lua: SHRT_MAX, labels of ours included
-constexpr std::size_t kMaxJumps = 32000;              // Lua: SHRT_MAX jumps waiting for their label
-constexpr std::uint64_t kMaxJumpWeight = 16'000'000;  // Lua: 2^24 instructions
+constexpr std::size_t kMaxLabels = 32000;  // Lua: SHRT_MAX, labels of ours included
+constexpr std::size_t kMaxJumps = 32000;   // Lua: SHRT_MAX jumps waiting for their label
 
 }  // namespace
 
@@ -40,7 +42,7 @@ bool ControlFlow::open_loop(const Block& block) {
     for (const Loop& loop : loops_) {
         if (loop.number == block.loop) {
             diagnostics_.error(
-                location,
+                location, DiagnosticKind::structure,
                 fmt::format("DO {} is open already, since line {}; nested loops take different numbers",
                             block.loop, loop.location.line));
             return false;
@@ -57,19 +59,21 @@ bool ControlFlow::close_loop(const Block& block) {
         return false;
     }
     if (loops_.empty()) {
-        diagnostics_.error(location, fmt::format("END {} has no WHILE", block.loop));
+        diagnostics_.error(location, DiagnosticKind::structure,
+                           fmt::format("END {} has no WHILE", block.loop));
         return false;
     }
     const Loop& loop = loops_.back();
     if (loop.number != block.loop) {
-        diagnostics_.error(location, fmt::format("END {} closes DO {}, which is open since line {}",
-                                                 block.loop, loop.number, loop.location.line));
+        diagnostics_.error(location, DiagnosticKind::structure,
+                           fmt::format("END {} closes DO {}, which is open since line {}", block.loop,
+                                       loop.number, loop.location.line));
         return false;
     }
     const bool too_long = weight_ - loop.weight > kMaxJumpWeight;
     if (too_long)
         diagnostics_.error(
-            loop.location,
+            loop.location, DiagnosticKind::too_large,
             fmt::format("the loop up to line {} is too long for Lua; put its body into a subprogram",
                         location.line));
     loops_.pop_back();
@@ -80,7 +84,7 @@ void ControlFlow::add_jump(std::uint32_t target, const Location& location) {
     if (open_jumps_.size() == kMaxJumps) {
         if (!too_many_jumps_)
             diagnostics_.error(
-                location,
+                location, DiagnosticKind::too_large,
                 fmt::format("the program has more than {} GOTOs, which Lua cannot hold in one function",
                             kMaxJumps));
         too_many_jumps_ = true;
@@ -89,29 +93,47 @@ void ControlFlow::add_jump(std::uint32_t target, const Location& location) {
     open_jumps_.push_back({target, path(), weight_, location});
 }
 
+/// The label of what finds the block of a computed jump, by the number of loops around it.
+std::string ControlFlow::finder(std::size_t depth) const {
+    return depth == 0 ? "computed" : fmt::format("computed{}", loops_[depth - 1].instance);
+}
+
+std::string ControlFlow::add_computed_jump() {
+    for (Loop& loop : loops_) loop.has_computed_jumps = true;
+    return finder(loops_.size());
+}
+
+std::optional<ControlFlow::LoopTargets> ControlFlow::loop_targets() const {
+    if (loops_.empty() || !loops_.back().has_computed_jumps) return std::nullopt;
+    const Loop& loop = loops_.back();
+    return LoopTargets{finder(loops_.size()), finder(loops_.size() - 1), fmt::format("pass{}", loop.instance),
+                       loop.numbers};
+}
+
 bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
     if (!computed() && !jumps_->targets.contains(number)) return false;
     if (labels_.size() == kMaxLabels) {
         if (!too_many_labels_)
-            diagnostics_.error(location, fmt::format("the program has more than {} blocks that a GOTO may "
-                                                     "mean, which Lua cannot label in one function",
-                                                     kMaxLabels));
+            diagnostics_.error(location, DiagnosticKind::too_large,
+                               fmt::format("the program has more than {} blocks that a GOTO may "
+                                           "mean, which Lua cannot label in one function",
+                                           kMaxLabels));
         too_many_labels_ = true;
         return false;
     }
     if (!labels_.try_emplace(number, Label{path(), weight_}).second) {
-        diagnostics_.error(location,
+        diagnostics_.error(location, DiagnosticKind::jump,
                            fmt::format("N{} stands twice in this program, and a GOTO leads to it", number));
         return false;
     }
-    if (loops_.empty()) reachable_.push_back(number);
+    (loops_.empty() ? reachable_ : loops_.back().numbers).push_back(number);
     return true;
 }
 
 void ControlFlow::check(const Jump& jump) {
     const auto place = labels_.find(jump.target);
     if (place == labels_.end()) {
-        diagnostics_.error(jump.location,
+        diagnostics_.error(jump.location, DiagnosticKind::jump,
                            fmt::format("GOTO {}: there is no N{} in this program", jump.target, jump.target));
         return;
     }
@@ -119,11 +141,11 @@ void ControlFlow::check(const Jump& jump) {
     const bool inside = label.path.size() <= jump.path.size() &&
                         std::equal(label.path.begin(), label.path.end(), jump.path.begin());
     if (!inside) {
-        diagnostics_.error(jump.location,
+        diagnostics_.error(jump.location, DiagnosticKind::jump,
                            fmt::format("GOTO {} leads into a WHILE loop from outside", jump.target));
     } else if (std::max(label.weight, jump.weight) - std::min(label.weight, jump.weight) > kMaxJumpWeight) {
         diagnostics_.error(
-            jump.location,
+            jump.location, DiagnosticKind::too_large,
             fmt::format("GOTO {} leads too far away for Lua; put what it jumps over into a subprogram",
                         jump.target));
     }
@@ -131,7 +153,9 @@ void ControlFlow::check(const Jump& jump) {
 
 void ControlFlow::end_program() {
     for (const Loop& loop : loops_) {
-        if (!lost_) diagnostics_.error(loop.location, fmt::format("WHILE has no END {}", loop.number));
+        if (!lost_)
+            diagnostics_.error(loop.location, DiagnosticKind::structure,
+                               fmt::format("WHILE has no END {}", loop.number));
     }
     if (!too_many_labels_) {
         for (const Jump& jump : open_jumps_) check(jump);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "codegen/lua_text.h"
+#include "text/number.h"
 
 namespace gsim::codegen {
 
@@ -22,7 +23,7 @@ constexpr int kSum = 1;
 constexpr int kProduct = 2;
 constexpr int kPrimary = 3;
 
-std::string_view function_name(Operator op) {
+std::string_view function_of_operator(Operator op) {
     switch (op) {
         case Operator::divide: return "div";
         case Operator::modulo: return "MOD";
@@ -92,7 +93,7 @@ void write_exists(const Block& block, const Node& variable, std::string& out) {
 }
 
 void write_float(std::string_view digits, std::string& out) {
-    out += digits;
+    out += text::unsigned_zero(digits);
     if (digits.find('.') == std::string_view::npos) out += ".0";
 }
 
@@ -101,6 +102,10 @@ bool is_nonzero_literal(const Block& block, const Node& node) {
     if (node.kind != NodeKind::number) return false;
     const std::string_view digits = block.text->view(node.number);
     return std::any_of(digits.begin(), digits.end(), [](char c) { return c >= '1' && c <= '9'; });
+}
+
+bool is_zero_literal(const Block& block, const Node& node) {
+    return node.kind == NodeKind::number && !is_nonzero_literal(block, node);
 }
 
 int precedence(const Block& block, const Node& node) {
@@ -124,7 +129,7 @@ void write_at(const Block& block, std::int32_t index, int least, std::string& ou
 }
 
 void write_call(const Block& block, const Node& node, std::string& out) {
-    out += function_name(node.op);
+    out += function_of_operator(node.op);
     out += '(';
     write_number(block, node.left, out);
     if (node.right >= 0) {
@@ -203,6 +208,7 @@ void write_number(const Block& block, std::int32_t index, std::string& out) {
             out += ']';
             return;
         case NodeKind::negate:
+            if (is_zero_literal(block, block.node(node.left))) return write_number(block, node.left, out);
             out += "(-";
             write_at(block, node.left, kPrimary, out);
             out += ')';

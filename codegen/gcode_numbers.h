@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,15 @@ class DecimalFormat {
     Zeros zeros_;
     std::int64_t per_one_ = 1;
 };
+
+/// A number with so many decimals at most, without zeros at the end.
+inline std::string trimmed(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (text.find('.') == std::string::npos) return text;
+    text.resize(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
 
 inline void DecimalFormat::append(fmt::memory_buffer& out, std::int64_t units) const {
     if (units < 0) {

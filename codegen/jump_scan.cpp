@@ -6,6 +6,8 @@
 #include <limits>
 #include <string_view>
 
+#include "codegen/call_codes.h"
+#include "codegen/leader_scan.h"
 #include "grammar/parser.h"
 
 namespace gsim::codegen {
@@ -14,10 +16,6 @@ namespace {
 
 /// Targets beyond what Lua can label are not collected: the second reading reports the program.
 constexpr std::size_t kMaxTargets = 40000;
-
-constexpr std::int32_t kCallCode = 980;    // M98
-constexpr std::int32_t kReturnCode = 990;  // M99
-constexpr std::int32_t kMacroCode = 650;   // G65
 
 /// Finds the letters GOTO in any case, or the digits 99 behind an M, in a text that arrives in pieces.
 class JumpFinder {
@@ -71,7 +69,10 @@ class JumpCollector : public grammar::BlockSink {
 
     void take(const grammar::Block& block) override {
         if (block.has_program && begun_) scan_.jumps.emplace_back();
-        begun_ |= !grammar::is_blank(block);
+        if (!grammar::is_blank(block)) {
+            begun_ = true;
+            scan_.jumps.back().last_line = block.text->at(1).line;
+        }
         if (block.text->bad) return;
         if (block.kind == grammar::BlockKind::jump || block.kind == grammar::BlockKind::if_goto)
             add_target(block);
@@ -150,11 +151,13 @@ const ProgramJumps& FileScan::program(std::size_t ordinal) const {
 
 FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style) {
     FileScan scan;
-    const auto silent = [](std::string_view) {};
+    scan.leader_lines = leader_lines(source, aliases, style);
+    const auto silent = [](const text::Diagnostic&) {};
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
     {
         lexer::Diagnostics diagnostics(source, kNoLimit, silent);
         lexer::Lexer lexer(source, diagnostics, aliases, style);
+        lexer.pass_over_leader(scan.leader_lines);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
         scan.starts_with_part = first.begins_part();
@@ -165,6 +168,7 @@ FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::
         source.rewind();
         lexer::Diagnostics diagnostics(source, kNoLimit, silent);
         lexer::Lexer lexer(source, diagnostics, aliases, style);
+        lexer.pass_over_leader(scan.leader_lines);
         JumpCollector collector(scan);
         grammar::Parser(lexer, diagnostics, collector).run();
         collector.share_returns();

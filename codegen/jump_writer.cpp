@@ -12,15 +12,23 @@
 namespace gsim::codegen {
 
 using grammar::Block;
+using grammar::BlockKind;
 using grammar::Node;
 using grammar::NodeKind;
+using lexer::DiagnosticKind;
 using lexer::Word;
 
 namespace {
 
 constexpr std::size_t kMaxCalledPrograms = 10000;
+constexpr std::uint64_t kInstructionsPerChoice = 4;  // an upper bound of what Lua's compiler makes of one
 
 }  // namespace
+
+/// The block to go on at is a local variable: a call that asks for none leaves it nil.
+void LuaWriter::declare_jump(std::string& line) const {
+    if (flow_.computed()) line += "local jump ";
+}
 
 /// M99 P in the main program goes on at a block of it. False where there is no P.
 bool LuaWriter::write_goto_of_return(const Block& block, const Call& call) {
@@ -29,10 +37,12 @@ bool LuaWriter::write_goto_of_return(const Block& block, const Call& call) {
     if (word.expression >= 0) {
         code_ += "jump = goto_target(";
         write_number(block, word.expression, code_);
-        code_ += ") goto computed ";
+        code_ += ") ";
+        write_computed_jump();
+        code_ += ' ';
     } else if (const auto target = block_number(block, word.number, word.column)) {
-        flow_.add_jump(*target, block.text->at(word.column));
-        fmt::format_to(std::back_inserter(code_), "goto N{} ", *target);
+        write_jump_to(block, *target, word.column);
+        code_ += ' ';
     }
     return true;
 }
@@ -44,7 +54,8 @@ std::optional<std::uint32_t> LuaWriter::block_number(const Block& block, lexer::
     const std::string number = all_digits(digits) ? normal_number(digits) : "";
     std::uint32_t value = 0;
     if (number.empty() || number.size() > 9) {
-        lexer_.fail(column, fmt::format("a jump leads to a block number, not to {}", digits));
+        lexer_.fail(column, DiagnosticKind::jump,
+                    fmt::format("a jump leads to a block number, not to {}", digits));
         return std::nullopt;
     }
     std::from_chars(number.data(), number.data() + number.size(), value);
@@ -58,8 +69,9 @@ void LuaWriter::note_call(const Block& block, const Call& call) {
         const std::string_view digits = block.text->view(word.number);
         const std::string number = all_digits(digits) ? normal_number(digits) : "";
         if (number.empty() || number.size() > 9) {
-            lexer_.fail(word.column, fmt::format("{} of M98 is a whole number, not {}",
-                                                 lexer::address_name(word.address), digits));
+            lexer_.fail(word.column, DiagnosticKind::number,
+                        fmt::format("{} of M98 is a whole number, not {}", lexer::address_name(word.address),
+                                    digits));
             return;
         }
         std::uint32_t value = 0;
@@ -74,21 +86,53 @@ void LuaWriter::write_goto(const Block& block) {
     if (target.kind != NodeKind::number) {
         code_ += "jump = goto_target(";
         write_number(block, block.target, code_);
-        code_ += ") goto computed";
+        code_ += ") ";
+        write_computed_jump();
         return;
     }
     const auto number = block_number(block, target.number, block.target_column);
     if (!number) return;
-    flow_.add_jump(*number, block.text->at(block.target_column));
-    fmt::format_to(std::back_inserter(code_), "goto N{}", *number);
+    write_jump_to(block, *number, block.target_column);
+}
+
+/// A jump back by which the main program ends, whatever comes, goes on for ever: each time is a pass.
+bool LuaWriter::ends_pass(const Block& block, std::uint32_t target) const {
+    const bool conditional = block.kind == BlockKind::if_then || block.kind == BlockKind::if_goto;
+    return next_ordinal_ == 1 && !conditional && !flow_.in_loop() && flow_.has_label(target) &&
+           block.text->at(1).line == scan_.program(0).last_line;
+}
+
+void LuaWriter::write_jump_to(const Block& block, std::uint32_t target, std::uint32_t column) {
+    flow_.add_jump(target, block.text->at(column));
+    if (ends_pass(block, target))
+        fmt::format_to(std::back_inserter(code_), "if last_pass({}) then return end ", target);
+    fmt::format_to(std::back_inserter(code_), "goto N{}", target);
+}
+
+void LuaWriter::write_computed_jump() {
+    fmt::format_to(std::back_inserter(code_), "goto {}", flow_.add_computed_jump());
+}
+
+void LuaWriter::write_choice(std::span<const std::uint32_t> numbers) {
+    flow_.add_weight(numbers.size() * kInstructionsPerChoice);
+    for (const std::uint32_t number : numbers)
+        fmt::format_to(std::back_inserter(code_), "if jump == {} then goto N{} end ", number, number);
 }
 
 void LuaWriter::write_dispatcher() {
     code_ += code_.empty() ? "do return end ::computed:: " : " do return end ::computed:: ";
-    for (const std::uint32_t number : flow_.reachable()) {
-        fmt::format_to(std::back_inserter(code_), "if jump == {} then goto N{} end ", number, number);
-    }
+    write_choice(flow_.reachable());
     code_ += "no_target(jump)";
+}
+
+/// Lua has no jump into a loop: at the end of its body a loop chooses among its own blocks, and what is none
+/// of them goes on to what is around it.
+void LuaWriter::write_loop_dispatcher() {
+    const auto targets = flow_.loop_targets();
+    if (!targets) return;
+    fmt::format_to(std::back_inserter(code_), "goto {} ::{}:: ", targets->end, targets->label);
+    write_choice(targets->numbers);
+    fmt::format_to(std::back_inserter(code_), "goto {} ::{}:: ", targets->outer, targets->end);
 }
 
 }  // namespace gsim::codegen

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "grammar/control_name.h"
 #include "grammar/dialect.h"
 #include "lexer/names.h"
 #include "text/letter_case.h"
@@ -166,7 +167,7 @@ constexpr std::string_view kAb9Statements = R"(### Statements
 | `IF[#1 EQ 5]THEN #2=1` | `if v[1] == 5.0 then v[2] = 1.0 end` |
 | `GOTO100`, `GOTO#1` | `goto N100`, `jump = goto_target(v[1]) goto computed` |
 | `WHILE[#1 LT 10]DO1` .. `END1` | `while v[1] < 10.0 do` .. `end` |
-| `M98P2L3`, `M99`, `M99P100` | `M98{p=2, l=3}`, `do return M99() end`, `do return M99{p=100} end` |
+| `M98P2L3`, `M99`, `M99P100` | `M98{p=2, l=3}`, `do return (M99()) end`, `do return (M99{p=100}) end` |
 | `G65P9010A1B2` | `G65{p=9010, a=1, b=2}` |
 | `POPEN`, `DPRNT[X#100[53]]`, `PCLOS` | `POPEN()`, `DPRNT("X%.3f", v[100])`, `PCLOS()` |
 | `#3000=1(TOOL BROKEN)` | `message("TOOL BROKEN") v[3000] = 1.0` |
@@ -175,6 +176,13 @@ constexpr std::string_view kAb9Statements = R"(### Statements
 | `O0012` | `end) program(12, function()` |
 
 Binding: brackets and functions; `*` `/` `MOD` `AND`; `+` `-` `OR` `XOR`; comparisons. A vacant variable is `nil`.
+)";
+
+constexpr std::string_view kControls = R"(
+## Names of controls
+
+`--dialect`, and `dialect` under `[program]` of a machine file, take these; capitals, blanks, dots, dashes and slashes do not count. Where a control's own language is only near
+to the dialect, a warning says so.
 )";
 
 constexpr std::string_view kNgcFlow = R"(### O-words
@@ -209,6 +217,8 @@ Binding: brackets and functions; `**`; `*` `/` `MOD`; `+` `-`; comparisons; `AND
 std::string language_page() {
     Page page;
     page.line("{}", kHead);
+    page.line("{}", kControls);
+    page.line("{}", grammar::control_table());
     add_dialect(page, grammar::dialect_ab9(), lexer::NameStyle::rs274ngc);
     page.line("{}", kAb9Statements);
     add_dialect(page, grammar::dialect_rs274ngc(), lexer::NameStyle::ab9);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -11,8 +12,11 @@
 #include "codegen/lua_text.h"
 #include "codegen/print_writer.h"
 #include "codegen/word_writer.h"
+#include "text/trimmed.h"
 
 namespace gsim::codegen {
+
+using lexer::DiagnosticKind;
 
 using grammar::Block;
 using grammar::BlockKind;
@@ -21,20 +25,13 @@ using grammar::NodeKind;
 
 namespace {
 
+constexpr std::string_view kBlanks = " \t\r\v\f";  // the CR of a line that ends in CR LF among them
 constexpr std::size_t kCommentColumn = 56;
 constexpr int kMaxBareLabels = 100;  // labels one behind the other; Lua's parser nests them, up to 200
 
 // Upper bounds of what Lua's compiler makes of a test and of a node of an expression.
 constexpr std::uint64_t kInstructionsPerTest = 6;
 constexpr std::uint64_t kInstructionsPerNode = 4;
-
-/// Without the blanks around it, the CR of a line that ends in CR LF among them.
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t\r\v\f";
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 /// O-words that can be left out by themselves.
 bool is_plain_flow(grammar::Flow flow) {
@@ -43,8 +40,9 @@ bool is_plain_flow(grammar::Flow flow) {
 }
 
 /// The name of a program as Lua has it: 12 for O0012, "PART7" for OPART7.
-std::string lua_program_name(std::string_view name) {
-    if (all_digits(name) && normal_number(name).size() <= 9) return normal_number(name);
+std::string lua_program_name(std::string_view name, bool is_ngc) {
+    if (is_ngc ? is_oword_number(name) : all_digits(name) && normal_number(name).size() <= 9)
+        return normal_number(name);
     return fmt::format("\"{}\"", name);
 }
 
@@ -62,11 +60,13 @@ LuaWriter::LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexe
       oword_flow_(diagnostics) {}
 
 void LuaWriter::begin_file(std::string_view source_name) {
-    std::string head = fmt::format("local _ENV = require \"{}\" ", plan_.dialect().rules().lua_module);
+    std::string head = fmt::format("local _ENV = require \"{}{}\" ", plan_.dialect().rules().lua_module,
+                                   options_.inch ? ".inch" : "");
     flow_.begin_program(scan_.program(0));
     if (!scan_.starts_with_part) {
         ++next_ordinal_;
         parts_.begin_program("nil", head);
+        declare_jump(head);
     }
     head += fmt::format("-- from {}; line n there is line n+1 here", lexer::printable(source_name));
     spool_.write_head(head);
@@ -94,16 +94,27 @@ void LuaWriter::note_bad_block(const Block& block) {
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
+/// LinuxCNC goes through the file for the first one behind the call.
+void LuaWriter::fail_or_warn_of_twin(const Block& block, std::string_view name) {
+    const std::string what = fmt::format("the program O{} stands twice in this file", name);
+    if (!lexer_.is_ngc()) {
+        lexer_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
+        return;
+    }
+    if (block.text->bad) return;
+    diagnostics_.warning(block.text->at(block.prefix_column), DiagnosticKind::program_twice,
+                         fmt::format("{}; M98 P{} calls the first one behind the main program", what, name));
+}
+
 void LuaWriter::open_program(const Block& block) {
     close_program();
     main_ended_ = false;
     const std::string_view name = block.text->view(block.text->program);
-    const std::string lua_name = lua_program_name(name);
-    if (!defined_.insert(lua_name).second) {
-        lexer_.fail(block.prefix_column, fmt::format("the program O{} stands twice in this file", name));
-    }
+    const std::string lua_name = lua_program_name(name, lexer_.is_ngc());
+    if (!defined_.insert(lua_name).second) fail_or_warn_of_twin(block, name);
     flow_.begin_program(scan_.program(next_ordinal_++));
     parts_.begin_program(lua_name, code_);
+    declare_jump(code_);
     comment_ += fmt::format("{}O{}", comment_.empty() ? "" : " ", name);
 }
 
@@ -125,7 +136,7 @@ void LuaWriter::open_sub(const Block& block) {
     const std::string name = oword_name(block);
     const auto [first, is_new] = subs_.try_emplace(name, block.text->at(block.flow_column));
     if (!is_new) {
-        lexer_.fail(block.flow_column,
+        lexer_.fail(block.flow_column, DiagnosticKind::program_twice,
                     fmt::format("the subroutine o{} stands twice in this file, first in line {}",
                                 block.text->view(block.text->program), first->second.line));
     }
@@ -159,7 +170,7 @@ void LuaWriter::check_skip(const Block& block) {
                            block.kind == BlockKind::end_loop ||
                            (block.kind == BlockKind::flow && !is_plain_flow(block.flow));
     if (structure) {
-        lexer_.fail(block.prefix_column,
+        lexer_.fail(block.prefix_column, DiagnosticKind::structure,
                     "block delete '/' cannot stand before a program or a control structure: its other end "
                     "would be lost");
     }
@@ -187,7 +198,7 @@ void LuaWriter::write_block(const Block& block) {
 
 void LuaWriter::write_statements(const Block& block) {
     if (const auto column = nested_too_deep(block, levels_around(block))) {
-        lexer_.fail(*column,
+        lexer_.fail(*column, DiagnosticKind::nesting,
                     "the expression is nested too deep for Lua; put a part of it into a variable first");
     }
     const std::size_t before = code_.size();
@@ -220,7 +231,7 @@ void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
     if (count == 0 || block.has_program) return;
     if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
-        lexer_.fail(1, *error);
+        lexer_.fail(1, DiagnosticKind::syntax, *error);
 }
 
 void LuaWriter::write_body(const Block& block) {
@@ -252,11 +263,12 @@ void LuaWriter::write_body(const Block& block) {
             code_ += " do ";
             return;
         case BlockKind::end_loop:
+            write_loop_dispatcher();
             flow_.close_loop(block);
             code_ += "end ";
             return;
         case BlockKind::print:
-            if (const auto error = write_print(block, code_)) lexer_.fail(1, *error);
+            if (const auto error = write_print(block, code_)) lexer_.fail(1, DiagnosticKind::syntax, *error);
             return;
         case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;
@@ -266,7 +278,7 @@ void LuaWriter::write_body(const Block& block) {
 void LuaWriter::add_comment(const Block& block) {
     std::string piece;
     if (options_.annotate) {
-        piece = lexer::printable(trimmed(block.text->raw));
+        piece = lexer::printable(text::trimmed(block.text->raw, kBlanks));
         if (block.has_program) comment_.clear();
     } else {
         if (block.sequence) piece = fmt::format("N{}", *block.sequence);
@@ -303,7 +315,7 @@ void LuaWriter::end_file() {
     for (const auto& [number, location] : called_) {
         if (!defined_.contains(std::to_string(number))) {
             diagnostics_.warning(
-                location,
+                location, DiagnosticKind::program_missing,
                 fmt::format("program O{} is not in this file; it is looked for beside it when it is called",
                             number));
         }

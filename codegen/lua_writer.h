@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class LuaWriter : public grammar::BlockSink {
     struct Options {
         bool annotate = false;         ///< The whole source block stands behind its Lua.
         bool warn_of_unknown = false;  ///< Codes that the dialect does not have are left out, with a warning.
+        bool inch = false;             ///< The unit in force at the start.
     };
 
     LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
@@ -54,15 +56,22 @@ class LuaWriter : public grammar::BlockSink {
     bool write_goto_of_return(const grammar::Block& block, const Call& call);
     std::optional<std::uint32_t> block_number(const grammar::Block& block, lexer::Slice digits,
                                               std::uint32_t column);
+    void declare_jump(std::string& line) const;
     void write_goto(const grammar::Block& block);
     void note_call(const grammar::Block& block, const Call& call);
     void open_program(const grammar::Block& block);
+    void fail_or_warn_of_twin(const grammar::Block& block, std::string_view name);
     bool says_nothing(const grammar::Block& block);
     void begin_function(const grammar::Block& block);
     void write_flow(const grammar::Block& block);
     void open_sub(const grammar::Block& block);
     void close_program();
+    bool ends_pass(const grammar::Block& block, std::uint32_t target) const;
+    void write_jump_to(const grammar::Block& block, std::uint32_t target, std::uint32_t column);
+    void write_computed_jump();
+    void write_choice(std::span<const std::uint32_t> numbers);
     void write_dispatcher();
+    void write_loop_dispatcher();
     void add_comment(const grammar::Block& block);
     void end_line();
     void check_skip(const grammar::Block& block);

@@ -7,17 +7,19 @@
 #include <fmt/format.h>
 
 #include "codegen/expression_writer.h"
+#include "codegen/lua_limits.h"
 #include "codegen/lua_text.h"
 
 namespace gsim::codegen {
+
+using lexer::DiagnosticKind;
 
 using grammar::Block;
 using grammar::Flow;
 
 namespace {
 
-constexpr int kMaxLevels = 80;                        // Lua reads 200, of which expressions need some
-constexpr std::uint64_t kMaxJumpWeight = 16'000'000;  // Lua: 2^24 instructions
+constexpr int kMaxLevels = 80;  // Lua reads 200, of which expressions need some
 
 /// Levels of Lua that a structure takes; a `for` has four variables besides.
 int levels_of(Flow flow) {
@@ -44,17 +46,21 @@ bool is_loop(Flow flow) {
 
 }  // namespace
 
+bool is_oword_number(std::string_view name) {
+    const bool digits = !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+    return digits && name.size() <= 9 && (name.size() == 1 || name[0] != '0');
+}
+
 std::string oword_name(const Block& block) {
     const std::string_view name = name_of(block);
-    const bool number = name.find_first_not_of("0123456789") == std::string_view::npos && name.size() <= 9;
-    if (number) return std::string(name.substr(std::min(name.find_first_not_of('0'), name.size() - 1)));
+    if (is_oword_number(name)) return std::string(name);
     std::string quoted;
     write_lua_string(name, quoted);
     return quoted;
 }
 
 void OWordFlow::fail(const Block& block, const std::string& message) {
-    if (!lost_) diagnostics_.error(block.text->at(block.flow_column), message);
+    if (!lost_) diagnostics_.error(block.text->at(block.flow_column), DiagnosticKind::structure, message);
     lost_ = true;  // one error of nesting brings others; the first one tells
 }
 
@@ -130,7 +136,7 @@ bool OWordFlow::close_structure(const Block& block, Flow kind, std::string& out)
 /// Lua jumps over 2^24 instructions at most; a subroutine is a function, around which nothing jumps.
 void OWordFlow::check_length(const Structure& structure, const lexer::Location& end) {
     if (structure.kind == Flow::sub || weight_ - structure.weight <= kMaxJumpWeight) return;
-    diagnostics_.error(structure.location,
+    diagnostics_.error(structure.location, DiagnosticKind::too_large,
                        fmt::format("o{} {} up to line {} is too long for Lua; put its body into a subroutine",
                                    structure.name, keyword(structure.kind), end.line));
 }
@@ -241,7 +247,7 @@ void OWordFlow::write_return(const Block& block, std::string& out) {
 void OWordFlow::end_program() {
     if (!lost_) {
         for (const Structure& structure : open_) {
-            diagnostics_.error(structure.location,
+            diagnostics_.error(structure.location, DiagnosticKind::structure,
                                fmt::format("o{} {} is not closed", structure.name, keyword(structure.kind)));
         }
     }

@@ -10,6 +10,10 @@
 
 namespace gsim::codegen {
 
+/// True where a name of an O-word stands for a number: digits without a zero before them. The scanner takes
+/// zeros from a number, not from a name in < >.
+bool is_oword_number(std::string_view name);
+
 /// The name in the O-word of a block as Lua has it: a number, or a quoted text.
 std::string oword_name(const grammar::Block& block);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "codegen/action_words.h"
 #include "codegen/embedded_posts.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
@@ -20,12 +21,21 @@ constexpr std::string_view kExtension = ".toml";
 constexpr int kMostDecimals = 6;
 constexpr int kMostDigits = 9;
 
-constexpr std::array<std::string_view, 8> kPostKeys = {"name",    "reads_as",   "numbers", "blocks",
-                                                       "program", "subprogram", "actions", "acceleration"};
-constexpr std::array<std::string_view, 5> kNumberKeys = {"decimals_mm", "decimals_inch", "decimals_deg",
-                                                         "decimals_feed", "zeros"};
-constexpr std::array<std::string_view, 5> kBlockKeys = {"number_step", "number_digits", "axes", "dwell",
-                                                        "start_position"};
+constexpr std::array<std::string_view, 11> kPostKeys = {"name",         "reads_as",   "numbers",    "blocks",
+                                                        "arcs",         "program",    "subprogram", "actions",
+                                                        "acceleration", "feed_modes", "offsets"};
+constexpr std::array<std::string_view, 2> kArcKeys = {"through_point", "oblique"};
+constexpr std::array<std::string_view, 2> kOblique = {"lines", "refuse"};
+constexpr std::array<std::string_view, 6> kNumberKeys = {
+    "decimals_mm", "decimals_inch", "decimals_deg", "decimals_feed", "decimals_recorded_mm", "zeros"};
+constexpr std::array<std::string_view, 7> kBlockKeys = {
+    "number_step", "number_digits", "axes", "dwell", "start_position", "thread", "thread_lead"};
+constexpr std::array<std::string_view, 4> kFeedModeKeys = {"per_minute", "inverse_time", "per_revolution",
+                                                           "inverse_time_of_arcs"};
+constexpr std::array<std::string_view, 6> kOffsetKeys = {"system", "systems", "machine",
+                                                         "here",   "begin",   "end"};
+constexpr std::array<std::string_view, 2> kTimesOfArcs = {"move", "radian"};
+constexpr std::array<std::string_view, 1> kSystemPlaces = {"system"};
 constexpr std::array<std::string_view, 2> kProgramKeys = {"begin", "end"};
 constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",         "end",
                                                              "call",  "call_repeated", "file"};
@@ -59,6 +69,7 @@ class PostReader {
         post_.reads_as = kDialects[section.choice("reads_as", 0, kDialects)];
         if (const auto* numbers = section_table(section, "numbers")) read_numbers(*numbers);
         if (const auto* blocks = section_table(section, "blocks")) read_blocks(*blocks);
+        if (const auto* arcs = section.table("arcs")) read_arcs(*arcs);
         if (const auto* program = section_table(section, "program")) {
             TomlSection of(error_, *program, "[program]", kProgramKeys);
             post_.begin = lines(of, "begin", kProgramPlaces);
@@ -70,6 +81,8 @@ class PostReader {
             post_.acceleration = lines(of, "set", kAccelerationPlaces);
             post_.end_acceleration = lines(of, "end", {});
         }
+        if (const auto* modes = section.table("feed_modes")) read_feed_modes(*modes);
+        if (const auto* offsets = section.table("offsets")) read_offsets(*offsets);
         if (const auto* actions = section.table("actions")) read_actions(*actions);
     }
 
@@ -92,6 +105,8 @@ class PostReader {
         post_.decimals_inch = whole(section, "decimals_inch", kMostDecimals);
         post_.decimals_deg = whole(section, "decimals_deg", kMostDecimals);
         post_.decimals_feed = whole(section, "decimals_feed", kMostDecimals);
+        if (section.has("decimals_recorded_mm"))
+            post_.decimals_recorded_mm = whole(section, "decimals_recorded_mm", kMostDecimals);
         section.require("zeros");
         post_.zeros = static_cast<Zeros>(section.choice("zeros", 0, kZeros));
     }
@@ -103,10 +118,56 @@ class PostReader {
         if (section.has("axes")) post_.axes = section.text("axes");
         post_.dwell = section.text("dwell");
         check_line(section, "dwell", post_.dwell, kDwellPlaces);
-        if (section.has("start_position")) {
-            post_.start_position = section.text("start_position");
-            check_line(section, "start_position", post_.start_position, {});
+        post_.start_position = word(section, "start_position");
+        post_.thread = word(section, "thread");
+        post_.thread_lead = word(section, "thread_lead");
+        if (post_.thread.empty() != post_.thread_lead.empty())
+            section.fail("thread", "'thread' and 'thread_lead' go together");
+    }
+
+    // A word that may be left out.
+    std::string word(TomlSection& section, std::string_view key, Names places = {}) {
+        if (!section.has(key)) return {};
+        std::string text = section.text(key);
+        check_line(section, key, text, places);
+        return text;
+    }
+
+    void read_feed_modes(const toml::table& table) {
+        TomlSection section(error_, table, "[feed_modes]", kFeedModeKeys);
+        section.require("per_minute");
+        post_.feed_modes.per_minute = word(section, "per_minute");
+        post_.feed_modes.inverse_time = word(section, "inverse_time");
+        post_.feed_modes.per_revolution = word(section, "per_revolution");
+        post_.feed_modes.inverse_time_by_angle = section.choice("inverse_time_of_arcs", 0, kTimesOfArcs) == 1;
+    }
+
+    void read_offsets(const toml::table& table) {
+        TomlSection section(error_, table, "[offsets]", kOffsetKeys);
+        OffsetWords& words = post_.offsets;
+        words.system = word(section, "system", kSystemPlaces);
+        if (section.has("systems")) words.systems = lines(section, "systems", {});
+        words.machine = word(section, "machine");
+        words.here = word(section, "here");
+        if (section.has("begin")) words.begin = lines(section, "begin", {});
+        if (section.has("end")) words.end = lines(section, "end", {});
+        if (words.system.empty() != words.systems.empty())
+            section.fail("system", "'system' and 'systems' go together");
+    }
+
+    void read_arcs(const toml::table& table) {
+        TomlSection section(error_, table, "[arcs]", kArcKeys);
+        post_.refuses_oblique_arcs = section.choice("oblique", 0, kOblique) == 1;
+        if (!section.has("through_point")) return;
+        std::vector<std::string> words = lines(section, "through_point", {});
+        if (words.size() != 4) {
+            section.fail("through_point",
+                         "'through_point' takes four strings: the code, and the letters of X, Y and Z of the "
+                         "point");
+            return;
         }
+        post_.through_point = {std::move(words[0]),
+                               {std::move(words[1]), std::move(words[2]), std::move(words[3])}};
     }
 
     void read_subprogram(const toml::table& table) {
@@ -131,7 +192,9 @@ class PostReader {
             if (text == nullptr) {
                 error_.report(node.source().begin, fmt::format("'{}' must be a string", key.str()));
             } else {
-                check_text(node.source().begin, key.str(), text->get(), {});
+                const std::vector<std::string> places = places_in(key.str());
+                const std::vector<std::string_view> known(places.begin(), places.end());
+                check_text(node.source().begin, key.str(), text->get(), known);
                 post_.actions.emplace(key.str(), text->get());
             }
         }

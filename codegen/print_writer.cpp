@@ -5,16 +5,13 @@
 #include <fmt/format.h>
 
 #include "codegen/lua_text.h"
+#include "text/digits.h"
 
 namespace gsim::codegen {
 
 namespace {
 
 constexpr std::size_t kMaxVariableDigits = 5;
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// A value in the text: `#100[53]`.
 struct Value {
@@ -25,10 +22,10 @@ struct Value {
 
 std::optional<Value> value_at(std::string_view text) {
     std::size_t end = 1;
-    while (end < text.size() && is_digit(text[end])) ++end;
+    while (end < text.size() && text::is_digit(text[end])) ++end;
     const bool has_format = end > 1 && end - 1 <= kMaxVariableDigits && end + 3 < text.size() &&
-                            text[end] == '[' && is_digit(text[end + 1]) && is_digit(text[end + 2]) &&
-                            text[end + 3] == ']';
+                            text[end] == '[' && text::is_digit(text[end + 1]) &&
+                            text::is_digit(text[end + 2]) && text[end + 3] == ']';
     if (!has_format) return std::nullopt;
     return Value{text.substr(1, end - 1), text[end + 2], end + 4};
 }

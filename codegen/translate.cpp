@@ -2,19 +2,34 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "codegen/lua_writer.h"
 
 namespace gsim::codegen {
 
+namespace {
+
+std::string leader_warning(std::uint32_t lines) {
+    const std::string subject = lines == 1 ? "the line before the first % is"
+                                           : fmt::format("the {} lines before the first % are", lines);
+    return subject + " left out: no program, but the leader of a tape";
+}
+
+}  // namespace
+
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
-                      const std::function<void(std::string_view)>& print) {
+                      const std::function<void(const text::Diagnostic&)>& take) {
     source.set_name(options.source_name);
     const lexer::Style style = options.dialect->rules().style;
     const FileScan scan = scan_file(source, options.aliases, style);
-    lexer::Diagnostics diagnostics(source, options.max_errors, print);
+    lexer::Diagnostics diagnostics(source, options.max_errors, take);
     lexer::Lexer lexer(source, diagnostics, options.aliases, style, options.annotate);
+    lexer.pass_over_leader(scan.leader_lines);
+    if (scan.leader_lines > 0)
+        diagnostics.warning({0, 1, 1}, lexer::DiagnosticKind::syntax, leader_warning(scan.leader_lines));
     LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
-                     {options.annotate, options.unknown == Unknown::warn});
+                     {options.annotate, options.unknown == Unknown::warn, options.inch});
     const std::size_t slash = options.source_name.rfind('/');
     writer.begin_file(
         std::string_view(options.source_name).substr(slash == std::string::npos ? 0 : slash + 1));
@@ -25,8 +40,10 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
     result.first_error = diagnostics.first_error();
     if (source.failed()) {
         result.ok = false;
-        result.first_error = options.source_name + ": cannot be read to its end";
-        print(result.first_error + "\n");
+        result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::file,
+                                              .file = options.source_name,
+                                              .text = "cannot be read to its end"};
+        take(*result.first_error);
     }
     if (result.ok && !spool.finish())
         throw std::runtime_error("the temporary file for the Lua cannot be written; is the disk full?");
@@ -39,8 +56,9 @@ TextTranslation translate_text(std::string_view gcode, const TranslateOptions& o
     lexer::Source source = lexer::Source::from_text(std::string(gcode), options.source_name);
     LuaSpool spool;
     TextTranslation result;
-    const Translation translation =
-        translate(source, spool, options, [&](std::string_view message) { result.diagnostics += message; });
+    const Translation translation = translate(source, spool, options, [&](const text::Diagnostic& told) {
+        result.diagnostics += text::to_text(told);
+    });
     result.ok = translation.ok;
     if (result.ok) result.lua = spool.read(0, spool.size());
     return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,7 @@
 #include "grammar/dialect.h"
 #include "lexer/alias.h"
 #include "lexer/source.h"
+#include "text/diagnostic.h"
 
 namespace gsim::codegen {
 
@@ -22,6 +24,7 @@ struct TranslateOptions {
     const grammar::Dialect* dialect = &grammar::dialect_ab9();
     Unknown unknown = Unknown::error;
     std::string source_name = "part.nc";  ///< For messages and the first line of the Lua.
+    bool inch = false;                    ///< The unit in force at the start, for the first line of the Lua.
     bool annotate = false;                ///< Each whole source block as a trailing comment.
     std::size_t max_errors = 100;
     lexer::Aliases aliases;
@@ -29,21 +32,21 @@ struct TranslateOptions {
 
 /// What became of a translation.
 struct Translation {
-    bool ok = false;          ///< No error; only then the Lua is of use.
-    std::string first_error;  ///< "part.nc:12:7: ..."
+    bool ok = false;  ///< No error; only then the Lua is of use.
+    std::optional<text::Diagnostic> first_error;
     ProgramMap programs;
     std::uint32_t lua_lines = 0;
 };
 
-/// Translates one source to Lua in `spool`. Each diagnostic goes to `print` as soon as it is known.
+/// Translates one source to Lua in `spool`. Each diagnostic goes to `take` as soon as it is known.
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
-                      const std::function<void(std::string_view)>& print);
+                      const std::function<void(const text::Diagnostic&)>& take);
 
 /// The same for a text in memory.
 struct TextTranslation {
     bool ok = false;
-    std::string lua;  ///< Empty unless ok.
-    std::string diagnostics;
+    std::string lua;          ///< Empty unless ok.
+    std::string diagnostics;  ///< As people read them.
 };
 TextTranslation translate_text(std::string_view gcode, const TranslateOptions& options);
 

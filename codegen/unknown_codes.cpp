@@ -4,11 +4,14 @@
 
 namespace gsim::codegen {
 
+using lexer::DiagnosticKind;
+
 void UnknownCodes::report(lexer::Diagnostics& diagnostics, std::string_view dialect_title,
                           std::string_view consequence) const {
     for (const auto& [code, entry] : codes_) {
-        diagnostics.warning(entry.first, fmt::format("{} is no code of {}; {} ({} in all)", code,
-                                                     dialect_title, consequence, entry.count));
+        diagnostics.warning(entry.first, DiagnosticKind::code_unknown,
+                            fmt::format("{} is no code of {}; {} ({} in all)", code, dialect_title,
+                                        consequence, entry.count));
     }
 }
 

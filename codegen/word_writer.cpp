@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <bitset>
 #include <iterator>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "codegen/call_codes.h"
 #include "codegen/expression_writer.h"
+#include "text/number.h"
 
 namespace gsim::codegen {
 
@@ -26,7 +29,7 @@ bool is_code(const Call& call, char letter, std::int32_t code_x10) {
     return call.kind == Call::Kind::code && call.code->letter == letter && call.code->code_x10 == code_x10;
 }
 
-std::string function_name(const Call& call, const Word& word) {
+std::string called_function(const Call& call, const Word& word) {
     switch (call.kind) {
         case Call::Kind::move: return "move";
         case Call::Kind::via_point: return "CIP";
@@ -52,7 +55,7 @@ void write_value(const Block& block, std::uint32_t index, const BlockValues& val
     } else if (word.role == Role::program) {
         out += normal_number(block.text->view(word.number));
     } else {
-        out += block.text->view(word.number);
+        out += text::unsigned_zero(block.text->view(word.number));
     }
 }
 
@@ -72,16 +75,11 @@ bool repeats_letters(const Block& block, const BlockPlan& plan, const Call& call
     return false;
 }
 
-/// x=1, y=2; letters that stand twice, as a macro call may have them, in their order: {"i", 1}, {"i", 2}.
-void write_operands(const Block& block, const BlockPlan& plan, const Call& call, const BlockValues& values,
-                    std::string& out) {
-    if (call.operand_count == 0) {
-        out += "()";
-        return;
-    }
-    const bool in_order = repeats_letters(block, plan, call);
+/// {x=1, y=2}; letters that stand twice, as a macro call may have them, in their order: {"i", 1}, {"i", 2}.
+void write_words(const Block& block, std::span<const std::uint32_t> words, bool in_order,
+                 const BlockValues& values, std::string& out) {
     char separator = '{';
-    for (const std::uint32_t index : plan.operands(call)) {
+    for (const std::uint32_t index : words) {
         const Word& word = block.text->words[index];
         out += separator;
         if (separator == ',') out += ' ';
@@ -96,6 +94,20 @@ void write_operands(const Block& block, const BlockPlan& plan, const Call& call,
         separator = ',';
     }
     out += '}';
+}
+
+void write_operands(const Block& block, const BlockPlan& plan, const Call& call, const BlockValues& values,
+                    std::string& out) {
+    if (call.operand_count == 0) {
+        out += "()";
+        return;
+    }
+    if (call.shared_count > 0) out += "(shared(";
+    write_words(block, plan.operands(call), repeats_letters(block, plan, call), values, out);
+    if (call.shared_count == 0) return;
+    out += ", ";
+    write_words(block, plan.shared(call), false, values, out);
+    out += "))";
 }
 
 }  // namespace
@@ -128,9 +140,9 @@ void write_call(const Block& block, const BlockPlan& plan, const Call& call, con
         out += ") ";
         return;
     }
-    const bool returns = is_code(call, 'M', 990);
-    if (returns) out += "do return ";
-    out += function_name(call, word);
+    const bool returns = is_code(call, 'M', kReturnCode);
+    if (returns) out += "do return (";  // in brackets: behind a tail call Lua knows no line any more
+    out += called_function(call, word);
     if (call.kind == Call::Kind::letter) {
         out += '(';
         write_value(block, call.word, values, out);
@@ -141,7 +153,7 @@ void write_call(const Block& block, const BlockPlan& plan, const Call& call, con
         out += further;
         if (!further.empty()) out += ')';
     }
-    out += returns ? " end " : " ";
+    out += returns ? ") end " : " ";
 }
 
 }  // namespace gsim::codegen

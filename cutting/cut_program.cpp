@@ -17,7 +17,7 @@ namespace {
 constexpr double kGreatestRadius_mm = 1e5;  // beyond it arcs are said by a point on them, not by their centre
 constexpr double kFlat_mm = 1e-4;           // arcs that are no higher over their chord are lines
 constexpr double kUpright_rad = 1e-11;
-constexpr double kLeastRadius_mm = 0.01;  // of the tip's way about a center
+constexpr double kLeastTipRadius_mm = 0.01;  // of the tip's way about a center
 constexpr double kTurnStep_rad = std::numbers::pi / 4;
 
 double rad(double deg) {
@@ -106,7 +106,7 @@ class CutPath {
         lean_ = {end_tangent(edge), bevel};
         const bool arc = is_arc(edge) && std::abs(edge.bulge) * distance(edge.start, edge.end) / 2 > kFlat_mm;
         const double share = arc ? tip_share(edge) : 1;
-        if (arc && std::abs(share) * radius_mm(edge) < kLeastRadius_mm) {
+        if (arc && std::abs(share) * radius_mm(edge) < kLeastTipRadius_mm) {
             turn_over_center(fed);
             return;
         }

@@ -8,6 +8,7 @@
 #include "geometry/crossing.h"
 #include "geometry/nesting.h"
 #include "geometry/offset.h"
+#include "text/number.h"
 
 namespace gsim::cutting {
 
@@ -24,7 +25,7 @@ constexpr double kLeastArea_mm2 = 1e-6;
 using Fault = tl::unexpected<std::string>;
 
 std::string place(Point point) {
-    return fmt::format("({:.6g}, {:.6g})", point.x, point.y);
+    return fmt::format("({:.6g}, {:.6g})", text::unsigned_zero(point.x), text::unsigned_zero(point.y));
 }
 
 std::string named(const Drawing& drawing, const Contour& contour, std::size_t edge) {

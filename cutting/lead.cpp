@@ -19,12 +19,8 @@ namespace {
 
 constexpr std::size_t kPlaces = 8;  // in which a lead is tried
 constexpr int kSizes = 6;           // each half of the one before
-constexpr double kLeastRadius_mm = 0.05;
+constexpr double kLeastLeadRadius_mm = 0.05;
 constexpr double kNear_mm = 1e-4;
-
-struct Item {
-    std::uint32_t contour, edge;
-};
 
 // The edges of many contours.
 class EdgeIndex {
@@ -185,7 +181,7 @@ class LeadFinder {
     std::optional<Cut> find(const Loop& loop, double radius_mm, bool apart) const {
         const std::vector<Place> places = places_on(loop.contour);
         double radius = radius_mm;
-        for (int size = 0; size < kSizes && radius >= kLeastRadius_mm; ++size, radius /= 2) {
+        for (int size = 0; size < kSizes && radius >= kLeastLeadRadius_mm; ++size, radius /= 2) {
             for (const Place& place : places) {
                 const Edge edge = loop.contour.edge(place.edge);
                 const Point entry = point_at(edge, place.share);

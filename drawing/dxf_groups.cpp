@@ -5,21 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "text/trimmed.h"
+
 namespace gsim::drawing {
 
 namespace {
 
 constexpr int kMaxCode = 1071;  // of extended data, the highest there is
-constexpr std::size_t kShown = 40;
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
+constexpr std::size_t kShownOfText = 40;
 
 std::string shown_text(std::string_view text) {
-    std::string result(text.substr(0, kShown));
+    std::string result(text.substr(0, kShownOfText));
     for (char& c : result) {
         if (static_cast<unsigned char>(c) < ' ') c = '?';
     }
@@ -33,7 +29,7 @@ std::string_view GroupReader::take_line() {
     const std::string_view line = text_.substr(offset_, end - offset_);
     offset_ = std::min(end + 1, text_.size());
     ++line_;
-    return trimmed(line);
+    return text::trimmed(line, " \t\r");
 }
 
 std::optional<Group> GroupReader::next() {

@@ -16,7 +16,7 @@ using geometry::Point;
 
 namespace {
 
-constexpr int kMaxDepth = 16;                    // of blocks in blocks
+constexpr int kMaxBlockDepth = 16;               // of blocks in blocks
 constexpr std::size_t kMaxInserted = 1'000'000;  // entities, in all
 
 struct Block {
@@ -169,11 +169,11 @@ class DxfReader {
             throw DrawingFault{entity.line(),
                                fmt::format("INSERT of block '{}', which is not in the file", name)};
         }
-        if (placement.depth >= kMaxDepth) {
+        if (placement.depth >= kMaxBlockDepth) {
             throw DrawingFault{
                 entity.line(),
                 fmt::format("INSERT of block '{}' is nested deeper than {} blocks; does one hold itself?",
-                            name, kMaxDepth)};
+                            name, kMaxBlockDepth)};
         }
         const int columns = std::max(1, entity.whole(70, 1));
         const int rows = std::max(1, entity.whole(71, 1));

@@ -1,6 +1,8 @@
 #include "drawing/dxf_shapes.h"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -12,11 +14,10 @@ using geometry::Point;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kFlat = 1e-6;
 
 double radians(double degrees) {
-    return degrees * kPi / 180;
+    return degrees * std::numbers::pi / 180;
 }
 
 [[noreturn]] void fail(const GroupList& entity, const std::string& sentence) {
@@ -27,8 +28,8 @@ double radians(double degrees) {
 
 // The angle from one to the other counter-clockwise, above 0 and at most a full turn.
 double turn_between(double from_rad, double to_rad) {
-    const double turn = std::fmod(to_rad - from_rad, 2 * kPi);
-    return turn <= 1e-12 ? turn + 2 * kPi : turn;
+    const double turn = std::fmod(to_rad - from_rad, 2 * std::numbers::pi);
+    return turn <= 1e-12 ? turn + 2 * std::numbers::pi : turn;
 }
 
 double radius_of(const GroupList& entity) {
@@ -37,7 +38,7 @@ double radius_of(const GroupList& entity) {
     return radius;
 }
 
-void draw_line(const GroupList& entity, Pen& pen) {
+void draw_line_entity(const GroupList& entity, Pen& pen) {
     const Point from = entity.point(10);
     const Point to = entity.point(11);
     const double rise = entity.number(31, 0) - entity.number(30, 0);
@@ -50,7 +51,7 @@ void draw_line(const GroupList& entity, Pen& pen) {
 void draw_round(const GroupList& entity, Pen& pen) {
     const Point center = entity.point(10);
     const double r = radius_of(entity);
-    EllipseArc arc{center, {r, 0}, {0, r}, 0, 2 * kPi};
+    EllipseArc arc{center, {r, 0}, {0, r}, 0, 2 * std::numbers::pi};
     if (entity.kind() == "ARC") {
         arc.from_rad = radians(entity.number(50));
         arc.sweep_rad = turn_between(arc.from_rad, radians(entity.number(51)));
@@ -58,14 +59,14 @@ void draw_round(const GroupList& entity, Pen& pen) {
     pen.arc(arc);
 }
 
-void draw_ellipse(const GroupList& entity, Pen& pen) {
+void draw_ellipse_entity(const GroupList& entity, Pen& pen) {
     const Point u = entity.point(11);
     const double ratio = entity.number(40);
     if (u == Point{} || ratio == 0) fail(entity, "has an axis without a length");
     if (std::abs(entity.number(31, 0)) > kFlat) fail(entity, "is not level; a drawing has to be flat");
     const double up = entity.number(230, 1) < 0 ? -1 : 1;
     const double from = entity.number(41, 0);
-    const double to = entity.number(42, 2 * kPi);
+    const double to = entity.number(42, 2 * std::numbers::pi);
     pen.arc({entity.point(10), u, (up * ratio) * left_of(u), from, turn_between(from, to)});
 }
 
@@ -144,21 +145,21 @@ void draw_spline(const GroupList& entity, Pen& pen) {
 
 using Draw = void (*)(const GroupList&, Pen&);
 
-struct Shape {
+struct DxfShape {
     std::string_view kind;
     Draw draw;
     bool own_plane;  // its coordinates are those of its extrusion direction
 };
 
-constexpr std::array<Shape, 6> kShapes{{{"LINE", draw_line, false},
-                                        {"ARC", draw_round, true},
-                                        {"CIRCLE", draw_round, true},
-                                        {"ELLIPSE", draw_ellipse, false},
-                                        {"LWPOLYLINE", draw_lwpolyline, true},
-                                        {"SPLINE", draw_spline, false}}};
+constexpr std::array<DxfShape, 6> kDxfShapes{{{"LINE", draw_line_entity, false},
+                                              {"ARC", draw_round, true},
+                                              {"CIRCLE", draw_round, true},
+                                              {"ELLIPSE", draw_ellipse_entity, false},
+                                              {"LWPOLYLINE", draw_lwpolyline, true},
+                                              {"SPLINE", draw_spline, false}}};
 
-const Shape* shape_of(std::string_view kind) {
-    for (const Shape& shape : kShapes) {
+const DxfShape* dxf_shape_of(std::string_view kind) {
+    for (const DxfShape& shape : kDxfShapes) {
         if (shape.kind == kind) return &shape;
     }
     return nullptr;
@@ -172,11 +173,11 @@ void finish(const GroupList& entity, Pen& pen) {
 }  // namespace
 
 bool is_shape(std::string_view kind) {
-    return shape_of(kind) != nullptr;
+    return dxf_shape_of(kind) != nullptr;
 }
 
 void draw_shape(const GroupList& entity, const Affine& map, std::uint32_t source, Pen& pen) {
-    const Shape* shape = shape_of(entity.kind());
+    const DxfShape* shape = dxf_shape_of(entity.kind());
     const Affine plane = entity_plane(entity);
     pen.take(shape->own_plane ? map * plane : map, source);
     shape->draw(entity, pen);

@@ -19,11 +19,11 @@ using geometry::Point;
 
 namespace {
 
-constexpr int kMaxDepth = 100;
+constexpr int kMaxElementDepth = 100;
 constexpr std::size_t kMaxElements = 1'000'000;  // counted as often as they are used
 
 // Thrown inside of this file alone.
-struct Fault {
+struct SvgFault {
     std::string sentence;
 };
 
@@ -43,11 +43,11 @@ class SvgReader {
     Drawing run() {
         const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
         if (!parsed)
-            throw Fault{fmt::format("line {}: this is no sound XML: {}", line_at(parsed.offset),
-                                    parsed.description())};
+            throw SvgFault{fmt::format("line {}: this is no sound XML: {}", line_at(parsed.offset),
+                                       parsed.description())};
         const pugi::xml_node root = document_.document_element();
         if (local_name(root) != "svg") {
-            throw Fault{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
+            throw SvgFault{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
         }
         collect_ids_and_styles();
         read_children(root, page(root), 0);
@@ -74,8 +74,8 @@ class SvgReader {
 
     [[noreturn]] void fail(const pugi::xml_node& node, const std::string& sentence) const {
         const std::string_view id = node.attribute("id").value();
-        throw Fault{fmt::format("line {}: {}{}{} {}", line_at(node.offset_debug()), node.name(),
-                                id.empty() ? "" : " ", id, sentence)};
+        throw SvgFault{fmt::format("line {}: {}{}{} {}", line_at(node.offset_debug()), node.name(),
+                                   id.empty() ? "" : " ", id, sentence)};
     }
 
     void collect_ids_and_styles() {
@@ -138,7 +138,8 @@ class SvgReader {
     }
 
     void read_children(const pugi::xml_node& node, const Affine& map, int depth) {
-        if (depth > kMaxDepth) fail(node, fmt::format("is nested deeper than {} elements", kMaxDepth));
+        if (depth > kMaxElementDepth)
+            fail(node, fmt::format("is nested deeper than {} elements", kMaxElementDepth));
         for (const pugi::xml_node& child : node.children()) {
             if (child.type() == pugi::node_element) read_node(child, map, depth);
         }
@@ -203,7 +204,8 @@ class SvgReader {
     }
 
     void read_use(const pugi::xml_node& node, const Affine& map, int depth) {
-        if (depth > kMaxDepth) fail(node, fmt::format("is nested deeper than {} elements", kMaxDepth));
+        if (depth > kMaxElementDepth)
+            fail(node, fmt::format("is nested deeper than {} elements", kMaxElementDepth));
         std::string_view target = node.attribute("href").value();
         if (target.empty()) target = node.attribute("xlink:href").value();
         const auto found = target.starts_with('#') ? ids_.find(target.substr(1)) : ids_.end();
@@ -214,7 +216,8 @@ class SvgReader {
     }
 
     void read_node_used(const pugi::xml_node& node, const Affine& map, int depth) {
-        if (depth > kMaxDepth) fail(node, fmt::format("is nested deeper than {} elements", kMaxDepth));
+        if (depth > kMaxElementDepth)
+            fail(node, fmt::format("is nested deeper than {} elements", kMaxElementDepth));
         read_node(node, map, depth);
     }
 
@@ -246,7 +249,7 @@ class SvgReader {
 tl::expected<Drawing, std::string> read_svg(std::string_view text, const ReadOptions& options) {
     try {
         return SvgReader(text, options).run();
-    } catch (const Fault& fault) {
+    } catch (const SvgFault& fault) {
         return tl::unexpected(fault.sentence);
     }
 }

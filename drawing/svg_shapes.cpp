@@ -15,9 +15,7 @@ using geometry::Point;
 
 namespace {
 
-using Fault = std::optional<std::string>;
-
-constexpr double kPi = std::numbers::pi;
+using ShapeFault = std::optional<std::string>;
 
 // Lengths of an element; keeps the first that cannot be read.
 class Lengths {
@@ -32,18 +30,18 @@ class Lengths {
         }
         return value.value_or(otherwise);
     }
-    const Fault& fault() const { return fault_; }
+    const ShapeFault& fault() const { return fault_; }
 
   private:
     const pugi::xml_node& node_;
-    Fault fault_;
+    ShapeFault fault_;
 };
 
-Fault draw_path(const pugi::xml_node& node, Pen& pen) {
+ShapeFault draw_path(const pugi::xml_node& node, Pen& pen) {
     return draw_path_data(node.attribute("d").value(), pen);
 }
 
-Fault draw_rect(const pugi::xml_node& node, Pen& pen) {
+ShapeFault draw_rect(const pugi::xml_node& node, Pen& pen) {
     Lengths lengths(node);
     const Point low{lengths("x"), lengths("y")};
     const Point size{lengths("width"), lengths("height")};
@@ -60,22 +58,22 @@ Fault draw_rect(const pugi::xml_node& node, Pen& pen) {
     if (!rounded) rx = ry = 0;
     const Point high = low + size;
     const auto corner = [&](Point center, double from_rad) {
-        if (rounded) pen.arc({center, {rx, 0}, {0, ry}, from_rad, kPi / 2});
+        if (rounded) pen.arc({center, {rx, 0}, {0, ry}, from_rad, std::numbers::pi / 2});
     };
     pen.move_to({low.x + rx, low.y});
     pen.line_to({high.x - rx, low.y});
-    corner({high.x - rx, low.y + ry}, -kPi / 2);
+    corner({high.x - rx, low.y + ry}, -std::numbers::pi / 2);
     pen.line_to({high.x, high.y - ry});
     corner({high.x - rx, high.y - ry}, 0);
     pen.line_to({low.x + rx, high.y});
-    corner({low.x + rx, high.y - ry}, kPi / 2);
+    corner({low.x + rx, high.y - ry}, std::numbers::pi / 2);
     pen.line_to({low.x, low.y + ry});
-    corner({low.x + rx, low.y + ry}, kPi);
+    corner({low.x + rx, low.y + ry}, std::numbers::pi);
     pen.close();
     return {};
 }
 
-Fault draw_ellipse(const pugi::xml_node& node, Pen& pen) {
+ShapeFault draw_ellipse_element(const pugi::xml_node& node, Pen& pen) {
     Lengths lengths(node);
     const bool circle = std::string_view(node.name()) == "circle";
     const Point center{lengths("cx"), lengths("cy")};
@@ -83,11 +81,11 @@ Fault draw_ellipse(const pugi::xml_node& node, Pen& pen) {
     const double ry = lengths(circle ? "r" : "ry");
     if (lengths.fault()) return lengths.fault();
     if (!(rx > 0 && ry > 0)) return fmt::format("has the radii {} and {}; both must be above 0", rx, ry);
-    pen.arc({center, {rx, 0}, {0, ry}, 0, 2 * kPi});
+    pen.arc({center, {rx, 0}, {0, ry}, 0, 2 * std::numbers::pi});
     return {};
 }
 
-Fault draw_line(const pugi::xml_node& node, Pen& pen) {
+ShapeFault draw_line_element(const pugi::xml_node& node, Pen& pen) {
     Lengths lengths(node);
     const Point from{lengths("x1"), lengths("y1")};
     const Point to{lengths("x2"), lengths("y2")};
@@ -98,7 +96,7 @@ Fault draw_line(const pugi::xml_node& node, Pen& pen) {
     return {};
 }
 
-Fault draw_points(const pugi::xml_node& node, Pen& pen) {
+ShapeFault draw_points(const pugi::xml_node& node, Pen& pen) {
     SvgScanner scanner(node.attribute("points").value());
     std::size_t count = 0;
     while (!scanner.at_end()) {
@@ -117,33 +115,33 @@ Fault draw_points(const pugi::xml_node& node, Pen& pen) {
     return {};
 }
 
-struct Shape {
+struct SvgShape {
     std::string_view name;
-    Fault (*draw)(const pugi::xml_node&, Pen&);
+    ShapeFault (*draw)(const pugi::xml_node&, Pen&);
 };
 
-constexpr std::array<Shape, 7> kShapes{{{"path", draw_path},
-                                        {"rect", draw_rect},
-                                        {"circle", draw_ellipse},
-                                        {"ellipse", draw_ellipse},
-                                        {"line", draw_line},
-                                        {"polyline", draw_points},
-                                        {"polygon", draw_points}}};
+constexpr std::array<SvgShape, 7> kSvgShapes{{{"path", draw_path},
+                                              {"rect", draw_rect},
+                                              {"circle", draw_ellipse_element},
+                                              {"ellipse", draw_ellipse_element},
+                                              {"line", draw_line_element},
+                                              {"polyline", draw_points},
+                                              {"polygon", draw_points}}};
 
-const Shape* shape_of(std::string_view name) {
-    const auto* const found =
-        std::find_if(kShapes.begin(), kShapes.end(), [&](const Shape& shape) { return shape.name == name; });
-    return found == kShapes.end() ? nullptr : found;
+const SvgShape* svg_shape_of(std::string_view name) {
+    const auto* const found = std::find_if(kSvgShapes.begin(), kSvgShapes.end(),
+                                           [&](const SvgShape& shape) { return shape.name == name; });
+    return found == kSvgShapes.end() ? nullptr : found;
 }
 
 }  // namespace
 
 bool is_svg_shape(std::string_view name) {
-    return shape_of(name) != nullptr;
+    return svg_shape_of(name) != nullptr;
 }
 
 std::optional<std::string> draw_svg_shape(const pugi::xml_node& node, Pen& pen) {
-    Fault fault = shape_of(node.name())->draw(node, pen);
+    ShapeFault fault = svg_shape_of(node.name())->draw(node, pen);
     if (!fault) fault = pen.fault();
     pen.lift();
     return fault;

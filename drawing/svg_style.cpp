@@ -4,22 +4,22 @@
 #include <array>
 #include <cctype>
 
+#include "text/trimmed.h"
+
 namespace gsim::drawing {
 
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\f";
 constexpr std::size_t kMostNamed = 5;
-constexpr std::size_t kShown = 60;
+constexpr std::size_t kShownOfSelector = 60;
 constexpr std::size_t kMostRules = 1000;  // each is looked at for each element
 constexpr int kClassWeight = 100;
 constexpr int kIdWeight = 10'000;
 constexpr std::array<std::string_view, 2> kProperties = {"display", "visibility"};
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+std::string_view without_blanks(std::string_view text) {
+    return text::trimmed(text, kBlanks);
 }
 
 // The part in front of a separator, which is taken off the text.
@@ -48,8 +48,8 @@ std::string_view declared(std::string_view declarations, std::string_view name) 
     while (!declarations.empty()) {
         std::string_view value = take_to(declarations, ';');
         if (value.find(':') == std::string_view::npos) continue;
-        if (trimmed(take_to(value, ':')) != name) continue;
-        found = trimmed(value.substr(0, value.find('!')));  // without !important
+        if (without_blanks(take_to(value, ':')) != name) continue;
+        found = without_blanks(value.substr(0, value.find('!')));  // without !important
     }
     return found;
 }
@@ -88,7 +88,7 @@ bool SvgStyles::Rule::fits(const pugi::xml_node& node) const {
     if (!id.empty() && id != node.attribute("id").value()) return false;
     return std::all_of(classes.begin(), classes.end(), [&node](const std::string& wanted) {
         std::string_view names = node.attribute("class").value();
-        while (!(names = trimmed(names)).empty()) {
+        while (!(names = without_blanks(names)).empty()) {
             const std::string_view name = names.substr(0, names.find_first_of(kBlanks));
             if (name == wanted) return true;
             names.remove_prefix(name.size());
@@ -110,7 +110,7 @@ void SvgStyles::add(std::string_view text) {
         const std::size_t end = end_of_block(rest, open);
         std::string_view block = rest.substr(open + 1, end - open - 1);
         if (block.ends_with('}')) block.remove_suffix(1);
-        add_rule(trimmed(rest.substr(0, open)), block);
+        add_rule(without_blanks(rest.substr(0, open)), block);
         rest.remove_prefix(end);
     }
 }
@@ -143,7 +143,7 @@ std::optional<SvgStyles::Rule> SvgStyles::rule_of(std::string_view selector) {
 void SvgStyles::add_rule(std::string_view selectors, std::string_view declarations) {
     const auto not_understood = [this](std::string_view selector) {
         if (not_understood_.size() >= kMostNamed) return;
-        std::string shown(selector.substr(0, kShown));
+        std::string shown(selector.substr(0, kShownOfSelector));
         std::replace_if(
             shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
         not_understood_.push_back(std::move(shown));
@@ -157,7 +157,7 @@ void SvgStyles::add_rule(std::string_view selectors, std::string_view declaratio
     for (const std::string_view property : kProperties) {
         const std::string_view value = declared(declarations, property);
         for (std::string_view list = selectors; !value.empty() && !list.empty();) {
-            const std::string_view selector = trimmed(take_to(list, ','));
+            const std::string_view selector = without_blanks(take_to(list, ','));
             std::optional<Rule> rule = rule_of(selector);
             if (!rule || rules_.size() >= kMostRules) {
                 not_understood(selector);

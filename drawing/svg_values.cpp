@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "text/digits.h"
+
 namespace gsim::drawing {
 
 namespace {
@@ -15,10 +17,6 @@ bool is_blank(char c) {
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 std::optional<Affine> matrix_of(std::string_view name, const std::vector<double>& v) {
@@ -56,7 +54,7 @@ std::optional<double> SvgScanner::number() {
     // from_chars would take "inf" and "nan" as well.
     std::size_t digit = first;
     while (digit < text_.size() && (text_[digit] == '-' || text_[digit] == '.')) ++digit;
-    if (digit >= text_.size() || !is_digit(text_[digit])) return {};
+    if (digit >= text_.size() || !text::is_digit(text_[digit])) return {};
     double value = 0;
     const auto [end, error] = std::from_chars(text_.data() + first, text_.data() + text_.size(), value);
     if (error != std::errc{}) return {};

@@ -31,6 +31,11 @@ struct Contour {
     std::size_t next(std::size_t i) const { return i + 1 < vertices.size() ? i + 1 : 0; }
 };
 
+/// Which edge of which contour of a list.
+struct EdgeId {
+    std::uint32_t contour, edge;
+};
+
 /// Appends an edge that begins where the contour ends; an arc of more than half a turn becomes two. The last
 /// vertex carries no edge yet.
 void append_edge(Contour& contour, const Edge& edge, std::uint32_t source);

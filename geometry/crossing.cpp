@@ -7,10 +7,6 @@ namespace gsim::geometry {
 
 namespace {
 
-struct Item {
-    std::uint32_t contour, edge;
-};
-
 class CrossingSearch {
   public:
     CrossingSearch(std::span<const Contour> contours, double tolerance_mm,
@@ -18,11 +14,11 @@ class CrossingSearch {
         : contours_(contours), tolerance_mm_(tolerance_mm), groups_(groups) {
         std::size_t count = 0;
         for (const Contour& contour : contours) count += contour.edges();
-        items_.reserve(count);
+        edge_ids_.reserve(count);
         boxes_.reserve(count);
         for (std::size_t c = 0; c < contours.size(); ++c) {
             for (std::size_t e = 0; e < contours[c].edges(); ++e) {
-                items_.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
+                edge_ids_.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
                 boxes_.push_back(box_of(contours[c].edge(e)));
             }
         }
@@ -31,9 +27,9 @@ class CrossingSearch {
 
     std::optional<Crossing> run() const {
         std::optional<Crossing> found;
-        for (std::size_t i = 0; i < items_.size() && !found; ++i) {
+        for (std::size_t i = 0; i < edge_ids_.size() && !found; ++i) {
             tree_.visit(boxes_[i].grown(kSamePoint_mm), [&](std::size_t j) {
-                if (j > i) found = between(items_[i], items_[j]);
+                if (j > i) found = between(edge_ids_[i], edge_ids_[j]);
                 return !found;
             });
         }
@@ -41,7 +37,7 @@ class CrossingSearch {
     }
 
   private:
-    std::optional<Crossing> between(Item a, Item b) const {
+    std::optional<Crossing> between(EdgeId a, EdgeId b) const {
         if (!groups_.empty() && groups_[a.contour] == groups_[b.contour]) return {};
         const Edge edge_a = edge(a);
         const Edge edge_b = edge(b);
@@ -53,10 +49,10 @@ class CrossingSearch {
         return {};
     }
 
-    Edge edge(Item item) const { return contours_[item.contour].edge(item.edge); }
+    Edge edge(EdgeId id) const { return contours_[id.contour].edge(id.edge); }
 
     // Whether neighbours may meet there.
-    bool belongs(Item a, Item b, const Edge& edge_a, const Edge& edge_b, Point place) const {
+    bool belongs(EdgeId a, EdgeId b, const Edge& edge_a, const Edge& edge_b, Point place) const {
         if (a.contour != b.contour) return false;
         const Contour& contour = contours_[a.contour];
         return (contour.next(a.edge) == b.edge && at_corner(edge_a, edge_b, place)) ||
@@ -73,7 +69,7 @@ class CrossingSearch {
     std::span<const Contour> contours_;
     double tolerance_mm_;
     std::span<const std::size_t> groups_;  // of the contours; empty: all are compared
-    std::vector<Item> items_;
+    std::vector<EdgeId> edge_ids_;
     std::vector<Box> boxes_;
     BoxTree tree_;
 };

@@ -20,10 +20,6 @@ bool ray_passes(const Edge& edge, Point point) {
     return passes;
 }
 
-struct Item {
-    std::uint32_t contour, edge;
-};
-
 // Of a list of numbers those that are in it an odd number of times.
 std::vector<std::uint32_t> odd_ones(std::vector<std::uint32_t>& numbers) {
     std::sort(numbers.begin(), numbers.end());
@@ -41,14 +37,14 @@ std::vector<std::uint32_t> odd_ones(std::vector<std::uint32_t>& numbers) {
 }  // namespace
 
 std::vector<Nest> nest(std::span<const Contour> contours) {
-    std::vector<Item> items;
+    std::vector<EdgeId> edges;
     std::vector<Box> boxes;
     std::vector<double> areas;
     areas.reserve(contours.size());
     for (std::size_t c = 0; c < contours.size(); ++c) {
         areas.push_back(std::abs(area_mm2(contours[c])));
         for (std::size_t e = 0; e < contours[c].edges(); ++e) {
-            items.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
+            edges.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
             boxes.push_back(box_of(contours[c].edge(e)));
         }
     }
@@ -60,9 +56,9 @@ std::vector<Nest> nest(std::span<const Contour> contours) {
         const Point point = contours[c].vertices.front().position;
         passed.clear();
         tree.visit({point, {HUGE_VAL, point.y}}, [&](std::size_t i) {
-            const Item item = items[i];
-            if (item.contour != c && ray_passes(contours[item.contour].edge(item.edge), point)) {
-                passed.push_back(item.contour);
+            const EdgeId edge = edges[i];
+            if (edge.contour != c && ray_passes(contours[edge.contour].edge(edge.edge), point)) {
+                passed.push_back(edge.contour);
             }
             return true;
         });

@@ -6,6 +6,8 @@ namespace gsim::grammar {
 
 namespace {
 
+namespace ab9_table {
+
 using enum Group;
 using enum Support;
 using P = Phase;
@@ -167,6 +169,8 @@ constexpr std::array kLetters = {
     Letter{"N O /", "block number, program, block delete /1 to /9"},
 };
 
+}  // namespace ab9_table
+
 }  // namespace
 
 const Dialect& dialect_ab9() {
@@ -177,9 +181,9 @@ const Dialect& dialect_ab9() {
                                   .alone = "FSTDH",
                                   .move_words = "IJKR=1PLQ,",
                                   .initial = " G0 G17 G21 G40 G49 G54 G67 G69 G80 G90 G94 G97 G98 ",
-                                  .letters = kLetters,
+                                  .letters = ab9_table::kLetters,
                                   .order = {}},
-                                 kCodes);
+                                 ab9_table::kCodes);
     return dialect;
 }
 

@@ -6,6 +6,8 @@ namespace gsim::grammar {
 
 namespace {
 
+namespace rs274ngc_table {
+
 using enum Group;
 using enum Support;
 using P = Phase;
@@ -182,6 +184,8 @@ constexpr std::array kOrder = {
     P::data,         P::one_shot,    P::motion,        P::flow,
 };
 
+}  // namespace rs274ngc_table
+
 }  // namespace
 
 const Dialect& dialect_rs274ngc() {
@@ -192,9 +196,9 @@ const Dialect& dialect_rs274ngc() {
                                   .alone = "FST",
                                   .move_words = "IJKRPLQEHD",
                                   .initial = " G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
-                                  .letters = kLetters,
-                                  .order = kOrder},
-                                 kCodes);
+                                  .letters = rs274ngc_table::kLetters,
+                                  .order = rs274ngc_table::kOrder},
+                                 rs274ngc_table::kCodes);
     return dialect;
 }
 

@@ -184,7 +184,9 @@ p: P                                { $$ = $1; }
  * with one sign is part of the letter's token. */
 value: reference                    { $$ = $1; }
   | '[' expression ']'              { $$ = $2; }
-  | '-' any_value                   { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
+  | signed_value                    { $$ = $1; }
+  ;
+signed_value: '-' any_value                   { $$ = {parser.add_node(NodeKind::negate, Operator::subtract, $2), $1.column}; }
   | '+' any_value                   { $$ = $2; }
   | function                        { $$ = $1; }
   ;
@@ -192,6 +194,7 @@ value: reference                    { $$ = $1; }
 reference: VARIABLE                 { $$ = {parser.add_variable($1), $1.column}; }
   | HASH reference                  { $$ = {parser.add_node(NodeKind::indirect, Operator::add, $2), $1.column}; }
   | HASH '[' expression ']'         { $$ = {parser.add_node(NodeKind::indirect, Operator::add, $3), $1.column}; }
+  | HASH signed_value               { $$ = {parser.add_unbracketed_index($2), $1.column}; }
   | NAMED_VARIABLE                  { $$ = {parser.add_named($1), $1.column}; }
   ;
 

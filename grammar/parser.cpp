@@ -6,6 +6,7 @@
 
 namespace gsim::grammar {
 
+using lexer::DiagnosticKind;
 using lexer::Token;
 using lexer::Value;
 
@@ -21,7 +22,7 @@ Parser::Parser(lexer::Lexer& lexer, lexer::Diagnostics& diagnostics, BlockSink& 
 bool Parser::run() {
     if (gcode_parse(*this) == 0) return true;
     if (!diagnostics_.full()) {
-        diagnostics_.error(block_.text->begin,
+        diagnostics_.error(block_.text->begin, DiagnosticKind::syntax,
                            "the parser gave up on this block and the rest of the program");
     }
     return false;
@@ -135,18 +136,18 @@ void Parser::syntax_error() {
         const bool keyword =
             later == 1 && lexer_.is_ngc() && begins_macro_keyword(word.address, text.words.back().address);
         lexer_.fail(
-            word.column,
+            word.column, DiagnosticKind::word_without_value,
             fmt::format("{} has no value{}", lexer::address_name(word.address),
-                        keyword ? "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect" : ""));
+                        keyword ? "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9" : ""));
         return;
     }
     if (is_variable(lexer_.previous_token()) && may_follow_value(lexer_.last_token()) &&
         !lexer_.saw_dwell()) {
-        lexer_.fail(lexer_.previous_column(),
+        lexer_.fail(lexer_.previous_column(), DiagnosticKind::syntax,
                     "a variable stands here neither as the value of a word nor before '='");
         return;
     }
-    lexer_.fail(lexer_.token_column(), describe(lexer_, text));
+    lexer_.fail(lexer_.token_column(), DiagnosticKind::syntax, describe(lexer_, text));
 }
 
 void Parser::finish_block() {
@@ -157,7 +158,8 @@ void Parser::finish_block() {
 }
 
 void Parser::finish_bad_block() {
-    lexer_.fail(1, "the block cannot be understood");  // unless a closer message has been given
+    lexer_.fail(1, DiagnosticKind::syntax,
+                "the block cannot be understood");  // unless a closer message has been given
     finish_block();
 }
 
@@ -175,13 +177,14 @@ void Parser::set_expression(std::uint32_t word, std::uint32_t node) {
 }
 
 void Parser::set_sequence(Value value) {
-    if (block_.sequence) lexer_.fail(value.column, "a block has one N");
+    if (block_.sequence) lexer_.fail(value.column, DiagnosticKind::word_twice, "a block has one N");
     block_.sequence = value.index;
     block_.prefix_column = value.column;
 }
 
 void Parser::set_skip(Value value) {
-    if (block_.skip_level != 0) lexer_.fail(value.column, "a block has one block delete '/'");
+    if (block_.skip_level != 0)
+        lexer_.fail(value.column, DiagnosticKind::word_twice, "a block has one block delete '/'");
     block_.skip_level = static_cast<std::uint8_t>(value.index);
     block_.prefix_column = value.column;
 }
@@ -200,7 +203,8 @@ void Parser::set_loop(Value number) {
     block_.loop_column = number.column;
     const std::string_view digits = block_.text->view(block_.text->numbers[number.index]);
     block_.loop = digits.size() == 1 ? static_cast<std::uint32_t>(digits[0] - '0') : 0;
-    if (block_.loop < 1 || block_.loop > 3) lexer_.fail(number.column, "DO and END take 1, 2 or 3");
+    if (block_.loop < 1 || block_.loop > 3)
+        lexer_.fail(number.column, DiagnosticKind::number, "DO and END take 1, 2 or 3");
 }
 
 void Parser::add_assignment(std::uint32_t target, std::uint32_t value) {
@@ -215,7 +219,8 @@ void Parser::set_flow_name(std::uint32_t column, std::optional<std::uint32_t> no
 
 void Parser::set_flow_program() {
     if (block_.flow_node >= 0) {
-        lexer_.fail(block_.flow_column, "a program begins with a number or a name, not with an expression");
+        lexer_.fail(block_.flow_column, DiagnosticKind::structure,
+                    "a program begins with a number or a name, not with an expression");
     }
     block_.has_program = true;
 }
@@ -250,11 +255,12 @@ void Parser::set_flow(Value keyword) {
     block_.flow = static_cast<Flow>(keyword.index);
     const FlowShape shape = shape_of(block_.flow);
     if (block_.arguments.size() < shape.least || block_.arguments.size() > shape.most)
-        lexer_.fail(keyword.column, fmt::format("behind this keyword stands {}", shape.text));
+        lexer_.fail(keyword.column, DiagnosticKind::word_value,
+                    fmt::format("behind this keyword stands {}", shape.text));
     const bool expression = block_.flow_node >= 0;
     if (expression && block_.flow != Flow::call) {
         lexer_.fail(
-            block_.flow_column,
+            block_.flow_column, DiagnosticKind::structure,
             "an O-word whose number is an expression can only be called; others are numbers or <names>");
     }
 }
@@ -286,6 +292,13 @@ std::uint32_t Parser::add_variable(Value variable) {
     node.left = static_cast<std::int32_t>(variable.index);
     node.column = variable.column;
     return push(node);
+}
+
+std::uint32_t Parser::add_unbracketed_index(Value number) {
+    if (!lexer_.is_ngc())
+        lexer_.fail(number.column, DiagnosticKind::syntax,
+                    "the number of a variable that is worked out stands in brackets, as in #[1+#2]");
+    return add_node(NodeKind::indirect, Operator::add, number);
 }
 
 std::uint32_t Parser::add_node(NodeKind kind, Operator op, Value left, std::optional<Value> right) {

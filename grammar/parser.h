@@ -54,6 +54,8 @@ class Parser {
     std::uint32_t add_named(lexer::Value name);
     std::uint32_t add_number(lexer::Value number);
     std::uint32_t add_variable(lexer::Value variable);
+    /// RS274/NGC: the parameter whose number is a value with a sign, or of a function: #-[-3], #ATAN[1]/[1].
+    std::uint32_t add_unbracketed_index(lexer::Value number);
     std::uint32_t add_node(NodeKind kind, Operator op, lexer::Value left,
                            std::optional<lexer::Value> right = {});
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "text/digits.h"
 #include "text/letter_case.h"
 
 namespace gsim::lexer {
@@ -16,20 +17,16 @@ bool is_letter(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 bool is_name(std::string_view text) {
-    return text.size() >= 2 && is_letter(text[0]) && !is_digit(text[1]) &&
+    return text.size() >= 2 && is_letter(text[0]) && !text::is_digit(text[1]) &&
            std::all_of(text.begin(), text.end(),
-                       [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+                       [](char c) { return is_letter(c) || text::is_digit(c) || c == '_'; });
 }
 
 bool is_number(std::string_view text) {
     const auto dots = std::count(text.begin(), text.end(), '.');
-    return !text.empty() && text.size() <= 16 && dots <= 1 && is_digit(text[0]) &&
-           std::all_of(text.begin(), text.end(), [](char c) { return is_digit(c) || c == '.'; });
+    return !text.empty() && text.size() <= 16 && dots <= 1 && text::is_digit(text[0]) &&
+           std::all_of(text.begin(), text.end(), [](char c) { return text::is_digit(c) || c == '.'; });
 }
 
 }  // namespace

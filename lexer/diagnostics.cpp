@@ -1,6 +1,7 @@
 #include "lexer/diagnostics.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,20 @@ std::string excerpt(const std::string& line, std::size_t column) {
     return fmt::format("  {}{}\n  {}{}^\n", begin > 0 ? "..." : "", shown, begin > 0 ? "   " : "", caret);
 }
 
+/// Where the word that begins at `column` ends: a letter or a keyword with the number behind it, or one
+/// character.
+std::uint32_t word_end(std::string_view line, std::uint32_t column) {
+    const std::size_t begin = column > 0 ? column - 1 : 0;
+    std::size_t end = begin;
+    if (end < line.size() && line[end] == ',') ++end;
+    while (end < line.size() && std::isalpha(static_cast<unsigned char>(line[end])) != 0) ++end;
+    while (end < line.size() && end > begin &&
+           (std::isdigit(static_cast<unsigned char>(line[end])) != 0 || line[end] == '.' ||
+            line[end] == '-' || line[end] == '+'))
+        ++end;
+    return static_cast<std::uint32_t>(std::max(end, begin + 1) + 1);
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -43,22 +58,37 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-void Diagnostics::render(const Location& location, std::string_view severity, std::string_view message) {
-    const std::string head = fmt::format("{}:{}:{}: ", source_.name(), location.line, location.column);
-    if (severity == "error" && first_error_.empty()) first_error_ = head + std::string(message);
-    print_(fmt::format("{}{}: {}\n{}", head, severity, message,
-                       excerpt(source_.line_at(location.line_begin), location.column)));
+text::Diagnostic Diagnostics::made(const Location& location, text::Severity severity, DiagnosticKind kind,
+                                   std::string_view message, std::string_view hint) const {
+    const std::string line = source_.line_at(location.line_begin);
+    return {.severity = severity,
+            .kind = kind,
+            .file = source_.name(),
+            .line = location.line,
+            .column = location.column,
+            .end_column = word_end(line, location.column),
+            .text = std::string(message),
+            .hint = std::string(hint),
+            .excerpt = excerpt(line, location.column)};
 }
 
-void Diagnostics::error(const Location& location, std::string_view message) {
+void Diagnostics::error(const Location& location, DiagnosticKind kind, std::string_view message,
+                        std::string_view hint) {
     if (full()) return;
     ++errors_;
-    render(location, "error", message);
-    if (full()) print_(fmt::format("{}: {} errors, giving up\n", source_.name(), errors_));
+    const text::Diagnostic diagnostic = made(location, text::Severity::error, kind, message, hint);
+    if (!first_error_) first_error_ = diagnostic;
+    take_(diagnostic);
+    if (!full()) return;
+    take_({.severity = text::Severity::note,
+           .kind = DiagnosticKind::too_many_errors,
+           .file = source_.name(),
+           .text = fmt::format("{} errors, giving up", errors_)});
 }
 
-void Diagnostics::warning(const Location& location, std::string_view message) {
-    if (!full()) render(location, "warning", message);
+void Diagnostics::warning(const Location& location, DiagnosticKind kind, std::string_view message,
+                          std::string_view hint) {
+    if (!full()) take_(made(location, text::Severity::warning, kind, message, hint));
 }
 
 }  // namespace gsim::lexer

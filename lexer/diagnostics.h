@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "lexer/source.h"
+#include "text/diagnostic.h"
 
 namespace gsim::lexer {
 
@@ -16,32 +18,37 @@ struct Location {
     std::uint32_t column = 0;
 };
 
-/// Collects what is wrong with one source and renders it: `part.nc:12:7: error: ...`, the line, a caret.
+using text::DiagnosticKind;
+
+/// Collects what is wrong with one source.
 class Diagnostics {
   public:
-    using Print = std::function<void(std::string_view)>;
+    using Take = std::function<void(const text::Diagnostic&)>;
 
-    /// `print` takes each finished message. After `max_errors` errors, one message says so and full() is
-    /// true.
-    Diagnostics(const Source& source, std::size_t max_errors, Print print)
-        : source_(source), max_errors_(max_errors), print_(std::move(print)) {}
+    /// `take` gets each diagnostic as soon as it is known, with the line and a caret as its excerpt. After
+    /// `max_errors` errors, one more says so and full() is true.
+    Diagnostics(const Source& source, std::size_t max_errors, Take take)
+        : source_(source), max_errors_(max_errors), take_(std::move(take)) {}
 
-    void error(const Location& location, std::string_view message);
-    void warning(const Location& location, std::string_view message);
+    void error(const Location& location, DiagnosticKind kind, std::string_view message,
+               std::string_view hint = {});
+    void warning(const Location& location, DiagnosticKind kind, std::string_view message,
+                 std::string_view hint = {});
 
     std::size_t error_count() const { return errors_; }
     bool full() const { return errors_ >= max_errors_; }
-    /// The first error as "part.nc:12:7: ..." without the line; empty where there was none.
-    const std::string& first_error() const { return first_error_; }
+    /// The first error; nothing where there was none.
+    const std::optional<text::Diagnostic>& first_error() const { return first_error_; }
 
   private:
-    void render(const Location& location, std::string_view severity, std::string_view message);
+    text::Diagnostic made(const Location& location, text::Severity severity, DiagnosticKind kind,
+                          std::string_view message, std::string_view hint) const;
 
     const Source& source_;
     std::size_t max_errors_;
-    Print print_;
+    Take take_;
     std::size_t errors_ = 0;
-    std::string first_error_;
+    std::optional<text::Diagnostic> first_error_;
 };
 
 /// `text` with control characters (a lone CR, NUL, escapes) written as \xNN, so that it is safe in a message

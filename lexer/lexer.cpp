@@ -41,8 +41,12 @@ Token Lexer::next(Value& value) {
     previous_column_ = token_column_;
     if (is_ngc() && tape_marks_ == 2) return last_ = kEnd;  // what stands behind the tape's end is not read
     last_ = scan_token(value, scanner_);
+    if (dos_file_ended_ && last_ != kEob && last_ != kEnd)
+        fail(token_column_, DiagnosticKind::syntax,
+             "there is text behind the byte 0x1A, which ends a file of DOS");
     if (last_ != kEob && last_ != kEnd && ++tokens_ > kMaxTokens) {
-        fail(token_column_, fmt::format("the block has more than {} symbols", kMaxTokens));
+        fail(token_column_, DiagnosticKind::too_large,
+             fmt::format("the block has more than {} symbols", kMaxTokens));
         dropping_ = true;
         last_ = kEob;
     }
@@ -59,8 +63,8 @@ void Lexer::start_block() {
     saw_dwell_ = false;
 }
 
-void Lexer::fail(std::uint32_t column, std::string_view message) {
-    if (!block_.bad) diagnostics_.error(block_.at(column), message);
+void Lexer::fail(std::uint32_t column, DiagnosticKind kind, std::string_view message, std::string_view hint) {
+    if (!block_.bad) diagnostics_.error(block_.at(column), kind, message, hint);
     block_.bad = true;
 }
 
@@ -110,11 +114,12 @@ void Lexer::give_back(std::size_t kept) {
 
 Token Lexer::newline() {
     if (!cut_lines_.empty() && cut_lines_.front().line == line_) {
-        fail(1, fmt::format("the line has more than {} bytes", kMaxLineBytes));
+        fail(1, DiagnosticKind::too_large, fmt::format("the line has more than {} bytes", kMaxLineBytes));
         line_begin_ += cut_lines_.front().dropped_bytes;
         cut_lines_.pop_front();
     }
-    if (in_expression() && brackets_ > 0) fail(token_column_, "']' is missing at the end of the block");
+    if (in_expression() && brackets_ > 0)
+        fail(token_column_, DiagnosticKind::syntax, "']' is missing at the end of the block");
     dropping_ = false;
     block_.end = BlockEnd::line;
     ++line_;
@@ -124,7 +129,7 @@ Token Lexer::newline() {
 }
 
 Token Lexer::semicolon() {
-    if (brackets_ > 0) fail(token_column_, "']' is missing before ';'");
+    if (brackets_ > 0) fail(token_column_, DiagnosticKind::syntax, "']' is missing before ';'");
     block_.end = BlockEnd::semicolon;
     return kEob;
 }

@@ -38,7 +38,11 @@ class Lexer {
     /// The parser is done with the block: the next one starts.
     void start_block();
     /// Reports an error in the block, the first one only, and marks the block as bad.
-    void fail(std::uint32_t column, std::string_view message);
+    void fail(std::uint32_t column, DiagnosticKind kind, std::string_view message,
+              std::string_view hint = {});
+    /// The first lines of the source are remarks. Before the first token.
+    void pass_over_leader(std::uint32_t lines) { leader_lines_ = lines; }
+    bool in_leader() const { return line_ <= leader_lines_; }
     /// RS274/NGC: M2 or M30 has ended the main program; what follows is read only from the next O-word on.
     void end_main_program() { ended_ = true; }
     void resume() { ended_ = false; }
@@ -95,6 +99,8 @@ class Lexer {
     bool begins_block(std::string_view text) const;  ///< A keyword or an alias, behind ';'.
     void remark_part(std::string_view text);
     Token unknown(std::string_view text);
+    void nested_comment();
+    void end_of_dos_file() { dos_file_ended_ = true; }
     Token newline();
     Token semicolon();
     Token end_of_file();
@@ -135,6 +141,8 @@ class Lexer {
     int tape_marks_ = 0;
     bool ended_ = false;
     bool saw_dwell_ = false;
+    bool dos_file_ended_ = false;  ///< By the byte 0x1A.
+    std::uint32_t leader_lines_ = 0;
     bool dropping_ = false;  ///< The block is past a bound: the rest of its line is not looked at.
 
     // The line guard of fill().

@@ -61,7 +61,7 @@ inline constexpr std::array kExpressionNames = {
     ExpressionName{"BIN", kFunction, Operator::bin, NameStyle::ab9, "value of a binary-coded decimal"},
     ExpressionName{"BCD", kFunction, Operator::bcd, NameStyle::ab9, "binary-coded decimal of a value"},
     ExpressionName{"EXISTS", kExists, Operator::exists, NameStyle::rs274ngc,
-                   "1 where the parameter has a value, else 0"},
+                   "1 where there is such a parameter, a named one with a value, else 0"},
 };
 
 /// What stands behind an O-word of RS274/NGC.

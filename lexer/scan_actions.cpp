@@ -9,15 +9,12 @@
 #include "lexer/blanks.h"
 #include "lexer/lexer.h"
 #include "lexer/names.h"
+#include "text/digits.h"
 #include "text/letter_case.h"
 
 namespace gsim::lexer {
 
 namespace {
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -68,12 +65,12 @@ std::optional<std::uint32_t> small_number(std::string_view digits) {
 }
 
 bool is_name_character(char c) {
-    return is_digit(c) || c == '_' || (upper(c) >= 'A' && upper(c) <= 'Z');
+    return text::is_digit(c) || c == '_' || (upper(c) >= 'A' && upper(c) <= 'Z');
 }
 
 /// Behind a keyword: the start of an expression, a variable or a value.
 bool is_value_start(char c) {
-    return c == '[' || c == '#' || c == '=' || is_digit(c);
+    return c == '[' || c == '#' || c == '=' || text::is_digit(c);
 }
 
 const Keyword* find_keyword(std::string_view name) {
@@ -86,8 +83,9 @@ const Keyword* find_keyword(std::string_view name) {
 
 std::optional<Slice> Lexer::add_number(std::string_view digits, bool negative) {
     if (digits.size() > kMaxNumberBytes) {
-        fail(token_column_, fmt::format("the number has {} characters, at most {} are allowed", digits.size(),
-                                        kMaxNumberBytes));
+        fail(token_column_, DiagnosticKind::number,
+             fmt::format("the number has {} characters, at most {} are allowed", digits.size(),
+                         kMaxNumberBytes));
         return std::nullopt;
     }
     Slice slice = block_.add(negative ? "-" : "");
@@ -110,7 +108,8 @@ Token Lexer::classify(const Word& word) const {
 
 Token Lexer::add_word(const Word& word, Value& value) {
     if (block_.words.size() == kMaxWords) {
-        fail(token_column_, fmt::format("the block has more than {} words", kMaxWords));
+        fail(token_column_, DiagnosticKind::too_large,
+             fmt::format("the block has more than {} words", kMaxWords));
         dropping_ = true;
         return kEob;
     }
@@ -199,14 +198,15 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
     }
     if (name == "POPEN" || name == "PCLOS") return print_switch(name, value);
     if (name == "DPRNT") {
-        fail(token_column_, "DPRNT takes its text in brackets, as in DPRNT[X#100[53]]");
+        fail(token_column_, DiagnosticKind::syntax,
+             "DPRNT takes its text in brackets, as in DPRNT[X#100[53]]");
         return kBad;
     }
     // GOTO100, DO1, END1: the digits are a token of their own.
     const auto letters =
-        static_cast<std::size_t>(std::find_if(name.begin(), name.end(), is_digit) - name.begin());
+        static_cast<std::size_t>(std::find_if(name.begin(), name.end(), text::is_digit) - name.begin());
     const bool digits_only =
-        std::all_of(name.begin() + static_cast<std::ptrdiff_t>(letters), name.end(), is_digit);
+        std::all_of(name.begin() + static_cast<std::ptrdiff_t>(letters), name.end(), text::is_digit);
     if (const Keyword* keyword = find_keyword(name.substr(0, letters)); keyword != nullptr && digits_only) {
         kept = letters;
         block_.structural |= keyword->token == kWhile || keyword->token == kEndLoop;
@@ -220,7 +220,7 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
                        [](const Keyword& k) { return std::string(k.name); });
         nearest = nearest_name(name, names);
     }
-    fail(token_column_,
+    fail(token_column_, DiagnosticKind::syntax,
          fmt::format("'{}' is neither a keyword nor an alias of the machine data{}", text.substr(0, 40),
                      nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
     return kBad;
@@ -231,7 +231,7 @@ Token Lexer::sequence(std::string_view text, Value& value) {
     const std::optional<std::uint32_t> number =
         small_number(std::string_view(digits).substr(0, digits.find('.')));
     if (!number) {
-        fail(token_column_, "the sequence number has more than 9 digits");
+        fail(token_column_, DiagnosticKind::number, "the sequence number has more than 9 digits");
         return kBad;
     }
     value.index = *number;
@@ -242,7 +242,8 @@ Token Lexer::skip(std::string_view text, Value& value) {
     const std::string_view digits = skip_blanks(text.substr(1));
     const std::uint32_t level = digits.empty() ? 1 : small_number(digits).value_or(10);
     if (level < 1 || level > 9) {
-        fail(token_column_, fmt::format("block delete is / or /1 to /9, not {}", text.substr(0, 20)));
+        fail(token_column_, DiagnosticKind::number,
+             fmt::format("block delete is / or /1 to /9, not {}", text.substr(0, 20)));
         return kBad;
     }
     value.index = level;
@@ -252,7 +253,7 @@ Token Lexer::skip(std::string_view text, Value& value) {
 Token Lexer::program(std::string_view text, Value&) {
     const std::string_view name = skip_blanks(text);
     if (name.size() > 32) {
-        fail(token_column_, "the program name has more than 32 characters");
+        fail(token_column_, DiagnosticKind::too_large, "the program name has more than 32 characters");
         return kBad;
     }
     block_.program = block_.add(name);
@@ -263,12 +264,13 @@ Token Lexer::variable(std::string_view text, Value& value) {
     const std::string digits = remove_blanks(text.substr(1));
     const std::size_t dot = std::min(digits.find('.'), digits.size());
     if (dot == 0 || digits.find_first_not_of('0', dot + 1) != std::string::npos) {
-        fail(token_column_, fmt::format("the number of a variable is whole, not {}", digits.substr(0, 40)));
+        fail(token_column_, DiagnosticKind::number,
+             fmt::format("the number of a variable is whole, not {}", digits.substr(0, 40)));
         return kBad;
     }
     const std::optional<std::uint32_t> number = small_number(std::string_view(digits).substr(0, dot));
     if (!number) {
-        fail(token_column_, "the variable's number has more than 9 digits");
+        fail(token_column_, DiagnosticKind::number, "the variable's number has more than 9 digits");
         return kBad;
     }
     value.index = *number;
@@ -296,13 +298,14 @@ Token Lexer::tape(Value&) {
         ++tape_marks_;
         return kTape;
     }
-    fail(token_column_, "a tape mark % stands at the start of a line");
+    fail(token_column_, DiagnosticKind::syntax, "a tape mark % stands at the start of a line");
     return kBad;
 }
 
 bool Lexer::open_bracket() {
     if (++brackets_ <= kMaxBrackets) return true;
-    fail(token_column_, fmt::format("brackets are nested more than {} deep", kMaxBrackets));
+    fail(token_column_, DiagnosticKind::nesting,
+         fmt::format("brackets are nested more than {} deep", kMaxBrackets));
     dropping_ = true;
     return false;
 }
@@ -337,15 +340,21 @@ void Lexer::remark_part(std::string_view text) {
     comment_part(text);
 }
 
+void Lexer::nested_comment() {
+    fail(token_column_, DiagnosticKind::syntax, "a comment holds no other '('; LinuxCNC refuses it, too");
+}
+
 Token Lexer::unknown(std::string_view text) {
     const char c = text[0];
     const bool visible = c > ' ' && c < 0x7f;
     if (c == ')') {
-        fail(token_column_, "')' without '('; a comment ends at its first ')'");
+        fail(token_column_, DiagnosticKind::syntax,
+             "')' without '('; a comment ends at its first ')', also where it holds another '('");
         return kBad;
     }
-    fail(token_column_, visible ? fmt::format("unexpected character '{}'", c)
-                                : fmt::format("unexpected byte 0x{:02X}", static_cast<unsigned char>(c)));
+    fail(token_column_, DiagnosticKind::character,
+         visible ? fmt::format("unexpected character '{}'", c)
+                 : fmt::format("unexpected byte 0x{:02X}", static_cast<unsigned char>(c)));
     return kBad;
 }
 

@@ -23,7 +23,7 @@ Slice Lexer::add_name(std::string_view text) {
     return block_.add(name);
 }
 
-/// A number is the same with zeros before it.
+/// A number is the same with zeros before it; a name in < > is taken as it stands, so that o<02> is not o2.
 Slice Lexer::without_zeros(Slice name) const {
     if (block_.view(name).find_first_not_of("0123456789") != std::string_view::npos) return name;
     while (name.size > 1 && block_.text[name.begin] == '0') {
@@ -36,9 +36,10 @@ Slice Lexer::without_zeros(Slice name) const {
 Token Lexer::flow_name(std::string_view text, Value&) {
     expression_to_end_ = true;
     block_.structural = true;
-    block_.program = without_zeros(add_name(text.substr(1)));
+    const Slice name = add_name(text.substr(1));
+    block_.program = text.ends_with('>') ? name : without_zeros(name);
     if (block_.program.size > 0) return kFlowName;
-    fail(token_column_, "the name of an O-word is empty");
+    fail(token_column_, DiagnosticKind::syntax, "the name of an O-word is empty");
     return kBad;
 }
 
@@ -51,7 +52,7 @@ Token Lexer::named_variable(std::string_view text, Value& value) {
     if (!is_ngc()) return unknown("<");
     const Slice name = add_name(text.substr(1));
     if (name.size == 0) {
-        fail(token_column_, "the name of a parameter is empty");
+        fail(token_column_, DiagnosticKind::syntax, "the name of a parameter is empty");
         return kBad;
     }
     value.index = static_cast<std::uint32_t>(block_.numbers.size());
@@ -61,7 +62,7 @@ Token Lexer::named_variable(std::string_view text, Value& value) {
 
 Token Lexer::endless_name() {
     if (!is_ngc()) return unknown("<");
-    fail(token_column_, "the name has no '>' behind it, or more than 100 characters");
+    fail(token_column_, DiagnosticKind::syntax, "the name has no '>' behind it, or more than 100 characters");
     return kBad;
 }
 
@@ -111,7 +112,7 @@ Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& va
 Token Lexer::wrong_name(std::string_view text) {
     const std::string name = text::upper(text);
     if (!is_ngc() && brackets_ == 0 && name.size() == 1) {
-        fail(token_column_,
+        fail(token_column_, DiagnosticKind::code_conflict,
              fmt::format("the word {} stands in the same block as an assignment; give it a block of its own",
                          name));
         return kBad;
@@ -127,7 +128,7 @@ Token Lexer::wrong_name(std::string_view text) {
         }
     }
     const std::string nearest = nearest_name(name, names);
-    fail(token_column_,
+    fail(token_column_, DiagnosticKind::syntax,
          fmt::format("'{}' is no {}{}", text.substr(0, 40),
                      flow_expected ? "keyword behind an O-word" : "function or operator of an expression",
                      nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
@@ -136,7 +137,8 @@ Token Lexer::wrong_name(std::string_view text) {
 
 Token Lexer::power(Value& value) {
     if (!is_ngc()) {
-        fail(token_column_, "'**' is no operator of the 9/Series; a power is EXP[#2*LN[#1]], or a product");
+        fail(token_column_, DiagnosticKind::syntax,
+             "'**' is no operator of the 9/Series; a power is EXP[#2*LN[#1]], or a product");
         return kBad;
     }
     value.index = static_cast<std::uint32_t>(Operator::power);
@@ -147,7 +149,8 @@ Token Lexer::print_text(std::string_view text, Value& value) {
     constexpr std::size_t kMaxPrinted = 400;
     const std::size_t begin = text.find('[') + 1;
     if (text.rfind(']') - begin > kMaxPrinted) {
-        fail(token_column_, fmt::format("DPRNT takes at most {} characters", kMaxPrinted));
+        fail(token_column_, DiagnosticKind::too_large,
+             fmt::format("DPRNT takes at most {} characters", kMaxPrinted));
         return kBad;
     }
     block_.print = block_.add(text.substr(begin, text.rfind(']') - begin));

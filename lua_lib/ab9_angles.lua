@@ -21,7 +21,7 @@ local function complete(words, p, degrees)
   local letters = { p.first, p.second }
   local known = words[p.first] ~= nil and 1 or 2
   if math.abs(way[known]) < STRAIGHT then
-    alarm(",A%.10g: a line at this angle does not change %s", degrees, letters[known]:upper())
+    alarm("corner", ",A%.10g: a line at this angle does not change %s", degrees, letters[known]:upper())
   end
   local base = state.incremental and { 0, 0 } or program_point(p)
   local reach = (words[letters[known]] - base[known]) / way[known]
@@ -33,13 +33,13 @@ end
 -- The first of two lines with the end at which it meets the second, which is given by its end and its angle.
 local function crossing(words, p, degrees)
   if degrees == nil or words[p.first] == nil or words[p.second] == nil or state.incremental then
-    alarm(",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
+    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
   end
   local point = plane_geometry.meet(
     { from = waiting.start, direction = direction_of(waiting.degrees) },
     { from = { words[p.first], words[p.second] }, direction = direction_of(degrees) })[1]
   if point == nil then
-    alarm("the lines at ,A%.10g and ,A%.10g do not cross: they are parallel", waiting.degrees, degrees)
+    alarm("corner", "the lines at ,A%.10g and ,A%.10g do not cross: they are parallel", waiting.degrees, degrees)
   end
   local full = copied(waiting.words)
   full[p.first], full[p.second] = point[1], point[2]
@@ -59,10 +59,10 @@ end
 local function check_nothing_open()
   if angle then
     angle = nil
-    alarm(",A belongs to a straight move (G0, G1) in its block")
+    alarm("corner", ",A belongs to a straight move (G0, G1) in its block")
   elseif waiting then
     waiting = nil
-    alarm(",A without an end needs a next block with ,A and both coordinates of the plane")
+    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane")
   end
 end
 
@@ -85,7 +85,7 @@ function guard:act(f) self.next:act(f) end
 function guard:flush() check_nothing_open() end
 
 local function hold_back(words, degrees)
-  if modal_macro_code() ~= 67 then alarm(",A without an end does not go with a modal macro (G66)") end
+  if modal_macro_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
   local rapid = state.motion == "G0"
   waiting = {
     degrees = degrees, words = words, start = program_point(planes[state.plane]), plane = state.plane, rapid = rapid,
@@ -109,11 +109,11 @@ local function put_first(words)
 end
 
 local function check_words(words)
-  if state.motion ~= "G0" and state.motion ~= "G1" then alarm(",A belongs to straight moves (G0, G1)") end
-  if state.polar then alarm(",A does not go with polar programming (G16)") end
+  if state.motion ~= "G0" and state.motion ~= "G1" then alarm("corner", ",A belongs to straight moves (G0, G1)") end
+  if state.polar then alarm("corner", ",A does not go with polar programming (G16)") end
   for _, letter in ipairs { "u", "v", "w" } do
     if words[letter] ~= nil and is_rotary[letter] == nil then
-      alarm(",A goes with X, Y and Z, and not with the increment %s", letter:upper())
+      alarm("corner", ",A goes with X, Y and Z, and not with the increment %s", letter:upper())
     end
   end
 end
@@ -123,13 +123,15 @@ local function resolve(words, degrees)
   local p = planes[state.plane]
   if degrees then check_words(words) end
   if waiting then
-    if waiting.plane ~= state.plane then alarm(",A: the plane changes before the end of the line is known") end
+    if waiting.plane ~= state.plane then
+      alarm("corner", ",A: the plane changes before the end of the line is known")
+    end
     put_first(crossing(words, p, degrees))
     return words
   end
   local has_first, has_second = words[p.first] ~= nil, words[p.second] ~= nil
   if has_first and has_second then
-    alarm(",A with both %s and %s says the line twice; leave one out", p.first:upper(), p.second:upper())
+    alarm("corner", ",A with both %s and %s says the line twice; leave one out", p.first:upper(), p.second:upper())
   end
   if has_first or has_second then return complete(words, p, degrees) end
   hold_back(words, degrees)

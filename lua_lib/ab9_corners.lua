@@ -10,13 +10,17 @@ local wanted       -- { key, size_mm, plane, place } for the move of the block
 local held         -- the move held back, with its corner
 local acts = {}    -- what happens between it and the next one
 
+-- Values for all axes: those that are not given stay at the start of the move.
+local function all_axes(values, move)
+  local all = {}
+  for _, axis in ipairs(axes) do all[axis.letter] = values[axis.letter] or move.start[axis.letter] end
+  return all
+end
+
 -- The piece that a move makes in the plane.
 local function piece_of(move)
-  local p = planes[move.plane]
-  local piece = {
-    from = { move.start[p.first], move.start[p.second] },
-    to = { move.target[p.first], move.target[p.second] },
-  }
+  local view = plane_view(move.plane)
+  local piece = { from = view:at(move.start), to = view:at(all_axes(move.target, move)) }
   if move.arc then
     piece.centre, piece.sense, piece.sweep = { move.first, move.second }, move.ccw and 1 or -1, move.sweep
     piece.radius = geometry.length(geometry.minus(piece.from, piece.centre))
@@ -24,26 +28,30 @@ local function piece_of(move)
   return piece
 end
 
-local function check_plane(move, other_plane, mark)
-  local p = planes[other_plane]
-  if move.arc and move.plane ~= other_plane then
-    alarm("%s joins two moves in one plane; the arc is not in the plane of the move before", mark)
+-- What a move does besides going in a plane: the letter of an axis, or that it leaves an oblique plane; nil: nothing.
+local function beside_plane(move, plane)
+  local p, view = planes[plane], plane_view(plane)
+  local target = all_axes(move.target, move)
+  if math.abs(view:height(target) - view:height(move.start)) > SAME_MM then
+    return p and "goes along " .. p.third:upper() .. " too" or "leaves it"
   end
   for _, axis in ipairs(axes) do
     local letter = axis.letter
-    local moves = math.abs((move.target[letter] or move.start[letter]) - move.start[letter]) > SAME_MM
-    if moves and letter ~= p.first and letter ~= p.second then
-      alarm("%s joins two moves in the plane of %s and %s; this move goes along %s too", mark, p.first:upper(),
-        p.second:upper(), letter:upper())
+    local in_space = letter == "x" or letter == "y" or letter == "z"
+    if not in_space and math.abs(target[letter] - move.start[letter]) > SAME_MM then
+      return "goes along " .. letter:upper() .. " too"
     end
   end
 end
 
--- Values for all axes: those that are not given stay at the start of the move.
-local function all_axes(values, move)
-  local all = {}
-  for _, axis in ipairs(axes) do all[axis.letter] = values[axis.letter] or move.start[axis.letter] end
-  return all
+local function check_plane(move, other_plane, mark)
+  if move.arc and not same_plane(move.plane, other_plane) then
+    alarm("corner", "%s joins two moves in one plane; the arc is not in the plane of the move before", mark)
+  end
+  local besides, p = beside_plane(move, other_plane), planes[other_plane]
+  if besides == nil then return end
+  local where = p and ("the plane of %s and %s"):format(p.first:upper(), p.second:upper()) or "one plane"
+  alarm("corner", "%s joins two moves in %s; this move %s", mark, where, besides)
 end
 
 local filter = { rank = 10 }   -- on the programmed path, before all that shifts it
@@ -63,11 +71,10 @@ local function part_of(move, piece, from, to)
   local left = finish - begin
   if left < SAME_MM then return nil end
   from, to = from or piece.from, to or piece.to
-  local p = planes[move.plane]
-  local part = copied(move)
+  local view, part = plane_view(move.plane), copied(move)
   part.start, part.target = all_axes(move.start, move), all_axes(move.target, move)
-  part.start[p.first], part.start[p.second] = from[1], from[2]
-  part.target[p.first], part.target[p.second] = to[1], to[2]
+  view:put(part.start, from)
+  view:put(part.target, to)
   if move.arc then part.sweep = left / piece.radius end
   part.feed = feed_of_part(move.feed, left / geometry.piece_length(piece))
   return part
@@ -75,9 +82,8 @@ end
 
 -- The corner itself, with the feed of the first move.
 local function corner_move(first, piece, corner)
-  local p = planes[first.plane]
   local move = { plane = first.plane, target = all_axes(first.target, first) }
-  move.target[p.first], move.target[p.second] = corner.to[1], corner.to[2]
+  plane_view(first.plane):put(move.target, corner.to)
   local size = geometry.length(geometry.minus(corner.to, corner.from))
   if corner.centre then
     move.arc, move.ccw, move.first, move.second = true, corner.sense > 0, corner.centre[1], corner.centre[2]
@@ -97,7 +103,9 @@ end
 local function check_turn(mark, before, behind)
   local turn = geometry.cross(before, behind)
   if math.abs(turn) >= STRAIGHT then return turn > 0 and 1 or -1 end
-  if geometry.dot(before, behind) < 0 then alarm("%s: the next move goes back the way this one came", mark) end
+  if geometry.dot(before, behind) < 0 then
+    alarm("corner", "%s: the next move goes back the way this one came", mark)
+  end
   return 0
 end
 
@@ -116,7 +124,7 @@ local function join(first, second)
   end
   local corner = geometry[first.corner.key == "chamfer" and "chamfer" or "rounding"](a, b, size, sense)
   if corner == nil then
-    alarm("%s of %.10g mm does not fit between the two moves, which are %.4f mm and %.4f mm long", mark, size,
+    alarm("corner", "%s of %.10g mm does not fit between the two moves, which are %.4f mm and %.4f mm long", mark, size,
       geometry.piece_length(a), geometry.piece_length(b))
   end
   local start = part_of(first, a, nil, corner.from)
@@ -147,7 +155,7 @@ local function goes_anywhere(move)
   return false
 end
 
-local function no_move(corner) alarm("%s stands in a block that does not move", KEYS[corner.key]) end
+local function no_move(corner) alarm("corner", "%s stands in a block that does not move", KEYS[corner.key]) end
 
 local function own_corner(move)
   local own = wanted
@@ -159,7 +167,7 @@ end
 -- A move arrives: with a corner of its own it waits, else it goes on. One without length joins nothing.
 local function take(move)
   local own = own_corner(move)
-  move.corner, move.plane = own, move.plane or state.plane
+  move.corner, move.plane = own, move.plane or machine_plane(state.plane)
   if not goes_anywhere(move) then
     if own then no_move(own) end
     return
@@ -169,7 +177,7 @@ local function take(move)
     local first = held
     held = nil
     move = join(first, move)
-    if move == nil and own then alarm("%s: the corner before takes all of its move", KEYS[own.key]) end
+    if move == nil and own then alarm("corner", "%s: the corner before takes all of its move", KEYS[own.key]) end
   end
   if move and own then
     held = move
@@ -195,11 +203,13 @@ local function nothing_follows(what)
   if held == nil then return end
   local mark = KEYS[held.corner.key]
   held = nil
-  alarm("%s joins its move to the next feed move (G1, G2, G3), but %s", mark, what)
+  alarm("corner", "%s joins its move to the next feed move (G1, G2, G3), but %s", mark, what)
 end
 
 function filter:rapid(target, place)
-  if wanted and wanted.place == place then alarm("%s belongs to G1, G2 and G3, not to G0", KEYS[wanted.key]) end
+  if wanted and wanted.place == place then
+    alarm("corner", "%s belongs to G1, G2 and G3, not to G0", KEYS[wanted.key])
+  end
   nothing_follows("a rapid follows")
   own_corner { place = place }
   self.next:rapid(target, place)
@@ -224,7 +234,7 @@ local function plane_scale(p, mark)
   local function factor(letter) return space_between({}, axis_direction(letter)) end
   local a, b = factor(p.first), factor(p.second)
   if math.abs(a - b) > 1e-9 * a then
-    alarm("%s needs both axes of the plane scaled alike, and they are scaled by %.10g and %.10g", mark, a, b)
+    alarm("corner", "%s needs both axes of the plane scaled alike, and they are scaled by %.10g and %.10g", mark, a, b)
   end
   return a
 end
@@ -232,12 +242,14 @@ end
 local function corner_word(key)
   word(key, function(size)
     if not given(size, KEYS[key]) then return end
-    if not (size >= 0 and size < math.huge) then alarm("%s is a length of 0 or more, not %.10g", KEYS[key], size) end
-    if wanted and wanted.place == core.place() then alarm("a corner takes ,C or ,R, not both") end
+    if not (size >= 0 and size < math.huge) then
+      alarm("corner", "%s is a length of 0 or more, not %.10g", KEYS[key], size)
+    end
+    if wanted and wanted.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
     if wanted then no_move(wanted) end
     if size == 0 then return end
     local scale = plane_scale(planes[state.plane], KEYS[key])
-    wanted = { key = key, size_mm = size * state.unit_mm * scale, plane = state.plane, place = core.place() }
+    wanted = { key = key, size_mm = size * state.unit_mm * scale, plane = machine_plane(state.plane), place = core.place() }
     install()
   end)
 end

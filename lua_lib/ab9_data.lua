@@ -18,7 +18,7 @@ local function whole(words, letter, least, most)
   local value = words[letter]
   local number = type(value) == "number" and math.tointeger(math.floor(value + 0.5))
   if not number or math.abs(value - number) > 1e-6 or number < least or number > most then
-    alarm("G10: %s is a whole number from %d to %d, not %s", letter:upper(), least, most,
+    alarm("word-value", "G10: %s is a whole number from %d to %d, not %s", letter:upper(), least, most,
       value == nil and "left out" or tostring(value))
   end
   return number
@@ -27,7 +27,9 @@ end
 local function new_value(old, value) return state.incremental and (old or 0) + value or value end
 
 local function set_axes(words, set)
-  if not each_axis(words, "G10", " l p ", set) then alarm("G10 needs the axis words that it is to set") end
+  if not each_axis(words, "G10", " l p ", set) then
+    alarm("word-missing", "G10 needs the axis words that it is to set")
+  end
 end
 
 function set_work_offset(code, letter, value)
@@ -83,10 +85,13 @@ local function tool_offset(words, place)
   local number = whole(words, "p", 1, LAST_TOOL)
   for key in pairs(words) do
     if key ~= "l" and key ~= "p" and key ~= "r" then
-      alarm("G10 L%d sets %s of offset P by R; it takes no word %s", words.l, place.what, tostring(key):upper())
+      alarm("word-out-of-place", "G10 L%d sets %s of offset P by R; it takes no word %s", words.l, place.what,
+        tostring(key):upper())
     end
   end
-  if type(words.r) ~= "number" then alarm("G10 L%d needs R, %s in program units", words.l, place.what) end
+  if type(words.r) ~= "number" then
+    alarm("word-missing", "G10 L%d needs R, %s in program units", words.l, place.what)
+  end
   local old = tool_part(number, place.field, place.part)
   set_tool_part(number, place.field, place.part, new_value(old, words.r * state.unit_mm))
 end
@@ -94,7 +99,7 @@ end
 word("G10", function(words)
   check_table(words, "G10")
   if words == nil or words.l == nil then
-    alarm("G10 needs L: L2 (work coordinate systems), L20 (settable frames), L10 to L13 (tool offsets)")
+    alarm("word-missing", "G10 needs L: L2 (work coordinate systems), L20 (settable frames), L10 to L13 (tool offsets)")
   end
   refuse_with_compensation("G10")
   local list = whole(words, "l", 0, 99)
@@ -105,7 +110,7 @@ word("G10", function(words)
   elseif tables[list] then
     tool_offset(words, tables[list])
   else
-    alarm("G10 L%d sets nothing here; there are L2, L20 and L10 to L13", list)
+    alarm("word-value", "G10 L%d sets nothing here; there are L2, L20 and L10 to L13", list)
   end
 end)
 
@@ -113,4 +118,4 @@ end)
 word("G11", function() end)
 
 -- In the thesis's grammar beside G10 and G11, without any data of its own.
-word("G12", function() alarm("G12 sets nothing on this control; data setting is G10") end)
+word("G12", function() alarm("word-value", "G12 sets nothing on this control; data setting is G10") end)

@@ -26,10 +26,17 @@ function set_transform(m, by)
   apply_offsets()
 end
 
+-- The offsets as the machine had them when the run began: G10 changes core.offsets.
+local at_start = {}
+for code, offset in pairs(core.offsets) do at_start[code] = copied(offset) end
+
+local function tell_frame(code) core.select_work_offset(code, at_start[code] or {}) end
+
 local function select_frame(code)
   return function()
     state.frame = code
     apply_offsets()
+    path.act(function() tell_frame(code) end)
   end
 end
 
@@ -68,3 +75,4 @@ word("G53", function()
 end)
 
 apply_offsets()
+tell_frame(state.frame)

@@ -20,7 +20,8 @@ local function homes(number)
   end
   local stored = core.homes[number]
   if stored == nil then
-    alarm("G30 P%d: home position %d is not defined; machine data defines it in section HOME, or the machine file",
+    alarm("home",
+      "G30 P%d: home position %d is not defined; machine data defines it in section HOME, or the machine file",
       number, number)
   end
   return stored
@@ -42,7 +43,7 @@ local function go_home(words, number, code)
     if is_named(words, axis.letter) then
       target[axis.letter] = home[axis.letter]
       if target[axis.letter] == nil then
-        alarm("%s P%d: home position %d has no value for axis %s", code, number, number, axis.letter:upper())
+        alarm("home", "%s P%d: home position %d has no value for axis %s", code, number, number, axis.letter:upper())
       end
     end
   end
@@ -71,7 +72,7 @@ word("G30", function(words)
     end
   end
   if type(number) ~= "number" or number % 1 ~= 0 or number < 2 or number > 4 then
-    alarm("G30: P is the number of a home position, 2 to 4, not %s", tostring(number))
+    alarm("home", "G30: P is the number of a home position, 2 to 4, not %s", tostring(number))
   end
   go_home(rest, math.tointeger(number), "G30")
 end)
@@ -79,7 +80,7 @@ end)
 -- G29 moves the axes that it names; an increment counts from the point on the way.
 word("G29", function(words)
   check_table(words, "G29")
-  if words == nil then alarm("G29 needs the axis words of its target") end
+  if words == nil then alarm("word-missing", "G29 needs the axis words of its target") end
   refuse_with_compensation("G29")
   refuse_with_tip_control("G29")
   local through = {}
@@ -100,7 +101,7 @@ word("G27", function(words)
     local position = core.machine_position(axis.letter)
     local home = core.turned(axis.letter, axis.home)
     if is_named(words, axis.letter) and math.abs(position - home) > SAME then
-      alarm("G27: axis %s stands at %.10g, not at its home %.10g", axis.letter:upper(), position, axis.home)
+      alarm("home", "G27: axis %s stands at %.10g, not at its home %.10g", axis.letter:upper(), position, axis.home)
     end
   end
 end)
@@ -110,13 +111,13 @@ local skipped_at   -- machine coordinates by axis letter
 -- Where the last skip signal came, machine coordinates; nil before the first G31.
 function skip_position() return skipped_at end
 
--- G31: a straight move that a signal cuts short. Without a signal it goes to its end, and that is the skip position.
+-- G31: a straight move that a signal cuts short. Without a signal it goes to its end, and that is the skip position;
+-- with one it is where the signal came, a little before the machine stands.
 word("G31", function(words)
   check_table(words, "G31")
   local target, named = core.target(words)
-  if not named then alarm("G31 needs the axis words of its target") end
+  if not named then alarm("word-missing", "G31 needs the axis words of its target") end
   refuse_with_compensation("G31")
-  move_until_signal(target)
-  path.flush()
-  skipped_at = machine_point()
+  local _, _, point = move_until_signal(target, false)
+  skipped_at = point
 end)

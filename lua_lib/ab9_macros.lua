@@ -17,10 +17,11 @@ local level = 0
 
 local function put(locals, number, value, letter)
   if value ~= nil and type(value) ~= "number" then
-    alarm("the argument %s of a macro call is no number", letter:upper())
+    alarm("script", "the argument %s of a macro call is no number", letter:upper())
   end
   if locals[number] ~= nil then
-    alarm("two arguments of the macro call go to #%d, the last one by %s; give one of them", number, letter:upper())
+    alarm("word-value", "two arguments of the macro call go to #%d, the last one by %s; give one of them", number,
+      letter:upper())
   end
   locals[number] = value
 end
@@ -31,10 +32,12 @@ local function put_sets(locals, pairs_in_order)
   for _, pair in ipairs(pairs_in_order) do
     local letter, value = pair[1], pair[2]
     local rank = in_set[letter]
-    if rank == nil then alarm("a macro call repeats I, J and K alone, not %s", tostring(letter):upper()) end
+    if rank == nil then
+      alarm("word-value", "a macro call repeats I, J and K alone, not %s", tostring(letter):upper())
+    end
     if rank <= last then set = set + 1 end
     last = rank
-    if set > MOST_SETS then alarm("a macro call takes at most %d sets of I, J and K", MOST_SETS) end
+    if set > MOST_SETS then alarm("word-value", "a macro call takes at most %d sets of I, J and K", MOST_SETS) end
     put(locals, 3 * set + 1 + rank, value, letter)
   end
 end
@@ -46,7 +49,7 @@ local function arguments(words, code, skipped)
     if type(key) == "string" and not skipped[key] then
       local number = variable_of[key]
       if number == nil then
-        alarm("%s: %s is no argument; there are A to F, H to K, M and Q to Z", code, key:upper())
+        alarm("word-out-of-place", "%s: %s is no argument; there are A to F, H to K, M and Q to Z", code, key:upper())
       end
       put(locals, number, value, key)
     end
@@ -58,7 +61,7 @@ end
 local function whole(value, code, letter, most)
   local number = type(value) == "number" and math.tointeger(value)
   if not number or number < 0 or number > most then
-    alarm("%s of %s is a whole number from 0 to %d, not %s", letter, code, most, tostring(value))
+    alarm("word-value", "%s of %s is a whole number from 0 to %d, not %s", letter, code, most, tostring(value))
   end
   return number
 end
@@ -76,7 +79,9 @@ end
 -- Runs a program with these local variables. The results are what it leaves in them, and the block at which the caller
 -- is asked to go on (M99 P), or nil.
 local function run(number, times, locals)
-  if level == MOST_LEVELS then alarm("the macro O%d is called more than %d macro levels deep", number, MOST_LEVELS) end
+  if level == MOST_LEVELS then
+    alarm("nesting", "the macro O%d is called more than %d macro levels deep", number, MOST_LEVELS)
+  end
   local outer = read_locals()
   level = level + 1
   write_locals(locals)
@@ -89,7 +94,8 @@ end
 
 local function check_jump(block, can_jump)
   if block and not can_jump then
-    alarm("M99 P%d of the macro asks to go on at N%d of the program that calls it, which cannot be done from here", block,
+    alarm("jump",
+      "M99 P%d of the macro asks to go on at N%d of the program that calls it, which cannot be done from here", block,
       block)
   end
 end
@@ -98,7 +104,7 @@ local CALL_WORDS = { p = true, l = true }
 
 local function call_of(words, code)
   check_table(words, code)
-  if words == nil or words.p == nil then alarm("%s needs P, the number of the macro", code) end
+  if words == nil or words.p == nil then alarm("word-missing", "%s needs P, the number of the macro", code) end
   return {
     number = whole(words.p, code, "P", 2 ^ 31 - 1),
     times = words.l == nil and 1 or whole(words.l, code, "L", MOST_REPEATS),
@@ -206,7 +212,7 @@ local function define_modal(name, code)
     fire()
     local call = call_of(words, code)
     if call.every_block and next(call.locals) then
-      alarm("G66.1 takes no arguments; each block that follows gives its own")
+      alarm("word-out-of-place", "G66.1 takes no arguments; each block that follows gives its own")
     end
     find_program(call.number)
     call.outer = modal

@@ -47,12 +47,12 @@ local is_constant_surface = false
 
 local function turn(rpm)
   state.spindle_rpm = math.min(rpm, limit_rpm)
-  core.set_spindle(state.spindle_rpm)
+  spindle_speed(state.spindle_rpm)
 end
 
 local function rpm_at(radius_mm)
   if radius_mm < LEAST_RADIUS_MM and limit_rpm == math.huge then
-    alarm("G96: at X0 the spindle would turn without limit; give the limit with G50 S (rev/min)")
+    alarm("spindle", "G96: at X0 the spindle would turn without limit; give the limit with G50 S (rev/min)")
   end
   return surface_mm_min / (2 * math.pi * math.max(radius_mm, LEAST_RADIUS_MM))
 end
@@ -86,14 +86,16 @@ local function constant_surface(on)
 end
 
 word("G96", function()
-  if is_rotary.x ~= false then alarm("G96 needs the axis X, whose position is the radius") end
+  if is_rotary.x ~= false then alarm("word-missing", "G96 needs the axis X, whose position is the radius") end
   constant_surface(true)
 end)
 
 word("G97", function() constant_surface(false) end)
 
 local function speed(value, name)
-  if not (value >= 0 and value < math.huge) then alarm("%s is a speed from 0 on, not %.10g", name, value) end
+  if not (value >= 0 and value < math.huge) then
+    alarm("word-value", "%s is a speed from 0 on, not %.10g", name, value)
+  end
   return value
 end
 
@@ -110,12 +112,12 @@ end)
 word("G50", function(words)
   check_table(words, "G50")
   if words == nil or words.s == nil then
-    alarm("G50 sets the limit of the spindle speed: G50 S2000; scaling is G14.1 with P, and bare it ends")
+    alarm("mode", "G50 sets the limit of the spindle speed: G50 S2000; scaling is G14.1 with P, and bare it ends")
   end
   for key in pairs(words) do
-    if key ~= "s" then alarm("G50 takes S alone, not %s", tostring(key):upper()) end
+    if key ~= "s" then alarm("word-out-of-place", "G50 takes S alone, not %s", tostring(key):upper()) end
   end
-  if type(words.s) ~= "number" then alarm("S of G50 is no number") end
+  if type(words.s) ~= "number" then alarm("script", "S of G50 is no number") end
   limit_rpm = speed(words.s, "S of G50")
   if state.spindle_rpm ~= nil and not is_constant_surface then turn(state.spindle_rpm) end
 end)

@@ -87,7 +87,7 @@ local function apply()
 end
 
 local function number(value, code, letter)
-  if type(value) ~= "number" then alarm("%s: the value of '%s' is no number", code, letter) end
+  if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", code, letter) end
   return value
 end
 
@@ -102,7 +102,8 @@ local function only(words, code, allowed)
   check_table(words, code)
   for key in pairs(words or {}) do
     if not allowed:find(" " .. tostring(key) .. " ", 1, true) then
-      alarm("%s takes no word %s; it takes%s", code, tostring(key):upper(), allowed:upper():sub(1, -2))
+      alarm("word-out-of-place", "%s takes no word %s; it takes%s", code, tostring(key):upper(),
+        allowed:upper():sub(1, -2))
     end
   end
   return words or {}
@@ -111,7 +112,9 @@ end
 -- G51.1 X.. : mirror about X = that value. G50.1: no mirror on the axes named, bare: on none.
 word("G51_1", function(words)
   words = only(words, "G51.1", " x y z ")
-  if next(words) == nil then alarm("G51.1 needs the axes to mirror, with the coordinate of the mirror: G51.1 X0") end
+  if next(words) == nil then
+    alarm("word-missing", "G51.1 needs the axes to mirror, with the coordinate of the mirror: G51.1 X0")
+  end
   each_length(words, "G51.1", function(letter, value) mirror[letter] = value end)
   apply()
 end)
@@ -128,7 +131,7 @@ local function factor_of(words, letter, code)
   if key == nil then return 1 end
   local factor = number(words[key], code, key)
   if not (math.abs(factor) >= LEAST_FACTOR and math.abs(factor) < math.huge) then
-    alarm("%s %s%.10g: a scale factor is a number other than 0", code, key:upper(), factor)
+    alarm("frame", "%s %s%.10g: a scale factor is a number other than 0", code, key:upper(), factor)
   end
   return factor
 end
@@ -142,7 +145,8 @@ local function scaling(name, code)
       scale = nil
     else
       if words.p == nil and words.i == nil and words.j == nil and words.k == nil then
-        alarm("%s needs its factor: P for X, Y and Z alike, or I, J, K for each (bare, it ends scaling)", code)
+        alarm("word-missing",
+          "%s needs its factor: P for X, Y and Z alike, or I, J, K for each (bare, it ends scaling)", code)
       end
       scale = { factor = {}, centre = origin() }
       for _, letter in ipairs(LETTERS) do scale.factor[letter] = factor_of(words, letter, code) end
@@ -159,7 +163,7 @@ local function rotation_centre(words, p)
   local held = rotates() and rotation.plane == state.plane and rotation.centre or {}
   local centre = { [p.first] = held[p.first] or 0, [p.second] = held[p.second] or 0 }
   if words[p.third] ~= nil then
-    alarm("G68: %s is no axis of the plane in force; the centre is given by %s and %s", p.third:upper(),
+    alarm("frame", "G68: %s is no axis of the plane in force; the centre is given by %s and %s", p.third:upper(),
       p.first:upper(), p.second:upper())
   end
   each_length(words, "G68", function(letter, value) centre[letter] = value end)
@@ -168,7 +172,9 @@ end
 
 word("G68", function(words)
   words = only(words, "G68", " x y z r ")
-  if words.r == nil then alarm("G68 needs R, its angle in degrees (this control holds no table of rotations)") end
+  if words.r == nil then
+    alarm("word-missing", "G68 needs R, its angle in degrees (this control holds no table of rotations)")
+  end
   local angle = number(words.r, "G68", "r")
   if state.incremental and rotates() and rotation.plane == state.plane then angle = angle + rotation.angle_deg end
   rotation = {
@@ -189,7 +195,7 @@ function mirrored_axes() return mirror end
 function external_offset(letter) return external[letter] or 0 end
 
 function set_external_offset(letter, value)
-  if not place[letter] then alarm("the external offset has X, Y and Z, not %s", letter:upper()) end
+  if not place[letter] then alarm("frame", "the external offset has X, Y and Z, not %s", letter:upper()) end
   external[letter] = value ~= 0 and value or nil
   apply()
 end

@@ -17,7 +17,7 @@ end
 
 local function letter_of(number, index)
   local axis = axes[index + 1]
-  if axis == nil then alarm("#%d: the machine has %d axes", number, #axes) end
+  if axis == nil then alarm("axis", "#%d: the machine has %d axes", number, #axes) end
   return axis.letter
 end
 
@@ -41,7 +41,7 @@ local outputs = {}   -- number from 0 -> true where it is on
 
 -- on_input(f): f("digital", number) answers with the value of input `number`, which the program reads as #1000 + number.
 function env.on_input(f)
-  if f ~= nil and type(f) ~= "function" then alarm("on_input takes a function") end
+  if f ~= nil and type(f) ~= "function" then alarm("script", "on_input takes a function") end
   answer = f
 end
 
@@ -54,7 +54,7 @@ local function input_is_on(number)
   end
   local value = answer("digital", number)
   if value == nil or type(value) == "boolean" then return value == true end
-  if type(value) ~= "number" then alarm("on_input's function returns a number, true, false or nil") end
+  if type(value) ~= "number" then alarm("script", "on_input's function returns a number, true, false or nil") end
   return value ~= 0
 end
 
@@ -73,7 +73,9 @@ local function signals(first, what, is_on, switch)
   end, switch and function(number, value, index)
     if index < ALL then return switch(index, value ~= 0) end
     local bits = math.tointeger(value)
-    if bits == nil or bits < 0 or bits >= 1 << ALL then alarm("#%d takes the 32 outputs as a whole number", number) end
+    if bits == nil or bits < 0 or bits >= 1 << ALL then
+      alarm("word-value", "#%d takes the 32 outputs as a whole number", number)
+    end
     for signal = 0, ALL - 1 do
       local on = bits & (1 << signal) ~= 0
       if on ~= (outputs[signal] == true) then switch(signal, on) end
@@ -106,7 +108,7 @@ local blocks = { [3003] = 0.0, [3004] = 0.0 }
 local function with_text(text) return text and text ~= "" and (" (" .. text .. ")") or "" end
 
 range(3000, 3000, "alarm", nil, function(_, value, _, text)
-  alarm("the program raises its alarm %.10g%s", value, with_text(text))
+  alarm("program-alarm", "the program raises its alarm %.10g%s", value, with_text(text))
 end)
 
 range(3001, 3002, "timers in ms and in hours", function(number)
@@ -165,7 +167,8 @@ end)
 range(4001, 4120, "modal codes and the last F, S, T, D, H and M", function(number)
   local value, known = modal_code(number)
   if not known then
-    alarm("#%d holds nothing on this control; there are #4001 to #4017 and #4022 (modal groups), #4107 (D), #4109 (F), "
+    alarm("variable",
+      "#%d holds nothing on this control; there are #4001 to #4017 and #4022 (modal groups), #4107 (D), #4109 (F), "
       .. "#4111 (H), #4113 (M), #4119 (S) and #4120 (T)", number)
   end
   return value and value + 0.0
@@ -180,7 +183,7 @@ axis_range(5041, "position in the work coordinate system", function(letter)
 end)
 axis_range(5061, "position of the last skip (G31)", function(letter)
   local point = skip_position()
-  if point == nil then alarm("there is no skip position before the first G31") end
+  if point == nil then alarm("variable", "there is no skip position before the first G31") end
   return core.to_program(point)[letter]
 end)
 axis_range(5081, "tool offset in force", function(letter) return state.tool_offset[letter] or 0 end)
@@ -211,7 +214,7 @@ end
 function system_variable_get(number)
   local entry = find(number)
   if entry == nil then return nil end
-  if entry.get == nil then alarm("#%d (%s) can only be set", number, entry.what) end
+  if entry.get == nil then alarm("variable", "#%d (%s) can only be set", number, entry.what) end
   return true, entry.get(number, number - entry.first)
 end
 
@@ -219,9 +222,9 @@ end
 function system_variable_set(number, value, text)
   local entry = find(number)
   if entry == nil then return nil end
-  if entry.set == nil then alarm("#%d (%s) can only be read", number, entry.what) end
+  if entry.set == nil then alarm("variable", "#%d (%s) can only be read", number, entry.what) end
   if value == nil then value = 0 end
-  if type(value) ~= "number" then alarm("#%d takes a number", number) end
+  if type(value) ~= "number" then alarm("script", "#%d takes a number", number) end
   core.note_place()   -- for events; an assignment is no word that would tell its place
   entry.set(number, value, number - entry.first, text)
   return true

@@ -10,7 +10,7 @@ local box   -- letter -> { low, high } in mm; an axis that is not named has no w
 
 local function wall(words, key)
   if type(words[key]) ~= "number" or words[key] ~= words[key] or math.abs(words[key]) == math.huge then
-    alarm("G22: the value of '%s' is no number", key)
+    alarm("script", "G22: the value of '%s' is no number", key)
   end
   return words[key] * state.unit_mm
 end
@@ -19,21 +19,24 @@ local function read_box(words)
   local read = {}
   for key in pairs(words) do
     if not (" x y z i j k "):find(" " .. tostring(key) .. " ", 1, true) then
-      alarm("G22 takes no word %s here; it takes X, Y, Z (one corner) and I, J, K (the other), or P alone",
+      alarm("word-out-of-place",
+        "G22 takes no word %s here; it takes X, Y, Z (one corner) and I, J, K (the other), or P alone",
         tostring(key):upper())
     end
   end
   for _, letter in ipairs(LETTERS) do
     local other = OTHER[letter]
     if (words[letter] == nil) ~= (words[other] == nil) then
-      alarm("G22 needs both %s and %s, the two walls of the zone on axis %s", letter:upper(), other:upper(),
+      alarm("word-missing", "G22 needs both %s and %s, the two walls of the zone on axis %s", letter:upper(),
+        other:upper(),
         letter:upper())
     end
     if words[letter] ~= nil then
-      if is_rotary[letter] ~= false then alarm("G22: the machine has no linear axis %s", letter:upper()) end
+      if is_rotary[letter] ~= false then alarm("axis", "G22: the machine has no linear axis %s", letter:upper()) end
       local a, b = wall(words, letter), wall(words, other)
       if math.abs(a - b) <= LEAST_EXTENT_MM then
-        alarm("G22: the zone has no extent on axis %s, %s and %s are both %.10g mm", letter:upper(), letter:upper(),
+        alarm("word-value", "G22: the zone has no extent on axis %s, %s and %s are both %.10g mm", letter:upper(),
+          letter:upper(),
           other:upper(), a)
       end
       read[letter] = { math.min(a, b), math.max(a, b) }
@@ -56,13 +59,17 @@ word("G22", function(words)
   check_table(words, "G22")
   if is_number_alone(words) then return env.switch_zone(words.p, true) end
   if words ~= nil and next(words) ~= nil then box = read_box(words) end
-  if box == nil then alarm("G22 needs its zone: X, Y, Z and I, J, K, two opposite corners in machine coordinates") end
+  if box == nil then
+    alarm("word-missing", "G22 needs its zone: X, Y, Z and I, J, K, two opposite corners in machine coordinates")
+  end
   put(box)
 end)
 
 word("G23", function(words)
   check_table(words, "G23")
   if is_number_alone(words) then return env.switch_zone(words.p, false) end
-  if words ~= nil and next(words) ~= nil then alarm("G23 takes P, the number of zones of the machine data, or nothing") end
+  if words ~= nil and next(words) ~= nil then
+    alarm("word-value", "G23 takes P, the number of zones of the machine data, or nothing")
+  end
   put(nil)
 end)

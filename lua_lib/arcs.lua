@@ -1,12 +1,7 @@
 -- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. Plain arcs are C++, which
 -- makes them of their words (core.read_arc); what a dialect asks of them stands here.
 
--- Axes of each plane in the order in which its angles are counted, and the words of the centre.
-planes = {
-  xy = { first = "x", second = "y", third = "z", i = "i", j = "j", k = "k" },
-  zx = { first = "z", second = "x", third = "y", i = "k", j = "i", k = "j" },
-  yz = { first = "y", second = "z", third = "x", i = "j", j = "k", k = "i" },
-}
+include "plane_view"
 
 -- By how much the radii of start and end may differ where the centre is given, and R may be too short. In RS274/NGC as
 -- LinuxCNC 2.9 has it: 0.0283 mm (0.00283 in), or 0.1 % of the radius where that is more, up to a hundred times that;
@@ -24,8 +19,7 @@ local function arc(name, ccw)
   local function arc_in_lua(words)
     check_table(words, name)
     if words == nil then return end
-    local turns_left, first, second, sweep, target = core.read_arc(ccw, resolve_words(words))
-    path.arc(state.plane, turns_left, first, second, sweep, target)
+    path.arc(core.read_arc(ccw, resolve_words(words)))
   end
   plain_word(name, function(id) return core.arc_word(ccw, id, name) end,
     function(id) return core.modal_arc_word(ccw, id, name) end, arc_in_lua)
@@ -52,11 +46,11 @@ local function through_point(words)
   if words == nil then return end
   local via = {}
   for letter, names in pairs(via_words) do via[letter] = words[names[1]] or words[names[2]] end
-  if next(via) == nil then alarm("CIP needs a point on the way: I1=, J1= or K1=") end
+  if next(via) == nil then alarm("word-missing", "CIP needs a point on the way: I1=, J1= or K1=") end
   local middle = core.target(via)
   local target = core.target(words, " i j k i1 j1 k1 ")
   if path.is_filtered() then
-    alarm("CIP is not possible while something watches or shapes the path (compensation, a corner word)")
+    alarm("mode", "CIP is not possible while something watches or shapes the path (compensation, a corner word)")
   end
   core.arc_via(middle, target, swept_via(programmed_point(), middle, target))
 end

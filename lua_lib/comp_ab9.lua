@@ -32,8 +32,7 @@ end
 
 -- What is put out of a move whose way in the plane is so long: all of it, or parts where the feed is lowered at corners.
 function ab9:parts(item, length_mm)
-  local third = planes[self.plane].third
-  local rise = (item.target[third] or 0) - (item.source[third] or 0)
+  local rise = self.view:height(item.target) - self.view:height(item.source)
   local parts = comp_override.parts(item, math.sqrt(length_mm * length_mm + rise * rise))
   for i = 1, #parts - 1 do
     parts[i].target = copied(item.target)
@@ -255,12 +254,13 @@ function ab9:take(item)
   local radius = comp_radius_in_force()   -- below 0 the sides are swapped
   item.side, item.radius = self.side, math.abs(radius)
   if radius < 0 then item.side = -item.side end
-  if comp_mirrored(self.plane) then item.side = -item.side end
+  if not self.same_sense then item.side = -item.side end
   item.overridden = comp_override.is_on(item)
   local before = self.before
   if not before then
     if item.kind == "arc" then
-      alarm("the entry move into cutter compensation is straight (G0 or G1), not an arc; this is the first move in "
+      alarm("compensation",
+        "the entry move into cutter compensation is straight (G0 or G1), not an arc; this is the first move in "
         .. "plane %s after G41 or G42", self.plane:upper())
     end
     item.entry = true

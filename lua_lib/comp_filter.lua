@@ -23,14 +23,14 @@ end
 
 function comp_filter.make(class, fields)
   local filter = setmetatable(fields, class)
-  local p = planes[filter.plane]
-  filter.first, filter.second = p.first, p.second
+  filter.lies, filter.same_sense = machine_plane(filter.plane)
+  filter.view = plane_view(filter.lies)
   filter.programmed = programmed_point()
-  filter.at = { core.machine_position(p.first), core.machine_position(p.second) }
+  filter.at = filter.view:at(machine_point())
   return filter
 end
 
-function comp_filter:point(target) return { target[self.first], target[self.second] } end
+function comp_filter:point(target) return self.view:at(target) end
 
 function comp_filter:complete(target)
   local all = copied(self.programmed)
@@ -47,7 +47,7 @@ end
 -- A straight move as an item. Only moves in the plane get a segment.
 function comp_filter:straight(kind, target, feed, linear_kind, place)
   if linear_kind and linear_kind ~= "linear" then
-    alarm("a %s move is not possible while cutter compensation is on; G40 first", linear_kind)
+    alarm("compensation", "a %s move is not possible while cutter compensation is on; G40 first", linear_kind)
   end
   local item = { kind = kind, source = self.programmed, target = self:complete(target), place = place or core.place() }
   if kind == "line" then
@@ -60,18 +60,17 @@ function comp_filter:straight(kind, target, feed, linear_kind, place)
 end
 
 function comp_filter:circular(plane, ccw, first, second, sweep_rad, target, feed, place)
-  if plane ~= self.plane then
-    alarm("an arc in plane %s is not possible while cutter compensation is on in plane %s; G40 first",
-      plane:upper(), self.plane:upper())
+  if not same_plane(plane, self.lies) then
+    alarm("compensation", "an arc in plane %s is not possible while cutter compensation is on in plane %s; G40 first",
+      state.plane:upper(), self.plane:upper())
   end
   local item = { kind = "arc", source = self.programmed, target = self:complete(target), place = place or core.place() }
   local from, to, centre = self:point(self.programmed), self:point(item.target), { first, second }
   if g.distance(from, centre) < LEAST_RADIUS_MM or g.distance(to, centre) < LEAST_RADIUS_MM then
-    alarm("an arc that starts or ends in its centre has no side for cutter compensation")
+    alarm("compensation", "an arc that starts or ends in its centre has no side for cutter compensation")
   end
   item.segment = g.arc(from, to, centre, ccw, sweep_rad)
-  local third = planes[plane].third
-  local rise = (item.target[third] or 0) - (self.programmed[third] or 0)
+  local rise = self.view:height(item.target) - self.view:height(self.programmed)
   local length = math.sqrt((g.distance(from, centre) * sweep_rad) ^ 2 + rise * rise)
   item.feed = at_programmed_speed(feed or core.take_feed(sweep_rad), length)
   self.programmed = item.target
@@ -88,7 +87,7 @@ comp_filter.origin = { 0, 0 }
 
 function comp_filter:placed(target, point)
   local moved = copied(target)
-  moved[self.first], moved[self.second] = point[1] + self.origin[1], point[2] + self.origin[2]
+  self.view:put(moved, { point[1] + self.origin[1], point[2] + self.origin[2] })
   self.at = point
   return moved
 end
@@ -105,7 +104,7 @@ end
 
 function comp_filter:put_arc(item, point, centre, turn, sweep_rad, target, feed)
   local moved = self:placed(target or item.target, point)
-  self.next:arc(self.plane, turn > 0, centre[1] + self.origin[1], centre[2] + self.origin[2], sweep_rad, moved,
+  self.next:arc(self.lies, turn > 0, centre[1] + self.origin[1], centre[2] + self.origin[2], sweep_rad, moved,
     feed or item.feed, item.place)
 end
 
@@ -124,9 +123,14 @@ local function rounded(value) return math.floor(value * 1e6 + 0.5) / 1e6 end
 -- one shortly before it.
 function comp_filter:say(item, text, ...)
   local to = item.segment and item.segment.to or self:point(item.target)
-  local where = ("the move to %s%.10g %s%.10g mm"):format(self.first:upper(), rounded(to[1]), self.second:upper(),
-    rounded(to[2]))
-  alarm("cutter compensation with radius %.10g mm: " .. text, item.radius or self.radius, where, ...)
+  local point = copied(item.target)
+  self.view:put(point, to)
+  local named = {}
+  for _, letter in ipairs(self.view.letters) do
+    if point[letter] then named[#named + 1] = ("%s%.10g"):format(letter:upper(), rounded(point[letter])) end
+  end
+  local where = ("the move to %s mm"):format(table.concat(named, " "))
+  alarm("compensation", "cutter compensation with radius %.10g mm: " .. text, item.radius or self.radius, where, ...)
 end
 
 function comp_filter:check_fits(item, side, radius)

@@ -27,7 +27,13 @@ function comp_ngc(side, radius, orientation)
     start = nil,             -- where the waiting move starts, if that has to be watched
   })
   local shift = orientation_shift[orientation]
-  if shift then filter.origin = { shift[1] * radius, shift[2] * radius } end
+  if shift then
+    local p = planes[filter.plane]
+    local first, second = filter.view:at(axis_direction(p.first)), filter.view:at(axis_direction(p.second))
+    filter.origin = {
+      (shift[1] * first[1] + shift[2] * second[1]) * radius, (shift[1] * first[2] + shift[2] * second[2]) * radius,
+    }
+  end
   filter.tool = filter:point(filter.programmed)   -- where the middle of the tool ends after all that is known
   return filter
 end
@@ -107,7 +113,8 @@ end
 function ngc:enter_circular(item)
   local segment = item.segment
   if g.distance(self.at, self.tool) > MOST_SPIRAL_MM then
-    alarm("the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
+    alarm("compensation",
+      "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
   end
   local way = g.distance(self.tool, segment.to)
   if way <= self.radius then
@@ -150,9 +157,16 @@ local function is_inside(beta, before, after, side)
   return before ~= nil and before.centre ~= nil and not g.tool_inside(before, side)
 end
 
+-- The move before as LinuxCNC sees it. Where a move outside the plane alone waits, behind a stop, an arc counts as the
+-- line in which it ended.
+function ngc:segment_before()
+  local segment, waiting = self.last.segment, self.queue[1]
+  if waiting == nil or waiting.segment then return segment end
+  return g.line(g.plus(segment.to, segment.heading[2], -self.radius), segment.to)
+end
+
 function ngc:inside_corner(item)
-  local before = self.last
-  local point = g.meet(before.segment, item.segment, self.side, self.radius)
+  local point = g.meet(self:segment_before(), item.segment, self.side, self.radius)
   if not point then
     self:say(item, "before %s lies an inside corner that the tool does not fit into without gouging")
   end
@@ -163,8 +177,7 @@ end
 function ngc:around_corner(item)
   local beside = g.beside_start(item.segment, self.side, self.radius)
   local target = self:complete(item.target)
-  local third = planes[self.plane].third
-  target[third] = item.source[third]
+  for _, letter in ipairs { "x", "y", "z" } do target[letter] = item.source[letter] end
   if item.kind == "rapid" then
     self:put_straight(item, beside, target)
   else

@@ -28,7 +28,9 @@ end
 
 local function lowered(feed)
   local low = copied(feed)
-  for _, key in ipairs { "linear_mm_min", "rotary_deg_min" } do low[key] = feed[key] * rules.percent / 100 end
+  for _, key in ipairs { "linear_mm_min", "rotary_deg_min", "linear_mm_rev" } do
+    low[key] = feed[key] and feed[key] * rules.percent / 100
+  end
   return low
 end
 

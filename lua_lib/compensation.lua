@@ -3,7 +3,8 @@
 -- What LinuxCNC refuses while compensation is on, and other words therefore refuse in rs274ngc by
 -- refuse_with_compensation(name):
 --   G10 L2, L20 of the system in force   G18, G19 (G17 if another plane is in force)
---   G28, G28.1, G30, G30.1, G53          G33, G33.1, G38.2..5, G5, G5.1, G73, G76, G81..G89
+--   G28, G28.1, G30, G30.1, G53          G33, G33.1 (unless the radius is 0)
+--   G38.2..5                             G5, G5.1, G73, G76, G81..G89
 --   G41, G42, G41.1, G42.1               G43, G43.1, G43.2, G49
 --   G52, G92, G54..G59.3                 G61, G61.1, G64, G98, G99
 --   M6, M48..M53, M62..M68               reading #5420..#5428
@@ -27,7 +28,12 @@ local plane             -- in which it was switched on
 
 -- `state.compensation` is the name of the word that holds between G41 or G42 and G40, else nil.
 function refuse_with_compensation(what)
-  if on then alarm("%s is not possible while cutter compensation is on; G40 first", what) end
+  if on then alarm("compensation", "%s is not possible while cutter compensation is on; G40 first", what) end
+end
+
+-- rs274ngc: moves of which LinuxCNC makes none beside the path, but which a radius of 0 lets through.
+function refuse_beside_path(what)
+  if filter then refuse_with_compensation(what) end
 end
 
 -- rs274ngc: a stop (M0, M1, M60) comes when the tool is at the end of the move before it, whatever corner follows.
@@ -35,18 +41,14 @@ function stop_in_compensation()
   if on and filter then filter:flush() end
 end
 
--- rs274ngc: where the tool ends beside the path when all moves so far are done, in machine coordinates of the plane; nil
+-- rs274ngc: where the tool ends beside the path when all moves so far are done, in machine coordinates; nil
 -- without compensation. Behind G40 the program's own point counts again.
 function tool_beside_path()
   local point = filter and filter.tool
-  return point and { [filter.first] = point[1], [filter.second] = point[2] } or nil
-end
-
--- True where the program's coordinates are a mirror image of the machine's in this plane: left and right change over.
-function comp_mirrored(name)
-  local p = planes[name]
-  local a, b = axis_direction(p.first), axis_direction(p.second)
-  return comp_geometry.cross({ a[p.first], a[p.second] }, { b[p.first], b[p.second] }) < 0
+  if not point then return nil end
+  local beside = programmed_point()
+  filter.view:put(beside, point)
+  return beside
 end
 
 -- --- Tools ---
@@ -54,14 +56,16 @@ end
 local function radius_of(number, name)
   number = nearly_whole(number)
   if type(number) ~= "number" or number % 1 ~= 0 or number < 0 then
-    alarm("%s: D is the number of a tool, a whole number from 0 on, not %s", name, tostring(number))
+    alarm("compensation", "%s: D is the number of a tool, a whole number from 0 on, not %s", name, tostring(number))
   end
   return tool_diameter_mm(number) / 2
 end
 
 -- 9/Series: the radius of the last D.
 function comp_radius_in_force()
-  if not state.offset_number_d then alarm("cutter compensation needs D, the number of its radius in the tool table") end
+  if not state.offset_number_d then
+    alarm("compensation", "cutter compensation needs D, the number of its radius in the tool table")
+  end
   return radius_of(state.offset_number_d, "D")
 end
 
@@ -95,7 +99,8 @@ function leaving:line(target, feed, kind, place)
 end
 
 function leaving:arc()
-  alarm("the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
+  alarm("compensation",
+    "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
 end
 
 function leaving:act(f) self.next:act(f) end
@@ -127,7 +132,7 @@ end)
 local function check_words(words, name, allowed)
   check_table(words, name)
   for key in pairs(words or {}) do
-    if not allowed[key] then alarm("%s does not take %s", name, tostring(key):upper()) end
+    if not allowed[key] then alarm("compensation", "%s does not take %s", name, tostring(key):upper()) end
   end
   return words or {}
 end
@@ -147,11 +152,14 @@ before("CIP", refuse_with_compensation)
 local function ngc_words()
   -- A radius of 0 counts as compensation and changes no path.
   local function switch_on(name, side, radius, orientation)
-    if on then alarm("%s: cutter compensation is on already; G40 first", name) end
-    if state.plane == "yz" then alarm("%s: cutter compensation is possible in G17 and G18, not in G19", name) end
+    if on then alarm("compensation", "%s: cutter compensation is on already; G40 first", name) end
+    if state.plane == "yz" then
+      alarm("compensation", "%s: cutter compensation is possible in G17 and G18, not in G19", name)
+    end
     on, plane, state.compensation = true, state.plane, name
     if radius < 0 then side, radius = -side, -radius end
-    if comp_mirrored(plane) then side = -side end
+    -- In a mirror image left and right change over.
+    if not select(2, machine_plane(plane)) then side = -side end
     replace_filter(radius > 0 and comp_ngc(side, radius, orientation) or nil)
   end
 
@@ -167,9 +175,9 @@ local function ngc_words()
   local function by_diameter(name, side)
     word(name:sub(1, 3) .. "_1", function(words)
       words = check_words(words, name, { d = true, l = true })
-      if type(words.d) ~= "number" then alarm("%s needs the diameter of the tool: D", name) end
+      if type(words.d) ~= "number" then alarm("compensation", "%s needs the diameter of the tool: D", name) end
       if words.l ~= nil and state.plane ~= "zx" then
-        alarm("%s: L is the orientation of a lathe tool and possible in G18 only", name)
+        alarm("compensation", "%s: L is the orientation of a lathe tool and possible in G18 only", name)
       end
       switch_on(name, side, words.d / 2 * state.unit_mm, words.l)
     end)
@@ -224,6 +232,16 @@ local function ab9_words()
       round = new_round
       if on then filter:set(side, round) end
     end)
+  end
+
+  -- A rotation that turns the plane takes it out of the one in which the path is led aside.
+  local set = set_transform
+  function set_transform(...)
+    set(...)
+    if not on then return end
+    local lies, same_sense = machine_plane(plane)
+    if not same_plane(lies, filter.lies) then refuse_with_compensation("a rotation that turns its plane") end
+    filter.same_sense = same_sense
   end
 
   before("G17", function() check_plane("xy") end)

@@ -32,6 +32,12 @@ function turn_spindle(direction)
   path.event(direction and "spindle_" .. direction or "spindle_off")
 end
 
+-- Its speed in rev/min: for the feeds of the words that follow at once, for the machine behind the moves so far.
+function spindle_speed(rpm)
+  core.set_spindle(rpm)
+  path.act(function() core.set_spindle_speed(rpm) end)
+end
+
 -- It stands still at its marked angle, so that the tool can be moved off the wall.
 function orient_spindle()
   state.spindle = nil
@@ -42,13 +48,17 @@ end
 -- A word of a cycle: a number, or nil where it is left out.
 function cycle_word(words, letter, name)
   local value = words[letter]
-  if value ~= nil and type(value) ~= "number" then alarm("%s: the value of %s is no number", name, letter:upper()) end
+  if value ~= nil and type(value) ~= "number" then
+    alarm("script", "%s: the value of %s is no number", name, letter:upper())
+  end
   return value
 end
 
 function cycle_dwell(words, name)
   local seconds = cycle_word(words, "p", name)
-  if seconds ~= nil and seconds < 0 then alarm("P of %s is a dwell of 0 s or more, not %.10g", name, seconds) end
+  if seconds ~= nil and seconds < 0 then
+    alarm("word-value", "P of %s is a dwell of 0 s or more, not %.10g", name, seconds)
+  end
   return seconds
 end
 
@@ -56,7 +66,7 @@ function cycle_repeats(value, letter, name)
   if value == nil then return 1 end
   value = nearly_whole(value)
   if value % 1 ~= 0 or value < 0 or value > MOST_REPEATS then
-    alarm("%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MOST_REPEATS, value)
+    alarm("word-value", "%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MOST_REPEATS, value)
   end
   return math.tointeger(value)
 end
@@ -89,9 +99,10 @@ end
 -- The depths at which a hole drilled in pecks of `step` is left, above its bottom. What only rounding leaves above the
 -- bottom is no peck.
 function pecks(from, bottom, step, name)
-  if not (step > 0) then alarm("Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
+  if not (step > 0) then alarm("word-value", "Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
   if (from - bottom) / step > MOST_PECKS then
-    alarm("Q %.10g of %s is too small: the hole of %.10g would take more than %d pecks", step, name, from - bottom,
+    alarm("word-value", "Q %.10g of %s is too small: the hole of %.10g would take more than %d pecks", step, name,
+      from - bottom,
       MOST_PECKS)
   end
   local depths = {}
@@ -106,9 +117,9 @@ end
 
 -- Levels count in the work coordinate system, time per stroke has no meaning, nor has a path beside the hole.
 function check_cycle_modes(name)
-  if core.in_machine_frame() then alarm("%s cannot be used with G53, which holds for G0 and G1", name) end
+  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
   if state.feed_mode == "inverse" then
-    alarm("%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
+    alarm("mode", "%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
   end
   refuse_with_compensation(name)
 end

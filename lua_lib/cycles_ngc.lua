@@ -13,13 +13,15 @@ local function above(a, b) return a - b > 1e-9 end
 local function required(words, letter, name, again)
   local value = cycle_word(words, letter, name)
   if value == nil and again then value = held[letter] end
-  if value == nil then alarm("%s needs %s; it is kept only while the same cycle repeats", name, letter:upper()) end
+  if value == nil then
+    alarm("word-missing", "%s needs %s; it is kept only while the same cycle repeats", name, letter:upper())
+  end
   held[letter] = value
   return value
 end
 
 local function needs_spindle(name)
-  if state.spindle == nil then alarm("%s needs the spindle turning (M3 or M4)", name) end
+  if state.spindle == nil then alarm("spindle", "%s needs the spindle turning (M3 or M4)", name) end
   return state.spindle
 end
 
@@ -60,7 +62,8 @@ end
 
 local function tap(hole, name, forth, back)
   if needs_spindle(name) ~= forth then
-    alarm("%s needs the spindle turning %s", name, forth == "cw" and "clockwise (M3)" or "counterclockwise (M4)")
+    alarm("spindle", "%s needs the spindle turning %s", name,
+      forth == "cw" and "clockwise (M3)" or "counterclockwise (M4)")
   end
   local feed = hole.feed
   if state.plane ~= "xy" then
@@ -156,13 +159,13 @@ local function check_axes(words, name, p)
     if words[letter] ~= nil then
       named = true
       if letter ~= p.first and letter ~= p.second and letter ~= p.third then
-        alarm("%s moves X, Y and Z only; %s cannot stand in its block", name, letter:upper())
+        alarm("word-out-of-place", "%s moves X, Y and Z only; %s cannot stand in its block", name, letter:upper())
       end
     end
   end
-  if not named then alarm("%s needs axis words", name) end
+  if not named then alarm("word-missing", "%s needs axis words", name) end
   if (words.radius ~= nil or words.angle ~= nil) and (state.plane ~= "xy" or words.x ~= nil or words.y ~= nil) then
-    alarm("%s takes @ and ^ in the XY plane only, and not beside X or Y", name)
+    alarm("mode", "%s takes @ and ^ in the XY plane only, and not beside X or Y", name)
   end
   ngc.check_spindle(words, name)
 end
@@ -177,7 +180,7 @@ local function stepper(words, name, p)
     hole.first, hole.second = hole.first + first, hole.second + second
     if radius == 0 and angle == 0 then return end
     if hole.first == 0 and hole.second == 0 then
-      alarm("%s: an incremental @ or ^ has no direction at the zero point", name)
+      alarm("word-value", "%s: an incremental @ or ^ has no direction at the zero point", name)
     end
     local reach = math.sqrt(hole.first ^ 2 + hole.second ^ 2) + radius
     local turn = math.atan(hole.second, hole.first) + math.rad(angle)
@@ -210,7 +213,7 @@ local function levels(hole, words, name, p, again, current)
   hole.r = required(words, "r", name, again)
   local depth = cycle_word(words, p.third, name)
   if depth == nil and again then depth = held.depth end
-  if depth == nil then alarm("%s needs %s, the depth of the hole", name, p.third:upper()) end
+  if depth == nil then alarm("word-missing", "%s needs %s, the depth of the hole", name, p.third:upper()) end
   held.depth = depth
   local old = held.initial
   if state.incremental then
@@ -220,7 +223,8 @@ local function levels(hole, words, name, p, again, current)
     hole.bottom = depth
   end
   if above(hole.bottom, hole.r) then
-    alarm("%s: R %.10g lies below the bottom of the hole, %s%.10g", name, hole.r, p.third:upper(), hole.bottom)
+    alarm("word-value", "%s: R %.10g lies below the bottom of the hole, %s%.10g", name, hole.r, p.third:upper(),
+      hole.bottom)
   end
   -- Below the R level the tool first goes straight up to it.
   if above(hole.r, old) then
@@ -245,7 +249,7 @@ local function drill(name, words, before)
   local p, again = planes[state.plane], before == name
   check_axes(words, name, p)
   local repeats = cycle_repeats(cycle_word(words, "l", name), "L", name)
-  if repeats == 0 then alarm("%s cannot be repeated 0 times; L is 1 or more", name) end
+  if repeats == 0 then alarm("word-value", "%s cannot be repeated 0 times; L is 1 or more", name) end
   local here, unit = program_position(), state.unit_mm
   local current = snapped(here[p.third] / unit)
   if not is_cycle(before) then held.initial = current end

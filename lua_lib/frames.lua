@@ -3,10 +3,10 @@
 -- Calls set(letter, value in mm or deg) for each axis word; other keys that may stand there are in `others`, each
 -- between blanks. False where no axis is named.
 function each_axis(words, name, others, set)
-  if type(words) ~= "table" then alarm("%s needs axis words", name) end
+  if type(words) ~= "table" then alarm("word-missing", "%s needs axis words", name) end
   local any = false
   for letter, value in pairs(words) do
-    if type(value) ~= "number" then alarm("%s: the value of '%s' is no number", name, tostring(letter)) end
+    if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, tostring(letter)) end
     if is_rotary[letter] ~= nil then
       any = true
       set(letter, in_mm(letter, value))
@@ -17,7 +17,7 @@ function each_axis(words, name, others, set)
   return any
 end
 
-function no_axis(letter, _, name) alarm("%s: the machine has no axis %s", name, tostring(letter):upper()) end
+function no_axis(letter, _, name) alarm("axis", "%s: the machine has no axis %s", name, tostring(letter):upper()) end
 
 local function set_unit(millimetres)
   return function()
@@ -27,6 +27,7 @@ local function set_unit(millimetres)
 end
 word("G20", set_unit(25.4))
 word("G21", set_unit(1))
+core.set_unit(state.unit_mm)
 
 local function set_incremental(on)
   return function()

@@ -1,7 +1,9 @@
 -- The control in Lua: what each word of a part program means. This folder can be copied, changed and given to
 -- gsim-run with --lua-lib. `core` is the C++ side (see README.md beside this file), `env` is what scripts see.
 
+include "word_keys"
 include "state"
+include "modules"
 include "processes"
 include "variables"
 include "programs"
@@ -38,6 +40,7 @@ if core.dialect == "rs274ngc" then
   include "splines"
   include "ngc_splines"
   include "ngc_computed"
+  include "ngc_shared"
   include "ngc_context"   -- the last one: it watches the words that the others define
 else
   include "ab9_transform"
@@ -55,6 +58,7 @@ else
   include "ab9_modal"     -- the last one: it remembers the words that the others define
 end
 
+include "process"       -- watches the words that the others define
 include "stored_data"   -- knows what the run begins with
 
 -- A name that nothing defines is a mistake, not a vacant value.

@@ -19,7 +19,7 @@ end
 
 -- Defines the word of a motion that is modal.
 function modal_word(name, meaning)
-  env[name] = modal_motion(name, meaning)
+  env[name] = modal_motion(name, with_known_keys(name, meaning))
 end
 
 -- Plain motions are C++ as long as nothing shapes them: polar programming, a filter, a modal macro call. By name the
@@ -80,7 +80,7 @@ make_modal("G0", plain.G0.move)
 
 -- No motion is modal: axis words need one.
 local none = core.word(word_id(), function()
-  alarm("axis words need a motion, and G80 has ended the one that was in force")
+  alarm("mode", "axis words need a motion, and G80 has ended the one that was in force")
 end)
 function end_motion()
   make_modal("G80", none)

@@ -5,10 +5,12 @@
 local parts = { x = true, y = true, z = true, roll = true, pitch = true, yaw = true }
 
 local function checked(pose, name)
-  if type(pose) ~= "table" then alarm("%s takes a pose: %s{x=, y=, z=, roll=, pitch=, yaw=}", name, name) end
+  if type(pose) ~= "table" then alarm("script", "%s takes a pose: %s{x=, y=, z=, roll=, pitch=, yaw=}", name, name) end
   for key, value in pairs(pose) do
-    if not parts[key] then alarm("%s: a pose has x, y, z, roll, pitch and yaw, and no '%s'", name, tostring(key)) end
-    if type(value) ~= "number" then alarm("%s: the value of '%s' is no number", name, key) end
+    if not parts[key] then
+      alarm("word-out-of-place", "%s: a pose has x, y, z, roll, pitch and yaw, and no '%s'", name, tostring(key))
+    end
+    if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, key) end
   end
   return pose
 end
@@ -34,7 +36,7 @@ end)
 -- MoveCircular{via={...}, to={...}}
 word("MoveCircular", function(poses)
   if type(poses) ~= "table" or type(poses.via) ~= "table" or type(poses.to) ~= "table" then
-    alarm("MoveCircular takes two poses: via={...}, to={...}")
+    alarm("script", "MoveCircular takes two poses: via={...}, to={...}")
   end
   begin("MoveCircular")
   local via, to = checked(poses.via, "MoveCircular"), checked(poses.to, "MoveCircular")

@@ -19,12 +19,15 @@ end
 
 function env.code(letter, number)
   local list = codes[letter]
-  if list == nil or type(number) ~= "number" then alarm("code() takes G or M, and the number of the code") end
+  if list == nil or type(number) ~= "number" then
+    alarm("code-unknown", "code() takes G or M, and the number of the code")
+  end
   local name = suffix(number)
   local user = letter == "M" and tonumber(name)
   if user and user >= FIRST_USER_CODE and user <= LAST_USER_CODE then return env.M[math.tointeger(user)] {} end
   if name == nil or not list:find(" " .. name .. " ", 1, true) then
-    alarm("%s%.10g: a computed number can only be that of a code without words of its own that acts before the motion of "
+    alarm("code-unknown",
+      "%s%.10g: a computed number can only be that of a code without words of its own that acts before the motion of "
       .. "its block; write the number out", letter, number)
   end
   env[letter .. name]()

@@ -35,7 +35,7 @@ local function keep(automatic)
   ngc.saved_modes = {
     automatic = automatic,
     active = copied(active), words_of = copied(words_of), overrides = ngc.keep_overrides(), system = ngc.system,
-    feed = state.feed, feed_unit_mm = state.feed_unit_mm, speed = state.spindle_word, spindle = state.spindle,
+    feed = state.feed, speed = state.spindle_word, spindle = state.spindle,
     mist = state.mist, flood = state.flood,
   }
 end
@@ -53,15 +53,18 @@ local function restore_coolant(saved)
   if saved.flood then env.M8() end
 end
 
-local function restore_spindle(saved)
-  if state.spindle_word ~= saved.speed then env.S(saved.speed) end
-  if state.spindle == saved.spindle then return end
-  if saved.spindle == "cw" then env.M3() elseif saved.spindle == "ccw" then env.M4() else env.M5() end
+-- LinuxCNC brings F and S back by writing them out, F to a tenth and S as a whole number, where their numbers have
+-- changed; whatever the units, and before the codes that it writes drop F.
+local function written_values(saved)
+  return {
+    F = state.feed ~= saved.feed and tonumber(("%.1f"):format(saved.feed)) or nil,
+    S = state.spindle_word ~= saved.speed and tonumber(("%.0f"):format(saved.speed)) or nil,
+  }
 end
 
-local function restore_feed(saved)
-  local same = state.feed == saved.feed and state.feed_unit_mm == saved.feed_unit_mm
-  if saved.feed > 0 and not same then env.F(saved.feed) end
+local function restore_spindle(saved)
+  if state.spindle == saved.spindle then return end
+  if saved.spindle == "cw" then env.M3() elseif saved.spindle == "ccw" then env.M4() else env.M5() end
 end
 
 -- A tool's length comes back as the one of the tool that is loaded, as in LinuxCNC.
@@ -76,10 +79,11 @@ local groups = {
 }
 
 local function restore(saved)
+  local written = written_values(saved)
   for _, group in ipairs(groups) do bring_back(saved, group) end
   if saved.system ~= ngc.system then env[ngc.system_word(saved.system)]() end
   restore_length(saved)
-  restore_feed(saved)
+  for name, value in pairs(written) do env[name](value) end
   restore_spindle(saved)
   restore_coolant(saved)
   ngc.restore_overrides(saved.overrides)
@@ -90,7 +94,7 @@ word("M71", function() ngc.saved_modes = nil end)
 word("M73", function() keep(true) end)
 word("M72", function()
   if ngc.saved_modes == nil then
-    alarm("M72 brings back what M70 or M73 has kept in the same subroutine, and there is nothing")
+    alarm("mode", "M72 brings back what M70 or M73 has kept in the same subroutine, and there is nothing")
   end
   restore(ngc.saved_modes)
 end)

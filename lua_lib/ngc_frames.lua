@@ -92,12 +92,27 @@ function apply_offsets()
   core.set_matrix(state.has_matrix and { c, -s, 0, s, c, 0, 0, 0, 1 } or nil)
 end
 
+-- The systems as the machine had them when the run began.
+local at_start = {}
+
+local function keep_systems()
+  for system in ipairs(names) do
+    local at, degrees = ngc.system_data(system)
+    at_start[system] = { origin = at, rotation_deg = degrees }
+  end
+end
+
+local function tell_system(system)
+  core.select_work_offset(names[system], at_start[system].origin, at_start[system].rotation_deg)
+end
+
 -- The system's parameters come into force.
 function ngc.load_system(system)
   ngc.system = system
   ngc.set_parameter(NUMBER_OF_SYSTEM, system)
   origin, rotation_deg = ngc.system_data(system)
   apply_offsets()
+  path.act(function() tell_system(system) end)
 end
 
 for system, name in ipairs(names) do
@@ -112,10 +127,10 @@ function no_axis(letter, value, name)
   for _, known in ipairs(ngc.letters) do
     if letter == known then
       if value == 0 then return end
-      alarm("%s: the machine has no axis %s", name, letter:upper())
+      alarm("axis", "%s: the machine has no axis %s", name, letter:upper())
     end
   end
-  alarm("%s takes no word '%s'", name, tostring(letter))
+  alarm("word-out-of-place", "%s takes no word '%s'", name, tostring(letter))
 end
 
 -- The G92 offset as it is goes into its parameters.
@@ -134,7 +149,7 @@ word("G92", function(words)
   local any = each_axis(words, "G92", "", function(letter, value)
     state.g92[letter] = (state.g92[letter] or 0) + here[letter] - value
   end)
-  if not any then alarm("G92 needs axis words") end
+  if not any then alarm("word-missing", "G92 needs axis words") end
   keep_g92()
 end)
 
@@ -142,7 +157,7 @@ end)
 word("G52", function(words)
   refuse_with_compensation("G52")
   if not each_axis(words, "G52", "", function(letter, value) state.g92[letter] = value end) then
-    alarm("G52 needs axis words")
+    alarm("word-missing", "G52 needs axis words")
   end
   keep_g92()
 end)
@@ -181,7 +196,7 @@ end)
 word("G53", function()
   refuse_with_compensation("G53")
   refuse_with_tip_control("G53")
-  if state.incremental then alarm("G53 moves in machine coordinates, which are absolute: it needs G90") end
+  if state.incremental then alarm("mode", "G53 moves in machine coordinates, which are absolute: it needs G90") end
   core.machine_frame_once()
 end)
 
@@ -189,5 +204,6 @@ end)
 for system, name in ipairs(names) do
   for letter, value in pairs(core.offsets[name] or {}) do ngc.store_origin(system, letter, value) end
 end
+keep_systems()
 ngc.load_system(1)
 if env.v[G92_IN_FORCE] ~= 0 then load_g92() end   -- kept from the run before

@@ -6,7 +6,7 @@ local LAST_ORIENTATION = 9
 
 local function not_allowed(words, letters, name)
   for _, letter in ipairs(letters) do
-    if words[letter] ~= nil then alarm("%s takes no %s", name, letter:upper()) end
+    if words[letter] ~= nil then alarm("word-out-of-place", "%s takes no %s", name, letter:upper()) end
   end
 end
 
@@ -15,7 +15,7 @@ end
 local function system_of(words, name)
   local number = ngc.whole(words.p)
   if number == nil or number < 0 or number > SYSTEMS then
-    alarm("%s needs P from 1 (G54) to %d (G59.3), or 0 for the system in force", name, SYSTEMS)
+    alarm("word-missing", "%s needs P from 1 (G54) to %d (G59.3), or 0 for the system in force", name, SYSTEMS)
   end
   if number == 0 then number = ngc.system end
   if number == ngc.system then refuse_with_compensation(name .. " for the system in force") end
@@ -68,8 +68,8 @@ end
 
 local function tool_of(words, name)
   local number = ngc.whole(words.p)
-  if number == nil or number < 1 then alarm("%s needs P, the number of a tool", name) end
-  return tool_table[number] or alarm("%s P%d: there is no tool %d in the tool table", name, number, number)
+  if number == nil or number < 1 then alarm("word-missing", "%s needs P, the number of a tool", name) end
+  return tool_table[number] or alarm("tool", "%s P%d: there is no tool %d in the tool table", name, number, number)
 end
 
 -- R, I, J and Q of a tool: radius, front and back angle, orientation.
@@ -80,7 +80,7 @@ local function set_shape(tool, words, name)
   if words.q ~= nil then
     local orientation = ngc.whole(words.q)
     if orientation == nil or orientation < 0 or orientation > LAST_ORIENTATION then
-      alarm("Q of %s is the orientation of a tool, a whole number from 0 to %d", name, LAST_ORIENTATION)
+      alarm("word-value", "Q of %s is the orientation of a tool, a whole number from 0 to %d", name, LAST_ORIENTATION)
     end
     tool.orientation = orientation
   end
@@ -138,7 +138,9 @@ local meanings = {
 word("G10", function(words)
   check_table(words, "G10")
   local meaning = words and meanings[ngc.whole(words.l) or -1]
-  if meaning == nil then alarm("G10 needs L: 1, 10 or 11 for tools, 2 or 20 for work coordinate systems") end
+  if meaning == nil then
+    alarm("word-missing", "G10 needs L: 1, 10 or 11 for tools, 2 or 20 for work coordinate systems")
+  end
   meaning(words)
 end)
 

@@ -12,13 +12,15 @@ local WITH_MOVE = " with the next move"
 local answer
 
 function env.on_input(f)
-  if f ~= nil and type(f) ~= "function" then alarm("on_input takes a function") end
+  if f ~= nil and type(f) ~= "function" then alarm("script", "on_input takes a function") end
   answer = f
 end
 
 local function number_of(value, name, letter)
   local whole = ngc.whole(value)
-  if whole == nil or whole < 0 then alarm("%s needs %s, the number of an input or output from 0 on", name, letter) end
+  if whole == nil or whole < 0 then
+    alarm("word-value", "%s needs %s, the number of an input or output from 0 on", name, letter)
+  end
   return whole
 end
 
@@ -42,8 +44,8 @@ local function analog(name, with_move)
     check_table(words, name)
     refuse_with_compensation(name)
     local number = number_of(words and words.e, name, "E")
-    if words.q == nil then alarm("%s needs Q, the value of the output", name) end
-    path.event("analog_output", ("E%d %.10g%s"):format(number, words.q, with_move and WITH_MOVE or ""),
+    if words.q == nil then alarm("word-missing", "%s needs Q, the value of the output", name) end
+    path.event("analog_output", ("E%d %.10g%s"):format(number, words.q + 0.0, with_move and WITH_MOVE or ""),
                with_move and "with_motion" or "at_rest")
     set_output("AO", number, words.q)
   end)
@@ -70,14 +72,18 @@ local function ask(kind, number, wait, timeout)
   if answer == nil then return ask_signal(kind, number, wait, timeout) end
   local value, waited = answer(kind, number, wait, timeout)
   if value == true then value = 1 elseif value == false then value = 0 end
-  if value ~= nil and type(value) ~= "number" then alarm("on_input's function returns a number, true, false or nil") end
+  if value ~= nil and type(value) ~= "number" then
+    alarm("script", "on_input's function returns a number, true, false or nil")
+  end
   if value == nil then return TIMED_OUT, timeout end
   return value, math.min(waited or 0, timeout)
 end
 
 -- Which input M66 reads: its kind and number.
 local function input_of(words)
-  if words.p ~= nil and words.e ~= nil then alarm("M66 reads a digital input (P) or an analog one (E), not both") end
+  if words.p ~= nil and words.e ~= nil then
+    alarm("word-out-of-place", "M66 reads a digital input (P) or an analog one (E), not both")
+  end
   if words.e ~= nil then return "analog", number_of(words.e, "M66", "E") end
   return "digital", number_of(words.p, "M66", "P or E")
 end
@@ -87,9 +93,13 @@ word("M66", function(words)
   refuse_with_compensation("M66")
   local kind, number = input_of(words or {})
   local wait, timeout = ngc.whole(words.l or 0), words.q or 0
-  if wait == nil or wait < 0 or wait > LAST_WAIT then alarm("L of M66 is a way to wait, from 0 to %d", LAST_WAIT) end
-  if wait ~= 0 and kind == "analog" then alarm("M66 reads an analog input at once: L is 0 there") end
-  if wait ~= 0 and timeout <= 0 then alarm("M66 L%d waits, and needs Q, the longest time in s", wait) end
+  if wait == nil or wait < 0 or wait > LAST_WAIT then
+    alarm("word-value", "L of M66 is a way to wait, from 0 to %d", LAST_WAIT)
+  end
+  if wait ~= 0 and kind == "analog" then alarm("word-value", "M66 reads an analog input at once: L is 0 there") end
+  if wait ~= 0 and timeout <= 0 then
+    alarm("word-missing", "M66 L%d waits, and needs Q, the longest time in s", wait)
+  end
   path.flush()
   local value, waited = ask(kind, number, wait, wait == 0 and 0 or timeout)
   if waited > 0 then path.dwell(waited) end

@@ -20,7 +20,9 @@ end
 local function shown(format, value)
   if value == nil then return UNKNOWN end
   local number = env.number(value)
-  return format:format(math.abs(number) < SHOWN_AS_ZERO and 0 or number)
+  local text = format:format(math.abs(number) < SHOWN_AS_ZERO and 0 or number)
+  if tonumber(text) == 0 and text:sub(1, 1) == "-" then return text:sub(2) end
+  return text
 end
 
 local function filled(text, ...)
@@ -44,9 +46,28 @@ end
 function env.parameter(name) return ngc.named(name) end
 
 local function check_text(text, name)
-  if type(text) ~= "string" then alarm("%s takes a text", name) end
+  if type(text) ~= "string" then alarm("script", "%s takes a text", name) end
   return text
 end
+
+-- (abort, text): the program ends in an alarm that says so. The values of its parameters are in the text.
+word("ABORT", function(text, ...)
+  local said = filled(check_text(text, "ABORT"), ...)
+  while said:sub(1, 1) == " " do said = said:sub(2) end
+  alarm("program-alarm", "%s", said ~= "" and said or "(abort,) without a text")
+end)
+
+-- Comments that run Python inside of LinuxCNC's interpreter, which may do anything.
+for name, shown in pairs { PY = "(py,)", PYRUN = "(pyrun,)" } do
+  word(name, function()
+    alarm("code-unsupported",
+      "%s runs Python of the control, which is not supported: take it out, or write in Lua what it does", shown)
+  end)
+end
+
+word("PYRELOAD", function()
+  core.warn("(pyreload) does nothing: there is no Python here")
+end)
 
 local function message(name, kind, is_shown)
   word(name, function(text, ...)

@@ -15,22 +15,28 @@ function ngc.check_spindle(words, name, all)
   check_table(words, name)
   local number = words and words.spindle
   if number ~= nil and number ~= 0 and not (all and number == -1) then
-    alarm("%s: there is one spindle, $0, and no $%.10g", name, number)
+    alarm("spindle", "%s: there is one spindle, $0, and no $%.10g", name, number)
   end
 end
 
 word("F", function(value)
   if not given(value, "F") then return end
-  if value < 0 then alarm("F is a feed from 0 on, not %.10g", value) end
-  state.feed, state.feed_unit_mm = value, state.unit_mm
+  if value < 0 then alarm("word-value", "F is a feed from 0 on, not %.10g", value) end
+  if state.feed_mode ~= "inverse" then state.feed = value end   -- in G93 F is that of its block
   if value > 0 then core.set_feed(value) else core.clear_feed() end
 end)
 
+local function drop_feed()
+  state.feed = 0
+  core.clear_feed()
+end
+
+-- G94 and G95 drop F even where they are in force already: F stands behind them, or in their block.
 local function feed_mode(name, mode)
   word(name, function()
-    if mode ~= state.feed_mode and mode ~= "inverse" then state.feed = 0 end
     state.feed_mode = mode
     core.set_feed_mode(mode)
+    if mode ~= "inverse" then drop_feed() end
   end)
 end
 feed_mode("G93", "inverse")
@@ -57,11 +63,13 @@ local function set_speed()
     rpm = 0
   end
   state.spindle_rpm = rpm
-  core.set_spindle(rpm)
+  spindle_speed(rpm)
 end
 
 local function speed(value, name)
-  if type(value) ~= "number" or value < 0 then alarm("S%s is a speed from 0 on, not %s", name, tostring(value)) end
+  if type(value) ~= "number" or value < 0 then
+    alarm("word-value", "S%s is a speed from 0 on, not %s", name, tostring(value))
+  end
   state.spindle_word = value
 end
 
@@ -105,11 +113,14 @@ word("M19", function(words)
   ngc.check_spindle(words, "M19", true)
   words = words or {}
   local angle, way = words.r or 0, ways[words.p or 0]
-  if angle < 0 or angle > WHOLE_TURN then alarm("R of M19 is an angle from 0 to 360 degrees, not %.10g", angle) end
-  if way == nil then alarm("P of M19 is 0, 1 or 2: the shortest way, clockwise or counterclockwise") end
-  if words.q ~= nil and words.q <= 0 then alarm("Q of M19 is a time above 0 s, not %.10g", words.q) end
+  if angle < 0 or angle > WHOLE_TURN then
+    alarm("word-value", "R of M19 is an angle from 0 to 360 degrees, not %.10g", angle)
+  end
+  if way == nil then alarm("word-value", "P of M19 is 0, 1 or 2: the shortest way, clockwise or counterclockwise") end
+  if words.q ~= nil and words.q <= 0 then alarm("word-value", "Q of M19 is a time above 0 s, not %.10g", words.q) end
   state.spindle = nil
-  path.event("spindle_orient", ("%.10g deg, %s"):format(angle, way))
+  local within = words.q and (", within %.10g s"):format(words.q) or ""   -- it is there at once
+  path.event("spindle_orient", ("%.10g deg, %s%s"):format(angle, way, within))
 end)
 
 -- --- Coolant ---
@@ -165,7 +176,8 @@ word("G64", function(words)
   refuse_with_compensation("G64")
   for letter, value in pairs(words or {}) do
     if (letter ~= "p" and letter ~= "q") or type(value) ~= "number" then
-      alarm("G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'", tostring(letter))
+      alarm("word-out-of-place", "G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'",
+        tostring(letter))
     end
   end
   local tolerance = words and words.p or 0
@@ -175,7 +187,7 @@ word("G64", function(words)
 end)
 
 local function refused(name, shown, reason)
-  word(name, function() alarm("%s is not supported: %s", shown, reason) end)
+  word(name, function() alarm("code-unsupported", "%s is not supported: %s", shown, reason) end)
 end
 refused("G7", "G7 (diameter mode)", "X is a radius here")
 for plane, axes_of_plane in pairs { G17_1 = "UV", G18_1 = "WU", G19_1 = "VW" } do
@@ -185,7 +197,7 @@ refused("G8", "G8 (radius mode)", "it is always in force, and G7 is not supporte
 
 -- A code that the translator put off: the subroutine around it is called after all.
 function env.unknown_code(code)
-  alarm("%s is no code of RS274/NGC", code)
+  alarm("code-unknown", "%s is no code of RS274/NGC", code)
 end
 
 end_motion()   -- axis words need a motion of the program's own

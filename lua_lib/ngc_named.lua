@@ -8,7 +8,8 @@ local UNDERSCORE = ("_"):byte()
 local function missing(_, name)
   local value = predefined[name]
   if value == nil then
-    alarm("the parameter #<%s> has no value here; give it one first (names without _ belong to their subroutine)",
+    alarm("variable",
+      "the parameter #<%s> has no value here; give it one first (names without _ belong to their subroutine)",
       tostring(name))
   end
   return value() + 0.0
@@ -19,7 +20,7 @@ local globals = setmetatable({}, { __index = missing })
 local scope = {
   __index = globals,
   __newindex = function(locals, name, value)
-    if predefined[name] then alarm("#<%s> is read-only: the control itself sets it", name) end
+    if predefined[name] then alarm("variable", "#<%s> is read-only: the control itself sets it", name) end
     rawset(name:byte() == UNDERSCORE and globals or locals, name, value)
   end,
 }
@@ -31,7 +32,12 @@ local function defined(name)
   return rawget(env.p, name) ~= nil or rawget(globals, name) ~= nil or predefined[name] ~= nil
 end
 
-function env.exists(name) return defined(name) and 1.0 or 0.0 end
+-- exists("depth") of a named parameter; exists(5) of #5: a numbered one exists where its number is one of a parameter.
+function env.exists(name)
+  local found
+  if type(name) == "number" then found = ngc.has_number(name) else found = defined(name) end
+  return found and 1.0 or 0.0
+end
 
 -- For comments: nil where there is no such parameter.
 function ngc.named(name)
@@ -106,7 +112,7 @@ predefine("_current_tool", function() return current_tool() end)
 predefine("_selected_tool", function() return selected_tool() end)
 
 -- The table has no pockets of its own: each tool stands in that of its number, and -1 is none.
-predefine("_current_pocket", function() return math.max(current_tool(), 1) end)
+predefine("_current_pocket", function() return current_tool() end)
 predefine("_selected_pocket", function() return selected_tool() > 0 and selected_tool() or -1 end)
 
 predefine("_tool_offset", function()

@@ -6,13 +6,14 @@ local SAME_POINT = 1e-9
 
 core.on_polar(function(words)
   if words.x ~= nil or words.y ~= nil then
-    alarm("a target is given by @ and ^ or by X and Y, not by both")
+    alarm("word-value", "a target is given by @ and ^ or by X and Y, not by both")
   end
   local program = program_position()
   local x, y = program.x / state.unit_mm, program.y / state.unit_mm
   local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
   if radius < SAME_POINT and (state.incremental or words.angle == nil) then
-    alarm("@ without ^, ^ without @ and increments of them need a present point that is not the zero point")
+    alarm("word-value",
+      "@ without ^, ^ without @ and increments of them need a present point that is not the zero point")
   end
   if state.incremental then
     radius, angle = radius + (words.radius or 0), angle + math.rad(words.angle or 0)

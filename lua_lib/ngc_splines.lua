@@ -45,19 +45,19 @@ end
 local function check(words, name, letters)
   check_table(words, name)
   refuse_with_compensation(name)
-  if state.plane ~= "xy" then alarm("%s is a curve in the XY plane (G17)", name) end
+  if state.plane ~= "xy" then alarm("mode", "%s is a curve in the XY plane (G17)", name) end
   for letter, value in pairs(words) do
     if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
-      alarm("%s is a curve in X and Y, and takes no word '%s'", name, tostring(letter))
+      alarm("word-out-of-place", "%s is a curve in X and Y, and takes no word '%s'", name, tostring(letter))
     end
-    if type(value) ~= "number" then alarm("%s: the value of %s is no number", name, letter:upper()) end
+    if type(value) ~= "number" then alarm("script", "%s: the value of %s is no number", name, letter:upper()) end
   end
 end
 
 -- Both of `a` and `b`, or neither where that is allowed.
 local function pair(words, a, b, name, optional)
   if words[a] == nil and words[b] == nil and optional then return nil end
-  if words[a] == nil or words[b] == nil then alarm("%s needs %s and %s", name, a:upper(), b:upper()) end
+  if words[a] == nil or words[b] == nil then alarm("word-missing", "%s needs %s and %s", name, a:upper(), b:upper()) end
   return { words[a], words[b] }
 end
 
@@ -74,7 +74,7 @@ word("G5", function(words)
   local first = pair(words, "i", "j", "G5", true) or goes_on and last_g5.lead or { 0, 0 }
   local last = pair(words, "p", "q", "G5")
   local target, named = core.target(words, " i j p q ")
-  if not named then alarm("G5 needs X or Y, its end") end
+  if not named then alarm("word-missing", "G5 needs X or Y, its end") end
   put_out(start, splines.bezier_chords {
     start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target })
   last_g5 = { point = target, lead = { -last[1], -last[2] } }
@@ -86,7 +86,7 @@ word("G5_1", function(words)
   check(words, "G5.1", " x y i j ")
   local middle = pair(words, "i", "j", "G5.1")
   local target, named = core.target(words, " i j ")
-  if not named then alarm("G5.1 needs X or Y, its end") end
+  if not named then alarm("word-missing", "G5.1 needs X or Y, its end") end
   local start = here()
   put_out(start, splines.bezier_chords { start, moved(start, middle[1], middle[2]), target })
 end)
@@ -96,18 +96,22 @@ local nurbs   -- control points, weights and order of the curve between G5.2 and
 local function add_control_point(words, first)
   check(words, "G5.2", " x y p l ")
   if words.l ~= nil and words.l > 1 then
-    if words.l % 1 ~= 0 then alarm("L of G5.2 is the order of the curve, a whole number, not %.10g", words.l) end
+    if words.l % 1 ~= 0 then
+      alarm("word-value", "L of G5.2 is the order of the curve, a whole number, not %.10g", words.l)
+    end
     nurbs.order = math.tointeger(words.l)
   end
-  if words.p ~= nil and words.p <= 0 then alarm("P of G5.2 is a weight above 0, not %.10g", words.p) end
+  if words.p ~= nil and words.p <= 0 then alarm("word-value", "P of G5.2 is a weight above 0, not %.10g", words.p) end
   if words.x == nil and words.y == nil then
-    if not first then alarm("a control point needs X and Y") end
+    if not first then alarm("word-missing", "a control point needs X and Y") end
     nurbs.weights[1] = words.p or 1   -- of the start
     return
   end
-  if not first and words.p == nil then alarm("a control point needs P, its weight") end
-  if words.x == nil or words.y == nil then alarm("a control point needs X and Y") end
-  if #nurbs.points == MOST_CONTROL_POINTS then alarm("a curve has up to %d control points", MOST_CONTROL_POINTS) end
+  if not first and words.p == nil then alarm("word-missing", "a control point needs P, its weight") end
+  if words.x == nil or words.y == nil then alarm("word-value", "a control point needs X and Y") end
+  if #nurbs.points == MOST_CONTROL_POINTS then
+    alarm("word-value", "a curve has up to %d control points", MOST_CONTROL_POINTS)
+  end
   nurbs.points[#nurbs.points + 1] = core.target(words, " p l ")
   nurbs.weights[#nurbs.weights + 1] = words.p or 1
 end
@@ -122,12 +126,15 @@ word("G5_2", function(words)
 end)
 
 word("G5_3", function()
-  if nurbs == nil or state.motion ~= "G5.2" then alarm("G5.3 ends a curve that G5.2 begins, and there is none") end
+  if nurbs == nil or state.motion ~= "G5.2" then
+    alarm("arc", "G5.3 ends a curve that G5.2 begins, and there is none")
+  end
   local curve = nurbs
   nurbs = nil
   end_motion()
   if #curve.points < curve.order then
-    alarm("a curve of order %d needs %d control points, the start among them, and has %d", curve.order, curve.order,
+    alarm("word-missing", "a curve of order %d needs %d control points, the start among them, and has %d",
+      curve.order, curve.order,
       #curve.points)
   end
   put_out(curve.points[1], splines.nurbs_chords(curve.points, curve.weights, curve.order))

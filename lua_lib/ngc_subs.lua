@@ -8,7 +8,7 @@ local subs = {}   -- { body, place } by number or name
 
 local function key_of(name)
   if type(name) == "string" then return name:lower() end
-  return ngc.whole(name) or alarm("the number of a subroutine is whole, not %s", tostring(name))
+  return ngc.whole(name) or alarm("word-value", "the number of a subroutine is whole, not %s", tostring(name))
 end
 
 local function shown(key) return type(key) == "string" and ("o<%s>"):format(key) or ("o%d"):format(key) end
@@ -18,20 +18,23 @@ function env.sub(name, body)
   core.note_place()
   local place = core.place()
   if subs[key] and subs[key].place ~= place then
-    alarm("%s sub stands twice; the first one is in line %d", shown(key), subs[key].place & 0xffffffff)
+    alarm("program-twice", "%s sub stands twice; the first one is in line %d", shown(key), subs[key].place & 0xffffffff)
   end
   subs[key] = { body = body, place = place }
 end
 
 local function find(key)
   if subs[key] == nil then load_file(key) end
-  return subs[key] or alarm("%s call: there is no such subroutine, neither in this file nor in a file beside it", shown(key))
+  return subs[key] or alarm("program-missing",
+    "%s call: there is no such subroutine, neither in this file nor in a file beside it", shown(key))
 end
 
 -- Begins a call: named parameters are new, and so are #1 to #30 where arguments are given (without them the
 -- caller's stay in force, as for M98). The result is for leave_call().
 function enter_call(what, arguments)
-  if state.depth >= MAX_DEPTH then alarm("%s call: subroutines are nested more than %d deep", what, MAX_DEPTH) end
+  if state.depth >= MAX_DEPTH then
+    alarm("nesting", "%s call: subroutines are nested more than %d deep", what, MAX_DEPTH)
+  end
   state.depth = state.depth + 1
   core.enter_program(what)
   local frame = { names = env.p, saved = ngc.saved_modes, numbered = arguments and ngc.swap_locals(arguments) }
@@ -45,6 +48,7 @@ function leave_call(frame)
   ngc.saved_modes = frame.saved
   env.p = frame.names
   if frame.numbered then ngc.swap_locals(frame.numbered) end
+  ngc.value = nil
   core.leave_program()
   state.depth = state.depth - 1
 end
@@ -52,7 +56,8 @@ end
 function env.call(name, ...)
   local key = key_of(name)
   if select("#", ...) > MAX_ARGUMENTS then
-    alarm("%s call has %d arguments; a subroutine takes up to %d", shown(key), select("#", ...), MAX_ARGUMENTS)
+    alarm("word-value", "%s call has %d arguments; a subroutine takes up to %d", shown(key), select("#", ...),
+      MAX_ARGUMENTS)
   end
   local found = find(key)
   core.note_place()
@@ -69,7 +74,7 @@ function env.result(value) return env.number(value) end
 -- Passes of o-repeat: the nearest whole number, of two the even one; below 0 there are none.
 function env.times(count)
   if type(count) ~= "number" or count ~= count or math.abs(count) > 2^53 then
-    alarm("the number of repeats is a number, not %s", tostring(count))
+    alarm("word-value", "the number of repeats is a number, not %s", tostring(count))
   end
   local below = math.floor(count)
   local part = count - below

@@ -31,13 +31,19 @@ function ngc.whole(value)
   return whole
 end
 
+local function whole_number(number)
+  return ngc.whole(number) or alarm("word-value", "the number of a parameter is whole, not %s", tostring(number))
+end
+
+function ngc.has_number(number)
+  local whole = whole_number(number)
+  return whole >= 1 and whole <= LAST
+end
+
 local function index(number)
-  local whole = ngc.whole(number)
-  if whole == nil then
-    alarm("the number of a parameter is whole, not %s", tostring(number))
-  end
+  local whole = whole_number(number)
   if whole < 1 or whole > LAST then
-    alarm("there is no parameter #%d; there are #1 to #%d", whole, LAST)
+    alarm("variable", "there is no parameter #%d; there are #1 to #%d", whole, LAST)
   end
   return whole
 end
@@ -56,7 +62,7 @@ env.v = setmetatable(values, {
   end,
   __newindex = function(held, number, value)
     local whole = index(number)
-    if computed[whole] then alarm("#%d is read-only: the control itself sets it", whole) end
+    if computed[whole] then alarm("variable", "#%d is read-only: the control itself sets it", whole) end
     rawset(held, whole, value)
   end,
 })
@@ -120,12 +126,14 @@ values[5599] = 1.0   -- debug messages are shown
 local function number_of(value)
   if value == true then return 1 end
   if not value then return 0 end
-  if type(value) ~= "number" then alarm("an expression has a value that is no number") end
+  if type(value) ~= "number" then alarm("script", "an expression has a value that is no number") end
   return value
 end
 
 local function finite(value, what)
-  if value ~= value or value == math.huge or value == -math.huge then alarm("%s has no finite value", what) end
+  if value ~= value or value == math.huge or value == -math.huge then
+    alarm("arithmetic", "%s has no finite value", what)
+  end
   return value + 0.0
 end
 
@@ -142,13 +150,13 @@ function env.XOR(a, b) return logical((number_of(a) ~= 0) ~= (number_of(b) ~= 0)
 -- From 0 up to below the size of b, whatever the signs.
 function env.MOD(a, b)
   a, b = number_of(a), math.abs(number_of(b))
-  if b == 0 then alarm("MOD by zero") end
+  if b == 0 then alarm("arithmetic", "MOD by zero") end
   return finite(a % b, "MOD")
 end
 
 function env.POW(a, b)
   a, b = number_of(a), number_of(b)
-  if a < 0 and b % 1 ~= 0 then alarm("%.10g ** %.10g: a negative number has whole powers only", a, b) end
+  if a < 0 and b % 1 ~= 0 then alarm("arithmetic", "%.10g ** %.10g: a negative number has whole powers only", a, b) end
   return finite(a ^ b, ("%.10g ** %.10g"):format(a, b))
 end
 
@@ -156,8 +164,8 @@ function env.EXP(a) return finite(math.exp(number_of(a)), "EXP") end
 
 -- The angle of the point (b, a), from -180 to 180.
 function env.ATAN(a, b)
-  if b == nil then alarm("ATAN takes two sides: ATAN[1]/[2]") end
-  return math.deg(math.atan(number_of(a), number_of(b)))
+  if b == nil then alarm("arithmetic", "ATAN takes two sides: ATAN[1]/[2]") end
+  return core.atan_deg(number_of(a), number_of(b))
 end
 
 function env.FIX(a) return math.floor(number_of(a)) + 0.0 end
@@ -165,6 +173,6 @@ function env.FUP(a) return math.ceil(number_of(a)) + 0.0 end
 
 -- Both are of other dialects.
 local function unknown(name)
-  return function() alarm("%s is no function of RS274/NGC", name) end
+  return function() alarm("syntax", "%s is no function of RS274/NGC", name) end
 end
 env.BIN, env.BCD = unknown("BIN"), unknown("BCD")

@@ -77,10 +77,10 @@ end
 
 -- An arc begins where the program is, as far as its plane goes.
 function elsewhere:arc(plane, ccw, first, second, sweep, target, feed, place)
-  local start, p = programmed_point(), planes[plane]
-  local function apart(letter) return math.abs(start[letter] - core.machine_position(letter)) > SAME_MM end
+  local start, view = programmed_point(), plane_view(plane)
+  local from, at = view:at(start), view:at(machine_point())
   lead_on()
-  if apart(p.first) or apart(p.second) then self.next:rapid(start, place) end
+  if math.abs(from[1] - at[1]) > SAME_MM or math.abs(from[2] - at[2]) > SAME_MM then self.next:rapid(start, place) end
   self.next:arc(plane, ccw, first, second, sweep, target, feed, place)
 end
 
@@ -108,6 +108,16 @@ function path.line(target, feed, kind)
     head:line(target, feed or core.take_feed(), kind, core.place())
   end
   moved(target)
+end
+
+-- A straight feed move that a signal ends, once all that is held back has gone out. See core.probe.
+function path.probe(target, away, signal)
+  path.flush()
+  if stands_elsewhere then lead_on() end
+  local found, at_start, point = core.probe(target, nil, nil, away, signal)
+  if head ~= machine then core.set_programmed(machine_point()) end
+  if after_move then after_move() end
+  return found, at_start, point
 end
 
 function path.arc(plane, ccw, first, second, sweep, target, feed)

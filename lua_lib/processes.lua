@@ -6,7 +6,9 @@ processes = core.processes
 local function start(background)
   return function(name, f)
     processes.join()
-    if type(f) ~= "function" then alarm("a process is a name and a function: process(\"left\", function() ... end)") end
+    if type(f) ~= "function" then
+      alarm("script", "a process is a name and a function: process(\"left\", function() ... end)")
+    end
     processes.start(name, function()
       f()
       processes.rest()

@@ -24,28 +24,39 @@ function env.program(name, body)
   -- RS274/NGC: an O-word that a program comes upon is only a mark; M99 behind it ends the run.
   if last and core.dialect == "rs274ngc" then last.following = own end
   last = own
+  -- Of several with one number the first one behind the main program is called (RS274/NGC has such files).
+  if name ~= nil and (programs[name] == nil or programs[name] == first) then programs[name] = run end
   first = first or run
-  if name ~= nil then programs[name] = run end
 end
 
 -- more(function): that program goes on, behind the definition of a subroutine.
 function env.more(body)
-  if last == nil then alarm("more() goes on with a program, and none has begun") end
+  if last == nil then alarm("script", "more() goes on with a program, and none has begun") end
   last[#last + 1] = body
 end
 
--- M99 in the main program goes back to its start, for as long as the limits of the run allow; a pass in which no
--- time goes by would repeat for ever.
+-- A main program that leads back to its start, or by its last block to one of its blocks, goes on for ever on the
+-- machine. Here it makes as many passes as are asked for.
+local passes = 0
+
+local function pass_ended(block)
+  passes = passes + 1
+  core.note_pass(passes, block)
+  return passes >= core.passes
+end
+
+-- Whether the jump back to that block, by which the main program ends, ends its last pass.
+function env.last_pass(block)
+  core.note_place()
+  return pass_ended(block)
+end
+
 function run_first()
   if first ~= nil then
     repeat
-      local began = core.time()
       local ended = first()
       path.flush()
-      if ended == TO_START and core.time() == began then
-        core.stop("M99 leads back to the start of the main program, and nothing moves in between: an endless loop")
-      end
-    until ended ~= TO_START
+    until ended ~= TO_START or pass_ended()
   end
   path.flush()
 end
@@ -72,20 +83,20 @@ end
 -- The body of the program with this number, in this file or beside it.
 function find_program(number)
   return programs[number] or load_beside(number)
-    or alarm("there is no program O%d, neither in this file nor beside it", number)
+    or alarm("program-missing", "there is no program O%d, neither in this file nor beside it", number)
 end
 
 local function whole(value, name)
   value = nearly_whole(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MOST then
-    alarm("%s of M98 is a whole number from 0 to %d, not %s", name, MOST, tostring(value))
+    alarm("word-value", "%s of M98 is a whole number from 0 to %d, not %s", name, MOST, tostring(value))
   end
   return math.tointeger(value)
 end
 
 -- Around each call; a dialect in which a program has more of its own puts others in their place.
 function enter_call(name)
-  if state.depth == MAX_DEPTH then alarm("%s: programs are nested more than %d deep", name, MAX_DEPTH) end
+  if state.depth == MAX_DEPTH then alarm("nesting", "%s: programs are nested more than %d deep", name, MAX_DEPTH) end
   state.depth = state.depth + 1
   core.enter_program(name)
 end
@@ -97,10 +108,12 @@ end
 
 -- run(name): the first program of a file beside the script, on this robot. Its end, M30 say, ends it alone.
 function env.run(name)
-  if type(name) ~= "string" then alarm("run takes the name of a part program beside the script: run(\"part.nc\")") end
+  if type(name) ~= "string" then
+    alarm("script", "run takes the name of a part program beside the script: run(\"part.nc\")")
+  end
   local found, body = load_file(name)
-  if not found then alarm("there is no file '%s' beside the script", name) end
-  if body == nil then alarm("the file '%s' has no program", name) end
+  if not found then alarm("program-missing", "there is no file '%s' beside the script", name) end
+  if body == nil then alarm("program-missing", "the file '%s' has no program", name) end
   local frame = enter_call(name)
   core.run_to_end(body)
   path.flush()
@@ -127,10 +140,11 @@ end
 
 -- M98{p=2, l=3}; the translator adds `true` where the caller can go on at any of its blocks.
 word("M98", function(words, can_jump)
-  if type(words) ~= "table" or words.p == nil then alarm("M98 needs P, the program that it calls") end
+  if type(words) ~= "table" or words.p == nil then alarm("word-missing", "M98 needs P, the program that it calls") end
   local block = call_program(whole(words.p, "P"), words.l == nil and 1 or whole(words.l, "L"))
   if block and not can_jump then
-    alarm("M99 P%d of the called program asks to go on at N%d of this one, which can only be done where both are in one "
+    alarm("jump",
+      "M99 P%d of the called program asks to go on at N%d of this one, which can only be done where both are in one "
       .. "file", block, block)
   end
   return block

@@ -3,7 +3,7 @@
 state = {
   plane = "xy",
   incremental = false,
-  unit_mm = 1,          -- mm of one program unit on a linear axis
+  unit_mm = core.unit_mm_at_start,   -- mm of one program unit on a linear axis
   frame = "54",         -- work coordinate system in force
   g52 = {}, g92 = {},   -- offsets by axis letter, mm or deg
   polar = false,
@@ -80,11 +80,13 @@ end
 
 -- Defines a word of the language. A call counts as part of a block at the line where the script makes it.
 function word(name, meaning)
-  env[name] = core.word(word_id(), meaning)
+  env[name] = core.word(word_id(), with_known_keys(name, meaning))
 end
 
-function alarm(text, ...)
-  core.alarm(text:format(...))
+-- Ends the run. `kind` is the code of a kind of diagnostic (text/diagnostic_kind.cpp); the text and its values are as
+-- for string.format.
+function alarm(kind, text, ...)
+  core.alarm(kind, text:format(...))
 end
 
 function copied(values)
@@ -95,11 +97,13 @@ end
 
 -- The words of a move, in a table by their letters; nil counts as none.
 function check_table(words, name)
-  if words ~= nil and type(words) ~= "table" then alarm("%s takes its words in braces: %s{x=1, y=2}", name, name) end
+  if words ~= nil and type(words) ~= "table" then
+    alarm("script", "%s takes its words in braces: %s{x=1, y=2}", name, name)
+  end
 end
 
 -- The value of a word that stands alone: nil is a vacant variable, and the word counts as left out.
 function given(value, name)
-  if value ~= nil and type(value) ~= "number" then alarm("%s takes a number", name) end
+  if value ~= nil and type(value) ~= "number" then alarm("script", "%s takes a number", name) end
   return value ~= nil
 end

@@ -7,8 +7,13 @@ local function switch(kind, act)
   end
 end
 
-word("M8", switch("jet_on", function() core.jet(true) end))
-word("M9", switch("jet_off", function() core.jet(false) end))
+-- Where the machine file does not say what switches the process ([process]), this is a waterjet.
+local function jet(on)
+  if core.process == nil then return function() core.set_process(on, false) end end
+end
+
+word("M8", switch("jet_on", jet(true)))
+word("M9", switch("jet_off", jet(false)))
 word("M10", switch("abrasive_on"))
 word("M11", switch("abrasive_off"))
 

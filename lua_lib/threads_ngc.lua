@@ -2,21 +2,16 @@
 
 local function needed(words, letter, name)
   local value = cycle_word(words, letter, name)
-  if value == nil then alarm("%s needs %s", name, letter:upper()) end
+  if value == nil then alarm("word-missing", "%s needs %s", name, letter:upper()) end
   return value
-end
-
-local function check_modes(name)
-  if core.in_machine_frame() then alarm("%s cannot be used with G53, which holds for G0 and G1", name) end
-  refuse_with_compensation(name)
 end
 
 -- The target; other words that may stand there are in `others`, each between blanks.
 local function axis_words(words, name, others)
   check_table(words, name)
-  check_modes(name)
+  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
   local target, moved = core.target(words or {}, others)
-  if not moved then alarm("%s needs axis words", name) end
+  if not moved then alarm("word-missing", "%s needs axis words", name) end
   ngc.check_spindle(words, name)
   return target
 end
@@ -24,23 +19,30 @@ end
 local function refuse_rotary(words, name)
   for _, axis in ipairs(axes) do
     if axis.rotary and words[axis.letter] ~= nil then
-      alarm("%s moves linear axes only; %s cannot stand in its block", name, axis.letter:upper())
+      alarm("word-out-of-place", "%s moves linear axes only; %s cannot stand in its block", name, axis.letter:upper())
     end
   end
 end
 
+-- With K0 LinuxCNC lets the spindle be: the move goes at the feed in force.
 local function thread(words)
+  refuse_beside_path("G33")
   local target = axis_words(words, "G33", " k spindle ")
-  path.line(target, thread_feed(needed(words, "k", "G33") * state.unit_mm, "G33"), "thread")
+  local pitch = needed(words, "k", "G33")
+  if state.spindle == nil then
+    alarm("spindle", "G33 moves in step with the spindle, which does not turn (S and M3 or M4)")
+  end
+  path.line(target, pitch ~= 0 and thread_feed(pitch * state.unit_mm, "G33") or nil, "thread")
 end
 
 -- Down and, with the spindle reversed, back to the start; I is how many times faster the way back is.
 local function rigid_tap(words)
+  refuse_beside_path("G33.1")
   local target = axis_words(words, "G33.1", " i k spindle ")
   refuse_rotary(words, "G33.1")
   local pitch = needed(words, "k", "G33.1") * state.unit_mm
   local faster = cycle_word(words, "i", "G33.1") or 1
-  if not (faster > 0) then alarm("I of G33.1 is a factor of speed above 0, not %.10g", faster) end
+  if not (faster > 0) then alarm("word-value", "I of G33.1 is a factor of speed above 0, not %.10g", faster) end
   local start, forth = programmed_point(), state.spindle
   path.line(target, thread_feed(pitch, "G33.1"), "thread")
   turn_spindle(forth == "cw" and "ccw" or "cw")
@@ -64,15 +66,19 @@ local function thread_words(words)
     taper = (cycle_word(words, "e", "G76") or 0) * unit,
     tapered_ends = cycle_word(words, "l", "G76") or 0,
   }
-  if t.peak == 0 then alarm("I of G76, from the drive line to the crest of the thread, is not 0") end
-  if t.first_cut <= 0 then alarm("J of G76, the depth of the first cut, is above 0, not %.10g", words.j) end
-  if t.full_depth <= t.first_cut then
-    alarm("K of G76, the full depth, is above J: K%.10g is not above J%.10g", words.k, words.j)
+  if t.peak == 0 then alarm("word-value", "I of G76, from the drive line to the crest of the thread, is not 0") end
+  if t.first_cut <= 0 then
+    alarm("word-value", "J of G76, the depth of the first cut, is above 0, not %.10g", words.j)
   end
-  if math.abs(t.slant) >= math.pi / 2 then alarm("Q of G76 is an angle below 90 degrees, not %.10g", words.q) end
-  if t.taper < 0 then alarm("E of G76, the length of a taper, is 0 or more, not %.10g", words.e) end
+  if t.full_depth <= t.first_cut then
+    alarm("word-value", "K of G76, the full depth, is above J: K%.10g is not above J%.10g", words.k, words.j)
+  end
+  if math.abs(t.slant) >= math.pi / 2 then
+    alarm("word-value", "Q of G76 is an angle below 90 degrees, not %.10g", words.q)
+  end
+  if t.taper < 0 then alarm("word-value", "E of G76, the length of a taper, is 0 or more, not %.10g", words.e) end
   if t.tapered_ends % 1 ~= 0 or t.tapered_ends < 0 or t.tapered_ends > 3 then
-    alarm("L of G76 is 0 (no taper), 1 (at the entry), 2 (at the exit) or 3 (both), not %.10g", words.l)
+    alarm("word-value", "L of G76 is 0 (no taper), 1 (at the entry), 2 (at the exit) or 3 (both), not %.10g", words.l)
   end
   return t
 end
@@ -115,15 +121,18 @@ local function pass(tool, t, depth)
 end
 
 local function threading_cycle(words)
+  refuse_with_compensation("G76")
   local target = axis_words(words, "G76", " p i j k r q h e l spindle ")
   refuse_rotary(words, "G76")
   local t, here = thread_words(words), program_position()
   t.drive, t.from, t.to = here.x, here.z, core.to_program(target).z
   local tool = lathe_tool(here)
   local depth, number = t.first_cut, 1
-  while depth < t.full_depth do
+  -- LinuxCNC counts depths from the drive line, in program units, which decides about a pass where rounding does.
+  local drive, unit = math.abs(t.peak) / state.unit_mm, state.unit_mm
+  while drive + depth / unit < drive + t.full_depth / unit do
     if number > MOST_PASSES then
-      alarm("G76 would take more than %d passes; J is too small or R too large", MOST_PASSES)
+      alarm("word-value", "G76 would take more than %d passes; J is too small or R too large", MOST_PASSES)
     end
     pass(tool, t, depth)
     number = number + 1

@@ -48,14 +48,16 @@ local function tool_entry(number, name)
     core.warn("there is no tool table (section TOOL of the machine data): all tools have the length 0")
     return nil
   end
-  if tool == nil then alarm("%s%d: there is no such number in the tool table; %s", name, number, known_numbers()) end
+  if tool == nil then
+    alarm("tool", "%s%d: there is no such number in the tool table; %s", name, number, known_numbers())
+  end
   return tool
 end
 
 local function whole(value, name)
   value = nearly_whole(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > 2^31 - 1 then
-    alarm("%s is a whole number from 0 on, not %s", name, tostring(value))
+    alarm("word-value", "%s is a whole number from 0 on, not %s", name, tostring(value))
   end
   return math.tointeger(value)
 end
@@ -128,7 +130,7 @@ end
 local function tip_control(offset)
   for letter, value in pairs(offset) do
     if value ~= 0 and not ("xyz"):find(letter, 1, true) then
-      alarm("G43.4: the tool has an offset along %s; only those along X, Y and Z turn with it", letter:upper())
+      alarm("tool", "G43.4: the tool has an offset along %s; only those along X, Y and Z turn with it", letter:upper())
     end
   end
   offset_in_force({})
@@ -139,7 +141,9 @@ end
 
 -- What means places of the axes themselves.
 function refuse_with_tip_control(what)
-  if core.tip_control() then alarm("%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what) end
+  if core.tip_control() then
+    alarm("mode", "%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what)
+  end
 end
 
 local function off()
@@ -207,7 +211,7 @@ local function ngc_words()
     local function add(letter, value) offset[letter] = (offset[letter] or 0) + value end
     local named = each_axis(words or {}, "G43.2", " h ", add)
     if named == (number ~= nil) then
-      alarm("G43.2 adds the offset of a tool (H), or those of its axis words")
+      alarm("tool", "G43.2 adds the offset of a tool (H), or those of its axis words")
     end
     if number ~= nil then
       for letter, value in pairs(offsets_of(number, "H")) do add(letter, value) end
@@ -218,7 +222,9 @@ local function ngc_words()
   -- The tool that is in the spindle already, without a change.
   word("M61", function(words)
     check_table(words, "M61")
-    if words == nil or words.q == nil then alarm("M61 needs Q, the number of the tool in the spindle") end
+    if words == nil or words.q == nil then
+      alarm("word-missing", "M61 needs Q, the number of the tool in the spindle")
+    end
     local number = whole(words.q, "Q of M61")
     tool_entry(number, "Q")
     loaded = number

@@ -5,10 +5,14 @@ local LAST = 999
 
 local defined = {}
 local ids = {}   -- word id by number: a code that is defined anew keeps its id
+local watchers = {}
+
+local function nothing() end
 
 local function undefined(number)
   return function()
-    alarm("M%s means nothing on this machine; define it before the program runs: M[%s] = function(words) ... end",
+    alarm("code-unknown",
+      "M%s means nothing on this machine; define it before the program runs: M[%s] = function(words) ... end",
       tostring(number), tostring(number))
   end
 end
@@ -16,26 +20,39 @@ end
 local function check(number, meaning)
   local whole = math.tointeger(number)
   if whole == nil or whole < 0 or whole > LAST then
-    alarm("M[%s]: the number of an M code is a whole number from 0 to %d", tostring(number), LAST)
+    alarm("script", "M[%s]: the number of an M code is a whole number from 0 to %d", tostring(number), LAST)
   end
-  if rawget(env, "M" .. whole) ~= nil then alarm("M[%d]: M%d is a code of the control itself", whole, whole) end
+  if rawget(env, "M" .. whole) ~= nil then
+    alarm("script", "M[%d]: M%d is a code of the control itself", whole, whole)
+  end
   if meaning ~= nil and type(meaning) ~= "function" then
-    alarm("M[%d] takes a function: M[%d] = function(words) ... end", whole, whole)
+    alarm("script", "M[%d] takes a function: M[%d] = function(words) ... end", whole, whole)
   end
   return whole
 end
 
-local function define(number, meaning)
-  local whole = check(number, meaning)
-  if meaning == nil then
-    defined[whole] = nil
-    return
-  end
+local function make_word(whole, meaning)
   ids[whole] = ids[whole] or word_id()
   defined[whole] = core.word(ids[whole], function(words)
     check_table(words, ("M[%d]"):format(whole))
+    if watchers[whole] then return watchers[whole](words or {}, meaning) end
     return meaning(words or {})
   end)
+end
+
+local function define(number, meaning)
+  local whole = check(number, meaning)
+  if meaning == nil and watchers[whole] == nil then
+    defined[whole] = nil
+  else
+    make_word(whole, meaning or nothing)
+  end
+end
+
+-- watch(words, meaning) is called in place of the code's meaning, which does nothing until someone defines it.
+function watch_user_code(number, watch)
+  watchers[number] = watch
+  make_word(number, nothing)
 end
 
 env.M = setmetatable({}, {

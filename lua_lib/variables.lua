@@ -5,9 +5,11 @@ local LAST_LOCAL, FIRST_COMMON, LAST_COMMON, FIRST_PERMANENT, LAST_PERMANENT = 3
 -- The whole number that an index means; expressions may miss it by rounding.
 local function index(number)
   number = number or 0
-  if type(number) ~= "number" or number ~= number then alarm("the number of a variable is no number") end
+  if type(number) ~= "number" or number ~= number then alarm("script", "the number of a variable is no number") end
   local whole = math.floor(number + 0.5)
-  if math.abs(number - whole) > 1e-6 then alarm("there is no variable #%.10g: the number is not whole", number) end
+  if math.abs(number - whole) > 1e-6 then
+    alarm("variable", "there is no variable #%.10g: the number is not whole", number)
+  end
   local exists = whole >= 0 and whole <= LAST_LOCAL
     or whole >= FIRST_COMMON and whole <= LAST_COMMON
     or whole >= FIRST_PERMANENT and whole <= LAST_PERMANENT
@@ -15,7 +17,7 @@ local function index(number)
 end
 
 local function unknown(number)
-  alarm("there is no variable #%d; there are #1 to #33, #100 to #199, #500 to #999, and %s", number,
+  alarm("variable", "there is no variable #%d; there are #1 to #33, #100 to #199, #500 to #999, and %s", number,
     system_variables())
 end
 
@@ -39,7 +41,7 @@ env.v = setmetatable(variables, {
   end,
   __newindex = function(held, number, value)
     local whole, exists = index(number)
-    if whole == 0 then alarm("#0 is always vacant; nothing can be put into it") end
+    if whole == 0 then alarm("variable", "#0 is always vacant; nothing can be put into it") end
     local remark = text
     text = nil
     if exists then
@@ -70,7 +72,7 @@ end
 
 local function number_of(value)
   if value == nil then return 0 end
-  if type(value) ~= "number" then alarm("an expression has a value that is no number") end
+  if type(value) ~= "number" then alarm("script", "an expression has a value that is no number") end
   return value
 end
 
@@ -82,22 +84,22 @@ end
 -- AND, OR and XOR work on whole numbers.
 local function bits(value)
   local whole = rounded(value)
-  return math.tointeger(whole) or alarm("%.10g is too large for AND, OR and XOR", whole)
+  return math.tointeger(whole) or alarm("arithmetic", "%.10g is too large for AND, OR and XOR", whole)
 end
 
 local function in_domain(name, value, ok)
-  if not ok then alarm("%s of %.10g has no value", name, value) end
+  if not ok then alarm("arithmetic", "%s of %.10g has no value", name, value) end
 end
 
 function env.div(a, b)
   a, b = number_of(a), number_of(b)
-  if b == 0 then alarm("division by zero") end
+  if b == 0 then alarm("arithmetic", "division by zero") end
   return a / b
 end
 
 function env.MOD(a, b)
   a, b = number_of(a), number_of(b)
-  if b == 0 then alarm("MOD by zero") end
+  if b == 0 then alarm("arithmetic", "MOD by zero") end
   return a - b * math.floor(a / b)
 end
 
@@ -106,26 +108,26 @@ function env.OR(a, b) return (bits(a) | bits(b)) + 0.0 end
 function env.XOR(a, b) return (bits(a) ~ bits(b)) + 0.0 end
 
 -- Angles are in degrees.
-function env.SIN(a) return math.sin(math.rad(number_of(a))) end
-function env.COS(a) return math.cos(math.rad(number_of(a))) end
-function env.TAN(a) return math.tan(math.rad(number_of(a))) end
+function env.SIN(a) return core.sin_deg(number_of(a)) end
+function env.COS(a) return core.cos_deg(number_of(a)) end
+function env.TAN(a) return core.tan_deg(number_of(a)) end
 
 function env.ASIN(a)
   a = number_of(a)
   in_domain("ASIN", a, a >= -1 and a <= 1)
-  return math.deg(math.asin(a))
+  return core.asin_deg(a)
 end
 
 function env.ACOS(a)
   a = number_of(a)
   in_domain("ACOS", a, a >= -1 and a <= 1)
-  return math.deg(math.acos(a))
+  return core.acos_deg(a)
 end
 
 -- One side: -90 to 90; two sides (ATAN[a]/[b]): the angle of the point (b, a), 0 to 360.
 function env.ATAN(a, b)
-  if b == nil then return math.deg(math.atan(number_of(a))) end
-  local angle = math.deg(math.atan(number_of(a), number_of(b)))
+  if b == nil then return core.atan_deg(number_of(a)) end
+  local angle = core.atan_deg(number_of(a), number_of(b))
   return angle < 0 and angle + 360 or angle
 end
 
@@ -150,7 +152,7 @@ function env.FUP(a) a = number_of(a) return (a < 0 and math.floor(a) or math.cei
 -- BIN reads each four bits as a decimal digit, BCD is its inverse.
 local function digits(value, from, to)
   local rest, result, weight = bits(value), 0, 1
-  if rest < 0 then alarm("BIN and BCD take numbers from 0 on") end
+  if rest < 0 then alarm("arithmetic", "BIN and BCD take numbers from 0 on") end
   while rest > 0 do
     result = result + (rest % from) * weight
     rest, weight = rest // from, weight * to
@@ -167,14 +169,14 @@ function env.number(condition) return condition and 1.0 or 0.0 end
 function env.goto_target(value)
   core.note_place()
   local whole = rounded(value)
-  if math.abs(number_of(value) - whole) > 1e-6 then alarm("GOTO %.10g: a block number is whole", value) end
+  if math.abs(number_of(value) - whole) > 1e-6 then alarm("jump", "GOTO %.10g: a block number is whole", value) end
   return whole
 end
 
 -- Stands at the end of the program; the place is that of the GOTO.
 function env.no_target(number)
-  core.alarm_at_noted_place(
-    ("GOTO %.10g: no block of this program has that number (a computed GOTO does not lead into loops)"):format(number))
+  core.alarm_at_noted_place("jump", ("GOTO %.10g: no block of this program has that number "
+    .. "(a computed GOTO does not lead into loops from outside)"):format(number))
 end
 
 -- Block delete: /n is skipped where the operator has switched block delete on.

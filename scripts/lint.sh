@@ -1,10 +1,9 @@
 #!/bin/bash
 # Looks at our own sources without running them.
-# Usage: scripts/lint.sh format          is everything formatted as .clang-format says?
-#        scripts/lint.sh tidy BUILD [COMMITS]
-#                                        clang-tidy (.clang-tidy) over the programs' sources; BUILD holds a finished build,
-#                                        since the generated parser's headers are read. COMMITS: only over what that many
-#                                        of the last commits changed, and what includes a header that they changed
+# Usage: scripts/lint.sh format         is everything formatted as .clang-format says?
+#        scripts/lint.sh tidy           clang-tidy (.clang-tidy) over all sources of the programs, in batches: most of the time goes into
+#                                       headers, which are looked at once for each batch
+#        scripts/lint.sh alone COMMITS  does each source that the last commits changed compile by itself? Batches hide a missing #include
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -21,24 +20,19 @@ format() {
     return $code
 }
 
-# The sources that the last commits changed, and those that include a header that they changed.
-changed() {
-    local base=$1 file
-    git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
-        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi
-    done | grep -E "^($rooms)/" | sort -u
+# The generated headers, and compile_commands.json, in a folder. Usage: prepare FOLDER [options of cmake]
+prepare() {
+    cmake --preset lint -B "$@" >/dev/null
+    cmake --build "$1" --target generated >/dev/null
 }
 
-# The rooms are anchored at this folder, so that what flex and bison wrote below BUILD stays out.
+# Batches include sources. g++'s parameters are not clang's.
 tidy() {
-    local log base own="^$PWD/($rooms)/"
-    local sources=("$own.*\.cpp$")
-    if (($# > 1)) && base=$(git rev-parse --verify --quiet "HEAD~$2"); then
-        mapfile -t sources < <(changed "$base" | sed -e 's/\./\\./g' -e "s|.*|^$PWD/&\$|")
-        ((${#sources[@]})) || return 0
-    fi
+    local log own="^$PWD/($rooms)/"
+    prepare build-lint
     log=$(mktemp)
-    if run-clang-tidy -quiet -j "$(scripts/jobs.sh)" -p "$1" -header-filter="$own" "${sources[@]}" >"$log" 2>&1; then
+    if run-clang-tidy -quiet -j "$(scripts/jobs.sh)" -p build-lint -header-filter="$own" \
+        "^$PWD/build-lint/($rooms)/.*/Unity/" "$own.*\.cpp\$" >"$log" 2>&1; then
         rm -f "$log"
         return
     fi
@@ -47,11 +41,27 @@ tidy() {
     return 1
 }
 
+# The sources that the last commits changed, and those that include a header that they changed.
+changed() {
+    local base=$1 file
+    git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
+        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi
+    done | grep -E "^($rooms|tests)/" | sort -u
+}
+
+alone() {
+    local base
+    base=$(git rev-parse --verify --quiet "HEAD~$1" || git rev-list --max-parents=0 HEAD)
+    prepare build-alone -DCMAKE_UNITY_BUILD=OFF -DGSIM_TESTS=ON
+    changed "$base" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
+}
+
 case ${1:-} in
 format) format ;;
-tidy) tidy "${2:?the build folder}" "${@:3}" ;;
+tidy) tidy ;;
+alone) alone "${2:?how many commits}" ;;
 *)
-    echo "usage: $0 format | tidy BUILD [COMMITS]" >&2
+    echo "usage: $0 format | tidy | alone COMMITS" >&2
     exit 2
     ;;
 esac

@@ -14,7 +14,7 @@ namespace {
 constexpr double kClearance_mm = 1e-4;
 constexpr double kTime_s = 1e-9;
 constexpr double kOut_mm = 1e-5;
-constexpr int kMaxParts = 20'000;  // of one search; beyond it what is known by then is the answer
+constexpr int kMaxMotionParts = 20'000;  // of one search; beyond it what is known by then is the answer
 
 /// A box along the axes of a frame.
 struct AxisBox {
@@ -68,9 +68,9 @@ Nearness BodyPair::nearness_in(const MotionPart& part, double enough_mm) const {
     return {std::max(0.0, gap.lower_mm - bend_mm), upper_mm, fixed * gap.on_second};
 }
 
-bool BodyPair::overlaps(const LinkFrames& links, const Vector3d& normal) const {
+bool BodyPair::overlaps(const LinkFrames& links, const Vector3d& normal, double out_mm) const {
     Isometry3d pose = second.in_world(links).inverse() * first.in_world(links);
-    pose.pretranslate(kOut_mm * normal);
+    pose.pretranslate((out_mm + kOut_mm) * normal);
     return gap_between(*first.shape, pose, *second.shape, kContact_mm).upper_mm < kContact_mm;
 }
 
@@ -83,7 +83,7 @@ Nearness BodyPair::nearest(const SegmentMotion& motion, const MotionPart& part, 
     best = nearer(nearness_at(part.to, best.upper_mm), best);
     std::priority_queue<Waiting> waiting;
     waiting.push({look.lower_mm, part});
-    for (int parts = 0; !waiting.empty() && parts < kMaxParts; ++parts) {
+    for (int parts = 0; !waiting.empty() && parts < kMaxMotionParts; ++parts) {
         const Waiting next = waiting.top();
         best.lower_mm = std::min(best.upper_mm, next.lower_mm);
         if (best.upper_mm - next.lower_mm <= kClearance_mm || next.part.to_s - next.part.from_s <= kTime_s)
@@ -106,7 +106,7 @@ std::optional<Touch> BodyPair::first_touch(const SegmentMotion& motion, const Mo
     constexpr double kLook_mm = 1;  // how far off a normal is still worth to be known
     std::vector<MotionPart> waiting{part};
     Touch touch{0, Vector3d::Zero(), std::nullopt};
-    for (int parts = 0; !waiting.empty() && parts < kMaxParts; ++parts) {
+    for (int parts = 0; !waiting.empty() && parts < kMaxMotionParts; ++parts) {
         const MotionPart next = std::move(waiting.back());
         waiting.pop_back();
         if (nearness_in(next, 2 * kContact_mm).lower_mm > kContact_mm) continue;

@@ -55,8 +55,8 @@ struct BodyPair {
     /// In a part of a motion, as well as one look can tell: the second is met by the hull of the first one's
     /// places at both ends, as far as the bend reaches.
     Nearness nearness_in(const MotionPart& part, double enough_mm) const;
-    /// Whether they still overlap with the first moved out by 1e-5 mm.
-    bool overlaps(const LinkFrames& links, const Eigen::Vector3d& normal) const;
+    /// Whether they still overlap with the first moved out by `out_mm` and 1e-5 mm more.
+    bool overlaps(const LinkFrames& links, const Eigen::Vector3d& normal, double out_mm = 0) const;
 
     /// The least distance in a part of a motion, to 1e-4 mm; what is not below `enough_mm` is told as that.
     Nearness nearest(const SegmentMotion& motion, const MotionPart& part, double enough_mm) const;

@@ -89,7 +89,7 @@ class CellReader {
     std::size_t find_frame(TomlSection& section, std::string_view key, std::string_view name) {
         if (const auto frame = cell_.frames.find(name)) return *frame;
         const std::vector<std::string_view> names = cell_.frames.names();
-        const auto nearest = machine::nearest_name(name, names);
+        const auto nearest = text::nearest_name(name, names);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
                                          : fmt::format("there are: {}", fmt::join(names, ", "));
         section.fail(key, fmt::format("nothing above is called '{}'; {}", name, hint));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/cell/touch_search.h"
+
 namespace gsim::cell {
 
 namespace {
@@ -20,7 +22,11 @@ ClearanceWatch::ClearanceWatch(const Cell& cell, const machine::Machine& machine
 void ClearanceWatch::make_pairs() {
     parents_ = carried_parents(cell_);
     pairs_.clear();
-    for (MeetingPair& pair : meeting_pairs(cell_, *kinematics_)) pairs_.push_back({std::move(pair)});
+    for (MeetingPair& pair : meeting_pairs(cell_, *kinematics_)) {
+        const bool by_probe = probes(cell_, pair.items.first) != probes(cell_, pair.items.second);
+        const bool feels = by_probe && !pair.with_jet;
+        pairs_.push_back({std::move(pair), feels});
+    }
 }
 
 void ClearanceWatch::frames_changed() {
@@ -30,10 +36,12 @@ void ClearanceWatch::frames_changed() {
         pair.bodies.second = body_of(cell_, pair.items.second);
         pair.at_least_mm = 0;
         pair.contact.reset();
+        pair.touched.reset();
     }
 }
 
-void ClearanceWatch::take(const motion::Segment& segment, bool jet_on) {
+void ClearanceWatch::take(const motion::Segment& segment, bool jet_on, bool probing) {
+    probing_ = probing;
     double from_s = 0;
     double to_s = 0;
     do {
@@ -85,22 +93,39 @@ std::vector<DriftingLink> ClearanceWatch::drifting(double time_s) {
 
 void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
     if (pair.contact) return go_on_in_contact(motion, whole, pair, 0);
+    if (pair.touched) return go_on_touched(motion, whole, pair);
     const double least_mm = nearest_ ? nearest_->distance_mm : cell_.clearance_mm;
     const double cutoff_mm = std::max(least_mm, kLeastCutoff_mm);
     const double way_mm = pair.bodies.bound(whole).way_mm;
     if (pair.at_least_mm - way_mm > cutoff_mm) {
         pair.at_least_mm -= way_mm;
+        pair.probed = false;
         return;
     }
     const Nearness nearness = pair.bodies.nearest(motion, whole, cutoff_mm);
     pair.at_least_mm = nearness.lower_mm;
-    if (nearness.lower_mm <= kContact_mm) begin_contact(motion, whole, pair);
-    note(nearness, pair);
+    const bool let_near = is_let_near(whole, pair);
+    if (nearness.lower_mm <= kContact_mm) {
+        if (probing_ && pair.by_probe) {
+            probe_contact(motion, whole, pair);
+        } else {
+            begin_contact(motion, whole, pair);
+        }
+    }
+    if (!let_near) note(nearness, pair);
 }
 
 void ClearanceWatch::note(const Nearness& nearness, const Watched& pair) {
     const double least_mm = nearest_ ? nearest_->distance_mm : cell_.clearance_mm;
     if (nearness.upper_mm < least_mm) nearest_ = {nearness.upper_mm, pair.items, nearness.point_mm};
+}
+
+/// Whether how near a pair comes in a part is the probe's business.
+bool ClearanceWatch::is_let_near(const MotionPart& whole, Watched& pair) const {
+    if (!pair.by_probe || !(probing_ || pair.probed)) return false;
+    const double clearance_mm = std::max(cell_.clearance_mm, kLeastCutoff_mm);
+    pair.probed = probing_ || pair.bodies.nearness_at(whole.from, clearance_mm).lower_mm < clearance_mm;
+    return pair.probed;
 }
 
 void ClearanceWatch::begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
@@ -111,6 +136,54 @@ void ClearanceWatch::begin_contact(const SegmentMotion& motion, const MotionPart
     pair.normal = touch->normal;
     contacts_.push_back({motion.segment().start_s + touch->t_s, pair.items, touch->point_mm, !touch->normal});
     go_on_in_contact(motion, whole, pair, touch->t_s);
+}
+
+// Of bodies that touched before the probing began it is not known how they stand to each other.
+void ClearanceWatch::probe_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
+    const auto touch = pair.bodies.first_touch(motion, whole);
+    if (!touch || !touch->normal) return;
+    const LinkFrames links = motion.links_at(touch->t_s);
+    pair.touched = Touched{*touch->normal, pair.bodies.first.in_world(links).inverse() * touch->point_mm,
+                           pair.bodies.second.in_world(links).inverse() * touch->point_mm};
+    go_on_touched(motion, whole, pair);
+}
+
+void ClearanceWatch::go_on_touched(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
+    pair.at_least_mm = 0;
+    if (!probing_ && goes_deeper(motion, whole, pair)) {
+        pair.normal = pair.touched->normal;
+        pair.contact = contacts_.size();
+        const Eigen::Vector3d point = pair.bodies.second.in_world(whole.from) * pair.touched->on_second_mm;
+        contacts_.push_back({motion.segment().start_s + whole.from_s, pair.items, point, true});
+        pair.touched.reset();
+        return go_on_in_contact(motion, whole, pair, whole.from_s);
+    }
+    if (pair.bodies.nearness_at(whole.to, kLeastCutoff_mm).upper_mm > kContact_mm) {
+        pair.touched.reset();
+    } else if (probing_) {
+        Touched& touched = *pair.touched;
+        const Eigen::Isometry3d pose =
+            pair.bodies.second.in_world(whole.to).inverse() * pair.bodies.first.in_world(whole.to);
+        const double out_mm = (pose * touched.on_first_mm - touched.on_second_mm).dot(touched.normal);
+        touched.depth_mm = std::max(touched.depth_mm, -out_mm);
+        // In a hollow the way along the surface goes deeper, too.
+        for (int look = 0; look < kOverlapLooks; ++look) {
+            if (!pair.bodies.overlaps(whole.to, touched.normal, touched.depth_mm)) break;
+            touched.depth_mm = 2 * touched.depth_mm + kContact_mm;
+        }
+    }
+}
+
+bool ClearanceWatch::goes_deeper(const SegmentMotion& motion, const MotionPart& whole,
+                                 const Watched& pair) const {
+    double look_s = whole.to_s - whole.from_s;
+    for (int look = 0; look < kOverlapLooks; ++look, look_s /= 2) {
+        if (pair.bodies.overlaps(motion.links_at(whole.from_s + look_s), pair.touched->normal,
+                                 pair.touched->depth_mm)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 // In a contact the distance tells no more; whether it goes deeper does, and whether it has ended. Most that

@@ -27,6 +27,10 @@ struct Clearance {
 /// Looks at a machine's motion through a cell, segment by segment: which bodies touch, and how near they
 /// come. No contact is passed over, however thin the body and fast the motion: distances are those of whole
 /// ways, by bounds of how far the way bends (conservative advancement: B. Mirtich, 1996).
+///
+/// What a probe touches (probes()) while it probes is no contact, nor are the braking behind it and the way
+/// out; a later move that goes deeper is one, from its start on. How near the probe comes to what it may
+/// touch counts again once it has been as far as the cell's clearance.
 class ClearanceWatch {
   public:
     /// `cell` must outlive this; it was read for this machine.
@@ -37,8 +41,9 @@ class ClearanceWatch {
     void frames_changed();
     /// The segments that follow belong to another block.
     void begin_block() { nearest_.reset(); }
-    /// The next segment, with or without the jet.
-    void take(const motion::Segment& segment, bool jet_on);
+    /// The next segment, with or without the jet; `probing`: of a motion that ends where the probe touches,
+    /// or ceases to.
+    void take(const motion::Segment& segment, bool jet_on, bool probing = false);
 
     /// All so far, in the order of segments; within one they may stand in any order.
     const std::vector<Contact>& contacts() const { return contacts_; }
@@ -46,10 +51,20 @@ class ClearanceWatch {
     const std::optional<Clearance>& nearest() const { return nearest_; }
 
   private:
+    /// A contact that a probe was to make.
+    struct Touched {
+        Eigen::Vector3d normal;        ///< Out of the second body, in its frame.
+        Eigen::Vector3d on_first_mm;   ///< Where the first one was touched, in its frame,
+        Eigen::Vector3d on_second_mm;  ///< and the second one in its own.
+        double depth_mm = 0;           ///< How far the first went on along the normal.
+    };
     struct Watched : MeetingPair {
+        bool by_probe = false;                              ///< One of them is the probe.
         double at_least_mm = 0;                             ///< Distance at the end of the last segment.
         std::optional<std::size_t> contact = std::nullopt;  ///< In contacts_, while it lasts.
         std::optional<Eigen::Vector3d> normal = std::nullopt;
+        std::optional<Touched> touched = std::nullopt;  ///< By a probe, until they part.
+        bool probed = false;                            ///< And until they are far from each other.
     };
 
     void make_pairs();
@@ -57,7 +72,11 @@ class ClearanceWatch {
     std::vector<DriftingLink> drifting(double time_s);
     void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
     void note(const Nearness& nearness, const Watched& pair);
+    bool is_let_near(const MotionPart& whole, Watched& pair) const;
     void begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
+    void probe_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
+    void go_on_touched(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
+    bool goes_deeper(const SegmentMotion& motion, const MotionPart& whole, const Watched& pair) const;
     void go_on_in_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair, double from_s);
 
     const Cell& cell_;
@@ -67,6 +86,7 @@ class ClearanceWatch {
     std::vector<Watched> pairs_;
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;
+    bool probing_ = false;  ///< In the segment that is looked at.
 };
 
 }  // namespace gsim::cell

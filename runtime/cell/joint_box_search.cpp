@@ -14,17 +14,17 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int kSamples = 1024;
-constexpr int kMaxParts = 50'000;     // of the box, for one pair of convex bodies ...
-constexpr int kMaxMeshParts = 5'000;  // ... or with a mesh, whose distances take longer
+constexpr int kMaxConvexParts = 50'000;  // of the box, for one pair of convex bodies ...
+constexpr int kMaxMeshParts = 5'000;     // ... or with a mesh, whose distances take longer
 constexpr double kFar_mm = std::numeric_limits<double>::infinity();
 
 /// A part of the joint box by its middle, half its size, and a distance that it does not fall below.
-struct Part {
+struct JointBoxPart {
     rrs::JointPos middle;
     rrs::JointPos half;
     double lower_mm;
 
-    bool operator<(const Part& other) const { return lower_mm > other.lower_mm; }  // nearest first
+    bool operator<(const JointBoxPart& other) const { return lower_mm > other.lower_mm; }  // nearest first
 };
 
 double sum(const std::vector<double>& values) {
@@ -150,8 +150,8 @@ class PairSearch {
     }
 
     void divide() {
-        std::priority_queue<Part> waiting;
-        Part whole{home_, rrs::JointPos::Zero(home_.size()), 0};
+        std::priority_queue<JointBoxPart> waiting;
+        JointBoxPart whole{home_, rrs::JointPos::Zero(home_.size()), 0};
         for (const int joint : joints_) {
             whole.middle[joint] = (box_.low[joint] + box_.high[joint]) / 2;
             whole.half[joint] = (box_.high[joint] - box_.low[joint]) / 2;
@@ -159,14 +159,14 @@ class PairSearch {
         const bool meshes =
             bodies_.first.shape->triangles() != nullptr || bodies_.second.shape->triangles() != nullptr;
         waiting.push(whole);
-        for (int parts = meshes ? kMaxMeshParts : kMaxParts; !waiting.empty() && parts > 0; --parts) {
-            const Part next = waiting.top();
+        for (int parts = meshes ? kMaxMeshParts : kMaxConvexParts; !waiting.empty() && parts > 0; --parts) {
+            const JointBoxPart next = waiting.top();
             waiting.pop();
             const auto [joint, lower_mm] = look(next);
             if (finding_.verdict == Verdict::contact) return;
             if (lower_mm > kContact_mm) continue;
             for (const double side : {-0.5, 0.5}) {
-                Part part = next;
+                JointBoxPart part = next;
                 part.lower_mm = lower_mm;
                 part.middle[joint] += side * next.half[joint];
                 part.half[joint] /= 2;
@@ -181,7 +181,7 @@ class PairSearch {
         double lower_mm;
     };
 
-    Look look(const Part& part) {
+    Look look(const JointBoxPart& part) {
         const LinkFrames links = link_frames(kinematics_, part.middle);
         const std::vector<JointAxis> axes = joint_axes(kinematics_, part.middle);
         const Ball first = bodies_.first.ball(links);

@@ -14,14 +14,14 @@ namespace {
 constexpr double kBoxShare = 0.3;  // to pass over a box of a tree a rough distance will do
 
 /// A part of a shape: a box of a mesh's tree, one of its triangles, or the whole convex body.
-class Part {
+class ShapePart {
   public:
-    explicit Part(const Shape& shape)
+    explicit ShapePart(const Shape& shape)
         : body_(shape.convex()), mesh_(shape.triangles()), node_(mesh_ ? mesh_->nodes().data() : nullptr) {}
 
     bool splits() const { return node_ != nullptr && !node_->is_leaf(); }
-    Part child(int which) const {
-        Part part = *this;
+    ShapePart child(int which) const {
+        ShapePart part = *this;
         part.node_ = mesh_->nodes().data() + node_->first_child + which;
         return part;
     }
@@ -43,7 +43,7 @@ class Search {
     Search(const Isometry3d& from, const Isometry3d& to, double enough_mm)
         : from_(from), to_(to), moves_(&from != &to), best_{enough_mm, enough_mm, {}, {}} {}
 
-    Gap run(const Part& moving, const Part& fixed) {
+    Gap run(const ShapePart& moving, const ShapePart& fixed) {
         visit(moving, fixed);
         while (!waiting_.empty()) {
             const Waiting next = waiting_.back();
@@ -55,12 +55,12 @@ class Search {
 
   private:
     struct Waiting {
-        Part moving;
-        Part fixed;
+        ShapePart moving;
+        ShapePart fixed;
         double lower_mm;
     };
 
-    Gap measure(const Part& moving, const Part& fixed) const {
+    Gap measure(const ShapePart& moving, const ShapePart& fixed) const {
         const bool rough = moving.splits() || fixed.splits();
         const GapRequest request{best_.upper_mm, rough ? kBoxShare : 0};
         const Isometry3d at = fixed.placed(Isometry3d::Identity());
@@ -70,7 +70,7 @@ class Search {
         return gap_between({moving.body(), from, to}, fixed.body(), at, request);
     }
 
-    void visit(const Part& moving, const Part& fixed) {
+    void visit(const ShapePart& moving, const ShapePart& fixed) {
         const Gap gap = measure(moving, fixed);
         if (gap.lower_mm >= best_.upper_mm) return;
         if (moving.splits() || fixed.splits()) {
@@ -85,7 +85,7 @@ class Search {
     }
 
     // The larger of both is split; of its halves the nearer one goes on top.
-    void split(const Part& moving, const Part& fixed) {
+    void split(const ShapePart& moving, const ShapePart& fixed) {
         const bool split_moving = moving.splits() && (!fixed.splits() || moving.size_mm() > fixed.size_mm());
         const std::size_t before = waiting_.size();
         for (const int which : {0, 1}) {
@@ -110,7 +110,7 @@ class Search {
 
 Gap gap_between(const Shape& moving, const Isometry3d& from, const Isometry3d& to, const Shape& fixed,
                 double enough_mm) {
-    return Search(from, to, enough_mm).run(Part(moving), Part(fixed));
+    return Search(from, to, enough_mm).run(ShapePart(moving), ShapePart(fixed));
 }
 
 Gap gap_between(const Shape& first, const Isometry3d& pose, const Shape& second, double enough_mm) {

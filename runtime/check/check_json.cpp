@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/check/machine_check.h"
+#include "runtime/kinematics/angle_units.h"
 #include "runtime/simulation/json_text.h"
 
 namespace gsim::check {
@@ -11,8 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using cell::Verdict;
-
-constexpr double kDegPerRad = 180 / M_PI;
 
 Json number(double value) {
     return std::isfinite(value) ? Json(simulation::rounded(value)) : Json(nullptr);
@@ -46,6 +45,19 @@ Json axes(const machine::Machine& machine) {
     return list;
 }
 
+Json motions(const MachineCheck& check) {
+    Json list = Json::array();
+    for (const AxisMotion& motion : check.motions) {
+        const Eigen::Vector3d& d = motion.direction;
+        list.push_back({{"axis", std::string(1, motion.letter)},
+                        {"turns", motion.turns},
+                        {"carries", motion.carries_work ? "work" : "tool"},
+                        {"direction", {number(d.x()), number(d.y()), number(d.z())}},
+                        {"text", to_sentence(motion)}});
+    }
+    return list;
+}
+
 Json inverse(const MachineCheck& check) {
     const InverseCheck& of = check.inverse;
     if (of.poses == 0) return nullptr;
@@ -54,7 +66,7 @@ Json inverse(const MachineCheck& check) {
             {"out_of_range", of.out_of_range},
             {"off", of.off},
             {"worst_mm", number(of.worst_mm)},
-            {"worst_deg", number(of.worst_rad * kDegPerRad)},
+            {"worst_deg", number(of.worst_rad * kinematics::kDegPerRad)},
             {"first_bad", of.closes() ? Json(nullptr) : values(check.machine, of.first_bad)}};
 }
 
@@ -74,7 +86,7 @@ Json singular(const MachineCheck& check) {
             {"at_home", check.singular.at_home}};
 }
 
-const char* name(Verdict verdict) {
+const char* verdict_name(Verdict verdict) {
     switch (verdict) {
         case Verdict::free: return "free";
         case Verdict::contact: return "touch";
@@ -87,7 +99,7 @@ Json pairs(const MachineCheck& check) {
     Json list = Json::array();
     for (const cell::MeetingFinding& of : check.meetings) {
         list.push_back({{"pair", {check.bodies[of.items.first], check.bodies[of.items.second]}},
-                        {"verdict", name(of.verdict)},
+                        {"verdict", verdict_name(of.verdict)},
                         {"nearest_mm", number(of.nearest_mm)},
                         {"contact_share", number(of.contact_share)},
                         {"at", values(check.machine, of.joints)}});
@@ -104,6 +116,8 @@ std::string to_json(const MachineCheck& check) {
                        {"clean", check.is_clean()},
                        {"axes", axes(check.machine)},
                        {"home_mm", {number(tip.x()), number(tip.y()), number(tip.z())}},
+                       {"motions", motions(check)},
+                       {"left_handed", check.left_handed},
                        {"inverse", inverse(check)},
                        {"singular", singular(check)},
                        {"bodies", check.bodies},

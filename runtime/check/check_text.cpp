@@ -5,14 +5,14 @@
 #include <fmt/ranges.h>
 
 #include "runtime/check/machine_check.h"
+#include "runtime/kinematics/angle_units.h"
+#include "text/number.h"
 
 namespace gsim::check {
 
 namespace {
 
 using cell::Verdict;
-
-constexpr double kDegPerRad = 180 / M_PI;
 
 // Names come from strangers' files: nothing that a terminal would take as a command.
 std::string clean(std::string_view text) {
@@ -23,7 +23,7 @@ std::string clean(std::string_view text) {
     return out;
 }
 
-const char* name(machine::InverseKind kind) {
+const char* inverse_name(machine::InverseKind kind) {
     switch (kind) {
         case machine::InverseKind::gantry: return "gantry (closed form)";
         case machine::InverseKind::numeric: return "numeric";
@@ -33,7 +33,7 @@ const char* name(machine::InverseKind kind) {
 }
 
 std::string or_none(double value) {
-    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
+    return std::isfinite(value) ? fmt::format("{:.6g}", text::unsigned_zero(value)) : "-";
 }
 
 class Text {
@@ -43,6 +43,7 @@ class Text {
     std::string take() {
         head();
         axes();
+        motions();
         inverse();
         singular();
         meetings();
@@ -67,7 +68,7 @@ class Text {
     void head() {
         add("machine    {}\n", clean(machine_.name));
         add("controller {}\n", clean(machine_.controller.model));
-        add("inverse    {}{}\n", name(machine_.inverse),
+        add("inverse    {}{}\n", inverse_name(machine_.inverse),
             check_.has_head ? ", a head that turns the tool about its tip" : "");
     }
 
@@ -77,18 +78,24 @@ class Text {
             const bool linear = axis.kind == machine::AxisKind::linear;
             add("{}     {:<7} {:<4} {:>13} {:>10} {:>10.6g} {:>11} {:>13}\n", axis.letter,
                 linear ? "mm" : "deg", axis.carries == machine::Carries::work ? "work" : "tool",
-                or_none(axis.min), or_none(axis.max), axis.home, or_none(axis.max_speed),
+                or_none(axis.min), or_none(axis.max), text::unsigned_zero(axis.home), or_none(axis.max_speed),
                 or_none(axis.max_acceleration));
         }
         const Eigen::Vector3d tip = check_.home.translation();
-        add("\nhome       tip at {:.3f} {:.3f} {:.3f} mm in the work frame\n", tip.x(), tip.y(), tip.z());
+        add("\nhome       tip at {} {} {} mm in the work frame\n", text::fixed(tip.x(), 3),
+            text::fixed(tip.y(), 3), text::fixed(tip.z(), 3));
+    }
+
+    void motions() {
+        for (const AxisMotion& motion : check_.motions) add("motion     {}\n", to_sentence(motion));
+        for (const std::string& sentence : check_.left_handed) add("wrong      {}\n", sentence);
     }
 
     void inverse() {
         const InverseCheck& inverse = check_.inverse;
         if (inverse.poses == 0) return;
         add("inverse    {} random poses, to {:.1e} mm and {:.1e} deg: ", inverse.poses, inverse.worst_mm,
-            inverse.worst_rad * kDegPerRad);
+            inverse.worst_rad * kinematics::kDegPerRad);
         if (inverse.closes()) return add("all come back\n");
         add("{} without a solution, {} out of range, {} elsewhere\n", inverse.unsolved, inverse.out_of_range,
             inverse.off);
@@ -99,9 +106,9 @@ class Text {
     void singular() {
         for (const SingularRange& range : check_.singular.ranges) {
             const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(range.joint)];
-            add("singular   {} {:.2f} .. {:.2f} deg, whatever the others: {} line up\n", axis.letter,
-                machine::axis_value(axis, range.low), machine::axis_value(axis, range.high),
-                letters(range.lined_up));
+            add("singular   {} {} .. {} deg, whatever the others: {} line up\n", axis.letter,
+                text::fixed(machine::axis_value(axis, range.low), 2),
+                text::fixed(machine::axis_value(axis, range.high), 2), letters(range.lined_up));
         }
         add("singular   {:.2f} % of random stances are near a singular one\n",
             100 * check_.singular.near_share);
@@ -145,6 +152,7 @@ class Text {
         };
         item(check_.count(Verdict::contact), "pairs can touch");
         item(check_.count(Verdict::undecided), "pairs are not decided");
+        item(check_.left_handed.size(), "left-handed sets of axes");
         if (!check_.inverse.closes()) add("{}the inverse does not lead back", before);
         add("\n");
     }

@@ -37,6 +37,7 @@ std::vector<std::string> find_notes(const MachineCheck& check) {
     std::vector<std::string> notes;
     for (const machine::Axis& axis : check.machine.axes) note_limits(axis, notes);
     note_box(check, notes);
+    for (const std::string& turn : find_left_turns(check.motions)) notes.push_back(turn);
     if (check.inverse.poses == 0)
         notes.emplace_back("there is no inverse: programs move joints, and poses are refused");
     if (check.singular.at_home) notes.emplace_back("home is a singular stance, or next to one");
@@ -53,7 +54,7 @@ std::size_t MachineCheck::count(cell::Verdict verdict) const {
 }
 
 bool MachineCheck::is_clean() const {
-    return inverse.closes() && count(cell::Verdict::free) == meetings.size();
+    return left_handed.empty() && inverse.closes() && count(cell::Verdict::free) == meetings.size();
 }
 
 MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& cell) {
@@ -62,6 +63,8 @@ MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& ce
                        .box = machine::joint_box(machine),
                        .home = kinematics->forward(machine::home_position(machine)),
                        .has_head = kinematics->tilting_head().has_value()};
+    check.motions = axis_motions(machine);
+    check.left_handed = find_left_handed(check.motions);
     check.inverse = check_inverse(machine, check.box);
     check.singular = check_singular(machine, check.box);
     check.bodies.reserve(cell.items.size());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/cell/joint_box_search.h"
+#include "runtime/check/axis_motion.h"
 #include "runtime/check/inverse_check.h"
 #include "runtime/check/singular_check.h"
 
@@ -15,6 +16,8 @@ struct MachineCheck {
     machine::JointBox box;  ///< Over which all was looked at.
     rrs::CartPos home;      ///< The tool centre point in the work frame, with all axes at home.
     bool has_head = false;  ///< Its two rotary axes turn the tool about its tip.
+    std::vector<AxisMotion> motions = {};
+    std::vector<std::string> left_handed = {};  ///< Sentences of find_left_handed().
     InverseCheck inverse = {};
     SingularCheck singular = {};
     std::vector<std::string> bodies = {};  ///< Names of the cell's items.

@@ -1,9 +1,9 @@
 #include "runtime/check/singular_check.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <memory>
 
+#include "runtime/kinematics/dense.h"
 #include "runtime/kinematics/jacobian.h"
 
 namespace gsim::check {
@@ -39,8 +39,8 @@ class Stances {
 
     Least least(const rrs::JointPos& at) const {
         if (directions_ == 0) return {1, {}};
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled(at), Eigen::ComputeThinV);
-        return {svd.singularValues()[directions_ - 1], svd.matrixV().col(directions_ - 1).cwiseAbs()};
+        const kinematics::SingularValues singular = kinematics::singular_values(scaled(at));
+        return {singular.values[directions_ - 1], singular.right.col(directions_ - 1).cwiseAbs()};
     }
     bool is_near(const rrs::JointPos& at) const { return least(at).value < kNear; }
 
@@ -60,8 +60,7 @@ class Stances {
     }
 
     int rank(const rrs::JointPos& at) const {
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled(at));
-        return static_cast<int>((svd.singularValues().array() > kNone).count());
+        return static_cast<int>((kinematics::singular_values(scaled(at)).values.array() > kNone).count());
     }
 
     std::shared_ptr<const kinematics::Kinematics> kinematics_;

@@ -1,7 +1,9 @@
 #include "runtime/envelope/nearest_reach.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
+
+#include "runtime/kinematics/dense.h"
 
 namespace gsim::envelope {
 
@@ -12,8 +14,6 @@ constexpr double kLeastWay_mm = 1e-9;
 constexpr double kFirstDamping = 1e-3;
 
 using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, rrs::kMaxJoints>;
-using Square =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, rrs::kMaxJoints, rrs::kMaxJoints>;
 
 /// The tip, and how it moves with each joint.
 struct Tip {
@@ -49,10 +49,10 @@ rrs::JointPos step(const TipChain& chain, const rrs::JointPos& values, const Tip
         if ((values[i] <= joint.low && pull < 0) || (values[i] >= joint.high && pull > 0))
             columns.col(i).setZero();
     }
-    Square normal = columns.transpose() * columns;
+    kinematics::JointSquare normal = columns.transpose() * columns;
     const rrs::JointPos sizes = normal.diagonal();
     normal.diagonal() += damping * sizes + rrs::JointPos::Constant(values.size(), 1e-12);
-    rrs::JointPos next = values + normal.ldlt().solve(columns.transpose() * left);
+    rrs::JointPos next = values + kinematics::solve_symmetric(normal, columns.transpose() * left);
     for (Eigen::Index i = 0; i < values.size(); ++i) {
         const TipJoint& joint = chain.joints[static_cast<std::size_t>(i)];
         next[i] = std::clamp(next[i], joint.low, joint.high);

@@ -12,13 +12,8 @@ namespace gsim::envelope {
 
 namespace {
 
-constexpr double kParallel = 1e-9;
 constexpr double kFullTurn = 2 * std::numbers::pi - 1e-9;
 constexpr int kPointsOfTurn = 180;
-
-bool is_parallel(const Vector3d& a, const Vector3d& b) {
-    return a.cross(b).norm() < kParallel;
-}
 
 // The normal of the plane that two joints keep the tip in.
 std::optional<Vector3d> plane_normal(const TipJoint& a, const TipJoint& b) {

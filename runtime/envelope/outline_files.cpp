@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "runtime/envelope/region.h"
+#include "text/number.h"
 
 namespace gsim::envelope {
 
@@ -31,7 +32,8 @@ std::string direction_name(const Vector3d& direction) {
     Eigen::Index largest = 0;
     const double most = direction.cwiseAbs().maxCoeff(&largest);
     if (most < 1 - 1e-9) {
-        return fmt::format("({:.2f} {:.2f} {:.2f})", direction.x(), direction.y(), direction.z());
+        return fmt::format("({} {} {})", text::fixed(direction.x(), 2), text::fixed(direction.y(), 2),
+                           text::fixed(direction.z(), 2));
     }
     return {"XYZ"[largest]};
 }
@@ -75,16 +77,17 @@ void append_panel(std::string& svg, const std::string& title, const PairOutline&
     for (const Curve& curve : outline.curves) {
         char command = 'M';
         for (const Vector3d& point : curve.points_mm) {
-            fmt::format_to(out, "{}{:.2f} {:.2f}", command,
-                           left + (point.dot(view.right) - box.min().x()) * scale,
-                           top + (box.max().y() - point.dot(view.up)) * scale);
+            fmt::format_to(out, "{}{} {}", command,
+                           text::fixed(left + (point.dot(view.right) - box.min().x()) * scale, 2),
+                           text::fixed(top + (box.max().y() - point.dot(view.up)) * scale, 2));
             command = 'L';
         }
         if (curve.closed) svg += 'Z';
     }
     svg += "\"/>\n";
-    fmt::format_to(out, "<text x=\"{}\" y=\"{}\">{:.1f} .. {:.1f} mm, {:.1f} .. {:.1f} mm</text>\n", left,
-                   top + kPanel + 16, box.min().x(), box.max().x(), box.min().y(), box.max().y());
+    fmt::format_to(out, "<text x=\"{}\" y=\"{}\">{} .. {} mm, {} .. {} mm</text>\n", left, top + kPanel + 16,
+                   text::fixed(box.min().x(), 1), text::fixed(box.max().x(), 1),
+                   text::fixed(box.min().y(), 1), text::fixed(box.max().y(), 1));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kCoarseNodes = 40;
 constexpr int kRounds = 12;
-constexpr double kHalfDiagonal = 0.8660254037844386;  // of a cube
+constexpr double kHalfDiagonalOfCube = 0.8660254037844386;
 
 DistanceGrid empty_grid(const AlignedBox3d& holds, double step_mm, double margin_mm) {
     DistanceGrid grid;
@@ -80,7 +80,7 @@ double DistanceGrid::at(const Vector3d& point) const {
 }
 
 double DistanceGrid::error_between_mm() const {
-    return error_mm + kHalfDiagonal * step_mm;
+    return error_mm + kHalfDiagonalOfCube * step_mm;
 }
 
 ReachField::ReachField(const TipChain& chain, int nodes) : chain_(chain), tail_(chain) {
@@ -129,7 +129,7 @@ void ReachField::build(const std::vector<AlignedBox3d>& boxes, int nodes) {
         double error_mm = 0;
         for (std::size_t level = 0; level < boxes.size(); ++level) {
             steps[level] = std::max(boxes[level].sizes().maxCoeff() + 2 * margins[level], 1e-3) / nodes;
-            error_mm += (kHalfDiagonal + kTolerance) * steps[level];
+            error_mm += (kHalfDiagonalOfCube + kTolerance) * steps[level];
         }
         // What the last grid is cut at must be known in all of them; it is cut farther in than at its border.
         for (std::size_t level = 0; level < boxes.size(); ++level)

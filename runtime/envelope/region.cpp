@@ -19,8 +19,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kNodes = 300;
-constexpr double kTolerance = 0.25;                        // of the step
-constexpr double kHalfDiagonal = std::numbers::sqrt2 / 2;  // of a square
+constexpr double kTolerance = 0.25;  // of the step
+constexpr double kHalfDiagonalOfSquare = std::numbers::sqrt2 / 2;
 constexpr double kSame_mm = 1e-6;
 
 /// Distances from what the tip reaches, at the nodes of squares in its plane, and the line about those nodes
@@ -39,7 +39,7 @@ class PlaneField {
         fill();
     }
 
-    double level_mm() const { return (kTolerance + kHalfDiagonal) * step_mm_; }
+    double level_mm() const { return (kTolerance + kHalfDiagonalOfSquare) * step_mm_; }
 
     Region border() {
         for (std::int64_t node = 0; node < columns_ * (rows_ - 1); ++node) {

@@ -9,7 +9,6 @@ namespace gsim::envelope {
 
 namespace {
 
-constexpr double kParallel = 1e-9;
 constexpr double kOnAxis_mm = 1e-7;
 
 Eigen::Isometry3d motion(const TipJoint& joint, double value) {
@@ -23,15 +22,11 @@ Eigen::Isometry3d motion(const TipJoint& joint, double value) {
     return pose;
 }
 
-bool is_parallel(const TipJoint& a, const TipJoint& b) {
-    return a.direction.cross(b.direction).norm() < kParallel;
-}
-
 // What the joints behind a revolute one make of the tip lies on its axis: it turns nothing.
 bool turns_nothing(const TipJoint& joint, const std::vector<TipJoint>& behind, const Vector3d& start) {
     if (joint.is_slide()) return false;
     const bool slides_along = std::all_of(behind.begin(), behind.end(), [&](const TipJoint& other) {
-        return other.is_slide() && is_parallel(joint, other);
+        return other.is_slide() && is_parallel(joint.direction, other.direction);
     });
     return slides_along && joint.direction.cross(start - joint.point_mm).norm() < kOnAxis_mm;
 }

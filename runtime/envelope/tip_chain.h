@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@
 namespace gsim::envelope {
 
 using Eigen::Vector3d;
+
+/// Sine of the angle below which two directions count as parallel.
+inline constexpr double kParallel = 1e-9;
+
+/// Of unit vectors; in whichever sense.
+inline bool is_parallel(const Vector3d& a, const Vector3d& b) {
+    return a.cross(b).norm() < kParallel;
+}
 
 /// A joint as it moves the tip against the work: along or about a line in the work frame, by a value of the
 /// joint (mm, rad) between two ends.

@@ -11,7 +11,7 @@ namespace gsim::envelope {
 
 namespace {
 
-constexpr double kParallel = 1e-12;
+constexpr double kSameWay = 1e-12;
 
 // Slides that go the same way are one. Nothing where there is anything but three slides in the end.
 std::vector<TipJoint> three_slides(const TipChain& chain) {
@@ -19,7 +19,7 @@ std::vector<TipJoint> three_slides(const TipChain& chain) {
     for (const TipJoint& joint : chain.joints) {
         if (!joint.is_slide()) return {};
         const auto same = std::find_if(slides.begin(), slides.end(), [&](const TipJoint& other) {
-            return joint.direction.cross(other.direction).norm() < kParallel;
+            return joint.direction.cross(other.direction).norm() < kSameWay;
         });
         if (same == slides.end()) {
             slides.push_back(joint);
@@ -31,7 +31,7 @@ std::vector<TipJoint> three_slides(const TipChain& chain) {
     }
     if (slides.size() != 3) return {};
     const double sense = slides[0].direction.dot(slides[1].direction.cross(slides[2].direction));
-    if (std::abs(sense) < kParallel) return {};
+    if (std::abs(sense) < kSameWay) return {};
     if (sense < 0) std::swap(slides[0], slides[1]);
     return slides;
 }

@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kParallel = 1e-9;     // sine of the angle below which axes count as parallel
 constexpr double kSameLine_mm = 1e-9;  // distance below which parallel axes count as one line
 
 Branch branch_of(const rrs::CartPos& base, const std::vector<DhLink>& rows, const rrs::CartPos& tool) {

@@ -17,7 +17,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using rrs::JointKind;
 
-constexpr double kParallel = 1e-9;  // sine of the angle below which two axes count as parallel
 constexpr double kOrthogonal = 1e-9;
 constexpr double kThroughTip_mm = 1e-6;
 constexpr double kFlat = 1e-6;  // volume spanned by three unit vectors below which they lie in a plane

@@ -1,8 +1,9 @@
 #include "runtime/kinematics/jacobian.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+
+#include "runtime/kinematics/dense.h"
 
 namespace gsim::kinematics {
 
@@ -71,11 +72,11 @@ std::vector<int> lined_up(const Stance& stance, double mm_per_rad, double thresh
     for (Eigen::Index joint = 0; joint < scaled.cols(); ++joint) {
         if (scaled.col(joint).tail<3>().isZero(0)) scaled.col(joint) *= mm_per_rad;
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-    const Eigen::Index last = svd.singularValues().size() - 1;
+    const SingularValues singular = singular_values(scaled);
+    const Eigen::Index last = singular.values.size() - 1;
     std::vector<int> joints;
-    if (last < 0 || svd.singularValues()[last] >= threshold) return joints;
-    const Eigen::VectorXd parts = svd.matrixV().col(last).cwiseAbs();
+    if (last < 0 || singular.values[last] >= threshold) return joints;
+    const Eigen::VectorXd parts = singular.right.col(last).cwiseAbs();
     for (Eigen::Index joint = 0; joint < parts.size(); ++joint) {
         if (parts[joint] > kTakesPart * parts.maxCoeff()) joints.push_back(static_cast<int>(joint));
     }

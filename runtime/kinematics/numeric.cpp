@@ -1,6 +1,5 @@
 #include "runtime/kinematics/numeric.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "runtime/kinematics/angle_units.h"
+#include "runtime/kinematics/dense.h"
 #include "runtime/kinematics/solution.h"
 
 namespace gsim::kinematics {
@@ -26,7 +27,6 @@ constexpr double kSingular = 1e-6;  // singular values
 constexpr double kNearlySingular = 1e-2;
 constexpr double kDamping = 0.05;  // of the squared error, without unit
 constexpr double kLeastDamping = 1e-14;
-constexpr double kDegPerRad = 180 / std::numbers::pi;
 
 // The fractional parts of a start's number times the powers of the root of x^(d+1) = x + 1 fill a space of d
 // dimensions evenly (Roberts 2018, "the unreasonable effectiveness of quasirandom sequences").
@@ -95,8 +95,6 @@ double NumericKinematics::size(const Twist& left) const {
 // that would go on beyond is held, and the others are asked again.
 rrs::JointPos NumericKinematics::step(const Stance& stance, const Twist& left, const rrs::JointPos& joints,
                                       const std::vector<JointRange>& ranges) const {
-    using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, rrs::kMaxJoints,
-                                 rrs::kMaxJoints>;
     Jacobian scaled = stance.jacobian;
     rrs::JointPos unit(joints.size());
     scaled.topRows<3>() /= mm_per_rad_;
@@ -109,9 +107,9 @@ rrs::JointPos NumericKinematics::step(const Stance& stance, const Twist& left, c
     const double damping = kLeastDamping + kDamping * goal.squaredNorm();
     rrs::JointPos change(joints.size());
     for (int round = 0; round <= joint_count(); ++round) {
-        Square normal = scaled.transpose() * scaled;
+        JointSquare normal = scaled.transpose() * scaled;
         normal.diagonal().array() += damping;
-        change = normal.ldlt().solve(scaled.transpose() * goal);
+        change = solve_symmetric(normal, scaled.transpose() * goal);
         bool held = false;
         for (Eigen::Index i = 0; i < joints.size(); ++i) {
             const JointRange& range = ranges[static_cast<std::size_t>(i)];

@@ -8,6 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "runtime/kinematics/angle_units.h"
+#include "runtime/kinematics/screws.h"
+#include "text/number.h"
+
 namespace gsim::kinematics {
 
 namespace {
@@ -17,8 +21,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kOrientation_rad = 1e-6;
-constexpr double kParallel = 1e-9;  // sine of the angle below which two directions count as parallel
-constexpr double kDegPerRad = 180 / std::numbers::pi;
 
 bool parallel(const Vector3d& a, const Vector3d& b) {
     return a.cross(b).norm() < kParallel;
@@ -128,10 +130,11 @@ double RotaryAxes::miss_rad(const Vector3d& tool_axis) const {
 
 std::string RotaryAxes::out_of_reach(const Vector3d& tool_axis) const {
     return fmt::format(
-        "The machine's {} rotary axes cannot bring the tool into direction ({:.6f}, {:.6f}, {:.6f}); they "
+        "The machine's {} rotary axes cannot bring the tool into direction ({}, {}, {}); they "
         "miss "
         "it by {:.6g} deg.",
-        count(), tool_axis.x(), tool_axis.y(), tool_axis.z(), miss_rad(tool_axis) * kDegPerRad);
+        count(), text::fixed(tool_axis.x(), 6), text::fixed(tool_axis.y(), 6), text::fixed(tool_axis.z(), 6),
+        miss_rad(tool_axis) * kDegPerRad);
 }
 
 }  // namespace gsim::kinematics

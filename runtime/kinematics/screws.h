@@ -7,6 +7,9 @@
 
 namespace gsim::kinematics {
 
+/// Sine of the angle below which two directions count as parallel.
+inline constexpr double kParallel = 1e-9;
+
 /// A joint's axis in the world with all joints at zero, and the sense in which its value moves the tool
 /// against the work.
 struct Screw {

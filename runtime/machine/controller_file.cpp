@@ -14,12 +14,12 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-constexpr std::array kFileKeys{"controller"sv};
+constexpr std::array kControllerFileKeys{"controller"sv};
 constexpr std::string_view kExtension = ".toml";
 
 std::string unknown_model(std::string_view model) {
     const std::vector<std::string_view> known = built_in_controllers();
-    const auto nearest = nearest_name(model, known);
+    const auto nearest = text::nearest_name(model, known);
     return fmt::format(
         "unknown controller {}; {}built in are {}; the name of a file of one's own ends in .toml",
         toml_string(model), nearest ? fmt::format("did you mean {}? ", toml_string(*nearest)) : std::string(),
@@ -66,7 +66,7 @@ tl::expected<rrs::ControllerRules, std::string> read_controller(std::string_view
                                                                 std::string model) {
     FirstError error(file_name);
     const toml::table root = parse_toml(error, toml_text);
-    TomlSection file(error, root, "a controller file", kFileKeys);
+    TomlSection file(error, root, "a controller file", kControllerFileKeys);
     rrs::ControllerRules rules;
     file.require("controller");
     if (const toml::table* table = file.table("controller")) {

@@ -13,7 +13,7 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-constexpr std::array kShapeKeys{"name"sv, "on"sv, "shape"sv, "frame"sv};
+constexpr std::array kLinkShapeKeys{"name"sv, "on"sv, "shape"sv, "frame"sv};
 constexpr std::array kPlaces{"base"sv, "tool"sv, "work"sv, "jet"sv};
 
 bool is_axis(const Machine& machine, std::string_view name) {
@@ -45,7 +45,7 @@ class ShapeReader {
         : error_(error), folder_(folder), machine_(machine) {}
 
     void read(const toml::table& table) {
-        TomlSection section(error_, table, "[[shape]]", kShapeKeys);
+        TomlSection section(error_, table, "[[shape]]", kLinkShapeKeys);
         LinkShape shape;
         shape.name = read_name(section);
         shape.on = read_place(section);
@@ -74,7 +74,7 @@ class ShapeReader {
         std::string on = section.text("on");
         if (is_axis(machine_, on) || std::find(kPlaces.begin(), kPlaces.end(), on) != kPlaces.end())
             return on;
-        const auto nearest = nearest_name(on, kPlaces);
+        const auto nearest = text::nearest_name(on, kPlaces);
         section.fail(
             "on",
             fmt::format("'on' must be \"base\", the letter of an axis ({}), \"tool\", \"work\" "

@@ -19,8 +19,17 @@ constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kTurn_deg = 360;
 constexpr double kTurnTolerance = 1e-9;  // of a turn
 
+// The joint stands behind a turn that is taken back behind it: frames on both sides lie alike.
+kinematics::Link directed_link(const Axis& axis, int joint, rrs::JointKind kind) {
+    const bool work = axis.carries == Carries::work;
+    const rrs::CartPos turn = turned_to(work ? opposite(*axis.direction) : *axis.direction);
+    const rrs::CartPos place = axis.frame ? frame_pose(*axis.frame) : rrs::CartPos::Identity();
+    return {.joint = joint, .kind = kind, .before = place * turn, .after = turn.inverse()};
+}
+
 kinematics::Link link(const Axis& axis, int joint) {
     const auto kind = axis.kind == AxisKind::linear ? rrs::JointKind::prismatic : rrs::JointKind::revolute;
+    if (axis.direction) return directed_link(axis, joint, kind);
     if (axis.frame) return {.joint = joint, .kind = kind, .before = frame_pose(*axis.frame)};
     return kinematics::link_of(joint, {.kind = kind,
                                        .theta_rad = axis.dh.theta_deg * kRadPerDeg,

@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "runtime/kinematics/kinematics.h"
+#include "runtime/machine/axis_direction.h"
 #include "runtime/machine/frame.h"
 #include "runtime/machine/link_shape.h"
+#include "runtime/machine/process.h"
+#include "runtime/machine/program_table.h"
 #include "runtime/rrs/controller_rules.h"
 
 namespace gsim::machine {
@@ -58,8 +61,12 @@ struct Axis {
     double home = 0;
     double zero = 0;  ///< Reading of the axis at the joint's zero.
     DhRow dh = {};
-    /// From the joint before to this one, whose motion is along or about its Z; in place of `dh`.
+    /// From the joint before to this one, whose motion is along or about its Z unless `direction` says
+    /// another one; in place of `dh`.
     std::optional<Frame> frame = std::nullopt;
+    /// In place of `dh`: how the tool goes, or turns, against the work as the value grows, in the axes of the
+    /// frame of the joint before (behind `frame`, where there is one).
+    std::optional<AxisDirection> direction = std::nullopt;
     Carries carries = Carries::tool;
     Turning turning = Turning::limited;
     /// Home positions 2 to 4, where the axis has a value there.
@@ -90,7 +97,9 @@ struct Machine {
     Frame work;  ///< Last joint that carries the work, or the world, to the work frame.
     InverseKind inverse = InverseKind::none;
     rrs::ControllerRules controller;
-    std::vector<LinkShape> shapes = {};  ///< Its own bodies; their names differ.
+    ProgramTable program = {};
+    std::optional<Process> process = std::nullopt;  ///< Where the file tells it.
+    std::vector<LinkShape> shapes = {};             ///< Its own bodies; their names differ.
     /// Pairs of shapes, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
 

@@ -10,8 +10,6 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr std::size_t kSpaceAxes = 3;
-
 double in_unit(double value, LengthUnit unit) {
     return unit == LengthUnit::inch ? value / kMmPerInch : value * kMmPerInch;
 }

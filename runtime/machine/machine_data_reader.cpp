@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "runtime/machine/machine_data_values.h"
-#include "runtime/machine/nearest_name.h"
+#include "text/nearest_name.h"
 
 namespace gsim::machine {
 
@@ -145,7 +145,7 @@ class Reader {
         skipping_ = true;
         std::vector<std::string_view> known{"NCFILE", "ENDFILE"};
         for (const DataSection section : kDataSections) known.push_back(keyword(section));
-        const auto nearest = nearest_name(first.text, known);
+        const auto nearest = text::nearest_name(first.text, known);
         fail(first.column,
              fmt::format("'{}' is no keyword; a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, "
                          "VARIABLE, ALIAS, SECURITY or WORKING{}",

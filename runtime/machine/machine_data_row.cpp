@@ -9,9 +9,8 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr double kGreatest = 1e9;
+constexpr double kGreatestValue = 1e9;
 constexpr int kGreatestNumber = 99999;
-constexpr std::string_view kOpen = "-";
 
 bool is_offset_code(std::string_view code) {
     if (code == "59.1" || code == "59.2" || code == "59.3") return true;
@@ -119,7 +118,7 @@ class RowReader {
     }
 
     static std::optional<std::string> fault_of_value(const DataField& field, std::string_view value) {
-        if (field.quantity == Quantity::text || (field.may_be_open && value == kOpen)) return std::nullopt;
+        if (field.quantity == Quantity::text || (field.may_be_open && value == kNoLimit)) return std::nullopt;
         if (field.quantity == Quantity::whole) {
             const auto number = parse_number<int>(value);
             if (number && *number >= field.least && *number <= field.greatest) return std::nullopt;
@@ -142,7 +141,7 @@ class RowReader {
 
     void check_ranges() {
         for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
-            if (!read_.word_of_field[i] || std::abs(read_.row.number(rules_, i)) <= kGreatest) continue;
+            if (!read_.word_of_field[i] || std::abs(read_.row.number(rules_, i)) <= kGreatestValue) continue;
             const bool inch = mm_of(rules_.fields[i], read_.row.unit) != 1;
             fail(*read_.word_of_field[i], fmt::format("{} is not between -1e9 and 1e9{}",
                                                       shown_word(read_.row.values[i]), inch ? " mm" : ""));
@@ -150,7 +149,7 @@ class RowReader {
     }
 
     bool is_open(std::size_t field) const {
-        return !read_.word_of_field[field] || read_.row.values[field] == kOpen;
+        return !read_.word_of_field[field] || read_.row.values[field] == kNoLimit;
     }
 
     void check_walls() {

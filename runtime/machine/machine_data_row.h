@@ -15,6 +15,9 @@ namespace gsim::machine {
 
 inline constexpr double kMmPerInch = 25.4;
 
+/// Stands for a value that may be open (DataField::may_be_open).
+inline constexpr std::string_view kNoLimit = "-";
+
 enum class LengthUnit { metric, inch };
 
 /// An entry of a section, as it is written.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,9 @@ enum class DataSection { offset, fixed, reference, home, tool, variable, alias, 
 inline constexpr std::array kDataSections{DataSection::offset, DataSection::fixed,    DataSection::reference,
                                           DataSection::home,   DataSection::tool,     DataSection::variable,
                                           DataSection::alias,  DataSection::security, DataSection::working};
+
+/// X, Y and Z, the first values of a point.
+inline constexpr std::size_t kSpaceAxes = 3;
 
 /// How a value stands in its line.
 enum class FieldForm {

@@ -8,9 +8,6 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr std::size_t kSpaceAxes = 3;
-constexpr std::string_view kOpen = "-";
-
 int number_of(const std::string& id) {
     return parse_number<int>(id).value_or(0);
 }
@@ -115,7 +112,7 @@ Zone zone_of(const SectionRules& rules, const DataRow& row) {
     zone.number = number_of(row.id);
     for (std::size_t axis = 0; axis < zone.limits.size(); ++axis) {
         const std::size_t low = 2 * axis;
-        if (row.values[low].empty() || row.values[low] == kOpen) continue;
+        if (row.values[low].empty() || row.values[low] == kNoLimit) continue;
         zone.limits[axis] = ZoneLimits{row.number(rules, low), row.number(rules, low + 1)};
     }
     if (rules.section == DataSection::working) {
@@ -135,8 +132,8 @@ DataRow zone_row(const SectionRules& rules, const Zone& zone) {
         const auto& limits = zone.limits[axis];
         const std::size_t low = 2 * axis;
         if (!limits && !rules.fields[low].required) continue;
-        row.set(rules.fields[low].name, limits ? number_text(limits->min_mm) : std::string(kOpen));
-        row.set(rules.fields[low + 1].name, limits ? number_text(limits->max_mm) : std::string(kOpen));
+        row.set(rules.fields[low].name, limits ? number_text(limits->min_mm) : std::string(kNoLimit));
+        row.set(rules.fields[low + 1].name, limits ? number_text(limits->max_mm) : std::string(kNoLimit));
     }
     if (rules.section == DataSection::working) return row.take();
     row.set("KIND", zone.kind == ZoneKind::leave_forbidden ? "LEAVE" : "ENTER");

@@ -7,6 +7,8 @@
 #include "runtime/machine/embedded_machines.h"
 #include "runtime/machine/frame_section.h"
 #include "runtime/machine/link_shapes.h"
+#include "runtime/machine/process_section.h"
+#include "runtime/machine/program_section.h"
 #include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
 
@@ -19,8 +21,9 @@ using std::string_view_literals::operator""sv;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr std::string_view kLetters = "ABCUVWXYZ";
 
-constexpr std::array kFileKeys{"machine"sv,    "path"sv, "base"sv,  "tool"sv,  "work"sv,
-                               "controller"sv, "axis"sv, "shape"sv, "ignore"sv};
+constexpr std::array kMachineFileKeys{"machine"sv, "path"sv,       "base"sv,   "tool"sv,
+                                      "work"sv,    "controller"sv, "axis"sv,   "shape"sv,
+                                      "ignore"sv,  "process"sv,    "checks"sv, "program"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
@@ -38,8 +41,8 @@ struct AxisKeys {
 
     std::vector<std::string_view> all() const {
         std::vector<std::string_view> keys{
-            "letter",         "kind",   "carries",      min,  max,  max_speed, max_acceleration,
-            max_deceleration, max_jerk, max_speed_step, step, zero, "dh",      "frame"};
+            "letter", "kind",         "carries", min,  max,  max_speed, max_acceleration, max_deceleration,
+            max_jerk, max_speed_step, step,      zero, "dh", "frame",   "direction"};
         keys.insert(keys.end(), homes.begin(), homes.end());
         if (!turning.empty()) keys.push_back(turning);
         return keys;
@@ -93,7 +96,7 @@ DhRow read_dh_row(FirstError& error, const toml::table* table) {
 }
 
 // The kind decides which keys an axis may hold, so it is read before anything else.
-std::optional<AxisKind> read_kind(FirstError& error, const toml::table& table) {
+std::optional<AxisKind> read_axis_kind(FirstError& error, const toml::table& table) {
     const toml::node* node = table.get("kind");
     if (!node) {
         error.report(table.source().begin, "[[axis]] lacks the key 'kind'");
@@ -139,12 +142,20 @@ void read_homes(TomlSection& section, const AxisKeys& keys, Axis& axis) {
     }
 }
 
-// A table of joints, by rows or by frames.
+// A table of joints, by rows, frames or directions.
 void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
-    if (!section.has("frame")) section.require("dh");
-    if (section.has("frame") && section.has("dh"))
-        section.fail("frame", fmt::format("{} has both 'dh' and 'frame'; one tells where its joint is",
-                                          section.title()));
+    if (!section.has("frame") && !section.has("direction") && !section.has("dh")) {
+        section.fail("dh", fmt::format("{} lacks one of the keys 'direction', 'frame' and 'dh', which tell "
+                                       "how its joint lies",
+                                       section.title()));
+    }
+    for (const std::string_view key : {"direction"sv, "frame"sv}) {
+        if (section.has(key) && section.has("dh"))
+            section.fail(key, fmt::format("{} has both 'dh' and '{}'; one tells where its joint is",
+                                          section.title(), key));
+    }
+    if (section.has("direction"))
+        axis.direction = static_cast<AxisDirection>(section.choice("direction", 0, kDirectionNames));
     if (section.has("frame")) axis.frame = read_frame(error, section.table("frame"), "'frame'");
     axis.dh = read_dh_row(error, section.table("dh"));
 }
@@ -161,7 +172,7 @@ Turning read_turning(TomlSection& section, const AxisKeys& keys, const Axis& axi
 
 Axis read_axis(FirstError& error, const toml::table& table) {
     Axis axis;
-    const auto kind = read_kind(error, table);
+    const auto kind = read_axis_kind(error, table);
     if (!kind) return axis;
     axis.kind = *kind;
     const AxisKeys& keys = axis.kind == AxisKind::linear ? kLinearKeys : kRotaryKeys;
@@ -214,7 +225,7 @@ rrs::ControllerRules read_controller_table(FirstError& error, const toml::table*
 
 Machine read_tables(FirstError& error, const toml::table& root, const std::filesystem::path& folder) {
     Machine machine;
-    TomlSection file(error, root, "a machine file", kFileKeys);
+    TomlSection file(error, root, "a machine file", kMachineFileKeys);
     file.require("machine");
     const toml::table* head = file.table("machine");
     if (!head) return machine;
@@ -225,7 +236,9 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     machine.base = read_frame(error, file.table("base"), "[base]");
     machine.tool = read_frame(error, file.table("tool"), "[tool]");
     machine.work = read_frame(error, file.table("work"), "[work]");
+    machine.program = read_program_section(error, file.table("program"));
     machine.controller = read_controller_table(error, file.table("controller"), folder);
+    machine.process = read_process(error, file);
     machine.axes = read_axes(error, file);
     if (error.text()) return machine;
     read_link_shapes(error, file, root, folder, machine);

@@ -3,6 +3,8 @@
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/machine/print_shapes.h"
+#include "runtime/machine/process_section.h"
+#include "runtime/machine/program_section.h"
 #include "runtime/machine/toml_text.h"
 
 namespace gsim::machine {
@@ -47,13 +49,14 @@ std::string_view name(Turning turning) {
 }
 
 void print_joint(TomlText& out, const Axis& axis) {
-    if (!axis.frame) {
+    if (axis.direction) out.line("direction", toml_string(name(*axis.direction)));
+    if (!axis.frame && !axis.direction) {
         out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
                                    toml_number(axis.dh.theta_deg), toml_number(axis.dh.d_mm),
                                    toml_number(axis.dh.a_mm), toml_number(axis.dh.alpha_deg)));
         return;
     }
-    out.line("frame", inline_frame(*axis.frame));
+    if (axis.frame) out.line("frame", inline_frame(*axis.frame));
 }
 
 void print_axis(TomlText& out, const Axis& axis) {
@@ -90,11 +93,13 @@ std::string print_machine(const Machine& machine) {
     out.section("[machine]");
     out.line("name", toml_string(machine.name));
     out.line("inverse", name(machine.inverse));
+    print_program_section(out, machine.program);
     print_path_limits(out, machine.path);
     print_frame(out, "[base]", machine.base);
     print_frame(out, "[tool]", machine.tool);
     print_frame(out, "[work]", machine.work);
     print_controller(out, machine.controller);
+    if (machine.process) print_process(out, *machine.process);
     for (const Axis& axis : machine.axes) print_axis(out, axis);
     print_link_shapes(out, machine);
     return out.take();

@@ -12,8 +12,8 @@ using std::string_view_literals::operator""sv;
 
 namespace {
 
-constexpr std::array kShapeKeys{"box_mm"sv, "cylinder_mm"sv, "sphere_mm"sv,   "capsule_mm"sv,
-                                "mesh"sv,   "scale"sv,       "tolerance_mm"sv};
+constexpr std::array kFormKeys{"box_mm"sv, "cylinder_mm"sv, "sphere_mm"sv,   "capsule_mm"sv,
+                               "mesh"sv,   "scale"sv,       "tolerance_mm"sv};
 constexpr double kLongest_mm = 1e6;
 constexpr double kLeastTolerance_mm = 1e-3;
 constexpr double kGreatestTolerance_mm = 100;
@@ -90,7 +90,7 @@ std::optional<ShapeForm> read_shape(FirstError& error, TomlSection& section, con
     section.require("shape");
     if (section.table("shape") == nullptr) return std::nullopt;
     const toml::table& of_shape = *table.get_as<toml::table>("shape");
-    TomlSection shape(error, of_shape, "'shape'", kShapeKeys);
+    TomlSection shape(error, of_shape, "'shape'", kFormKeys);
     const std::size_t more = (shape.has("scale") ? 1U : 0U) + (shape.has("tolerance_mm") ? 1U : 0U);
     if (of_shape.size() != more + 1 || (more > 0 && !shape.has("mesh"))) {
         section.fail(

@@ -5,9 +5,9 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr double kGreatest = 1e9;       // mm or deg; far beyond any machine, far from overflow
-constexpr double kLeastStep = 1e-6;     // a nanometre, a microsecond
-constexpr double kGreatestCount = 1e5;  // blocks; a few hundred bytes each
+constexpr double kGreatestTomlNumber = 1e9;  // mm or deg; far beyond any machine, far from overflow
+constexpr double kLeastStep = 1e-6;          // a nanometre, a microsecond
+constexpr double kGreatestCount = 1e5;       // blocks; a few hundred bytes each
 
 }  // namespace
 
@@ -23,7 +23,7 @@ std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule
     const bool may_be_infinite =
         rule == NumberRule::any || rule == NumberRule::positive || rule == NumberRule::share;
     if (std::isinf(value) && !may_be_infinite) return "finite";
-    if (std::isfinite(value) && std::abs(value) > kGreatest) return "between -1e9 and 1e9";
+    if (std::isfinite(value) && std::abs(value) > kGreatestTomlNumber) return "between -1e9 and 1e9";
     switch (rule) {
         case NumberRule::finite:
         case NumberRule::any: return std::nullopt;

@@ -15,17 +15,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-// What toml++ asserts does not hold for some broken files, which it then goes on to report; in a release
-// build it would have the compiler rely on it.
-#pragma push_macro("NDEBUG")
-#undef NDEBUG
-#define TOML_ASSERT(expression) static_cast<void>(0)
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 0
-#include <toml++/toml.h>
-#pragma pop_macro("NDEBUG")
-
-#include "runtime/machine/nearest_name.h"
+#include "runtime/machine/toml_library.h"
+#include "text/nearest_name.h"
 
 namespace gsim::machine {
 
@@ -181,7 +172,7 @@ class TomlSection {
     void check_known(const toml::key& key, std::span<const std::string_view> known_keys) {
         const std::string_view name = key.str();
         if (std::find(known_keys.begin(), known_keys.end(), name) != known_keys.end()) return;
-        const auto nearest = nearest_name(name, known_keys);
+        const auto nearest = text::nearest_name(name, known_keys);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
                                          : fmt::format("it may hold: {}", fmt::join(known_keys, ", "));
         error_.report(key.source().begin, fmt::format("unknown key '{}' in {}; {}", name, title_, hint));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/motion/units.h"
+
 namespace gsim::motion {
 
 namespace {
@@ -85,10 +87,9 @@ struct Directions {
 // Widens the range by the coordinate at the angles `phase` + 2 pi k within the sweep. From turn to turn the
 // value drifts one way, so the first and the last of them are enough.
 void widen(Range& range, const Arc& arc, int axis, double phase) {
-    constexpr double kTurn = 2 * std::numbers::pi;
-    const double first = phase - kTurn * std::floor(phase / kTurn);
+    const double first = phase - kTurn_rad * std::floor(phase / kTurn_rad);
     if (first >= arc.sweep_rad) return;
-    const double last = first + kTurn * std::floor((arc.sweep_rad - first) / kTurn);
+    const double last = first + kTurn_rad * std::floor((arc.sweep_rad - first) / kTurn_rad);
     for (const double phi : {first, last}) {
         const double value = arc.at(phi)[axis];
         range.min = std::min(range.min, value);

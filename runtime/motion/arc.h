@@ -10,6 +10,9 @@ struct Range {
     double max = 0;
 };
 
+/// What rounding may leave between the bounds of an arc and its points.
+inline constexpr double kArcRounding_mm = 1e-6;
+
 /// A circular arc or helix in the space of the three position joints (mm).
 /// p(phi) = center + r (cos phi u + sin phi v) + lift f, phi from 0 to sweep_rad > 0, where r = radius_mm and
 /// f = phi / sweep_rad unless the radii at start and end disagree. Where they do (programs give centres in

@@ -8,7 +8,6 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kNoShare = 1e-9;
 constexpr double kPartOfJerk = 1 / (1 + std::numbers::sqrt2);
 
 /// How a position joint lies to an arc.

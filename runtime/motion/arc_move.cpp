@@ -11,8 +11,6 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kNoShare = 1e-9;
-
 LeadPath arc_path(const PlannerSetup& setup, const MoveRules& rules, const Segment& segment) {
     LeadPath lead{.length = segment.length_mm};
     limit_by_path(rules, lead);

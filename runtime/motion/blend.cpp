@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/ramp.h"
+#include "runtime/motion/units.h"
 
 namespace gsim::motion {
 
@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kNoTurn = 1e-9;  // difference of slopes
 constexpr double kNoCut = 1e-10;  // mm or rad
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 /// Something that turns at a corner, by length of way, and what limits how fast it may.
 struct Turn {

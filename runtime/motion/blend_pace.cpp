@@ -24,7 +24,7 @@ constexpr double kNoMore = 1 - 1e-9;        // of a rate that is as good as reac
 constexpr double kShareOfSpeedingUp = 0.5;  // of the joints' accelerations
 
 /// A stretch of the plan, and the rates at its ends; the rate is linear in the clock's time.
-struct Stretch {
+struct PacedStretch {
     double from_s;
     double to_s;
     double rate;
@@ -90,7 +90,7 @@ LawPiece piece_between(const LawState& from, const LawState& to, double duration
 }
 
 /// Pieces `first` to `last` of `count` equal times of the stretch.
-TimeLaw paced_law(const TimeLaw& law, const Stretch& stretch, int first, int last, int count) {
+TimeLaw paced_law(const TimeLaw& law, const PacedStretch& stretch, int first, int last, int count) {
     const auto paced = [&](int index) {
         const double share = static_cast<double>(index) / count;
         LawState state = law.at(index == count ? stretch.to_s : stretch.at_s(share));
@@ -119,7 +119,7 @@ double jerk_at(const TimeLaw& law, double t_s) {
 /// has the fourth derivative 3 a q^2 + 6 j r^2 q. Over h the piece that meets both ends is off by at most
 /// h^4/384 of that. Where speeds are not below 0, a h^2 is at most twice the way, or six times where a grows
 /// from 0.
-int piece_count(const Segment& blend, const Stretch& stretch) {
+int piece_count(const Segment& blend, const PacedStretch& stretch) {
     const auto way = [&](const TimeLaw& law) { return law.at(stretch.to_s).s - law.at(stretch.from_s).s; };
     const double change = std::abs(stretch.end_rate - stretch.rate);
     const double ratio = change / (stretch.end_rate + stretch.rate);
@@ -133,7 +133,7 @@ int piece_count(const Segment& blend, const Stretch& stretch) {
     return 1 + static_cast<int>(std::max(exact, kPiecesPerRate * change));
 }
 
-void put(const Segment& blend, const Stretch& stretch, BlendPace& pace) {
+void put(const Segment& blend, const PacedStretch& stretch, BlendPace& pace) {
     pace.until_s = stretch.to_s;
     pace.rate = stretch.end_rate;
     if (stretch.to_s - stretch.from_s <= kNoTime_s) return;

@@ -17,8 +17,6 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kNoShare = 1e-9;
-
 /// Greatest change of each joint by length of way, all along it; 0 for those of an orientation arc.
 rrs::JointPos shares_of(const Move& move, const PlannerSetup& setup, const Block& block) {
     rrs::JointPos shares = block.slope_in.cwiseAbs();

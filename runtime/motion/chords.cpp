@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMostChords = 1e7;
 
-void set_speed(const Move& move, const rrs::ControllerRules& controller, int chords, Move& line) {
+void set_chord_speed(const Move& move, const rrs::ControllerRules& controller, int chords, Move& line) {
     const double asked_s = move.rules.least_duration_s;
     if (asked_s <= 0) return;
     line.rules.least_duration_s = 0;
@@ -34,7 +34,7 @@ void for_each_chord(const Move& move, const PlannerSetup& setup,
     const int count = chord_count(move.arc, setup.controller.arc_chord_tolerance_mm);
     Move line = move;
     line.kind = SegmentKind::linear;
-    set_speed(move, setup.controller, count, line);
+    set_chord_speed(move, setup.controller, count, line);
     for (int i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;
         line.end = i == count ? move.end : rrs::JointPos(move.start + share * (move.end - move.start));

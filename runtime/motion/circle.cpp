@@ -16,7 +16,7 @@ using rrs::Status;
 
 constexpr double kSmallestRadius_mm = 1e-6;
 constexpr double kLargestRadius_mm = 1e9;  // beyond, the centre is too far away for points exact to 1e-6 mm
-constexpr double kRounding_mm = 1e-9;
+constexpr double kCircleRounding_mm = 1e-9;
 constexpr double kMaxSweep_rad = 1e6;
 constexpr double kUnit = 1e-6;
 constexpr double kCoincident_mm = 1e-6;
@@ -58,7 +58,8 @@ Planned build(const Vector3d& start, const Vector3d& end, const Vector3d& center
               double sweep_rad, double tolerance_mm, Arc& arc) {
     const Split from(start - center, axis);
     const Split to(end - center, axis);
-    const double allowed_mm = std::min(tolerance_mm, from.radius / 2) + kRounding_mm + 1e-12 * from.radius;
+    const double allowed_mm =
+        std::min(tolerance_mm, from.radius / 2) + kCircleRounding_mm + 1e-12 * from.radius;
     if (Planned radii = check_radii(from.radius, to.radius, allowed_mm); !radii) return radii;
     arc.u = from.across / from.radius;
     arc.v = axis.cross(arc.u);
@@ -73,9 +74,9 @@ Planned build(const Vector3d& start, const Vector3d& end, const Vector3d& center
     }
     const double rise = to.along - from.along;
     arc.center = center + from.along * axis;
-    arc.lift = std::abs(rise) > kRounding_mm ? Vector3d(rise * axis) : Vector3d::Zero();
+    arc.lift = std::abs(rise) > kCircleRounding_mm ? Vector3d(rise * axis) : Vector3d::Zero();
     arc.radius_mm = from.radius;
-    arc.end_radius_mm = std::abs(to.radius - from.radius) > kRounding_mm ? to.radius : from.radius;
+    arc.end_radius_mm = std::abs(to.radius - from.radius) > kCircleRounding_mm ? to.radius : from.radius;
     return {};
 }
 
@@ -111,7 +112,7 @@ Planned arc_through(const Vector3d& start, const Vector3d& via, const Vector3d& 
     const Vector3d to_center =
         (normal.cross(to_via) * (chord * chord) + to_end.cross(normal) * to_via.squaredNorm()) /
         (2 * area * area);
-    if (!(area / chord > kRounding_mm && to_center.norm() <= kLargestRadius_mm)) {
+    if (!(area / chord > kCircleRounding_mm && to_center.norm() <= kLargestRadius_mm)) {
         return impossible("The via point of the arc lies on the straight line from its start to its target.");
     }
     const Vector3d axis = normal / area;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kPast_s = -std::numeric_limits<double>::infinity();
 
 /// When a segment has gone `way_mm`, by bisection: laws never run back.
-double time_at(const Segment& segment, double way_mm) {
+double time_at_way(const Segment& segment, double way_mm) {
     const double way = way_mm * segment.lead.length() / segment.length_mm;
     double low = 0;
     double high = segment.duration_s;
@@ -32,7 +32,7 @@ std::optional<std::size_t> end_of(rrs::TargetId target, const SegmentQueue& queu
 std::optional<double> time_behind(double way_mm, std::size_t index, const SegmentQueue& queue) {
     for (; index < queue.size(); ++index) {
         const Segment& segment = queue[index];
-        if (segment.length_mm > 0 && way_mm <= segment.length_mm) return time_at(segment, way_mm);
+        if (segment.length_mm > 0 && way_mm <= segment.length_mm) return time_at_way(segment, way_mm);
         way_mm -= segment.length_mm;
     }
     return std::nullopt;
@@ -43,7 +43,7 @@ double time_before(double way_mm, std::size_t index, const SegmentQueue& queue) 
     for (std::size_t i = index + 1; i-- > 0;) {
         const Segment& segment = queue[i];
         if (segment.length_mm > 0 && way_mm <= segment.length_mm)
-            return time_at(segment, segment.length_mm - way_mm);
+            return time_at_way(segment, segment.length_mm - way_mm);
         way_mm -= segment.length_mm;
     }
     return kPast_s;

@@ -5,12 +5,12 @@
 #include <numbers>
 #include <optional>
 
+#include "runtime/motion/units.h"
+
 namespace gsim::motion {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kRounding_mm = 1e-6;
 constexpr double kFlat_mm = 1e-10;
 
 /// Which coordinate of the segment's arc the joint carries.
@@ -38,7 +38,7 @@ Range wide_range_alone(const Segment& segment, int joint) {
         const double bulge = arc.bulge_mm();
         range = intersection(range, {least - bulge, most + bulge});
     }
-    return {std::min(range.min - kRounding_mm, least), std::max(range.max + kRounding_mm, most)};
+    return {std::min(range.min - kArcRounding_mm, least), std::max(range.max + kArcRounding_mm, most)};
 }
 
 /// A value and how fast it changes.
@@ -91,10 +91,10 @@ void add_turns_of_arc(const Segment& segment, Eigen::Index axis, std::vector<dou
     const double base = std::atan2(arc.v[axis], arc.u[axis]) + std::atan2(growth, arc.sweep_rad);
     const double level = std::asin(arc.lift[axis] / swing);
     for (const double phase : {base + level, base + std::numbers::pi - level}) {
-        const double first = phase - kTurn * std::floor(phase / kTurn);
-        const double turns = std::ceil((arc.sweep_rad - first) / kTurn);
+        const double first = phase - kTurn_rad * std::floor(phase / kTurn_rad);
+        const double turns = std::ceil((arc.sweep_rad - first) / kTurn_rad);
         for (double turn = 0; turn < turns; ++turn)
-            times_s.push_back(time_at(segment.lead, arc.length_to(first + turn * kTurn)));
+            times_s.push_back(time_at(segment.lead, arc.length_to(first + turn * kTurn_rad)));
     }
 }
 

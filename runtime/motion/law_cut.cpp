@@ -10,7 +10,7 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kLengthRounding = 1e-12;
 constexpr double kNoAcceleration = 1e-9;  // relative to the ramp's
 
 /// Collects pieces one behind the other.
@@ -34,13 +34,13 @@ class Pieces {
 };
 
 /// What is left of a piece behind its first `t_s`.
-LawPiece rest_of(const LawPiece& piece, double t_s) {
+LawPiece rest_of_piece(const LawPiece& piece, double t_s) {
     return {piece.duration_s - t_s, 0, piece.v0 + t_s * (piece.a0 + t_s * piece.jerk / 2),
             piece.a0 + t_s * piece.jerk, piece.jerk};
 }
 
 double end_speed(const LawPiece& piece) {
-    return std::max(rest_of(piece, piece.duration_s).v0, 0.0);
+    return std::max(rest_of_piece(piece, piece.duration_s).v0, 0.0);
 }
 
 /// The pieces of the ramp under way from `t_s` on, until the acceleration is 0; returns the speed there.
@@ -51,7 +51,7 @@ double finish_ramp(const TimeLaw& law, double t_s, Pieces& pieces) {
             t_s -= piece.duration_s;
             continue;
         }
-        const LawPiece rest = rest_of(piece, t_s);
+        const LawPiece rest = rest_of_piece(piece, t_s);
         t_s = 0;
         const bool brakes = rest.a0 + rest.jerk * rest.duration_s / 2 < 0;
         if (!brakes) break;
@@ -102,7 +102,7 @@ TimeLaw law_from(const TimeLaw& law, double t_s) {
     Pieces pieces;
     for (const LawPiece& piece : law.pieces()) {
         const double done_s = std::min(piece.duration_s, t_s);
-        const LawPiece rest = rest_of(piece, done_s);
+        const LawPiece rest = rest_of_piece(piece, done_s);
         pieces.add(rest.duration_s, rest.v0, rest.a0, rest.jerk);
         t_s -= done_s;
     }
@@ -121,7 +121,7 @@ TimeLaw braking_law(double length, double start_speed, double end_speed, const L
     LawLimits brakes = limits;
     brakes.max_speed = start_speed;
     const double stop = ramp_length(start_speed, 0, limits.deceleration, limits.jerk);
-    if (stop <= length * (1 + kRounding))
+    if (stop <= length * (1 + kLengthRounding))
         return stop > 0 ? TimeLaw::between(std::min(stop, length), start_speed, 0, brakes) : TimeLaw();
     const double lowest = std::min(lowest_end_speed(length, start_speed, limits), end_speed);
     return TimeLaw::between(length, start_speed, lowest, brakes);
@@ -132,7 +132,7 @@ TimeLaw braking_law(const TimeLaw& law, double t_s, const LawLimits& limits) {
     const double left = law.length() - law.at(t_s).s;
     const double speed = end_acceleration(law, t_s, limits, pieces);
     const double rest = left - pieces.length();
-    if (rest > kRounding * law.length()) pieces.add(braking_law(rest, speed, law.end_speed(), limits));
+    if (rest > kLengthRounding * law.length()) pieces.add(braking_law(rest, speed, law.end_speed(), limits));
     return pieces.law();
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kShortest_s = 1e-15;  // below, speeds are no physical values and may not even be finite
 
-LimitedBy limit_of(const Segment& segment, const LeadPath& lead, const Followers* followers, double lead_s) {
+LimitedBy limit_of_move(const Segment& segment, const LeadPath& lead, const Followers* followers,
+                        double lead_s) {
     if (segment.duration_s <= lead_s) {
         return limit_reached(segment.lead, lead.limits, lead.speed_limit, lead.acceleration_limit,
                              lead.jerk_limit);
@@ -51,7 +52,7 @@ Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* foll
     segment.lead = rest_law(lead.length, lead.limits, lead_s, duration_s);
     segment.lead_limits = lead.limits;
     if (followers != nullptr) followers->write(segment, duration_s);
-    segment.limited_by = limit_of(segment, lead, followers, lead_s);
+    segment.limited_by = limit_of_move(segment, lead, followers, lead_s);
     return {};
 }
 

@@ -36,8 +36,8 @@ LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const 
 }
 
 /// Along a great circle the angle of the tool's direction leads where nothing else moves.
-LeadPath lead_of(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
-                 JointRole role, const OrientationArc* orientation) {
+LeadPath leading_path(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                      JointRole role, const OrientationArc* orientation) {
     if (orientation == nullptr) return straight_path(setup, rules, changes, role);
     LeadPath lead{.length = orientation->length_rad()};
     if (role != JointRole::rotary) lead = straight_path(setup, rules, changes, role);
@@ -61,7 +61,7 @@ Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& se
     const OrientationArc* orientation = segment.orientation.get();
     const Followers followers(setup, resolved, changes, role, orientation);
     segment.length_mm = role == JointRole::rotary ? 0 : changes.norm(role);
-    return set_timing(segment, lead_of(setup, resolved, changes, role, orientation), &followers,
+    return set_timing(segment, leading_path(setup, resolved, changes, role, orientation), &followers,
                       rules.least_duration_s);
 }
 

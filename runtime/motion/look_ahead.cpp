@@ -15,8 +15,8 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kSameSpeed = 1e-9;  // relative
-constexpr std::size_t kMostPieces = 2'000;
+constexpr double kReachedSpeed = 1e-9;  // relative
+constexpr std::size_t kMostInnerPieces = 2'000;
 
 bool leads_on(const Block& block) {
     return block.move.piece && !block.move.reaches_target;
@@ -89,7 +89,7 @@ bool LookAhead::knows_exit() const {
 
 bool LookAhead::window_is_full() const {
     const std::size_t most = std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1);
-    return window_.size() - inner_ >= most || inner_ >= kMostPieces;
+    return window_.size() - inner_ >= most || inner_ >= kMostInnerPieces;
 }
 
 void LookAhead::join(Block& from, Block& to) const {
@@ -198,7 +198,7 @@ double LookAhead::settle_s(const Block& block) const {
 
 LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
     const Block& slower = from.max_speed <= to.max_speed ? from : to;
-    if (speed >= slower.max_speed * (1 - kSameSpeed)) return slower.speed_limit;
+    if (speed >= slower.max_speed * (1 - kReachedSpeed)) return slower.speed_limit;
     return {to.by_window && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
 }
 
@@ -211,7 +211,7 @@ void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double 
 }
 
 LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
-    if (law.peak_speed() >= block.max_speed * (1 - kSameSpeed)) return block.speed_limit;
+    if (law.peak_speed() >= block.max_speed * (1 - kReachedSpeed)) return block.speed_limit;
     const Block* next = window_.size() > 1 ? &window_[1] : nullptr;
     if (next != nullptr && next->by_window && exit_speed >= next->entry) return {LimitKind::look_ahead, -1};
     const bool slow_corner = speed_ > 0 && exit_speed > 0;

@@ -12,7 +12,7 @@ using rrs::Status;
 namespace {
 
 constexpr std::size_t kMostTargets = 64;
-constexpr double kSamePlace_mm = 1e-9;
+constexpr double kSamePoint_mm = 1e-9;
 constexpr double kSameOrientation = 1e-9;  // of the elements of a rotation
 
 Eigen::Quaterniond orientation(const CartPos& pose) {
@@ -48,7 +48,7 @@ tl::expected<double, PlanError> ObjectMotion::add_target(const CartPos& pose) {
     }
     const double length_mm = (pose.translation() - end_.translation()).norm();
     const double turn = (pose.linear() - end_.linear()).cwiseAbs().maxCoeff();
-    if (length_mm < kSamePlace_mm && turn > kSameOrientation) {
+    if (length_mm < kSamePoint_mm && turn > kSameOrientation) {
         return refused(Status::RRS_ZERO_SPEED,
                        "The object would turn without going anywhere, and its speed is one along its way.");
     }

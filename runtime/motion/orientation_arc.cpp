@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/quadratic.h"
+
 namespace gsim::motion {
 
 namespace {
@@ -12,10 +14,6 @@ constexpr double kNoAngle_rad = 1e-9;
 constexpr double kThroughPole = 1e-9;
 constexpr double kAtPole = 1e-7;  // sine of the tilt below which the turn is lost in the direction
 constexpr double kSameEnd_rad = 1e-8;
-
-double squared(double value) {
-    return value * value;
-}
 
 }  // namespace
 

@@ -25,7 +25,7 @@ struct JointSlopes {
     double third;
 };
 
-std::array<JointSlopes, 2> slopes_of(const OrientationArc& arc, double lead_length) {
+std::array<JointSlopes, 2> joint_slopes_of(const OrientationArc& arc, double lead_length) {
     const HeadBounds bounds = arc.bounds();
     const double turn = arc.length_rad() / lead_length;
     const double turn2 = turn * turn;
@@ -145,7 +145,7 @@ tl::expected<std::shared_ptr<const OrientationArc>, PlanError> orientation_betwe
 }
 
 void limit_by_head(const PlannerSetup& setup, const OrientationArc& arc, LeadPath& lead) {
-    const auto slopes = slopes_of(arc, lead.length);
+    const auto slopes = joint_slopes_of(arc, lead.length);
     for (const auto limit : {limit_speed, limit_acceleration, limit_jerk}) {
         for (const JointSlopes& of_joint : slopes) {
             if (of_joint.first > 0) limit(law_limits(setup, of_joint.joint), of_joint, lead);

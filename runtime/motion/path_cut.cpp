@@ -8,6 +8,7 @@
 
 #include "runtime/motion/range_check.h"
 #include "runtime/motion/tool_path.h"
+#include "text/number.h"
 
 namespace gsim::motion {
 
@@ -17,10 +18,11 @@ constexpr double kShareOfTolerance = 0.95;  // looks at the quarters alone may m
 constexpr double kAngleTolerance_rad = 1e-4;
 constexpr double kLargestTurn_rad = 0.2;  // of a piece, before any look at it
 constexpr int kMostHalvings = 30;         // of such a piece
-constexpr std::size_t kMostPieces = 200'000;
+constexpr std::size_t kMostPathPieces = 200'000;
 constexpr double kNoBend = 2e-9;  // mm or rad between a chord and its curve: what inverses leave
 
-struct Stretch {
+/// A part of the way that may be a line of the joints or have to be halved, by shares of the way.
+struct UncutPiece {
     double from = 0;
     double to = 0;
     int halvings = 0;
@@ -34,7 +36,7 @@ class Cutter {
     tl::expected<std::vector<PathPiece>, PlanError> run() {
         fill();
         while (!ahead_.empty()) {
-            const Stretch next = ahead_.back();
+            const UncutPiece next = ahead_.back();
             ahead_.pop_back();
             if (Planned taken = take(next); !taken) return tl::unexpected(std::move(taken.error()));
         }
@@ -50,24 +52,24 @@ class Cutter {
             ahead_.push_back({static_cast<double>(i - 1) / stretches, static_cast<double>(i) / stretches, 0});
     }
 
-    Planned take(const Stretch& stretch) {
-        const double middle = (stretch.from + stretch.to) / 2;
+    Planned take(const UncutPiece& uncut) {
+        const double middle = (uncut.from + uncut.to) / 2;
         const auto mid = path_.joints_at(middle, from_);
         if (!mid) return unreachable(mid.error(), middle);
-        const auto end = path_.joints_at(stretch.to, *mid);
-        if (!end) return unreachable(end.error(), stretch.to);
+        const auto end = path_.joints_at(uncut.to, *mid);
+        if (!end) return unreachable(end.error(), uncut.to);
         if (Planned checked = check_target_ranges(setup_, *end); !checked) return checked;
-        if (follows(stretch, *mid, *end)) return add(stretch, *mid, *end);
-        if (stretch.halvings >= kMostHalvings) return jump(stretch, *end);
-        ahead_.push_back({middle, stretch.to, stretch.halvings + 1});
-        ahead_.push_back({stretch.from, middle, stretch.halvings + 1});
+        if (follows(uncut, *mid, *end)) return add(uncut, *mid, *end);
+        if (uncut.halvings >= kMostHalvings) return jump(uncut, *end);
+        ahead_.push_back({middle, uncut.to, uncut.halvings + 1});
+        ahead_.push_back({uncut.from, middle, uncut.halvings + 1});
         return {};
     }
 
-    bool follows(const Stretch& stretch, const rrs::JointPos& mid, const rrs::JointPos& end) const {
+    bool follows(const UncutPiece& uncut, const rrs::JointPos& mid, const rrs::JointPos& end) const {
         for (const double share : {0.25, 0.5, 0.75}) {
             const rrs::CartPos pose = setup_.kinematics->forward(from_ + share * (end - from_));
-            const Eigen::Vector3d wanted = path_.way().at(stretch.from + share * (stretch.to - stretch.from));
+            const Eigen::Vector3d wanted = path_.way().at(uncut.from + share * (uncut.to - uncut.from));
             const double off_mm = (pose * path_.tip_mm() - wanted).norm();
             if (!(off_mm <= kShareOfTolerance * setup_.controller.tcp_tolerance_mm)) return false;
             if (share != 0.5) continue;
@@ -80,14 +82,14 @@ class Cutter {
         return true;
     }
 
-    Planned add(const Stretch& stretch, const rrs::JointPos& mid, const rrs::JointPos& end) {
-        if (pieces_.size() >= kMostPieces) {
-            return refused(
-                rrs::Status::RRS_INVALID_PARAMETER,
-                fmt::format("The way of the tool would take more than {} lines of the joints.", kMostPieces));
+    Planned add(const UncutPiece& uncut, const rrs::JointPos& mid, const rrs::JointPos& end) {
+        if (pieces_.size() >= kMostPathPieces) {
+            return refused(rrs::Status::RRS_INVALID_PARAMETER,
+                           fmt::format("The way of the tool would take more than {} lines of the joints.",
+                                       kMostPathPieces));
         }
         PathPiece piece;
-        piece.share = stretch.to - stretch.from;
+        piece.share = uncut.to - uncut.from;
         piece.end = end;
         piece.bend = (from_ - 2 * mid + end).cwiseAbs();
         const double length = piece.share * path_.length();
@@ -109,7 +111,8 @@ class Cutter {
 
     std::string place(double share) const {
         const Eigen::Vector3d point = path_.way().at(share);
-        return fmt::format("at X{:.3f} Y{:.3f} Z{:.3f} of the work frame", point.x(), point.y(), point.z());
+        return fmt::format("at X{} Y{} Z{} of the work frame", text::fixed(point.x(), 3),
+                           text::fixed(point.y(), 3), text::fixed(point.z(), 3));
     }
 
     Planned unreachable(const std::string& why, double share) const {
@@ -117,7 +120,7 @@ class Cutter {
                        fmt::format("The tool cannot follow its way {}: {}", place(share), why));
     }
 
-    Planned jump(const Stretch& stretch, const rrs::JointPos& end) const {
+    Planned jump(const UncutPiece& uncut, const rrs::JointPos& end) const {
         Eigen::Index joint = 0;
         (end - from_).cwiseAbs().maxCoeff(&joint);
         const bool rotary = setup_.role(static_cast<int>(joint)) == JointRole::rotary;
@@ -126,7 +129,7 @@ class Cutter {
             rrs::Status::RRS_NO_SOLUTION,
             fmt::format("The way of the tool passes a singular place {}, where joint {} (counted from 0) "
                         "would jump by {:.3g} {}; lead it round that place, or move by joints.",
-                        place(stretch.to), joint,
+                        place(uncut.to), joint,
                         std::abs(end[joint] - from_[joint]) * (rotary ? kDegPerRad : 1.0),
                         rotary ? "deg" : "mm"));
     }
@@ -134,7 +137,7 @@ class Cutter {
     const ToolPath& path_;
     const PlannerSetup& setup_;
     rrs::JointPos from_;
-    std::vector<Stretch> ahead_;  ///< The next one at the back.
+    std::vector<UncutPiece> ahead_;  ///< The next one at the back.
     std::vector<PathPiece> pieces_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,6 +29,10 @@ namespace gsim::motion {
 
 /// The target of what no target asked for, such as the time in which the controller waits for its program.
 inline constexpr rrs::TargetId kNoTarget = -1;
+
+/// Looks at a segment, and answers with the instant on the planner's clock at which its motion is to be
+/// stopped, if it is.
+using StopSearch = std::function<std::optional<double>(const Segment&)>;
 
 /// The planner for machines whose maker gives none (thesis 5.3.2): joint, linear and circular motion that
 /// comes to rest at each target, or, where the setup names a controller that does not, linear and circular
@@ -59,6 +64,8 @@ class DefaultPlanner final : public rrs::Shell {
 
     /// The robot stands in this cell, which must outlive the planner, on whose clock the run's time is.
     void set_cell(CellFrames& cell) { cell_ = &cell; }
+    /// No Cartesian position speed is programmed any more.
+    void forget_position_speed() { programmed_.position_speed_mm_s = 0; }
     /// The frames of Cartesian targets: until SelectWorkFrames the tool centre point and the work frame.
     const WorkFrames& work_frames() const { return work_frames_; }
 
@@ -69,6 +76,11 @@ class DefaultPlanner final : public rrs::Shell {
     void come_to_rest(bool waits = false);
     /// flush() at the end of a program, whose last positions go through the controller's position loop.
     void end_program();
+    /// A motion that something may end: flush(), then `put` queues a target, whose motion is planned to its
+    /// end at rest and shown to `search`, segment by segment. At the instant that it answers the motion is
+    /// stopped as by StopMotion, and the rest of it is dropped; then flush(). Returns what `put` answered, or
+    /// why the motion cannot be stopped.
+    rrs::Status put_until(const std::function<rrs::Status()>& put, const StopSearch& search);
     /// End of the last planned segment on the planner's clock, which starts at 0 with Initialize and Reset;
     /// what a model holds back is not counted.
     double time_s() const { return end_s_; }

@@ -15,7 +15,7 @@ using rrs::Status;
 
 namespace {
 
-constexpr double kSamePlace_mm = 1e-6;
+constexpr double kSameTravel_mm = 1e-6;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ Status DefaultPlanner::SetConveyorPosition(int conveyor, double position_mm) {
         return refuse(Status::RRS_INVALID_PARAMETER, "The position of the conveyor is not finite.");
     if (tracked_ && tracked_->conveyor == conveyor) {
         const double is_mm = found->second.position_mm_at(end_s_);
-        if (std::abs(position_mm - is_mm) <= kSamePlace_mm) return Status::RRS_SUCCESS;
+        if (std::abs(position_mm - is_mm) <= kSameTravel_mm) return Status::RRS_SUCCESS;
         return refuse(Status::RRS_INVALID_PARAMETER,
                       fmt::format("The conveyor is tracked and is at {} mm; it cannot jump to {} mm.", is_mm,
                                   position_mm));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/kinematics/kinematics.h"
+#include "runtime/motion/range_notes.h"
 #include "runtime/rrs/controller_rules.h"
 #include "runtime/rrs/types.h"
 
@@ -63,6 +64,8 @@ struct PlannerSetup {
     double arc_tolerance_mm = 0.05;
     /// Segments that wait before the oldest leaves by itself; at least 2.
     std::size_t queue_capacity = 64;
+    /// Where set, it may let targets past the joints' ranges through.
+    std::shared_ptr<RangeNotes> range_notes;
 
     /// What is wrong with the values, as a sentence; nothing where they can be used.
     std::optional<std::string> validate() const;

@@ -1,6 +1,8 @@
 // The services of DefaultPlanner that stop a motion, and its events.
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,6 +56,26 @@ Status DefaultPlanner::ContinueMotion() {
     if (!stopped_) return refuse(Status::RRS_INVALID_PARAMETER, "No motion is stopped that could go on.");
     go_on();
     return Status::RRS_SUCCESS;
+}
+
+// What `put` plans stays in the queue, whole, until it is known where it ends.
+Status DefaultPlanner::put_until(const std::function<Status()>& put, const StopSearch& search) {
+    if (tracked_) return refuse(Status::RRS_MODE_NOT_SUPPORTED, "Motion along a conveyor cannot be stopped.");
+    flush();
+    keeps_all_ = true;
+    const Status status = put();
+    end_model();
+    keeps_all_ = false;
+    std::optional<double> stop_s;
+    for (std::size_t i = 0; i < queue_.size() && !stop_s; ++i) stop_s = search(queue_[i]);
+    Status stopped = Status::RRS_SUCCESS;
+    if (stop_s) {
+        step_s_ = std::max(step_s_, *stop_s);
+        stopped = StopMotion();
+        if (stopped == Status::RRS_SUCCESS) stopped = CancelMotion();
+    }
+    flush();
+    return stopped == Status::RRS_SUCCESS ? status : stopped;
 }
 
 void DefaultPlanner::go_on() {

@@ -141,7 +141,7 @@ Planned DefaultPlanner::ready_for_target() {
 }
 
 Planned DefaultPlanner::make_room(std::size_t segments) {
-    while (queue_.room() < segments) {
+    while (queue_.room() < segments && !keeps_all_) {
         if (sink_ == nullptr) {
             return refused(Status::RRS_QUEUE_FULL,
                            fmt::format("{} targets are waiting; call GetNextStep before more are put.",

@@ -6,10 +6,11 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kRangeRounding = 1e-9;  // mm or rad
 
-tl::unexpected<PlanError> out_of_range(const PlannerSetup& setup, int joint, double value, double limit,
+tl::unexpected<PlanError> out_of_range(const PlannerSetup& setup, const Excursion& excursion,
                                        const char* where) {
+    const auto [joint, value, limit] = excursion;
     const bool prismatic = setup.joints[static_cast<std::size_t>(joint)].kind == rrs::JointKind::prismatic;
     return tl::unexpected(PlanError{
         .status = rrs::Status::RRS_JOINT_LIMIT,
@@ -21,15 +22,28 @@ tl::unexpected<PlanError> out_of_range(const PlannerSetup& setup, int joint, dou
         .limit = limit});
 }
 
+Planned judge(const PlannerSetup& setup, const Excursion& excursion, const char* where) {
+    if (setup.range_notes == nullptr || !setup.range_notes->passing())
+        return out_of_range(setup, excursion, where);
+    setup.range_notes->note(excursion);
+    return {};
+}
+
+Planned check_way(const PlannerSetup& setup, int joint, const Range& way, const char* where) {
+    const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
+    if (way.min < range.min - kRangeRounding) {
+        if (Planned judged = judge(setup, {joint, way.min, range.min}, where); !judged) return judged;
+    }
+    if (way.max > range.max + kRangeRounding) return judge(setup, {joint, way.max, range.max}, where);
+    return {};
+}
+
 }  // namespace
 
 Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
-        const double value = joints[joint];
-        const char* where = "at the target";
-        if (value < range.min - kRounding) return out_of_range(setup, joint, value, range.min, where);
-        if (value > range.max + kRounding) return out_of_range(setup, joint, value, range.max, where);
+        const Range way{joints[joint], joints[joint]};
+        if (Planned checked = check_way(setup, joint, way, "at the target"); !checked) return checked;
     }
     return {};
 }
@@ -53,22 +67,14 @@ Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment) {
         const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
         const Range wide = segment.arc.bounds(axis);
         if (wide.min >= range.min && wide.max <= range.max) continue;
-        const Range way = segment.arc.range(axis);
-        const char* where = "on the way along the arc";
-        if (way.min < range.min - kRounding) return out_of_range(setup, joint, way.min, range.min, where);
-        if (way.max > range.max + kRounding) return out_of_range(setup, joint, way.max, range.max, where);
+        Planned checked = check_way(setup, joint, segment.arc.range(axis), "on the way along the arc");
+        if (!checked) return checked;
     }
     return {};
 }
 
 Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc) {
-    const int joint = arc.tilt_joint();
-    const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
-    const Range way = arc.tilt_range();
-    const char* where = "on the way along the great circle";
-    if (way.min < range.min - kRounding) return out_of_range(setup, joint, way.min, range.min, where);
-    if (way.max > range.max + kRounding) return out_of_range(setup, joint, way.max, range.max, where);
-    return {};
+    return check_way(setup, arc.tilt_joint(), arc.tilt_range(), "on the way along the great circle");
 }
 
 }  // namespace gsim::motion

@@ -6,16 +6,19 @@
 
 namespace gsim::motion {
 
-/// Whether joint values lie in the joints' ranges; 1e-9 mm or rad beyond counts as rounding. RRS_JOINT_LIMIT.
+// What lies beyond a range is RRS_JOINT_LIMIT; or else nothing, where the setup's RangeNotes let it pass and
+// note it.
+
+/// Whether joint values lie in the joints' ranges; 1e-9 mm or rad beyond counts as rounding.
 Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints);
 
-/// Whether the position joints stay in their ranges all along the arc of a circular segment. RRS_JOINT_LIMIT.
+/// Whether the position joints stay in their ranges all along the arc of a circular segment.
 Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment);
 
-/// Whether the tilting joint stays in its range all along an orientation arc. RRS_JOINT_LIMIT.
+/// Whether the tilting joint stays in its range all along an orientation arc.
 Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc);
 
-/// Whether all joints stay in their ranges on the way of a segment with a motion beside it. RRS_JOINT_LIMIT.
+/// Whether all joints stay in their ranges on the way of a segment with a motion beside it.
 Planned check_way_ranges(const PlannerSetup& setup, const Segment& segment);
 
 }  // namespace gsim::motion

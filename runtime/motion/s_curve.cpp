@@ -13,7 +13,7 @@ namespace {
 // A length that exceeds the direct ramp's by less is taken for it: the caller's rounding, not a wish to speed
 // up.
 constexpr double kSameLength = 1 + 1e-12;
-constexpr int kMaxIterations = 60;
+constexpr int kMaxRootSteps = 60;
 
 // One end of a motion: the speed there, and the limit of the ramp between it and the peak.
 struct End {
@@ -83,7 +83,7 @@ double highest_root(double length, const Ends& ends) {
 // steps come down from above and never pass the root: the first that does not come down is rounding.
 double s_curve_excess(double length, const Ends& ends) {
     double x = highest_root(length, ends);
-    for (int i = 0; i < kMaxIterations && x > 0; ++i) {
+    for (int i = 0; i < kMaxRootSteps && x > 0; ++i) {
         const LengthAt fast = length_at(x, 0, ends.fast, ends.jerk);
         const LengthAt slow = length_at(x, ends.gap(), ends.slow, ends.jerk);
         const double next = x - (fast.length + slow.length - length) / (fast.slope + slow.slope);
@@ -128,7 +128,7 @@ double split_drop(double length, double start, double end, double most, const La
     };
     double low = 0;
     double high = std::sqrt(most);
-    for (int i = 0; i < kMaxIterations; ++i) {
+    for (int i = 0; i < kMaxRootSteps; ++i) {
         const double middle = (low + high) / 2;
         (braking_length(middle * middle) < length ? low : high) = middle;
     }

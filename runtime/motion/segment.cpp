@@ -142,7 +142,6 @@ double Segment::peak_centripetal_mm_s2() const {
 }
 
 bool Segment::surely_within(const Range& range, int joint) const {
-    constexpr double kRounding_mm = 1e-6;
     if (beside) return surely_straight_within(*this, range, joint);
     if (kind != SegmentKind::circular) return false;
     const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
@@ -153,10 +152,10 @@ bool Segment::surely_within(const Range& range, int joint) const {
         return least >= range.min && most <= range.max;
     }
     const Range circle = arc.bounds(static_cast<int>(index));
-    if (circle.min - kRounding_mm >= range.min && circle.max + kRounding_mm <= range.max) return true;
+    if (circle.min - kArcRounding_mm >= range.min && circle.max + kArcRounding_mm <= range.max) return true;
     if (arc.lift[index] != 0) return false;
     const auto [least, most] = std::minmax(start[joint], end[joint]);
-    const double beyond_mm = arc.bulge_mm() + kRounding_mm;
+    const double beyond_mm = arc.bulge_mm() + kArcRounding_mm;
     return least - beyond_mm >= range.min && most + beyond_mm <= range.max;
 }
 

@@ -12,6 +12,9 @@
 
 namespace gsim::motion {
 
+/// A joint that goes by less of the way than this stands still, but for rounding.
+inline constexpr double kNoShare = 1e-9;
+
 enum class SegmentKind { joint, linear, circular, rest };
 
 /// Joint positions, velocities and accelerations at an instant (mm or rad, s).

@@ -17,9 +17,9 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kSameSpeed = 1e-12;  // relative
-constexpr double kNoSpeed = 1e-9;     // of the highest speed
-constexpr double kNoWay = 1e-9;       // of the whole
+constexpr double kAsPlanned = 1e-12;      // relative
+constexpr double kNoShareOfSpeed = 1e-9;  // of the highest speed
+constexpr double kNoShareOfWay = 1e-9;    // of the whole
 
 /// How far the lead and the followers of a segment have come.
 struct Progress {
@@ -34,7 +34,7 @@ Progress progress_at(const Segment& segment, double t_s) {
     return progress;
 }
 
-Progress end_of(const Segment& segment) {
+Progress progress_at_end(const Segment& segment) {
     return progress_at(segment, segment.duration_s);
 }
 
@@ -85,7 +85,7 @@ Segment part_of(const Segment& segment, const Progress& from, const Laws& laws, 
     Segment part = segment;
     part.clear_followers();
     Progress to = from;
-    to.lead = last ? end_of(segment).lead : from.lead + laws.lead.length();
+    to.lead = last ? progress_at_end(segment).lead : from.lead + laws.lead.length();
     const double duration_s = laws.duration_s;
     for (std::size_t i = 0; i < segment.followers().size(); ++i) {
         const Follower& follower = segment.followers()[i];
@@ -135,7 +135,7 @@ LawLimits no_faster(LawLimits limits, const TimeLaw& law) {
 
 /// What the rest of a segment still has to do, as laws from rest to rest.
 Laws rest_laws(const Segment& segment, const Progress& from) {
-    const Progress end = end_of(segment);
+    const Progress end = progress_at_end(segment);
     const double lead = std::max(end.lead - from.lead, 0.0);
     const LawLimits lead_limits = no_faster(segment.lead_limits, segment.lead);
     const double lead_s = lead > 0 ? fastest_rest_s(lead, lead_limits) : 0;
@@ -177,7 +177,7 @@ Segment rest_of(const Segment& segment, const Progress& from) {
 /// Whether a part that goes on from `from` by `laws` comes to the end of its segment.
 bool reaches_end(const Segment& segment, const Progress& from, const Laws& laws) {
     const auto reaches = [](double done, double law, double whole) {
-        return whole - done - law <= kNoWay * whole;
+        return whole - done - law <= kNoShareOfWay * whole;
     };
     for (std::size_t i = 0; i < segment.followers().size(); ++i) {
         const double whole = segment.followers()[i].law.length();
@@ -189,7 +189,7 @@ bool reaches_end(const Segment& segment, const Progress& from, const Laws& laws)
 /// The speed at the end of a part; rounding is none.
 double exit_speed(const Laws& laws, const TimeLaw& planned) {
     const double speed = std::min(laws.end_speed, planned.end_speed());
-    return speed > kNoSpeed * planned.peak_speed() ? speed : 0;
+    return speed > kNoShareOfSpeed * planned.peak_speed() ? speed : 0;
 }
 
 /// The laws by which a whole segment is passed that is entered at a lower speed than planned.
@@ -308,7 +308,7 @@ void Brakes::leave_from(std::size_t index) {
 /// What the speed at the end of a segment is of the one with which the next one was planned to start.
 double entry_rate(double speed, const Segment& next) {
     const double planned = next.lead.start_speed();
-    return speed < planned * (1 - kSameSpeed) ? speed / planned : 1;
+    return speed < planned * (1 - kAsPlanned) ? speed / planned : 1;
 }
 
 /// Plans a segment without a motion beside it to start at a lower speed than planned.

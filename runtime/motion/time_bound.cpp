@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/motion/quadratic.h"
+
 namespace gsim::motion {
 
 namespace {
@@ -12,21 +14,17 @@ namespace {
 using rrs::JointPos;
 
 // Within these no product below overflows or vanishes; nothing in a workshop comes near them.
-constexpr double kLeast = 1e-100;
-constexpr double kMost = 1e100;
+constexpr double kLeastValue = 1e-100;
+constexpr double kMostValue = 1e100;
 constexpr double kMostShare = 1e50;
 constexpr double kMostCells = 1e6;
 
-double squared(double value) {
-    return value * value;
-}
-
-double limit(double value) {
-    return value > 0 ? std::clamp(value, kLeast, kMost) : kMost;
+double sane(double value) {
+    return value > 0 ? std::clamp(value, kLeastValue, kMostValue) : kMostValue;
 }
 
 JointPos sane(JointPos limits) {
-    for (Eigen::Index joint = 0; joint < limits.size(); ++joint) limits[joint] = limit(limits[joint]);
+    for (Eigen::Index joint = 0; joint < limits.size(); ++joint) limits[joint] = sane(limits[joint]);
     return limits;
 }
 
@@ -56,7 +54,7 @@ double meeting_speed2(const Band& one, const Band& other) {
     const double apart = one.q2 * other.q1 - other.q2 * one.q1;
     const double room =
         apart > 0 ? one.up * other.q1 + other.down * one.q1 : other.up * one.q1 + one.down * other.q1;
-    return apart == 0 ? squared(kMost) : room / std::abs(apart);
+    return apart == 0 ? squared(kMostValue) : room / std::abs(apart);
 }
 
 }  // namespace
@@ -80,7 +78,7 @@ void TimeBound::stop() {
 
 void TimeBound::change_measure() {
     settle_all(front_speed2_);
-    front_speed2_ = squared(kMost);
+    front_speed2_ = squared(kMostValue);
 }
 
 double TimeBound::bound_s() const {
@@ -90,18 +88,18 @@ double TimeBound::bound_s() const {
 }
 
 TimeBound::Reach TimeBound::reach_of(const PathCaps& caps) {
-    return {squared(limit(caps.max_speed)), limit(caps.max_acceleration), limit(caps.max_deceleration)};
+    return {squared(sane(caps.max_speed)), sane(caps.max_acceleration), sane(caps.max_deceleration)};
 }
 
 void TimeBound::add_line(double length, const PathCaps& caps) {
-    if (!(length > kLeast)) return;
+    if (!(length > kLeastValue)) return;
     const Reach reach = reach_of(caps);
-    add_piece({std::min(length, kMost), reach, 0, 0}, reach.speed2, reach.speed2);
+    add_piece({std::min(length, kMostValue), reach, 0, 0}, reach.speed2, reach.speed2);
 }
 
 void TimeBound::add_line(double length, const JointPos& q1, const PathCaps& caps) {
     PathCaps all = caps;
-    const auto lower = [](double& cap, double other) { cap = limit(cap) < other ? cap : other; };
+    const auto lower = [](double& cap, double other) { cap = sane(cap) < other ? cap : other; };
     for (Eigen::Index joint = 0; joint < q1.size(); ++joint) {
         const double share = usable(q1, joint) ? std::abs(q1[joint]) : 0;
         if (share == 0) continue;
@@ -114,7 +112,7 @@ void TimeBound::add_line(double length, const JointPos& q1, const PathCaps& caps
 }
 
 void TimeBound::add_curve(const Curve& curve, const PathCaps& caps) {
-    if (!(curve.length > kLeast) || curve.length > kMost || !curve.at) return;
+    if (!(curve.length > kLeastValue) || curve.length > kMostValue || !curve.at) return;
     const double wanted = std::ceil(curve.turn_rad / grid_.cell_rad);
     const int cells = wanted > 1 ? static_cast<int>(std::min(wanted, kMostCells)) : 1;
     const double length = curve.length / cells;
@@ -142,7 +140,7 @@ void TimeBound::add_cell(double length, const CurvePoint& start, const CurvePoin
     std::size_t count = 0;
     const Eigen::Index joints = std::min(limits_.max_speed.size(), limits_.max_acceleration.size());
     for (Eigen::Index joint = 0; joint < joints; ++joint) {
-        const double max_q2 = joint < curve.max_q2.size() ? std::abs(curve.max_q2[joint]) : kMost;
+        const double max_q2 = joint < curve.max_q2.size() ? std::abs(curve.max_q2[joint]) : kMostValue;
         if (add_joint_cell(joint, length, start, end, max_q2)) ++count;
     }
     add_piece({length, path, 0, count}, node_speed2(start, path), node_speed2(end, path));

@@ -13,13 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSame_mm = 1e-6;
+constexpr double kLeastArc_mm = 1e-6;
 constexpr double kTurn_rad = 2 * std::numbers::pi;
-constexpr double kGreatestTurn_deg = 360e3;
-
-tl::unexpected<std::string> fault(std::string sentence) {
-    return tl::unexpected(std::move(sentence));
-}
+constexpr double kGreatestArcTurn_deg = 360e3;
 
 // The angle from one radius to another about `normal`, in [0, 2 pi).
 double angle_between(const Vector3d& from, const Vector3d& to, const Vector3d& normal) {
@@ -30,13 +26,13 @@ double angle_between(const Vector3d& from, const Vector3d& to, const Vector3d& n
 tl::expected<ArcShape, std::string> through(const Vector3d& start, const Vector3d& via, const Vector3d& end) {
     const Vector3d chord = end - start;
     const Vector3d to_via = via - start;
-    if (chord.norm() < kSame_mm) {
-        return fault(
+    if (chord.norm() < kLeastArc_mm) {
+        return tl::unexpected<std::string>(
             "an arc through 'via_mm' must end elsewhere than it starts; give a full circle by 'center_mm'");
     }
     const Vector3d cross = chord.cross(to_via);
-    if (cross.norm() < kSame_mm * chord.norm()) {
-        return fault(
+    if (cross.norm() < kLeastArc_mm * chord.norm()) {
+        return tl::unexpected<std::string>(
             "the via point lies on the line through start and end, which makes no arc; use a linear motion");
     }
     // The centre of the circle through three points, from the first one.
@@ -56,9 +52,9 @@ tl::expected<ArcShape, std::string> about(const Vector3d& start, const CenterArc
                                           const Vector3d& end) {
     ArcShape arc;
     const Vector3d normal = to_eigen(given.normal);
-    if (!(normal.norm() > 0)) return fault("the 'normal' of an arc must not be 0 0 0");
-    if (!(given.turn_deg > 0 && given.turn_deg <= kGreatestTurn_deg)) {
-        return fault(fmt::format(
+    if (!(normal.norm() > 0)) return tl::unexpected<std::string>("the 'normal' of an arc must not be 0 0 0");
+    if (!(given.turn_deg > 0 && given.turn_deg <= kGreatestArcTurn_deg)) {
+        return tl::unexpected<std::string>(fmt::format(
             "'turn_deg' must be above 0 and at most 360000; it is {}. The sense is that of 'normal'",
             given.turn_deg));
     }
@@ -70,16 +66,17 @@ tl::expected<ArcShape, std::string> about(const Vector3d& start, const CenterArc
     const Vector3d last = end - arc.center - arc.normal * arc.rise_mm;
     arc.end_radius_mm = last.norm();
     arc.turn_rad = given.turn_deg * std::numbers::pi / 180;
-    if (arc.radius_mm() < kSame_mm) return fault("the arc starts at its centre");
+    if (arc.radius_mm() < kLeastArc_mm) return tl::unexpected<std::string>("the arc starts at its centre");
     if (std::abs(arc.end_radius_mm - arc.radius_mm()) > kArcTolerance_mm) {
-        return fault(fmt::format("the arc starts {:.6g} mm from its centre and ends {:.6g} mm from it",
-                                 arc.radius_mm(), arc.end_radius_mm));
+        return tl::unexpected<std::string>(
+            fmt::format("the arc starts {:.6g} mm from its centre and ends {:.6g} mm from it",
+                        arc.radius_mm(), arc.end_radius_mm));
     }
     const double off = std::remainder(arc.turn_rad - angle_between(arc.first, last, arc.normal), kTurn_rad);
     if (std::abs(off) * arc.radius_mm() > kArcTolerance_mm) {
         const double right = (arc.turn_rad - off) * 180 / std::numbers::pi;
-        return fault(fmt::format("'turn_deg' {} does not lead to the end; {:.6g} would", given.turn_deg,
-                                 right > 0 ? right : right + 360));
+        return tl::unexpected<std::string>(fmt::format("'turn_deg' {} does not lead to the end; {:.6g} would",
+                                                       given.turn_deg, right > 0 ? right : right + 360));
     }
     arc.turn_rad = std::max(arc.turn_rad - off, std::abs(off));
     return arc;

@@ -15,10 +15,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kFullTurn_rad = 2 * std::numbers::pi;
-constexpr double kLeastSteps = 20;  // of a program's numbers, in an arc's radius and between its ends
+constexpr double kLeastHeightSteps = 4;  // of the third of them above the chord
+constexpr double kLeastSteps = 20;       // of a program's numbers, in an arc's radius and between its ends
 constexpr double kGreatestRadius_mm = 1e5;
-constexpr double kGreatestTurn_deg = 360'000;
+constexpr double kGreatestRotaryTurn_deg = 360'000;
 constexpr int kRangeSamples = 16;
+constexpr double kSamePlace_mm = 1e-6;
 
 // One path on its way into the sink.
 class Walk {
@@ -39,11 +41,15 @@ class Walk {
     /// Turns about the tip, if `to` is not null.
     std::optional<Fault> unwind(std::size_t target, const AxisValues* to, const State& at);
     void set_rotary(const AxisValues& rotary) { rotary_ = rotary; }
+    /// Behind a call.
+    void forget_work_offset() { work_offset_.clear(); }
 
   private:
     struct Feed {
         double per_min = 0;
         bool rotary = false;
+        std::optional<double> duration_s = {};  // of the whole motion
+        std::optional<double> per_rev = {};
     };
 
     TargetId here() const { return {path_, target_}; }
@@ -59,8 +65,16 @@ class Walk {
     Feed feed_of_axes(const TipMotion& motion, double from, double to, const Feed& feed) const;
     bool prints_same(const Vector3d& a, const Vector3d& b) const;
     bool is_one_line(const TipMotion& motion, bool start_is_known);
+    std::optional<Fault> tell_work_offset(const Point& point, const State& before);
+    std::optional<Fault> stand(const Point& point, const AxisValues& axes, const State& before);
+    AxisMove feed_move(const AxisValues& axes, const Feed& feed, double share) const;
     void lines(const TipMotion& motion, const Feed& feed, double tolerance_mm);
+    using PieceOfArc = std::optional<AxisArc> (TipMotion::*)(double from, double to,
+                                                             double tolerance_mm) const;
     bool arcs(const TipMotion& motion, const Feed& feed);
+    bool arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfArc piece_of);
+    int pieces_in_plane(const ArcShape& arc) const;
+    int pieces_through_points(const ArcShape& arc) const;
     bool is_worth_an_arc(const ArcShape& arc) const;
 
     const MachineSpace& space_;
@@ -71,7 +85,8 @@ class Walk {
     bool is_sub_path_;
     MoveSink& sink_;
     std::size_t target_ = 0;
-    AxisValues rotary_;  // empty where it is not known
+    AxisValues rotary_;        // empty where it is not known
+    std::string work_offset_;  // that the sink knows
 };
 
 std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const State& before) {
@@ -82,8 +97,11 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
     if (auto beyond = check_range(axes)) return beyond;
     std::optional<Fault> failed;
     if (point.acceleration_mm_s2) sink_.acceleration(*point.acceleration_mm_s2);
+    if (auto differs = tell_work_offset(point, before)) return differs;
     if (point.motion == MotionType::rapid) {
         sink_.move({axes, true, std::nullopt, 0, false});
+    } else if (point.motion == MotionType::none) {
+        failed = stand(point, axes, before);
     } else {
         const std::optional<Vector>& start = before.position_mm.value();
         std::optional<ArcShape> arc;
@@ -105,11 +123,30 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
     return std::nullopt;
 }
 
+std::optional<Fault> Walk::tell_work_offset(const Point& point, const State& before) {
+    if (point.work_offset.empty() && before.work_offset.differs())
+        return fault("the point needs 'work_offset': the places that lead here hand over different ones");
+    const std::string name =
+        point.work_offset.empty() ? before.work_offset.value().value_or("") : point.work_offset;
+    if (!name.empty() && name != work_offset_) sink_.work_offset(name);
+    work_offset_ = name;
+    return std::nullopt;
+}
+
+// Where the tool is already.
+std::optional<Fault> Walk::stand(const Point& point, const AxisValues& axes, const State& before) {
+    const std::optional<Vector>& at = before.position_mm.value();
+    if (at && (to_eigen(*at) - to_eigen(point.position_mm)).norm() > kSamePlace_mm)
+        return fault("a point of motion \"none\" stands where the point before it does");
+    if (!at) sink_.stand(axes);
+    return std::nullopt;
+}
+
 std::optional<Walk::Feed> Walk::feed_of(const TipMotion& motion, const Point& point, const State& before,
                                         bool rotary_alone) const {
     if (point.duration_s) {
         const double way = rotary_alone ? motion.turn_deg() : motion.length_mm();
-        return Feed{way * 60 / *point.duration_s, rotary_alone};
+        return Feed{way * 60 / *point.duration_s, rotary_alone, point.duration_s};
     }
     const std::optional<double> feed = point.feed_mm_min ? point.feed_mm_min : before.feed_mm_min.value();
     if (rotary_alone) {
@@ -118,8 +155,10 @@ std::optional<Walk::Feed> Walk::feed_of(const TipMotion& motion, const Point& po
         if (turning) return Feed{*turning, true};
         if (feed) return Feed{*feed, true};  // as controllers take it: one F for both
     }
-    if (feed) return Feed{*feed, false};
-    return std::nullopt;
+    if (!feed) return std::nullopt;
+    const double per_rev =
+        point.feed_mm_min ? point.feed_mm_rev.value_or(0) : before.feed_mm_rev.value().value_or(0);
+    return Feed{*feed, false, std::nullopt, per_rev > 0 ? std::optional(per_rev) : std::nullopt};
 }
 
 std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, const State& before) {
@@ -137,9 +176,9 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
                   "over different feeds"
                 : "the motion needs 'feed_mm_min': no point before has one");
     }
-    if (space_.coupled() && motion.turn_deg() > kGreatestTurn_deg) {
+    if (space_.coupled() && motion.turn_deg() > kGreatestRotaryTurn_deg) {
         return fault(fmt::format("the rotary axes turn by {:.6g} degrees in one motion; {:.6g} is the most",
-                                 motion.turn_deg(), kGreatestTurn_deg));
+                                 motion.turn_deg(), kGreatestRotaryTurn_deg));
     }
     if (motion.arc() || space_.coupled()) {
         for (int i = 1; i < kRangeSamples; ++i) {
@@ -153,14 +192,24 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
             return std::nullopt;
         }
         if (arcs(motion, *feed)) return std::nullopt;
+        const bool is_arc_of_axes = !space_.coupled() || motion.turn_deg() == 0;
+        if (options_.arcs && options_.oblique_arcs == ObliqueArcs::refused && is_arc_of_axes) {
+            return fault(
+                "this arc lies outside the planes of X, Y and Z, and the post refuses such arcs ([arcs], "
+                "oblique)");
+        }
     } else if (is_one_line(motion, start_is_known)) {
         const Feed of_axes = start_is_known ? feed_of_axes(motion, 0, 1, *feed) : *feed;
-        sink_.move({motion.at(1), false, std::nullopt, of_axes.per_min, of_axes.rotary});
+        AxisMove move = feed_move(motion.at(1), of_axes, 1);
+        move.lead_mm = point.lead_mm;
+        sink_.move(move);
         return std::nullopt;
     }
+    if (point.lead_mm) return fault("a line in step with the spindle would have to be cut into several");
     sink_.note(here(), fmt::format("{} by lines within {:.6g} mm",
-                                   motion.arc() ? "an arc outside the planes of the axes"
-                                                : "a line with turning axes",
+                                   !motion.arc()   ? "a line with turning axes"
+                                   : options_.arcs ? "an arc outside the planes of the axes"
+                                                   : "an arc",
                                    options_.tolerance_mm));
     lines(motion, *feed, options_.tolerance_mm);
     return std::nullopt;
@@ -191,15 +240,23 @@ Walk::Feed Walk::feed_of_axes(const TipMotion& motion, double from, double to, c
     const double minutes = (feed.rotary ? turn_deg : motion.length_mm() * (to - from)) / feed.per_min;
     const Vector3d start = space_.linear(motion.at(from));
     const Vector3d end = space_.linear(motion.at(to));
-    if (prints_same(start, end)) return {turn_deg / minutes, true};
-    return {(end - start).norm() / minutes, false};
+    if (prints_same(start, end)) return {turn_deg / minutes, true, feed.duration_s};
+    return {(end - start).norm() / minutes, false, feed.duration_s};
+}
+
+// A feed move of a share of the motion.
+AxisMove Walk::feed_move(const AxisValues& axes, const Feed& feed, double share) const {
+    AxisMove move{axes, false, std::nullopt, feed.per_min, feed.rotary};
+    if (feed.duration_s) move.duration_s = *feed.duration_s * share;
+    move.feed_mm_rev = feed.per_rev;
+    return move;
 }
 
 void Walk::lines(const TipMotion& motion, const Feed& feed, double tolerance_mm) {
     double before = 0;
     motion.cut(tolerance_mm, [&](double share) {
         const Feed of_axes = feed_of_axes(motion, before, share, feed);
-        sink_.move({motion.at(share), false, std::nullopt, of_axes.per_min, of_axes.rotary});
+        sink_.move(feed_move(motion.at(share), of_axes, share - before));
         before = share;
     });
 }
@@ -212,27 +269,49 @@ bool Walk::is_worth_an_arc(const ArcShape& arc) const {
 }
 
 // Arcs of a turn at most; one that nearly closes is halved, since rounding might close it.
-bool Walk::arcs(const TipMotion& motion, const Feed& feed) {
-    const ArcShape& arc = *motion.arc();
-    if (!is_worth_an_arc(arc)) return false;
+int Walk::pieces_in_plane(const ArcShape& arc) const {
     const double turns = arc.turn_rad / kFullTurn_rad;
-    int pieces = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
     const double gap_mm = std::abs(turns / pieces - 1) * kFullTurn_rad * arc.radius_mm();
     const bool closed = gap_mm < 1e-6 && std::abs(arc.radius_mm() - arc.end_radius_mm) < 1e-6;
-    if (!closed && gap_mm < kLeastSteps * options_.resolution_mm) pieces *= 2;
+    return !closed && gap_mm < kLeastSteps * options_.resolution_mm ? 2 * pieces : pieces;
+}
+
+// The printed ends of an arc that nearly closes say little of the plane that they lie in: rounded by a digit,
+// they tilt it about the third point. It is halved where it would leave the tolerance. 0: the third point is
+// hardly off the line between the ends.
+int Walk::pieces_through_points(const ArcShape& arc) const {
+    const double least_gap = std::min(2.0, options_.resolution_mm / options_.tolerance_mm);  // in radii
+    const double widest_rad = kFullTurn_rad - 2 * std::asin(least_gap / 2);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(arc.turn_rad / widest_rad - 1e-9)));
+    const double height_mm = arc.radius_mm() * (1 - std::cos(arc.turn_rad / pieces / 2));
+    return height_mm >= kLeastHeightSteps * options_.resolution_mm ? pieces : 0;
+}
+
+bool Walk::arcs(const TipMotion& motion, const Feed& feed) {
+    const ArcShape& arc = *motion.arc();
+    if (!options_.arcs || !is_worth_an_arc(arc)) return false;
+    if (arcs(motion, feed, pieces_in_plane(arc), &TipMotion::axis_arc)) return true;
+    return options_.oblique_arcs == ObliqueArcs::through_points &&
+           arcs(motion, feed, pieces_through_points(arc), &TipMotion::oblique_arc);
+}
+
+bool Walk::arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfArc piece_of) {
     std::vector<AxisArc> found;
     found.reserve(static_cast<std::size_t>(pieces));
     for (int i = 0; i < pieces; ++i) {
-        const auto piece = motion.axis_arc(static_cast<double>(i) / pieces,
-                                           static_cast<double>(i + 1) / pieces, options_.tolerance_mm);
+        const auto piece = (motion.*piece_of)(static_cast<double>(i) / pieces,
+                                              static_cast<double>(i + 1) / pieces, options_.tolerance_mm);
         if (!piece) return false;
         found.push_back(*piece);
     }
     for (int i = 0; i < pieces; ++i) {
-        sink_.move({motion.at(static_cast<double>(i + 1) / pieces), false, found[static_cast<std::size_t>(i)],
-                    feed.per_min, feed.rotary});
+        AxisMove move = feed_move(motion.at(static_cast<double>(i + 1) / pieces), feed, 1.0 / pieces);
+        move.arc = found[static_cast<std::size_t>(i)];
+        move.arc->turn_rad = motion.arc()->turn_rad / pieces;
+        sink_.move(move);
     }
-    return true;
+    return pieces > 0;
 }
 
 // With the jet off, so that it does not cut a hole where it stands.
@@ -275,6 +354,7 @@ std::optional<Fault> call(const SubPath& sub_path, std::size_t target, const Pat
         }
     }
     walk.set_rotary(turns.at(target));
+    walk.forget_work_offset();
     return std::nullopt;
 }
 

@@ -20,7 +20,14 @@ struct AxisArc {
     int about = 2;                  ///< The axis that it turns about: 0 X, 1 Y, 2 Z.
     bool counterclockwise = false;  ///< By the right hand about that axis.
     Vector center_offset_mm{};      ///< From the start, along X, Y and Z.
+    double turn_rad = 0;            ///< > 0
+    /// X, Y and Z halfway, of an arc in an oblique plane. That tells the arc; of the above turn_rad alone
+    /// counts then.
+    std::optional<Vector> via_mm = {};
 };
+
+/// What becomes of arcs outside the planes of X, Y and Z.
+enum class ObliqueArcs { lines, through_points, refused };
 
 /// One move of the machine's axes.
 struct AxisMove {
@@ -29,6 +36,9 @@ struct AxisMove {
     std::optional<AxisArc> arc;   ///< Otherwise all axes go in proportion.
     double feed_per_min = 0;      ///< mm/min along X, Y and Z, or deg/min where rotary axes alone move.
     bool feed_is_rotary = false;  ///< deg/min
+    std::optional<double> duration_s = {};   ///< The feed comes from: how long the whole move takes.
+    std::optional<double> feed_mm_rev = {};  ///< Likewise: the way in a turn of the spindle.
+    std::optional<double> lead_mm = {};      ///< The move is in step with the spindle: its way in a turn.
 };
 
 /// What the moves of a path are told to, in their order.
@@ -36,6 +46,10 @@ class MoveSink {
   public:
     virtual ~MoveSink() = default;
     virtual void move(const AxisMove& move) = 0;
+    /// The axes stand there, though no move has led there.
+    virtual void stand(const AxisValues& /*axes*/) {}
+    /// A work coordinate system is selected, by its name; axis values stay those of the machine.
+    virtual void work_offset(const std::string& /*name*/) {}
     virtual void dwell(double seconds) = 0;
     /// From the next move on, along the path.
     virtual void acceleration(double mm_s2) = 0;
@@ -48,10 +62,13 @@ class MoveSink {
 struct MoveOptions {
     double tolerance_mm = 0.01;    ///< How far pieces may be off the path.
     double resolution_mm = 0.001;  ///< Smallest step of a program's numbers.
+    ObliqueArcs oblique_arcs = ObliqueArcs::lines;
+    bool arcs = true;  ///< Whether arcs may stay arcs.
 };
 
 /// Turns the points of a path into moves of the axes. Arcs stay arcs where they lie in a plane of the axes,
-/// otherwise, and where rotary axes move the linear ones along with them, motions are cut into lines.
+/// or the options have a way for oblique ones; otherwise, and where rotary axes move the linear ones along
+/// with them, motions are cut into lines.
 class AxisMoves {
   public:
     /// What is given must outlive this.

@@ -46,6 +46,7 @@ std::string JsonHandler::wanted() const {
     switch (level()) {
         case Level::outside: return "a path file must be an object {...}";
         case Level::program:
+            if (key_ == "work_offsets") return "'work_offsets' must be an object of offsets by name";
             return fmt::format("'{}' must be {}", key_, key_ == "paths" ? "an array of paths" : "a string");
         case Level::paths: return "'paths' must hold objects, each a path with 'name' and 'targets'";
         case Level::path:
@@ -53,6 +54,9 @@ std::string JsonHandler::wanted() const {
                                key_ == "targets" ? "an array of targets" : "a string");
         case Level::targets: return "'targets' must hold objects, each a point or a sub-path";
         case Level::vector: return fmt::format("'{}' must hold three numbers", name_of(target_key_));
+        case Level::offsets:
+            return fmt::format("the work offset '{}' must be an object such as {{\"X\": 200}}", offset_name_);
+        case Level::offset:
         case Level::rotary: return fmt::format("'{}' must be a number", key_);
         case Level::actions: return "'actions' must hold strings";
         case Level::target: break;
@@ -79,6 +83,7 @@ bool JsonHandler::number(double value) {
         values_.push_back(value);
         return true;
     }
+    if (level() == Level::offset) return offset_value(value);
     if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
     const bool wants_number =
         level() == Level::target && TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::number;
@@ -88,7 +93,7 @@ bool JsonHandler::number(double value) {
 bool JsonHandler::string(std::string& value) {
     switch (level()) {
         case Level::program:
-            if (key_ == "paths") return wrong_type("a string");
+            if (key_ == "paths" || key_ == "work_offsets") return wrong_type("a string");
             if (key_ == "name") file_.program.name = value;
             if (key_ == "root") {
                 root_ = value;
@@ -112,6 +117,11 @@ bool JsonHandler::string(std::string& value) {
 bool JsonHandler::start_object(std::size_t) {
     switch (level()) {
         case Level::outside: levels_.push_back(Level::program); return true;
+        case Level::program:
+            if (key_ != "work_offsets") return wrong_type("an object");
+            levels_.push_back(Level::offsets);
+            return true;
+        case Level::offsets: return start_offset();
         case Level::paths:
             levels_.push_back(Level::path);
             path_keys_.clear();
@@ -140,6 +150,8 @@ bool JsonHandler::key(std::string& name) {
         case Level::program: return program_key(name);
         case Level::path: return path_key(name);
         case Level::target: return target_key(name);
+        case Level::offsets: offset_name_ = name; return true;
+        case Level::offset: return offset_key(name);
         default: key_ = std::move(name); return true;
     }
 }
@@ -155,6 +167,34 @@ bool JsonHandler::path_key(const std::string& name) {
     if (!is_known(name, kPathKeys)) return fail(unknown_key(name, "a path", kPathKeys));
     if (!add_key(path_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
     key_ = name;
+    return true;
+}
+
+bool JsonHandler::start_offset() {
+    levels_.push_back(Level::offset);
+    offset_keys_.clear();
+    if (file_.program.work_offsets.try_emplace(offset_name_).second) return true;
+    return fail(fmt::format("there are two work offsets of the name '{}'", offset_name_));
+}
+
+bool JsonHandler::offset_key(std::string& name) {
+    const bool letter = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z';
+    if (!letter && name != kRotationKey) {
+        return fail(fmt::format("a work offset names axes by one capital letter each, or has '{}'; not '{}'",
+                                kRotationKey, name));
+    }
+    if (!add_key(offset_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
+    key_ = std::move(name);
+    return true;
+}
+
+bool JsonHandler::offset_value(double value) {
+    WorkOffset& offset = file_.program.work_offsets[offset_name_];
+    if (key_ == kRotationKey) {
+        offset.rotation_deg = value;
+    } else {
+        offset.origin[key_[0]] = value;
+    }
     return true;
 }
 

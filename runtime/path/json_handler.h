@@ -45,7 +45,19 @@ class JsonHandler {
     const std::string& error() const { return error_; }
 
   private:
-    enum class Level { outside, program, paths, path, targets, target, vector, rotary, actions };
+    enum class Level {
+        outside,
+        program,
+        paths,
+        path,
+        targets,
+        target,
+        vector,
+        rotary,
+        actions,
+        offsets,
+        offset
+    };
     struct Reference {
         TargetId from;
         std::string path_name;
@@ -56,7 +68,9 @@ class JsonHandler {
     bool program_key(const std::string& name);
     bool path_key(const std::string& name);
     bool target_key(const std::string& name);
-    bool rotary_key(const std::string& name);
+    bool offset_key(std::string& name);
+    bool offset_value(double value);
+    bool start_offset();
     bool start_target_array();
     bool end_path();
     bool end_target();
@@ -73,7 +87,8 @@ class JsonHandler {
     std::string error_;
     std::vector<Level> levels_{Level::outside};
     std::string key_;  // the last key of the program, of a path or of rotary axes
-    std::vector<std::string> program_keys_, path_keys_;
+    std::vector<std::string> program_keys_, path_keys_, offset_keys_;
+    std::string offset_name_;  // of the work coordinate system being read
     std::optional<std::string> root_;
     Place root_place_;
     TargetKey target_key_ = TargetKey::name;

@@ -24,8 +24,10 @@ class Writer {
         : program_(program), sink_(sink) {}
 
     void write() {
-        put("{{\n\"name\": {},\n\"root\": {},\n\"paths\": [\n", quoted(program_.name),
+        put("{{\n\"name\": {},\n\"root\": {},\n", quoted(program_.name),
             quoted(program_.paths[program_.root].name));
+        if (program_.is_recorded()) write_work_offsets();
+        put("\"paths\": [\n");
         for (const Path& path : program_.paths) {
             write_path(path);
             put("{}\n", &path == &program_.paths.back() ? "" : ",");
@@ -38,6 +40,23 @@ class Writer {
     template <typename... Values>
     void put(fmt::format_string<Values...> format, Values&&... values) {
         fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    }
+
+    void write_work_offsets() {
+        put("\"work_offsets\": {{");
+        const char* separator = "";
+        for (const auto& [name, offset] : program_.work_offsets) {
+            put("{}{}: {{", separator, quoted(name));
+            const char* between = "";
+            for (const auto& [letter, value] : offset.origin) {
+                put("{}\"{}\": {}", between, letter, value);
+                between = ", ";
+            }
+            if (offset.rotation_deg != 0) put("{}\"{}\": {}", between, kRotationKey, offset.rotation_deg);
+            put("}}");
+            separator = ", ";
+        }
+        put("}},\n");
     }
 
     void write_path(const Path& path) {
@@ -70,6 +89,10 @@ class Writer {
         number(TargetKey::feed_mm_min, point.feed_mm_min);
         number(TargetKey::feed_deg_min, point.feed_deg_min);
         number(TargetKey::duration_s, point.duration_s);
+        number(TargetKey::feed_mm_rev, point.feed_mm_rev);
+        number(TargetKey::lead_mm, point.lead_mm);
+        if (!point.work_offset.empty())
+            put(", \"{}\": {}", name_of(TargetKey::work_offset), quoted(point.work_offset));
         number(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2);
         if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
         write_actions(point.actions);

@@ -9,7 +9,8 @@ namespace gsim::path {
 
 // The keys of the text form (docs/paths.md), the same in JSON and in Lua.
 
-inline constexpr std::array<std::string_view, 4> kProgramKeys = {"$schema", "name", "root", "paths"};
+inline constexpr std::array<std::string_view, 5> kProgramKeys = {"$schema", "name", "root", "paths",
+                                                                 "work_offsets"};
 inline constexpr std::array<std::string_view, 2> kPathKeys = {"name", "targets"};
 
 /// A target's keys; those from `path` on are of sub-paths.
@@ -27,6 +28,9 @@ enum class TargetKey {
     feed_mm_min,
     feed_deg_min,
     duration_s,
+    feed_mm_rev,
+    lead_mm,
+    work_offset,
     acceleration_mm_s2,
     dwell_s,
     actions,
@@ -35,16 +39,20 @@ enum class TargetKey {
 };
 
 /// In the order of TargetKey.
-inline constexpr std::array<std::string_view, 18> kTargetKeys = {
-    "name",      "motion",  "position_mm", "via_mm",      "center_mm",    "normal",     "turn_deg",
-    "tool_axis", "rpy_deg", "rotary_deg",  "feed_mm_min", "feed_deg_min", "duration_s", "acceleration_mm_s2",
-    "dwell_s",   "actions", "path",        "repeats"};
+inline constexpr std::array<std::string_view, 21> kTargetKeys = {
+    "name",       "motion",      "position_mm", "via_mm",      "center_mm",          "normal",
+    "turn_deg",   "tool_axis",   "rpy_deg",     "rotary_deg",  "feed_mm_min",        "feed_deg_min",
+    "duration_s", "feed_mm_rev", "lead_mm",     "work_offset", "acceleration_mm_s2", "dwell_s",
+    "actions",    "path",        "repeats"};
+
+/// The key of a work coordinate system that is no axis.
+inline constexpr std::string_view kRotationKey = "rotation_deg";
 
 inline constexpr std::string_view name_of(TargetKey key) {
     return kTargetKeys[static_cast<std::size_t>(key)];
 }
 
 /// In the order of MotionType.
-inline constexpr std::array<std::string_view, 3> kMotionNames = {"rapid", "linear", "circular"};
+inline constexpr std::array<std::string_view, 4> kMotionNames = {"rapid", "linear", "circular", "none"};
 
 }  // namespace gsim::path

@@ -1,6 +1,6 @@
 #include "runtime/path/machine_space.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +8,7 @@
 
 #include "runtime/kinematics/pose.h"
 #include "runtime/path/arc_shape.h"
+#include "text/number.h"
 
 namespace gsim::path {
 
@@ -17,7 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using machine::AxisKind;
 
-constexpr double kSame_mm = 1e-9;
+constexpr double kUncoupled_mm = 1e-9;
 constexpr double kSlack = 1e-6;  // mm or deg that an axis may be beyond its range by rounding
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
@@ -26,10 +27,13 @@ double cleaned(double value) {
     return std::abs(value) < 1e-10 ? 0.0 : value;
 }
 
+// A pose whose Z goes in a direction of length 1, turned the shortest way (not by Eigen's FromTwoVectors(),
+// which takes three seconds to compile).
 rrs::CartPos pose_with_axis(const Vector3d& direction) {
-    rrs::CartPos pose = rrs::CartPos::Identity();
-    pose.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), direction).toRotationMatrix();
-    return pose;
+    const double lean = std::hypot(direction.x(), direction.y());
+    const Vector3d about =
+        lean > 0 ? Vector3d(-direction.y() / lean, direction.x() / lean, 0) : Vector3d::UnitX();
+    return rrs::CartPos(Eigen::AngleAxisd(std::atan2(lean, direction.z()), about));
 }
 
 AxisValues pair(double first, double second) {
@@ -88,8 +92,8 @@ void MachineSpace::study() {
             rotary[i] = angle + 11.0 * static_cast<double>(i);
             Vector3d origin;
             const Matrix3d turned = affine(rotary, origin);
-            coupled_ = coupled_ || (origin - tip_at_zero_).norm() > kSame_mm ||
-                       (turned - to_linear_).norm() > kSame_mm;
+            coupled_ = coupled_ || (origin - tip_at_zero_).norm() > kUncoupled_mm ||
+                       (turned - to_linear_).norm() > kUncoupled_mm;
         }
     }
 }
@@ -201,8 +205,9 @@ std::string MachineSpace::range_fault(const AxisValues& axes) const {
     for (Eigen::Index i = 0; i < axes.size(); ++i) {
         const machine::Axis& axis = machine_->axes[static_cast<std::size_t>(i)];
         if (axes[i] >= axis.min - kSlack && axes[i] <= axis.max + kSlack) continue;
-        return fmt::format("out of reach: {} {:.6g} is outside {:.6g} to {:.6g}", axis.letter, axes[i],
-                           axis.min, axis.max);
+        return fmt::format("out of reach: {} {:.6g} is outside {:.6g} to {:.6g}", axis.letter,
+                           text::unsigned_zero(axes[i]), text::unsigned_zero(axis.min),
+                           text::unsigned_zero(axis.max));
     }
     return {};
 }

@@ -7,7 +7,7 @@ namespace gsim::path {
 
 namespace {
 
-constexpr double kSlack_deg = 1e-5;
+constexpr double kOffLine_deg = 1e-5;
 constexpr double kSameFeed = 1e-4;        // as a share
 constexpr std::size_t kMostPassed = 256;  // each is looked at again with each further move
 
@@ -36,14 +36,16 @@ bool MergedLines::is_between(const AxisValues& point, const AxisValues& end) con
     const AxisValues off = point - start_ - share * way;
     for (Eigen::Index i = 0; i < off.size(); ++i) {
         const machine::Axis& axis = space_.machine().axes[static_cast<std::size_t>(i)];
-        const double slack = axis.kind == machine::AxisKind::rotary ? kSlack_deg : slack_mm_;
+        const double slack = axis.kind == machine::AxisKind::rotary ? kOffLine_deg : slack_mm_;
         if (std::abs(off[i]) > slack) return false;
     }
     return true;
 }
 
 bool MergedLines::goes_on(const AxisMove& move) const {
-    if (!line_) return false;
+    if (!line_ || move.lead_mm || line_->lead_mm) return false;
+    if (line_->duration_s.has_value() != move.duration_s.has_value()) return false;
+    if (line_->feed_mm_rev.has_value() || move.feed_mm_rev.has_value()) return false;
     if (line_->feed_is_rotary != move.feed_is_rotary ||
         std::abs(line_->feed_per_min - move.feed_per_min) > kSameFeed * move.feed_per_min) {
         return false;
@@ -68,12 +70,24 @@ void MergedLines::move(const AxisMove& move) {
     } else if (goes_on(move)) {
         pass(line_->axes);
         line_->axes = move.axes;
+        if (move.duration_s) *line_->duration_s += *move.duration_s;
     } else {
         flush();
         start_ = *at_;
         line_ = move;
     }
     at_ = move.axes;
+}
+
+void MergedLines::stand(const AxisValues& axes) {
+    flush();
+    at_ = axes;
+    sink_.stand(axes);
+}
+
+void MergedLines::work_offset(const std::string& name) {
+    flush();
+    sink_.work_offset(name);
 }
 
 void MergedLines::dwell(double seconds) {

@@ -20,6 +20,8 @@ class MergedLines final : public MoveSink {
     void finish() { flush(); }
 
     void move(const AxisMove& move) override;
+    void stand(const AxisValues& axes) override;
+    void work_offset(const std::string& name) override;
     void dwell(double seconds) override;
     void acceleration(double mm_s2) override;
     void action(const std::string& name) override;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,8 +14,8 @@ namespace gsim::path {
 /// A point or a direction in the work frame: x, y, z.
 using Vector = std::array<double, 3>;
 
-/// How the tool goes to a point from the one before.
-enum class MotionType { rapid, linear, circular };
+/// How the tool goes to a point from the one before; `none`: it stands there already.
+enum class MotionType { rapid, linear, circular, none };
 
 /// The direction of the tool's axis, from its tip to its spindle or nozzle, in the work frame; of any length
 /// above 0. The turn about it is left to the machine.
@@ -61,9 +62,12 @@ struct Point {
     Vector position_mm{};
     std::variant<ViaPoint, CenterArc> arc;  ///< Of a circular motion.
     std::optional<Orientation> orientation;
-    std::optional<double> feed_mm_min;         ///< > 0; where rotary axes alone move, feed_deg_min counts.
-    std::optional<double> feed_deg_min;        ///< > 0
-    std::optional<double> duration_s;          ///< > 0; of this motion alone, in place of a feed.
+    std::optional<double> feed_mm_min;   ///< > 0; where rotary axes alone move, feed_deg_min counts.
+    std::optional<double> feed_deg_min;  ///< > 0
+    std::optional<double> duration_s;    ///< > 0; of this motion alone, in place of a feed.
+    std::optional<double> feed_mm_rev;   ///< > 0; with feed_mm_min: what that is in a turn of the spindle.
+    std::optional<double> lead_mm;       ///< > 0; of this line alone: in step with the spindle, in a turn.
+    std::string work_offset;             ///< From here on: a name of Program::work_offsets; empty: as before.
     std::optional<double> acceleration_mm_s2;  ///< > 0
     double dwell_s = 0;                        ///< On arrival, before the actions.
     std::vector<std::string>
@@ -93,13 +97,26 @@ struct Path {
 /// How deep sub-paths may be nested; the root path is not counted (thesis, example 6.1).
 inline constexpr int kMaxDepth = 8;
 
+/// Where a work coordinate system of the machine lies.
+struct WorkOffset {
+    std::map<char, double> origin;  ///< By axis letter, mm or deg.
+    double rotation_deg = 0;        ///< About Z.
+
+    bool operator==(const WorkOffset&) const = default;
+};
+
 /// A root path and the paths that it uses. Well formed (validate()) if no path leads back to itself and none
 /// is nested deeper than kMaxDepth.
 struct Program {
     std::string name;
     std::vector<Path> paths;
     std::size_t root = 0;  ///< Index in `paths`.
+    /// Of a recorded program: the systems that it used, by name ("54"), as the machine had them.
+    std::map<std::string, WorkOffset, std::less<>> work_offsets = {};
 
+    /// Whether it was recorded from a run: then it begins where the machine stood, and says what offsets were
+    /// in force.
+    bool is_recorded() const { return !work_offsets.empty(); }
     bool operator==(const Program&) const = default;
 };
 

@@ -131,4 +131,13 @@ std::optional<AxisArc> TipMotion::axis_arc(double from, double to, double tolera
     return arc;
 }
 
+std::optional<AxisArc> TipMotion::oblique_arc(double from, double to, double tolerance_mm) const {
+    if (std::abs(arc_->rise_mm * (to - from)) > tolerance_mm / 2) return std::nullopt;
+    if (space_.coupled() && turn_deg() > 0) return std::nullopt;
+    const Vector3d via = space_.linear(at((from + to) / 2));
+    AxisArc arc;
+    arc.via_mm = {via.x(), via.y(), via.z()};
+    return arc;
+}
+
 }  // namespace gsim::path

@@ -25,6 +25,9 @@ class TipMotion {
     /// The arc of the axes from one share to another, if that is one in a plane of the axes, within the
     /// tolerance.
     std::optional<AxisArc> axis_arc(double from, double to, double tolerance_mm) const;
+    /// The arc of the axes from one share to another in an oblique plane, told by the point halfway; none of
+    /// a helix, and where turning axes move the linear ones.
+    std::optional<AxisArc> oblique_arc(double from, double to, double tolerance_mm) const;
     /// Calls `piece` with the shares at which lines between them keep within the tolerance, the last is 1.
     void cut(double tolerance_mm, const std::function<void(double share)>& piece) const;
 

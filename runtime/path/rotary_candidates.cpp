@@ -9,13 +9,13 @@ namespace gsim::path {
 
 namespace {
 
-constexpr double kSame_deg = 1e-7;
-constexpr double kSlack_deg = 1e-6;
+constexpr double kSameStance_deg = 1e-7;
+constexpr double kRangeSlack_deg = 1e-6;
 constexpr double kManyTurns_deg = 3600;  // beyond that, an axis counts as endless
 constexpr std::size_t kMostCandidates = 32;
 
 bool is_same(const AxisValues& a, const AxisValues& b) {
-    return a.size() == 0 || (a - b).cwiseAbs().maxCoeff() < kSame_deg;
+    return a.size() == 0 || (a - b).cwiseAbs().maxCoeff() < kSameStance_deg;
 }
 
 void add_new(std::vector<AxisValues>& list, const AxisValues& values) {
@@ -32,8 +32,8 @@ std::vector<double> in_range(const machine::Axis& axis, double value, double nea
         found.push_back(value + 360 * std::round((near - value) / 360));
         return found;
     }
-    const double first = value + 360 * std::ceil((axis.min - kSlack_deg - value) / 360);
-    for (double each = first; each <= axis.max + kSlack_deg; each += 360) {
+    const double first = value + 360 * std::ceil((axis.min - kRangeSlack_deg - value) / 360);
+    for (double each = first; each <= axis.max + kRangeSlack_deg; each += 360) {
         found.push_back(std::clamp(each, axis.min, axis.max));
     }
     return found;
@@ -105,7 +105,7 @@ tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const Machi
     for (const AxisValues& near : before) {
         // Whole turns of what is before lead to the same solutions; an endless axis follows each.
         const auto same_turn = [&](const AxisValues& each) {
-            return least_turn_between(each, near) < kSame_deg;
+            return least_turn_between(each, near) < kSameStance_deg;
         };
         const bool known = std::any_of(looked_at.begin(), looked_at.end(), same_turn);
         if (known && !as_given && !std::holds_alternative<RotaryAxes>(orientation)) continue;

@@ -15,7 +15,7 @@ namespace gsim::path {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSame_deg = 1e-6;
+constexpr double kSameTurn_deg = 1e-6;
 // What a turn on the spot costs beyond its angle: little with the jet off, more than any turning while
 // cutting.
 constexpr double kStopIdle_deg = 1;
@@ -52,7 +52,7 @@ class Search {
         std::vector<double> next(candidates.size(), kNever);
         std::vector<std::uint8_t> from(candidates.size(), 0);
         for (std::size_t k = 0; k < now_.size(); ++k) {
-            const double most = cutting ? least_turn(now_[k], candidates) + kSame_deg : kNever;
+            const double most = cutting ? least_turn(now_[k], candidates) + kSameTurn_deg : kNever;
             for (std::size_t m = 0; m < candidates.size(); ++m) {
                 const double turn = turn_between(now_[k], candidates[m]);
                 if (turn > most || cost_[k] + turn >= next[m]) continue;
@@ -79,7 +79,7 @@ class Search {
 
   private:
     static bool is_far(const AxisValues& home, const AxisValues& values) {
-        return home.size() > 0 && (values - home).cwiseAbs().maxCoeff() > 180 + kSame_deg;
+        return home.size() > 0 && (values - home).cwiseAbs().maxCoeff() > 180 + kSameTurn_deg;
     }
 
     static double least_turn(const AxisValues& from, const std::vector<AxisValues>& candidates) {
@@ -214,7 +214,7 @@ class Planner {
         const AxisValues exit = exit_of(sub_path.path);
         State again = before;
         states_.pass(again, Target(sub_path));
-        const bool short_way = turn_between(exit, entry) <= least_turn_between(exit, entry) + kSame_deg;
+        const bool short_way = turn_between(exit, entry) <= least_turn_between(exit, entry) + kSameTurn_deg;
         const bool cutting = is_cutting(first_point(sub_path.path), again, jet_) && !options_.as_given;
         if (short_way || !cutting) return std::nullopt;
         AxisValues unwound = entry;

@@ -23,6 +23,8 @@ void State::merge(const State& other) {
     orientation.merge(other.orientation);
     feed_mm_min.merge(other.feed_mm_min);
     feed_deg_min.merge(other.feed_deg_min);
+    feed_mm_rev.merge(other.feed_mm_rev);
+    work_offset.merge(other.work_offset);
     jet_on.merge(other.jet_on);
     abrasive_on.merge(other.abrasive_on);
 }
@@ -31,7 +33,9 @@ void State::pass(const Point& point) {
     position_mm = Inherited<Vector>(point.position_mm);
     set(orientation, point.orientation);
     set(feed_mm_min, point.feed_mm_min);
+    if (point.feed_mm_min) feed_mm_rev = Inherited<double>(point.feed_mm_rev.value_or(0));
     set(feed_deg_min, point.feed_deg_min);
+    if (!point.work_offset.empty()) work_offset = Inherited<std::string>(point.work_offset);
     for (const std::string& action : point.actions) {
         if (action == "waterjet_on") jet_on = Inherited<bool>(true);
         if (action == "waterjet_off") jet_on = Inherited<bool>(false);
@@ -87,6 +91,8 @@ void States::pass(State& state, const Target& target) const {
     set(state.orientation, change.orientation);
     set(state.feed_mm_min, change.feed_mm_min);
     set(state.feed_deg_min, change.feed_deg_min);
+    set(state.feed_mm_rev, change.feed_mm_rev);
+    set(state.work_offset, change.work_offset);
     set(state.jet_on, change.jet_on);
     set(state.abrasive_on, change.abrasive_on);
 }

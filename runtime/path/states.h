@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "runtime/path/validate.h"
@@ -33,6 +34,8 @@ struct State {
     Inherited<Vector> position_mm;
     Inherited<Orientation> orientation;
     Inherited<double> feed_mm_min, feed_deg_min;
+    Inherited<double> feed_mm_rev;  ///< 0 where feed_mm_min is none by turns of the spindle.
+    Inherited<std::string> work_offset;
     Inherited<bool> jet_on, abrasive_on;
 
     void merge(const State& other);

@@ -6,17 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "runtime/machine/nearest_name.h"
+#include "text/nearest_name.h"
 
 namespace gsim::path {
 
 namespace {
 
 constexpr double kGreatestRepeats = 1e9;
-
-tl::unexpected<std::string> fault(std::string sentence) {
-    return tl::unexpected(std::move(sentence));
-}
 
 Vector to_vector(const std::vector<double>& values) {
     return {values[0], values[1], values[2]};
@@ -28,6 +24,7 @@ TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
     switch (key) {
         case TargetKey::name:
         case TargetKey::motion:
+        case TargetKey::work_offset:
         case TargetKey::path: return ValueKind::text;
         case TargetKey::position_mm:
         case TargetKey::via_mm:
@@ -52,10 +49,14 @@ tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string
         point_.name = value;
     } else if (key == TargetKey::path) {
         path_name_ = value;
+    } else if (key == TargetKey::work_offset) {
+        if (value.empty()) return tl::unexpected<std::string>("'work_offset' must not be empty");
+        point_.work_offset = value;
     } else {
         const auto* const found = std::find(kMotionNames.begin(), kMotionNames.end(), value);
         if (found == kMotionNames.end()) {
-            return fault(fmt::format("'motion' must be \"{}\"", fmt::join(kMotionNames, "\" or \"")));
+            return tl::unexpected<std::string>(
+                fmt::format("'motion' must be \"{}\"", fmt::join(kMotionNames, "\" or \"")));
         }
         point_.motion = static_cast<MotionType>(found - kMotionNames.begin());
     }
@@ -68,11 +69,13 @@ tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double va
         case TargetKey::feed_mm_min: point_.feed_mm_min = value; break;
         case TargetKey::feed_deg_min: point_.feed_deg_min = value; break;
         case TargetKey::duration_s: point_.duration_s = value; break;
+        case TargetKey::feed_mm_rev: point_.feed_mm_rev = value; break;
+        case TargetKey::lead_mm: point_.lead_mm = value; break;
         case TargetKey::acceleration_mm_s2: point_.acceleration_mm_s2 = value; break;
         case TargetKey::dwell_s: point_.dwell_s = value; break;
         default:
             if (!(value >= 1 && value <= kGreatestRepeats) || value != std::floor(value)) {
-                return fault(
+                return tl::unexpected<std::string>(
                     fmt::format("'repeats' must be a whole number from 1 to 1000000000; it is {}", value));
             }
             repeats_ = static_cast<int>(value);
@@ -82,7 +85,8 @@ tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double va
 
 tl::expected<void, std::string> TargetDraft::set_vector(TargetKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
-        return fault(fmt::format("'{}' must hold three numbers; it holds {}", name_of(key), values.size()));
+        return tl::unexpected<std::string>(
+            fmt::format("'{}' must hold three numbers; it holds {}", name_of(key), values.size()));
     }
     const Vector vector = to_vector(values);
     switch (key) {
@@ -98,11 +102,12 @@ tl::expected<void, std::string> TargetDraft::set_vector(TargetKey key, const std
 
 tl::expected<void, std::string> TargetDraft::set_rotary(std::string_view letter, double value_deg) {
     if (letter.size() != 1 || letter[0] < 'A' || letter[0] > 'Z') {
-        return fault(
+        return tl::unexpected<std::string>(
             fmt::format("'rotary_deg' names axes by one capital letter each, such as B, not '{}'", letter));
     }
     auto& axes = std::get<RotaryAxes>(*point_.orientation);
-    if (!axes.emplace(letter[0], value_deg).second) return fault(fmt::format("'{}' is given twice", letter));
+    if (!axes.emplace(letter[0], value_deg).second)
+        return tl::unexpected<std::string>(fmt::format("'{}' is given twice", letter));
     return {};
 }
 
@@ -146,10 +151,10 @@ std::optional<std::string> TargetDraft::fault_of_point() const {
 
 tl::expected<Target, std::string> TargetDraft::finish() {
     if (is_sub_path()) {
-        if (auto sentence = fault_of_sub_path()) return fault(std::move(*sentence));
+        if (auto sentence = fault_of_sub_path()) return tl::unexpected<std::string>(std::move(*sentence));
         return SubPath{0, repeats_};
     }
-    if (auto sentence = fault_of_point()) return fault(std::move(*sentence));
+    if (auto sentence = fault_of_point()) return tl::unexpected<std::string>(std::move(*sentence));
     if (has(TargetKey::center_mm)) {
         point_.arc = center_;
     } else {
@@ -162,7 +167,7 @@ tl::expected<Target, std::string> TargetDraft::finish() {
 std::string unknown_key(std::string_view key, std::string_view where,
                         std::span<const std::string_view> known) {
     constexpr std::size_t kShown = 64;
-    const auto nearest = machine::nearest_name(key, known);
+    const auto nearest = text::nearest_name(key, known);
     const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
                                      : fmt::format("it may hold: {}", fmt::join(known, ", "));
     return fmt::format("unknown key '{}' in {}; {}", key.substr(0, kShown), where, hint);

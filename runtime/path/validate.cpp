@@ -75,6 +75,10 @@ Sentence rates_fault(const Point& point) {
     if (auto fault = rate_fault(TargetKey::feed_mm_min, point.feed_mm_min)) return fault;
     if (auto fault = rate_fault(TargetKey::feed_deg_min, point.feed_deg_min)) return fault;
     if (auto fault = rate_fault(TargetKey::duration_s, point.duration_s)) return fault;
+    if (auto fault = rate_fault(TargetKey::feed_mm_rev, point.feed_mm_rev)) return fault;
+    if (auto fault = rate_fault(TargetKey::lead_mm, point.lead_mm)) return fault;
+    if (point.feed_mm_rev && !point.feed_mm_min) return "'feed_mm_rev' goes with 'feed_mm_min'";
+    if (point.lead_mm && point.motion != MotionType::linear) return "'lead_mm' is of linear motions only";
     if (auto fault = rate_fault(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2)) return fault;
     if (!(point.dwell_s >= 0 && point.dwell_s <= kGreatest)) {
         return fmt::format("'dwell_s' must be 0 or greater and at most 1e6; it is {}", point.dwell_s);
@@ -106,6 +110,7 @@ class Validator {
         if (program_.root >= program_.paths.size()) return Fault{{}, "the root is none of the paths"};
         if (auto sentence = name_fault("the program's name", program_.name)) return Fault{{}, *sentence};
         check_names();
+        check_work_offsets();
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_values(path);
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_nesting(path);
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_arcs(path);
@@ -131,11 +136,36 @@ class Validator {
         }
     }
 
+    void check_work_offsets() {
+        for (const auto& [name, offset] : program_.work_offsets) {
+            const auto beyond = [](double value) { return !(std::abs(value) <= kGreatest); };
+            if (name.empty()) fail(program_.root, {}, "a work offset must have a name");
+            if (auto sentence = name_fault("a work offset's name", name)) fail(program_.root, {}, *sentence);
+            for (const auto& [letter, value] : offset.origin) {
+                if (!beyond(value)) continue;
+                fail(program_.root, {},
+                     fmt::format("{} of the work offset '{}' must lie between -1e6 and 1e6; it is {}", letter,
+                                 name, value));
+            }
+            if (beyond(offset.rotation_deg))
+                fail(program_.root, {}, fmt::format("'{}' must lie between -1e6 and 1e6", kRotationKey));
+        }
+    }
+
+    // A point's own offset is one of the program's.
+    Sentence work_offset_fault(const Point& point) const {
+        if (point.work_offset.empty() || program_.work_offsets.contains(point.work_offset))
+            return std::nullopt;
+        return fmt::format("'work_offset' names '{}', which is none of the program's 'work_offsets'",
+                           point.work_offset);
+    }
+
     void check_values(std::size_t path) {
         const std::vector<Target>& targets = program_.paths[path].targets;
         for (std::size_t i = 0; i < targets.size() && !fault_; ++i) {
             if (const auto* point = std::get_if<Point>(&targets[i])) {
                 if (auto sentence = point_fault(*point)) fail(path, i, *sentence);
+                if (auto sentence = work_offset_fault(*point)) fail(path, i, *sentence);
                 continue;
             }
             const auto& sub_path = std::get<SubPath>(targets[i]);

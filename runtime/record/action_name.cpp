@@ -13,15 +13,26 @@ namespace {
 
 constexpr std::size_t kLongest = 200;
 
-constexpr std::array<std::string_view, 16> kNoActions = {
-    "message",    "print",       "print_open", "print_close", "debug",       "log",
-    "log_open",   "log_append",  "log_close",  "probe_open",  "probe_close", "probe",
-    "tool_table", "tool_number", "input",      "override"};
+// What a probe has found is in the positions behind it; a tool table that is read again is as it was.
+constexpr std::array<std::string_view, 2> kNoActions = {"probe", "tool_table"};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOwnNames = {
-    {{"jet_on", "waterjet_on"}, {"jet_off", "waterjet_off"}}};
+// Their detail is the word that switches the process here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kOwnNames = {
+    {{"jet_on", "waterjet_on"},
+     {"jet_off", "waterjet_off"},
+     {"plasma_on", "plasma_on"},
+     {"plasma_off", "plasma_off"},
+     {"laser_on", "laser_on"},
+     {"laser_off", "laser_off"}}};
 
 }  // namespace
+
+std::string number_text(double value) {
+    std::string text = fmt::format("{:.9f}", value);
+    text.resize(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
 
 std::string plain_name(std::string name) {
     if (name.size() > kLongest) name.resize(kLongest);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,7 +26,6 @@ constexpr std::array<double, 3> kQuarters = {0.25, 0.5, 0.75};
 constexpr int kMostHalvings = 12;  // of such a motion, or of a quarter turn
 constexpr std::size_t kMostTargets = 4'000'000;
 constexpr double kGreatestRate = 1e9;  // that paths take
-constexpr double kSecondsPerMinute = 60;
 
 std::optional<double> rate(double value) {
     if (!(value > 0)) return std::nullopt;
@@ -49,7 +49,24 @@ Point PathRecorder::point_at(const AxisVector& axes, MotionType motion) {
         point.orientation = orientation;
         in_force_.orientation = std::move(orientation);
     }
+    if (work_offset_ != in_force_.work_offset) {
+        point.work_offset = work_offset_;
+        in_force_.work_offset = work_offset_;
+    }
     return point;
+}
+
+// The first point of the program: the machine stands there, and nothing moves it.
+void PathRecorder::begin(const AxisVector& at) {
+    if (!builder_.has_targets() && builder_.at_beginning()) builder_.add(point_at(at, MotionType::none));
+}
+
+// A move is told next.
+void PathRecorder::moves(const AxisVector& from) {
+    begin(from);
+    if (rests_) act(from, "rest");
+    rests_ = false;
+    has_moved_ = true;
 }
 
 void PathRecorder::set_feed(Point& point, const Feed& feed, bool rotary_alone) {
@@ -57,31 +74,34 @@ void PathRecorder::set_feed(Point& point, const Feed& feed, bool rotary_alone) {
         point.duration_s = rate(*feed.motion_s);
         return;
     }
-    std::optional<double>& in_force = rotary_alone ? in_force_.feed_deg_min : in_force_.feed_mm_min;
-    const std::optional<double> wanted = rate(rotary_alone ? feed.rotary_deg_min : feed.linear_mm_min);
-    if (!wanted || wanted == in_force) return;
-    in_force = wanted;
-    (rotary_alone ? point.feed_deg_min : point.feed_mm_min) = wanted;
+    if (rotary_alone) {
+        const std::optional<double> wanted = rate(feed.rotary_deg_min);
+        if (wanted == in_force_.feed_deg_min) return;
+        in_force_.feed_deg_min = wanted;
+        point.feed_deg_min = wanted;
+        return;
+    }
+    const std::optional<double> wanted = rate(feed.linear_mm_min);
+    const std::optional<double> per_rev = rate(feed.linear_mm_rev.value_or(0));
+    if (!wanted || (wanted == in_force_.feed_mm_min && per_rev == in_force_.feed_mm_rev)) return;
+    in_force_.feed_mm_min = point.feed_mm_min = wanted;
+    in_force_.feed_mm_rev = point.feed_mm_rev = per_rev;
 }
 
 // The motion that follows depends on where it starts.
 void PathRecorder::start_from(const AxisVector& from) {
-    if (!builder_.at_beginning()) return;
-    if (!builder_.has_targets()) return builder_.add(point_at(from, MotionType::rapid));
-    builder_.depends_on({place_.position(from), place_.orientation(from)});
+    if (builder_.at_beginning()) builder_.depends_on({place_.position(from), place_.orientation(from)});
 }
 
 // A point where the program has come to, for what is done there.
 void PathRecorder::hold(const AxisVector& at) {
-    builder_.add(point_at(at, in_force_.feed_mm_min ? MotionType::linear : MotionType::rapid));
+    builder_.add(point_at(at, MotionType::none));
 }
 
 void PathRecorder::line(const AxisVector& from, const LineMove& move, bool rotary_alone) {
     if (is_full()) return;
     if ((move.target - from).cwiseAbs().maxCoeff() < kSamePlace) return;
-    if (move.kind == MoveKind::thread) {
-        notes_.insert("recorded path: threads are lines, no longer in step with the spindle");
-    }
+    moves(from);
     if (move.kind == MoveKind::probe) {
         notes_.insert("recorded path: probing moves are lines to where this run ended them");
     }
@@ -102,9 +122,14 @@ void PathRecorder::line_or_lines(const AxisVector& from, const LineMove& move, b
     if (rotary_alone || move.feed.motion_s) start_from(from);
     if (place_.is_xyz_alone(from, move.target) || is_straight(way, 0, 1)) {
         Point point = point_at(move.target, MotionType::linear);
-        set_feed(point, move.feed, rotary_alone);
+        Feed feed = move.feed;
+        if (move.kind == MoveKind::thread) point.lead_mm = std::exchange(feed.linear_mm_rev, std::nullopt);
+        set_feed(point, feed, rotary_alone);
         return builder_.add(std::move(point));
     }
+    if (move.kind == MoveKind::thread)
+        notes_.insert(
+            "recorded path: threads with turning axes are lines, no longer in step with the spindle");
     start_from(from);
     const double whole_mm = (place_.xyz(move.target) - place_.xyz(from)).norm();
     const double whole_deg = (move.target - from).norm();
@@ -124,7 +149,7 @@ bool PathRecorder::is_straight(const Way& way, double from, double to) const {
     });
 }
 
-// Each line takes its share of the time: its length is not that of the axes' way.
+// Each line takes its share of the time: its length is not that of the axes' way, and its feed another one.
 void PathRecorder::lines(const Way& way, double from, double to, const Feed& feed, double whole_s,
                          int halvings) {
     if (is_full()) return;
@@ -135,26 +160,45 @@ void PathRecorder::lines(const Way& way, double from, double to, const Feed& fee
         return;
     }
     Point point = point_at(way(to), MotionType::linear);
-    if (place_.has_xyz()) {
+    if (!place_.has_xyz()) {
+        set_feed(point, feed, false);
+    } else if (feed.motion_s) {
         point.duration_s = rate(whole_s * (to - from));
     } else {
-        set_feed(point, feed, false);
+        const double minutes = whole_s * (to - from) / kSecondsPerMinute;
+        const double way_mm = (place_.tip(way(to)) - place_.tip(way(from))).norm();
+        const double turn_deg = (way(to) - way(from)).norm();
+        const bool stands = way_mm < kDegPerMm * turn_deg;
+        set_feed(point, {way_mm / minutes, turn_deg / minutes, std::nullopt}, stands);
     }
     builder_.add(std::move(point));
 }
 
 void PathRecorder::dwell(const AxisVector& at, double seconds) {
-    if (!(seconds > 0) || is_full()) return;
+    if (is_full()) return;
+    if (!(seconds > 0)) return rest(at);
+    begin(at);
     const Point* last = builder_.last_point();
     if (last == nullptr || last->dwell_s > 0 || !last->actions.empty()) hold(at);
     builder_.last_point()->dwell_s = seconds;
+    has_moved_ = rests_ = false;
 }
 
-void PathRecorder::event(const AxisVector& at, const simulation::Event& event) {
-    std::optional<std::string> name = action_name(event);
-    if (!name || is_full()) return;
+void PathRecorder::act(const AxisVector& at, std::string action) {
+    if (is_full()) return;
+    begin(at);
     if (builder_.last_point() == nullptr) hold(at);
-    builder_.last_point()->actions.push_back(*std::move(name));
+    builder_.last_point()->actions.push_back(std::move(action));
+}
+
+void PathRecorder::event(const AxisVector& at, const simulation::Event& event, bool at_rest) {
+    std::optional<std::string> name = action_name(event);
+    if (!name) {
+        if (at_rest) rest(at);
+        return;
+    }
+    if (at_rest) has_moved_ = rests_ = false;
+    act(at, *std::move(name));
 }
 
 void PathRecorder::enter_program(const std::string& name) {
@@ -166,16 +210,15 @@ void PathRecorder::leave_program() {
     builder_.end_call();
 }
 
-void PathRecorder::service_motion() {
-    fault_ =
-        "the script moves by services of the controller (SetNextTarget and its kin), which tell no path; use "
-        "words such as G1, or move";
+void PathRecorder::untold_motion(std::string_view why) {
+    if (fault_.empty()) fault_ = why;
 }
 
 tl::expected<path::Program, std::string> PathRecorder::finish(const std::string& name) {
     if (fault_.empty() && !builder_.has_targets()) fault_ = "the program neither moves nor switches anything";
     if (!fault_.empty()) return tl::unexpected(fault_);
     path::Program program = builder_.finish(name);
+    program.work_offsets = std::move(work_offsets_);
     if (const auto fault = path::validate(program)) return tl::unexpected(fault->sentence);
     return program;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -28,10 +30,19 @@ class PathRecorder final : public simulation::ProgramObserver {
     void arc(const simulation::AxisVector& from, const simulation::ArcMove& move) override;
     void arc(const simulation::AxisVector& from, const simulation::ViaMove& move) override;
     void dwell(const simulation::AxisVector& at, double seconds) override;
-    void event(const simulation::AxisVector& at, const simulation::Event& event) override;
+    void event(const simulation::AxisVector& at, const simulation::Event& event, bool at_rest) override;
     void enter_program(const std::string& name) override;
     void leave_program() override;
-    void service_motion() override;
+    void untold_motion(std::string_view why) override;
+    void rest(const simulation::AxisVector& at) override;
+    void spindle_speed(const simulation::AxisVector& at, double rev_min) override;
+    void path_mode(const simulation::AxisVector& at, const simulation::PathPassing& passing) override;
+    void exact_stop_once(const simulation::AxisVector& at) override;
+    void ramps(const simulation::AxisVector& at, rrs::RampMode mode) override;
+    void ramp_limit(const simulation::AxisVector& at, rrs::RampLimit limit, const machine::Axis& axis,
+                    double value) override;
+    void no_ramp_limits(const simulation::AxisVector& at) override;
+    void work_offset(const simulation::WorkOffset& offset) override;
 
     /// What the path does not show as it was, one sentence each.
     const std::set<std::string>& notes() const { return notes_; }
@@ -43,13 +54,19 @@ class PathRecorder final : public simulation::ProgramObserver {
     using Way = std::function<simulation::AxisVector(double share)>;
     /// What has been written in the path that is open, which is in force.
     struct InForce {
-        std::optional<double> feed_mm_min, feed_deg_min;
+        std::optional<double> feed_mm_min, feed_mm_rev, feed_deg_min;
         std::optional<path::Orientation> orientation;
+        std::string work_offset;
     };
 
+    static constexpr double kSecondsPerMinute = 60;
+    static constexpr double kDegPerMm = 1e-6;        ///< A tip that goes less than so much of a turn stands.
     static constexpr double kTolerance_mm = 0.0005;  ///< Of lines in place of another motion of the tip.
 
     bool is_full();
+    void begin(const simulation::AxisVector& at);
+    void moves(const simulation::AxisVector& from);
+    void act(const simulation::AxisVector& at, std::string action);
     path::Point point_at(const simulation::AxisVector& axes, path::MotionType motion);
     void set_feed(path::Point& point, const simulation::Feed& feed, bool rotary_alone);
     void start_from(const simulation::AxisVector& from);
@@ -67,6 +84,12 @@ class PathRecorder final : public simulation::ProgramObserver {
     ToolPlace place_;
     PathBuilder builder_;
     InForce in_force_;
+    std::string work_offset_;  // as the program has selected it
+    std::map<std::string, path::WorkOffset, std::less<>> work_offsets_;
+    simulation::PathPassing passing_{rrs::PathMode::continuous, 0, 0};  // in which programs begin
+    std::optional<double> spindle_rev_min_;
+    bool has_moved_ = false;  // since the machine was at rest
+    bool rests_ = false;      // before the next move, though no dwell or switch says so
     std::set<std::string> notes_;
     std::string fault_;
 };

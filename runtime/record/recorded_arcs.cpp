@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "runtime/kinematics/angle_units.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/record/path_recorder.h"
 
@@ -28,23 +28,12 @@ constexpr double kMostTurns = 900;   // of one arc; paths take 1000
 constexpr double kMostPieces = 1e6;  // of one move
 constexpr int kSamples = 16;         // at which an arc with turning axes is looked at
 constexpr double kFullTurn_rad = 2 * std::numbers::pi;
-constexpr double kDegPerRad = 180 / std::numbers::pi;
-constexpr double kSecondsPerMinute = 60;
-
-// Axes of a plane in the order that its arcs are counted in: first, second, normal.
-std::array<Eigen::Index, 3> plane_axes(simulation::Plane plane) {
-    switch (plane) {
-        case simulation::Plane::xy: return {0, 1, 2};
-        case simulation::Plane::zx: return {2, 0, 1};
-        case simulation::Plane::yz: return {1, 2, 0};
-    }
-    return {0, 1, 2};
-}
 
 }  // namespace
 
 void PathRecorder::arc(const AxisVector& from, const ArcMove& move) {
     if (is_full()) return;
+    moves(from);
     start_from(from);
     const Way way = way_of(from, move);
     if (arcs(from, move, way)) return;
@@ -53,12 +42,7 @@ void PathRecorder::arc(const AxisVector& from, const ArcMove& move) {
         fault_ = fmt::format("an arc of {:.6g} turns is too long for a path", quarters / 4);
         return;
     }
-    const auto [first, second, normal] = plane_axes(move.plane);
-    const Vector3d start = place_.xyz(from);
-    const double radius_mm =
-        std::hypot(start[first] - move.center_first_mm, start[second] - move.center_second_mm);
-    const double length_mm =
-        std::hypot(radius_mm * move.sweep_rad, place_.xyz(move.target)[normal] - start[normal]);
+    const double length_mm = move.length_mm(place_.xyz(from), place_.xyz(move.target));
     const double whole_s =
         move.feed.motion_s.value_or(kSecondsPerMinute * length_mm / move.feed.linear_mm_min);
     for (double i = 0; i < quarters; ++i) {
@@ -67,23 +51,20 @@ void PathRecorder::arc(const AxisVector& from, const ArcMove& move) {
 }
 
 PathRecorder::Way PathRecorder::way_of(const AxisVector& from, const ArcMove& move) const {
-    const auto [first, second, normal] = plane_axes(move.plane);
-    const Eigen::Index x = place_.axis(first);
-    const Eigen::Index y = place_.axis(second);
-    const Eigen::Vector2d center(move.center_first_mm, move.center_second_mm);
-    const auto in_plane = [x, y](const AxisVector& axes) {
-        return Eigen::Vector2d(x < 0 ? 0 : axes[x], y < 0 ? 0 : axes[y]);
-    };
-    const Eigen::Vector2d radius = in_plane(from) - center;
-    const double growth = (in_plane(move.target) - center).norm() / radius.norm() - 1;
-    const double sense = move.kind == MoveKind::arc_ccw ? 1 : -1;
-    return [=, target = move.target, sweep_rad = sense * move.sweep_rad](double share) {
+    const Vector3d start = place_.xyz(from);
+    const Vector3d end = place_.xyz(move.target);
+    const Vector3d radius = move.radius_to(start);
+    const Vector3d foot = start - radius;  // on the arc's axis
+    const Vector3d rise = move.normal.dot(end - start) * move.normal;
+    const double growth = move.radius_to(end).norm() / radius.norm() - 1;
+    return [=, this, axis = move.axis(), target = move.target, sweep_rad = move.sweep_rad](double share) {
         if (share >= 1) return target;
         AxisVector axes = from + share * (target - from);
-        const Eigen::Vector2d at =
-            center + (1 + share * growth) * (Eigen::Rotation2Dd(share * sweep_rad) * radius);
-        if (x >= 0) axes[x] = at[0];
-        if (y >= 0) axes[y] = at[1];
+        const Vector3d at = foot + share * rise +
+                            (1 + share * growth) * (Eigen::AngleAxisd(share * sweep_rad, axis) * radius);
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            if (place_.axis(i) >= 0) axes[place_.axis(i)] = at[i];
+        }
         return axes;
     };
 }
@@ -92,21 +73,19 @@ PathRecorder::Way PathRecorder::way_of(const AxisVector& from, const ArcMove& mo
 // may have, or of very many turns.
 bool PathRecorder::arcs(const AxisVector& from, const ArcMove& move, const Way& way) {
     if (!place_.has_xyz()) return false;
-    const auto [first, second, normal] = plane_axes(move.plane);
-    const auto shifted = [&](Eigen::Index direction) {
+    const auto shifted = [&](const Vector3d& by) {
         AxisVector axes = from;
-        axes[place_.axis(direction)] += 1;
-        return Vector3d(place_.tip(axes) - place_.tip(from));
+        for (Eigen::Index i = 0; i < 3; ++i) axes[place_.axis(i)] += by[i];
+        return place_.tip(axes);
     };
-    AxisVector center = from;
-    center[place_.axis(first)] = move.center_first_mm;
-    center[place_.axis(second)] = move.center_second_mm;
-    const Vector3d tip_center = place_.tip(center);
-    const Vector3d up = shifted(first).cross(shifted(second)).normalized();
-    const double start_mm = (place_.tip(from) - tip_center).norm();
+    const Vector3d tip = place_.tip(from);
+    const Vector3d tip_center = shifted(-move.radius_to(place_.xyz(from)));
+    const Vector3d first = move.normal.unitOrthogonal();
+    const Vector3d second = move.normal.cross(first);
+    const Vector3d up = (shifted(first) - tip).cross(shifted(second) - tip).normalized();
+    const double start_mm = (tip - tip_center).norm();
     const AxisVector& target = move.target;
-    const double end_mm = std::hypot(target[place_.axis(first)] - move.center_first_mm,
-                                     target[place_.axis(second)] - move.center_second_mm);
+    const double end_mm = move.radius_to(place_.xyz(target)).norm();
     const double pieces =
         std::max({1.0, std::ceil(std::abs(end_mm - start_mm) / (0.8 * path::kArcTolerance_mm)),
                   std::ceil(move.sweep_rad / (kFullTurn_rad * kMostTurns))});
@@ -120,7 +99,7 @@ bool PathRecorder::arcs(const AxisVector& from, const ArcMove& move, const Way& 
         Point point = point_at(way(i / pieces), MotionType::circular);
         const Vector3d sense = move.kind == MoveKind::arc_ccw ? up : Vector3d(-up);
         point.arc = path::CenterArc{to_path(tip_center), to_path(sense),
-                                    rounded(move.sweep_rad / pieces * kDegPerRad)};
+                                    rounded(move.sweep_rad / pieces * kinematics::kDegPerRad)};
         Feed feed = move.feed;
         if (feed.motion_s) *feed.motion_s /= pieces;
         set_feed(point, feed, false);
@@ -150,6 +129,7 @@ bool PathRecorder::is_on(const path::Vector& start_mm, const Point& arc, const W
 
 void PathRecorder::arc(const AxisVector& from, const ViaMove& move) {
     if (is_full()) return;
+    moves(from);
     start_from(from);
     const InForce before = in_force_;
     Point point = point_at(move.target, MotionType::circular);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "runtime/kinematics/angle_units.h"
 #include "runtime/kinematics/pose.h"
 
 namespace gsim::record {
@@ -14,7 +14,6 @@ using simulation::AxisVector;
 
 namespace {
 
-constexpr double kDegPerRad = 180 / std::numbers::pi;
 constexpr double kPerUnit = 1e9;
 
 }  // namespace
@@ -59,8 +58,9 @@ std::optional<path::Orientation> ToolPlace::orientation(const AxisVector& axes) 
     if (!has_rotary_) return std::nullopt;
     if (!has_xyz_) {
         const kinematics::Rpy rpy = kinematics::rpy_from_pose(pose(axes));
-        return path::RollPitchYaw{rounded(rpy.roll_rad * kDegPerRad), rounded(rpy.pitch_rad * kDegPerRad),
-                                  rounded(rpy.yaw_rad * kDegPerRad)};
+        return path::RollPitchYaw{rounded(rpy.roll_rad * kinematics::kDegPerRad),
+                                  rounded(rpy.pitch_rad * kinematics::kDegPerRad),
+                                  rounded(rpy.yaw_rad * kinematics::kDegPerRad)};
     }
     path::RotaryAxes rotary;
     for (std::size_t i = 0; i < machine_.axes.size(); ++i) {

@@ -1,5 +1,3 @@
-#include <array>
-
 #include <fmt/format.h>
 
 #include "runtime/script/arc_reader.h"
@@ -10,13 +8,9 @@
 
 namespace gsim::script {
 
+using text::DiagnosticKind;
+
 namespace {
-
-constexpr std::array<const char*, 4> kPlanes{"xy", "zx", "yz", nullptr};
-
-Controller& controller_of(lua_State* state) {
-    return bound<Controller>(state);
-}
 
 /// The move of a plain arc word with its words as the first argument; upvalues: controller, ccw, word id,
 /// name.
@@ -25,7 +19,8 @@ void move_along_arc(lua_State* state, Controller& controller) {
     const bool ccw = lua_toboolean(state, lua_upvalueindex(2)) != 0;
     if (!lua_istable(state, 1)) {
         const char* name = lua_tostring(state, lua_upvalueindex(4));
-        controller.alarm(state, fmt::format("{0} takes its words in braces: {0}{{x=1, y=2}}", name));
+        controller.alarm(state, DiagnosticKind::script,
+                         fmt::format("{0} takes its words in braces: {0}{{x=1, y=2}}", name));
     }
     simulation::ArcMove move = read_arc(state, controller, ccw, 1);
     move.feed = controller.feed(state, move.sweep_rad);
@@ -53,7 +48,7 @@ int modal_arc_word(lua_State* state) {
 
 /// core.arc_word(ccw, id, name)
 template <int (*Function)(lua_State*)>
-int make_word(lua_State* state) {
+int make_arc_word(lua_State* state) {
     const bool ccw = lua_toboolean(state, 1) != 0;
     const lua_Integer id = check_word_id(state, 2);
     luaL_checkstring(state, 3);
@@ -65,23 +60,35 @@ int make_word(lua_State* state) {
     return 1;
 }
 
-/// core.read_arc(ccw, words): the arc in machine coordinates, as core.arc takes it: its sense, its centre,
-/// its sweep and its target.
+/// core.read_arc(ccw, words): the arc in machine coordinates, as core.arc takes it: its plane, its sense, its
+/// centre along the plane's two directions, its sweep and its target.
 int read_arc_words(lua_State* state) {
     Controller& controller = controller_of(state);
     luaL_checktype(state, 2, LUA_TTABLE);
     const simulation::ArcMove move = read_arc(state, controller, lua_toboolean(state, 1) != 0, 2);
+    const ArcBasis basis = arc_basis(move.normal);
+    push_arc_plane(state, move.normal);
     lua_pushboolean(state, static_cast<int>(move.kind == simulation::MoveKind::arc_ccw));
-    lua_pushnumber(state, move.center_first_mm);
-    lua_pushnumber(state, move.center_second_mm);
+    lua_pushnumber(state, basis.first.dot(move.center_mm));
+    lua_pushnumber(state, basis.second.dot(move.center_mm));
     lua_pushnumber(state, move.sweep_rad);
     push_axes(state, controller, move.target);
-    return 5;
+    return 6;
+}
+
+/// core.plane_across(x, y, z): the plane at right angles to a vector, as core.arc takes it, and whether arcs
+/// that are counter-clockwise about the vector are so in that plane.
+int plane_across(lua_State* state) {
+    const Eigen::Vector3d vector(luaL_checknumber(state, 1), luaL_checknumber(state, 2),
+                                 luaL_checknumber(state, 3));
+    const Eigen::Vector3d normal = simulation::told_normal(vector.normalized());
+    push_arc_plane(state, normal);
+    lua_pushboolean(state, static_cast<int>(normal.dot(vector) > 0));
+    return 2;
 }
 
 int set_plane(lua_State* state) {
-    controller_of(state).modal().plane =
-        static_cast<simulation::Plane>(luaL_checkoption(state, 1, nullptr, kPlanes.data()));
+    controller_of(state).modal().plane = check_plane(state, 1);
     return 0;
 }
 
@@ -114,9 +121,10 @@ int set_arc_rules(lua_State* state) {
 }  // namespace
 
 void add_arc_words(lua_State* state, Controller& controller) {
-    set_function<make_word<arc_word>>(state, "arc_word", &controller);
-    set_function<make_word<modal_arc_word>>(state, "modal_arc_word", &controller);
+    set_function<make_arc_word<arc_word>>(state, "arc_word", &controller);
+    set_function<make_arc_word<modal_arc_word>>(state, "modal_arc_word", &controller);
     set_function<read_arc_words>(state, "read_arc", &controller);
+    set_function<plane_across>(state, "plane_across", &controller);
     set_function<set_plane>(state, "set_plane", &controller);
     set_function<set_absolute_arc_centers>(state, "set_absolute_arc_centers", &controller);
     set_function<set_arc_rules>(state, "set_arc_rules", &controller);

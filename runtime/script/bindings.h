@@ -3,13 +3,21 @@
 #include <lua.hpp>
 
 #include "runtime/script/controller.h"
+#include "runtime/script/lua_state.h"
 
 namespace gsim::script {
+
+/// The controller of a function that was bound to it.
+inline Controller& controller_of(lua_State* state) {
+    return bound<Controller>(state);
+}
 
 // Each function adds its functions to the table on top of the stack; `controller` outlives the state.
 
 /// What the library in Lua is built on: `core`, see lua_lib/README.md.
 void add_core(lua_State* state, Controller& controller);
+/// Functions of angles in degrees: core.sin_deg and so on.
+void add_angles(lua_State* state, Controller& controller);
 /// The words of plain moves, in C++ because programs are made of them: core.line_word, core.line.
 void add_motion_words(lua_State* state, Controller& controller);
 /// The words of plain arcs, likewise: core.arc_word, core.read_arc.

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "runtime/machine/homes.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/data_tables.h"
@@ -12,13 +14,41 @@ namespace gsim::script {
 
 namespace {
 
-void set_number(lua_State* state, const char* name, double value) {
-    lua_pushnumber(state, value);
-    lua_setfield(state, -2, name);
-}
-
 /// core.corner_override.percent, .before_mm, .after_mm and .angle_deg; the table of core is on top of the
 /// stack.
+/// A list of words, on top of the stack: { code = "M62", text = "M62 P0", words = { p = 0 } }.
+void push_switch_words(lua_State* state, const std::vector<machine::SwitchWord>& words) {
+    lua_createtable(state, static_cast<int>(words.size()), 0);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        lua_createtable(state, 0, 3);
+        lua_pushstring(state, fmt::format("M{}", words[i].code).c_str());
+        lua_setfield(state, -2, "code");
+        lua_pushstring(state, words[i].text().c_str());
+        lua_setfield(state, -2, "text");
+        lua_newtable(state);
+        for (const auto& [letter, value] : words[i].words) {
+            const char lower = static_cast<char>(letter | 0x20);
+            lua_pushlstring(state, &lower, 1);
+            lua_pushnumber(state, value);
+            lua_rawset(state, -3);
+        }
+        lua_setfield(state, -2, "words");
+        lua_rawseti(state, -2, static_cast<lua_Integer>(i) + 1);
+    }
+}
+
+/// core.process; the table of the core is on top of the stack.
+void set_machine_process(lua_State* state, const machine::Process& process) {
+    lua_createtable(state, 0, 3);
+    lua_pushstring(state, std::string(machine::name(process.kind)).c_str());
+    lua_setfield(state, -2, "kind");
+    push_switch_words(state, process.on);
+    lua_setfield(state, -2, "on");
+    push_switch_words(state, process.off);
+    lua_setfield(state, -2, "off");
+    lua_setfield(state, -2, "process");
+}
+
 void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
     lua_createtable(state, 0, 4);
     set_number(state, "percent", rules.corner_override_percent);
@@ -26,6 +56,15 @@ void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
     set_number(state, "after_mm", rules.corner_override_after_mm);
     set_number(state, "angle_deg", rules.corner_override_angle_deg);
     lua_setfield(state, -2, "corner_override");
+}
+
+/// Errors name a function of the table on top of the stack by this name of the table where the call has none:
+/// a tail call, or one by pcall.
+void name_functions(lua_State* state, const std::string& table) {
+    lua_getfield(state, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+    lua_pushvalue(state, -2);
+    lua_setfield(state, -2, table.c_str());
+    lua_pop(state, 1);
 }
 
 }  // namespace
@@ -45,8 +84,8 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     const int environment = lua_gettop(state);
     lua_newtable(state);
     add_rrs(state, controller_);
+    name_functions(state, prefix() + "rrs");
     lua_setfield(state, environment, "rrs");
-    set_require(state, environment);
     push_safe_library(state);
     const int library = lua_gettop(state);
     for (const char* name : {"setmetatable", "rawget", "rawset"}) {
@@ -55,6 +94,7 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     }
     lua_newtable(state);
     add_core(state, controller_);
+    add_angles(state, controller_);
     add_motion_words(state, controller_);
     add_arc_words(state, controller_);
     add_moves(state, controller_);
@@ -67,6 +107,10 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     machine::MachineData tables = robot_.data;
     tables.homes = machine::further_homes(robot_.simulator.machine(), tables.homes);
     set_data_tables(state, tables);
+    name_functions(state, prefix() + "core");
+    lua_getfield(state, -1, "processes");
+    name_functions(state, prefix() + "core.processes");
+    lua_pop(state, 1);
     lua_setfield(state, library, "core");
     lua_pushvalue(state, environment);
     lua_setfield(state, library, "env");
@@ -78,45 +122,30 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     include(state, "init.lua");
 }
 
-void Control::set_require(lua_State* state, int environment) {
-    lua_pushlightuserdata(state, this);
-    lua_pushvalue(state, environment);
-    lua_pushcclosure(state, trampoline<require_gsim>, 2);
-    lua_setfield(state, environment, "require");
-}
-
-/// require "gsim" or "gsim.rs274ngc": the environment, of the control's dialect; there is nothing else to
-/// require.
-int Control::require_gsim(lua_State* state) {
-    const std::string& dialect = bound<Control>(state).dialect();
-    const std::string_view name = luaL_checkstring(state, 1);
-    if (name != "gsim" && name != "gsim.rs274ngc") {
-        return luaL_error(state, "require finds \"gsim\" and \"gsim.rs274ngc\" alone, not \"%s\"",
-                          lua_tostring(state, 1));
-    }
-    if ((name == "gsim") != (dialect == "ab9")) {
-        return luaL_error(state, "this run is of the dialect %s, and \"%s\" is another one", dialect.c_str(),
-                          lua_tostring(state, 1));
-    }
-    lua_pushvalue(state, lua_upvalueindex(2));
-    return 1;
+/// In front of names, where there are several robots.
+std::string Control::prefix() const {
+    return robot_.name.empty() ? "" : robot_.name + ".";
 }
 
 /// Fields of `core` that the command line and the machine decide; the table is on top of the stack.
 void Control::set_options(lua_State* state, const Switches& switches) const {
     lua_pushlstring(state, robot_.dialect.data(), robot_.dialect.size());
     lua_setfield(state, -2, "dialect");
+    lua_pushnumber(state, robot_.unit_mm);
+    lua_setfield(state, -2, "unit_mm_at_start");
     lua_pushboolean(state, static_cast<int>(switches.block_delete));
     lua_setfield(state, -2, "block_delete");
     lua_pushboolean(state, static_cast<int>(switches.optional_stop));
     lua_setfield(state, -2, "optional_stop");
+    lua_pushinteger(state, static_cast<lua_Integer>(switches.passes));
+    lua_setfield(state, -2, "passes");
     const bool stops = robot_.simulator.machine().controller.planner == rrs::PlannerKind::rest_to_rest;
     lua_pushboolean(state, static_cast<int>(stops));
     lua_setfield(state, -2, "stops_at_each_move");
-    const std::string prefix = robot_.name.empty() ? "" : robot_.name + ".";
-    lua_pushlstring(state, prefix.data(), prefix.size());
+    lua_pushstring(state, prefix().c_str());
     lua_setfield(state, -2, "signal_prefix");
     set_corner_override(state, robot_.simulator.machine().controller);
+    if (robot_.simulator.machine().process) set_machine_process(state, *robot_.simulator.machine().process);
 }
 
 void Control::include(lua_State* state, const std::string& file_name) {

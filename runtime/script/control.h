@@ -19,8 +19,10 @@ struct Robot {
     std::string name;  ///< Empty for the only one of a run without a file of robots.
     simulation::Simulator& simulator;
     std::string dialect = "ab9";
+    double unit_mm = 1;  ///< Of a program unit when the run begins: 1, or 25.4 for inches.
     machine::MachineData data;
     FindProgram find_program;                      ///< For programs that are called and not in the script.
+    FindProgram find_module;                       ///< For what scripts require beside the library.
     rrs::CartPos base = rrs::CartPos::Identity();  ///< Of the machine's world in that of the conveyors.
 };
 
@@ -31,6 +33,7 @@ class Control {
     struct Switches {
         bool block_delete = false;
         bool optional_stop = false;
+        std::uint64_t passes = 1;  ///< Of a main program that leads back to its start.
     };
     /// Adds functions to the table `core` of the library, which is on top of the stack.
     using AddCore = std::function<void(lua_State*, Control&)>;
@@ -46,6 +49,7 @@ class Control {
     const std::string& name() const { return robot_.name; }
     const std::string& dialect() const { return robot_.dialect; }
     const FindProgram& find_program() const { return robot_.find_program; }
+    const FindProgram& find_module() const { return robot_.find_module; }
     Controller& controller() { return controller_; }
     simulation::Simulator& simulator() { return robot_.simulator; }
     const rrs::CartPos& base() const { return robot_.base; }
@@ -61,11 +65,10 @@ class Control {
     void flush(lua_State* state) const;
 
   private:
-    void set_require(lua_State* state, int environment);
+    std::string prefix() const;
     void set_options(lua_State* state, const Switches& switches) const;
     void include(lua_State* state, const std::string& file_name);
     static int include_file(lua_State* state);
-    static int require_gsim(lua_State* state);
 
     Robot robot_;
     Controller controller_;

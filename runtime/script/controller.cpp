@@ -5,9 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/units.h"
 #include "runtime/script/lua_state.h"
+#include "runtime/script/word_advice.h"
 
 namespace gsim::script {
+
+using text::DiagnosticKind;
 
 using simulation::AxisVector;
 using simulation::Feed;
@@ -15,7 +19,6 @@ using simulation::Place;
 
 namespace {
 
-constexpr double kSecondsPerMinute = 60;
 constexpr std::string_view kArcWords = "ijkr";
 
 std::array<int, 26> index_axes(const machine::Machine& machine) {
@@ -68,8 +71,8 @@ void Controller::make_modal(lua_State* state, std::size_t word_id) {
     set_from(state, modal_tables.environment, "move", modal_tables.moves, id);
 }
 
-void Controller::alarm(lua_State* state, const std::string& message) {
-    simulator_.fail(message, place_);
+void Controller::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
+    simulator_.fail(kind, message, place_);
     LuaState::raise_stop(state);
 }
 
@@ -82,21 +85,25 @@ Feed Controller::feed(lua_State* state, std::optional<double> sweep_rad) {
     const bool is_new = modal_.feed_is_new;
     modal_.feed_is_new = false;
     if (modal_.feed_mode == FeedMode::inverse_time) {
-        if (!is_new) alarm(state, "inverse time feed (G93) needs an F in each block that moves");
+        if (!is_new)
+            alarm(state, DiagnosticKind::feed, "inverse time feed (G93) needs an F in each block that moves");
         Feed feed;
-        feed.motion_s =
-            (modal_.inverse_time_by_angle ? sweep_rad.value_or(1.0) : 1.0) * kSecondsPerMinute / modal_.feed;
+        feed.motion_s = (modal_.inverse_time_by_angle ? sweep_rad.value_or(1.0) : 1.0) *
+                        motion::kSecondsPerMinute / modal_.feed;
         return feed;
     }
-    if (modal_.feed <= 0) alarm(state, "no feed is in force: program F before the first feed move");
+    if (modal_.feed <= 0)
+        alarm(state, DiagnosticKind::feed, "no feed is in force: program F before the first feed move");
     double per_min = 1;
     if (modal_.feed_mode == FeedMode::per_revolution) {
-        if (modal_.spindle_rpm <= 0) alarm(state, "feed per revolution (G95) needs a spindle speed S");
+        if (modal_.spindle_rpm <= 0)
+            alarm(state, DiagnosticKind::spindle, "feed per revolution (G95) needs a spindle speed S");
         per_min = modal_.spindle_rpm;
     }
     Feed feed;
     feed.linear_mm_min = modal_.feed * modal_.feed_unit_mm * per_min;
     feed.rotary_deg_min = modal_.feed * per_min;
+    if (modal_.feed_mode == FeedMode::per_revolution) feed.linear_mm_rev = modal_.feed * modal_.feed_unit_mm;
     return feed;
 }
 
@@ -111,10 +118,12 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
     }
     if (index < 0) return false;
     if (!std::isfinite(value))
-        alarm(state, fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
+        alarm(state, DiagnosticKind::script,
+              fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
     if ((seen & (1U << static_cast<unsigned>(index))) != 0) {
-        alarm(state, fmt::format("axis {} is given twice, as itself and as its increment",
-                                 simulator_.machine().axes[static_cast<std::size_t>(index)].letter));
+        alarm(state, DiagnosticKind::word_twice,
+              fmt::format("axis {} is given twice, as itself and as its increment",
+                          simulator_.machine().axes[static_cast<std::size_t>(index)].letter));
     }
     seen |= 1U << static_cast<unsigned>(index);
     const machine::Axis& moved = simulator_.machine().axes[static_cast<std::size_t>(index)];
@@ -131,15 +140,27 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
     return true;
 }
 
-void Controller::unknown_word(lua_State* state, std::string_view key, const OtherWords* others) {
+void Controller::unknown_word(lua_State* state, std::string_view key, std::optional<double> value,
+                              const OtherWords* others) {
     if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others == nullptr) {
-        alarm(state, "I, J, K and R belong to an arc, and the motion in force is a straight one");
+        alarm(state, DiagnosticKind::word_out_of_place,
+              "I, J, K and R belong to an arc, and the motion in force is a straight one");
     }
     if (key.size() == 1 && std::string_view("abcuvwxyz").find(key) != std::string_view::npos) {
-        alarm(state, fmt::format("the machine '{}' has no axis {}", simulator_.machine().name,
-                                 static_cast<char>(key[0] - 'a' + 'A')));
+        alarm(state, DiagnosticKind::axis,
+              fmt::format("the machine '{}' has no axis {}", simulator_.machine().name,
+                          static_cast<char>(key[0] - 'a' + 'A')));
     }
-    alarm(state, fmt::format("'{}' is no word that this motion takes", key));
+    std::vector<std::string> letters;
+    for (const machine::Axis& axis : simulator_.machine().axes)
+        letters.emplace_back(1, static_cast<char>(axis.letter | 0x20));
+    std::vector<std::string_view> taken(letters.begin(), letters.end());
+    if (others != nullptr) {
+        const std::vector<std::string_view> further = others->names();
+        taken.insert(taken.end(), further.begin(), further.end());
+    }
+    alarm(state, DiagnosticKind::word_out_of_place,
+          fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, taken)));
 }
 
 /// With a matrix in force `target` is in program coordinates here, else in machine coordinates. False where
@@ -149,12 +170,16 @@ bool Controller::read_words(lua_State* state, int index, OtherWords* others, Axi
     lua_pushnil(state);
     while (lua_next(state, index) != 0) {
         std::size_t size = 0;
-        if (lua_type(state, -2) != LUA_TSTRING) alarm(state, "the words of a motion are named: x=1, y=2");
+        if (lua_type(state, -2) != LUA_TSTRING)
+            alarm(state, DiagnosticKind::script, "the words of a motion are named: x=1, y=2");
         const char* key = lua_tolstring(state, -2, &size);
         int is_number = 0;
         const double value = lua_tonumberx(state, -1, &is_number);
+        if (is_number == 0 && size == 1 && key[0] >= 'A' && key[0] <= 'Z')
+            unknown_word(state, {key, size}, std::nullopt, others);
         if (is_number == 0)
-            alarm(state, fmt::format("the value of '{}' is no number", std::string_view(key, size)));
+            alarm(state, DiagnosticKind::script,
+                  fmt::format("the value of '{}' is no number", std::string_view(key, size)));
         const bool is_axis =
             size == 1 && key[0] >= 'a' && key[0] <= 'z' && set_axis(state, key[0], value, target, seen);
         if (!is_axis && on_polar != LUA_NOREF &&
@@ -163,7 +188,7 @@ bool Controller::read_words(lua_State* state, int index, OtherWords* others, Axi
             return false;
         }
         if (!is_axis && (others == nullptr || !others->take({key, size}, value)))
-            unknown_word(state, std::string_view(key, size), others);
+            unknown_word(state, std::string_view(key, size), value, others);
         lua_pop(state, 1);
     }
     return true;

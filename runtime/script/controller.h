@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <lua.hpp>
 
@@ -47,6 +48,8 @@ class OtherWords {
     virtual ~OtherWords() = default;
     /// False where the motion takes no such word.
     virtual bool take(std::string_view name, double value) = 0;
+    /// Their names.
+    virtual std::vector<std::string_view> names() const = 0;
 };
 
 /// One control while it runs a script: joins the simulator, the modal state and the place in the script.
@@ -94,7 +97,7 @@ class Controller {
     }
 
     /// Ends the run with an alarm at the current place; does not return.
-    [[noreturn]] void alarm(lua_State* state, const std::string& message);
+    [[noreturn]] void alarm(lua_State* state, text::DiagnosticKind kind, const std::string& message);
     /// Goes on after true; after false the simulator has an alarm, and the run ends.
     void check(lua_State* state, bool done);
     /// The feed of the next move; `sweep_rad` of an arc, which inverse time needs. Raises an alarm without F.
@@ -124,7 +127,8 @@ class Controller {
                   std::uint32_t& seen);
     bool read_words(lua_State* state, int index, OtherWords* others, simulation::AxisVector& target,
                     std::uint32_t& seen);
-    [[noreturn]] void unknown_word(lua_State* state, std::string_view key, const OtherWords* others);
+    [[noreturn]] void unknown_word(lua_State* state, std::string_view key, std::optional<double> value,
+                                   const OtherWords* others);
 
     simulation::Simulator& simulator_;
     PlaceFinder& places_;

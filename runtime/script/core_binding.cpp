@@ -1,19 +1,21 @@
 #include <cmath>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "runtime/script/bindings.h"
+#include "runtime/script/choice.h"
 #include "runtime/script/lua_state.h"
+#include "runtime/script/word_advice.h"
 #include "runtime/script/word_id.h"
 
 namespace gsim::script {
 
-namespace {
+using text::DiagnosticKind;
 
-Controller& self(lua_State* state) {
-    return bound<Controller>(state);
-}
+namespace {
 
 // --- Words ---
 
@@ -23,7 +25,7 @@ int return_all(lua_State* state, int, lua_KContext) {
 
 /// A word in Lua; upvalues: controller, function, id. It may wait for other processes.
 int call_word(lua_State* state) {
-    self(state).enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
+    controller_of(state).enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
     lua_pushvalue(state, lua_upvalueindex(2));
     lua_insert(state, 1);
     lua_callk(state, lua_gettop(state) - 1, LUA_MULTRET, 0, return_all);
@@ -31,7 +33,7 @@ int call_word(lua_State* state) {
 }
 
 /// core.word(id, function): the function as a word of the language, which counts blocks and knows its place.
-int make_word(lua_State* state) {
+int make_counted_word(lua_State* state) {
     const lua_Integer id = check_word_id(state, 1);
     luaL_checktype(state, 2, LUA_TFUNCTION);
     lua_pushvalue(state, lua_upvalueindex(1));
@@ -41,81 +43,122 @@ int make_word(lua_State* state) {
     return 1;
 }
 
+DiagnosticKind check_kind(lua_State* state, int index) {
+    const char* code = luaL_checkstring(state, index);
+    const std::optional<DiagnosticKind> kind = text::diagnostic_kind(code);
+    if (!kind) luaL_error(state, "'%s' is no code of a diagnostic", code);
+    return *kind;
+}
+
+/// core.alarm(kind, message): ends the run; the kind by its code.
 int alarm(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     controller.locate(state);  // an expression has no word that would have told its place
-    controller.alarm(state, luaL_checkstring(state, 1));
+    controller.alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
 }
 
 /// core.note_place(): remembers where the script is.
 int note_place(lua_State* state) {
-    self(state).locate(state);
+    controller_of(state).locate(state);
     return 0;
 }
 
 int alarm_at_noted_place(lua_State* state) {
-    self(state).alarm(state, luaL_checkstring(state, 1));
+    controller_of(state).alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
 }
 
 /// core.enter_program(name): a program is called from here.
 int enter_program(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     controller.simulator().enter_program(luaL_checkstring(state, 1), controller.place());
     return 0;
 }
 
 /// core.repeat_program(): the program called last is gone through once more.
 int repeat_program(lua_State* state) {
-    self(state).simulator().repeat_program();
+    controller_of(state).simulator().repeat_program();
+    return 0;
+}
+
+/// core.note_pass(count, block or nil): a pass of the main program ends here, and leads back to its start or
+/// to that block.
+int note_pass(lua_State* state) {
+    Controller& controller = controller_of(state);
+    simulation::Passes passes;
+    passes.count = static_cast<std::uint64_t>(luaL_checkinteger(state, 1));
+    passes.place = controller.place();
+    if (!lua_isnoneornil(state, 2)) passes.to_block = luaL_checkinteger(state, 2);
+    controller.simulator().note_passes(passes);
     return 0;
 }
 
 int leave_program(lua_State* state) {
-    self(state).simulator().leave_program();
+    controller_of(state).simulator().leave_program();
     return 0;
 }
 
 /// core.stop(message): ends the run as a limit does.
 int stop(lua_State* state) {
-    Controller& controller = self(state);
-    controller.simulator().stop(luaL_checkstring(state, 1), controller.place());
+    Controller& controller = controller_of(state);
+    controller.simulator().stop(DiagnosticKind::run_limit, luaL_checkstring(state, 1), controller.place());
     LuaState::raise_stop(state);
 }
 
 /// core.time(): seconds of the machine since the start.
 int time(lua_State* state) {
-    lua_pushnumber(state, self(state).simulator().time_s());
+    lua_pushnumber(state, controller_of(state).simulator().time_s());
     return 1;
 }
 
 int warn(lua_State* state) {
-    self(state).simulator().warn(luaL_checkstring(state, 1));
+    controller_of(state).simulator().warn(luaL_checkstring(state, 1));
     return 0;
 }
 
 /// core.finish(): the program is at its end.
 int finish(lua_State* state) {
-    self(state).end_program();
+    Controller& controller = controller_of(state);
+    controller.simulator().end_program(controller.place());
+    controller.end_program();
     LuaState::raise_stop(state);
+}
+
+/// core.word_advice(key, value, keys), see word_advice().
+int word_advice_of(lua_State* state) {
+    const std::string_view key = luaL_checkstring(state, 1);
+    std::optional<double> value;
+    if (lua_type(state, 2) == LUA_TNUMBER) value = lua_tonumber(state, 2);
+    luaL_checktype(state, 3, LUA_TTABLE);
+    std::vector<std::string_view> taken;
+    const lua_Integer count = luaL_len(state, 3);
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_rawgeti(state, 3, i);
+        taken.emplace_back(luaL_checkstring(state, -1));  // the table keeps it
+        lua_pop(state, 1);
+    }
+    const std::string advice = word_advice(key, value, taken);
+    lua_pushlstring(state, advice.data(), advice.size());
+    return 1;
 }
 
 // --- Modal state ---
 
 int set_unit(lua_State* state) {
-    self(state).modal().unit_mm = luaL_checknumber(state, 1);
+    controller_of(state).modal().unit_mm = luaL_checknumber(state, 1);
     return 0;
 }
 
 int set_incremental(lua_State* state) {
-    self(state).modal().incremental = lua_toboolean(state, 1) != 0;
+    controller_of(state).modal().incremental = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
 int set_feed(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     const double value = luaL_checknumber(state, 1);
     if (!(value > 0) || !std::isfinite(value))
-        controller.alarm(state, fmt::format("F is a number above 0, not {:.10g}", value));
+        controller.alarm(state, DiagnosticKind::word_value,
+                         fmt::format("F is a number above 0, not {:.10g}", value));
     controller.modal().feed = value;
     controller.modal().feed_unit_mm = controller.modal().unit_mm;
     controller.modal().feed_is_new = true;
@@ -124,42 +167,42 @@ int set_feed(lua_State* state) {
 
 /// core.clear_feed(): no feed is in force.
 int clear_feed(lua_State* state) {
-    self(state).modal().feed = 0;
+    controller_of(state).modal().feed = 0;
     return 0;
 }
 
 /// core.set_letters_uvw(increments): whether U, V and W are increments of X, Y and Z where no axis has the
 /// letter.
 int set_letters_uvw(lua_State* state) {
-    self(state).modal().uvw_increments = lua_toboolean(state, 1) != 0;
+    controller_of(state).modal().uvw_increments = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
 /// core.set_inverse_time_of_arcs(by_angle): F of an arc is the inverse of its time per radian, or of its
 /// time.
 int set_inverse_time_of_arcs(lua_State* state) {
-    self(state).modal().inverse_time_by_angle = lua_toboolean(state, 1) != 0;
+    controller_of(state).modal().inverse_time_by_angle = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
 int set_feed_mode(lua_State* state) {
     static const char* const kNames[] = {"minute", "inverse", "revolution", nullptr};
-    ModalState& modal = self(state).modal();
-    const auto mode = static_cast<FeedMode>(luaL_checkoption(state, 1, nullptr, kNames));
+    ModalState& modal = controller_of(state).modal();
+    const auto mode = static_cast<FeedMode>(check_choice(state, 1, nullptr, kNames));
     if (mode != modal.feed_mode) modal.feed = 0;  // an F of one mode means nothing in another
     modal.feed_mode = mode;
     return 0;
 }
 
 int set_spindle(lua_State* state) {
-    self(state).modal().spindle_rpm = luaL_checknumber(state, 1);
+    controller_of(state).modal().spindle_rpm = luaL_checknumber(state, 1);
     return 0;
 }
 
 // --- Machine ---
 
 int axes(lua_State* state) {
-    const auto& list = self(state).simulator().machine().axes;
+    const auto& list = controller_of(state).simulator().machine().axes;
     lua_createtable(state, static_cast<int>(list.size()), 0);
     for (std::size_t i = 0; i < list.size(); ++i) {
         lua_createtable(state, 0, 4);
@@ -177,20 +220,23 @@ int axes(lua_State* state) {
     return 1;
 }
 
-int jet(lua_State* state) {
-    self(state).simulator().set_jet(lua_toboolean(state, 1) != 0);
+/// core.set_process(on, with_motion)
+int set_process(lua_State* state) {
+    controller_of(state).simulator().set_process(lua_toboolean(state, 1) != 0, lua_toboolean(state, 2) != 0);
     return 0;
 }
 
 }  // namespace
 
 void add_core(lua_State* state, Controller& controller) {
-    set_function<make_word>(state, "word", &controller);
+    set_function<make_counted_word>(state, "word", &controller);
     set_function<alarm>(state, "alarm", &controller);
     set_function<note_place>(state, "note_place", &controller);
     set_function<alarm_at_noted_place>(state, "alarm_at_noted_place", &controller);
     set_function<enter_program>(state, "enter_program", &controller);
     set_function<repeat_program>(state, "repeat_program", &controller);
+    set_function<word_advice_of>(state, "word_advice", &controller);
+    set_function<note_pass>(state, "note_pass", &controller);
     set_function<leave_program>(state, "leave_program", &controller);
     set_function<stop>(state, "stop", &controller);
     set_function<time>(state, "time", &controller);
@@ -205,7 +251,7 @@ void add_core(lua_State* state, Controller& controller) {
     set_function<set_feed_mode>(state, "set_feed_mode", &controller);
     set_function<set_spindle>(state, "set_spindle", &controller);
     set_function<axes>(state, "axes", &controller);
-    set_function<jet>(state, "jet", &controller);
+    set_function<set_process>(state, "set_process", &controller);
 }
 
 }  // namespace gsim::script

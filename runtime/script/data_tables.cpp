@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/script/lua_state.h"
+
 namespace gsim::script {
 
 namespace {
@@ -23,12 +25,7 @@ constexpr std::array kToolFields{ToolField{"length", &Tool::length_mm},
                                  ToolField{"front_angle", &Tool::front_angle_deg},
                                  ToolField{"back_angle", &Tool::back_angle_deg}};
 constexpr std::size_t kAlwaysThere = 2;
-constexpr const char* kAxes = "abcuvwxyz";
-
-void set_number(lua_State* state, const char* key, double value) {
-    lua_pushnumber(state, value);
-    lua_setfield(state, -2, key);
-}
+constexpr const char* kAxisLetters = "abcuvwxyz";
 
 void set_axis_values(lua_State* state, const AxisValues& values) {
     for (const auto& [letter, value] : values) {
@@ -47,17 +44,9 @@ void push_tool(lua_State* state, const Tool& tool) {
     set_axis_values(state, tool.offsets);
 }
 
-/// The number of a field of the table on top, 0 where there is none.
-double number_field(lua_State* state, const char* key) {
-    lua_getfield(state, -1, key);
-    const double value = lua_isnil(state, -1) ? 0 : luaL_checknumber(state, -1);
-    lua_pop(state, 1);
-    return value;
-}
-
 AxisValues read_axis_values(lua_State* state) {
     AxisValues values;
-    for (const char* letter = kAxes; *letter != '\0'; ++letter) {
+    for (const char* letter = kAxisLetters; *letter != '\0'; ++letter) {
         const char key[] = {*letter, '\0'};
         lua_getfield(state, -1, key);
         if (!lua_isnil(state, -1)) values[static_cast<char>(*letter & ~0x20)] = luaL_checknumber(state, -1);
@@ -69,8 +58,8 @@ AxisValues read_axis_values(lua_State* state) {
 /// The kind stays as it was: no program changes it.
 void read_tool(lua_State* state, Tool& tool) {
     luaL_checktype(state, -1, LUA_TTABLE);
-    for (const ToolField& field : kToolFields) tool.*field.value = number_field(state, field.name);
-    tool.orientation = static_cast<int>(std::lround(number_field(state, "orientation")));
+    for (const ToolField& field : kToolFields) tool.*field.value = number_field(state, -1, field.name);
+    tool.orientation = static_cast<int>(std::lround(number_field(state, -1, "orientation")));
     tool.offsets = read_axis_values(state);
 }
 

@@ -11,6 +11,8 @@
 
 namespace gsim::script {
 
+using text::DiagnosticKind;
+
 using simulation::Place;
 
 namespace {
@@ -20,8 +22,10 @@ std::vector<Robot> only_robot(simulation::Simulator& simulator, const Engine::Op
     robots.push_back({.name = "",
                       .simulator = simulator,
                       .dialect = options.dialect,
+                      .unit_mm = options.unit_mm,
                       .data = options.data,
-                      .find_program = options.find_program});
+                      .find_program = options.find_program,
+                      .find_module = options.find_module});
     return robots;
 }
 
@@ -89,7 +93,7 @@ int Engine::do_work(lua_State* state) {
 void Engine::open_controls() {
     lua_State* state = lua_.get();
     make_nil_vacant(state);
-    const Control::Switches switches{options_.block_delete, options_.optional_stop};
+    const Control::Switches switches{options_.block_delete, options_.optional_stop, options_.passes};
     for (const std::unique_ptr<Control>& control : controls_) {
         control->open(state, options_.library, switches,
                       [this](lua_State* at, Control& of) { add_core_functions(at, of); });
@@ -105,6 +109,7 @@ void Engine::add_core_functions(lua_State* state, Control& control) {
         lua_setfield(state, -2, name);
     };
     set("load_program", trampoline<load_program>);
+    set("load_module", trampoline<load_module>);
     set("run_to_end", trampoline<run_to_end>);
     add_processes(state, processes_, control);
 }
@@ -281,10 +286,27 @@ int Engine::load_program(lua_State* state) {
         lua_isinteger(state, 1) != 0 ? std::to_string(lua_tointeger(state, 1)) : luaL_checkstring(state, 1);
     if (!control.find_program()) return 0;
     tl::expected<std::optional<Script>, std::string> script = control.find_program()(name);
-    if (!script) control.controller().alarm(state, script.error());
+    if (!script) control.controller().alarm(state, DiagnosticKind::program_missing, script.error());
     if (!*script) return 0;
     engine.push_script(state, std::move(**script), control);
     return 1;
+}
+
+/// core.load_module(name): what runs the file of that module; or nil and why there is none.
+int Engine::load_module(lua_State* state) {
+    Engine& engine = bound<Engine>(state);
+    auto& control = *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
+    const std::string name = luaL_checkstring(state, 1);
+    tl::expected<std::optional<Script>, std::string> script;
+    if (control.find_module()) script = control.find_module()(name);
+    if (script && *script) {
+        engine.push_script(state, std::move(**script), control);
+        return 1;
+    }
+    const std::string reason = script ? "this run has no folder of modules" : script.error();
+    lua_pushnil(state);
+    lua_pushlstring(state, reason.data(), reason.size());
+    return 2;
 }
 
 /// core.run_to_end(f): f(), up to the end of a program within.
@@ -339,7 +361,7 @@ bool Engine::judge_processes(int status) {
         judge(outcome.status, outcome.fault, *outcome.control);
     }
     if (outcome.end == Processes::End::deadlock)
-        outcome.control->simulator().fail(std::move(outcome.message), outcome.place);
+        outcome.control->simulator().fail(DiagnosticKind::script, std::move(outcome.message), outcome.place);
     return std::none_of(controls_.begin(), controls_.end(), [](const std::unique_ptr<Control>& control) {
         return control->simulator().alarm().has_value();
     });
@@ -351,19 +373,22 @@ bool Engine::judge(int status, lua_State* state, Control& control) {
     if (status == LUA_OK) return !simulator.alarm();
     const Place place = control.controller().place();
     if (status == LUA_ERRMEM || lua_.ended() == LuaState::Ended::memory) {
-        return simulator.stop(fmt::format("the script needs more than {} MB of memory (--memory)",
+        return simulator.stop(DiagnosticKind::run_limit,
+                              fmt::format("the script needs more than {} MB of memory (--memory)",
                                           lua_.limits().memory_bytes >> 20U),
                               place);
     }
     if (lua_.ended() == LuaState::Ended::steps) {
         return simulator.stop(
+            DiagnosticKind::run_limit,
             fmt::format(
                 "{} steps of the script without a motion or a dwell (--max-steps): is this an endless loop?",
                 lua_.limits().steps),
             last_step_place_.line > 0 ? last_step_place_ : place);
     }
     if (LuaState::is_stop(state, -1)) return !simulator.alarm();
-    return simulator.fail(error_.empty() ? "an error in the handling of an error" : error_, error_place_);
+    return simulator.fail(DiagnosticKind::script,
+                          error_.empty() ? "an error in the handling of an error" : error_, error_place_);
 }
 
 }  // namespace gsim::script

@@ -28,11 +28,14 @@ class Engine {
         Library library;
         machine::MachineData data;  ///< Of the only robot, as
         FindProgram find_program;   ///< this is
+        FindProgram find_module;
         std::optional<Script>
             setup;  ///< Runs before the program: user M codes, answers of inputs and probes.
-        std::string dialect = "ab9";  ///< and this.
+        std::string dialect = "ab9";  ///< and this,
+        double unit_mm = 1;           ///< and the unit of programs when the run begins: 1 or 25.4.
         bool block_delete = false;
         bool optional_stop = false;
+        std::uint64_t passes = 1;  ///< Of a main program that leads back to its start (M99); at least 1.
         std::function<void(std::uint64_t done, std::uint64_t total)> progress;
     };
 
@@ -85,6 +88,7 @@ class Engine {
     static int function_body(lua_State* state);
     static int go_on_with_body(lua_State* state, int status, lua_KContext next);
     static int load_program(lua_State* state);
+    static int load_module(lua_State* state);
     static int run_to_end(lua_State* state);
     static int finish_run(lua_State* state, int status, lua_KContext context);
 

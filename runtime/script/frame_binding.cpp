@@ -10,13 +10,11 @@
 
 namespace gsim::script {
 
+using text::DiagnosticKind;
+
 using simulation::AxisVector;
 
 namespace {
-
-Controller& self(lua_State* state) {
-    return bound<Controller>(state);
-}
 
 /// The words of a list, each between two blanks (" i j "), whatever their values.
 class ListedWords final : public OtherWords {
@@ -25,6 +23,12 @@ class ListedWords final : public OtherWords {
     bool take(std::string_view name, double) override {
         return list_.find(fmt::format(" {} ", name)) != std::string_view::npos;
     }
+    std::vector<std::string_view> names() const override {
+        std::vector<std::string_view> names;
+        for (std::size_t begin = 1; begin < list_.size(); begin = list_.find(' ', begin) + 1)
+            names.push_back(list_.substr(begin, list_.find(' ', begin) - begin));
+        return names;
+    }
 
   private:
     std::string_view list_;
@@ -32,14 +36,14 @@ class ListedWords final : public OtherWords {
 
 int check_axis(lua_State* state, int argument) {
     const std::string_view letter = luaL_checkstring(state, argument);
-    const int axis = letter.size() == 1 ? self(state).axis(letter[0]) : -1;
+    const int axis = letter.size() == 1 ? controller_of(state).axis(letter[0]) : -1;
     luaL_argcheck(state, axis >= 0, argument, "no axis of the machine");
     return axis;
 }
 
 // A control changes its frames when the moves so far have been made: it has planned them in the old ones.
 int set_offset(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     if (controller.frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2)))
         controller.simulator().wait();
     return 0;
@@ -47,7 +51,7 @@ int set_offset(lua_State* state) {
 
 /// core.set_matrix(nil or {nine numbers, row by row})
 int set_matrix(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     if (controller.frame().has_matrix() || !lua_isnoneornil(state, 1)) controller.simulator().wait();
     if (lua_isnoneornil(state, 1)) {
         controller.frame().set_matrix(std::nullopt);
@@ -61,35 +65,36 @@ int set_matrix(lua_State* state) {
         lua_pop(state, 1);
     }
     if (!controller.frame().set_matrix(matrix))
-        controller.alarm(state, "a scale of 0 leaves nothing of the program; scales are other than 0");
+        controller.alarm(state, DiagnosticKind::frame,
+                         "a scale of 0 leaves nothing of the program; scales are other than 0");
     return 0;
 }
 
 int machine_frame_once(lua_State* state) {
-    self(state).modal().machine_frame_once = true;
+    controller_of(state).modal().machine_frame_once = true;
     return 0;
 }
 
 /// core.in_machine_frame(): true where G53 holds for the move of this block.
 int in_machine_frame(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(self(state).modal().machine_frame_once));
+    lua_pushboolean(state, static_cast<int>(controller_of(state).modal().machine_frame_once));
     return 1;
 }
 
 int position(lua_State* state) {
-    lua_pushnumber(state, self(state).programmed()[check_axis(state, 1)]);
+    lua_pushnumber(state, controller_of(state).programmed()[check_axis(state, 1)]);
     return 1;
 }
 
 int machine_position(lua_State* state) {
-    lua_pushnumber(state, self(state).simulator().position()[check_axis(state, 1)]);
+    lua_pushnumber(state, controller_of(state).simulator().position()[check_axis(state, 1)]);
     return 1;
 }
 
 /// core.turned(letter, value): where the axis goes that is told to go to `value` in machine coordinates; of a
 /// rotary one that may be some turns off.
 int turned(lua_State* state) {
-    const Controller& controller = self(state);
+    const Controller& controller = controller_of(state);
     const int axis = check_axis(state, 1);
     const machine::Axis& moved = controller.simulator().machine().axes[static_cast<std::size_t>(axis)];
     lua_pushnumber(
@@ -100,13 +105,13 @@ int turned(lua_State* state) {
 /// core.reading(letter, value): what the axis shows at `value` in machine coordinates.
 int reading(lua_State* state) {
     const auto axis = static_cast<std::size_t>(check_axis(state, 1));
-    lua_pushnumber(
-        state, machine::reading(self(state).simulator().machine().axes[axis], luaL_checknumber(state, 2)));
+    lua_pushnumber(state, machine::reading(controller_of(state).simulator().machine().axes[axis],
+                                           luaL_checknumber(state, 2)));
     return 1;
 }
 
 int set_programmed(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     if (lua_isnoneornil(state, 1)) {
         controller.set_programmed(std::nullopt);
     } else {
@@ -120,22 +125,22 @@ int target(lua_State* state) {
     AxisVector values;
     const std::string_view list = luaL_optstring(state, 2, "");
     ListedWords others(list);
-    const bool any = self(state).read_target(state, 1, list.empty() ? nullptr : &others, values);
-    push_axes(state, self(state), values);
+    const bool any = controller_of(state).read_target(state, 1, list.empty() ? nullptr : &others, values);
+    push_axes(state, controller_of(state), values);
     lua_pushboolean(state, static_cast<int>(any));
     return 2;
 }
 
 /// core.to_program(target): program coordinates in mm and deg of a point in machine coordinates.
 int to_program(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     push_axes(state, controller, controller.frame().to_program(check_axes(state, controller, 1)));
     return 1;
 }
 
 /// core.to_machine(values): the way back; axes that are not named stay where they are.
 int to_machine(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     const ProgramFrame& frame = controller.frame();
     const AxisVector values = check_axes(state, controller, 1, frame.to_program(controller.programmed()));
     push_axes(state, controller, frame.to_machine(values));
@@ -146,13 +151,13 @@ int to_machine(lua_State* state) {
 int set_on_polar(lua_State* state) {
     luaL_checktype(state, 1, LUA_TFUNCTION);
     lua_settop(state, 1);
-    self(state).on_polar = luaL_ref(state, LUA_REGISTRYINDEX);
+    controller_of(state).on_polar = luaL_ref(state, LUA_REGISTRYINDEX);
     return 0;
 }
 
 /// core.direction(x, y, z): a vector of the program in machine coordinates.
 int direction(lua_State* state) {
-    const Eigen::Vector3d vector = self(state).frame().direction(
+    const Eigen::Vector3d vector = controller_of(state).frame().direction(
         {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});
     for (const double part : vector) lua_pushnumber(state, part);
     return 3;
@@ -160,7 +165,7 @@ int direction(lua_State* state) {
 
 /// core.set_tip_control(nil or offsets by letter in mm): tool-centre-point control.
 int set_tip_control(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     std::optional<Eigen::Vector3d> offset;
     if (!lua_isnoneornil(state, 1)) {
         luaL_checktype(state, 1, LUA_TTABLE);
@@ -177,7 +182,7 @@ int set_tip_control(lua_State* state) {
 
 /// core.tip_control(): whether it is on.
 int tip_control(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(self(state).simulator().has_tip_control()));
+    lua_pushboolean(state, static_cast<int>(controller_of(state).simulator().has_tip_control()));
     return 1;
 }
 

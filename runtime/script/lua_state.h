@@ -97,4 +97,19 @@ Object& bound(lua_State* state) {
     return *static_cast<Object*>(lua_touserdata(state, lua_upvalueindex(1)));
 }
 
+/// Sets field `name` of the table on top of the stack.
+inline void set_number(lua_State* state, const char* name, double value) {
+    lua_pushnumber(state, value);
+    lua_setfield(state, -2, name);
+}
+
+/// The number of a field of the table at `index`, 0 where there is none; an error of Lua where it is no
+/// number.
+inline double number_field(lua_State* state, int index, const char* name) {
+    lua_getfield(state, index, name);
+    const double value = luaL_optnumber(state, -1, 0);
+    lua_pop(state, 1);
+    return value;
+}
+
 }  // namespace gsim::script

@@ -6,10 +6,6 @@ namespace gsim::script {
 
 namespace {
 
-Controller& controller_of(lua_State* state) {
-    return bound<Controller>(state);
-}
-
 /// G0{..} and G1{..}; upvalues: controller, rapid, word id.
 int line_word(lua_State* state) {
     Controller& controller = controller_of(state);
@@ -30,7 +26,7 @@ int modal_line_word(lua_State* state) {
 }
 
 template <int (*Function)(lua_State*)>
-int make_word(lua_State* state) {
+int make_line_word(lua_State* state) {
     const bool rapid = lua_toboolean(state, 1) != 0;
     const lua_Integer id = check_word_id(state, 2);
     lua_pushvalue(state, lua_upvalueindex(1));
@@ -65,8 +61,8 @@ int forget_modal_word(lua_State* state) {
 }  // namespace
 
 void add_motion_words(lua_State* state, Controller& controller) {
-    set_function<make_word<line_word>>(state, "line_word", &controller);
-    set_function<make_word<modal_line_word>>(state, "modal_line_word", &controller);
+    set_function<make_line_word<line_word>>(state, "line_word", &controller);
+    set_function<make_line_word<modal_line_word>>(state, "modal_line_word", &controller);
     set_function<line>(state, "line", &controller);
     set_function<set_modal_tables>(state, "set_modal_tables", &controller);
     set_function<forget_modal_word>(state, "forget_modal_word", &controller);

@@ -1,14 +1,20 @@
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "runtime/script/arc_reader.h"
 #include "runtime/script/axis_table.h"
 #include "runtime/script/bindings.h"
+#include "runtime/script/choice.h"
 #include "runtime/script/lua_state.h"
 
 namespace gsim::script {
+
+using text::DiagnosticKind;
 
 using simulation::AxisVector;
 using simulation::Feed;
@@ -17,14 +23,10 @@ using simulation::Place;
 
 namespace {
 
-Controller& self(lua_State* state) {
-    return bound<Controller>(state);
-}
-
 // --- Feeds and places that travel with a move which is put out later ---
 
 void push_feed(lua_State* state, const Feed& feed) {
-    lua_createtable(state, 0, 3);
+    lua_createtable(state, 0, 4);
     lua_pushnumber(state, feed.linear_mm_min);
     lua_setfield(state, -2, "linear_mm_min");
     lua_pushnumber(state, feed.rotary_deg_min);
@@ -33,29 +35,27 @@ void push_feed(lua_State* state, const Feed& feed) {
         lua_pushnumber(state, *feed.motion_s);
         lua_setfield(state, -2, "motion_s");
     }
-}
-
-double number_field(lua_State* state, int index, const char* name) {
-    lua_getfield(state, index, name);
-    const double value = luaL_optnumber(state, -1, 0);
-    lua_pop(state, 1);
-    return value;
+    if (feed.linear_mm_rev) {
+        lua_pushnumber(state, *feed.linear_mm_rev);
+        lua_setfield(state, -2, "linear_mm_rev");
+    }
 }
 
 /// The feed at `index`, or where there is none the one in force; `sweep_rad` of an arc.
 Feed check_feed(lua_State* state, int index, std::optional<double> sweep_rad) {
-    if (lua_isnoneornil(state, index)) return self(state).feed(state, sweep_rad);
+    if (lua_isnoneornil(state, index)) return controller_of(state).feed(state, sweep_rad);
     luaL_checktype(state, index, LUA_TTABLE);
     Feed feed;
     feed.linear_mm_min = number_field(state, index, "linear_mm_min");
     feed.rotary_deg_min = number_field(state, index, "rotary_deg_min");
     if (const double motion_s = number_field(state, index, "motion_s"); motion_s > 0)
         feed.motion_s = motion_s;
+    if (const double rev = number_field(state, index, "linear_mm_rev"); rev > 0) feed.linear_mm_rev = rev;
     return feed;
 }
 
 Place check_place(lua_State* state, int index) {
-    if (lua_isnoneornil(state, index)) return self(state).place();
+    if (lua_isnoneornil(state, index)) return controller_of(state).place();
     const auto code = static_cast<std::uint64_t>(luaL_checkinteger(state, index));
     return {static_cast<std::uint32_t>(code >> 32U), static_cast<std::uint32_t>(code)};
 }
@@ -64,7 +64,7 @@ Place check_place(lua_State* state, int index) {
 int take_feed(lua_State* state) {
     std::optional<double> sweep_rad;
     if (!lua_isnoneornil(state, 1)) sweep_rad = luaL_checknumber(state, 1);
-    push_feed(state, self(state).feed(state, sweep_rad));
+    push_feed(state, controller_of(state).feed(state, sweep_rad));
     return 1;
 }
 
@@ -78,7 +78,7 @@ int feed_mm_min(lua_State* state) {
 }
 
 int place(lua_State* state) {
-    const Place current = self(state).place();
+    const Place current = controller_of(state).place();
     lua_pushinteger(
         state, static_cast<lua_Integer>((static_cast<std::uint64_t>(current.file) << 32U) | current.line));
     return 1;
@@ -88,7 +88,7 @@ int place(lua_State* state) {
 
 /// core.rapid_to(target, place)
 int rapid_to(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     simulation::LineMove move;
     move.kind = MoveKind::rapid;
     move.target = check_axes(state, controller, 1);
@@ -99,22 +99,46 @@ int rapid_to(lua_State* state) {
 
 /// core.line_to(target, feed, place, kind)
 int line_to(lua_State* state) {
-    static const char* const kNames[] = {"linear", "probe", "thread", "spline", nullptr};
-    static constexpr MoveKind kKinds[] = {MoveKind::linear, MoveKind::probe, MoveKind::thread,
-                                          MoveKind::spline};
-    Controller& controller = self(state);
+    static const char* const kNames[] = {"linear", "thread", "spline", nullptr};
+    static constexpr MoveKind kKinds[] = {MoveKind::linear, MoveKind::thread, MoveKind::spline};
+    Controller& controller = controller_of(state);
     simulation::LineMove move;
     move.target = check_axes(state, controller, 1);
     move.feed = check_feed(state, 2, std::nullopt);
     move.place = check_place(state, 3);
-    move.kind = kKinds[luaL_checkoption(state, 4, "linear", kNames)];
+    move.kind = kKinds[check_choice(state, 4, "linear", kNames)];
     controller.check(state, controller.simulator().move(move));
     return 0;
 }
 
+/// core.probe(target, feed, place, away, signal): a straight move that a signal ends; `away`: that contact is
+/// lost. `signal` is nil, or what a script answers: false, or the part of the way at which it comes. Gives
+/// whether it came, whether it was there before the move, and the machine coordinates where it came.
+int probe(lua_State* state) {
+    Controller& controller = controller_of(state);
+    simulation::ProbeMove move;
+    move.line.kind = MoveKind::probe;
+    move.line.target = check_axes(state, controller, 1, controller.simulator().position());
+    move.line.feed = check_feed(state, 2, std::nullopt);
+    move.line.place = check_place(state, 3);
+    move.away = lua_toboolean(state, 4) != 0;
+    if (lua_isnumber(state, 5) != 0) {
+        move.answer = simulation::ProbeMove::Answer::at_part;
+        move.part = lua_tonumber(state, 5);
+    } else if (!lua_isnoneornil(state, 5)) {
+        move.answer = simulation::ProbeMove::Answer::never;
+    }
+    simulation::ProbeResult result;
+    controller.check(state, controller.simulator().probe(move, result));
+    lua_pushboolean(state, static_cast<int>(result.found));
+    lua_pushboolean(state, static_cast<int>(result.at_start));
+    push_axes(state, controller, result.at);
+    return 3;
+}
+
 /// core.joint_to(target): all joints together, the slowest at its limits.
 int joint_to(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     simulation::LineMove move;
     move.kind = MoveKind::rapid;
     move.target = check_axes(state, controller, 1);
@@ -123,15 +147,18 @@ int joint_to(lua_State* state) {
     return 0;
 }
 
-/// core.arc(plane, counterclockwise, center_first, center_second, sweep_rad, target, feed, place)
+/// core.arc(plane, counterclockwise, center_first, center_second, sweep_rad, target, feed, place). The plane
+/// is a name, or { first = {x=, y=, z=}, second = {...} }, two unit vectors at right angles along which the
+/// centre is counted.
 int arc(lua_State* state) {
-    static const char* const kPlanes[] = {"xy", "zx", "yz", nullptr};
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     simulation::ArcMove move;
-    move.plane = static_cast<simulation::Plane>(luaL_checkoption(state, 1, nullptr, kPlanes));
-    move.kind = lua_toboolean(state, 2) != 0 ? MoveKind::arc_ccw : MoveKind::arc_cw;
-    move.center_first_mm = luaL_checknumber(state, 3);
-    move.center_second_mm = luaL_checknumber(state, 4);
+    const ArcBasis basis = check_arc_plane(state, 1);
+    const Eigen::Vector3d axis = basis.first.cross(basis.second);
+    move.normal = simulation::told_normal(axis);
+    const bool counterclockwise = (lua_toboolean(state, 2) != 0) == (move.normal.dot(axis) > 0);
+    move.kind = counterclockwise ? MoveKind::arc_ccw : MoveKind::arc_cw;
+    move.center_mm = luaL_checknumber(state, 3) * basis.first + luaL_checknumber(state, 4) * basis.second;
     move.sweep_rad = luaL_checknumber(state, 5);
     move.target = check_axes(state, controller, 6);
     move.feed = check_feed(state, 7, move.sweep_rad);
@@ -142,7 +169,7 @@ int arc(lua_State* state) {
 
 /// core.arc_via(via, target, sweep_rad): an arc through a point.
 int arc_via(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     simulation::ViaMove move;
     move.via = check_axes(state, controller, 1);
     move.target = check_axes(state, controller, 2);
@@ -153,10 +180,11 @@ int arc_via(lua_State* state) {
 }
 
 int dwell(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     const double seconds = luaL_checknumber(state, 1);
     if (!(seconds >= 0) || !std::isfinite(seconds))
-        controller.alarm(state, fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
+        controller.alarm(state, DiagnosticKind::word_value,
+                         fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
     controller.check(state, controller.simulator().dwell(seconds, check_place(state, 2)));
     return 0;
 }
@@ -164,58 +192,85 @@ int dwell(lua_State* state) {
 /// core.event(kind, detail, place, "at_rest" | "in_passing" | "with_motion")
 int event(lua_State* state) {
     static constexpr std::array<const char*, 4> kWhen{"at_rest", "in_passing", "with_motion", nullptr};
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     controller.simulator().event(
         luaL_checkstring(state, 1), luaL_optstring(state, 2, ""), check_place(state, 3),
-        static_cast<simulation::Simulator::When>(luaL_checkoption(state, 4, "at_rest", kWhen.data())));
+        static_cast<simulation::Simulator::When>(check_choice(state, 4, "at_rest", kWhen)));
     return 0;
 }
 
 /// core.exact_stop_once(): the next move ends in an exact stop.
 int exact_stop_once(lua_State* state) {
-    self(state).simulator().exact_stop_once();
+    controller_of(state).simulator().exact_stop_once();
     return 0;
 }
 
 /// core.wait(): the control reads on when all moves have been made.
 int wait(lua_State* state) {
-    self(state).simulator().wait();
+    controller_of(state).simulator().wait();
+    return 0;
+}
+
+/// core.set_spindle_speed(rev_min): for what follows, in the order of the moves.
+int set_spindle_speed(lua_State* state) {
+    controller_of(state).simulator().set_spindle_speed(luaL_checknumber(state, 1));
+    return 0;
+}
+
+/// core.select_work_offset(name, origin by letter, rotation_deg)
+int select_work_offset(lua_State* state) {
+    simulation::WorkOffset offset;
+    offset.name = luaL_checkstring(state, 1);
+    luaL_checktype(state, 2, LUA_TTABLE);
+    for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
+        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
+        const int axis = controller_of(state).axis(*lua_tostring(state, -2));
+        if (axis < 0) continue;
+        const auto& axes = controller_of(state).simulator().machine().axes;
+        offset.origin[axes[static_cast<std::size_t>(axis)].letter] = luaL_checknumber(state, -1);
+    }
+    offset.rotation_deg = luaL_optnumber(state, 3, 0);
+    controller_of(state).simulator().select_work_offset(offset);
     return 0;
 }
 
 /// core.set_path_mode("exact_stop" | "exact_path" | "continuous", tolerance_mm, merge_tolerance_mm)
 int set_path_mode(lua_State* state) {
     static constexpr std::array<const char*, 4> kNames{"exact_stop", "exact_path", "continuous", nullptr};
-    const auto mode = static_cast<rrs::PathMode>(luaL_checkoption(state, 1, nullptr, kNames.data()));
-    self(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0));
+    const auto mode = static_cast<rrs::PathMode>(check_choice(state, 1, nullptr, kNames));
+    controller_of(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0),
+                                                   luaL_optnumber(state, 3, 0));
     return 0;
 }
 
 /// core.set_ramps("machine" | "linear" | "s_curve" | "infinite")
 int set_ramps(lua_State* state) {
     static constexpr std::array<const char*, 5> kNames{"machine", "linear", "s_curve", "infinite", nullptr};
-    self(state).simulator().set_ramps(
-        static_cast<rrs::RampMode>(luaL_checkoption(state, 1, nullptr, kNames.data())));
+    controller_of(state).simulator().set_ramps(
+        static_cast<rrs::RampMode>(check_choice(state, 1, nullptr, kNames)));
     return 0;
 }
 
 /// core.set_ramp_limits("acceleration" | "deceleration" | "jerk", values by letter)
 int set_ramp_limits(lua_State* state) {
     static constexpr std::array<const char*, 4> kNames{"acceleration", "deceleration", "jerk", nullptr};
-    const auto limit = static_cast<rrs::RampLimit>(luaL_checkoption(state, 1, nullptr, kNames.data()));
+    const auto limit = static_cast<rrs::RampLimit>(check_choice(state, 1, nullptr, kNames));
     luaL_checktype(state, 2, LUA_TTABLE);
+    std::map<int, double> values;  // in the order of the axes, which that of a table is not
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
         luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
-        const int axis = self(state).axis(*lua_tostring(state, -2));
+        const int axis = controller_of(state).axis(*lua_tostring(state, -2));
         luaL_argcheck(state, axis >= 0, 2, "there is no such axis");
-        self(state).simulator().set_ramp_limit(limit, axis, luaL_checknumber(state, -1));
+        values[axis] = luaL_checknumber(state, -1);
     }
+    for (const auto& [axis, value] : values)
+        controller_of(state).simulator().set_ramp_limit(limit, axis, value);
     return 0;
 }
 
 /// core.reset_ramp_limits(): those of the machine.
 int reset_ramp_limits(lua_State* state) {
-    self(state).simulator().reset_ramp_limits();
+    controller_of(state).simulator().reset_ramp_limits();
     return 0;
 }
 
@@ -227,6 +282,7 @@ void add_moves(lua_State* state, Controller& controller) {
     set_function<place>(state, "place", &controller);
     set_function<rapid_to>(state, "rapid_to", &controller);
     set_function<line_to>(state, "line_to", &controller);
+    set_function<probe>(state, "probe", &controller);
     set_function<joint_to>(state, "joint_to", &controller);
     set_function<arc>(state, "arc", &controller);
     set_function<arc_via>(state, "arc_via", &controller);
@@ -234,6 +290,8 @@ void add_moves(lua_State* state, Controller& controller) {
     set_function<event>(state, "event", &controller);
     set_function<exact_stop_once>(state, "exact_stop_once", &controller);
     set_function<wait>(state, "wait", &controller);
+    set_function<set_spindle_speed>(state, "set_spindle_speed", &controller);
+    set_function<select_work_offset>(state, "select_work_offset", &controller);
     set_function<set_path_mode>(state, "set_path_mode", &controller);
     set_function<set_ramps>(state, "set_ramps", &controller);
     set_function<set_ramp_limits>(state, "set_ramp_limits", &controller);

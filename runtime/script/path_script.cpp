@@ -14,8 +14,6 @@ namespace gsim::script {
 namespace {
 
 using path::PathFile;
-using path::Place;
-using path::Target;
 using path::TargetDraft;
 using path::TargetKey;
 
@@ -30,7 +28,7 @@ struct Handle {
 struct Builder {
     struct MadePoint {
         path::Point point;
-        Place place;
+        path::Place place;
     };
     PathFile file;
     std::vector<MadePoint> points;
@@ -46,7 +44,7 @@ const Handle* handle_at(lua_State* state, int index) {
     return static_cast<const Handle*>(lua_touserdata(state, index));
 }
 
-Place calling_place(lua_State* state) {
+path::Place calling_place(lua_State* state) {
     lua_Debug caller{};
     if (lua_getstack(state, 1, &caller) == 0 || lua_getinfo(state, "l", &caller) == 0) return {};
     return {static_cast<std::uint32_t>(std::max(1, caller.currentline)), 0};
@@ -142,7 +140,7 @@ int make_point(lua_State* state) {
         draft.mark(key);
         read_value(state, draft, key);
     }
-    tl::expected<Target, std::string> target = draft.finish();
+    tl::expected<path::Target, std::string> target = draft.finish();
     if (!target) raise(state, target.error());
     builder.points.push_back({std::get<path::Point>(std::move(*target)), calling_place(state)});
     push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
@@ -179,8 +177,8 @@ int make_path(lua_State* state) {
     if (lua_getfield(state, 1, "name") != LUA_TSTRING) raise(state, "a path lacks 'name', a string");
     made.name = text_at(state, -1);
     const auto count = static_cast<lua_Integer>(lua_rawlen(state, 1));
-    std::vector<Place> places;
-    const Place here = calling_place(state);
+    std::vector<path::Place> places;
+    const path::Place here = calling_place(state);
     for (lua_Integer i = 1; i <= count; ++i) {
         lua_rawgeti(state, 1, i);
         const Handle* handle = handle_at(state, -1);

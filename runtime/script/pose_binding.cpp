@@ -1,49 +1,37 @@
-#include <numbers>
-
 #include <fmt/format.h>
 
 #include "runtime/kinematics/pose.h"
+#include "runtime/motion/units.h"
 #include "runtime/script/axis_table.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/lua_state.h"
 
 namespace gsim::script {
 
+using text::DiagnosticKind;
+
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-
-Controller& self(lua_State* state) {
-    return bound<Controller>(state);
-}
-
-double field(lua_State* state, int index, const char* name) {
-    lua_getfield(state, index, name);
-    const double value = luaL_optnumber(state, -1, 0);
-    lua_pop(state, 1);
-    return value;
-}
-
 /// {x=, y=, z=, roll=, pitch=, yaw=} in mm and degrees.
-rrs::CartPos check_pose(lua_State* state, int index) {
+rrs::CartPos check_rpy_pose(lua_State* state, int index) {
     luaL_checktype(state, index, LUA_TTABLE);
     kinematics::Rpy pose;
-    pose.x_mm = field(state, index, "x");
-    pose.y_mm = field(state, index, "y");
-    pose.z_mm = field(state, index, "z");
-    pose.roll_rad = field(state, index, "roll") * kRadPerDeg;
-    pose.pitch_rad = field(state, index, "pitch") * kRadPerDeg;
-    pose.yaw_rad = field(state, index, "yaw") * kRadPerDeg;
+    pose.x_mm = number_field(state, index, "x");
+    pose.y_mm = number_field(state, index, "y");
+    pose.z_mm = number_field(state, index, "z");
+    pose.roll_rad = number_field(state, index, "roll") * motion::kRadPerDeg;
+    pose.pitch_rad = number_field(state, index, "pitch") * motion::kRadPerDeg;
+    pose.yaw_rad = number_field(state, index, "yaw") * motion::kRadPerDeg;
     return kinematics::pose_from_rpy(pose);
 }
 
 /// core.pose_axes{x=, y=, z=, roll=, pitch=, yaw=}: axis values that bring the tool to a pose in mm and
 /// degrees.
 int pose_axes(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     const tl::expected<simulation::AxisVector, std::string> axes =
-        controller.simulator().axes_of(check_pose(state, 1));
-    if (!axes) controller.alarm(state, axes.error());
+        controller.simulator().axes_of(check_rpy_pose(state, 1));
+    if (!axes) controller.alarm(state, DiagnosticKind::unreachable, axes.error());
     controller.simulator().warn_if_singular(*axes, controller.place());
     push_axes(state, controller, *axes);
     return 1;
@@ -51,10 +39,10 @@ int pose_axes(lua_State* state) {
 
 /// core.pose_move(pose, via or nil): the tool in a line, or by the pose `via` in an arc.
 int pose_move(lua_State* state) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     simulation::PoseMove move;
-    move.target = check_pose(state, 1);
-    if (!lua_isnoneornil(state, 2)) move.via = check_pose(state, 2);
+    move.target = check_rpy_pose(state, 1);
+    if (!lua_isnoneornil(state, 2)) move.via = check_rpy_pose(state, 2);
     move.feed = controller.feed(state, move.via ? std::optional(1.0) : std::nullopt);
     move.place = controller.place();
     controller.check(state, controller.simulator().move(move));
@@ -63,7 +51,7 @@ int pose_move(lua_State* state) {
 
 /// core.tip_turns(): whether a line of the axes between two poses is none of the tool.
 int tip_turns(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(self(state).simulator().tip_turns()));
+    lua_pushboolean(state, static_cast<int>(controller_of(state).simulator().tip_turns()));
     return 1;
 }
 

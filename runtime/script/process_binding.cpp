@@ -3,25 +3,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "runtime/machine/nearest_name.h"
+#include "runtime/script/choice.h"
 #include "runtime/script/processes.h"
+#include "text/nearest_name.h"
 
 // Functions of processes for the library in Lua. Those that wait for other processes yield: their last act is
 // to return what Processes returns.
 
 namespace gsim::script {
 
+using text::DiagnosticKind;
+
 namespace {
 
 using process::Value;
 using process::WaitKind;
 
-Processes& self(lua_State* state) {
+Processes& processes_of(lua_State* state) {
     return bound<Processes>(state);
 }
 
 /// The control whose library calls.
-Control& control(lua_State* state) {
+Control& control_of(lua_State* state) {
     return *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
 }
 
@@ -29,7 +32,8 @@ std::string check_name(lua_State* state, int index, const char* what) {
     std::size_t size = 0;
     const char* text = lua_type(state, index) == LUA_TSTRING ? lua_tolstring(state, index, &size) : nullptr;
     if (text == nullptr || size == 0)
-        self(state).alarm(state, fmt::format("the name of a {} is a text that is not empty", what));
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  fmt::format("the name of a {} is a text that is not empty", what));
     return {text, size};
 }
 
@@ -37,7 +41,8 @@ Value check_value(lua_State* state, int index) {
     if (lua_isboolean(state, index)) return lua_toboolean(state, index) != 0;
     const double number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
     if (!std::isfinite(number))
-        self(state).alarm(state, "the value of a signal is true, false or a number that is finite");
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "the value of a signal is true, false or a number that is finite");
     return number;
 }
 
@@ -52,13 +57,14 @@ void push_value(lua_State* state, const Value& value) {
 double check_seconds(lua_State* state, int index) {
     const double seconds = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
     if (!(seconds >= 0) || !std::isfinite(seconds))
-        self(state).alarm(state, "a wait takes 0 seconds or more, as a number");
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "a wait takes 0 seconds or more, as a number");
     return seconds;
 }
 
 template <typename Names>
 std::string hint(std::string_view name, const Names& names) {
-    if (const auto nearest = machine::nearest_name(name, names))
+    if (const auto nearest = text::nearest_name(name, names))
         return fmt::format("did you mean '{}'?", *nearest);
     return names.empty() ? "a file of robots (--robots) has them"
                          : fmt::format("there are: {}", fmt::join(names, ", "));
@@ -66,37 +72,38 @@ std::string hint(std::string_view name, const Names& names) {
 
 /// join(): goes on when no process is behind.
 int join(lua_State* state) {
-    return self(state).join(state);
+    return processes_of(state).join(state);
 }
 
 /// rest(): the robot of the process comes to rest, and their clocks agree.
 int rest(lua_State* state) {
-    self(state).rest(state);
+    processes_of(state).rest(state);
     return 0;
 }
 
-int wait(lua_State* state) {
-    return self(state).wait(state, check_seconds(state, 1));
+int wait_seconds(lua_State* state) {
+    return processes_of(state).wait(state, check_seconds(state, 1));
 }
 
 /// start(name, f, background)
 int start(lua_State* state) {
     std::string name = check_name(state, 1, "process");
-    if (!lua_isfunction(state, 2)) self(state).alarm(state, "a process is a name and a function");
+    if (!lua_isfunction(state, 2))
+        processes_of(state).alarm(state, DiagnosticKind::process, "a process is a name and a function");
     const bool background = lua_toboolean(state, 3) != 0;
     lua_settop(state, 2);
-    self(state).start(state, std::move(name), background);
+    processes_of(state).start(state, std::move(name), background);
     return 0;
 }
 
 int signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
-    self(state).set_signal(name, check_value(state, 2));
+    processes_of(state).set_signal(name, check_value(state, 2));
     return 0;
 }
 
 int value(lua_State* state) {
-    push_value(state, self(state).value(check_name(state, 1, "signal")));
+    push_value(state, processes_of(state).value(check_name(state, 1, "signal")));
     return 1;
 }
 
@@ -104,53 +111,57 @@ int value(lua_State* state) {
 int wait_signal(lua_State* state) {
     static const char* const kNames[] = {"on", "off", "equals", "rises", "falls", "any", nullptr};
     process::Wait wait;
-    wait.kind = static_cast<WaitKind>(luaL_checkoption(state, 2, "on", kNames));
+    wait.kind = static_cast<WaitKind>(check_choice(state, 2, "on", kNames));
     if (wait.kind != WaitKind::any_change) wait.signal = check_name(state, 1, "signal");
     if (wait.kind == WaitKind::equals) wait.value = check_value(state, 3);
-    if (!lua_isnoneornil(state, 4)) wait.until_s = self(state).time_s() + check_seconds(state, 4);
-    return self(state).wait_signal(state, std::move(wait));
+    if (!lua_isnoneornil(state, 4)) wait.until_s = processes_of(state).time_s() + check_seconds(state, 4);
+    return processes_of(state).wait_signal(state, std::move(wait));
 }
 
 int on_signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
     lua_settop(state, 2);
     if (!lua_isnil(state, 2) && !lua_isfunction(state, 2))
-        self(state).alarm(state, "on_signal takes the name of a signal and a function, or nil");
-    self(state).on_signal(state, name);
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "on_signal takes the name of a signal and a function, or nil");
+    processes_of(state).on_signal(state, name);
     return 0;
 }
 
 /// several(): whether there are processes besides the main one.
 int several(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(self(state).several()));
+    lua_pushboolean(state, static_cast<int>(processes_of(state).several()));
     return 1;
 }
 
 int robot(lua_State* state) {
     const std::string name = check_name(state, 1, "robot");
-    const Control* found = self(state).find_control(name);
+    const Control* found = processes_of(state).find_control(name);
     if (found == nullptr) {
-        self(state).alarm(
-            state, fmt::format("there is no robot '{}'; {}", name, hint(name, self(state).control_names())));
+        processes_of(state).alarm(
+            state, DiagnosticKind::process,
+            fmt::format("there is no robot '{}'; {}", name, hint(name, processes_of(state).control_names())));
     }
     found->push_environment(state);
     return 1;
 }
 
 /// time(): the clock of the process.
-int time(lua_State* state) {
-    lua_pushnumber(state, self(state).time_s());
+int process_time(lua_State* state) {
+    lua_pushnumber(state, processes_of(state).time_s());
     return 1;
 }
 
 process::Conveyor& check_conveyor(lua_State* state, int index) {
     const std::string name = check_name(state, index, "conveyor");
-    process::Conveyor* found = self(state).find_conveyor(name);
+    process::Conveyor* found = processes_of(state).find_conveyor(name);
     if (found != nullptr) return *found;
     std::vector<std::string_view> names;
-    names.reserve(self(state).conveyors().size());
-    for (const process::Conveyor& conveyor : self(state).conveyors()) names.push_back(conveyor.name());
-    self(state).alarm(state, fmt::format("there is no conveyor '{}'; {}", name, hint(name, names)));
+    names.reserve(processes_of(state).conveyors().size());
+    for (const process::Conveyor& conveyor : processes_of(state).conveyors())
+        names.push_back(conveyor.name());
+    processes_of(state).alarm(state, DiagnosticKind::process,
+                              fmt::format("there is no conveyor '{}'; {}", name, hint(name, names)));
 }
 
 /// conveyor(name): raises an alarm where there is none.
@@ -161,7 +172,7 @@ int conveyor(lua_State* state) {
 
 /// conveyor_position(name): mm of travel at the time of the process.
 int conveyor_position(lua_State* state) {
-    lua_pushnumber(state, check_conveyor(state, 1).position_mm(self(state).time_s()));
+    lua_pushnumber(state, check_conveyor(state, 1).position_mm(processes_of(state).time_s()));
     return 1;
 }
 
@@ -169,8 +180,10 @@ int conveyor_position(lua_State* state) {
 int conveyor_speed(lua_State* state) {
     process::Conveyor& conveyor = check_conveyor(state, 1);
     const double speed_mm_s = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
-    if (!std::isfinite(speed_mm_s)) self(state).alarm(state, "the speed of a conveyor is a number of mm/s");
-    self(state).set_conveyor_speed(state, conveyor, speed_mm_s);
+    if (!std::isfinite(speed_mm_s))
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "the speed of a conveyor is a number of mm/s");
+    processes_of(state).set_conveyor_speed(state, conveyor, speed_mm_s);
     return 0;
 }
 
@@ -178,8 +191,10 @@ int conveyor_speed(lua_State* state) {
 int conveyor_reaches(lua_State* state) {
     const process::Conveyor& conveyor = check_conveyor(state, 1);
     const double position_mm = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
-    if (!std::isfinite(position_mm)) self(state).alarm(state, "the position of a conveyor is a number of mm");
-    const double now_s = self(state).time_s();
+    if (!std::isfinite(position_mm))
+        processes_of(state).alarm(state, DiagnosticKind::process,
+                                  "the position of a conveyor is a number of mm");
+    const double now_s = processes_of(state).time_s();
     const double then_s = conveyor.reaches_s(position_mm, now_s);
     if (!std::isfinite(then_s)) return 0;
     lua_pushnumber(state, then_s - now_s);
@@ -189,19 +204,14 @@ int conveyor_reaches(lua_State* state) {
 /// track(name or nil)
 int track(lua_State* state) {
     process::Conveyor* wanted = lua_isnoneornil(state, 1) ? nullptr : &check_conveyor(state, 1);
-    self(state).track(state, control(state), wanted);
+    processes_of(state).track(state, control_of(state), wanted);
     return 0;
 }
 
-struct Entry {
-    const char* name;
-    lua_CFunction function;
-};
-
-constexpr Entry kEntries[] = {
+constexpr luaL_Reg kProcessFunctions[] = {
     {"join", trampoline<join>},
     {"rest", trampoline<rest>},
-    {"wait", trampoline<wait>},
+    {"wait", trampoline<wait_seconds>},
     {"start", trampoline<start>},
     {"signal", trampoline<signal>},
     {"value", trampoline<value>},
@@ -209,7 +219,7 @@ constexpr Entry kEntries[] = {
     {"on_signal", trampoline<on_signal>},
     {"several", trampoline<several>},
     {"robot", trampoline<robot>},
-    {"time", trampoline<time>},
+    {"time", trampoline<process_time>},
     {"conveyor", trampoline<conveyor>},
     {"conveyor_position", trampoline<conveyor_position>},
     {"conveyor_speed", trampoline<conveyor_speed>},
@@ -221,11 +231,11 @@ constexpr Entry kEntries[] = {
 
 void add_processes(lua_State* state, Processes& processes, Control& control) {
     lua_newtable(state);
-    for (const Entry& entry : kEntries) {
+    for (const luaL_Reg& function : kProcessFunctions) {
         lua_pushlightuserdata(state, &processes);
         lua_pushlightuserdata(state, &control);
-        lua_pushcclosure(state, entry.function, 2);
-        lua_setfield(state, -2, entry.name);
+        lua_pushcclosure(state, function.func, 2);
+        lua_setfield(state, -2, function.name);
     }
     lua_setfield(state, -2, "processes");
 }

@@ -9,6 +9,8 @@
 
 namespace gsim::script {
 
+using text::DiagnosticKind;
+
 using process::ProcessId;
 
 process::Conveyor* Processes::find_conveyor(std::string_view name) {
@@ -21,7 +23,7 @@ process::Conveyor* Processes::find_conveyor(std::string_view name) {
 void Processes::set_conveyor_speed(lua_State* state, process::Conveyor& conveyor, double speed_mm_s) {
     for (const auto& [control, followed] : tracked_) {
         if (followed != &conveyor) continue;
-        alarm(state,
+        alarm(state, DiagnosticKind::process,
               fmt::format("the speed of the conveyor '{}' cannot change while {} follows it", conveyor.name(),
                           control->name().empty() ? "the robot" : fmt::format("'{}'", control->name())));
     }

@@ -6,6 +6,8 @@
 
 namespace gsim::script {
 
+using text::DiagnosticKind;
+
 using process::is_on;
 using process::Process;
 using process::ProcessId;
@@ -169,9 +171,10 @@ void Processes::attach(lua_State* state, Controller& wanted) {
     Control* control = *std::find_if(controls_.begin(), controls_.end(), is_wanted);
     for (ProcessId id = 0; id < strands_.size(); ++id) {
         if (strands_[id]->control != control || id == running_) continue;
-        alarm(state, fmt::format("the robot{} belongs to the process '{}' as long as that runs",
-                                 control->name().empty() ? "" : fmt::format(" '{}'", control->name()),
-                                 schedule_.process(id).name));
+        alarm(state, DiagnosticKind::process,
+              fmt::format("the robot{} belongs to the process '{}' as long as that runs",
+                          control->name().empty() ? "" : fmt::format(" '{}'", control->name()),
+                          schedule_.process(id).name));
     }
     rest(state);
     take(strand(), control);
@@ -193,15 +196,16 @@ void Processes::stand_idle(Strand& strand) {
 
 // --- What the running process asks for ---
 
-void Processes::alarm(lua_State* state, const std::string& message) {
+void Processes::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
     controller().locate(state);
-    controller().alarm(state, message);
+    controller().alarm(state, kind, message);
 }
 
 void Processes::count_join(lua_State* state) {
     simulation::Simulator& simulator = controller().simulator();
     if (++joins_ <= simulator.max_blocks()) return;
-    simulator.stop(fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
+    simulator.stop(DiagnosticKind::run_limit,
+                   fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
                    now().place);
     LuaState::raise_stop(state);
 }
@@ -227,7 +231,8 @@ int Processes::join(lua_State* state) {
     count_join(state);
     simulation::Simulator& simulator = controller().simulator();
     if (now().time_s > simulator.max_time_s()) {
-        simulator.stop(fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
+        simulator.stop(DiagnosticKind::run_limit,
+                       fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
                                    simulator.max_time_s()),
                        now().place);
         LuaState::raise_stop(state);

@@ -74,7 +74,7 @@ class Processes {
     /// The clock of the running process.
     double time_s() const { return schedule_.process(running_).time_s; }
     /// Raises an alarm of the running process's robot, or of the first one; does not return.
-    [[noreturn]] void alarm(lua_State* state, const std::string& message);
+    [[noreturn]] void alarm(lua_State* state, text::DiagnosticKind kind, const std::string& message);
 
     Control* find_control(std::string_view name) const;
     std::vector<std::string_view> control_names() const;

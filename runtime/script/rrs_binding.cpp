@@ -2,6 +2,7 @@
 #include <string>
 
 #include "runtime/script/bindings.h"
+#include "runtime/script/choice.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/script/pose_table.h"
 
@@ -11,21 +12,18 @@
 
 namespace gsim::script {
 
+using rrs::Shell;
 using rrs::Status;
 
 namespace {
 
-Controller& self(lua_State* state) {
-    return bound<Controller>(state);
-}
-
-rrs::Shell& shell(lua_State* state) {
-    self(state).attach(state);
-    return self(state).simulator().controller();
+Shell& shell(lua_State* state) {
+    controller_of(state).attach(state);
+    return controller_of(state).simulator().controller();
 }
 
 std::size_t joint_count(lua_State* state) {
-    return self(state).simulator().machine().axes.size();
+    return controller_of(state).simulator().machine().axes.size();
 }
 
 int answer(lua_State* state, Status status) {
@@ -69,27 +67,27 @@ Target check_target(lua_State* state, int index) {
     return target;
 }
 
-template <Status (rrs::Shell::*Service)()>
+template <Status (Shell::*Service)()>
 int plain(lua_State* state) {
     return answer(state, (shell(state).*Service)());
 }
 
-template <Status (rrs::Shell::*Service)(double)>
+template <Status (Shell::*Service)(double)>
 int with_number(lua_State* state) {
     return answer(state, (shell(state).*Service)(luaL_checknumber(state, 1)));
 }
 
-template <Status (rrs::Shell::*Service)(int)>
+template <Status (Shell::*Service)(int)>
 int with_integer(lua_State* state) {
     return answer(state, (shell(state).*Service)(whole(state, 1)));
 }
 
-template <Status (rrs::Shell::*Service)(bool)>
+template <Status (Shell::*Service)(bool)>
 int with_switch(lua_State* state) {
     return answer(state, (shell(state).*Service)(lua_toboolean(state, 1) != 0));
 }
 
-template <Status (rrs::Shell::*Service)(std::span<const int>, std::span<const double>)>
+template <Status (Shell::*Service)(std::span<const int>, std::span<const double>)>
 int with_joints(lua_State* state) {
     return answer(state, (shell(state).*Service)({}, numbers(state, 1, joint_count(state))));
 }
@@ -112,7 +110,7 @@ int get_message(lua_State* state) {
 
 int get_inverse_kinematics(lua_State* state) {
     rrs::JointPos joints;
-    const rrs::JointPos near = lua_isnoneornil(state, 2) ? self(state).simulator().joints()
+    const rrs::JointPos near = lua_isnoneornil(state, 2) ? controller_of(state).simulator().joints()
                                                          : check_joints(state, 2, joint_count(state));
     const Status status = shell(state).GetInverseKinematics(check_pose(state, 1), near, joints);
     answer(state, status);
@@ -132,7 +130,7 @@ int get_forward_kinematics(lua_State* state) {
 
 int get_cell_frame(lua_State* state) {
     rrs::CartPos frame;
-    const Status status = self(state).simulator().get_cell_frame(text(state, 1), frame);
+    const Status status = controller_of(state).simulator().get_cell_frame(text(state, 1), frame);
     answer(state, status);
     if (static_cast<int>(status) < 0) return 1;
     push_pose(state, frame);
@@ -140,43 +138,67 @@ int get_cell_frame(lua_State* state) {
 }
 
 int modify_cell_frame(lua_State* state) {
-    return answer(state, self(state).simulator().modify_cell_frame(text(state, 1), check_pose(state, 2)));
+    return answer(state,
+                  controller_of(state).simulator().modify_cell_frame(text(state, 1), check_pose(state, 2)));
 }
 
 int select_work_frames(lua_State* state) {
     return answer(state, shell(state).SelectWorkFrames(text(state, 1), text(state, 2)));
 }
 
+/// A service that selects what moves of the program select, too: what it has selected is kept.
+template <typename Value>
+int select(lua_State* state, Status (Shell::*service)(Value), Value simulation::ServiceModes::*mode,
+           Value value) {
+    const Status status = (shell(state).*service)(value);
+    if (static_cast<int>(status) >= 0) controller_of(state).simulator().service_modes().*mode = value;
+    return answer(state, status);
+}
+
 int select_target_type(lua_State* state) {
     static const char* const kNames[] = {"cartesian", "joint", nullptr};
-    return answer(state, shell(state).SelectTargetType(
-                             static_cast<rrs::TargetType>(luaL_checkoption(state, 1, nullptr, kNames))));
+    return select(state, &Shell::SelectTargetType, &simulation::ServiceModes::target_type,
+                  static_cast<rrs::TargetType>(check_choice(state, 1, nullptr, kNames)));
+}
+
+int set_position_speed(lua_State* state) {
+    return select(state, &Shell::SetCartesianPositionSpeed, &simulation::ServiceModes::position_speed_mm_s,
+                  luaL_checknumber(state, 1));
+}
+
+int set_orientation_speed(lua_State* state) {
+    return select(state, &Shell::SetCartesianOrientationSpeed,
+                  &simulation::ServiceModes::orientation_speed_rad_s, luaL_checknumber(state, 1));
+}
+
+int set_rapid(lua_State* state) {
+    return select(state, &Shell::SetRapid, &simulation::ServiceModes::rapid, lua_toboolean(state, 1) != 0);
 }
 
 int select_motion_type(lua_State* state) {
     static const char* const kNames[] = {"joint", "linear", "circular", nullptr};
     static constexpr std::array kTypes = {rrs::MotionType::joint, rrs::MotionType::linear,
                                           rrs::MotionType::circular};
-    return answer(state, shell(state).SelectMotionType(
-                             kTypes[static_cast<std::size_t>(luaL_checkoption(state, 1, nullptr, kNames))]));
+    return select(state, &Shell::SelectMotionType, &simulation::ServiceModes::motion_type,
+                  kTypes[static_cast<std::size_t>(check_choice(state, 1, nullptr, kNames))]);
 }
 
 int select_dominant_interpolation(lua_State* state) {
     static const char* const kNames[] = {"automatic", "position", "orientation", nullptr};
     return answer(state, shell(state).SelectDominantInterpolation(
-                             static_cast<rrs::Dominance>(luaL_checkoption(state, 1, nullptr, kNames))));
+                             static_cast<rrs::Dominance>(check_choice(state, 1, nullptr, kNames))));
 }
 
 int set_initial_position(lua_State* state) {
     const Target target = check_target(state, 1);
-    return answer(state, self(state).simulator().set_start([&] {
+    return answer(state, controller_of(state).simulator().set_start([&] {
         return shell(state).SetInitialPosition(target.pose, target.joints, {});
     }));
 }
 
 /// rrs.SetNextTarget(target [, "via"]) and rrs.SetNextNamedTarget(target, name).
 int queue(lua_State* state, rrs::TargetParam param, const std::string& name) {
-    Controller& controller = self(state);
+    Controller& controller = controller_of(state);
     controller.locate(state);
     const Target target = check_target(state, 1);
     const auto call = [&](rrs::TargetId id) {
@@ -191,7 +213,7 @@ int queue(lua_State* state, rrs::TargetParam param, const std::string& name) {
 
 int set_next_target(lua_State* state) {
     static const char* const kParams[] = {"end", "via", nullptr};
-    return queue(state, static_cast<rrs::TargetParam>(luaL_checkoption(state, 2, "end", kParams)), {});
+    return queue(state, static_cast<rrs::TargetParam>(check_choice(state, 2, "end", kParams)), {});
 }
 
 int set_next_named_target(lua_State* state) {
@@ -242,24 +264,24 @@ int define_path_event(lua_State* state) {
 }
 
 int cancel_motion(lua_State* state) {
-    return answer(state, self(state).simulator().cancel_motion());
+    return answer(state, controller_of(state).simulator().cancel_motion());
 }
 
 int set_ramp_mode(lua_State* state) {
     static const char* const kNames[] = {"machine", "linear", "s_curve", "infinite", nullptr};
-    return answer(state, shell(state).SetRampMode(
-                             static_cast<rrs::RampMode>(luaL_checkoption(state, 1, nullptr, kNames))));
+    return answer(
+        state, shell(state).SetRampMode(static_cast<rrs::RampMode>(check_choice(state, 1, nullptr, kNames))));
 }
 
 int set_joint_ramp_limits(lua_State* state) {
     static const char* const kNames[] = {"acceleration", "deceleration", "jerk", nullptr};
-    const auto limit = static_cast<rrs::RampLimit>(luaL_checkoption(state, 1, nullptr, kNames));
+    const auto limit = static_cast<rrs::RampLimit>(check_choice(state, 1, nullptr, kNames));
     return answer(state, shell(state).SetJointRampLimits(limit, {}, numbers(state, 2, joint_count(state))));
 }
 
 int select_tracking(lua_State* state) {
-    return answer(state,
-                  self(state).simulator().select_tracking(whole(state, 1), lua_toboolean(state, 2) != 0));
+    return answer(state, controller_of(state).simulator().select_tracking(whole(state, 1),
+                                                                          lua_toboolean(state, 2) != 0));
 }
 
 int set_conveyor_position(lua_State* state) {
@@ -303,80 +325,73 @@ int status_name(lua_State* state) {
     return 1;
 }
 
-struct Entry {
-    const char* name;
-    lua_CFunction function;
-};
-
-using S = rrs::Shell;
-
-const std::array kEntries = {
-    Entry{"Initialize", trampoline<initialize>},
-    Entry{"Reset", trampoline<owned_by_the_run>},
-    Entry{"Terminate", trampoline<owned_by_the_run>},
-    Entry{"GetMessage", trampoline<get_message>},
-    Entry{"GetInverseKinematics", trampoline<get_inverse_kinematics>},
-    Entry{"GetForwardKinematics", trampoline<get_forward_kinematics>},
-    Entry{"GetCellFrame", trampoline<get_cell_frame>},
-    Entry{"ModifyCellFrame", trampoline<modify_cell_frame>},
-    Entry{"SelectWorkFrames", trampoline<select_work_frames>},
-    Entry{"SelectTargetType", trampoline<select_target_type>},
-    Entry{"SelectTrajectoryMode", trampoline<with_integer<&S::SelectTrajectoryMode>>},
-    Entry{"SetInitialPosition", trampoline<set_initial_position>},
-    Entry{"SetNextTarget", trampoline<set_next_target>},
-    Entry{"SetNextNamedTarget", trampoline<set_next_named_target>},
-    Entry{"GetNextStep", trampoline<get_next_step>},
-    Entry{"SetInterpolationTime", trampoline<with_number<&S::SetInterpolationTime>>},
-    Entry{"SelectMotionType", trampoline<select_motion_type>},
-    Entry{"SelectOrientationInterpolationMode",
-          trampoline<with_integer<&S::SelectOrientationInterpolationMode>>},
-    Entry{"SelectDominantInterpolation", trampoline<select_dominant_interpolation>},
-    Entry{"SetJointSpeeds", trampoline<with_joints<&S::SetJointSpeeds>>},
-    Entry{"SetJointAccelerations", trampoline<with_joints<&S::SetJointAccelerations>>},
-    Entry{"SetJointJerks", trampoline<with_joints<&S::SetJointJerks>>},
-    Entry{"SetCartesianPositionSpeed", trampoline<with_number<&S::SetCartesianPositionSpeed>>},
-    Entry{"SetCartesianOrientationSpeed", trampoline<with_number<&S::SetCartesianOrientationSpeed>>},
-    Entry{"SetCartesianPositionAcceleration", trampoline<with_number<&S::SetCartesianPositionAcceleration>>},
-    Entry{"SetCartesianOrientationAcceleration",
-          trampoline<with_number<&S::SetCartesianOrientationAcceleration>>},
-    Entry{"SetOverrideSpeed", trampoline<with_number<&S::SetOverrideSpeed>>},
-    Entry{"SetOverrideAcceleration", trampoline<with_number<&S::SetOverrideAcceleration>>},
-    Entry{"SelectFlybyMode", trampoline<with_switch<&S::SelectFlybyMode>>},
-    Entry{"SelectFlybyCriteria", trampoline<with_integer<&S::SelectFlybyCriteria>>},
-    Entry{"SetFlybyCriteriaParameter", trampoline<set_flyby_criteria_parameter>},
-    Entry{"CancelFlybyCriteria", trampoline<with_integer<&S::CancelFlybyCriteria>>},
-    Entry{"SelectPointAccuracy", trampoline<with_integer<&S::SelectPointAccuracy>>},
-    Entry{"SetPointAccuracyParameter", trampoline<set_point_accuracy_parameter>},
-    Entry{"SetMotionTime", trampoline<with_number<&S::SetMotionTime>>},
-    Entry{"SetRestParameter", trampoline<with_number<&S::SetRestParameter>>},
-    Entry{"StopMotion", trampoline<plain<&S::StopMotion>>},
-    Entry{"ContinueMotion", trampoline<plain<&S::ContinueMotion>>},
-    Entry{"CancelMotion", trampoline<cancel_motion>},
-    Entry{"DefineEvent", trampoline<define_event>},
-    Entry{"DefinePathEvent", trampoline<define_path_event>},
-    Entry{"CancelEvent", trampoline<with_integer<&S::CancelEvent>>},
-    Entry{"GetEvent", trampoline<get_event>},
-    Entry{"SelectTracking", trampoline<select_tracking>},
-    Entry{"SetConveyorPosition", trampoline<set_conveyor_position>},
-    Entry{"DefineConveyor", trampoline<define_conveyor>},
-    Entry{"SelectObject", trampoline<select_object>},
-    Entry{"SetObjectInitialPosition", trampoline<set_object_initial_position>},
-    Entry{"SetObjectSpeed", trampoline<with_number<&S::SetObjectSpeed>>},
-    Entry{"SetObjectNextTarget", trampoline<set_object_next_target>},
-    Entry{"GetNextObjectStep", trampoline<get_next_object_step>},
-    Entry{"SetRapid", trampoline<with_switch<&S::SetRapid>>},
-    Entry{"SetRampMode", trampoline<set_ramp_mode>},
-    Entry{"SetJointRampLimits", trampoline<set_joint_ramp_limits>},
-    Entry{"status_name", trampoline<status_name>},
+constexpr luaL_Reg kServices[] = {
+    {"Initialize", trampoline<initialize>},
+    {"Reset", trampoline<owned_by_the_run>},
+    {"Terminate", trampoline<owned_by_the_run>},
+    {"GetMessage", trampoline<get_message>},
+    {"GetInverseKinematics", trampoline<get_inverse_kinematics>},
+    {"GetForwardKinematics", trampoline<get_forward_kinematics>},
+    {"GetCellFrame", trampoline<get_cell_frame>},
+    {"ModifyCellFrame", trampoline<modify_cell_frame>},
+    {"SelectWorkFrames", trampoline<select_work_frames>},
+    {"SelectTargetType", trampoline<select_target_type>},
+    {"SelectTrajectoryMode", trampoline<with_integer<&Shell::SelectTrajectoryMode>>},
+    {"SetInitialPosition", trampoline<set_initial_position>},
+    {"SetNextTarget", trampoline<set_next_target>},
+    {"SetNextNamedTarget", trampoline<set_next_named_target>},
+    {"GetNextStep", trampoline<get_next_step>},
+    {"SetInterpolationTime", trampoline<with_number<&Shell::SetInterpolationTime>>},
+    {"SelectMotionType", trampoline<select_motion_type>},
+    {"SelectOrientationInterpolationMode",
+     trampoline<with_integer<&Shell::SelectOrientationInterpolationMode>>},
+    {"SelectDominantInterpolation", trampoline<select_dominant_interpolation>},
+    {"SetJointSpeeds", trampoline<with_joints<&Shell::SetJointSpeeds>>},
+    {"SetJointAccelerations", trampoline<with_joints<&Shell::SetJointAccelerations>>},
+    {"SetJointJerks", trampoline<with_joints<&Shell::SetJointJerks>>},
+    {"SetCartesianPositionSpeed", trampoline<set_position_speed>},
+    {"SetCartesianOrientationSpeed", trampoline<set_orientation_speed>},
+    {"SetCartesianPositionAcceleration", trampoline<with_number<&Shell::SetCartesianPositionAcceleration>>},
+    {"SetCartesianOrientationAcceleration",
+     trampoline<with_number<&Shell::SetCartesianOrientationAcceleration>>},
+    {"SetOverrideSpeed", trampoline<with_number<&Shell::SetOverrideSpeed>>},
+    {"SetOverrideAcceleration", trampoline<with_number<&Shell::SetOverrideAcceleration>>},
+    {"SelectFlybyMode", trampoline<with_switch<&Shell::SelectFlybyMode>>},
+    {"SelectFlybyCriteria", trampoline<with_integer<&Shell::SelectFlybyCriteria>>},
+    {"SetFlybyCriteriaParameter", trampoline<set_flyby_criteria_parameter>},
+    {"CancelFlybyCriteria", trampoline<with_integer<&Shell::CancelFlybyCriteria>>},
+    {"SelectPointAccuracy", trampoline<with_integer<&Shell::SelectPointAccuracy>>},
+    {"SetPointAccuracyParameter", trampoline<set_point_accuracy_parameter>},
+    {"SetMotionTime", trampoline<with_number<&Shell::SetMotionTime>>},
+    {"SetRestParameter", trampoline<with_number<&Shell::SetRestParameter>>},
+    {"StopMotion", trampoline<plain<&Shell::StopMotion>>},
+    {"ContinueMotion", trampoline<plain<&Shell::ContinueMotion>>},
+    {"CancelMotion", trampoline<cancel_motion>},
+    {"DefineEvent", trampoline<define_event>},
+    {"DefinePathEvent", trampoline<define_path_event>},
+    {"CancelEvent", trampoline<with_integer<&Shell::CancelEvent>>},
+    {"GetEvent", trampoline<get_event>},
+    {"SelectTracking", trampoline<select_tracking>},
+    {"SetConveyorPosition", trampoline<set_conveyor_position>},
+    {"DefineConveyor", trampoline<define_conveyor>},
+    {"SelectObject", trampoline<select_object>},
+    {"SetObjectInitialPosition", trampoline<set_object_initial_position>},
+    {"SetObjectSpeed", trampoline<with_number<&Shell::SetObjectSpeed>>},
+    {"SetObjectNextTarget", trampoline<set_object_next_target>},
+    {"GetNextObjectStep", trampoline<get_next_object_step>},
+    {"SetRapid", trampoline<set_rapid>},
+    {"SetRampMode", trampoline<set_ramp_mode>},
+    {"SetJointRampLimits", trampoline<set_joint_ramp_limits>},
+    {"status_name", trampoline<status_name>},
 };
 
 }  // namespace
 
 void add_rrs(lua_State* state, Controller& controller) {
-    for (const Entry& entry : kEntries) {
+    for (const luaL_Reg& service : kServices) {
         lua_pushlightuserdata(state, &controller);
-        lua_pushcclosure(state, entry.function, 1);
-        lua_setfield(state, -2, entry.name);
+        lua_pushcclosure(state, service.func, 1);
+        lua_setfield(state, -2, service.name);
     }
 }
 

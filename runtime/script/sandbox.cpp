@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "runtime/script/lua_state.h"
+#include "text/number.h"
 
 namespace gsim::script {
 
@@ -31,6 +32,10 @@ int print_to_error(lua_State* state) {
     const int count = lua_gettop(state);
     for (int i = 1; i <= count; ++i) {
         std::size_t size = 0;
+        if (lua_type(state, i) == LUA_TNUMBER && lua_isinteger(state, i) == 0) {
+            lua_pushnumber(state, text::unsigned_zero(lua_tonumber(state, i)));
+            lua_replace(state, i);
+        }
         const char* text = luaL_tolstring(state, i, &size);
         if (i > 1) std::fputc('\t', stderr);
         std::fwrite(text, 1, size, stderr);

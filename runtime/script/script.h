@@ -27,6 +27,7 @@ struct ScriptFunction {
 /// grow with it. `read` gives bytes [begin, end) of it.
 struct Script {
     std::string dialect = "ab9";  ///< Whose words it calls: "ab9" or "rs274ngc".
+    bool inch = false;            ///< It begins in inches, whatever the run has.
     std::string file_name;  ///< For places: of the G-code where lines are known to match, else of the Lua.
     std::int64_t line_difference =
         0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.

@@ -8,10 +8,6 @@ namespace gsim::script {
 
 namespace {
 
-Controller& self(lua_State* state) {
-    return bound<Controller>(state);
-}
-
 double number_at(lua_State* state, lua_Integer place) {
     lua_rawgeti(state, -1, place);
     const double value = luaL_checknumber(state, -1);
@@ -34,21 +30,21 @@ int set_zone(lua_State* state) {
         luaL_checktype(state, 1, LUA_TTABLE);
         walls = {walls_at(state, 1, "x"), walls_at(state, 1, "y"), walls_at(state, 1, "z")};
     }
-    self(state).simulator().set_programmed_zone(walls);
+    controller_of(state).simulator().set_programmed_zone(walls);
     return 0;
 }
 
 /// core.switch_zones(number, on): false where no zone of the machine data has that number.
 int switch_zones(lua_State* state) {
     const auto number = static_cast<int>(luaL_checkinteger(state, 1));
-    const bool known = self(state).simulator().switch_zones(number, lua_toboolean(state, 2) != 0);
+    const bool known = controller_of(state).simulator().switch_zones(number, lua_toboolean(state, 2) != 0);
     lua_pushboolean(state, static_cast<int>(known));
     return 1;
 }
 
 /// core.set_tool_offset(x, y, z): how far the machine's position is from the tool's end, mm.
 int set_tool_offset(lua_State* state) {
-    self(state).simulator().set_tool_offset(
+    controller_of(state).simulator().set_tool_offset(
         {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});
     return 0;
 }

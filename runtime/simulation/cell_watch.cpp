@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "runtime/kinematics/pose.h"
-#include "runtime/machine/nearest_name.h"
+#include "text/nearest_name.h"
 
 namespace gsim::simulation {
 
@@ -25,7 +25,7 @@ std::array<double, 3> array_of(const Eigen::Vector3d& point) {
 }  // namespace
 
 CellWatch::CellWatch(cell::Cell cell, const machine::Machine& machine)
-    : cell_(std::move(cell)), set_frames_(cell_.frames), watch_(cell_, machine) {
+    : machine_(machine), cell_(std::move(cell)), set_frames_(cell_.frames), watch_(cell_, machine_) {
     findings_.name = cell_.name;
     findings_.clearance_mm = cell_.clearance_mm;
 }
@@ -33,7 +33,7 @@ CellWatch::CellWatch(cell::Cell cell, const machine::Machine& machine)
 tl::expected<std::size_t, PlanError> CellWatch::find(std::string_view name) const {
     if (const auto found = set_frames_.find(name)) return *found;
     const std::vector<std::string_view> names = set_frames_.names();
-    const auto nearest = machine::nearest_name(name, names);
+    const auto nearest = text::nearest_name(name, names);
     return motion::refused(Status::RRS_UNKNOWN_FRAME,
                            fmt::format("The cell has no frame '{}'; {}", name,
                                        nearest ? fmt::format("did you mean '{}'?", *nearest)
@@ -124,6 +124,12 @@ void CellWatch::know_until(double time_s) {
         look_at(waiting_.front().segment, waiting_.front().info);
 }
 
+tl::expected<cell::TouchSearch, std::string> CellWatch::touch_search(const Eigen::Vector3d& tip_mm,
+                                                                     double time_s) {
+    move_frames(time_s);
+    return cell::TouchSearch::make(cell_, machine_, tip_mm);
+}
+
 /// Targets lead the tool centre point in the work frame, so that a frame that moves against one of them by
 /// itself cannot be meant.
 tl::expected<motion::WorkFrames, PlanError> CellWatch::work_frames(std::string_view tool_frame,
@@ -169,8 +175,12 @@ void CellWatch::look_at(const motion::Segment& segment, const MoveInfo& info) {
     block_ = info.place;
     move_frames(segment.start_s);
     for (cell::CarriedFrame& moving : cell_.carried) moving.carrier.forget_before(segment.start_s);
-    watch_.take(segment, info.jet_on);
+    watch_.take(segment, info.jet_on, info.feels_cell);
     places_.resize(watch_.contacts().size(), info.place);
+    for (std::size_t i = joints_.size(); i < watch_.contacts().size(); ++i) {
+        const double t_s = watch_.contacts()[i].t_s - segment.start_s;
+        joints_.push_back(segment.position_at(std::clamp(t_s, 0.0, segment.duration_s)));
+    }
 }
 
 void CellWatch::end_block() {
@@ -197,7 +207,7 @@ void CellWatch::end(double /*end_s*/) {
     for (std::size_t i = 0; i < listed; ++i) {
         findings_.collisions.push_back({contacts[i].t_s, places_[i], cell_.items[contacts[i].pair.first].name,
                                         cell_.items[contacts[i].pair.second].name,
-                                        array_of(contacts[i].point_mm), contacts[i].penetrating});
+                                        array_of(contacts[i].point_mm), contacts[i].penetrating, joints_[i]});
     }
     std::stable_sort(findings_.collisions.begin(), findings_.collisions.end(),
                      [](const Collision& a, const Collision& b) { return a.t_s < b.t_s; });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/cell/clearance_watch.h"
+#include "runtime/cell/touch_search.h"
 #include "runtime/motion/cell_frames.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"
@@ -28,6 +29,11 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     void lead_frame(std::string_view name, const rrs::CartPos& pose, double from_s, double to_s) override;
     tl::expected<motion::WorkFrames, motion::PlanError> work_frames(
         std::string_view tool_frame, std::string_view object_frame) const override;
+
+    /// What a probe feels from a time on at which the machine is at rest, all its motion before having been
+    /// taken; the cell must not change while the search is used. `tip_mm` and the error are those of
+    /// TouchSearch.
+    tl::expected<cell::TouchSearch, std::string> touch_search(const Eigen::Vector3d& tip_mm, double time_s);
 
     /// Whether there are conveyors, whose motion must be known before a segment can be looked at.
     bool has_conveyors() const;
@@ -57,6 +63,7 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     void move_frames(double until_s);
     void end_block();
 
+    machine::Machine machine_;
     cell::Cell cell_;
     /// Frames as the program has set them so far, which segments that are still to come may be behind.
     cell::FrameTree set_frames_;
@@ -71,7 +78,8 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     cell::ClearanceWatch watch_;
     CellFindings findings_;
     std::optional<Place> block_;
-    std::vector<Place> places_;  ///< Of the watch's contacts.
+    std::vector<Place> places_;          ///< Of the watch's contacts,
+    std::vector<rrs::JointPos> joints_;  ///< and where the machine stood.
 };
 
 }  // namespace gsim::simulation

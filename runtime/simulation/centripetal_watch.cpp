@@ -10,8 +10,7 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr double kRounding = 1 + 1e-9;
-constexpr double kNoShare = 1e-9;
+constexpr double kCentripetalRounding = 1 + 1e-9;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 /// Round a circle an axis speeds up and slows down alike. LinuxCNC knows one limit for both.
@@ -39,7 +38,7 @@ double CentripetalWatch::limit_in_plane_mm_s2(const motion::Segment& segment) co
     for (Eigen::Index i = 0; i < 3; ++i) {
         const int joint = segment.position_joints[static_cast<std::size_t>(i)];
         const double share = std::hypot(segment.arc.u[i], segment.arc.v[i]);
-        if (joint < 0 || share < kNoShare) continue;
+        if (joint < 0 || share < motion::kNoShare) continue;
         limit = std::min(limit, both_ways(machine_, machine_.axes[static_cast<std::size_t>(joint)]) / share);
     }
     return limit;
@@ -52,7 +51,7 @@ void CentripetalWatch::take(const motion::Segment& segment, const MoveInfo& info
     if (speed * speed <= weakest_mm_s2_ * std::min(segment.arc.radius_mm, segment.arc.end_radius_mm)) return;
     const double asked = segment.peak_centripetal_mm_s2();
     const double limit = limit_in_plane_mm_s2(segment);
-    if (asked <= limit * kRounding) return;
+    if (asked <= limit * kCentripetalRounding) return;
     ++count_;
     if (asked <= worst_excess_ * limit) return;
     worst_excess_ = asked / limit;

@@ -1,7 +1,6 @@
 #include "runtime/simulation/child_process.h"
 
 #include <cerrno>
-#include <memory>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -9,15 +8,11 @@
 #include <unistd.h>
 
 #include "os/spawn.h"
+#include "runtime/simulation/file_handle.h"
 
 namespace gsim::simulation {
 
 namespace {
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 std::string message(int error) {
     return std::generic_category().message(error);
@@ -37,7 +32,7 @@ std::string first_line(std::FILE* file) {
 
 tl::expected<void, std::string> run_child(const std::vector<std::string>& command, std::FILE* input,
                                           std::FILE* output) {
-    const File errors(std::tmpfile());
+    const FileHandle errors(std::tmpfile());
     if (!errors) return tl::unexpected("cannot make a temporary file: " + message(errno));
     os::SpawnActions actions;
     actions.redirect(::fileno(input), STDIN_FILENO);

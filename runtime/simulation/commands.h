@@ -1,7 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "runtime/rrs/types.h"
 #include "runtime/simulation/move.h"
@@ -15,7 +18,26 @@ using AxisVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, rrs
 struct Feed {
     double linear_mm_min = 0;   ///< Of the tool, where a linear axis moves.
     double rotary_deg_min = 0;  ///< Where rotary axes alone move.
-    std::optional<double> motion_s;
+    std::optional<double> motion_s = {};
+    /// Where the program gives the feed, or the lead of a thread, by turns of the spindle: what it is there;
+    /// linear_mm_min is that at the speed of the spindle.
+    std::optional<double> linear_mm_rev = {};
+};
+
+/// How the ends of moves are passed.
+struct PathPassing {
+    rrs::PathMode mode = rrs::PathMode::exact_stop;
+    double tolerance_mm = 0;        ///< Of the path; 0: as the controller does.
+    double merge_tolerance_mm = 0;  ///< Of lines that are merged.
+
+    bool operator==(const PathPassing&) const = default;
+};
+
+/// A work coordinate system that a program selects.
+struct WorkOffset {
+    std::string name;               ///< As programs call it, without the G: "54", "59.1".
+    std::map<char, double> origin;  ///< By axis letter, mm or deg, as the machine's data had it at the start.
+    double rotation_deg = 0;        ///< About Z, likewise.
 };
 
 /// One move of the program in machine coordinates.
@@ -26,16 +48,27 @@ struct LineMove {
     Place place;
 };
 
-/// An arc in one of the main planes, or a helix about the plane's normal.
+/// An arc in any plane, or a helix about the plane's normal.
 struct ArcMove {
-    MoveKind kind = MoveKind::arc_cw;
-    Plane plane = Plane::xy;
-    double center_first_mm = 0;   ///< On the plane's first axis (x, z, y of xy, zx, yz).
-    double center_second_mm = 0;  ///< On its second axis (y, x, z).
-    double sweep_rad = 0;         ///< > 0
+    MoveKind kind = MoveKind::arc_cw;                     ///< As seen against the normal.
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< Unit, told_normal(), of X, Y and Z.
+    Eigen::Vector3d center_mm = Eigen::Vector3d::Zero();  ///< Any point of the arc's axis.
+    double sweep_rad = 0;                                 ///< > 0
     AxisVector target;
     Feed feed;
     Place place;
+
+    /// The unit vector about which the arc runs by the right hand.
+    Eigen::Vector3d axis() const { return kind == MoveKind::arc_ccw ? normal : Eigen::Vector3d(-normal); }
+    /// From the axis to a point, at right angles to it.
+    Eigen::Vector3d radius_to(const Eigen::Vector3d& point_mm) const {
+        const Eigen::Vector3d from_center = point_mm - center_mm;
+        return from_center - normal.dot(from_center) * normal;
+    }
+    /// The length of the way between two points (of X, Y and Z), as long as its radius is that of the first.
+    double length_mm(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) const {
+        return std::hypot(radius_to(start_mm).norm() * sweep_rad, normal.dot(end_mm - start_mm));
+    }
 };
 
 /// An arc through a point, in any plane of space.

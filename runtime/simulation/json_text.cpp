@@ -11,10 +11,6 @@ namespace {
 
 constexpr double kUnits = 1e9;  // of the last digit shown
 
-void append(fmt::memory_buffer& out, std::string_view text) {
-    out.append(text.data(), text.data() + text.size());
-}
-
 // `units` billionths with at most 15 digits, for which cutting off zeros gives the shortest form.
 void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
     constexpr std::uint32_t kPerOne = 1'000'000'000;
@@ -23,7 +19,7 @@ void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
         units = -units;
     }
     const fmt::format_int whole(units / kPerOne);
-    append(out, {whole.data(), whole.size()});
+    append_text(out, {whole.data(), whole.size()});
     auto fraction = static_cast<std::uint32_t>(units % kPerOne);
     if (fraction == 0) return;
     std::array<char, 10> text{'.'};
@@ -31,7 +27,7 @@ void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
         text[i] = static_cast<char>('0' + fraction % 10);
     }
     std::string_view digits(text.data(), text.size());
-    append(out, digits.substr(0, digits.find_last_not_of('0') + 1));
+    append_text(out, digits.substr(0, digits.find_last_not_of('0') + 1));
 }
 
 // The length of the UTF-8 sequence that `text` begins with; 0 if it begins with none.
@@ -57,7 +53,7 @@ double rounded(double value) {
 }
 
 void append_number(fmt::memory_buffer& out, double value) {
-    if (!std::isfinite(value)) return append(out, "null");
+    if (!std::isfinite(value)) return append_text(out, "null");
     if (std::abs(value) < 1e6) return append_billionths(out, std::llround(value * kUnits));
     fmt::format_to(std::back_inserter(out), "{}", value);
 }
@@ -68,14 +64,14 @@ void append_json_string(fmt::memory_buffer& out, std::string_view text) {
         const std::size_t length = utf8_length(text);
         const char c = text[0];
         if (length == 0) {
-            append(out, "\\ufffd");
+            append_text(out, "\\ufffd");
         } else if (c == '"' || c == '\\') {
             out.push_back('\\');
             out.push_back(c);
         } else if (static_cast<unsigned char>(c) < 0x20) {
             fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
         } else {
-            append(out, text.substr(0, length));
+            append_text(out, text.substr(0, length));
         }
         text.remove_prefix(length == 0 ? 1 : length);
     }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kDefaultStep_s = 0.001;
 constexpr double kMostIdle_s = 600;
 constexpr std::uint64_t kMostStanding = 1'000'000;
-constexpr double kSamePlace = 1e-6;  // mm or rad: positions at one instant may differ by rounding
+constexpr double kSamePosition = 1e-6;  // mm or rad: positions at one instant may differ by rounding
 
 bool failed(Status status) {
     return static_cast<int>(status) < 0;
@@ -161,7 +161,7 @@ Status ModuleMotion::record(Status status, const rrs::JointPos& joints, double e
         fill_segment(joints, elapsed_s);
         sink_.take(segment_);
         time_s_ = segment_.end_s();
-    } else if ((joints - reached_).cwiseAbs().maxCoeff() > kSamePlace) {
+    } else if ((joints - reached_).cwiseAbs().maxCoeff() > kSamePosition) {
         return blame("answered GetNextStep with a jump: a joint moved in no time");
     }
     reached_ = joints;
@@ -210,6 +210,29 @@ void ModuleMotion::fill_segment(const rrs::JointPos& joints, double elapsed_s) {
 void ModuleMotion::come_to_rest(bool waits) {
     ComeToRest(waits ? rrs::RestReason::wait : rrs::RestReason::query);
     step_to_end();
+}
+
+Status ModuleMotion::put_until(const std::function<Status()>& put, const motion::StopSearch& search) {
+    come_to_rest(true);
+    const Status status = put();
+    if (failed(status)) return status;
+    for (;;) {
+        const double from_s = time_s_;
+        const Status stepped = step();
+        if (failed(stepped)) return stepped;
+        if (time_s_ > from_s && search(segment_)) return stop_here();
+        if (stepped == Status::RRS_NEED_MORE_DATA) return status;
+    }
+}
+
+Status ModuleMotion::stop_here() {
+    if (const Status stopped = StopMotion(); failed(stopped)) return stopped;
+    step_to_end();
+    const Status cancelled = CancelMotion();
+    if (failed(cancelled)) return cancelled;
+    waiting_.clear();
+    target_ = reached_;
+    return Status::RRS_SUCCESS;
 }
 
 void ModuleMotion::end_program() {

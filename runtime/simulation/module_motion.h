@@ -28,7 +28,11 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::Shell& shell() override { return *this; }
     bool set_cell(motion::CellFrames& /*cell*/) override { return false; }
     motion::WorkFrames work_frames() const override { return {}; }
+    void forget_position_speed() override {}
     void come_to_rest(bool waits) override;
+    /// The module is stepped until `search` answers, and then to its stop: it has to offer StopMotion and
+    /// CancelMotion. The stop is at the end of the step, wherever in it the search wants it.
+    rrs::Status put_until(const std::function<rrs::Status()>& put, const motion::StopSearch& search) override;
     void end_program() override;
     double time_s() const override { return time_s_; }
     const rrs::JointPos& position() const override { return target_; }
@@ -60,6 +64,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
                        const rrs::CartPos& cartesian, const rrs::JointPos& joints);
     rrs::Status step();
     rrs::Status step_to_target();
+    rrs::Status stop_here();
     void step_to_end();
     rrs::Status record(rrs::Status status, const rrs::JointPos& joints, double elapsed_s);
     rrs::Status watch(bool moved, double elapsed_s);

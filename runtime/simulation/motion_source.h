@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "runtime/motion/cell_frames.h"
+#include "runtime/motion/planner.h"
 #include "runtime/rrs/shell.h"
 
 namespace gsim::simulation {
@@ -19,8 +21,13 @@ class MotionSource {
     virtual bool set_cell(motion::CellFrames& cell) = 0;
     /// The frames of the controller's Cartesian targets, where they are the cell's.
     virtual motion::WorkFrames work_frames() const = 0;
+    /// No speed of the tool is programmed any more; a module keeps the last one, as no service takes it back.
+    virtual void forget_position_speed() = 0;
     /// As rrs::Shell::ComeToRest(); a controller that has not that service comes to rest by itself.
     virtual void come_to_rest(bool waits) = 0;
+    /// As motion::DefaultPlanner::put_until().
+    virtual rrs::Status put_until(const std::function<rrs::Status()>& put,
+                                  const motion::StopSearch& search) = 0;
     /// No more targets will come: all segments go to the sink.
     virtual void end_program() = 0;
     /// The end of what is planned; of a module the end of what has been stepped.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace gsim::simulation {
@@ -12,6 +13,13 @@ enum class Plane : std::uint8_t { xy, zx, yz };
 
 std::string_view name(MoveKind kind);
 std::string_view name(Plane plane);
+/// The normal of a main plane about which arcs are counter-clockwise: +Z of xy, +Y of zx, +X of yz.
+Eigen::Vector3d normal_of(Plane plane);
+/// The main plane that has this unit vector as its normal, whichever way it points; none of an oblique plane.
+std::optional<Plane> main_plane(const Eigen::Vector3d& normal);
+/// Of the two normals of a plane the one that is told: its greatest component is above 0. What is a main
+/// plane within rounding gets the normal of that one exactly. `axis` is of unit length.
+Eigen::Vector3d told_normal(const Eigen::Vector3d& axis);
 
 /// A place in a source: index into the simulator's table of file names, and the line, from 1 (0: unknown).
 struct Place {
@@ -24,16 +32,22 @@ struct Place {
 struct MoveInfo {
     std::int64_t target_id = 0;
     MoveKind kind = MoveKind::rapid;
-    Plane plane = Plane::xy;
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of an arc: unit, told_normal(), of X, Y and Z.
     int turns = 0;  ///< Of an arc: 1 up to a full circle, 2 for one more turn, ...
     Place place = {};
     double feed_per_min = 0;  ///< mm/min or deg/min; no meaning in a rapid or a dwell.
     bool timed = false;       ///< A time is programmed for the move (inverse time feed), no speed.
     bool jet_on = false;
+    bool feels_cell = false;     ///< A probe that the bodies of the cell end.
+    std::uint32_t switches = 0;  ///< How often the program has switched the process so far, on or off.
+    std::uint16_t offset = 0;    ///< The work offset in force, as Simulator counts them.
+    std::uint16_t beyond = 0;    ///< A bit for each joint that it takes past its range, from the lowest on.
 };
 
-/// An arc through three points is told in the main plane that it lies closest to, with its sense there.
-void set_plane_and_sense(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
-                         const Eigen::Vector3d& end);
+/// The normal and the sense of an arc that runs by the right hand about `axis`, of any length above 0.
+void set_axis(MoveInfo& info, const Eigen::Vector3d& axis);
+/// Likewise of an arc through three points. Those of a line have the normal and the sense of nothing.
+void set_axis(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
+              const Eigen::Vector3d& end);
 
 }  // namespace gsim::simulation

@@ -9,14 +9,10 @@ namespace gsim::simulation {
 
 namespace {
 
-void append(fmt::memory_buffer& out, std::string_view text) {
-    out.append(text.data(), text.data() + text.size());
-}
-
 void append_key(fmt::memory_buffer& out, char letter) {
     out.push_back('"');
     out.push_back(letter);
-    append(out, "\":");
+    append_text(out, "\":");
 }
 
 bool is_arc(MoveKind kind) {
@@ -35,24 +31,25 @@ void MovesWriter::take(const RecordedMove& move) {
     fmt::format_to(std::back_inserter(out), R"({{"n":{},"file":{},"line":{},"kind":"{}","to":{{)", move.n,
                    file_text(info.place.file), info.place.line, name(info.kind));
     append_target(move.end);
-    append(out, "}");
+    append_text(out, "}");
     if (is_arc(info.kind)) append_arc(move);
-    append(out, R"(,"feed":)");
+    append_text(out, R"(,"feed":)");
     if (info.kind == MoveKind::rapid || info.kind == MoveKind::dwell) {
-        append(out, "null");
+        append_text(out, "null");
     } else {
         append_number(out, info.feed_per_min);
     }
-    append(out, R"(,"start_s":)");
+    append_text(out, R"(,"start_s":)");
     append_number(out, move.start_s);
-    append(out, R"(,"end_s":)");
+    append_text(out, R"(,"end_s":)");
     append_number(out, move.end_s);
     append_limit(move);
     if (move.deviation_mm > 0) {
-        append(out, R"(,"deviation_mm":)");
+        append_text(out, R"(,"deviation_mm":)");
         append_number(out, move.deviation_mm);
     }
-    append(out, "}");
+    if (info.beyond != 0) append_axes_beyond(info.beyond);
+    append_text(out, "}");
     out_.end_line();
 }
 
@@ -68,14 +65,30 @@ void MovesWriter::append_target(const rrs::JointPos& joints) {
 
 void MovesWriter::append_arc(const RecordedMove& move) {
     fmt::memory_buffer& out = out_.buffer();
-    append(out, R"(,"center":)");
+    append_text(out, R"(,"center":)");
     if (move.arc) {
         append_center(move);
     } else {
-        append(out, "null");
+        append_text(out, "null");
     }
-    fmt::format_to(std::back_inserter(out), R"(,"plane":"{}","turns":{})", name(move.info.plane),
-                   move.info.turns);
+    append_text(out, R"(,"normal":{)");
+    append_normal(move.info.normal);
+    append_text(out, R"(},"plane":)");
+    if (const auto plane = main_plane(move.info.normal)) {
+        fmt::format_to(std::back_inserter(out), R"("{}")", name(*plane));
+    } else {
+        append_text(out, "null");
+    }
+    fmt::format_to(std::back_inserter(out), R"(,"turns":{})", move.info.turns);
+}
+
+void MovesWriter::append_normal(const Eigen::Vector3d& normal) {
+    fmt::memory_buffer& out = out_.buffer();
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        if (i > 0) out.push_back(',');
+        append_key(out, static_cast<char>('X' + i));
+        append_number(out, normal[i]);
+    }
 }
 
 void MovesWriter::append_center(const RecordedMove& move) {
@@ -90,16 +103,28 @@ void MovesWriter::append_center(const RecordedMove& move) {
         append_key(out, axis.letter);
         append_number(out, axis_value(axis, move.arc->center[static_cast<Eigen::Index>(i)]));
     }
-    append(out, separator == '{' ? "{}" : "}");
+    append_text(out, separator == '{' ? "{}" : "}");
 }
 
 void MovesWriter::append_limit(const RecordedMove& move) {
     fmt::memory_buffer& out = out_.buffer();
-    append(out, R"(,"limited_by":)");
-    if (!move.limited_by) return append(out, "null");
+    append_text(out, R"(,"limited_by":)");
+    if (!move.limited_by) return append_text(out, "null");
     out.push_back('"');
-    append(out, describe(*move.limited_by, machine_));
+    append_text(out, describe(*move.limited_by, machine_));
     out.push_back('"');
+}
+
+void MovesWriter::append_axes_beyond(std::uint16_t joints) {
+    fmt::memory_buffer& out = out_.buffer();
+    append_text(out, R"(,"beyond":[)");
+    bool first = true;
+    for (std::size_t joint = 0; joint < machine_.axes.size(); ++joint) {
+        if ((joints >> joint & 1U) == 0) continue;
+        fmt::format_to(std::back_inserter(out), R"({}"{}")", first ? "" : ",", machine_.axes[joint].letter);
+        first = false;
+    }
+    out.push_back(']');
 }
 
 const std::string& MovesWriter::file_text(std::size_t file) {

@@ -23,7 +23,9 @@ class MovesWriter : public RunOutput {
     void append_target(const rrs::JointPos& joints);
     void append_arc(const RecordedMove& move);
     void append_center(const RecordedMove& move);
+    void append_normal(const Eigen::Vector3d& normal);
     void append_limit(const RecordedMove& move);
+    void append_axes_beyond(std::uint16_t joints);
     const std::string& file_text(std::size_t file);
 
     TextStream& out_;

@@ -1,9 +1,25 @@
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/report.h"
 
 namespace gsim::simulation {
+
+namespace {
+
+constexpr double kOnAxis = 1e-9;  // what rounding leaves of a unit vector beside an axis
+
+// The axis that a vector lies closest to; of several the last one, whatever rounding makes of them.
+Eigen::Index closest_axis(const Eigen::Vector3d& vector) {
+    Eigen::Index closest = 2;
+    for (Eigen::Index axis = 1; axis >= 0; --axis) {
+        if (std::abs(vector[axis]) > std::abs(vector[closest]) + kOnAxis) closest = axis;
+    }
+    return closest;
+}
+
+}  // namespace
 
 std::string_view name(MoveKind kind) {
     switch (kind) {
@@ -31,19 +47,39 @@ std::string_view name(Plane plane) {
 std::string_view name(RunStatus status) {
     switch (status) {
         case RunStatus::completed: return "completed";
+        case RunStatus::violations: return "violations";
         case RunStatus::stopped: return "stopped";
         case RunStatus::alarm: break;
     }
     return "alarm";
 }
 
-void set_plane_and_sense(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
-                         const Eigen::Vector3d& end) {
-    const Eigen::Vector3d normal = (via - start).cross(end - via);
-    Eigen::Index largest = 0;
-    normal.cwiseAbs().maxCoeff(&largest);
-    info.plane = largest == 2 ? Plane::xy : largest == 1 ? Plane::zx : Plane::yz;
-    info.kind = normal[largest] < 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
+Eigen::Vector3d normal_of(Plane plane) {
+    return Eigen::Vector3d::Unit(2 - static_cast<Eigen::Index>(plane));
+}
+
+std::optional<Plane> main_plane(const Eigen::Vector3d& normal) {
+    const Eigen::Index axis = closest_axis(normal);
+    if (std::abs(std::abs(normal[axis]) - 1) > kOnAxis) return std::nullopt;
+    for (Eigen::Index other = 0; other < 3; ++other) {
+        if (other != axis && std::abs(normal[other]) > kOnAxis) return std::nullopt;
+    }
+    return static_cast<Plane>(2 - axis);
+}
+
+Eigen::Vector3d told_normal(const Eigen::Vector3d& axis) {
+    if (const auto plane = main_plane(axis)) return normal_of(*plane);
+    return axis[closest_axis(axis)] < 0 ? Eigen::Vector3d(-axis) : axis;
+}
+
+void set_axis(MoveInfo& info, const Eigen::Vector3d& axis) {
+    info.normal = told_normal(axis.normalized());
+    info.kind = info.normal.dot(axis) < 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
+}
+
+void set_axis(MoveInfo& info, const Eigen::Vector3d& start, const Eigen::Vector3d& via,
+              const Eigen::Vector3d& end) {
+    set_axis(info, (via - start).cross(end - via));
 }
 
 }  // namespace gsim::simulation

@@ -48,6 +48,14 @@ tl::expected<OutputFile, std::string> OutputFile::open(const fs::path& path) {
     return file;
 }
 
+tl::expected<void, std::string> OutputFile::check(const fs::path& path) {
+    std::error_code error;
+    if (path == kStandardStream || (fs::exists(path, error) && !fs::is_regular_file(path, error))) {
+        if (!fs::is_directory(path, error)) return {};
+    }
+    return open(path).map([](const OutputFile&) {});
+}
+
 OutputFile::~OutputFile() {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
@@ -101,6 +109,13 @@ tl::expected<void, std::string> OutputFile::commit() {
 tl::unexpected<std::string> OutputFile::cannot_write(int error) const {
     return tl::unexpected(
         fmt::format("cannot write '{}': {}", shown_path_.string(), std::generic_category().message(error)));
+}
+
+tl::expected<void, std::string> write_file(const fs::path& path, std::string_view contents) {
+    tl::expected<OutputFile, std::string> file = OutputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    std::fwrite(contents.data(), 1, contents.size(), file->stream());
+    return file->commit();
 }
 
 }  // namespace gsim::simulation

@@ -2,10 +2,12 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
+
+#include "runtime/simulation/file_handle.h"
 
 namespace gsim::simulation {
 
@@ -21,6 +23,10 @@ class OutputFile {
     /// The error is a sentence that names the file.
     static tl::expected<OutputFile, std::string> open(const std::filesystem::path& path);
 
+    /// Whether open() would go well, as far as that is known before: for what is written at the end of long
+    /// work. Nothing is left of it; what is no regular file is not touched. The error is that of open().
+    static tl::expected<void, std::string> check(const std::filesystem::path& path);
+
     OutputFile(OutputFile&&) noexcept = default;
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
@@ -32,10 +38,6 @@ class OutputFile {
     tl::expected<void, std::string> commit();
 
   private:
-    struct CloseFile {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-
     OutputFile() = default;
     tl::expected<void, std::string> open_beside();
     tl::expected<void, std::string> open_directly();
@@ -45,7 +47,10 @@ class OutputFile {
     std::filesystem::path shown_path_;  // as the caller gave it
     std::filesystem::path path_;        // symbolic links followed
     std::filesystem::path temporary_;   // empty when written directly, and after commit()
-    std::unique_ptr<std::FILE, CloseFile> stream_;
+    FileHandle stream_;
 };
+
+/// Writes a whole file by OutputFile. The error is a sentence.
+tl::expected<void, std::string> write_file(const std::filesystem::path& path, std::string_view contents);
 
 }  // namespace gsim::simulation

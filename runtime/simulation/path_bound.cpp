@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "runtime/motion/units.h"
 
 namespace gsim::simulation {
 
@@ -14,18 +15,15 @@ using rrs::JointPos;
 
 namespace {
 
-constexpr double kSecondsPerMinute = 60;
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kNoChange = 1e-9;  // mm or rad: rounding of frames, which planners pass over
-constexpr double kNoShare = 1e-9;
-constexpr double kRounding = 1 + 1e-9;
+constexpr double kLimitRounding = 1 + 1e-9;
 
 motion::JointLimits limits_of(const machine::Machine& machine) {
     const auto count = static_cast<Eigen::Index>(machine.axes.size());
     motion::JointLimits limits{JointPos(count), JointPos(count)};
     for (Eigen::Index joint = 0; joint < count; ++joint) {
         const machine::Axis& axis = machine.axes[static_cast<std::size_t>(joint)];
-        const double unit = axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1;
+        const double unit = axis.kind == machine::AxisKind::rotary ? motion::kRadPerDeg : 1;
         limits.max_speed[joint] = axis.max_speed * unit;
         limits.max_acceleration[joint] = std::max(axis.max_acceleration, axis.deceleration()) * unit;
     }
@@ -61,7 +59,7 @@ void lower(double& cap, double other) {
 void lower_by_joints(const motion::JointLimits& limits, const JointPos& q1, PathCaps& caps) {
     for (Eigen::Index joint = 0; joint < q1.size(); ++joint) {
         const double share = std::abs(q1[joint]);
-        if (share < kNoShare) continue;
+        if (share < motion::kNoShare) continue;
         lower(caps.max_speed, limits.max_speed[joint] / share);
         lower(caps.max_acceleration, limits.max_acceleration[joint] / share);
         lower(caps.max_deceleration, limits.max_acceleration[joint] / share);
@@ -75,7 +73,7 @@ void lower_by_norms(const motion::JointLimits& limits, const Segment& segment, P
     double acceleration2 = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int joint = segment.position_joints[axis];
-        if (joint < 0 || segment.arc.max_share(static_cast<int>(axis)) < kNoShare) continue;
+        if (joint < 0 || segment.arc.max_share(static_cast<int>(axis)) < motion::kNoShare) continue;
         speed2 += limits.max_speed[joint] * limits.max_speed[joint];
         acceleration2 += limits.max_acceleration[joint] * limits.max_acceleration[joint];
     }
@@ -186,8 +184,8 @@ PathCaps PathBound::caps_of(const Segment& segment, const MoveInfo& info, const 
         caps.max_speed = machine_.path.max_feed_mm_s;
         caps.max_acceleration = caps.max_deceleration = machine_.path.max_acceleration_mm_s2;
     }
-    const double unit = along_tool ? 1 : kRadPerDeg;
-    if (!info.timed) lower(caps.max_speed, info.feed_per_min / kSecondsPerMinute * unit);
+    const double unit = along_tool ? 1 : motion::kRadPerDeg;
+    if (!info.timed) lower(caps.max_speed, info.feed_per_min / motion::kSecondsPerMinute * unit);
     return caps;
 }
 
@@ -217,8 +215,8 @@ bool PathBound::keeps_limits(const Segment& segment, const Way& way) const {
         const double most_speed = speed * (in_plane * pace + straight);
         const double most_acceleration =
             in_plane * std::hypot(pace * acceleration, centripetal) + straight * acceleration;
-        return most_speed <= limits_.max_speed[joint] * kRounding &&
-               most_acceleration <= limits_.max_acceleration[joint] * kRounding;
+        return most_speed <= limits_.max_speed[joint] * kLimitRounding &&
+               most_acceleration <= limits_.max_acceleration[joint] * kLimitRounding;
     };
     for (Eigen::Index joint = 0; joint < way.q1.size(); ++joint) {
         if (!keeps(joint, 0, std::abs(way.q1[joint]), 0)) return false;

@@ -2,14 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-namespace gsim::simulation {
+#include "runtime/simulation/path_style.h"
 
-/// How a piece of path is drawn.
-enum class PathStyle : std::uint8_t { rapid, feed, jet };
+namespace gsim::simulation {
 
 /// A corner of a polyline; the style is that of the line which ends here.
 struct PathPoint {

@@ -18,7 +18,12 @@ class PlannerMotion final : public MotionSource {
         return true;
     }
     motion::WorkFrames work_frames() const override { return planner_.work_frames(); }
+    void forget_position_speed() override { planner_.forget_position_speed(); }
     void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
+    rrs::Status put_until(const std::function<rrs::Status()>& put,
+                          const motion::StopSearch& search) override {
+        return planner_.put_until(put, search);
+    }
     void end_program() override { planner_.end_program(); }
     double time_s() const override { return planner_.time_s(); }
     const rrs::JointPos& position() const override { return planner_.position(); }

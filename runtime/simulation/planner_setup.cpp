@@ -1,12 +1,9 @@
-#include <numbers>
-
+#include "runtime/motion/units.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// How far the radii of an arc may differ is the language's business (lua_lib/arcs.lua); the planner takes
 /// what a language lets through as a spiral.
@@ -19,7 +16,7 @@ motion::PlannerSetup planner_setup(const machine::Machine& machine) {
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         const machine::Axis& axis = machine.axes[i];
         const bool rotary = axis.kind == machine::AxisKind::rotary;
-        const double unit = rotary ? kRadPerDeg : 1.0;
+        const double unit = rotary ? motion::kRadPerDeg : 1.0;
         motion::JointSetup joint;
         joint.kind = rotary ? rrs::JointKind::revolute : rrs::JointKind::prismatic;
         joint.min = (axis.min - axis.zero) * unit;
@@ -41,6 +38,7 @@ motion::PlannerSetup planner_setup(const machine::Machine& machine) {
     setup.controller = machine.controller;
     setup.arc_tolerance_mm = kArcTolerance_mm;
     setup.kinematics = machine::make_kinematics(machine);
+    setup.range_notes = std::make_shared<motion::RangeNotes>();
     return setup;
 }
 

@@ -2,24 +2,19 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "runtime/simulation/child_process.h"
+#include "runtime/simulation/file_handle.h"
 #include "runtime/simulation/output_file.h"
 #include "runtime/simulation/plot_script.h"
 
 namespace gsim::simulation {
 
 namespace {
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 std::optional<PictureFormat> format_of(const std::filesystem::path& path) {
     if (path.extension() == ".svg") return PictureFormat::svg;
@@ -28,8 +23,8 @@ std::optional<PictureFormat> format_of(const std::filesystem::path& path) {
 }
 
 // A nameless file that holds `text`, to be read from its beginning; null with errno where that fails.
-File temporary_file(const std::string& text) {
-    File file(std::tmpfile());
+FileHandle temporary_file(const std::string& text) {
+    FileHandle file(std::tmpfile());
     if (!file) return nullptr;
     const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
     if (!written || std::fflush(file.get()) != 0) return nullptr;
@@ -37,25 +32,39 @@ File temporary_file(const std::string& text) {
     return file;
 }
 
+// Without it a run would end before what it was made for.
+tl::expected<void, std::string> find_gnuplot() {
+    const FileHandle input(std::fopen("/dev/null", "re"));
+    const FileHandle output(std::fopen("/dev/null", "we"));
+    if (!input || !output) return {};
+    return run_child({"gnuplot", "--version"}, input.get(), output.get());
+}
+
+std::string cannot_draw(const std::filesystem::path& path, const std::string& why) {
+    return fmt::format("cannot draw '{}': {}", path.string(), why);
+}
+
 }  // namespace
 
-tl::expected<void, std::string> make_plot(const PlotData& data, const std::filesystem::path& path,
-                                          std::string_view title) {
+tl::expected<Picture, std::string> Picture::named(const std::filesystem::path& path) {
     const auto format = format_of(path);
-    if (!format) {
-        return tl::unexpected(
-            fmt::format("cannot draw '{}': a picture's name ends in .svg or .png", path.string()));
-    }
-    auto picture = OutputFile::open(path);
+    if (!format) return tl::unexpected(cannot_draw(path, "a picture's name ends in .svg or .png"));
+    if (auto writable = OutputFile::check(path); !writable) return tl::unexpected(writable.error());
+    if (auto found = find_gnuplot(); !found) return tl::unexpected(cannot_draw(path, found.error()));
+    return Picture(path, *format);
+}
+
+tl::expected<void, std::string> Picture::draw(const PlotData& data, std::string_view title) const {
+    auto picture = OutputFile::open(path_);
     if (!picture) return tl::unexpected(picture.error());
-    const File script = temporary_file(plot_script(data, *format, title));
+    const FileHandle script = temporary_file(plot_script(data, format_, title));
     if (!script) {
         return tl::unexpected(
             fmt::format("cannot make a temporary file: {}", std::generic_category().message(errno)));
     }
     // -d keeps the user's settings out.
     const auto drawn = run_child({"gnuplot", "-d"}, script.get(), picture->stream());
-    if (!drawn) return tl::unexpected(fmt::format("cannot draw '{}': {}", path.string(), drawn.error()));
+    if (!drawn) return tl::unexpected(cannot_draw(path_, drawn.error()));
     return picture->commit();
 }
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/units.h"
+
 namespace gsim::simulation {
 
 using motion::Segment;
@@ -16,7 +18,6 @@ namespace {
 constexpr double kArcStep_rad = 2 * std::numbers::pi / 180;
 constexpr int kMaxArcSteps = 3600;
 constexpr int kJointSteps = 8;  // a joint motion need not be straight
-constexpr double kSecondsPerMinute = 60;
 constexpr int kMinSpeedSteps = 8;
 constexpr int kMaxSpeedSteps = 512;
 
@@ -49,16 +50,31 @@ double acceleration_along_path(const Segment& segment, double t_s) {
     return speed2 > 0 ? along / std::sqrt(speed2) : 0;
 }
 
-PathStyle style_of(const MoveInfo& info) {
+std::array<char, 2> axes_of_view(Plane plane) {
+    switch (plane) {
+        case Plane::xy: return {'X', 'Y'};
+        case Plane::zx: return {'X', 'Z'};
+        case Plane::yz: break;
+    }
+    return {'Y', 'Z'};
+}
+
+PathStyle style_over_time(const MoveInfo& info) {
     if (info.kind == MoveKind::rapid) return PathStyle::rapid;
     return info.jet_on ? PathStyle::jet : PathStyle::feed;
 }
 
+PathStyle style_of(const MoveInfo& info) {
+    return info.beyond != 0 ? PathStyle::beyond : style_over_time(info);
+}
+
 }  // namespace
 
-PlotData::PlotData(const machine::Machine& machine) : machine_(machine) {
+PlotData::PlotData(const machine::Machine& machine, Plane plane) : machine_(machine) {
     const std::size_t last = machine.axes.empty() ? 0 : machine.axes.size() - 1;
-    axes_ = {machine.find('X').value_or(0), machine.find('Y').value_or(std::min<std::size_t>(1, last))};
+    const auto [across, upwards] = axes_of_view(plane);
+    axes_ = {machine.find(across).value_or(0),
+             machine.find(upwards).value_or(std::min<std::size_t>(1, last))};
     for (std::size_t i = 0; i < 2 && !machine.axes.empty(); ++i) {
         const machine::Axis& axis = machine.axes[axes_[i]];
         labels_[i] =
@@ -66,18 +82,44 @@ PlotData::PlotData(const machine::Machine& machine) : machine_(machine) {
     }
 }
 
+std::optional<std::string> PlotData::lacks_axes(const machine::Machine& machine, Plane plane) {
+    const auto [across, upwards] = axes_of_view(plane);
+    if (plane == Plane::xy || (machine.find(across) && machine.find(upwards))) return std::nullopt;
+    return fmt::format("--plot-plane {} needs the axes {} and {}, which the machine '{}' has not",
+                       name(plane), across, upwards, machine.name);
+}
+
 void PlotData::begin(const rrs::JointPos& start) {
-    path_.add(seen_from_above(start), PathStyle::rapid);
+    at_ = start;
+    path_.add(seen(start), PathStyle::rapid);
 }
 
 void PlotData::take(const Segment& segment, const MoveInfo& info) {
+    const PathStyle style = style_over_time(info);
+    mark_pierce(segment, info.jet_on);
     add_path(segment, style_of(info));
-    add_speed(segment, info.jet_on);
-    add_acceleration(segment, info.jet_on);
+    add_speed(segment, style);
+    add_acceleration(segment, style);
     add_feed(segment, info);
+    at_ = segment.end_position();
 }
 
-Eigen::Vector2d PlotData::seen_from_above(const rrs::JointPos& joints) const {
+void PlotData::mark_pierce(const Segment& segment, bool jet_on) {
+    const bool spindle = machine_.process && machine_.process->kind == machine::ProcessKind::spindle;
+    if (jet_on && !jet_ && !spindle && marks_.size() < kMostPierces)
+        marks_.push_back({seen(segment.position_at(0)), MarkKind::pierce});
+    jet_ = jet_on;
+}
+
+void PlotData::mark_collision(const rrs::JointPos& joints) {
+    marks_.push_back({seen(joints), MarkKind::collision});
+}
+
+void PlotData::mark_alarm() {
+    marks_.push_back({seen(at_), MarkKind::alarm});
+}
+
+Eigen::Vector2d PlotData::seen(const rrs::JointPos& joints) const {
     const auto value = [&](std::size_t axis) {
         return axis < machine_.axes.size()
                    ? axis_value(machine_.axes[axis], joints[static_cast<Eigen::Index>(axis)])
@@ -89,22 +131,22 @@ Eigen::Vector2d PlotData::seen_from_above(const rrs::JointPos& joints) const {
 void PlotData::add_path(const Segment& segment, PathStyle style) {
     const int steps = path_steps(segment);
     for (int i = 1; i <= steps; ++i) {
-        path_.add(seen_from_above(segment.position_at(segment.duration_s * i / steps)), style);
+        path_.add(seen(segment.position_at(segment.duration_s * i / steps)), style);
     }
 }
 
-void PlotData::add_speed(const Segment& segment, bool jet_on) {
+void PlotData::add_speed(const Segment& segment, PathStyle style) {
     const int steps = std::max(kMinSpeedSteps, time_steps(segment.duration_s, speed_.width_s()));
     for (int i = 0; i <= steps; ++i) {
         const double t_s = segment.duration_s * i / steps;
-        speed_.add({segment.start_s + t_s, segment.path_speed_mm_s(t_s), jet_on});
+        speed_.add({segment.start_s + t_s, segment.path_speed_mm_s(t_s), style});
     }
 }
 
 // The acceleration is a straight line in each piece of the law, and jumps between them. Points in between
 // keep a slot that holds a jump from hiding what comes behind it.
-void PlotData::add_acceleration(const Segment& segment, bool jet_on) {
-    if (segment.beside) return add_acceleration_of_two(segment, jet_on);
+void PlotData::add_acceleration(const Segment& segment, PathStyle style) {
+    if (segment.beside) return add_acceleration_of_two(segment, style);
     const double length = segment.lead.length();
     const double scale = length > 0 ? segment.length_mm / length : 0;
     double start_s = segment.start_s;
@@ -112,24 +154,24 @@ void PlotData::add_acceleration(const Segment& segment, bool jet_on) {
         const int steps = time_steps(piece.duration_s, acceleration_.width_s());
         for (int i = 0; i <= steps; ++i) {
             const double t_s = piece.duration_s * i / steps;
-            acceleration_.add({start_s + t_s, scale * (piece.a0 + piece.jerk * t_s), jet_on});
+            acceleration_.add({start_s + t_s, scale * (piece.a0 + piece.jerk * t_s), style});
         }
         start_s += piece.duration_s;
     }
-    if (segment.lead.pieces().empty()) add_rest(segment, jet_on);
+    if (segment.lead.pieces().empty()) add_rest(segment, style);
 }
 
-void PlotData::add_rest(const Segment& segment, bool jet_on) {
+void PlotData::add_rest(const Segment& segment, PathStyle style) {
     const int steps = time_steps(segment.duration_s, acceleration_.width_s());
     for (int i = 0; i <= steps; ++i)
-        acceleration_.add({segment.start_s + segment.duration_s * i / steps, 0, jet_on});
+        acceleration_.add({segment.start_s + segment.duration_s * i / steps, 0, style});
 }
 
-void PlotData::add_acceleration_of_two(const Segment& segment, bool jet_on) {
+void PlotData::add_acceleration_of_two(const Segment& segment, PathStyle style) {
     const int steps = std::max(kMinSpeedSteps, time_steps(segment.duration_s, acceleration_.width_s()));
     for (int i = 0; i <= steps; ++i) {
         const double t_s = segment.duration_s * i / steps;
-        acceleration_.add({segment.start_s + t_s, acceleration_along_path(segment, t_s), jet_on});
+        acceleration_.add({segment.start_s + t_s, acceleration_along_path(segment, t_s), style});
     }
 }
 
@@ -137,7 +179,7 @@ void PlotData::add_feed(const Segment& segment, const MoveInfo& info) {
     const bool programmed = info.kind != MoveKind::rapid && !info.timed && info.feed_per_min > 0;
     if (!programmed || !(segment.length_mm > 0)) return;
     for (const double t_s : {segment.start_s, segment.end_s()})
-        feed_.add({t_s, info.feed_per_min / kSecondsPerMinute, false});
+        feed_.add({t_s, info.feed_per_min / motion::kSecondsPerMinute});
 }
 
 }  // namespace gsim::simulation

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/path_thinner.h"
@@ -10,17 +14,35 @@
 
 namespace gsim::simulation {
 
-/// Gathers what make_plot() draws, in bounded memory: the path seen from above, that is the machine's X and Y
-/// (its first two axes where it has no such letters), and the tool's speed, acceleration along its path and
-/// programmed feed over time.
+/// What is marked on the path.
+enum class MarkKind : std::uint8_t { pierce, alarm, collision };
+
+struct PlotMark {
+    Eigen::Vector2d at_mm;
+    MarkKind kind;
+};
+
+/// Gathers what a Picture shows, in bounded memory: the path seen from above, or from a side, that is two of
+/// the machine's X, Y and Z; and the tool's speed, acceleration along its path and programmed feed over time.
 class PlotData : public RunOutput {
   public:
-    explicit PlotData(const machine::Machine& machine);
+    static constexpr std::size_t kMostPierces = 10'000;  ///< That are marked; those behind them are not.
+
+    /// The axes across and upwards: X Y, X Z and Y Z of the planes xy, zx and yz; in xy a machine's first two
+    /// axes where it has no such letters. What the plane lacks of the machine is an error, lacks_axes().
+    explicit PlotData(const machine::Machine& machine, Plane plane = Plane::xy);
+    /// The sentence that the machine has not the axes of a side view; nothing where it has.
+    static std::optional<std::string> lacks_axes(const machine::Machine& machine, Plane plane);
 
     using RunOutput::take;
     void begin(const rrs::JointPos& start) override;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
 
+    /// Where bodies of the cell touch, and behind all else where an alarm ends the run.
+    void mark_collision(const rrs::JointPos& joints);
+    void mark_alarm();
+
+    const std::vector<PlotMark>& marks() const { return marks_; }
     std::vector<PathPoint> path() const { return path_.points(); }
     std::vector<TimePoint> speed() const { return speed_.points(); }
     std::vector<TimePoint> acceleration() const { return acceleration_.points(); }
@@ -28,21 +50,30 @@ class PlotData : public RunOutput {
     std::vector<TimePoint> feed() const { return feed_.points(); }
     /// The machine's limit of acceleration along the path, mm/s2; infinite where it has none.
     double max_acceleration_mm_s2() const { return machine_.path.max_acceleration_mm_s2; }
+    /// What the machine works with: "jet".
+    std::string process() const {
+        return std::string(
+            machine::name(machine_.process ? machine_.process->kind : machine::ProcessKind::jet));
+    }
     /// Labels of the two path axes, such as "X (mm)".
     const std::array<std::string, 2>& labels() const { return labels_; }
 
   private:
-    Eigen::Vector2d seen_from_above(const rrs::JointPos& joints) const;
+    Eigen::Vector2d seen(const rrs::JointPos& joints) const;
+    void mark_pierce(const motion::Segment& segment, bool jet_on);
     void add_path(const motion::Segment& segment, PathStyle style);
-    void add_speed(const motion::Segment& segment, bool jet_on);
-    void add_acceleration(const motion::Segment& segment, bool jet_on);
-    void add_acceleration_of_two(const motion::Segment& segment, bool jet_on);
-    void add_rest(const motion::Segment& segment, bool jet_on);
+    void add_speed(const motion::Segment& segment, PathStyle style);
+    void add_acceleration(const motion::Segment& segment, PathStyle style);
+    void add_acceleration_of_two(const motion::Segment& segment, PathStyle style);
+    void add_rest(const motion::Segment& segment, PathStyle style);
     void add_feed(const motion::Segment& segment, const MoveInfo& info);
 
     const machine::Machine& machine_;
     std::array<std::size_t, 2> axes_{0, 0};
     std::array<std::string, 2> labels_;
+    rrs::JointPos at_;
+    bool jet_ = false;
+    std::vector<PlotMark> marks_;
     PathThinner path_;
     TimeBuckets speed_;
     TimeBuckets acceleration_;

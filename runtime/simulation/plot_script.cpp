@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "text/number.h"
+
 namespace gsim::simulation {
 
 namespace {
@@ -20,7 +22,7 @@ constexpr double kMinPath_px = 200;
 constexpr double kMaxPath_px = 900;
 constexpr std::size_t kLongestTitle = 90;
 
-struct Range {
+struct PlotRange {
     double min = 0;
     double max = 0;
 
@@ -29,11 +31,11 @@ struct Range {
         max = std::max(max, value);
     }
     double size() const { return max - min; }
-    Range widened(double by) const { return {min - by, max + by}; }
+    PlotRange widened(double by) const { return {min - by, max + by}; }
 };
 
 struct Extents {
-    Range x, y;
+    PlotRange x, y;
 };
 
 Extents extents(const std::vector<PathPoint>& path) {
@@ -70,7 +72,7 @@ class Script {
 
     /// Begins a named block of data; the rows follow by point(), polylines apart by gap().
     void begin_data(std::string_view name) { line("${} << EOD", name); }
-    void point(double x, double y) { line("{:.7g} {:.7g}", x, y); }
+    void point(double x, double y) { line("{:.7g} {:.7g}", text::unsigned_zero(x), text::unsigned_zero(y)); }
     void gap() { text_ += '\n'; }
     void end_data() { line("EOD"); }
 
@@ -98,14 +100,27 @@ bool add_path_data(Script& script, std::string_view name, const std::vector<Path
     return any;
 }
 
-// The same of values over time, with the jet on or off.
-bool add_time_data(Script& script, std::string_view name, const std::vector<TimePoint>& points, bool jet_on) {
+// The same of values over time.
+bool add_time_data(Script& script, std::string_view name, const std::vector<TimePoint>& points,
+                   PathStyle style) {
     bool any = false;
     script.begin_data(name);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].jet_on != jet_on) continue;
-        if (any && points[i - 1].jet_on != jet_on) script.gap();
+        if (points[i].style != style) continue;
+        if (any && points[i - 1].style != style) script.gap();
         script.point(points[i].t_s, points[i].value);
+        any = true;
+    }
+    script.end_data();
+    return any;
+}
+
+bool add_mark_data(Script& script, std::string_view name, const std::vector<PlotMark>& marks, MarkKind kind) {
+    bool any = false;
+    script.begin_data(name);
+    for (const PlotMark& mark : marks) {
+        if (mark.kind != kind) continue;
+        script.point(mark.at_mm.x(), mark.at_mm.y());
         any = true;
     }
     script.end_data();
@@ -133,6 +148,23 @@ void add_plot_command(Script& script, const std::vector<std::string>& curves) {
     script.line("{}", command.empty() ? "plot NaN notitle" : command);
 }
 
+void add_marks(Script& script, const std::vector<PlotMark>& marks, std::vector<std::string>& curves) {
+    if (add_mark_data(script, "pierce", marks, MarkKind::pierce)) {
+        curves.emplace_back(
+            "$pierce with points pointtype 6 pointsize 1.2 linewidth 1.5 linecolor rgb '#2f7d4f' title "
+            "'pierce'");
+    }
+    if (add_mark_data(script, "collision", marks, MarkKind::collision)) {
+        curves.emplace_back(
+            "$collision with points pointtype 3 pointsize 1.8 linewidth 2 linecolor rgb '#b0207a' title "
+            "'collision'");
+    }
+    if (add_mark_data(script, "alarm", marks, MarkKind::alarm)) {
+        curves.emplace_back(
+            "$alarm with points pointtype 2 pointsize 2 linewidth 3 linecolor rgb '#d11f1f' title 'alarm'");
+    }
+}
+
 void add_path_panel(Script& script, const PlotData& data, const Extents& extents) {
     const std::vector<PathPoint> path = data.path();
     std::vector<std::string> curves;
@@ -141,11 +173,17 @@ void add_path_panel(Script& script, const PlotData& data, const Extents& extents
             "$rapid with lines linewidth 1.3 dashtype '-' linecolor rgb '#c0772b' title 'rapid'");
     }
     if (add_path_data(script, "feed", path, PathStyle::feed)) {
-        curves.push_back("$feed with lines linewidth 1.2 linecolor rgb '#7c828c' title 'feed, jet off'");
+        curves.push_back(fmt::format(
+            "$feed with lines linewidth 1.2 linecolor rgb '#7c828c' title 'feed, {} off'", data.process()));
     }
     if (add_path_data(script, "jet", path, PathStyle::jet)) {
-        curves.push_back("$jet with lines linewidth 2 linecolor rgb '#12355b' title 'jet on'");
+        curves.push_back(
+            fmt::format("$jet with lines linewidth 2 linecolor rgb '#12355b' title '{} on'", data.process()));
     }
+    if (add_path_data(script, "beyond", path, PathStyle::beyond)) {
+        curves.push_back("$beyond with lines linewidth 3 linecolor rgb '#d01c1c' title 'past a limit'");
+    }
+    add_marks(script, data.marks(), curves);
     script.line("set size ratio -1");
     script.line("set xrange [{:.9g}:{:.9g}]", extents.x.min, extents.x.max);
     script.line("set yrange [{:.9g}:{:.9g}]", extents.y.min, extents.y.max);
@@ -154,53 +192,102 @@ void add_path_panel(Script& script, const PlotData& data, const Extents& extents
     add_plot_command(script, curves);
 }
 
-Range values(const std::vector<TimePoint>& points) {
-    Range range;
-    for (const TimePoint& point : points) range.include(point.value);
+bool is_rapid(const TimePoint& point) {
+    return point.style == PathStyle::rapid;
+}
+
+PlotRange values(const std::vector<TimePoint>& points, bool of_rapids) {
+    PlotRange range;
+    for (const TimePoint& point : points) {
+        if (is_rapid(point) == of_rapids) range.include(point.value);
+    }
     return range;
 }
 
-void set_time_axes(Script& script, double end_s, const Range& y) {
+// The values of a panel over time. Where there are rapids and other moves each have a scale, on the right and
+// on the left: rapids would press all that cuts flat.
+struct TimeScales {
+    explicit TimeScales(const std::vector<TimePoint>& points)
+        : cutting(values(points, false)),
+          rapids(values(points, true)),
+          two(cutting.size() > 0 && rapids.size() > 0),
+          end_s(points.empty() ? 0 : points.back().t_s) {}
+
+    PlotRange cutting, rapids;
+    bool two;
+    double end_s;
+
+    /// What lies on the left.
+    PlotRange& left() { return cutting.size() > 0 ? cutting : rapids; }
+};
+
+// Both scales have their zero at one height.
+void set_time_axes(Script& script, TimeScales& scales, std::string_view what, std::string_view unit) {
+    PlotRange left = scales.left();
+    if (scales.two && scales.rapids.min < 0) left.include(-left.max);
+    if (scales.two && scales.rapids.max > 0) left.include(-left.min);
     script.line("set size noratio");
-    script.line("set xrange [0:{:.9g}]", end_s > 0 ? end_s : 1);
-    script.line("set yrange [{:.9g}:{:.9g}]", 1.08 * y.min, y.size() > 0 ? 1.08 * y.max : 1);
+    script.line("set xrange [0:{:.9g}]", scales.end_s > 0 ? scales.end_s : 1);
+    script.line("set yrange [{:.9g}:{:.9g}]", 1.08 * left.min, left.size() > 0 ? 1.08 * left.max : 1);
     script.line("set xlabel 'time (s)'");
+    script.line("set ylabel '{} ({})' noenhanced", what, unit);
+    script.line("unset y2tics");
+    script.line("unset y2label");
+    script.line("set ytics nomirror");
+    if (!scales.two) return;
+    double factor = scales.rapids.max / left.max;
+    if (left.min < 0) factor = std::max(factor, scales.rapids.min / left.min);
+    script.line("set y2range [{:.9g}:{:.9g}]", 1.08 * factor * left.min, 1.08 * factor * left.max);
+    script.line("set y2tics textcolor rgb '#c0772b'");
+    script.line("set y2label 'rapid ({})' noenhanced textcolor rgb '#c0772b'", unit);
+}
+
+std::vector<std::string> time_curves(Script& script, const std::string& name,
+                                     const std::vector<TimePoint>& points, const TimeScales& scales,
+                                     std::string_view process) {
+    std::vector<std::string> curves;
+    if (add_time_data(script, name + "_rapid", points, PathStyle::rapid)) {
+        curves.push_back(fmt::format("${}_rapid {} with lines linewidth 1 linecolor rgb '#c0772b' title '{}'",
+                                     name, scales.two ? "axes x1y2" : "axes x1y1",
+                                     scales.two ? "rapid (right)" : "rapid"));
+    }
+    if (add_time_data(script, name + "_off", points, PathStyle::feed)) {
+        curves.push_back(fmt::format(
+            "${}_off with lines linewidth 1.2 linecolor rgb '#7c828c' title '{} off'", name, process));
+    }
+    if (add_time_data(script, name + "_on", points, PathStyle::jet)) {
+        curves.push_back(fmt::format("${}_on with lines linewidth 1.5 linecolor rgb '#12355b' title '{} on'",
+                                     name, process));
+    }
+    return curves;
 }
 
 void add_speed_panel(Script& script, const PlotData& data) {
     const std::vector<TimePoint> speed = data.speed();
     const std::vector<TimePoint> feed = data.feed();
-    std::vector<std::string> curves;
-    if (add_time_data(script, "speed_off", speed, false)) {
-        curves.push_back("$speed_off with lines linewidth 1.2 linecolor rgb '#7c828c' title 'jet off'");
-    }
-    if (add_time_data(script, "speed_on", speed, true)) {
-        curves.push_back("$speed_on with filledcurves y1=0 fillcolor rgb '#c9d7e8' notitle");
-        curves.push_back("$speed_on with lines linewidth 1.5 linecolor rgb '#12355b' title 'jet on'");
-    }
+    TimeScales scales(speed);
+    std::vector<std::string> curves = time_curves(script, "speed", speed, scales, data.process());
+    const bool jet = std::any_of(speed.begin(), speed.end(),
+                                 [](const TimePoint& point) { return point.style == PathStyle::jet; });
+    if (jet)
+        curves.insert(curves.begin(), "$speed_on with filledcurves y1=0 fillcolor rgb '#c9d7e8' notitle");
     if (add_steps_data(script, "programmed", feed)) {
-        curves.push_back(
+        curves.emplace_back(
             "$programmed with lines linewidth 1.2 dashtype '-' linecolor rgb '#a23b3b' title 'feed as "
             "programmed'");
     }
-    Range range = values(speed);
-    range.include(std::min(values(feed).max, kMostOverCurve * range.max));
-    set_time_axes(script, speed.empty() ? 0 : speed.back().t_s, range);
-    script.line("set ylabel 'speed (mm/s)'");
+    PlotRange& range = scales.left();
+    range.include(std::min(values(feed, false).max, kMostOverCurve * range.max));
+    set_time_axes(script, scales, "speed", "mm/s");
     add_plot_command(script, curves);
 }
 
 void add_acceleration_panel(Script& script, const PlotData& data) {
     const std::vector<TimePoint> acceleration = data.acceleration();
-    Range range = values(acceleration);
-    std::vector<std::string> curves;
-    if (add_time_data(script, "acceleration_off", acceleration, false)) {
-        curves.push_back(
-            "$acceleration_off with lines linewidth 1.2 linecolor rgb '#7c828c' title 'jet off'");
-    }
-    if (add_time_data(script, "acceleration_on", acceleration, true)) {
-        curves.push_back("$acceleration_on with lines linewidth 1.2 linecolor rgb '#12355b' title 'jet on'");
-    }
+    TimeScales scales(acceleration);
+    std::vector<std::string> curves =
+        time_curves(script, "acceleration", acceleration, scales, data.process());
+    PlotRange& range = scales.left();
     const double limit = data.max_acceleration_mm_s2();
     if (range.size() > 0 && limit <= kMostOverCurve * std::max(range.max, -range.min)) {
         curves.push_back(fmt::format(
@@ -210,8 +297,7 @@ void add_acceleration_panel(Script& script, const PlotData& data) {
         range.include(limit);
         range.include(-limit);
     }
-    set_time_axes(script, acceleration.empty() ? 0 : acceleration.back().t_s, range);
-    script.line("set ylabel 'acceleration (mm/s^2)' noenhanced");
+    set_time_axes(script, scales, "acceleration", "mm/s^2");
     add_plot_command(script, curves);
 }
 
@@ -241,7 +327,7 @@ std::string plot_script(const PlotData& data, PictureFormat format, std::string_
     script.line("set grid linetype 1 linewidth 0.5 linecolor rgb '#e3e3e3'");
     script.line("set tics nomirror");
     script.line("set lmargin 10");
-    script.line("set rmargin 4");
+    script.line("set rmargin 11");
     script.line("set key outside top center horizontal samplen 3 width 1 textcolor rgb '#333333'");
     script.line("set origin 0, {:.6f}", 2 * time_share);
     script.line("set size 1, {:.6f}", path_px / height_px);

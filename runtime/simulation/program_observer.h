@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
+#include "runtime/machine/machine.h"
 #include "runtime/simulation/commands.h"
 #include "runtime/simulation/report.h"
 
@@ -18,12 +20,29 @@ class ProgramObserver {
     virtual void arc(const AxisVector& /*from*/, const ArcMove& /*move*/) {}
     virtual void arc(const AxisVector& /*from*/, const ViaMove& /*move*/) {}
     virtual void dwell(const AxisVector& /*at*/, double /*seconds*/) {}
-    /// `event` without its time.
-    virtual void event(const AxisVector& /*at*/, const Event& /*event*/) {}
+    /// `event` without its time; whether the machine comes to rest for it.
+    virtual void event(const AxisVector& /*at*/, const Event& /*event*/, bool /*at_rest*/) {}
     virtual void enter_program(const std::string& /*name*/) {}
     virtual void leave_program() {}
-    /// A target that a script has queued, or taken back, by the controller's services.
-    virtual void service_motion() {}
+    /// Motion that is told by none of the above, such as a target of the controller's services; `why` is a
+    /// sentence.
+    virtual void untold_motion(std::string_view /*why*/) {}
+
+    // What the program selects for what follows.
+
+    /// The machine comes to rest before the next move.
+    virtual void rest(const AxisVector& /*at*/) {}
+    virtual void spindle_speed(const AxisVector& /*at*/, double /*rev_min*/) {}
+    virtual void path_mode(const AxisVector& /*at*/, const PathPassing& /*passing*/) {}
+    /// The next move alone ends in an exact stop.
+    virtual void exact_stop_once(const AxisVector& /*at*/) {}
+    virtual void ramps(const AxisVector& /*at*/, rrs::RampMode /*mode*/) {}
+    /// A limit of an axis's ramps, mm or deg, s.
+    virtual void ramp_limit(const AxisVector& /*at*/, rrs::RampLimit /*limit*/, const machine::Axis& /*axis*/,
+                            double /*value*/) {}
+    /// The machine's own limits alone.
+    virtual void no_ramp_limits(const AxisVector& /*at*/) {}
+    virtual void work_offset(const WorkOffset& /*offset*/) {}
 };
 
 }  // namespace gsim::simulation

@@ -10,7 +10,7 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr std::size_t kWidth = 40;
+constexpr std::size_t kProgressBarWidth = 40;
 constexpr auto kPause = std::chrono::milliseconds(100);
 
 }  // namespace
@@ -30,9 +30,9 @@ void Progress::draw(std::uint64_t done, std::uint64_t total) {
     std::string text = fmt::format("\r{} blocks", done);
     if (total != 0) {
         const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
-        const auto filled = static_cast<std::size_t>(share * static_cast<double>(kWidth));
-        text = fmt::format("\r[{}{}] {:3.0f} %", std::string(filled, '='), std::string(kWidth - filled, ' '),
-                           100 * share);
+        const auto filled = static_cast<std::size_t>(share * static_cast<double>(kProgressBarWidth));
+        text = fmt::format("\r[{}{}] {:3.0f} %", std::string(filled, '='),
+                           std::string(kProgressBarWidth - filled, ' '), 100 * share);
     }
     std::fputs(text.c_str(), stream_);
     std::fflush(stream_);

@@ -57,6 +57,10 @@ void Recorder::add_output(RunOutput& output) {
     output.begin(start_);
 }
 
+void Recorder::mark_last(std::uint16_t beyond) {
+    (waiting_.empty() ? move_.info : waiting_.back()).beyond = beyond;
+}
+
 void Recorder::take(const Segment& segment) {
     if (!in_move_ || move_.info.target_id != segment.target_id) go_to_move(segment.target_id);
     add_limit(segment);

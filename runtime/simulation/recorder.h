@@ -32,6 +32,8 @@ class Recorder : public motion::SegmentSink {
     /// Announces a move, before its first segment is taken.
     void expect(const MoveInfo& info) { waiting_.push_back(info); }
     void take(const motion::Segment& segment) override;
+    /// The move announced last takes these joints past their ranges (MoveInfo::beyond).
+    void mark_last(std::uint16_t beyond);
 
     /// The move whose segments arrive; what nobody expects has an id alone.
     const MoveInfo& move() const { return move_.info; }

@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "runtime/rrs/types.h"
 #include "runtime/simulation/move.h"
+#include "text/diagnostic.h"
 
 namespace gsim::simulation {
 
-enum class RunStatus { completed, stopped, alarm };
+/// `violations`: the run came to its end, past limits of the machine.
+enum class RunStatus { completed, violations, stopped, alarm };
 std::string_view name(RunStatus status);
 
 /// A call of a program that had not ended.
@@ -20,12 +23,74 @@ struct OpenCall {
 
 /// Why a run did not complete, as a sentence, and where.
 struct Alarm {
+    text::DiagnosticKind kind = text::DiagnosticKind::script;
     std::string message;
     Place place = {};
     std::vector<OpenCall> calls = {};  ///< From the innermost to the first.
     char axis = 0;                     ///< Letter, where one axis is to blame.
     std::optional<double> value;       ///< Of that axis (mm or deg).
     std::optional<double> limit;       ///< That it passed (mm or deg).
+};
+
+/// What a report lists of them, at most.
+inline constexpr std::size_t kMostViolations = 1000;
+
+/// A move takes an axis past its range, or the tool begins to be where a zone does not allow it. The run goes
+/// on behind it.
+struct Violation {
+    double t_s = 0;  ///< Of an axis: when the move begins; of a zone: when the tool passes the wall.
+    Place place = {};
+    std::vector<OpenCall> calls = {};  ///< From the innermost to the first.
+    std::string zone = {};             ///< Its name; empty where the range of an axis is passed.
+    bool forbidden_zone = false;       ///< The tool is in it, not out of it.
+    std::string message = {};          ///< A sentence without its end.
+    char axis = 'X';                   ///< Letter.
+    bool rotary = false;               ///< Values are in deg, else in mm.
+    double value = 0;                  ///< The farthest that the axis goes; of a zone: the tool's end.
+    double limit = 0;                  ///< That it passes: the end of a range, or a wall.
+    std::string offset = {};  ///< Code of the work offset in force: "G54"; empty where none is known.
+
+    double amount() const { return value < limit ? limit - value : value - limit; }
+};
+
+/// A shift of a work offset along a linear axis.
+struct OffsetShift {
+    std::string offset;  ///< "G54"
+    char axis = 'X';
+    double shift_mm = 0;
+};
+
+struct Violations {
+    std::vector<Violation> list;  ///< The first ones by time, kMostViolations at most.
+    std::uint64_t count = 0;      ///< Of all, those that are not listed as well.
+    /// What brings back all that is out; what this takes out is not known.
+    std::vector<OffsetShift> shifts;
+    /// Of these, all together: known to bring the whole program within limits and zones. Else none.
+    std::vector<OffsetShift> remedy;
+
+    /// From here on times are not those of a machine, which would have stopped; none without violations.
+    std::optional<double> valid_until_s() const {
+        return list.empty() ? std::nullopt : std::optional(list.front().t_s);
+    }
+};
+
+/// "G54 X +12.5 mm would bring the whole program within the limits"; empty where no remedy is known.
+std::string remedy_text(const Violations& violations);
+
+/// What a report lists of them, at most.
+inline constexpr std::size_t kMostFindings = 1000;
+
+/// What a program should not do on its machine, though it can ([checks] of the machine file).
+struct ProcessFinding {
+    double t_s = 0;
+    Place place = {};
+    text::DiagnosticKind kind = text::DiagnosticKind::rapid_with_process_on;
+    std::string message;  ///< A sentence without its end.
+};
+
+struct ProcessFindings {
+    std::vector<ProcessFinding> list;  ///< By time, kMostFindings at most.
+    std::uint64_t count = 0;           ///< Of all.
 };
 
 struct Event {
@@ -70,6 +135,14 @@ struct Explanation {
     std::optional<double> lower_bound_s = 0;
 };
 
+/// The main program leads back to its start (M99), or by its last block to a block of it: for ever on the
+/// machine.
+struct Passes {
+    std::uint64_t count = 0;               ///< That were run.
+    Place place = {};                      ///< Of what leads back.
+    std::optional<std::int64_t> to_block;  ///< Its number; none: the start.
+};
+
 /// Two bodies of the cell begin to touch.
 struct Collision {
     double t_s = 0;
@@ -77,6 +150,7 @@ struct Collision {
     std::string first, second;            ///< Names of the bodies.
     std::array<double, 3> point_mm = {};  ///< Where, in the world.
     bool penetrating = false;             ///< Else they only touch.
+    rrs::JointPos joints = {};            ///< Of the machine then, mm or rad.
 };
 
 /// The smallest distance of a block, where it is below what the cell asks for.
@@ -123,6 +197,9 @@ struct Report {
     std::string controller;  ///< The model that its machine file names; empty where a module plans.
     RunStatus status = RunStatus::completed;
     std::optional<Alarm> alarm;  ///< Also why a run was stopped.
+    Violations violations;
+    ProcessFindings findings;
+    std::string process = "jet";  ///< What the machine works with: "jet", "plasma", "laser", "spindle".
     double cycle_time_s = 0;
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
     double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
@@ -132,6 +209,8 @@ struct Report {
     std::vector<AxisBounds> bounds;
     std::vector<Event> events;
     std::vector<std::string> warnings;
+    std::vector<text::Diagnostic> diagnostics;  ///< Of the program's text.
+    std::optional<Passes> passes;
     std::vector<SlowBlock> slowest;  ///< At most ten, longest first.
     std::optional<Explanation> explanation;
     std::optional<CellFindings> cell;
@@ -142,6 +221,9 @@ struct Report {
 
 /// The report as the JSON of the design (docs/report.md); keys in a fixed order, doubles in shortest form.
 std::string to_json(const Report& report);
+
+/// "1 of the main program, which leads back to its start; --passes runs more"
+std::string to_text(const Passes& passes);
 
 /// The report as a compact table for people.
 std::string to_text(const Report& report);

@@ -3,8 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/simulation/diagnostic_json.h"
 #include "runtime/simulation/json_text.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/report_diagnostics.h"
 #include "runtime/simulation/robots_report.h"
 
 namespace gsim::simulation {
@@ -29,6 +31,10 @@ Json line(const Place& place) {
     return place.line > 0 ? Json(place.line) : Json(nullptr);
 }
 
+Json letter(char axis) {
+    return Json(std::string(1, axis));
+}
+
 Json calls(const Report& report, const std::vector<OpenCall>& open) {
     Json list = Json::array();
     for (const OpenCall& call : open) {
@@ -41,13 +47,54 @@ Json calls(const Report& report, const std::vector<OpenCall>& open) {
 Json alarm(const Report& report) {
     if (!report.alarm) return nullptr;
     const Alarm& alarm = *report.alarm;
-    return {{"message", alarm.message},
+    return {{"code", text::code_of(alarm.kind)},
+            {"message", alarm.message},
             {"file", file(report, alarm.place)},
             {"line", line(alarm.place)},
-            {"axis", alarm.axis != 0 ? Json(std::string(1, alarm.axis)) : Json(nullptr)},
+            {"axis", alarm.axis != 0 ? letter(alarm.axis) : Json(nullptr)},
             {"value", number(alarm.value)},
             {"limit", number(alarm.limit)},
             {"calls", calls(report, alarm.calls)}};
+}
+
+Json violations(const Report& report) {
+    Json list = Json::array();
+    for (const Violation& violation : report.violations.list) {
+        list.push_back({{"t_s", number(violation.t_s)},
+                        {"file", file(report, violation.place)},
+                        {"line", line(violation.place)},
+                        {"axis", letter(violation.axis)},
+                        {"unit", violation.rotary ? "deg" : "mm"},
+                        {"value", number(violation.value)},
+                        {"limit", number(violation.limit)},
+                        {"amount", number(violation.amount())},
+                        {"zone", violation.zone.empty() ? Json(nullptr) : Json(violation.zone)},
+                        {"offset", violation.offset.empty() ? Json(nullptr) : Json(violation.offset)},
+                        {"message", violation.message},
+                        {"calls", calls(report, violation.calls)}});
+    }
+    return list;
+}
+
+Json findings(const Report& report) {
+    Json list = Json::array();
+    for (const ProcessFinding& finding : report.findings.list) {
+        list.push_back({{"t_s", number(finding.t_s)},
+                        {"file", file(report, finding.place)},
+                        {"line", line(finding.place)},
+                        {"code", text::code_of(finding.kind)},
+                        {"message", finding.message}});
+    }
+    return list;
+}
+
+Json remedy(const Violations& violations) {
+    Json list = Json::array();
+    for (const OffsetShift& shift : violations.remedy) {
+        list.push_back(
+            {{"offset", shift.offset}, {"axis", letter(shift.axis)}, {"shift_mm", number(shift.shift_mm)}});
+    }
+    return list;
 }
 
 Json blends(const Report& report) {
@@ -158,6 +205,13 @@ Json signals(const Report& report) {
     return signals;
 }
 
+Json passes(const Report& report) {
+    return {{"count", report.passes->count},
+            {"file", file(report, report.passes->place)},
+            {"line", line(report.passes->place)},
+            {"to_block", report.passes->to_block ? Json(*report.passes->to_block) : Json(nullptr)}};
+}
+
 Json object(const Report& report) {
     Json json = {
         {"program", report.program},
@@ -165,11 +219,16 @@ Json object(const Report& report) {
         {"controller", report.controller.empty() ? Json(nullptr) : Json(report.controller)},
         {"status", std::string(name(report.status))},
         {"alarm", alarm(report)},
+        {"violations", violations(report)},
+        {"violation_count", report.violations.count},
+        {"remedy", remedy(report.violations)},
         {"cycle_time_s", number(report.cycle_time_s)},
+        {"valid_until_s", number(report.violations.valid_until_s())},
         {"time",
          {{"rapid_s", number(report.rapid_s)},
           {"feed_s", number(report.feed_s)},
           {"dwell_s", number(report.dwell_s)}}},
+        {"process", report.process},
         {"length",
          {{"rapid_mm", number(report.rapid_mm)},
           {"feed_mm", number(report.feed_mm)},
@@ -180,8 +239,11 @@ Json object(const Report& report) {
         {"bounds", bounds(report)},
         {"events", events(report)},
         {"warnings", report.warnings},
+        {"diagnostics", to_json(diagnostics_of(report))},
+        {"findings", findings(report)},
         {"slowest", slowest(report)},
     };
+    if (report.passes) json["passes"] = passes(report);
     if (report.explanation) {
         json["time_by_limit"] = time_by_limit(*report.explanation);
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);
@@ -213,6 +275,7 @@ std::string to_json(const RobotsReport& report) {
     Json json = {{"program", whole.program},
                  {"status", std::string(name(whole.status))},
                  {"alarm", alarm(whole)},
+                 {"violation_count", whole.violations.count},
                  {"cycle_time_s", number(whole.cycle_time_s)},
                  {"processes", processes(whole.processes)},
                  {"signals", signals(whole)},

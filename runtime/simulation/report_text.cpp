@@ -6,17 +6,19 @@
 #include <fmt/format.h>
 
 #include "runtime/simulation/report.h"
+#include "text/number.h"
 
 namespace gsim::simulation {
 
 namespace {
 
-constexpr std::size_t kWidth = 100;
+constexpr std::size_t kLineWidth = 100;
 constexpr std::size_t kBarWidth = 24;
 constexpr std::size_t kShownEvents = 8;
 constexpr std::size_t kShownWarnings = 20;
 constexpr std::size_t kShownCollisions = 20;
 constexpr std::size_t kShownClearances = 8;
+constexpr std::size_t kShownViolations = 20;
 
 // Names and messages come from strangers' files: nothing that a terminal would take as a command.
 std::string clean(std::string_view text) {
@@ -55,11 +57,11 @@ class Text {
     }
     void blank() { text_ += '\n'; }
 
-    /// A long text in lines of at most kWidth, broken at spaces where there are any.
+    /// A long text in lines of at most kLineWidth, broken at spaces where there are any.
     void wrapped(std::string_view first_prefix, std::string_view text) {
         std::string rest = clean(text);
         std::string prefix(first_prefix);
-        const std::size_t width = kWidth - prefix.size();
+        const std::size_t width = kLineWidth - prefix.size();
         while (rest.size() > width) {
             std::size_t end = rest.rfind(' ', width);
             if (end == std::string::npos || end == 0) end = width;
@@ -83,25 +85,47 @@ void add_blends(Text& out, const Report& report) {
              place_text(report, report.blends.place));
 }
 
+void add_passes(Text& out, const Report& report) {
+    if (!report.passes) return;
+    out.line("{:<12}{}", "passes", to_text(*report.passes));
+    out.line("{:<12}{}", "  back at", place_text(report, report.passes->place, kLineWidth - 12));
+}
+
 void add_head(Text& out, const Report& report) {
-    out.line("{:<12}{}", "program", shortened(report.program, kWidth - 12));
+    out.line("{:<12}{}", "program", shortened(report.program, kLineWidth - 12));
     if (!report.machine.empty()) {
-        out.line("{:<12}{}", "machine", shortened(report.machine, kWidth - 12));
+        out.line("{:<12}{}", "machine", shortened(report.machine, kLineWidth - 12));
         const std::string controller = report.controller.empty() ? "a module" : report.controller;
-        out.line("{:<12}{}", "controller", shortened(controller, kWidth - 12));
+        out.line("{:<12}{}", "controller", shortened(controller, kLineWidth - 12));
     }
     out.line("{:<12}{}", "status", name(report.status));
     if (report.alarm) {
-        out.line("{:<12}{}", "  at", place_text(report, report.alarm->place, kWidth - 12));
+        out.line("{:<12}{}", "  at", place_text(report, report.alarm->place, kLineWidth - 12));
         for (const OpenCall& call : report.alarm->calls) {
             out.line("{:<12}{} at {}", "  called", call.program,
-                     place_text(report, call.place, kWidth - 12 - 4 - call.program.size()));
+                     place_text(report, call.place, kLineWidth - 12 - 4 - call.program.size()));
         }
         out.wrapped("  because   ", report.alarm->message);
     }
     out.line("{:<12}{:.3f} s  ({})", "cycle time", report.cycle_time_s, clock_text(report.cycle_time_s));
+    if (const auto valid_s = report.violations.valid_until_s())
+        out.line("{:<12}not valid from {:.3f} s on, where the machine is first past a limit", "", *valid_s);
+    add_passes(out, report);
     out.line("{:<12}{} executed, {} moves", "blocks", report.blocks, report.moves);
     add_blends(out, report);
+}
+
+void add_violations(Text& out, const Report& report) {
+    const std::vector<Violation>& list = report.violations.list;
+    if (list.empty()) return;
+    out.blank();
+    out.line("{:<12}{}", "violations", report.violations.count);
+    for (std::size_t i = 0; i < std::min(list.size(), kShownViolations); ++i) {
+        out.line("{:>12.3f} s  {}", list[i].t_s, place_text(report, list[i].place, kLineWidth - 16));
+        out.wrapped(std::string(16, ' '), list[i].message);
+    }
+    if (report.violations.count > std::min(list.size(), kShownViolations)) out.line("{:>18}", "...");
+    if (const std::string remedy = remedy_text(report.violations); !remedy.empty()) out.wrapped("", remedy);
 }
 
 double percent(const Report& report, double time_s) {
@@ -116,7 +140,7 @@ void add_times(Text& out, const Report& report) {
     };
     row("rapid", report.rapid_s, report.rapid_mm);
     row("feed", report.feed_s, report.feed_mm);
-    out.line("{:<10}{:>14}{:>10}{:>16.3f}", " jet on", "", "", report.jet_on_mm);
+    out.line("{:<12}{:>12}{:>10}{:>16.3f}", fmt::format(" {} on", report.process), "", "", report.jet_on_mm);
     out.line("{:<10}{:>14.3f}{:>8.1f} %", "dwell", report.dwell_s, percent(report, report.dwell_s));
 }
 
@@ -153,7 +177,7 @@ std::string bar(const AxisBounds& axis) {
 // Of at most eleven characters.
 std::string bound_text(double value) {
     if (!std::isfinite(value)) return "none";
-    return std::abs(value) < 1e6 ? fmt::format("{:.3f}", value) : fmt::format("{:.4g}", value);
+    return std::abs(value) < 1e6 ? text::fixed(value, 3) : fmt::format("{:.4g}", value);
 }
 
 void add_bounds(Text& out, const Report& report) {
@@ -183,7 +207,7 @@ void add_events(Text& out, const Report& report) {
         const Event& event = report.events[i];
         const std::string what = clean(event.kind) + (event.detail.empty() ? "" : ": " + clean(event.detail));
         out.line("{:>12.3f} s  {:<30}  {}", event.t_s, place_text(report, event.place, 30),
-                 what.substr(0, kWidth - 48));
+                 what.substr(0, kLineWidth - 48));
     }
     if (report.events.size() > kShownEvents) out.line("{:>14}", "...");
 }
@@ -213,8 +237,9 @@ void add_collisions(Text& out, const Report& report) {
         const auto [x, y, z] = collision.point_mm;
         out.line("{:>12.3f} s  {:<30}  {}", collision.t_s, place_text(report, collision.place, 30),
                  pair_text(collision.first, collision.second));
-        out.line("{:>14}{:<30}  {} at x {:.3f} y {:.3f} z {:.3f}", "", "",
-                 collision.penetrating ? "penetrating" : "touching", x, y, z);
+        out.line("{:>14}{:<30}  {} at x {} y {} z {}", "", "",
+                 collision.penetrating ? "penetrating" : "touching", text::fixed(x, 3), text::fixed(y, 3),
+                 text::fixed(z, 3));
     }
     if (collisions.size() > kShownCollisions) out.line("{:>14}", "...");
 }
@@ -259,9 +284,21 @@ void add_processes(Text& out, const Report& report) {
         const SignalChange& change = report.signals[i];
         const std::string what = clean(fmt::format("{} = {}", change.signal, change.value));
         out.line("{:>12.3f} s  {:<30}  {}", change.t_s, place_text(report, change.place, 30),
-                 what.substr(0, kWidth - 48));
+                 what.substr(0, kLineWidth - 48));
     }
     if (report.signals.size() > kShownEvents) out.line("{:>14}", "...");
+}
+
+void add_findings(Text& out, const Report& report) {
+    const std::vector<ProcessFinding>& list = report.findings.list;
+    if (list.empty()) return;
+    out.blank();
+    const std::size_t shown = std::min(list.size(), kShownWarnings);
+    for (std::size_t i = 0; i < shown; ++i) {
+        out.wrapped("warning: ", fmt::format("{}: {}", place_text(report, list[i].place, kLineWidth / 2),
+                                             list[i].message));
+    }
+    if (report.findings.count > shown) out.line("and {} more findings", report.findings.count - shown);
 }
 
 void add_warnings(Text& out, const Report& report) {
@@ -274,9 +311,15 @@ void add_warnings(Text& out, const Report& report) {
 
 }  // namespace
 
+std::string to_text(const Passes& passes) {
+    return fmt::format("{} of the main program, which leads back to {}; --passes runs more", passes.count,
+                       passes.to_block ? fmt::format("N{}", *passes.to_block) : "its start");
+}
+
 std::string to_text(const Report& report) {
     Text out;
     add_head(out, report);
+    add_violations(out, report);
     if (!report.machine.empty()) add_times(out, report);
     add_explanation(out, report);
     add_bounds(out, report);
@@ -284,6 +327,7 @@ std::string to_text(const Report& report) {
     add_slowest(out, report);
     add_events(out, report);
     add_processes(out, report);
+    add_findings(out, report);
     add_warnings(out, report);
     return out.take();
 }

@@ -11,10 +11,13 @@ RobotsReport robots_report(Report whole, std::vector<RobotReport> robots) {
         whole.cycle_time_s = std::max(whole.cycle_time_s, robot.report.cycle_time_s);
         whole.blocks += robot.report.blocks;
         whole.moves += robot.report.moves;
+        whole.violations.count += robot.report.violations.count;
         if (whole.alarm || !robot.report.alarm) continue;
         whole.status = robot.report.status;
         whole.alarm = robot.report.alarm;
     }
+    if (whole.status == RunStatus::completed && whole.violations.count > 0)
+        whole.status = RunStatus::violations;
     for (const ProcessSummary& process : whole.processes) {
         if (!process.background) whole.cycle_time_s = std::max(whole.cycle_time_s, process.end_s);
     }

@@ -3,40 +3,32 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "runtime/motion/axis_space.h"
+#include "runtime/motion/units.h"
 #include "runtime/simulation/module_motion.h"
 #include "runtime/simulation/planner_motion.h"
 
 namespace gsim::simulation {
+
+using text::DiagnosticKind;
 
 using rrs::Status;
 
 namespace {
 
 /// mm or deg: what rotation and scaling leave of an axis that does not move.
-constexpr double kSamePlace = 1e-9;
+constexpr double kNoTravel = 1e-9;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-constexpr double kSecondsPerMinute = 60.0;
 constexpr std::size_t kMaxWarnings = 1'000;
 
 /// Targets given as joint values have no Cartesian value.
 const rrs::CartPos& no_pose() {
     static const rrs::CartPos kPose = rrs::CartPos::Identity();
     return kPose;
-}
-
-/// Axes of a plane in the order that its arcs are counted in: first, second, normal (0 x, 1 y, 2 z).
-std::array<Eigen::Index, 3> plane_axes(Plane plane) {
-    switch (plane) {
-        case Plane::xy: return {0, 1, 2};
-        case Plane::zx: return {2, 0, 1};
-        case Plane::yz: return {1, 2, 0};
-    }
-    return {0, 1, 2};
 }
 
 /// A controller module without the service, or broken; any other answer leaves the controller as it can be.
@@ -65,11 +57,15 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       motion_(make_motion(std::move(module))),
       shell_(motion_->shell()),
       space_axes_(space_axes(machine_)),
-      position_(static_cast<Eigen::Index>(machine_.axes.size())) {
+      position_(static_cast<Eigen::Index>(machine_.axes.size())),
+      process_(machine_) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
     recorder_.add_output(centripetal_);
     recorder_.add_output(events_);
+    recorder_.add_output(violations_);
+    recorder_.add_output(process_);
+    if (!limits_.stop_at_first) zones_.go_on([this](const ZoneHit& hit) { add_zone_violation(hit); });
     start();
 }
 
@@ -109,14 +105,15 @@ std::uint32_t Simulator::add_file(const std::string& name) {
 bool Simulator::count_block(const Place& place) {
     if (++blocks_ <= limits_.max_blocks) return true;
     --blocks_;
-    return stop(fmt::format("the limit of {} executed blocks is reached (--max-blocks)", limits_.max_blocks),
+    return stop(DiagnosticKind::run_limit,
+                fmt::format("the limit of {} executed blocks is reached (--max-blocks)", limits_.max_blocks),
                 place);
 }
 
 bool Simulator::rotary_alone(const AxisVector& target) const {
     bool rotary = false;
     for (Eigen::Index i = 0; i < target.size(); ++i) {
-        if (std::abs(target[i] - position_[i]) < kSamePlace) continue;
+        if (std::abs(target[i] - position_[i]) < kNoTravel) continue;
         if (machine_.axes[static_cast<std::size_t>(i)].kind == machine::AxisKind::linear) return false;
         rotary = true;
     }
@@ -125,6 +122,7 @@ bool Simulator::rotary_alone(const AxisVector& target) const {
 
 void Simulator::exact_stop_once() {
     exact_stop_once_ = true;
+    if (observer_ != nullptr) observer_->exact_stop_once(position_);
     shell_.SetPathMode(rrs::PathMode::exact_stop, 0, 0);
 }
 
@@ -162,9 +160,9 @@ bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
         orientation_rad_s_ = motion::kUnlimited;
         return shell_.SetMotionTime(*feed.motion_s) == Status::RRS_SUCCESS || refused(place);
     }
-    const double speed_mm_s = rotary ? motion::kUnlimited : feed.linear_mm_min / kSecondsPerMinute;
+    const double speed_mm_s = rotary ? motion::kUnlimited : feed.linear_mm_min / motion::kSecondsPerMinute;
     const double orientation_rad_s =
-        rotary ? feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg : motion::kUnlimited;
+        rotary ? feed.rotary_deg_min / motion::kSecondsPerMinute * motion::kRadPerDeg : motion::kUnlimited;
     if (speed_mm_s != feed_mm_s_) {
         if (shell_.SetCartesianPositionSpeed(speed_mm_s) != Status::RRS_SUCCESS) return refused(place);
         feed_mm_s_ = speed_mm_s;
@@ -172,7 +170,8 @@ bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
             warn(
                 fmt::format("F of {:.10g} mm/min is above the machine's contour speed limit of {:.10g} "
                             "mm/min, which holds",
-                            speed_mm_s * kSecondsPerMinute, machine_.path.max_feed_mm_s * kSecondsPerMinute));
+                            speed_mm_s * motion::kSecondsPerMinute,
+                            machine_.path.max_feed_mm_s * motion::kSecondsPerMinute));
         }
     }
     if (orientation_rad_s != orientation_rad_s_) {
@@ -190,7 +189,11 @@ MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per
     info.kind = kind;
     info.place = place;
     info.feed_per_min = feed_per_min;
-    info.jet_on = jet_;
+    if (kind != MoveKind::dwell && process_with_motion_)
+        process_on_ = *std::exchange(process_with_motion_, std::nullopt);
+    info.jet_on = process_on_;
+    info.switches = process_switches_;
+    info.offset = work_offset_;
     return info;
 }
 
@@ -198,6 +201,7 @@ bool Simulator::finish_move(Status status, const Place& place) {
     leave_exact_stop();
     if (zones_.hit()) return fail_in_zone();
     if (static_cast<int>(status) < 0) return refused(place);
+    add_violations(place);
     if (status == Status::RRS_MOTION_TIME_RAISED) {
         warn(
             "an inverse time feed (G93) asks for less time than the machine's limits allow; the limits hold");
@@ -221,18 +225,13 @@ double Simulator::feed_per_min(const LineMove& move, bool rotary) const {
     if (!move.feed.motion_s) return rotary ? move.feed.rotary_deg_min : move.feed.linear_mm_min;
     const double length = rotary ? (move.target - position_).norm()
                                  : (space_point(move.target) - space_point(position_)).norm();
-    return length / *move.feed.motion_s * kSecondsPerMinute;
+    return length / *move.feed.motion_s * motion::kSecondsPerMinute;
 }
 
 double Simulator::feed_per_min(const ArcMove& move) const {
     if (!move.feed.motion_s) return move.feed.linear_mm_min;
-    const auto [first, second, normal] = plane_axes(move.plane);
-    const Eigen::Vector3d start = space_point(position_);
-    const double radius =
-        std::hypot(start[first] - move.center_first_mm, start[second] - move.center_second_mm);
-    const double length =
-        std::hypot(radius * move.sweep_rad, space_point(move.target)[normal] - start[normal]);
-    return length / *move.feed.motion_s * kSecondsPerMinute;
+    const double length = move.length_mm(space_point(position_), space_point(move.target));
+    return length / *move.feed.motion_s * motion::kSecondsPerMinute;
 }
 
 bool Simulator::move(const LineMove& move) {
@@ -243,7 +242,9 @@ bool Simulator::move(const LineMove& move) {
         return false;
     }
     const auto joints = joints_of(move.target);
-    if (!joints) return fail(joints.error(), move.place);
+    if (!joints) return fail(DiagnosticKind::unreachable, joints.error(), move.place);
+    const motion::RangePass pass(begin_move());
+    note_target(*joints);
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
     info.timed = move.feed.motion_s.has_value();
     recorder_.expect(info);
@@ -256,24 +257,22 @@ bool Simulator::move(const LineMove& move) {
 bool Simulator::move(const ArcMove& move) {
     if (!set_feed(move.feed, false, move.place)) return false;
     const auto joints = joints_of(move.target);
-    if (!joints) return fail(joints.error(), move.place);
-    const auto [first, second, normal] = plane_axes(move.plane);
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    center[first] = move.center_first_mm;
-    center[second] = move.center_second_mm;
+    if (!joints) return fail(DiagnosticKind::unreachable, joints.error(), move.place);
+    const motion::RangePass pass(begin_move());
+    note_target(*joints);
+    Eigen::Vector3d center = move.center_mm;
     for (Eigen::Index i = 0; i < 3; ++i) {
         const int at = space_axes_[static_cast<std::size_t>(i)];
         if (at >= 0) center[i] -= machine_.axes[static_cast<std::size_t>(at)].zero;
     }
-    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-    axis[normal] = move.kind == MoveKind::arc_ccw ? 1.0 : -1.0;
+    Eigen::Vector3d axis = move.axis();
     if (tip_frame_) {
         center = tip_frame_->point(center);
         axis = tip_frame_->turn_axis(axis);
     }
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move));
     info.timed = move.feed.motion_s.has_value();
-    info.plane = move.plane;
+    info.normal = move.normal;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
     recorder_.expect(info);
     const Status status =
@@ -296,11 +295,14 @@ bool Simulator::move(const ViaMove& move) {
     if (!set_feed(move.feed, false, move.place)) return false;
     const auto via = joints_of(move.via);
     const auto target = joints_of(move.target);
-    if (!via || !target) return fail(via ? target.error() : via.error(), move.place);
+    if (!via || !target)
+        return fail(DiagnosticKind::unreachable, via ? target.error() : via.error(), move.place);
+    const motion::RangePass pass(begin_move());
+    note_target(*target);
     MoveInfo info = next_move(MoveKind::arc_ccw, move.place, move.feed.linear_mm_min);
     info.timed = move.feed.motion_s.has_value();
     info.turns = 1;
-    set_plane_and_sense(info, space_point(position_), space_point(move.via), space_point(move.target));
+    set_axis(info, space_point(position_), space_point(move.via), space_point(move.target));
     recorder_.expect(info);
     shell_.SelectMotionType(rrs::MotionType::circular);
     Status status = shell_.SetNextTarget(info.target_id, rrs::TargetParam::via, no_pose(), *via, {}, 0);
@@ -319,23 +321,6 @@ bool Simulator::dwell(double seconds, const Place& place) {
                        [&](const AxisVector& at) { observer_->dwell(at, seconds); });
 }
 
-rrs::Status Simulator::set_start(const std::function<Status()>& set) {
-    if (time_s() > 0) return Status::RRS_INVALID_PARAMETER;
-    const Status status = set();
-    position_ = position_at(motion_->position());
-    return status;
-}
-
-rrs::Status Simulator::queue_target(MoveKind kind, const Place& place,
-                                    const std::function<Status(rrs::TargetId)>& queue) {
-    const MoveInfo info = next_move(kind, place, 0);
-    recorder_.expect(info);
-    const Status status = queue(info.target_id);
-    position_ = position_at(motion_->position());
-    if (observer_ != nullptr) observer_->service_motion();
-    return status;
-}
-
 double Simulator::time_s() {
     motion_->come_to_rest(false);
     return motion_->time_s();
@@ -343,15 +328,9 @@ double Simulator::time_s() {
 
 void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
     passing_ = {mode, tolerance_mm, merge_tolerance_mm};
+    if (observer_ != nullptr) observer_->path_mode(position_, passing_);
     if (shell_.SetPathMode(mode, tolerance_mm, merge_tolerance_mm) == Status::RRS_SERVICE_NOT_SUPPORTED)
         warn("the controller has no path modes (G61, G64): it passes the ends of moves in its own way");
-}
-
-Status Simulator::cancel_motion() {
-    const Status status = shell_.CancelMotion();
-    if (status == Status::RRS_SUCCESS) position_ = position_at(motion_->position());
-    if (observer_ != nullptr) observer_->service_motion();
-    return status;
 }
 
 void Simulator::warn(const std::string& text) {
@@ -366,13 +345,20 @@ Report Simulator::finish(std::string program) {
     if (motion_->fault()) refused(last_place_);
     if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too
     if (zones_.hit()) fail_in_zone();
+    if (!alarm_ && process_on_) process_.end_program(next_id_, last_place_);
     Report report;
     recorder_.finish(report);
+    report.findings = process_.release();
+    if (machine_.process) report.process = machine::name(machine_.process->kind);
     if (!sampled()) report.controller = machine_.controller.model;
     report.program = std::move(program);
     report.status = status_;
     report.alarm = alarm_;
+    report.violations = release_violations();
+    if (report.status == RunStatus::completed && report.violations.count > 0)
+        report.status = RunStatus::violations;
     report.blocks = blocks_;
+    report.passes = passes_;
     report.events = events_.release();
     report.warnings = std::move(warnings_);
     if (const auto warning = centripetal_.warning(files_)) report.warnings.push_back(*warning);

@@ -19,10 +19,15 @@
 #include "runtime/simulation/motion_source.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/open_calls.h"
+#include "runtime/simulation/probe.h"
+#include "runtime/simulation/probe_signal.h"
+#include "runtime/simulation/process_watch.h"
 #include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/service_modes.h"
 #include "runtime/simulation/tip_frame.h"
+#include "runtime/simulation/violation_log.h"
 #include "runtime/simulation/zone_watch.h"
 
 namespace gsim::simulation {
@@ -31,13 +36,9 @@ namespace gsim::simulation {
 struct RunLimits {
     double max_time_s = 10'000'000;         ///< Of the machine.
     std::uint64_t max_blocks = 20'000'000;  ///< Executed blocks.
-};
-
-/// How the ends of moves are passed.
-struct PathPassing {
-    rrs::PathMode mode = rrs::PathMode::exact_stop;
-    double tolerance_mm = 0;
-    double merge_tolerance_mm = 0;
+    /// The first violation of a range or a zone is an alarm, which ends the run; else it goes on, and all are
+    /// listed.
+    bool stop_at_first = false;
 };
 
 /// A run of one machine: takes moves, dwells and events in the order of the program, plans them through the
@@ -57,8 +58,11 @@ class Simulator {
     /// Before the first move: the machine stands in this cell, which was read for it and outlives the
     /// simulator.
     void set_cell(CellWatch& cell);
+    /// Before the first move: what probes feel. Without it they feel the cell, or where there is none, their
+    /// targets.
+    void set_probe(const ProbeFeels& feels) { probe_feels_ = feels; }
     /// The same of one that is told what the program asks for; one at most.
-    void set_observer(ProgramObserver& observer) { observer_ = &observer; }
+    void set_observer(ProgramObserver& observer);
 
     const machine::Machine& machine() const { return machine_; }
     /// Axis values at the end of the last move; under tool-centre-point control X, Y and Z of the tip.
@@ -82,6 +86,9 @@ class Simulator {
     bool move(const ArcMove& move);
     bool move(const ViaMove& move);
     bool move(const PoseMove& move);
+    /// A probing move: the machine comes to rest before it, and stops behind the signal as fast as its limits
+    /// allow.
+    bool probe(const ProbeMove& move, ProbeResult& result);
     /// Whether a line of the axes between two poses is none of the tool: for such machines PoseMove is made.
     bool tip_turns() const { return motion::tip_turns(setup_, motion_->work_frames().tip_mm()); }
     /// Tool-centre-point control (TipFrame) for the moves that follow, with a tool length offset of the
@@ -103,7 +110,13 @@ class Simulator {
     /// CancelMotion, as a client that steps by itself calls it: the program goes on from where it stands.
     rrs::Status cancel_motion();
     /// The controller waits until all moves have been made, before it reads on.
-    void wait() { motion_->come_to_rest(true); }
+    void wait();
+    /// The speed of the spindle, rev/min, for the moves that follow: moves have their feeds already, and only
+    /// the observer is told.
+    void set_spindle_speed(double rev_min);
+    /// A work coordinate system is selected: targets are machine coordinates all the same. The
+    /// observer is told, and violations name it.
+    void select_work_offset(const WorkOffset& offset);
     /// Targets that follow are in the frame of a conveyor, until untrack(). `direction` is in the machine's
     /// world; the machine's frame and the conveyor's are one where its travel is 0.
     bool track(const Eigen::Vector3d& direction, double position_mm, double speed_mm_s, const Place& place);
@@ -119,8 +132,11 @@ class Simulator {
     };
     /// Something that happens after all that came before.
     void event(std::string kind, std::string detail, const Place& place, When when = When::at_rest);
-    void set_jet(bool on);
-    bool jet() const { return jet_; }
+    /// The machine's process (its jet, say) is on or off in the moves that follow; `with_motion`: from the
+    /// next one on that is no dwell.
+    void set_process(bool on, bool with_motion);
+    /// The program ends here, by a word of its own: what is on is switched off.
+    void end_program(const Place& place);
     /// A warning for the report; the same text is given once.
     void warn(const std::string& text);
     /// The zones of machine data hold from time 0 on. Before the first move.
@@ -131,17 +147,22 @@ class Simulator {
     void set_programmed_zone(const std::optional<ZoneWalls>& walls) {
         zones_.set_programmed(walls, next_id_);
     }
-    /// How far the tool's end is from where X, Y and Z of the machine are, for the zones (mm).
-    void set_tool_offset(const Eigen::Vector3d& offset_mm) { zones_.set_tool_offset(offset_mm, next_id_); }
+    /// How far the tool's end is from where X, Y and Z of the machine are, for zones and probes (mm).
+    void set_tool_offset(const Eigen::Vector3d& offset_mm) {
+        tool_offset_mm_ = offset_mm;
+        zones_.set_tool_offset(offset_mm, next_id_);
+    }
     /// A program is called, or the one called last has ended: an alarm names the calls that are open.
     void enter_program(std::string name, const Place& place);
     void leave_program();
     /// The program called last is gone through once more, by the same call.
     void repeat_program();
+    /// The main program has come to the end of a pass.
+    void note_passes(const Passes& passes) { passes_ = passes; }
     /// Ends the run with an alarm of the program; always false.
-    bool fail(std::string message, const Place& place);
+    bool fail(text::DiagnosticKind kind, std::string message, const Place& place);
     /// Ends the run because of a limit; always false.
-    bool stop(std::string message, const Place& place);
+    bool stop(text::DiagnosticKind kind, std::string message, const Place& place);
 
     /// Axis values that bring the tool to a pose in the frames that are selected (SelectWorkFrames), nearest
     /// to where the machine is; the error is a sentence.
@@ -151,12 +172,11 @@ class Simulator {
 
     const std::optional<Alarm>& alarm() const { return alarm_; }
 
-    /// The controller's services, for clients that call them by themselves. What they select is theirs again
-    /// after a move of the program only once they select it anew.
-    rrs::Shell& controller() {
-        rapid_ = -1;
-        return shell_;
-    }
+    /// The controller's services, for clients that call them by themselves: with the modes that services have
+    /// selected (service_modes()), whatever moves of the program have selected meanwhile.
+    rrs::Shell& controller();
+    /// To be kept by whoever calls the services.
+    ServiceModes& service_modes() { return service_modes_; }
     /// Whether segments are samples of a motion, not the motion itself.
     bool sampled() const { return motion_->sampled(); }
     /// Joint values (mm or rad) at the last target.
@@ -200,6 +220,14 @@ class Simulator {
     double feed_per_min(const ArcMove& move) const;
     bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
+    Eigen::Vector3d tool_end(const AxisVector& axes) const;
+    bool touches_target(const ProbeMove& move) const;
+    bool feels_cell(const ProbeMove& move) const;
+    tl::expected<std::unique_ptr<ProbeSignal>, std::string> probe_signal(const ProbeMove& move);
+    tl::expected<std::unique_ptr<ProbeSignal>, std::string> cell_signal(bool away);
+    std::unique_ptr<ProbeSignal> plane_signal(const ProbeMove& move);
+    std::unique_ptr<ProbeSignal> part_signal(const ProbeMove& move) const;
+    bool make_probe_move(const ProbeMove& move, ProbeSignal* signal, ProbeResult& result);
     template <typename Tell>
     bool finish_move(rrs::Status status, const AxisVector& target, const Place& place, const Tell& tell);
     bool finish_move(rrs::Status status, const Place& place);
@@ -207,6 +235,12 @@ class Simulator {
     bool stop_for_time(const Place& place);
     void add_cell_findings(Report& report);
     bool fail_in_zone();
+    motion::RangeNotes* begin_move();
+    void note_target(const rrs::JointPos& joints) const;
+    bool comes_back(const motion::Excursion& excursion) const;
+    void add_violations(const Place& place);
+    void add_zone_violation(const ZoneHit& hit);
+    Violations release_violations();
 
     machine::Machine machine_;
     RunLimits limits_;
@@ -217,24 +251,38 @@ class Simulator {
     EventLog events_;
     ZoneWatch zones_;
     ProgramObserver* observer_ = nullptr;
+    std::optional<WorkOffset> selected_offset_;  ///< As the program has selected it last.
     motion::PlannerSetup setup_;
     std::unique_ptr<MotionSource> motion_;
     rrs::Shell& shell_;                  ///< Of motion_.
     std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 where the machine has no such axis.
     std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control.
+    Eigen::Vector3d tool_offset_mm_ = Eigen::Vector3d::Zero();
+    ProbeFeels probe_feels_;
+    std::optional<double> solid_side_;  ///< Of the plane that probes feel: 1 above it, -1 below; once known.
     AxisVector position_;
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;
     std::optional<Alarm> alarm_;
+    ViolationLog violations_;
+    std::vector<Violation> zone_violations_;                ///< Of the hits of zones_, in their order.
+    std::vector<std::string> work_offsets_{std::string()};  ///< Codes; the first stands for none.
+    std::uint16_t work_offset_ = 0;                         ///< In force.
+    rrs::JointPos move_start_;                              ///< Of the move that is given.
     OpenCalls calls_;
     RunStatus status_ = RunStatus::completed;
+    std::optional<Passes> passes_;
+    ServiceModes service_modes_;
     rrs::TargetId next_id_ = 1;
     Place last_place_;  ///< Of the last move.
     std::uint64_t blocks_ = 0;
     double feed_mm_s_ = -1;
     double orientation_rad_s_ = -1;
     int rapid_ = -1;  ///< What the planner's selections are at: rapid 1, feed 0, unknown -1.
-    bool jet_ = false;
+    bool process_on_ = false;
+    std::uint32_t process_switches_ = 0;
+    std::optional<bool> process_with_motion_;  ///< What it is from the next move on.
+    ProcessWatch process_;
     PathPassing passing_;  ///< As the program has selected it.
     bool exact_stop_once_ = false;
 };

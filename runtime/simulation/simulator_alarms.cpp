@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include "runtime/simulation/simulator.h"
+#include "text/number.h"
 
 namespace gsim::simulation {
 
 using rrs::Status;
+using text::DiagnosticKind;
 
 namespace {
 
@@ -17,15 +19,28 @@ const char* unit(const machine::Axis& axis) {
     return axis.kind == machine::AxisKind::rotary ? "deg" : "mm";
 }
 
+/// What a refusal of the planner is about.
+DiagnosticKind kind_of(Status status) {
+    switch (status) {
+        case Status::RRS_JOINT_LIMIT: return DiagnosticKind::axis_limit;
+        case Status::RRS_NO_SOLUTION: return DiagnosticKind::unreachable;
+        case Status::RRS_CIRCLE_IMPOSSIBLE: return DiagnosticKind::arc;
+        case Status::RRS_ZERO_SPEED: return DiagnosticKind::feed;
+        default: return DiagnosticKind::service;
+    }
+}
+
 std::string text_of(const ZoneHit& hit) {
     std::string at;
     std::string walls;
     for (std::size_t i = 0; i < hit.limits.size(); ++i) {
         const char letter = static_cast<char>('X' + i);
-        if (hit.tool_mm[i]) at += fmt::format("{}{}{:.4f}", at.empty() ? "" : " ", letter, *hit.tool_mm[i]);
+        if (hit.tool_mm[i])
+            at += fmt::format("{}{}{}", at.empty() ? "" : " ", letter, text::fixed(*hit.tool_mm[i], 4));
         if (!hit.limits[i]) continue;
         walls += fmt::format("{}{} {:.10g} to {:.10g}", walls.empty() ? "" : ", ", letter,
-                             hit.limits[i]->min_mm, hit.limits[i]->max_mm);
+                             text::unsigned_zero(hit.limits[i]->min_mm),
+                             text::unsigned_zero(hit.limits[i]->max_mm));
     }
     const char* place = hit.stay_inside ? "inside" : "outside";
     const std::string what =
@@ -43,23 +58,25 @@ std::string text_of(const ZoneHit& hit) {
 
 bool Simulator::stop_for_time(const Place& place) {
     return stop(
+        DiagnosticKind::run_limit,
         fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)", limits_.max_time_s),
         place);
 }
 
-bool Simulator::fail(std::string message, const Place& place) {
+bool Simulator::fail(DiagnosticKind kind, std::string message, const Place& place) {
     if (alarm_) return false;
     status_ = RunStatus::alarm;
     alarm_ = Alarm{};
+    alarm_->kind = kind;
     alarm_->message = std::move(message);
     alarm_->place = place;
     alarm_->calls = calls_.now();
     return false;
 }
 
-bool Simulator::stop(std::string message, const Place& place) {
+bool Simulator::stop(DiagnosticKind kind, std::string message, const Place& place) {
     if (alarm_) return false;
-    fail(std::move(message), place);
+    fail(kind, std::move(message), place);
     status_ = RunStatus::stopped;
     return false;
 }
@@ -95,7 +112,7 @@ bool Simulator::fail_in_zone() {
     if (hit.time_s > limits_.max_time_s) return stop_for_time(recorder_.move().place);
     alarm_.reset();
     const MoveInfo& move = recorder_.move();
-    fail(text_of(hit), move.place.line > 0 ? move.place : last_place_);
+    fail(DiagnosticKind::zone, text_of(hit), move.place.line > 0 ? move.place : last_place_);
     alarm_->calls = calls_.at(move.target_id);
     alarm_->axis = static_cast<char>('X' + hit.axis);
     alarm_->value = hit.tool_mm[hit.axis];
@@ -108,11 +125,13 @@ bool Simulator::fail_in_zone() {
 bool Simulator::refused(const Place& place) {
     if (motion_->time_s() > limits_.max_time_s) return stop_for_time(place);
     const motion::PlanError error = motion_->last_error();
-    if (error.status != Status::RRS_JOINT_LIMIT || error.joint < 0) return fail(error.message, place);
+    if (error.status != Status::RRS_JOINT_LIMIT || error.joint < 0)
+        return fail(kind_of(error.status), error.message, place);
     const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];
-    const double value = machine::axis_value(axis, error.value);
-    const double limit = machine::axis_value(axis, error.limit);
-    fail(fmt::format("axis {} would go to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
+    const double value = text::unsigned_zero(machine::axis_value(axis, error.value));
+    const double limit = text::unsigned_zero(machine::axis_value(axis, error.limit));
+    fail(DiagnosticKind::axis_limit,
+         fmt::format("axis {} would go to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
                      unit(axis), limit, unit(axis)),
          place);
     alarm_->axis = axis.letter;

@@ -8,15 +8,42 @@ namespace gsim::simulation {
 
 void Simulator::event(std::string kind, std::string detail, const Place& place, When when) {
     Event event{.place = place, .kind = std::move(kind), .detail = std::move(detail)};
-    if (observer_ != nullptr) observer_->event(position_, event);
+    if (observer_ != nullptr) observer_->event(position_, event, when == When::at_rest);
     if (when != When::at_rest)
         return events_.add_before(next_id_, std::move(event), when == When::with_motion);
-    wait();
+    motion_->come_to_rest(true);
     events_.add(motion_->time_s(), std::move(event));
 }
 
-void Simulator::set_jet(bool on) {
-    jet_ = on;
+void Simulator::wait() {
+    if (observer_ != nullptr) observer_->rest(position_);
+    motion_->come_to_rest(true);
+}
+
+void Simulator::set_spindle_speed(double rev_min) {
+    if (observer_ != nullptr) observer_->spindle_speed(position_, rev_min);
+}
+
+void Simulator::set_process(bool on, bool with_motion) {
+    ++process_switches_;
+    if (with_motion) {
+        process_with_motion_ = on;
+    } else {
+        process_on_ = on;
+    }
+}
+
+void Simulator::set_observer(ProgramObserver& observer) {
+    observer_ = &observer;
+    if (selected_offset_) observer.work_offset(*selected_offset_);
+}
+
+/// A spindle may turn until the end stops it.
+void Simulator::end_program(const Place& place) {
+    const bool turns = machine_.process && machine_.process->kind == machine::ProcessKind::spindle;
+    if (process_on_ && !turns) process_.end_program(next_id_, place);
+    process_on_ = false;
+    process_with_motion_.reset();
 }
 
 void Simulator::enter_program(std::string name, const Place& place) {

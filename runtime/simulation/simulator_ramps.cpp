@@ -26,16 +26,20 @@ void Simulator::warn_of_jerk() {
 void Simulator::set_ramps(rrs::RampMode mode) {
     if (mode == rrs::RampMode::s_curve && limits_no_jerk())
         warn("S-curves: no axis of the machine has a jerk limit; without one its ramps are straight");
+    if (observer_ != nullptr) observer_->ramps(position_, mode);
     warn_if_refused(shell_.SetRampMode(mode));
 }
 
 void Simulator::set_ramp_limit(rrs::RampLimit limit, int axis, double value) {
     const bool rotary = machine_.axes[static_cast<std::size_t>(axis)].kind == machine::AxisKind::rotary;
     const double in_joint_units = value * (rotary ? std::numbers::pi / 180.0 : 1.0);
+    if (observer_ != nullptr)
+        observer_->ramp_limit(position_, limit, machine_.axes[static_cast<std::size_t>(axis)], value);
     warn_if_refused(shell_.SetJointRampLimits(limit, {&axis, 1}, {&in_joint_units, 1}));
 }
 
 void Simulator::reset_ramp_limits() {
+    if (observer_ != nullptr) observer_->no_ramp_limits(position_);
     const std::vector<double> none(machine_.axes.size(), motion::kUnlimited);
     for (const auto limit :
          {rrs::RampLimit::acceleration, rrs::RampLimit::deceleration, rrs::RampLimit::jerk})

@@ -4,6 +4,8 @@
 
 namespace gsim::simulation {
 
+using text::DiagnosticKind;
+
 using rrs::Status;
 
 bool Simulator::set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm, const Place& place) {
@@ -13,15 +15,17 @@ bool Simulator::set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm,
     if (offset_mm) {
         const AxisVector zero = AxisVector::Zero(static_cast<Eigen::Index>(machine_.axes.size()));
         auto made = TipFrame::make(setup_, to_joints(zero), *offset_mm);
-        if (!made) return fail(made.error(), place);
+        if (!made) return fail(DiagnosticKind::machine, made.error(), place);
         frame = *made;
     }
     const Status status =
         shell_.SetTipControl(frame.has_value(), frame ? frame->tip_mm() : Eigen::Vector3d(0, 0, 0));
     if (status == Status::RRS_SERVICE_NOT_SUPPORTED)
-        return fail("this controller has no tool-centre-point control", place);
+        return fail(DiagnosticKind::mode, "this controller has no tool-centre-point control", place);
     if (static_cast<int>(status) < 0) return refused(place);
     tip_frame_ = frame;
+    if (frame && observer_ != nullptr)
+        observer_->untold_motion("tool-centre-point control (G43.4) moves the tip, not the axes");
     position_ = position_at(motion_->position());
     return true;
 }
@@ -47,10 +51,10 @@ bool Simulator::move(const PoseMove& move) {
     if (move.via) {
         info.turns = 1;
         const motion::WorkFrames frames = motion_->work_frames();
-        set_plane_and_sense(info, setup_.kinematics->forward(motion_->position()) * frames.tip_mm(),
-                            (frames.object * *move.via).translation(),
-                            (frames.object * move.target).translation());
+        set_axis(info, setup_.kinematics->forward(motion_->position()) * frames.tip_mm(),
+                 (frames.object * *move.via).translation(), (frames.object * move.target).translation());
     }
+    const motion::RangePass pass(begin_move());
     recorder_.expect(info);
     const auto put = [&](rrs::TargetParam param, const rrs::CartPos& pose) {
         return shell_.SetNextTarget(info.target_id, param, pose, motion_->position(), {}, 0);
@@ -66,7 +70,11 @@ bool Simulator::move(const PoseMove& move) {
     shell_.SelectMotionType(rrs::MotionType::linear);  // refused where no slides carry the tool
     if (refused_here) return false;
     position_ = position_at(motion_->position());
-    if (observer_ != nullptr) observer_->service_motion();
+    if (observer_ != nullptr) {
+        observer_->untold_motion(
+            "the script moves to poses of the tool, which the recorder is not told as moves of the axes; use "
+            "words such as G1, or move");
+    }
     warn_if_singular(position_, move.place);
     return finish_move(status, move.place);
 }

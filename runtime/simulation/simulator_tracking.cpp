@@ -16,6 +16,8 @@ Status Simulator::select_tracking(int conveyor, bool on) {
     motion_->come_to_rest(false);
     const Status status = controller().SelectTracking(conveyor, on);
     if (status == Status::RRS_SUCCESS) position_ = to_axes(motion_->position());
+    if (on && observer_ != nullptr)
+        observer_->untold_motion("the program tracks a conveyor, which takes the tool along");
     return status;
 }
 

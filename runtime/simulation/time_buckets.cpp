@@ -9,7 +9,7 @@ void TimeBuckets::add(const TimePoint& point) {
     while (point.t_s >= width_s_ * static_cast<double>(kMaxBuckets)) halve();
     const auto index = static_cast<std::size_t>(std::max(0.0, point.t_s) / width_s_);
     if (buckets_.size() <= index) buckets_.resize(index + 1);
-    merge(buckets_[index][point.jet_on ? 1 : 0], {point, count_++});
+    merge(buckets_[index][static_cast<std::size_t>(point.style)], {point, count_++});
 }
 
 void TimeBuckets::merge(std::optional<Extremes>& into, const Numbered& sample) {
@@ -21,9 +21,9 @@ void TimeBuckets::merge(std::optional<Extremes>& into, const Numbered& sample) {
 void TimeBuckets::halve() {
     width_s_ *= 2;
     for (std::size_t i = 1; i < buckets_.size(); ++i) {
-        for (std::size_t jet = 0; jet < 2; ++jet) {
-            std::optional<Extremes>& into = buckets_[i / 2][jet];
-            const std::optional<Extremes> from = std::exchange(buckets_[i][jet], std::nullopt);
+        for (std::size_t style = 0; style < buckets_[i].size(); ++style) {
+            std::optional<Extremes>& into = buckets_[i / 2][style];
+            const std::optional<Extremes> from = std::exchange(buckets_[i][style], std::nullopt);
             if (!from) continue;
             merge(into, from->low);
             merge(into, from->high);

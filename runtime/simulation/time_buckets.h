@@ -6,13 +6,16 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/simulation/path_style.h"
+
 namespace gsim::simulation {
 
-/// A speed or an acceleration (mm/s, mm/s2) at an instant, with the jet on or off.
+/// A speed or an acceleration (mm/s, mm/s2) at an instant of a rapid, or of another move with the jet on or
+/// off.
 struct TimePoint {
     double t_s = 0;
     double value = 0;
-    bool jet_on = false;
+    PathStyle style = PathStyle::feed;
 };
 
 /// Keeps lowest and highest of many samples in slots of time, which grow with the length of the run, so that
@@ -23,7 +26,7 @@ class TimeBuckets {
 
     /// Samples come in the order of time.
     void add(const TimePoint& point);
-    /// At most four points for each slot, in the order of time.
+    /// At most six points for each slot, in the order of time.
     std::vector<TimePoint> points() const;
     /// The width of a slot now.
     double width_s() const { return width_s_; }
@@ -38,7 +41,7 @@ class TimeBuckets {
         Numbered low;
         Numbered high;
     };
-    using Bucket = std::array<std::optional<Extremes>, 2>;  // jet off, jet on
+    using Bucket = std::array<std::optional<Extremes>, 3>;  // by style
 
     static void merge(std::optional<Extremes>& into, const Numbered& sample);
     void halve();

@@ -135,18 +135,46 @@ BoxOffence ZoneBox::nearest_wall(const rrs::JointPos& joints) const {
 }
 
 std::optional<BoxOffence> ZoneBox::first_offence(const Segment& segment) const {
-    if (surely_allowed(segment)) return std::nullopt;
-    if (contains(segment.start) != stay_inside_) return nearest_wall(segment.start);
+    const std::vector<BoxStay> found = stays(segment, std::nullopt);
+    return found.empty() ? std::nullopt : std::optional(found.front().began);
+}
+
+/// How far the joint across the wall of an offence is past it.
+double ZoneBox::beyond_mm(const BoxOffence& offence, const rrs::JointPos& joints) const {
+    const auto side = std::find_if(sides().begin(), sides().end(),
+                                   [&](const BoxSide& each) { return each.axis == offence.axis; });
+    if (side == sides().end()) return 0;
+    const double above = joints[side->joint] - (offence.upper ? side->walls.max : side->walls.min);
+    return std::max(0.0, offence.upper == stay_inside_ ? above : -above);
+}
+
+std::vector<BoxStay> ZoneBox::stays(const Segment& segment, const std::optional<BoxStay>& open) const {
+    const bool surely = surely_allowed(segment);
+    if (surely && !open) return {};
+    std::vector<BoxStay> found;
+    if (open) found.push_back(*open);
+    const auto goes_on = [&] { return !found.empty() && !found.back().has_ended; };
+    const auto look_at = [&](const rrs::JointPos& at, const auto& offence) {
+        if (!forbids(at)) {
+            if (goes_on()) found.back().has_ended = true;
+            return;
+        }
+        if (!goes_on()) found.push_back({.began = offence()});
+        found.back().beyond_mm = std::max(found.back().beyond_mm, beyond_mm(found.back().began, at));
+    };
+    look_at(segment.start, [&] { return nearest_wall(segment.start); });
+    if (surely) return found;
     const std::vector<Instant> instants = instants_of(segment, sides());
     rrs::JointPos before = segment.start;
     for (std::size_t i = 0; i < instants.size(); ++i) {
         const rrs::JointPos at = segment.position_at(instants[i].t_s);
-        if (contains(at) != stay_inside_)
+        look_at(at, [&] {
             return stay_inside_ ? leaving(sides(), {instants.data(), i + 1}, at)
                                 : entering(sides(), instants[i], before);
+        });
         before = at;
     }
-    return std::nullopt;
+    return found;
 }
 
 }  // namespace gsim::simulation

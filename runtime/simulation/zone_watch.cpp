@@ -53,7 +53,7 @@ void ZoneWatch::add_zone(std::string name, const machine::Zone& zone) {
             missing_axes_ += letter;
     }
     zones_.push_back({std::move(name), zone.limits, zone.kind != machine::ZoneKind::enter_forbidden,
-                      zone.active_at_start, zone.switch_number, ZoneBox()});
+                      zone.active_at_start, zone.switch_number});
 }
 
 bool ZoneWatch::switch_zones(int switch_number, bool on, rrs::TargetId from) {
@@ -72,7 +72,7 @@ void ZoneWatch::set_programmed(const std::optional<ZoneWalls>& limits, rrs::Targ
                             programmed_.reset();
                             if (!limits) return;
                             const bool inside = box_of(*limits, false).contains(at);
-                            programmed_ = {"the zone of G22", *limits, inside, true, {}, ZoneBox()};
+                            programmed_ = {"the zone of G22", *limits, inside, true, {}};
                         }});
 }
 
@@ -91,12 +91,13 @@ void ZoneWatch::make_changes(const Segment& segment) {
 
 void ZoneWatch::renew_boxes() {
     active_.clear();
-    for (const Known& zone : zones_) {
-        if (zone.on) active_.push_back(zone);
+    for (Known& zone : zones_) {
+        if (zone.on) active_.push_back(&zone);
+        if (!zone.on) zone.stay.reset();
     }
-    if (programmed_) active_.push_back(*programmed_);
-    for (Known& zone : active_) zone.box = box_of(zone.limits, zone.stay_inside);
-    const auto has_no_walls = [](const Known& zone) { return zone.box.sides().empty(); };
+    if (programmed_) active_.push_back(&*programmed_);
+    for (Known* zone : active_) zone->box = box_of(zone->limits, zone->stay_inside);
+    const auto has_no_walls = [](const Known* zone) { return zone->box.sides().empty(); };
     active_.erase(std::remove_if(active_.begin(), active_.end(), has_no_walls), active_.end());
 }
 
@@ -117,18 +118,45 @@ ZoneBox ZoneWatch::box_of(const ZoneWalls& limits, bool stay_inside) const {
 void ZoneWatch::take(const Segment& segment) {
     if (hit_) return;
     if (!changes_.empty()) make_changes(segment);
+    if (on_hit_) {
+        next_.take(segment);
+        for (Known* zone : active_) follow(*zone, segment);
+        return;
+    }
     if (active_.empty() || !find_hit(segment)) return next_.take(segment);
     next_.take(cut(segment, hit_->time_s - segment.start_s));
+}
+
+void ZoneWatch::follow(Known& zone, const Segment& segment) {
+    const bool was_open = zone.stay.has_value();
+    const std::vector<BoxStay> stays = zone.box.stays(segment, zone.stay);
+    for (std::size_t i = 0; i < stays.size(); ++i) {
+        if (i > 0 || !was_open) add_hit(zone, stays[i], segment);
+        if (zone.hit) hits_[*zone.hit].beyond_mm = stays[i].beyond_mm;
+    }
+    const bool goes_on = !stays.empty() && !stays.back().has_ended;
+    zone.stay = goes_on ? std::optional(stays.back()) : std::nullopt;
+}
+
+void ZoneWatch::add_hit(Known& zone, const BoxStay& stay, const Segment& segment) {
+    zone.hit.reset();
+    if (hits_.size() >= kMostViolations) {
+        ++further_hits_;
+        return;
+    }
+    zone.hit = hits_.size();
+    hits_.push_back(describe(zone, stay.began, segment));
+    on_hit_(hits_.back());
 }
 
 bool ZoneWatch::find_hit(const Segment& segment) {
     std::optional<BoxOffence> first;
     const Known* broken = nullptr;
-    for (const Known& zone : active_) {
-        const std::optional<BoxOffence> offence = zone.box.first_offence(segment);
+    for (const Known* zone : active_) {
+        const std::optional<BoxOffence> offence = zone->box.first_offence(segment);
         if (!offence || (first && first->t_s <= offence->t_s)) continue;
         first = offence;
-        broken = &zone;
+        broken = zone;
     }
     if (!first) return false;
     hit_ = describe(*broken, *first, segment);
@@ -144,7 +172,9 @@ ZoneHit ZoneWatch::describe(const Known& zone, const BoxOffence& offence, const 
                 .limits = zone.limits,
                 .tool_mm = {},
                 .axis = offence.axis,
-                .wall_mm = offence.upper ? walls.max_mm : walls.min_mm};
+                .wall_mm = offence.upper ? walls.max_mm : walls.min_mm,
+                .upwards = offence.upper == zone.stay_inside,
+                .beyond_mm = 0};
     const rrs::JointPos at = segment.position_at(offence.t_s);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (joints_[i] < 0) continue;

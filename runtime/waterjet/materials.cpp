@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "runtime/machine/nearest_name.h"
 #include "runtime/machine/toml_text.h"
+#include "text/nearest_name.h"
 
 namespace gsim::waterjet {
 
@@ -18,7 +18,7 @@ tl::expected<const Material*, std::string> find_material(const Materials& materi
     std::vector<std::string_view> known;
     known.reserve(list.size());
     for (const Material& material : list) known.emplace_back(material.name);
-    const auto nearest = machine::nearest_name(name, known);
+    const auto nearest = text::nearest_name(name, known);
     const std::string hint = nearest ? fmt::format("did you mean {}?", machine::toml_string(*nearest))
                                      : fmt::format("known are {}", fmt::join(known, ", "));
     return tl::unexpected(fmt::format("unknown material {}; {}", machine::toml_string(name), hint));

@@ -20,7 +20,7 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-constexpr int kProbes = 9;  // points of a curve that say where it lies
+constexpr int kProbesOfCurve = 9;  // points of a curve that say where it lies
 
 struct Probe {
     gp_Pnt point;
@@ -29,13 +29,13 @@ struct Probe {
 
 std::vector<Probe> probes_of(std::span<const TopoDS_Edge> edges) {
     std::vector<Probe> probes;
-    probes.reserve(edges.size() * kProbes);
+    probes.reserve(edges.size() * kProbesOfCurve);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const BRepAdaptor_Curve curve(edges[i]);
         const double from = curve.FirstParameter();
-        const double step = (curve.LastParameter() - from) / (kProbes - 1);
+        const double step = (curve.LastParameter() - from) / (kProbesOfCurve - 1);
         if (!std::isfinite(from) || !std::isfinite(step)) continue;
-        for (int k = 0; k < kProbes; ++k) probes.push_back({curve.Value(from + k * step), i});
+        for (int k = 0; k < kProbesOfCurve; ++k) probes.push_back({curve.Value(from + k * step), i});
     }
     return probes;
 }

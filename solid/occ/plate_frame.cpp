@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "text/number.h"
+
 namespace gsim::solid {
 
 namespace {
@@ -34,7 +36,8 @@ double PlateFrame::height_mm(const gp_Pnt& point) const {
 }
 
 std::string shown(const gp_Pnt& point) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", point.X(), point.Y(), point.Z());
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", text::unsigned_zero(point.X()),
+                       text::unsigned_zero(point.Y()), text::unsigned_zero(point.Z()));
 }
 
 }  // namespace gsim::solid

@@ -26,7 +26,7 @@ constexpr double kBevelStep_deg = 0.5;
 constexpr int kMaxDepth = 8;  // of halving an edge
 constexpr double kUpright_deg = 1e-4;
 // Where along an edge the jet is tried; a face may have no normal at its ends.
-constexpr std::array kProbes{0.02, 0.2, 0.35, 0.5, 0.65, 0.8, 0.98};
+constexpr std::array kTriedShares{0.02, 0.2, 0.35, 0.5, 0.65, 0.8, 0.98};
 
 // The face below one edge of the upper side.
 class Side {
@@ -44,7 +44,7 @@ class Side {
         if (!goes_through()) return Fault("does not go through the plate from its upper to its lower side");
         const double from = curve_.FirstParameter();
         const double to = curve_.LastParameter();
-        for (const double share : kProbes) {
+        for (const double share : kTriedShares) {
             const double at = from + share * (to - from);
             const auto bevel = bevel_deg(at);
             if (!bevel) return Fault("has no normal at its upper edge");
@@ -88,7 +88,7 @@ class Side {
             const double from = curve.FirstParameter();
             const double to = curve.LastParameter();
             const auto is_all_at = [&](double height_mm) {
-                return std::all_of(kProbes.begin(), kProbes.end(), [&](double share) {
+                return std::all_of(kTriedShares.begin(), kTriedShares.end(), [&](double share) {
                     return is_at(curve.Value(from + share * (to - from)), height_mm);
                 });
             };
@@ -115,7 +115,7 @@ class Side {
         const gp_Vec level = outward - outward.Dot(up) * up;
         const gp_Vec down = -up + outward.Dot(up) / level.SquareMagnitude() * level;
         const gp_Pnt start = curve_.Value(parameter);
-        return std::all_of(kProbes.begin(), kProbes.end(), [&](double share) {
+        return std::all_of(kTriedShares.begin(), kTriedShares.end(), [&](double share) {
             const gp_Pnt there = start.Translated(share * thickness_mm_ * down);
             const gp_Pnt2d nearest = surface_->ValueOfUV(there, kOffTheFace_mm / 10);
             return surface_->Gap() <= kOffTheFace_mm || is_at_end(nearest);

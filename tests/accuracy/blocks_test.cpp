@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::blocks_test {
 namespace {
 
 TEST(Blocks, FollowOneAnotherAndPausesAreNone) {
@@ -50,4 +50,4 @@ TEST(Blocks, NameALineOfTheMovesThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::blocks_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::controller_test {
 namespace {
 
 TEST(Tolerance, IsAPartOfTheTimeOrAFixedTimeWhicheverIsMore) {
@@ -46,4 +46,4 @@ TEST(Controllers, AreFairWhereTheyAreClose) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::controller_test

@@ -94,8 +94,8 @@ tl::expected<double, std::string> read_cycle_time_s(const std::string& report) {
         const json object = json::parse(report);
         const std::string status = object.at("status").get<std::string>();
         if (status == "completed") return object.at("cycle_time_s").get<double>();
-        return tl::unexpected(
-            fmt::format("{}: {}", status, object.at("alarm").at("message").get<std::string>()));
+        const json& why = status == "violations" ? object.at("violations").at(0) : object.at("alarm");
+        return tl::unexpected(fmt::format("{}: {}", status, why.at("message").get<std::string>()));
     } catch (const std::exception& error) {  // nlohmann's
         return tl::unexpected(fmt::format("the report cannot be understood: {}", error.what()));
     }

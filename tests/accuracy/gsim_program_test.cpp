@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::gsim_program_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST(RecordedPath, IsUnpacked) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::gsim_program_test

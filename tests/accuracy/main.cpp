@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "apps/parse.h"
 #include "tests/accuracy/controller.h"
 #include "tests/accuracy/gsim_program.h"
 #include "tests/accuracy/known.h"
@@ -35,15 +36,16 @@ struct Arguments {
     bool positions = false;
 };
 
-void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("folder", arguments.folder, "folder with recordings in linuxcnc/ and grbl/")
-        ->envname("GSIM_REFERENCE");
-    app.add_option("--gsim-run", arguments.gsim_run, "the program gsim-run")->capture_default_str();
-    app.add_option("--machines", arguments.machines, "folder of the machine files CONTROLLER-MACHINE.toml")
-        ->required();
-    app.add_flag("--markdown", arguments.markdown, "tables in Markdown");
-    app.add_flag("--positions", arguments.positions,
-                 "compare the positions of programs in G61.1 too; they count for the exit status");
+void add_options(apps::CommandLine& line, Arguments& arguments) {
+    if (const char* folder = std::getenv("GSIM_REFERENCE"); folder != nullptr) arguments.folder = folder;
+    line.add("folder", &arguments.folder,
+             "folder with recordings in linuxcnc/ and grbl/; else that of the environment's GSIM_REFERENCE");
+    line.add("--gsim-run", &arguments.gsim_run, "the program gsim-run").shows_default();
+    line.add("--machines", &arguments.machines, "folder of the machine files CONTROLLER-MACHINE.toml")
+        .must_be_given();
+    line.add("--markdown", &arguments.markdown, "tables in Markdown");
+    line.add("--positions", &arguments.positions,
+             "compare the positions of programs in G61.1 too; they count for the exit status");
 }
 
 std::string known_difference(const Controller& controller, const std::string& program) {
@@ -134,19 +136,18 @@ int run(const Arguments& arguments) {
 }  // namespace gsim::accuracy
 
 int main(int argc, char** argv) {
+    using namespace gsim;
     try {
-        gsim::accuracy::Arguments arguments;
-        CLI::App app("Compares cycle times and positions of gsim with those of recorded controllers",
-                     "gsim-accuracy");
-        gsim::accuracy::add_options(app, arguments);
-        try {
-            app.parse(argc, argv);
-        } catch (const CLI::ParseError& error) {
-            return app.exit(error) == 0 ? gsim::accuracy::kGood : gsim::accuracy::kUsage;
-        }
-        return gsim::accuracy::run(arguments);
+        accuracy::Arguments arguments;
+        apps::CommandLine line(
+            "gsim-accuracy", "Compares cycle times and positions of gsim with those of recorded controllers");
+        accuracy::add_options(line, arguments);
+        const auto parsed = apps::parse(line, std::vector<std::string>(argv + 1, argv + argc));
+        if (!parsed) throw std::runtime_error(parsed.error());
+        if (*parsed) return **parsed;
+        return accuracy::run(arguments);
     } catch (const std::exception& error) {
         fmt::print(stderr, "gsim-accuracy: {}\n", error.what());
-        return gsim::accuracy::kUsage;
+        return accuracy::kUsage;
     }
 }

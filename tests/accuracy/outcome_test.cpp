@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::outcome_test {
 namespace {
 
 const Controller kController{"any", "", "", true, {0.5, 0.005}, {2, 0.005}};
@@ -99,4 +99,4 @@ TEST(PathOutcome, IsGoodWithinAMillimetre) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::outcome_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::path_distance_test {
 namespace {
 
 constexpr double kAcceleration_mm_s2 = 500;
@@ -87,4 +87,4 @@ TEST(PathDistance, NeedsABlock) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::path_distance_test

@@ -4,7 +4,7 @@
 
 #include "tests/conformance/scratch_folder.h"
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::recording_test {
 namespace {
 
 constexpr const Controller& kLinuxcnc = kControllers[0];
@@ -95,4 +95,4 @@ TEST(Recordings, NameTheFileThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::recording_test

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::report_test {
 namespace {
 
 const Controller& kGrbl = kControllers[1];
@@ -67,4 +67,4 @@ TEST(PathReport, SaysWhereTheDistanceIsLargest) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::report_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::table_test {
 namespace {
 
 const std::vector<Column> kColumns{{"name", Align::left}, {"s", Align::right}, {"mark", Align::left}};
@@ -24,4 +24,4 @@ TEST(Table, IsMarkdownToo) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::table_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::accuracy {
+namespace gsim::accuracy::trajectory_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -56,4 +56,4 @@ TEST(Trajectory, IsStraightBetweenSamplesAndRestsOutsideThem) {
 }
 
 }  // namespace
-}  // namespace gsim::accuracy
+}  // namespace gsim::accuracy::trajectory_test

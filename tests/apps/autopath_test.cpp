@@ -4,7 +4,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::autopath_test {
 
 namespace {
 
@@ -73,4 +73,4 @@ TEST_F(AutopathProgram, AMillionEntitiesAreRefused) {
 
 }  // namespace
 
-}  // namespace gsim::apps
+}  // namespace gsim::apps::autopath_test

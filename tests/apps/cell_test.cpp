@@ -5,7 +5,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::cell_test {
 namespace {
 
 using nlohmann::json;
@@ -138,4 +138,4 @@ TEST_F(Cell, FaultsOfTheFileAreErrorsOfUsage) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::cell_test

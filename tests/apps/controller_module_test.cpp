@@ -5,7 +5,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::controller_module_test {
 namespace {
 
 using nlohmann::json;
@@ -57,4 +57,4 @@ TEST_F(ControllerModule, OneThatAnswersGarbageEndsTheRunWithAnAlarm) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::controller_module_test

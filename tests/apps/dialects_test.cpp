@@ -5,7 +5,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::dialects_test {
 namespace {
 
 using nlohmann::json;
@@ -113,4 +113,4 @@ TEST_F(Dialects, PermanentVariablesAreKeptInAFile) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::dialects_test

@@ -2,7 +2,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::gcode2lua_test {
 namespace {
 
 class Gcode2lua : public Apps {};
@@ -132,4 +132,4 @@ TEST_F(Gcode2lua, OddInputsEnd) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::gcode2lua_test

@@ -5,7 +5,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::gsim_data_test {
 namespace {
 
 using nlohmann::json;
@@ -208,4 +208,4 @@ TEST_F(GsimData, SavingKeepsLinksAndPermissions) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::gsim_data_test

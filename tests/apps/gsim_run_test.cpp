@@ -6,7 +6,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::gsim_run_test {
 namespace {
 
 using nlohmann::json;
@@ -67,7 +67,7 @@ TEST_F(GsimRun, ExplainsWhereTheTimeGoes) {
 }
 
 TEST_F(GsimRun, AnAlarmIsStatusOneWithWhatCameBefore) {
-    const json r = report({write("part.nc", "G0 X100\n\nG0 X5000\n")}, 1);
+    const json r = report({write("part.nc", "G0 X100\n\nG0 X5000\n"), "--stop-at-first"}, 1);
     EXPECT_EQ(r["status"], "alarm");
     EXPECT_EQ(r["alarm"]["line"], 3);
     EXPECT_EQ(r["alarm"]["file"], "part.nc");
@@ -75,9 +75,11 @@ TEST_F(GsimRun, AnAlarmIsStatusOneWithWhatCameBefore) {
     EXPECT_EQ(r["alarm"]["value"], 5000);
     EXPECT_EQ(r["alarm"]["limit"], 1828.8);
     EXPECT_EQ(r["moves"], 1);
-    const Ended quiet = gsim_run({"part.nc", "--quiet"});
+    const Ended quiet = gsim_run({"part.nc", "--quiet", "--stop-at-first"});
     EXPECT_EQ(quiet.status, 1);
     EXPECT_TRUE(quiet.err.starts_with("part.nc:3: alarm: ")) << quiet.err;
+    EXPECT_EQ(gsim_run({"part.nc", "--quiet"}).err,
+              "part.nc:3: axis X goes to 5000 mm, 3171.2 mm past its limit of 1828.8 mm\n");
 }
 
 TEST_F(GsimRun, AProgramWithErrorsIsNotRun) {
@@ -91,14 +93,30 @@ TEST_F(GsimRun, AProgramWithErrorsIsNotRun) {
 
 TEST_F(GsimRun, Limits) {
     const std::string part = write("part.nc", "G0 X100\nX0\nM99\n");
-    EXPECT_EQ(report({part, "--max-time", "5"}, 1)["status"], "stopped");
-    EXPECT_EQ(report({part, "--max-blocks", "10"}, 1)["blocks"], 10);
+    EXPECT_EQ(report({part, "--passes", "1000", "--max-time", "5"}, 1)["status"], "stopped");
+    EXPECT_EQ(report({part, "--passes", "1000", "--max-blocks", "10"}, 1)["blocks"], 10);
     const std::string endless = write("endless.lua", "while true do end\n");
     EXPECT_EQ(report({endless, "--max-steps", "100000"}, 1)["status"], "stopped");
     const std::string hungry = write("hungry.lua", "local t = {} for i = 1, 1e9 do t[i] = i end\n");
     const json r = report({hungry, "--memory", "16"}, 1);
     EXPECT_EQ(r["status"], "stopped");
     EXPECT_TRUE(holds(r["alarm"]["message"], "16 MB"));
+}
+
+TEST_F(GsimRun, PassesOfAProgramThatRunsForEver) {
+    const std::string part = write("part.nc", "G0 X100\nX0\nM99\n");
+    EXPECT_TRUE(holds(gsim_run({part}).out,
+                      "passes      1 of the main program, which leads back to its start; --passes runs more\n"
+                      "  back at   part.nc:3\n"));
+    const json r = report({part, "--passes", "2"});
+    EXPECT_EQ(r["passes"].dump(), R"({"count":2,"file":"part.nc","line":3,"to_block":null})");
+    EXPECT_EQ(r["moves"], 4);
+    const Ended check = run_program(GSIM_FRONT, {"check", part}, folder_);
+    EXPECT_EQ(check.status, 0);
+    EXPECT_TRUE(
+        check.out.starts_with("part.nc:3: note: passes: 1 of the main program, which leads back to its "
+                              "start; --passes runs more\n"));
+    EXPECT_NE(gsim_run({part, "--passes", "0"}).status, 0);
 }
 
 TEST_F(GsimRun, Switches) {
@@ -203,4 +221,4 @@ TEST_F(GsimRun, PrintOfAScriptLeavesTheReportWhole) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::gsim_run_test

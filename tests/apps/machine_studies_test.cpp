@@ -5,7 +5,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::machine_studies_test {
 namespace {
 
 class MachineStudies : public Apps {
@@ -65,6 +65,15 @@ TEST_F(MachineStudies, EnvelopesGoToFilesByTheirEndings) {
     EXPECT_TRUE(holds(read("out.svg"), "X to the right, Y up")) << read("out.svg");
 }
 
+TEST_F(MachineStudies, ThePictureOfTheAxesGoesToAFile) {
+    const Ended e = gsim_run({"--machine", sample("machines/router3.toml"), "--draw-axes", "axes.svg"});
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_TRUE(holds(read("axes.svg"), "+Y moves the tool to the back (+y)")) << read("axes.svg");
+    const Ended bad = gsim_run({"--machine", sample("machines/router3.toml"), "--draw-axes", "axes.bmp"});
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_TRUE(holds(bad.err, "axes.bmp: the picture of the axes is a file that ends in .svg")) << bad.err;
+}
+
 TEST_F(MachineStudies, OptionsOfARunDoNotGoWithThem) {
     for (const std::string option : {"--moves", "--plot", "--report", "--record"}) {
         const Ended e = gsim_run({"--check-machine", sample("machines/router3.toml"), option, "file"});
@@ -75,4 +84,4 @@ TEST_F(MachineStudies, OptionsOfARunDoNotGoWithThem) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::machine_studies_test

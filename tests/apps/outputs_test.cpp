@@ -1,6 +1,7 @@
 // The files that gsim-run writes: moves, trajectory, report and plot.
 
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::outputs_test {
 namespace {
 
 using nlohmann::json;
@@ -50,6 +51,46 @@ TEST_F(Outputs, Moves) {
     EXPECT_TRUE(json::parse(moves[3])["limited_by"].is_null());
 }
 
+// The run would end at an alarm in line 1: it does not begin.
+TEST_F(Outputs, NamesThatWillNotDoAreRefusedBeforeTheRun) {
+    const std::string alarms = write("alarms.nc", "#3000=1 (NOT RUN)\n");
+    for (const std::string option :
+         {"--report", "--moves", "--trajectory", "--record", "--save-machine-data", "--variables"}) {
+        const Ended ended = gsim_run({alarms, "--quiet", option, "no/such/file"});
+        EXPECT_EQ(ended.status, 2) << option;
+        EXPECT_EQ(ended.err, "gsim-run: cannot write 'no/such/file': No such file or directory\n") << option;
+    }
+    EXPECT_EQ(gsim_run({alarms, "--quiet", "--plot", "no/such/p.svg"}).err,
+              "gsim-run: cannot write 'no/such/p.svg': No such file or directory\n");
+    EXPECT_EQ(gsim_run({alarms, "--quiet", "--plot", "p.pdf"}).err,
+              "gsim-run: cannot draw 'p.pdf': a picture's name ends in .svg or .png\n");
+    EXPECT_TRUE(holds(gsim_run({alarms, "--quiet", "--plot", "p.svg", "--plot-plane", "xz"}).err,
+                      "xz not in {xy,zx,yz}"));
+}
+
+TEST_F(Outputs, NoProgramPrintsANegativeZero) {
+    const std::string part =
+        write("zero.nc",
+              "G21 G90 F1000\nG0 X100 Y100\nG3 X100 Y100 I-10\nG19 G68 Y0 Z0 R-90\nG0 X-0. Y-0. Z0\nPOPEN\n"
+              "#1=-0.0\nDPRNT[Z#1[53]]\nPCLOS\nM30\n");
+    const std::string machine = GSIM_SOURCE "/samples/machines/unlimited.toml";
+    const Ended run = gsim_run({part, "--machine", machine, "--report", "r.json", "--moves", "m.jsonl",
+                                "--trajectory", "t.csv", "--record", "p.json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const Ended check = gsim_run({"--check-machine", GSIM_SOURCE "/samples/machines/mill-head-table.toml"});
+    const Ended lua = run_program(GSIM_GCODE2LUA, {part}, folder_);
+    for (const std::string& text :
+         {run.out, read("r.json"), read("m.jsonl"), read("t.csv"), read("p.json"), check.out, lua.out}) {
+        EXPECT_FALSE(text.empty());
+        static const std::regex zero(R"((^|[^0-9eE.])-0+(\.0*)?([^0-9.]|$))");
+        std::smatch found;
+        EXPECT_FALSE(std::regex_search(text, found, zero))
+            << found.prefix().str().substr(
+                   found.prefix().length() > 60 ? static_cast<std::size_t>(found.prefix().length()) - 60 : 0)
+            << found.str();
+    }
+}
+
 TEST_F(Outputs, GoToStandardOutput) {
     for (const std::string option : {"--moves", "--trajectory", "--record"}) {
         const Ended ended = gsim_run({part_, option, "-"});
@@ -69,7 +110,7 @@ TEST_F(Outputs, ShareNoStream) {
     EXPECT_TRUE(holds(two.err, "--moves - and --trajectory - both want standard output")) << two.err;
     const Ended as_json = gsim_run({part_, "--json", "--moves", "-"});
     EXPECT_EQ(as_json.status, 2);
-    EXPECT_TRUE(holds(as_json.err, "both want standard output")) << as_json.err;
+    EXPECT_TRUE(holds(as_json.out, "both want standard output")) << as_json.out;
     const Ended plot = gsim_run({part_, "--plot", "-"});
     EXPECT_EQ(plot.status, 2);
     EXPECT_TRUE(holds(plot.err, "--plot needs the name of a file")) << plot.err;
@@ -142,7 +183,10 @@ TEST_F(Outputs, Plot) {
 
 TEST_F(Outputs, AreWrittenUpToAnAlarm) {
     const std::string bad = write("bad.nc", "G0 X100\nG0 X9999\n");
-    EXPECT_EQ(gsim_run({bad, "--quiet", "--moves", "moves.jsonl", "--report", "report.json"}).status, 1);
+    EXPECT_EQ(
+        gsim_run({bad, "--stop-at-first", "--quiet", "--moves", "moves.jsonl", "--report", "report.json"})
+            .status,
+        1);
     EXPECT_EQ(lines("moves.jsonl").size(), 1U);
     EXPECT_EQ(json::parse(read("report.json"))["status"], "alarm");
 }
@@ -154,4 +198,4 @@ TEST_F(Outputs, OldFilesStayWhereNothingRan) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::outputs_test

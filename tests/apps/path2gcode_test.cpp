@@ -12,7 +12,7 @@
 #include "tests/apps/canon_ends.h"
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::path2gcode_test {
 namespace {
 
 const std::string kWheel = GSIM_SOURCE "/samples/wheel.path.json";
@@ -154,16 +154,16 @@ TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
     const std::string start =
         R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0, "C": 0}, "feed_mm_min": 100})";
     EXPECT_EQ(refused(head),
-              "p.path.json:2:1: syntax error while parsing value - unexpected end of input; "
+              "p.path.json:2:1: error: syntax error while parsing value - unexpected end of input; "
               "expected '[', '{', or a literal\n");
     EXPECT_TRUE(holds(refused(head + R"({"position_mm": [1, 2, 3], "feed_mm_min": 1}]}]})"),
-                      "p.path.json:2:1: the point needs an orientation"));
+                      "p.path.json:2:1: error: the point needs an orientation"));
     EXPECT_TRUE(holds(refused(head + start + ",\n" + R"({"position_mm": [1, 2, 3000]}]}]})"),
-                      "p.path.json:3:1: out of reach: Z 3000 is outside 0 to 609.6"));
+                      "p.path.json:3:1: error: out of reach: Z 3000 is outside 0 to 609.6"));
     EXPECT_TRUE(holds(refused(head + start + ",\n" + R"({"path": "a"}]}]})"),
-                      "p.path.json:3:1: the path 'a' leads back to itself"));
+                      "p.path.json:3:1: error: the path 'a' leads back to itself"));
     EXPECT_TRUE(holds(refused(head + R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0}}]}]})"),
-                      "p.path.json:2:1: the motion needs 'feed_mm_min'"));
+                      "p.path.json:2:1: error: the motion needs 'feed_mm_min'"));
     EXPECT_TRUE(holds(refused(head + start + "]}]}", {"--dialect", "grbl"}), "axes XYZ"));
 }
 
@@ -208,7 +208,7 @@ TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
             {"motion": "circular", "position_mm": [120, 120, 140], "via_mm": [110, 130, 120], "dwell_s": 0.1,
              "actions": ["abrasive_on", "waterjet_on", "a (name)", "waterjet_off", "abrasive_off"]}]}]})json");
     for (const std::string& input : {std::string("part.path.json"), kWheel}) {
-        const Ended written = path2gcode({"--dialect", "rs274ngc", "-o", "part.ngc", input});
+        const Ended written = path2gcode({"--dialect", "rs274ngc", "--go-on", "-o", "part.ngc", input});
         ASSERT_EQ(written.status, 0) << written.err;
         const Ended canon = run_rs274(folder_, "part.ngc");
         ASSERT_EQ(canon.status, 0) << canon.err.substr(0, 2000);
@@ -224,4 +224,4 @@ TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::path2gcode_test

@@ -6,7 +6,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::pipeline_test {
 namespace {
 
 using nlohmann::json;
@@ -32,17 +32,17 @@ TEST_F(Pipeline, ScriptAndPartProgramGiveOneReport) {
     EXPECT_EQ(parsed(gsim_run({write("wheel.lua", lua.out), "--json"})), at_once);
 }
 
-TEST_F(Pipeline, AlsoWhereThereIsAnAlarm) {
+TEST_F(Pipeline, AlsoWhereALimitIsPassed) {
     write("part.nc", "O1\nG0 X10\nM98 P2\nM2\nO2\n#1=5\nG0 X[#1*1000]\nM99\n");
     const json at_once = parsed(gsim_run({"part.nc", "--json"}));
-    EXPECT_EQ(at_once["alarm"]["line"], 7);
+    EXPECT_EQ(at_once["violations"][0]["line"], 7);
     EXPECT_EQ(parsed(gsim_run({"-", "--json"}, gcode2lua({"part.nc"}).out)), at_once);
 }
 
 TEST_F(Pipeline, PartProgramOnStandardInput) {
     const json r = parsed(gsim_run({"-", "--json"}, "G0 X10\nG0 X9999\n"));
-    EXPECT_EQ(r["alarm"]["file"], "stdin");
-    EXPECT_EQ(r["alarm"]["line"], 2);
+    EXPECT_EQ(r["violations"][0]["file"], "stdin");
+    EXPECT_EQ(r["violations"][0]["line"], 2);
 }
 
 TEST_F(Pipeline, AnEditedScriptTellsItsOwnLines) {
@@ -50,8 +50,8 @@ TEST_F(Pipeline, AnEditedScriptTellsItsOwnLines) {
     std::string lua = gcode2lua({"part.nc"}).out;
     lua.replace(lua.find("x=20"), 4, "x=-20");
     const json r = parsed(gsim_run({write("part.lua", lua), "--json"}));
-    EXPECT_EQ(r["alarm"]["file"], "part.lua");
-    EXPECT_EQ(r["alarm"]["line"], 3);  // line 2 of the G-code, below the line that opens the script
+    EXPECT_EQ(r["violations"][0]["file"], "part.lua");
+    EXPECT_EQ(r["violations"][0]["line"], 3);  // line 2 of the G-code, below the line that opens the script
 }
 
 TEST_F(Pipeline, AScriptByHandNeedsNoHead) {
@@ -71,7 +71,7 @@ TEST_F(Pipeline, ALongProgramIsOneProgram) {
     EXPECT_EQ(at_once["moves"], 60'001);
     EXPECT_EQ(parsed(gsim_run({"-", "--json"}, gcode2lua({"long.nc"}).out)), at_once);
     write("long.nc", program + "G0 X-5\nM2\n");
-    EXPECT_EQ(parsed(gsim_run({"long.nc", "--json"}))["alarm"]["line"], 60'002);
+    EXPECT_EQ(parsed(gsim_run({"long.nc", "--json"}))["violations"][0]["line"], 60'002);
 }
 
 TEST_F(Pipeline, ScriptsPassLuasOwnCompiler) {
@@ -83,4 +83,4 @@ TEST_F(Pipeline, ScriptsPassLuasOwnCompiler) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::pipeline_test

@@ -4,7 +4,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::programs_beside_test {
 namespace {
 
 using nlohmann::json;
@@ -26,8 +26,8 @@ class ProgramsBeside : public Apps {
 };
 
 TEST_F(ProgramsBeside, ByNumber) {
-    for (const char* name :
-         {"O0002.nc", "O2.nc", "O0002.ngc", "O0002.tap", "wheel_O0002.ppg", "wheel_O0002.nc"}) {
+    for (const char* name : {"O0002", "O2", "O0002.NC", "O0002.nc", "O2.nc", "O0002.ngc", "O0002.tap",
+                             "wheel_O0002.ppg", "wheel_O0002.nc"}) {
         SCOPED_TRACE(name);
         write(name, "O2\nG0 X20\nM99\n");
         EXPECT_DOUBLE_EQ(reached(main_), 20);
@@ -68,9 +68,10 @@ TEST_F(ProgramsBeside, OneCallsTheNext) {
 
 TEST_F(ProgramsBeside, AlarmsNameTheirFile) {
     write("O0002.nc", "O2\n\nG0 X-1\nM99\n");
-    const json r = report(main_);
+    const json r = json::parse(gsim_run({main_, "--json", "--stop-at-first"}).out);
     EXPECT_EQ(r["alarm"]["line"], 3);
     EXPECT_TRUE(holds(r["alarm"]["file"], "O0002.nc"));
+    EXPECT_TRUE(holds(report(main_)["violations"][0]["file"], "O0002.nc"));
 }
 
 TEST_F(ProgramsBeside, ThoseWithErrorsAreAlarmsOfTheCall) {
@@ -80,7 +81,11 @@ TEST_F(ProgramsBeside, ThoseWithErrorsAreAlarmsOfTheCall) {
     const json r = json::parse(e.out);
     EXPECT_EQ(r["alarm"]["line"], 2);
     EXPECT_TRUE(holds(r["alarm"]["message"], "cannot be translated")) << r["alarm"];
-    EXPECT_TRUE(holds(e.err, "O0002.nc:2:")) << e.err;
+    EXPECT_EQ(r["diagnostics"][1]["line"], 2) << r;
+    EXPECT_TRUE(holds(r["diagnostics"][1]["file"], "O0002.nc")) << r;
+    EXPECT_EQ(r["diagnostics"][1]["code"], "code-unknown") << r;
+    EXPECT_EQ(r["diagnostics"][2]["code"], "program-missing") << r;
+    EXPECT_TRUE(holds(gsim_run({main_}).err, "O0002.nc:2:"));
 }
 
 TEST_F(ProgramsBeside, AMissingOneIsAnAlarmAndAWarningOfTheTranslator) {
@@ -99,4 +104,4 @@ TEST_F(ProgramsBeside, ThemselvesAgainEndAtTheNestingLimit) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::programs_beside_test

@@ -4,7 +4,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::robots_test {
 namespace {
 
 using nlohmann::json;
@@ -112,7 +112,7 @@ shape = { sphere_mm = 10.0 }
 
 TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
     const json report =
-        run("process('l', function() local _ENV = robot 'left' wait(1)\nG0{x=9999} end)\n"
+        run("process('l', function() local _ENV = robot 'left' wait(1)\nG1{x=9} end)\n"
             "process('r', function() local _ENV = robot 'right' for i = 1, 100 do wait(1) end end)\n");
     EXPECT_EQ(report["status"], "alarm");
     EXPECT_EQ(report["alarm"]["line"], 2);
@@ -133,4 +133,4 @@ TEST_F(Robots, WhatDoesNotGoTogetherIsSaid) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::robots_test

@@ -4,7 +4,7 @@
 
 #include "tests/apps/run_program.h"
 
-namespace gsim::apps {
+namespace gsim::apps::saved_data_test {
 namespace {
 
 class SavedData : public Apps {
@@ -105,4 +105,4 @@ TEST_F(SavedData, AValueThatNoFileHoldsIsAnError) {
 }
 
 }  // namespace
-}  // namespace gsim::apps
+}  // namespace gsim::apps::saved_data_test

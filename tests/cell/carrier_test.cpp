@@ -9,7 +9,7 @@
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 
-namespace gsim::cell {
+namespace gsim::cell::carrier_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -214,4 +214,4 @@ TEST(CellFile, AConveyorMustNotBeCalledAsAFrameOfTheMachine) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::carrier_test

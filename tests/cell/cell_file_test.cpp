@@ -8,7 +8,7 @@
 
 #include "tests/cell/segments.h"
 
-namespace gsim::cell {
+namespace gsim::cell::cell_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -174,4 +174,4 @@ TEST(CellFile, MangledFilesNeitherHangNorCrash) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::cell_file_test

@@ -1,5 +1,7 @@
 #include "runtime/cell/clearance_watch.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,7 @@
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 
-namespace gsim::cell {
+namespace gsim::cell::clearance_watch_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -122,6 +124,53 @@ TEST(ClearanceWatch, TouchingIsNotPenetrating) {
     down.line_to(joints(510, 500, 5), joints(510, 500, 4), {100, 490});
     ASSERT_EQ(down.watch.contacts().size(), 1U);
     EXPECT_TRUE(down.watch.contacts()[0].penetrating);
+}
+
+// Down to 0.2 mm below the plate's top, and up again.
+TEST(ClearanceWatch, WhatAProbeTouchesIsNoContactUntilItGoesDeeper) {
+    const std::string plate = box_at("plate", {100, 100, 10}, {500, 500, -5});
+    const auto probed = [&] {
+        Watched run(cell_of(ball_at_tip(10) + plate));
+        const motion::Segment down = line(0, joints(500, 500, 50), joints(500, 500, 4.8), {100, 490});
+        run.watch.take(down, false, true);
+        run.time_s = down.duration_s;
+        EXPECT_TRUE(run.watch.contacts().empty());
+        EXPECT_FALSE(run.watch.nearest());
+        return run.time_s;
+    };
+    const double touched_s = probed();
+    for (const auto& [to_mm, contacts] : {std::pair{50.0, 0U}, {4.8, 0U}, {4.7, 1U}}) {
+        Watched run(cell_of(ball_at_tip(10) + plate));
+        run.watch.take(line(0, joints(500, 500, 50), joints(500, 500, 4.8), {100, 490}), false, true);
+        run.time_s = touched_s;
+        run.line_to(joints(500, 500, 4.8), joints(510, 500, to_mm), {100, 490});
+        ASSERT_EQ(run.watch.contacts().size(), contacts) << to_mm;
+        if (contacts == 0) continue;
+        EXPECT_EQ(run.watch.contacts()[0].t_s, touched_s);
+        EXPECT_TRUE(run.watch.contacts()[0].penetrating);
+    }
+}
+
+TEST(ClearanceWatch, AContactAfterTheProbeHasPartedCounts) {
+    Watched run(cell_of(ball_at_tip(10) + box_at("plate", {100, 100, 10}, {500, 500, -5})));
+    const motion::Segment down = line(0, joints(500, 500, 50), joints(500, 500, 4.8), {100, 490});
+    run.watch.take(down, false, true);
+    run.time_s = down.duration_s;
+    run.line_to(joints(500, 500, 4.8), joints(500, 500, 30), {100, 490});
+    EXPECT_FALSE(run.watch.nearest());
+    run.line_to(joints(500, 500, 30), joints(500, 500, 6), {100, 490});
+    ASSERT_TRUE(run.watch.nearest());
+    EXPECT_NEAR(run.watch.nearest()->distance_mm, 1, 1e-4);
+    run.line_to(joints(500, 500, 6), joints(500, 500, 4.9), {100, 490});
+    EXPECT_EQ(run.watch.contacts().size(), 1U);
+}
+
+// What is no tool does not probe.
+TEST(ClearanceWatch, APartOfTheMachineThatIsNoToolCollidesWhileTheToolProbes) {
+    const std::string wrist = "[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = { box_mm = [50, 50, 20] }\n";
+    Watched run(cell_of(wrist + box_at("clamp", {10, 10, 50}, {520, 500, -25})));
+    run.watch.take(line(0, joints(500, 500, 50), joints(500, 500, 0), {100, 490}), false, true);
+    EXPECT_EQ(run.watch.contacts().size(), 1U);
 }
 
 TEST(ClearanceWatch, EachContactIsToldOnceAndAgainAfterTheyPart) {
@@ -240,4 +289,4 @@ TEST(ClearanceWatch, RandomMotionsAreAsNearAsTheirSamples) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::clearance_watch_test

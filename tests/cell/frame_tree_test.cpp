@@ -5,7 +5,7 @@
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 
-namespace gsim::cell {
+namespace gsim::cell::frame_tree_test {
 namespace {
 
 TEST(FrameTree, FramesGoWithWhatTheyAreAttachedTo) {
@@ -55,4 +55,4 @@ TEST(FrameTree, AxesThatCarryTheWorkCarryItsFrame) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::frame_tree_test

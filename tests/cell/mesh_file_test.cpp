@@ -8,7 +8,7 @@
 
 #include "tests/cell/meshes.h"
 
-namespace gsim::cell {
+namespace gsim::cell::mesh_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST(MeshFile, MangledFilesNeitherHangNorCrash) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::mesh_file_test

@@ -8,7 +8,7 @@
 #include "tests/cell/meshes.h"
 #include "tests/cell/segments.h"
 
-namespace gsim::cell {
+namespace gsim::cell::motion_bound_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -208,4 +208,4 @@ TEST(MotionBound, ATurnReachesAsFarAsTheBody) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::motion_bound_test

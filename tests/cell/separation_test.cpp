@@ -9,7 +9,7 @@
 #include "runtime/machine/joint_box.h"
 #include "tests/cell/segments.h"
 
-namespace gsim::cell {
+namespace gsim::cell::separation_test {
 namespace {
 
 Body box_on(const Shape& shape, int link, const Eigen::Vector3d& at_mm) {
@@ -87,4 +87,4 @@ TEST(Separation, HoldsInRandomParts) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::separation_test

@@ -6,7 +6,7 @@
 #include "runtime/cell/shape.h"
 #include "tests/cell/meshes.h"
 
-namespace gsim::cell {
+namespace gsim::cell::shape_gap_test {
 namespace {
 
 using Eigen::Isometry3d;
@@ -197,4 +197,4 @@ TEST(TriangleMesh, TrianglesWithoutAreaAreStillThere) {
 }
 
 }  // namespace
-}  // namespace gsim::cell
+}  // namespace gsim::cell::shape_gap_test

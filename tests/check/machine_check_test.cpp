@@ -7,7 +7,7 @@
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::check {
+namespace gsim::check::machine_check_test {
 namespace {
 
 using cell::Verdict;
@@ -26,9 +26,7 @@ machine::Machine router_beside_post(double distance_mm) {
     machine::Machine machine = sample("router3.toml");
     machine.shapes = {{"ball", "tool", machine::SphereShape{20}, {}},
                       {"post", "base", machine::BoxShape{10, 10, 10}, {}}};
-    // The base's frame has its Z along X.
-    machine.base = {};
-    machine.shapes[1].frame = {.z_mm = 600 + 10 + 5 + distance_mm};
+    machine.shapes[1].frame = {.x_mm = 600 + 10 + 5 + distance_mm};
     return machine;
 }
 
@@ -137,4 +135,4 @@ TEST(MachineCheck, NotesWhatIsWorthALook) {
 }
 
 }  // namespace
-}  // namespace gsim::check
+}  // namespace gsim::check::machine_check_test

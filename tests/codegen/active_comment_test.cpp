@@ -10,7 +10,7 @@
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::active_comment_test {
 namespace {
 
 std::string lua(const std::string& comment) {
@@ -29,12 +29,17 @@ TEST(ActiveComments, EachOfThem) {
     EXPECT_EQ(lua("PROBEOPEN probe.txt"), "PROBEOPEN(\"probe.txt\")");
     EXPECT_EQ(lua("PROBECLOSE"), "PROBECLOSE()");
     EXPECT_EQ(lua("MSG,"), "MSG(\"\")");
+    EXPECT_EQ(lua("abort,no #5"), "ABORT(\"no %f\", v[5])");
+    EXPECT_EQ(lua("py,x=#1"), "PY(\"x=#1\")");
+    EXPECT_EQ(lua("PYRUN,file.py"), "PYRUN(\"file.py\")");
+    EXPECT_EQ(lua("PyReload"), "PYRELOAD()");
 }
 
 /// As LinuxCNC tells them apart.
 TEST(ActiveComments, OthersOnlyTell) {
-    for (const char* comment : {"", "a note", "MSG", "MSG hello", "debug , x", "DEBUGX,#1", "LOGCLOSED",
-                                "PROBECLOSE now", "see MSG,x", "PRINT #1", "LOG #1"})
+    for (const char* comment :
+         {"", "a note", "MSG", "MSG hello", "debug , x", "DEBUGX,#1", "LOGCLOSED", "PROBECLOSE now",
+          "abort x", "abort , x", "python", "PYRELOADED", "see MSG,x", "PRINT #1", "LOG #1"})
         EXPECT_EQ(lua(comment), "") << comment;
     EXPECT_EQ(lua_of("(MSG,hello)"), "") << "not in the 9/Series";
 }
@@ -107,7 +112,7 @@ TEST(ActiveComments, NotMoreValuesThanACallTakes) {
 /// Texts of all bytes that a comment can hold: the Lua must compile and hold no other statement.
 TEST(ActiveComments, TextsCannotEndTheString) {
     for (const std::string text :
-         {"\"", "\\", "\\\"", "\" .. os.exit(1 .. \"", "\\\\\"", "]]", "--", "\r", "\x1b[2J", "\\z",
+         {"\"", "\\", "\\\"", "\" .. os.exit{1} .. \"", "\\\\\"", "]]", "--", "\r", "\x1b[2J", "\\z",
           "\xff\xfe", "\\x", "\\10", "%\"d", "#<\\>", "#<\" .. x .. \">"}) {
         for (const char* name : {"MSG", "DEBUG", "PRINT", "LOG", "LOGOPEN"}) {
             const Translated result = translated_ngc(fmt::format("({},{})\n", name, text));
@@ -116,7 +121,7 @@ TEST(ActiveComments, TextsCannotEndTheString) {
         }
     }
     std::mt19937 random(3);
-    constexpr std::string_view kPieces = "\"\\'#%<>[]=-x1n\n .,fd(;\r\t";
+    constexpr std::string_view kPieces = "\"\\'#%<>[]=-x1n\n .,fd;\r\t";
     for (int i = 0; i < 2000; ++i) {
         std::string text = "(DEBUG,";
         for (std::size_t n = random() % 30; n > 0; --n) {
@@ -149,4 +154,4 @@ TEST(LuaText, NamesOfParameters) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::active_comment_test

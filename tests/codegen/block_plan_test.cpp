@@ -4,7 +4,7 @@
 
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::block_plan_test {
 namespace {
 
 struct Wrong {
@@ -103,15 +103,15 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{
             "G7",
             "1: error: G7 is no code of Allen-Bradley 9/Series; RS274/NGC has it (lathe diameter mode), see "
-            "--dialect"},
+            "--dialect rs274ngc"},
         Wrong{
             "X1 G38.2",
             "4: error: G38.2 is no code of Allen-Bradley 9/Series; RS274/NGC has it (probe toward, alarm on "
-            "failure), see --dialect"},
+            "failure), see --dialect rs274ngc"},
         Wrong{
             "M62 P1",
             "1: error: M62 is no code of Allen-Bradley 9/Series; RS274/NGC has it (output on, with the next "
-            "move), see --dialect"},
+            "move), see --dialect rs274ngc"},
         Wrong{"G12", "1: error: G12 (data setting) is not supported"},
         Wrong{"G12 X1", "1: error: G12 (data setting) is not supported"},
         Wrong{"M1000", "1: error: M1000 is no code of Allen-Bradley 9/Series"},
@@ -147,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(
                           "structure: its other end would be lost"}));
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::block_plan_test

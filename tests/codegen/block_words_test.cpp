@@ -4,7 +4,7 @@
 
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::block_words_test {
 namespace {
 
 TEST(BlockWords, ValuesKeepTheirDigits) {
@@ -49,10 +49,10 @@ TEST(BlockWords, Dwell) {
 TEST(BlockWords, Subprograms) {
     EXPECT_EQ(lua_of("O2;M98 P0002 L03"), "program(2, function() M98{p=2, l=03}");
     EXPECT_EQ(lua_of("P#1 M98"), "M98{p=v[1]}");
-    EXPECT_EQ(lua_of("M99"), "do return M99() end");
+    EXPECT_EQ(lua_of("M99"), "do return (M99()) end");
     EXPECT_EQ(lua_of("O3;X5 M98 P3"), "program(3, function() move{x=5} M98{p=3}")
         << "the move, then the call";
-    EXPECT_EQ(lua_of("M99 X5"), "move{x=5} do return M99() end") << "the move, then the return";
+    EXPECT_EQ(lua_of("M99 X5"), "move{x=5} do return (M99()) end") << "the move, then the return";
 }
 
 TEST(BlockWords, InTheOrderOfTheController) {
@@ -140,8 +140,9 @@ TEST(BlockWords, Corners) {
 TEST(BlockWords, BlockDelete) {
     EXPECT_EQ(lua_of("/X5"), "if not skipped(1) then move{x=5} end");
     EXPECT_EQ(lua_of("/3 #1=5"), "if not skipped(3) then v[1] = 5.0 end");
-    EXPECT_EQ(lua_of("/2 M99"), "if not skipped(2) then do return M99() end end");
-    EXPECT_EQ(lua_of("N5 /GOTO5"), "::N5:: if not skipped(1) then goto N5 end")
+    EXPECT_EQ(lua_of("/2 M99"), "if not skipped(2) then do return (M99()) end end");
+    EXPECT_EQ(lua_of("N5 /GOTO5"),
+              "::N5:: if not skipped(1) then if last_pass(5) then return end goto N5 end")
         << "the label stands before it";
     EXPECT_EQ(lua_of("/"), "");
 }
@@ -157,4 +158,4 @@ TEST(BlockWords, Aliases) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::block_words_test

@@ -9,7 +9,7 @@
 #include "tests/codegen/random_program.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::chunks_test {
 namespace {
 
 struct Mapped {
@@ -21,8 +21,8 @@ Mapped mapped(const std::string& gcode, const TranslateOptions& options = {}) {
     lexer::Source source = lexer::Source::from_text(gcode, "t");
     LuaSpool spool;
     Mapped result;
-    result.translation = translate(source, spool, options, [](std::string_view) {});
-    EXPECT_TRUE(result.translation.ok) << result.translation.first_error;
+    result.translation = translate(source, spool, options, [](const text::Diagnostic&) {});
+    EXPECT_TRUE(result.translation.ok) << result.translation.first_error.value_or(text::Diagnostic{}).text;
     result.lua = spool.read(0, spool.size());
     return result;
 }
@@ -135,4 +135,4 @@ TEST(ProgramMap, NoCutInALoopAndNoneWhereJumpsLead) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::chunks_test

@@ -5,7 +5,7 @@
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::control_flow_test {
 namespace {
 
 std::string messages(const std::string& gcode) {
@@ -45,13 +45,28 @@ TEST(Jumps, OnlyTargetsGetALabel) {
 }
 
 TEST(Jumps, ComputedOnesReachAnyNOutsideOfLoops) {
-    const Translated result = translated("N1 X1\nGOTO#1\nWHILE[1]DO1\nN2 GOTO[#1+1]\nEND1\nN3 M2\n");
+    const Translated result = translated("N1 X1\nGOTO#1\nWHILE[1]DO1\nN2 X2\nEND1\nN3 M2\n");
     ASSERT_TRUE(result.ok) << result.messages;
+    EXPECT_TRUE(
+        result.lua.starts_with("local _ENV = require \"gsim\" program(nil, function() local jump -- "))
+        << result.lua;
     EXPECT_EQ(result.code(2), "jump = goto_target(v[1]) goto computed");
-    EXPECT_EQ(result.code(4), "::N2:: jump = goto_target(v[1] + 1.0) goto computed");
+    EXPECT_EQ(result.code(5), "end");
     EXPECT_EQ(result.code(7),
               "do return end ::computed:: if jump == 1 then goto N1 end if jump == 3 then goto N3 end "
               "no_target(jump) end)");
+    EXPECT_EQ(compile_error(result.lua), std::nullopt);
+}
+
+TEST(Jumps, ComputedOnesInALoopReachItsBlocksToo) {
+    const Translated result =
+        translated("WHILE[1]DO1\nN1 X1\nWHILE[2]DO2\nGOTO#1\nN2 X2\nEND2\nEND1\nN3 M2\n");
+    ASSERT_TRUE(result.ok) << result.messages;
+    EXPECT_EQ(result.code(4), "jump = goto_target(v[1]) goto computed1");
+    EXPECT_EQ(result.code(6),
+              "goto pass1 ::computed1:: if jump == 2 then goto N2 end goto computed0 ::pass1:: end");
+    EXPECT_EQ(result.code(7),
+              "goto pass0 ::computed0:: if jump == 1 then goto N1 end goto computed ::pass0:: end");
     EXPECT_EQ(compile_error(result.lua), std::nullopt);
 }
 
@@ -132,8 +147,8 @@ TEST(Errors, StopAtTheNumberAllowed) {
     EXPECT_EQ(result.diagnostics,
               "t:1:1: error: unexpected character '@'\n  @\n  ^\n"
               "t:2:1: error: unexpected character '@'\n  @\n  ^\n"
-              "t: 2 errors, giving up\n");
+              "t: note: 2 errors, giving up\n");
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::control_flow_test

@@ -5,7 +5,7 @@
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::expression_writer_test {
 namespace {
 
 /// The Lua of an expression.
@@ -111,4 +111,4 @@ TEST(Nesting, DeepExpressionsCompileOrAreReported) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::expression_writer_test

@@ -6,7 +6,7 @@
 
 #include "codegen/post_file.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::gcode_writer_test {
 namespace {
 
 constexpr std::array<WrittenAxis, 4> kAxes{{{'X', false}, {'Y', false}, {'Z', false}, {'B', true}}};
@@ -48,6 +48,19 @@ TEST(GcodeWriter, NumbersByDialect) {
     EXPECT_EQ(ab9.all(), "N00005 G01 X500.000 Y0.000 Z25.400 B-360.000 F1000.000\n");
     EXPECT_EQ(fanuc.all(), "N10 G01 X500. Y0. Z25.4 B-360. F1000.\n");
     EXPECT_EQ(ngc.all(), "G01 X19.68504 Y-0.00002 Z1 B-360 F39.37\n");
+}
+
+TEST(GcodeWriter, AnArcThroughAPointIsWrittenWithItsPointInFull) {
+    Text ab9("ab9");
+    ab9.to(0, 0, 0, 0);
+    ab9.writer.arc_through(std::array{20.0, 0.0, 0.0, 0.0}, {10, 0, 10.0004}, kFeed);
+    ab9.writer.arc_through(std::array{20.0, 0.0, 20.0, 0.0}, {20, 10, 10}, kFeed);
+    ab9.to(1, 0, 20, 0);
+    EXPECT_EQ(ab9.all(),
+              "N00005 G01 X0.000 Y0.000 Z0.000 B0.000 F1000.000\n"
+              "N00010 CIP X20.000 I1=10.000 J1=0.000 K1=10.000\n"
+              "N00015 CIP Z20.000 I1=20.000 J1=10.000 K1=10.000\n"
+              "N00020 G01 X1.000\n");
 }
 
 TEST(GcodeWriter, CentresAreCountedFromWhatIsPrinted) {
@@ -142,7 +155,11 @@ TEST(PostFile, ErrorsNameThePlace) {
     EXPECT_EQ(error(head + numbers + "[blocks]\nnumber_step = 0\nnumber_digits = 0\ndwell = \"G4 P{sec}\""),
               "p:12:9: 'dwell' knows no {sec}; it may hold {seconds}, {milliseconds}");
     EXPECT_EQ(error("[program]\nbegin = [3]").substr(0, 2), "p:");
+    const std::string blocks = "[blocks]\nnumber_step = 0\nnumber_digits = 0\ndwell = \"G4\"\n";
+    EXPECT_EQ(
+        error(head + numbers + blocks + "[arcs]\nthrough_point = [\"CIP\", \"I1=\"]"),
+        "p:14:17: 'through_point' takes four strings: the code, and the letters of X, Y and Z of the point");
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::gcode_writer_test

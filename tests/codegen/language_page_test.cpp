@@ -11,7 +11,7 @@
 #include "lexer/names.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::language_page_test {
 namespace {
 
 TEST(LanguagePage, IsTheOneInTheDocuments) {
@@ -78,4 +78,4 @@ TEST(LanguagePage, ItsExamplesOfBlocksAreTrue) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::language_page_test

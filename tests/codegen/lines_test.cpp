@@ -8,7 +8,7 @@
 #include "tests/codegen/random_program.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::lines_test {
 namespace {
 
 std::ptrdiff_t lines(std::string_view text) {
@@ -77,4 +77,4 @@ TEST(Lines, LinesThatLookAlikeForLuaDoNotConfuseIt) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::lines_test

@@ -5,7 +5,7 @@
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::macro_statements_test {
 namespace {
 
 TEST(Dprnt, WritesAFormatAndItsValues) {
@@ -52,21 +52,31 @@ std::string code_of(const std::string& gcode, std::size_t line, const TranslateO
 
 TEST(ReturnToABlock, InTheMainProgramIsAJump) {
     EXPECT_EQ(code_of("N10 X1\nM99 P10\n", 1), "::N10:: move{x=1}");
-    EXPECT_EQ(code_of("N10 X1\nM99 P10\n", 2), "goto N10");
-    EXPECT_EQ(code_of("O1\nN10 X1\n/M99 P0010 X5\n", 3), "if not skipped(1) then move{x=5} goto N10 end");
+    EXPECT_EQ(code_of("N10 X1\nM99 P10\nM30\n", 2), "goto N10");
+    EXPECT_EQ(code_of("O1\nN10 X1\n/M99 P0010 X5\nM30\n", 3),
+              "if not skipped(1) then move{x=5} goto N10 end");
     EXPECT_EQ(code_of("N10 X1\nIF[#1]THEN M99 P10\n", 2), "if truth(v[1]) then goto N10 end");
     EXPECT_EQ(code_of("N10 X1\nM99 P#1\n", 2), "jump = goto_target(v[1]) goto computed");
-    EXPECT_EQ(code_of("N10 X1\nM99\n", 2), "do return M99() end");
+    EXPECT_EQ(code_of("N10 X1\nM99\n", 2), "do return (M99()) end");
     EXPECT_EQ(code_of("N10\nWHILE[#1]DO1\nM99P10\nEND1\n", 3), "goto N10");
     for (const char* text :
          {"M 99 P10", "M\t99P10", "M+99 P10", "m0099p10", "M99.0 P10", "P10 M99", "M9 M099 P10"})
         EXPECT_NE(code_of(fmt::format("N10 X1\n{}\n", text), 2).find("goto N10"), std::string::npos) << text;
 }
 
+TEST(ReturnToABlock, AtTheEndOfTheMainProgramIsAPass) {
+    const std::string pass = "if last_pass(10) then return end goto N10";
+    EXPECT_EQ(code_of("N10 X1\nM99 P10\n", 2), pass);
+    EXPECT_EQ(code_of("N10 X1\nGOTO 10\n\n(end)\n%\n", 2), pass);
+    EXPECT_EQ(code_of("N10 X1\nM99 P10\nO2\nM99\n", 2), pass) << "other programs follow";
+    EXPECT_EQ(code_of("M30\nO2\nN10 X1\nGOTO 10\n", 4), "goto N10") << "of a subprogram";
+    EXPECT_EQ(code_of("GOTO 10\nX1\nN10\n", 1), "goto N10") << "forward";
+}
+
 TEST(ReturnToABlock, ThroughAnAlias) {
     TranslateOptions options;
     ASSERT_FALSE(options.aliases.add("GoBack", "M099"));
-    EXPECT_EQ(code_of("N10 X1\nGoBack P10\n", 2, options), "goto N10");
+    EXPECT_EQ(code_of("N10 X1\nGoBack P10\nM30\n", 2, options), "goto N10");
 }
 
 TEST(ReturnToABlock, OutOfASubprogram) {
@@ -79,7 +89,7 @@ TEST(ReturnToABlock, OutOfASubprogram) {
               "do return end ::computed:: if jump == 5 then goto N5 end if jump == 7 then goto N7 end "
               "no_target(jump) "
               "end) program(2, function()");
-    EXPECT_EQ(result.code(7), "do return M99{p=7} end");
+    EXPECT_EQ(result.code(7), "do return (M99{p=7}) end");
 }
 
 /// The words GOTO and M99 are looked for in pieces of the file: they must be found across the border of two.
@@ -106,4 +116,4 @@ TEST(JumpScan, FindsJumpsInLongFiles) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::macro_statements_test

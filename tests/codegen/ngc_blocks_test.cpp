@@ -5,7 +5,7 @@
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::ngc_blocks_test {
 namespace {
 
 TEST(NgcBlocks, CodesTakeTheirWords) {
@@ -18,7 +18,7 @@ TEST(NgcBlocks, CodesTakeTheirWords) {
     EXPECT_EQ(ngc_lua_of("G10 L2 P1 X5 R30"), "G10{l=2, p=1, x=5, r=30}");
     EXPECT_EQ(ngc_lua_of("G43 H5 Z1"), "G43{h=5} move{z=1}");
     EXPECT_EQ(ngc_lua_of("G43.1 Z5"), "G43_1{z=5}");
-    EXPECT_EQ(ngc_lua_of("G64 P0.1 Q0.2 X1"), "G64{p=0.1, q=0.2} move{x=1}");
+    EXPECT_EQ(ngc_lua_of("G64 P0.1 Q0.2"), "G64{p=0.1, q=0.2}");
     EXPECT_EQ(ngc_lua_of("G76 P1 Z-2 I-1 J0.5 R1.5 K2 Q30 H2 E1 L2"),
               "G76{p=1, z=-2, i=-1, j=0.5, r=1.5, k=2, q=30, h=2, e=1, l=2}");
     EXPECT_EQ(ngc_lua_of("M3 $1 S100"), "S(100) M3{spindle=1}");
@@ -26,6 +26,16 @@ TEST(NgcBlocks, CodesTakeTheirWords) {
     EXPECT_EQ(ngc_lua_of("M199 P1 Q#<x>"), "M[199]{p=1, q=p.x}");
     EXPECT_EQ(ngc_lua_of("F#<feed>"), "F(p.feed)");
     EXPECT_EQ(ngc_lua_of("G92.1"), "G92_1()");
+}
+
+/// P of G64 may be the turns of a modal arc, too.
+TEST(NgcBlocks, AWordIsThereForEveryCodeThatReadsIt) {
+    EXPECT_EQ(ngc_lua_of("G64 P1 M19 R90 Q2"), "M19{p=1, r=90, q=2} G64{p=1, q=2}");
+    EXPECT_EQ(ngc_lua_of("G64 P2 G3 X1 I5"), "G64{p=2} G3{p=2, x=1, i=5}");
+    EXPECT_EQ(ngc_lua_of("M50 P0 G4"), "M50{p=0} G4{p=0}");
+    EXPECT_EQ(ngc_lua_of("G64 P2 X1 I5"), "G64{p=2} move(shared({x=1, i=5}, {p=2}))");
+    EXPECT_EQ(ngc_lua_of("G64 P#1 X#1"),
+              "do local w1, w2 = v[1], v[1] G64{p=w1} move(shared({x=w2}, {p=w1})) end");
 }
 
 /// The order that LinuxCNC documents, in blocks that give the words in another.
@@ -36,12 +46,12 @@ TEST(NgcBlocks, OrderOfExecution) {
     EXPECT_EQ(ngc_lua_of("G1 X1 M9 M5"), "M5() M9() G1{x=1}")
         << "before the move, other than in the 9/Series";
     EXPECT_EQ(lua_of("G1 X1 M9 M5"), "G1{x=1} M9() M5()");
-    EXPECT_EQ(ngc_lua_of("X1 G4 P2"), "G4{p=2} move{x=1}") << "the dwell first";
+    EXPECT_EQ(ngc_lua_of("X1 G4 P2"), "G4{p=2} move(shared({x=1}, {p=2}))") << "the dwell first";
     EXPECT_EQ(ngc_lua_of("X1 G55 G91 G20"), "G20() G55() G91() move{x=1}");
     EXPECT_EQ(lua_of("X1 G55 G91 G20"), "G20() G91() G55() move{x=1}");
     EXPECT_EQ(ngc_lua_of("X1 G92 F5"), "F(5) G92{x=1}");
     EXPECT_EQ(ngc_lua_of("M0 X1"), "move{x=1} M0()");
-    EXPECT_EQ(ngc_lua_of("X1 M62 P1"), "M62{p=1} move{x=1}");
+    EXPECT_EQ(ngc_lua_of("X1 M62 P1"), "M62{p=1} move(shared({x=1}, {p=1}))");
     EXPECT_EQ(ngc_lua_of("G53 G0 X1 G43 H1"), "G43{h=1} G53() G0{x=1}");
     EXPECT_EQ(ngc_lua_of("G80 G28 X1"), "G80() G28{x=1}");
     EXPECT_EQ(ngc_lua_of("S5 G96 D100"), "G96{d=100} S(5)");
@@ -81,7 +91,8 @@ TEST(NgcBlocks, Errors) {
     error("G7", "1: error: G7 (lathe diameter mode) is not supported");
     error("G17.1", "1: error: G17.1 (UV plane) is not supported");
     error("G65 P1",
-          "1: error: G65 is no code of RS274/NGC; Allen-Bradley 9/Series has it (macro call), see --dialect");
+          "1: error: G65 is no code of RS274/NGC; Allen-Bradley 9/Series has it (macro call), see --dialect "
+          "ab9");
     error("G38.9 X1", "1: error: G38.9 is no code of RS274/NGC");
     error("G1.5 X1", "1: error: G1.5 is no code of RS274/NGC; there is G1 (linear move)");
     error("M200", "1: error: M200 is no code of RS274/NGC");
@@ -207,4 +218,4 @@ TEST(UnknownCodes, PutOffInsideOfSubroutines) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::ngc_blocks_test

@@ -7,7 +7,7 @@
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::oword_flow_test {
 namespace {
 
 /// The Lua of the lines, one behind the other, without the first and the last line of the script.
@@ -153,8 +153,12 @@ TEST(OWordFlow, BlockDelete) {
 TEST(OWordFlow, ProgramsByNumber) {
     EXPECT_EQ(body("o1\nM98 P2 L3\nM2\no0002\nX1\nM99\n"),
               "program(1, function()\nM98{p=2, l=3}\nM2()\nend) program(2, function()\nmove{x=1}\n"
-              "do return M99() end\n");
-    EXPECT_EQ(messages("o1\nM2\no01\n"), "3:1: error: the program O1 stands twice in this file\n");
+              "do return (M99()) end\n");
+    EXPECT_EQ(
+        translated_ngc("o1\nM2\no01\n").messages,
+        "3:1: warning: the program O1 stands twice in this file; M98 P1 calls the first one behind the main "
+        "program\n");
+    EXPECT_EQ(translated_ngc("o1\nM2\no<01>\n").messages, "") << "a name";
 }
 
 TEST(OWordFlow, EndOfTheMainProgram) {
@@ -232,4 +236,4 @@ TEST(OWordFlow, NotLongerThanLuaJumps) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::oword_flow_test

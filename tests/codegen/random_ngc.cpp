@@ -15,7 +15,7 @@ std::string parameter(Random& random) {
     return one_of(random, kParameters);
 }
 
-std::string expression(Random& random, int depth) {
+std::string ngc_expression(Random& random, int depth) {
     static constexpr std::array<std::string_view, 14> kOperators = {
         "+", "-", "*", "/", "**", " MOD ", " AND ", " OR ", " XOR ", " EQ ", " ne ", " GT ", " LE ", "-"};
     static constexpr std::array<std::string_view, 6> kFunctions = {"SIN", "abs", "SQRT", "ROUND", "-", "FUP"};
@@ -23,21 +23,22 @@ std::string expression(Random& random, int depth) {
         case 0: return fmt::format("{}", below(random, 100));
         case 1: return parameter(random);
         case 2: return fmt::format("{}.{}", below(random, 9), below(random, 99));
-        case 3: return fmt::format("{}[{}]", one_of(random, kFunctions), expression(random, depth - 1));
+        case 3: return fmt::format("{}[{}]", one_of(random, kFunctions), ngc_expression(random, depth - 1));
         case 4:
-            return fmt::format("ATAN[{}]/[{}]", expression(random, depth - 1), expression(random, depth - 1));
+            return fmt::format("ATAN[{}]/[{}]", ngc_expression(random, depth - 1),
+                               ngc_expression(random, depth - 1));
         case 5: return fmt::format("EXISTS[{}]", parameter(random));
         default:
-            return fmt::format("[{}]{}[{}]", expression(random, depth - 1), one_of(random, kOperators),
-                               expression(random, depth - 1));
+            return fmt::format("[{}]{}[{}]", ngc_expression(random, depth - 1), one_of(random, kOperators),
+                               ngc_expression(random, depth - 1));
     }
 }
 
 std::string bracketed(Random& random) {
-    return "[" + expression(random, 3) + "]";
+    return "[" + ngc_expression(random, 3) + "]";
 }
 
-std::string value(Random& random) {
+std::string ngc_value(Random& random) {
     static constexpr std::array<std::string_view, 6> kNumbers = {"5",  "- .5", " 1 2 . 5",
                                                                  "+7", "007",  "-123.456"};
     switch (below(random, 5)) {
@@ -47,11 +48,11 @@ std::string value(Random& random) {
     }
 }
 
-std::string move(Random& random) {
+std::string ngc_move(Random& random) {
     static constexpr std::array<std::string_view, 6> kCodes = {"", "G0", "g 0 1", "G91 G1", "M8 G1", "G53G0"};
     std::string out = one_of(random, kCodes);
     for (const char letter : {'X', 'y', 'Z', 'B', 'U', 'F'}) {
-        if (below(random, 3) == 0) out += letter + value(random);
+        if (below(random, 3) == 0) out += letter + ngc_value(random);
     }
     for (unsigned settings = below(random, 3); settings > 0; --settings)
         out += fmt::format("{}={}", parameter(random), below(random, 2) == 0 ? bracketed(random) : "-5.");
@@ -77,7 +78,7 @@ std::string plain_block(Random& random) {
         "G10 L2 P1 X5",
         "@5 ^30",
     };
-    return below(random, 2) == 0 ? one_of(random, kBlocks) : move(random);
+    return below(random, 2) == 0 ? one_of(random, kBlocks) : ngc_move(random);
 }
 
 /// A structure that is open, by the keyword that ends it.

@@ -7,7 +7,7 @@
 #include "tests/codegen/lua_compiler.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::script_text_test {
 namespace {
 
 std::string line(const std::string& lua, int number) {
@@ -47,7 +47,7 @@ TEST(Comments, AnnotateGivesTheWholeBlock) {
     options.annotate = true;
     const std::string lua = translated("  N5 g1 x5 (go)  \r\nO2 M99\nX1;Y2\n", options).lua;
     EXPECT_EQ(line(lua, 2), "G1{x=5}                                                 -- N5 g1 x5 (go)");
-    EXPECT_EQ(line(lua, 3), "end) program(2, function() do return M99() end          -- O2 M99");
+    EXPECT_EQ(line(lua, 3), "end) program(2, function() do return (M99()) end        -- O2 M99");
     EXPECT_EQ(line(lua, 4), "move{x=1} move{y=2}                                     -- X1; Y2");
 }
 
@@ -121,4 +121,4 @@ TEST(Spool, BigScriptsGoThroughAFileUnchanged) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::script_text_test

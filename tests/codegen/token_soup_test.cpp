@@ -9,7 +9,7 @@
 #include "tests/codegen/random_program.h"
 #include "tests/codegen/translated.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::token_soup_test {
 namespace {
 
 constexpr const char* kShared[] = {
@@ -155,4 +155,4 @@ TEST(RandomNgcPrograms, WithALineLostOrDoubled) {
 }
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::token_soup_test

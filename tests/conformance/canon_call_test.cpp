@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace gsim::conformance {
+namespace gsim::conformance::canon_call_test {
 namespace {
 
 using testing::ElementsAre;
@@ -45,4 +45,4 @@ TEST(CanonCall, IsNotInOtherLines) {
 }
 
 }  // namespace
-}  // namespace gsim::conformance
+}  // namespace gsim::conformance::canon_call_test

@@ -41,6 +41,13 @@ PrintedPoint CanonFrame::to_machine(const AxisValues& printed) const {
     return point;
 }
 
+Vector CanonFrame::turned(const Vector& direction) const {
+    const double cosine = std::cos(rotation_deg_ * kRadPerDeg);
+    const double sine = std::sin(rotation_deg_ * kRadPerDeg);
+    return {direction[0] * cosine - direction[1] * sine, direction[0] * sine + direction[1] * cosine,
+            direction[2]};
+}
+
 void CanonFrame::rotate(PrintedPoint& point) const {
     const double cosine = std::cos(rotation_deg_ * kRadPerDeg);
     const double sine = std::sin(rotation_deg_ * kRadPerDeg);

@@ -29,6 +29,8 @@ class CanonFrame {
 
     /// A point of the program, for all axes of kAxes, in the unit in force now.
     PrintedPoint to_machine(const AxisValues& printed) const;
+    /// A direction of the program.
+    Vector turned(const Vector& direction) const;
 
   private:
     PrintedPoint offset(std::span<const double> values) const;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::conformance {
+namespace gsim::conformance::canon_frame_test {
 namespace {
 
 TEST(CanonFrame, TurnsInchesIntoMillimetresButLeavesDegrees) {
@@ -49,4 +49,4 @@ TEST(CanonFrame, LetsTheDigitsOfTheAngleCountWithTheDistance) {
 }
 
 }  // namespace
-}  // namespace gsim::conformance
+}  // namespace gsim::conformance::canon_frame_test

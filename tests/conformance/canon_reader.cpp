@@ -170,7 +170,8 @@ void Reader::arc(Numbers n) {
     const int turns = static_cast<int>(n[4]);
     Move move{.kind = turns < 0 ? Kind::arc_cw : Kind::arc_ccw};
     const AxisValues center_mm = frame_.to_machine(center).at;
-    move.arc = ArcPart{plane_, {center_mm[0], center_mm[1], center_mm[2]}, std::abs(turns)};
+    move.arc = ArcPart{
+        frame_.turned(normal_of(plane_)), {center_mm[0], center_mm[1], center_mm[2]}, std::abs(turns)};
     add(move, frame_.to_machine(end));
 }
 

@@ -6,7 +6,7 @@
 
 #include "tests/conformance/canon_text.h"
 
-namespace gsim::conformance {
+namespace gsim::conformance::canon_reader_test {
 namespace {
 
 TEST(CanonReader, ReadsMovesAndDwellsInOrder) {
@@ -36,12 +36,12 @@ TEST(CanonReader, ReadsArcsInTheirPlane) {
     EXPECT_EQ(moves[0].move.arc->center_mm[1], 4);
 
     EXPECT_EQ(moves[1].move.kind, Kind::arc_ccw);
-    EXPECT_EQ(moves[1].move.arc->plane, Plane::zx);
+    EXPECT_EQ(moves[1].move.arc->normal, normal_of(Plane::zx));
     EXPECT_EQ(moves[1].move.to, (AxisValues{2, 5, 1, 6, 7, 8}));  // Z comes before X
     EXPECT_EQ(moves[1].move.arc->center_mm[2], 3);
     EXPECT_EQ(moves[1].move.arc->center_mm[0], 4);
 
-    EXPECT_EQ(moves[2].move.arc->plane, Plane::yz);
+    EXPECT_EQ(moves[2].move.arc->normal, normal_of(Plane::yz));
     EXPECT_EQ(moves[2].move.to, (AxisValues{5, 1, 2, 6, 7, 8}));
     EXPECT_EQ(moves[2].move.arc->turns, 3);
 }
@@ -54,6 +54,18 @@ TEST(CanonReader, TurnsArcCentresWithTheRotation) {
     EXPECT_NEAR(moves[0].move.to[1], 20, 1e-12);
     EXPECT_NEAR(moves[0].move.arc->center_mm[0], 10, 1e-12);
     EXPECT_NEAR(moves[0].move.arc->center_mm[1], 10, 1e-12);
+}
+
+// What LinuxCNC's controller makes of the call (ARC_FEED in emccanon.cc): the plane turns with the program.
+TEST(CanonReader, TurnsThePlanesOfArcsWithTheRotation) {
+    const auto moves = expected_moves({"SET_XY_ROTATION(30.0)", "SELECT_PLANE(CANON_PLANE_XZ)",
+                                       "ARC_FEED(0.0, 20.0, 0.0, 10.0, 1, 0.0, 0.0, 0.0, 0.0)"});
+    ASSERT_EQ(moves.size(), 1U);
+    const ArcPart& arc = *moves[0].move.arc;
+    EXPECT_NEAR(arc.normal[0], -0.5, 1e-12);
+    EXPECT_NEAR(arc.normal[1], std::sqrt(0.75), 1e-12);
+    EXPECT_NEAR(arc.center_mm[0], 10 * std::sqrt(0.75), 1e-12);
+    EXPECT_NEAR(arc.center_mm[1], 5, 1e-12);
 }
 
 TEST(CanonReader, CallsFeedsInStepWithTheSpindleThreads) {
@@ -116,4 +128,4 @@ TEST(CanonReader, NamesALineThatLacksNumbers) {
 }
 
 }  // namespace
-}  // namespace gsim::conformance
+}  // namespace gsim::conformance::canon_reader_test

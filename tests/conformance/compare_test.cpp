@@ -6,7 +6,7 @@
 
 #include "tests/conformance/canon_text.h"
 
-namespace gsim::conformance {
+namespace gsim::conformance::compare_test {
 namespace {
 
 Move rapid(double x, double y, double z) {
@@ -81,22 +81,29 @@ TEST(Compare, LeavesOutMovesWithoutLengthOnBothSides) {
 TEST(Compare, DoesNotLeaveOutAFullCircle) {
     const auto expected = expected_moves({"ARC_FEED(0.0, 0.0, 5.0, 0.0, 1, 0.0, 0.0, 0.0, 0.0)"});
     EXPECT_EQ(difference(compare(expected, {})), "order: gsim has no further move");
-    EXPECT_EQ(
-        difference(compare(expected, std::vector{arc(Kind::arc_ccw, {}, {Plane::xy, {5, 0, 0}, 1}, 0)})), "");
+    EXPECT_EQ(difference(compare(
+                  expected, std::vector{arc(Kind::arc_ccw, {}, {normal_of(Plane::xy), {5, 0, 0}, 1}, 0)})),
+              "");
 }
 
 TEST(Compare, ComparesArcsInSensePlaneCentreAndTurns) {
     const auto expected = expected_moves({"SELECT_PLANE(CANON_PLANE_XZ)", "SET_FEED_RATE(10.0)",
                                           "ARC_FEED(0.0, 10.0, 0.0, 5.0, -2, 1.0, 0.0, 0.0, 0.0)"});
-    const Move right = arc(Kind::arc_cw, {10, 1, 0}, {Plane::zx, {5, 99, 0}, 2}, 10);
+    const Move right = arc(Kind::arc_cw, {10, 1, 0}, {normal_of(Plane::zx), {5, 99, 0}, 2}, 10);
     const auto judge = [&expected](Move found) { return difference(compare(expected, std::vector{found})); };
     EXPECT_EQ(judge(right), "");  // along its own axis the centre means nothing
     Move wrong = right;
     wrong.kind = Kind::arc_ccw;
     EXPECT_EQ(judge(wrong), "kind: arc_ccw, arc_cw is expected");
     wrong = right;
-    wrong.arc->plane = Plane::xy;
-    EXPECT_EQ(judge(wrong), "plane: xy, zx is expected");
+    wrong.arc->normal = normal_of(Plane::xy);
+    EXPECT_EQ(judge(wrong),
+              "plane: its normal is 0.000000 0.000000 1.000000, 0.000000 1.000000 0.000000 is expected");
+    // The same arc, told about the other normal of its plane.
+    wrong.arc->normal = {0, -1, 0};
+    EXPECT_EQ(judge(wrong), "sense: the arc goes the other way round");
+    wrong.kind = Kind::arc_ccw;
+    EXPECT_EQ(judge(wrong), "");
     wrong = right;
     wrong.arc->center_mm[0] = 5.001;
     EXPECT_EQ(judge(wrong), "arc centre: X is 5.001000, 5.000000 is expected");
@@ -170,4 +177,4 @@ TEST(Compare, KnowsThatTheReferenceStopsBeforeAProbesTarget) {
 }
 
 }  // namespace
-}  // namespace gsim::conformance
+}  // namespace gsim::conformance::compare_test

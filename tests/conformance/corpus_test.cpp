@@ -4,7 +4,7 @@
 
 #include "tests/conformance/scratch_folder.h"
 
-namespace gsim::conformance {
+namespace gsim::conformance::corpus_test {
 namespace {
 
 TEST(Corpus, HoldsProgramsWithRecordedOutput) {
@@ -37,4 +37,4 @@ TEST(Corpus, DeletesTheWordsThatSwitchKinematics) {
 }
 
 }  // namespace
-}  // namespace gsim::conformance
+}  // namespace gsim::conformance::corpus_test

@@ -1,17 +1,21 @@
 // Compares runs of gsim with canonical output that LinuxCNC's interpreter recorded.
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "apps/parse.h"
 #include "tests/conformance/compare.h"
 #include "tests/conformance/moves_reader.h"
 #include "tests/conformance/programs.h"
+#include "tests/conformance/random_run.h"
 
 namespace gsim::conformance {
 
@@ -29,6 +33,7 @@ struct Arguments {
     bool failures_only = false;
     std::string moves_file;
     std::string canon_file;
+    RandomRun random;
 };
 
 using Outcome = tl::expected<Verdict, std::string>;
@@ -76,7 +81,7 @@ int compare_folder(const Arguments& arguments) {
     const auto programs = find_recorded(arguments.folder);
     if (!programs) throw std::runtime_error(programs.error());
     if (programs->empty()) throw std::runtime_error("no recorded programs in " + arguments.folder);
-    const GsimRuns gsim(arguments.gsim);
+    const GsimRuns gsim(arguments.gsim, recorded_tools());
     std::size_t agreeing = 0;
     for (const Recorded& recorded : *programs) {
         const auto moves = gsim.moves(recorded);
@@ -90,29 +95,48 @@ int compare_folder(const Arguments& arguments) {
     return percent >= arguments.least_percent ? kAgree : kDiffer;
 }
 
-void add_options(CLI::App& app, Arguments& arguments) {
-    app.add_option("folder", arguments.folder,
-                   "folder of part programs FILE with canonical output FILE.canon.gz beside them")
-        ->envname("GSIM_CORPUS");
-    app.add_option("--gsim-run", arguments.gsim.gsim_run, "the program gsim-run")->capture_default_str();
-    app.add_option("--machine", arguments.gsim.machine,
-                   "machine file without limits, axes X Y Z A B C U V W");
-    app.add_option("--gsim-option", arguments.gsim.extra, "a further option for gsim-run");
-    app.add_option("--least", arguments.least_percent, "percentage of files that must agree wholly")
-        ->check(CLI::Range(0.0, 100.0))
-        ->capture_default_str();
-    app.add_flag("--failures", arguments.failures_only, "list only the files that do not agree");
-    auto* moves = app.add_option("--moves", arguments.moves_file, "compare this file of moves ...");
-    auto* canon = app.add_option("--canon", arguments.canon_file, "... with this canonical output (or .gz)");
-    moves->needs(canon);
-    canon->needs(moves);
+int compare_random_programs(const Arguments& arguments) {
+    const auto tally = compare_random(arguments.random, arguments.gsim);
+    if (!tally) {
+        fmt::print("skipped: {}\n", tally.error());
+        return kSkipped;
+    }
+    fmt::print("{} of {} random programs agree, {} are refused by both, {} differ\n", tally->agree,
+               arguments.random.count, tally->refused, tally->differ);
+    const double percent =
+        100.0 * static_cast<double>(tally->agree) / static_cast<double>(arguments.random.count);
+    return tally->differ == 0 && percent >= arguments.least_percent ? kAgree : kDiffer;
+}
+
+void add_options(apps::CommandLine& line, Arguments& arguments) {
+    if (const char* folder = std::getenv("GSIM_CORPUS"); folder != nullptr) arguments.folder = folder;
+    line.add("folder", &arguments.folder,
+             "folder of part programs FILE with canonical output FILE.canon.gz beside them; else that of the "
+             "environment's GSIM_CORPUS");
+    line.add("--gsim-run", &arguments.gsim.gsim_run, "the program gsim-run").shows_default();
+    line.add("--machine", &arguments.gsim.machine, "machine file without limits, axes X Y Z A B C U V W");
+    line.add("--gsim-option", &arguments.gsim.extra, "a further option for gsim-run");
+    line.add("--least", &arguments.least_percent, "percentage of files that must agree wholly")
+        .within(0, 100)
+        .shows_default();
+    line.add("--failures", &arguments.failures_only, "list only the files that do not agree");
+    line.add("--random", &arguments.random.count,
+             "compare so many random programs with LinuxCNC's interpreter");
+    line.add("--seed", &arguments.random.first_seed, "seed of the first of them").shows_default();
+    line.add("--reference", &arguments.random.reference, "LinuxCNC's interpreter").shows_default();
+    line.add("--keep", &arguments.random.keep_folder, "folder for the random programs that do not agree");
+    line.add("--moves", &arguments.moves_file, "compare this file of moves ...");
+    line.add("--canon", &arguments.canon_file, "... with this canonical output (or .gz)");
 }
 
 int run(const Arguments& arguments) {
+    if (arguments.moves_file.empty() != arguments.canon_file.empty())
+        throw std::runtime_error("--moves and --canon go together");
     if (!arguments.moves_file.empty()) return compare_two_files(arguments);
     if (!arguments.folder.empty() && arguments.gsim.machine.empty()) {
         throw std::runtime_error("--machine is needed to run a folder");
     }
+    if (arguments.random.count > 0) return compare_random_programs(arguments);
     return compare_folder(arguments);
 }
 
@@ -121,19 +145,18 @@ int run(const Arguments& arguments) {
 }  // namespace gsim::conformance
 
 int main(int argc, char** argv) {
+    using namespace gsim;
     try {
-        gsim::conformance::Arguments arguments;
-        CLI::App app("Compares moves of gsim with canonical output of LinuxCNC's interpreter",
-                     "gsim-conformance");
-        gsim::conformance::add_options(app, arguments);
-        try {
-            app.parse(argc, argv);
-        } catch (const CLI::ParseError& error) {
-            return app.exit(error) == 0 ? gsim::conformance::kAgree : gsim::conformance::kUsage;
-        }
-        return gsim::conformance::run(arguments);
+        conformance::Arguments arguments;
+        apps::CommandLine line("gsim-conformance",
+                               "Compares moves of gsim with canonical output of LinuxCNC's interpreter");
+        conformance::add_options(line, arguments);
+        const auto parsed = apps::parse(line, std::vector<std::string>(argv + 1, argv + argc));
+        if (!parsed) throw std::runtime_error(parsed.error());
+        if (*parsed) return **parsed;
+        return conformance::run(arguments);
     } catch (const std::exception& error) {
         fmt::print(stderr, "gsim-conformance: {}\n", error.what());
-        return gsim::conformance::kUsage;
+        return conformance::kUsage;
     }
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace gsim::conformance {
 
@@ -13,7 +14,6 @@ using std::string_view_literals::operator""sv;
 
 constexpr std::array kKinds{"rapid"sv, "linear"sv, "arc_cw"sv, "arc_ccw"sv,
                             "probe"sv, "thread"sv, "spline"sv, "dwell"sv};
-constexpr std::array kPlanes{"xy"sv, "zx"sv, "yz"sv};
 
 template <typename Value, std::size_t count>
 std::optional<Value> value_of(const std::array<std::string_view, count>& names, std::string_view name) {
@@ -28,16 +28,8 @@ std::string_view name(Kind kind) {
     return kKinds[static_cast<std::size_t>(kind)];
 }
 
-std::string_view name(Plane plane) {
-    return kPlanes[static_cast<std::size_t>(plane)];
-}
-
 std::optional<Kind> kind_of(std::string_view name) {
     return value_of<Kind>(kKinds, name);
-}
-
-std::optional<Plane> plane_of(std::string_view name) {
-    return value_of<Plane>(kPlanes, name);
 }
 
 std::string describe(const Move& move) {
@@ -52,8 +44,8 @@ std::string describe(const Move& move) {
         if (always || move.to[axis] != 0) fmt::format_to(out, " {}{:.5f}", kAxes[axis], move.to[axis]);
     }
     if (move.arc) {
-        fmt::format_to(out, ", plane {}, centre", name(move.arc->plane));
-        for (const std::size_t axis : plane_axes(move.arc->plane)) {
+        fmt::format_to(out, ", normal {:.6f}, centre", fmt::join(move.arc->normal, " "));
+        for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
             fmt::format_to(out, " {}{:.5f}", kAxes[axis], move.arc->center_mm[axis]);
         }
         fmt::format_to(out, ", turns {}", move.arc->turns);

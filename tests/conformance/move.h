@@ -30,11 +30,20 @@ constexpr bool is_arc(Kind kind) {
     return kind == Kind::arc_cw || kind == Kind::arc_ccw;
 }
 
+using Vector = std::array<double, 3>;  ///< X, Y, Z
+
+/// About which arcs of a plane are counter-clockwise.
+constexpr Vector normal_of(Plane plane) {
+    if (plane == Plane::zx) return {0, 1, 0};
+    if (plane == Plane::yz) return {1, 0, 0};
+    return {0, 0, 1};
+}
+
 /// What only arcs have.
 struct ArcPart {
-    Plane plane = Plane::xy;
-    std::array<double, 3> center_mm{};  ///< X, Y, Z; along the arc's own axis of no meaning.
-    int turns = 1;                      ///< 1 up to a full circle, 2 for one more.
+    Vector normal = normal_of(Plane::xy);  ///< Unit; the kind is the sense as seen against it.
+    Vector center_mm{};                    ///< Along the arc's own axis of no meaning.
+    int turns = 1;                         ///< 1 up to a full circle, 2 for one more.
 };
 
 /// One move or dwell of a run of gsim, in machine coordinates.
@@ -48,9 +57,7 @@ struct Move {
 };
 
 std::string_view name(Kind kind);
-std::string_view name(Plane plane);
 std::optional<Kind> kind_of(std::string_view name);
-std::optional<Plane> plane_of(std::string_view name);
 
 /// The move for people, without its line.
 std::string describe(const Move& move);

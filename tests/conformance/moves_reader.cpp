@@ -18,13 +18,12 @@ double axis_value(const json& values, char letter) {
 
 ArcPart read_arc(const json& object) {
     ArcPart arc;
-    const auto plane = plane_of(object.at("plane").get<std::string>());
-    if (!plane) throw std::runtime_error("its plane is none of xy, zx, yz");
-    arc.plane = *plane;
     arc.turns = object.at("turns").get<int>();
     const json& center = object.at("center");
-    for (std::size_t axis = 0; axis < arc.center_mm.size(); ++axis) {
+    const json& normal = object.at("normal");
+    for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
         arc.center_mm[axis] = axis_value(center, kAxes[axis]);
+        arc.normal[axis] = axis_value(normal, kAxes[axis]);
     }
     return arc;
 }

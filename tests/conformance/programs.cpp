@@ -16,21 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The recorded table holds tools 1 to 99 with a diameter of 6, and the stand-alone interpreter takes that for
-// inches.
-constexpr int kTools = 99;
-constexpr double kToolDiameter_mm = 6 * 25.4;
-
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
-
-std::string machine_data_text() {
-    std::string text = "NCFILE\nTOOL\n";
-    for (int tool = 1; tool <= kTools; ++tool) text += fmt::format("{} 0 {}\n", tool, kToolDiameter_mm);
-    return text + "ENDFILE\n";
-}
 
 std::string read_all(std::FILE* file) {
     std::string text;
@@ -41,7 +30,10 @@ std::string read_all(std::FILE* file) {
     return text;
 }
 
-tl::expected<std::string, std::string> run(const std::vector<std::string>& command, const fs::path& input) {
+}  // namespace
+
+tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
+                                                 const fs::path& input) {
     const File in(std::fopen(input.c_str(), "rb"));
     if (!in) return tl::unexpected("cannot read " + input.string());
     const File out(std::tmpfile());
@@ -51,10 +43,8 @@ tl::expected<std::string, std::string> run(const std::vector<std::string>& comma
     return read_all(out.get());
 }
 
-}  // namespace
-
-GsimRuns::GsimRuns(GsimOptions options)
-    : options_(std::move(options)), machine_data_(scratch_.write("tools.txt", machine_data_text())) {}
+GsimRuns::GsimRuns(GsimOptions options, const std::vector<ToolRow>& tools)
+    : options_(std::move(options)), machine_data_(scratch_.write("tools.txt", machine_data_text(tools))) {}
 
 // Each program is run alone, as the reference was: a name of its own in a folder without its neighbours. A
 // short one also leaves room for the message.
@@ -70,16 +60,21 @@ tl::expected<fs::path, std::string> GsimRuns::place(const Recorded& recorded) co
     });
 }
 
+/// More than a recording has, so that a program that never ends does not take long.
+constexpr const char* kMostBlocks = "300000";
+
 tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& recorded) const {
     const auto program = place(recorded);
     if (!program) return tl::unexpected(program.error());
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
-    std::vector<std::string> command{options_.gsim_run, "--dialect",      "rs274ngc",    "--machine",
-                                     options_.machine,  "--machine-data", machine_data_, "--quiet",
-                                     "--max-time",      "1e12",           "--moves",     moves_file};
+    std::vector<std::string> command{options_.gsim_run, "--dialect",      "rs274ngc",     "--machine",
+                                     options_.machine,  "--machine-data", machine_data_,  "--quiet",
+                                     "--max-time",      "1e12",           "--max-blocks", kMostBlocks,
+                                     "--moves",         moves_file};
     command.insert(command.end(), options_.extra.begin(), options_.extra.end());
     command.push_back(*program);
-    if (const auto ran = run(command, "/dev/null"); !ran) return tl::unexpected(without_paths(ran.error()));
+    if (const auto ran = output_of(command, "/dev/null"); !ran)
+        return tl::unexpected(without_paths(ran.error()));
     std::ifstream moves(moves_file);
     return read_moves(moves);
 }
@@ -94,8 +89,8 @@ std::string GsimRuns::without_paths(std::string message) const {
 }
 
 tl::expected<std::string, std::string> read_text(const fs::path& file) {
-    if (file.extension() == ".gz") return run({"gzip", "-dc"}, file);
-    return run({"cat"}, file);
+    if (file.extension() == ".gz") return output_of({"gzip", "-dc"}, file);
+    return output_of({"cat"}, file);
 }
 
 }  // namespace gsim::conformance

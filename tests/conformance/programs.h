@@ -9,6 +9,7 @@
 #include "tests/conformance/corpus.h"
 #include "tests/conformance/move.h"
 #include "tests/conformance/scratch_folder.h"
+#include "tests/conformance/tool_rows.h"
 
 namespace gsim::conformance {
 
@@ -22,7 +23,7 @@ struct GsimOptions {
 /// Runs recorded programs.
 class GsimRuns {
   public:
-    explicit GsimRuns(GsimOptions options);
+    GsimRuns(GsimOptions options, const std::vector<ToolRow>& tools);
 
     /// The moves of a program in the dialect rs274ngc; the error is the first one that gsim-run reports.
     tl::expected<std::vector<Move>, std::string> moves(const Recorded& recorded) const;
@@ -35,6 +36,10 @@ class GsimRuns {
     ScratchFolder scratch_;
     std::filesystem::path machine_data_;
 };
+
+/// What a command (found by PATH) prints when it reads `input`; the error says how it failed.
+tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
+                                                 const std::filesystem::path& input);
 
 /// A file's text; one whose name ends in .gz goes through gzip. The error is a sentence.
 tl::expected<std::string, std::string> read_text(const std::filesystem::path& file);

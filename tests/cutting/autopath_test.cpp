@@ -9,7 +9,7 @@
 #include "tests/cutting/cut_path.h"
 #include "tests/geometry/shapes.h"
 
-namespace gsim::cutting {
+namespace gsim::cutting::autopath_test {
 
 namespace {
 
@@ -225,4 +225,4 @@ TEST(Autopath, AHoleWithoutRoomForAPierceHasNoLead) {
 
 }  // namespace
 
-}  // namespace gsim::cutting
+}  // namespace gsim::cutting::autopath_test

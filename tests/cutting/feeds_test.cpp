@@ -4,7 +4,7 @@
 
 #include "tests/geometry/shapes.h"
 
-namespace gsim::cutting {
+namespace gsim::cutting::feeds_test {
 
 namespace {
 
@@ -58,4 +58,4 @@ TEST(Feeds, PartsAddUpForRandomShapes) {
 
 }  // namespace
 
-}  // namespace gsim::cutting
+}  // namespace gsim::cutting::feeds_test

@@ -11,7 +11,7 @@
 #include "geometry/offset.h"
 #include "tests/geometry/clipper_area.h"
 
-namespace gsim::cutting {
+namespace gsim::cutting::foreign_offset_test {
 
 namespace {
 
@@ -66,4 +66,4 @@ TEST(ForeignOffset, InkscapeSymbols) {
 
 }  // namespace
 
-}  // namespace gsim::cutting
+}  // namespace gsim::cutting::foreign_offset_test

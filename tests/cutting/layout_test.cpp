@@ -6,7 +6,7 @@
 #include "tests/cutting/cut_path.h"
 #include "tests/geometry/shapes.h"
 
-namespace gsim::cutting {
+namespace gsim::cutting::layout_test {
 
 namespace {
 
@@ -74,4 +74,4 @@ TEST(Layout, AHoleWithANarrowNeckIsCutInTwoLoopsAndThatIsSaid) {
 
 }  // namespace
 
-}  // namespace gsim::cutting
+}  // namespace gsim::cutting::layout_test

@@ -5,7 +5,7 @@
 #include "tests/cutting/cut_path.h"
 #include "tests/geometry/shapes.h"
 
-namespace gsim::cutting {
+namespace gsim::cutting::order_test {
 
 namespace {
 
@@ -42,4 +42,4 @@ TEST(Order, WhatLiesWithinComesFirst) {
 
 }  // namespace
 
-}  // namespace gsim::cutting
+}  // namespace gsim::cutting::order_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::cutting {
+namespace gsim::cutting::tour_test {
 
 namespace {
 
@@ -80,4 +80,4 @@ TEST(Tour, StopsInOnePlaceAndInALineDoNoHarm) {
 
 }  // namespace
 
-}  // namespace gsim::cutting
+}  // namespace gsim::cutting::tour_test

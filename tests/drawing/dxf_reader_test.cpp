@@ -1,11 +1,12 @@
 #include "drawing/dxf_reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/drawing/drawn.h"
 
-namespace gsim::drawing {
+namespace gsim::drawing::dxf_reader_test {
 
 namespace {
 
@@ -244,4 +245,4 @@ TEST(Dxf, ATruncatedFileIsSeen) {
 
 }  // namespace
 
-}  // namespace gsim::drawing
+}  // namespace gsim::drawing::dxf_reader_test

@@ -12,7 +12,7 @@
 #include "drawing/drawing_file.h"
 #include "tests/drawing/drawn.h"
 
-namespace gsim::drawing {
+namespace gsim::drawing::foreign_test {
 
 namespace {
 
@@ -97,4 +97,4 @@ TEST_F(Foreign, LibreCadLibrary) {
 
 }  // namespace
 
-}  // namespace gsim::drawing
+}  // namespace gsim::drawing::foreign_test

@@ -9,7 +9,7 @@
 #include "geometry/chain.h"
 #include "tests/drawing/drawn.h"
 
-namespace gsim::drawing {
+namespace gsim::drawing::mangled_drawing_test {
 
 namespace {
 
@@ -96,4 +96,4 @@ TEST(MangledDrawing, IsReadOrRefused) {
 
 }  // namespace
 
-}  // namespace gsim::drawing
+}  // namespace gsim::drawing::mangled_drawing_test

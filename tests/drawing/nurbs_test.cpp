@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::drawing {
+namespace gsim::drawing::nurbs_test {
 
 namespace {
 
@@ -50,4 +50,4 @@ TEST(Nurbs, TheDirectionIsThatOfTheCurve) {
 
 }  // namespace
 
-}  // namespace gsim::drawing
+}  // namespace gsim::drawing::nurbs_test

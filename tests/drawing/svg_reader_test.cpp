@@ -6,7 +6,7 @@
 
 #include "tests/drawing/drawn.h"
 
-namespace gsim::drawing {
+namespace gsim::drawing::svg_reader_test {
 
 namespace {
 
@@ -170,4 +170,4 @@ TEST(Svg, MessagesNameElementAndPlace) {
 
 }  // namespace
 
-}  // namespace gsim::drawing
+}  // namespace gsim::drawing::svg_reader_test

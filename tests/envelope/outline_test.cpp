@@ -4,7 +4,7 @@
 
 #include "tests/envelope/chains.h"
 
-namespace gsim::envelope {
+namespace gsim::envelope::outline_test {
 namespace {
 
 double area_mm2(const Curve& curve) {
@@ -73,4 +73,4 @@ TEST(Outline, OfACurvedSurfaceAreTheWaysAtItsEnds) {
 }
 
 }  // namespace
-}  // namespace gsim::envelope
+}  // namespace gsim::envelope::outline_test

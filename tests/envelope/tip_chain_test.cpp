@@ -6,7 +6,7 @@
 
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::envelope {
+namespace gsim::envelope::tip_chain_test {
 namespace {
 
 class TipOfSample : public testing::TestWithParam<const char*> {};
@@ -51,4 +51,4 @@ TEST(JointBox, HasOneTurnAtMostAndCutsWhatHasNoEnd) {
 }
 
 }  // namespace
-}  // namespace gsim::envelope
+}  // namespace gsim::envelope::tip_chain_test

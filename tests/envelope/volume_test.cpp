@@ -8,7 +8,7 @@
 #include "runtime/machine/machine_file.h"
 #include "tests/envelope/chains.h"
 
-namespace gsim::envelope {
+namespace gsim::envelope::volume_test {
 namespace {
 
 void expect_closed(const Surface& surface) {
@@ -106,4 +106,4 @@ TEST(Volume, ThereIsNoneWithoutEndOrWithoutMotion) {
 }
 
 }  // namespace
-}  // namespace gsim::envelope
+}  // namespace gsim::envelope::volume_test

@@ -4,7 +4,7 @@
 
 #include "tests/geometry/shapes.h"
 
-namespace gsim::geometry {
+namespace gsim::geometry::chain_test {
 
 namespace {
 
@@ -59,4 +59,4 @@ TEST(Chain, TooManyEndsInOnePlaceAreSaid) {
 
 }  // namespace
 
-}  // namespace gsim::geometry
+}  // namespace gsim::geometry::chain_test

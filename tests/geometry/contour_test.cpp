@@ -4,7 +4,7 @@
 
 #include "tests/geometry/shapes.h"
 
-namespace gsim::geometry {
+namespace gsim::geometry::contour_test {
 
 namespace {
 
@@ -66,4 +66,4 @@ TEST(Edge, SharesAndPartsOfArcs) {
 
 }  // namespace
 
-}  // namespace gsim::geometry
+}  // namespace gsim::geometry::contour_test

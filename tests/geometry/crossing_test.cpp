@@ -4,7 +4,7 @@
 
 #include "tests/geometry/shapes.h"
 
-namespace gsim::geometry {
+namespace gsim::geometry::crossing_test {
 
 namespace {
 
@@ -53,4 +53,4 @@ TEST(Crossing, ARoundedTangentIsNone) {
 
 }  // namespace
 
-}  // namespace gsim::geometry
+}  // namespace gsim::geometry::crossing_test

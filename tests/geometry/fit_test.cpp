@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::geometry {
+namespace gsim::geometry::fit_test {
 
 namespace {
 
@@ -69,4 +69,4 @@ TEST(Fit, ACuspEnds) {
 
 }  // namespace
 
-}  // namespace gsim::geometry
+}  // namespace gsim::geometry::fit_test

@@ -4,7 +4,7 @@
 
 #include "tests/geometry/shapes.h"
 
-namespace gsim::geometry {
+namespace gsim::geometry::nesting_test {
 
 namespace {
 
@@ -50,4 +50,4 @@ TEST(Nesting, InsideAgreesWithTheWindingNumber) {
 
 }  // namespace
 
-}  // namespace gsim::geometry
+}  // namespace gsim::geometry::nesting_test

@@ -7,7 +7,7 @@
 #include "tests/geometry/clipper_area.h"
 #include "tests/geometry/shapes.h"
 
-namespace gsim::geometry {
+namespace gsim::geometry::offset_test {
 
 namespace {
 
@@ -157,4 +157,4 @@ TEST(Offset, NearlyTangentEdgesJoin) {
 
 }  // namespace
 
-}  // namespace gsim::geometry
+}  // namespace gsim::geometry::offset_test

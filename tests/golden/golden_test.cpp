@@ -14,7 +14,7 @@
 
 #include "codegen/translate.h"
 
-namespace gsim::codegen {
+namespace gsim::codegen::golden_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ std::string test_name(const testing::TestParamInfo<fs::path>& program) {
 INSTANTIATE_TEST_SUITE_P(Programs, Golden, testing::ValuesIn(programs()), test_name);
 
 }  // namespace
-}  // namespace gsim::codegen
+}  // namespace gsim::codegen::golden_test

@@ -1,4 +1,4 @@
-local _ENV = require "gsim" -- from lines.nc; line n there is line n+1 here; hash f74688ee976956b1
+local _ENV = require "gsim" -- from lines.nc; line n there is line n+1 here; hash e13d96fc4f97cf01
 
 
                                                         -- N10 (BEFORE THE FIRST PROGRAM)
@@ -9,5 +9,5 @@ move{x=1} move{y=2} move{z=3}
 move{x=4}                                               -- (A COMMENT) (ANOTHER)
                                                         -- ()
 
-end) program(8, function() move{x=5} do return M99() end -- O8
+end) program(8, function() move{x=5} do return (M99()) end -- O8
 end)

@@ -1,4 +1,4 @@
-local _ENV = require "gsim" -- from loops.nc; line n there is line n+1 here; hash f355f9042071eb47
+local _ENV = require "gsim" -- from loops.nc; line n there is line n+1 here; hash 5b1aaa6cac00eee4
 program(100, function()                                 -- O100 (LOOPS)
 v[1] = 0.0
 while v[1] < 10.0 do
@@ -13,5 +13,5 @@ if (v[1] > 1.0) or (v[2] <= 0.0) then G4{x=5} end
 v[1] = v[1] + 1.0
 end
 while truth(v[1]) do v[1] = v[1] - 1.0 end
-do return M99() end
+do return (M99()) end
 end)

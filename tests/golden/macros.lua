@@ -1,4 +1,4 @@
-local _ENV = require "gsim" -- from macros.nc; line n there is line n+1 here; hash c5f1eab8ef1c28da
+local _ENV = require "gsim" -- from macros.nc; line n there is line n+1 here; hash a354da0a1fd7f325
                                                         -- (macro calls, user codes, messages, print)
 program(1, function()                                   -- O0001
 G65{p=9010, a=1, b=-2., c=v[3], x=v[1] + 2.0, f=5, s=6, t=7}
@@ -15,5 +15,5 @@ DPRNT("X%.3f Y%.0f 100%%", v[100], v[2])
 DPRNT("say  \"hello \\")                                -- (note [a])
 move{x=1} PCLOS() M30()
 end) program(9010, function()                           -- O9010
-do return M99() end
+do return (M99()) end
 end)

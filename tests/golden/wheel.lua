@@ -1,4 +1,4 @@
-local _ENV = require "gsim" -- from wheel.nc; line n there is line n+1 here; hash 7a993efd6c2e6d1c
+local _ENV = require "gsim" -- from wheel.nc; line n there is line n+1 here; hash d2a709664f1d4a01
 
 program(1, function()                                   -- O0001 (WHEEL: THE TEST PART OF THE THESIS, ARCS THE SHORT WAY ROUND)
 G17() G21() G90() G94()                                 -- N10 (XY PLANE, MILLIMETRES, ABSOLUTE, FEED PER MINUTE)
@@ -17,7 +17,7 @@ G2{y=715.9, i=0, j=215.9}                               -- N230
 move{x=493.218, y=284.207, b=178.2, i=0, j=-215.9}      -- N240
 G1{x=500, y=284.1, b=-180}                              -- N250
 M9()                                                    -- N260
-do return M99() end                                     -- N270
+do return (M99()) end                                   -- N270
 
 end) program(3, function()                              -- O0003 (FOUR POCKETS BETWEEN THE SPOKES)
 F(6350) G1{x=519.05, y=583.564, z=52, b=134.149, c=67.764} -- N310
@@ -64,7 +64,7 @@ G2{x=531.565, y=430.645, b=24.472, c=0, i=20.363, j=-4.255} -- N710
 G3{x=569.287, y=468.286, b=65.405, i=-31.565, j=69.355} -- N720
 G2{x=583.564, y=480.95, b=48.273, c=67.5, i=18.382, j=-6.343} -- N730
 M9()                                                    -- N740
-do return M99() end                                     -- N750
+do return (M99()) end                                   -- N750
 
 end) program(4, function()                              -- O0004 (HUB BORE)
 F(6350) G1{x=500, y=525.4, z=52, b=180, c=0}            -- N410
@@ -73,6 +73,6 @@ G2{y=474.6, b=-180, i=0, j=-25.4}                       -- N430
 move{x=502.39, y=525.287, b=84.6, i=0, j=25.4}          -- N440
 G1{x=500, y=525.4, b=180}                               -- N450
 M9()                                                    -- N460
-do return M99() end                                     -- N470
+do return (M99()) end                                   -- N470
 
 end)

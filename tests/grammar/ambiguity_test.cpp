@@ -6,7 +6,7 @@
 
 #include "tests/grammar/parse.h"
 
-namespace gsim::grammar {
+namespace gsim::grammar::ambiguity_test {
 namespace {
 
 /// True where the parser did not give up on `line`, and read the block behind it.
@@ -123,4 +123,4 @@ TEST(LongAmbiguity, RandomBlocks) {
 }
 
 }  // namespace
-}  // namespace gsim::grammar
+}  // namespace gsim::grammar::ambiguity_test

@@ -4,7 +4,7 @@
 
 #include "tests/grammar/parse.h"
 
-namespace gsim::grammar {
+namespace gsim::grammar::conflicts_test {
 namespace {
 
 /// A block that must be read in one way, and the reading.
@@ -142,4 +142,4 @@ TEST(Conflicts, BlocksWithoutAReading) {
 }
 
 }  // namespace
-}  // namespace gsim::grammar
+}  // namespace gsim::grammar::conflicts_test

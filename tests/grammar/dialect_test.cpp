@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::grammar {
+namespace gsim::grammar::dialect_test {
 namespace {
 
 TEST(Dialect, NoCodeStandsTwiceAndEachIsFound) {
@@ -165,4 +165,4 @@ TEST(Dialect, Names) {
 }
 
 }  // namespace
-}  // namespace gsim::grammar
+}  // namespace gsim::grammar::dialect_test

@@ -2,7 +2,7 @@
 
 #include "tests/grammar/parse.h"
 
-namespace gsim::grammar {
+namespace gsim::grammar::expression_test {
 namespace {
 
 /// The tree of an expression.
@@ -81,4 +81,4 @@ TEST(Atan, UnderAnOpenReadingOfXAndP) {
 }
 
 }  // namespace
-}  // namespace gsim::grammar
+}  // namespace gsim::grammar::expression_test

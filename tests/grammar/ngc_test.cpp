@@ -5,7 +5,7 @@
 
 #include "tests/grammar/parse.h"
 
-namespace gsim::grammar {
+namespace gsim::grammar::ngc_test {
 namespace {
 
 using testing::ElementsAre;
@@ -103,9 +103,9 @@ TEST(OWords, ErrorsAroundThem) {
     EXPECT_EQ(messages("o1 sub G1 X1"), "1:8: error: 'G' is no keyword behind an O-word\n");
     EXPECT_EQ(messages("o1 if #1 = 2"), "1:10: error: '=' is out of place\n");
     EXPECT_EQ(messages("IF[#1 EQ 2]GOTO5"),
-              "1:1: error: I has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect\n");
+              "1:1: error: I has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9\n");
     EXPECT_EQ(messages("WHILE[#1]DO1"),
-              "1:1: error: W has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect\n");
+              "1:1: error: W has no value; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9\n");
 }
 
 /// LinuxCNC takes all blanks out of a block before it reads it.
@@ -146,8 +146,8 @@ TEST(Settings, StandAmongWords) {
     EXPECT_EQ(messages("X[1 AND OR 2]"), "1:9: error: the operator has no value before it\n");
     EXPECT_EQ(messages("SIN[1]"),
               "1:1: error: a function stands in the value of a word or in an expression\n");
-    EXPECT_EQ(messages("#atan[1]/[1]=3"),
-              "1:2: error: a function stands in the value of a word or in an expression\n");
+    EXPECT_EQ(block("#atan[1]/[1]=3"), "words (# (ATAN 1 1)):=3");
+    EXPECT_EQ(block("#-[-3]=3 X#sin[90]"), "words X=(# (SIN 90)) (# (neg (neg 3))):=3");
     EXPECT_EQ(messages("#1"),
               "1:1: error: a variable stands here neither as the value of a word nor before '='\n");
     EXPECT_EQ(messages("X1 #<a>"),
@@ -207,4 +207,4 @@ TEST(NgcExpressions, DifferFromThoseOfThe9Series) {
 }
 
 }  // namespace
-}  // namespace gsim::grammar
+}  // namespace gsim::grammar::ngc_test

@@ -107,7 +107,8 @@ class Writer : public BlockSink {
 Parsed parse(std::string_view text, lexer::Style style) {
     Parsed result;
     lexer::Source source = lexer::Source::from_text(std::string(text), "t");
-    lexer::Diagnostics diagnostics(source, 1000, [&](std::string_view message) {
+    lexer::Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& told) {
+        const std::string message = text::to_text(told);
         result.messages += std::string(message.substr(2, message.find('\n') - 1));
     });
     const lexer::Aliases aliases;

@@ -4,7 +4,7 @@
 
 #include "tests/grammar/parse.h"
 
-namespace gsim::grammar {
+namespace gsim::grammar::recovery_test {
 namespace {
 
 using testing::ElementsAre;
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(
               "11: error: a comparison is out of place; comparisons are joined as [..] AND [..]"}));
 
 }  // namespace
-}  // namespace gsim::grammar
+}  // namespace gsim::grammar::recovery_test

@@ -10,7 +10,7 @@
 #include "runtime/kinematics/screws.h"
 #include "tests/kinematics/random_pose.h"
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::chain_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -162,4 +162,4 @@ TEST(Jacobian, is_the_derivative_of_the_pose) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::chain_test

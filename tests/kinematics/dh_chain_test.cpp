@@ -8,7 +8,7 @@
 
 #include "tests/kinematics/chains.h"
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::dh_chain_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -103,4 +103,4 @@ TEST(ChainKinematics, has_forward_but_no_inverse) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::dh_chain_test

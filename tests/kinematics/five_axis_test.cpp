@@ -9,7 +9,7 @@
 #include "tests/kinematics/chains.h"
 #include "tests/kinematics/random_pose.h"
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::five_axis_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -153,4 +153,4 @@ TEST(FiveAxis, out_of_reach_tells_by_how_much) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::five_axis_test

@@ -9,7 +9,7 @@
 #include "runtime/kinematics/pose.h"
 #include "tests/kinematics/chains.h"
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::gantry_orientation_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -151,4 +151,4 @@ TEST(GantryOrientation, upright_tool_stays_upright_without_rotary_axes) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::gantry_orientation_test

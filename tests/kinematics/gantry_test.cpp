@@ -10,7 +10,7 @@
 #include "runtime/kinematics/pose.h"
 #include "tests/kinematics/chains.h"
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::gantry_test {
 namespace {
 
 using testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST(Gantry, refuses_what_is_no_pose_and_no_near_position) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::gantry_test

@@ -6,7 +6,7 @@
 #include "tests/kinematics/kdl_chain.h"
 #include "tests/kinematics/random_pose.h"
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::kdl_test {
 namespace {
 
 TEST(Kdl, forward_of_random_tables_is_the_same) {
@@ -41,4 +41,4 @@ TEST(Kdl, forward_of_joint_frames_on_both_sides_is_the_same) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::kdl_test

@@ -8,7 +8,7 @@
 #include "tests/kinematics/chains.h"
 #include "tests/kinematics/random_pose.h"
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::numeric_test {
 namespace {
 
 using testing::HasSubstr;
@@ -133,4 +133,4 @@ TEST(Numeric, refuses_what_it_cannot_work_with) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::numeric_test

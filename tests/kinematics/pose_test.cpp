@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace gsim::kinematics {
+namespace gsim::kinematics::pose_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -65,4 +65,4 @@ TEST(Pose, check_tells_what_is_no_pose) {
 }
 
 }  // namespace
-}  // namespace gsim::kinematics
+}  // namespace gsim::kinematics::pose_test

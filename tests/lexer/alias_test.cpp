@@ -3,7 +3,7 @@
 
 #include "tests/lexer/scan.h"
 
-namespace gsim::lexer {
+namespace gsim::lexer::alias_test {
 namespace {
 
 using testing::ElementsAre;
@@ -80,4 +80,4 @@ TEST(Aliases, StandForAWord) {
 }
 
 }  // namespace
-}  // namespace gsim::lexer
+}  // namespace gsim::lexer::alias_test

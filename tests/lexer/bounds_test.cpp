@@ -3,7 +3,7 @@
 
 #include "tests/lexer/scan.h"
 
-namespace gsim::lexer {
+namespace gsim::lexer::bounds_test {
 namespace {
 
 using testing::Contains;
@@ -89,4 +89,4 @@ TEST(Bounds, MissingBracketIsReportedAtTheEndOfItsBlock) {
 }
 
 }  // namespace
-}  // namespace gsim::lexer
+}  // namespace gsim::lexer::bounds_test

@@ -3,15 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace gsim::lexer {
+namespace gsim::lexer::diagnostics_test {
 namespace {
 
 /// One error in line 1 of `text`, as the user sees it.
 std::string rendered(const std::string& text, std::uint32_t column) {
     const Source source = Source::from_text(text, "part.nc");
     std::string out;
-    Diagnostics diagnostics(source, 10, [&](std::string_view message) { out += message; });
-    diagnostics.error({0, 1, column}, "wrong");
+    Diagnostics diagnostics(source, 10, [&](const text::Diagnostic& told) { out += text::to_text(told); });
+    diagnostics.error({0, 1, column}, DiagnosticKind::syntax, "wrong");
     return out;
 }
 
@@ -45,23 +45,38 @@ TEST(Diagnostics, LongLinesAreCutAroundTheColumn) {
 TEST(Diagnostics, StopsAfterTheLastErrorAllowed) {
     const Source source = Source::from_text("X\n", "p.nc");
     std::string out;
-    Diagnostics diagnostics(source, 2, [&](std::string_view message) { out += message; });
-    diagnostics.warning({0, 1, 1}, "look");
+    Diagnostics diagnostics(source, 2, [&](const text::Diagnostic& told) { out += text::to_text(told); });
+    diagnostics.warning({0, 1, 1}, DiagnosticKind::syntax, "look");
     EXPECT_EQ(diagnostics.error_count(), 0U) << "a warning is no error";
-    EXPECT_EQ(diagnostics.first_error(), "");
-    diagnostics.error({0, 1, 1}, "one");
+    EXPECT_FALSE(diagnostics.first_error());
+    diagnostics.error({0, 1, 1}, DiagnosticKind::syntax, "one");
     EXPECT_FALSE(diagnostics.full());
-    diagnostics.error({0, 1, 2}, "two");
-    diagnostics.error({0, 1, 2}, "three");
-    diagnostics.warning({0, 1, 2}, "four");
+    diagnostics.error({0, 1, 2}, DiagnosticKind::syntax, "two");
+    diagnostics.error({0, 1, 2}, DiagnosticKind::syntax, "three");
+    diagnostics.warning({0, 1, 2}, DiagnosticKind::syntax, "four");
     EXPECT_TRUE(diagnostics.full());
     EXPECT_EQ(diagnostics.error_count(), 2U);
-    EXPECT_EQ(diagnostics.first_error(), "p.nc:1:1: one");
+    EXPECT_EQ(diagnostics.first_error().value().text, "one");
     EXPECT_EQ(out,
               "p.nc:1:1: warning: look\n  X\n  ^\n"
               "p.nc:1:1: error: one\n  X\n  ^\n"
               "p.nc:1:2: error: two\n  X\n   ^\n"
-              "p.nc: 2 errors, giving up\n");
+              "p.nc: note: 2 errors, giving up\n");
+}
+
+TEST(Diagnostics, AWordEndsBehindItsNumber) {
+    const auto end_of = [](const std::string& line, std::uint32_t column) {
+        const Source source = Source::from_text(line, "p.nc");
+        std::uint32_t end = 0;
+        Diagnostics diagnostics(source, 10, [&](const text::Diagnostic& told) { end = told.end_column; });
+        diagnostics.error({0, 1, column}, DiagnosticKind::syntax, "wrong");
+        return end;
+    };
+    EXPECT_EQ(end_of("G1 X-5.5 Y2", 4), 9U);
+    EXPECT_EQ(end_of("G1 ,R5", 4), 7U);
+    EXPECT_EQ(end_of("GOTO 5", 1), 5U);
+    EXPECT_EQ(end_of("G1 ?", 4), 5U);
+    EXPECT_EQ(end_of("G1", 9), 10U) << "behind the line";
 }
 
 TEST(Printable, EscapesControlCharactersAndNothingElse) {
@@ -71,4 +86,4 @@ TEST(Printable, EscapesControlCharactersAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace gsim::lexer
+}  // namespace gsim::lexer::diagnostics_test

@@ -4,7 +4,7 @@
 
 #include "tests/lexer/scan.h"
 
-namespace gsim::lexer {
+namespace gsim::lexer::ngc_tokens_test {
 namespace {
 
 using testing::ElementsAre;
@@ -118,8 +118,9 @@ TEST(NgcTokens, RemarksAndComments) {
     EXPECT_THAT(result.words, ElementsAre("G=0", "X=1", "Y=2"));
     EXPECT_THAT(result.comments, ElementsAre("G1 Y2 (no) % ", "one", "two", "three", "four", "five"));
     EXPECT_EQ(scan_ngc("X1 (open\nY2\n").messages, "1:9: error: the comment has no ')' on its line\n");
-    EXPECT_EQ(scan_ngc("X1 ) 2\n").messages,
-              "1:4: error: ')' without '('; a comment ends at its first ')'\n");
+    EXPECT_EQ(
+        scan_ngc("X1 ) 2\n").messages,
+        "1:4: error: ')' without '('; a comment ends at its first ')', also where it holds another '('\n");
     EXPECT_THAT(scan_ngc("X[1(c)+2] Y3\n").words, ElementsAre("X=", "Y=3")) << "in an expression too";
 }
 
@@ -172,4 +173,4 @@ TEST(NgcTokens, SequenceNumbersAndBlockDelete) {
 }
 
 }  // namespace
-}  // namespace gsim::lexer
+}  // namespace gsim::lexer::ngc_tokens_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::lexer {
+namespace gsim::lexer::source_test {
 namespace {
 
 std::string read_all(Source& source, std::size_t step) {
@@ -75,4 +75,4 @@ TEST(Source, ErrorsNameTheFile) {
 }
 
 }  // namespace
-}  // namespace gsim::lexer
+}  // namespace gsim::lexer::source_test

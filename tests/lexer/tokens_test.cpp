@@ -3,7 +3,7 @@
 
 #include "tests/lexer/scan.h"
 
-namespace gsim::lexer {
+namespace gsim::lexer::tokens_test {
 namespace {
 
 using testing::ElementsAre;
@@ -150,4 +150,4 @@ TEST(Tokens, FunctionsAndOperatorsOfExpressions) {
 }
 
 }  // namespace
-}  // namespace gsim::lexer
+}  // namespace gsim::lexer::tokens_test

@@ -2,7 +2,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::ab9_home_test {
 namespace {
 
 const std::string kAway = "F(6000.0) G0{x=100, y=100, z=50}\n";
@@ -35,8 +35,18 @@ TEST(Skip, WithoutASignalItGoesToItsEnd) {
 
 TEST(Skip, ASignalCutsItShort) {
     const std::string answer = "on_probe(function(from, to) return 0.25 end) ";
-    expect_end(run_lua(answer + kAway + "G31{x=200}"), 125, 100, 50);
-    expect_end(run_lua(answer + kAway + "G52{x=10} G31{x=190} G0{y=v[5061]}"), 125, 115, 50);
+    const double braking_mm = 100.0 * 100 / (2 * kAcceleration_mm_s2);  // from F6000
+    expect_end(run_lua(answer + kAway + "G31{x=200}"), 125 + braking_mm, 100, 50);
+    expect_end(run_lua(answer + kAway + "G52{x=10} G31{x=190} G0{y=v[5061]}"), 125 + braking_mm, 115, 50);
+}
+
+TEST(Skip, WhatProbesFeelEndsItToo) {
+    Conditions setup;
+    setup.probe = {.kind = simulation::ProbeFeels::Kind::plane, .axis = 0, .at_mm = 130};
+    expect_end(run_lua(kAway + "F(600) G31{x=200} G0{y=v[5061]}", setup),
+               130 + 10.0 * 10 / (2 * kAcceleration_mm_s2), 130, 50);
+    setup.probe = {.kind = simulation::ProbeFeels::Kind::nothing};
+    expect_end(run_lua(kAway + "G31{x=200} G0{y=v[5061]}", setup), 200, 200, 50);
 }
 
 TEST(Skip, NeedsATarget) {
@@ -45,4 +55,4 @@ TEST(Skip, NeedsATarget) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ab9_home_test

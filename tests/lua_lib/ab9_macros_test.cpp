@@ -4,7 +4,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::ab9_macros_test {
 namespace {
 
 // A main program and macros by number; line 2 is the first one of the main program.
@@ -103,4 +103,4 @@ TEST(ModalMacros, G66_1TakesTheWordsOfEachBlock) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ab9_macros_test

@@ -5,7 +5,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::ab9_modes_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -59,4 +59,4 @@ TEST(UserCodes, AnUndefinedOneSaysHow) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ab9_modes_test

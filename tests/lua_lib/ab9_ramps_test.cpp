@@ -2,7 +2,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::ab9_ramps_test {
 namespace {
 
 /// The cycle time of 100 mm at 6000 mm/min behind `words`.
@@ -45,4 +45,4 @@ TEST(Ab9Ramps, WrongValues) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ab9_ramps_test

@@ -8,7 +8,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::ab9_transform_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -73,7 +73,7 @@ TEST(Scaling, ScalesIncrementsArcsAndRadii) {
 TEST(Scaling, NeedsAFactor) {
     expect_refused("G14_1{x=5}", {"G14.1", "P", "I, J, K"});
     expect_refused("G14{p=0}", {"G14", "other than 0"});
-    expect_refused("G14{p=2, q=1}", {"Q"});
+    expect_refused("G14{p=2, q=1}", {"'q' is no word that G14 takes"});
 }
 
 TEST(Rotation, IsCounterclockwiseAboutItsCentre) {
@@ -132,4 +132,4 @@ TEST(Transforms, MachineCoordinatesStayOutside) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ab9_transform_test

@@ -4,7 +4,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::ab9_variables_test {
 namespace {
 
 // The value of an expression behind some words, as the program prints it.
@@ -82,6 +82,8 @@ TEST(Signals, MirroredAxesAreBits) {
 }
 
 TEST(Print, NeedsAnOpenOutput) {
+    EXPECT_EQ(run_lua("POPEN() v[1]=-0.0001 DPRNT(\"A%%%.3f %.4f\", v[1], v[1])").report.events.back().detail,
+              "A%0.000 -0.0001");
     const Outcome r = run_lua("POPEN() v[1]=1.25 DPRNT(\"X%.3f Y%.1f\", v[1], v[2]) PCLOS()");
     EXPECT_EQ(r.events(), "print_open print print_close");
     EXPECT_EQ(r.report.events.at(1).detail, "X1.250 Y0.0");
@@ -91,4 +93,4 @@ TEST(Print, NeedsAnOpenOutput) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ab9_variables_test

@@ -8,7 +8,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::ab9_zones_test {
 namespace {
 
 const std::string kBox = "F(6000.0) G22{x=200, y=200, z=50, i=100, j=100, k=0} ";
@@ -200,4 +200,4 @@ TEST(Zones, SeeArcsThroughAPointAndMovesThroughCompensation) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ab9_zones_test

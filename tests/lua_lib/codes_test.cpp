@@ -1,11 +1,17 @@
 // Each code that the dialect supports means something to the library.
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
 #include <fmt/format.h>
 
 #include "grammar/dialect.h"
 #include "tests/lua_lib/run.h"
+#include "text/diagnostic_kind.h"
 
-namespace gsim::script {
+namespace gsim::script::codes_test {
 namespace {
 
 TEST(Codes, EachSupportedOneIsAFunctionOfTheLibrary) {
@@ -41,5 +47,24 @@ TEST(Codes, OneForOneTheyRunWhereTheyNeedNothing) {
     }
 }
 
+// Each alarm of the library has a code that other programs know: alarm("word-value", "F is ...").
+TEST(Codes, EachAlarmHasTheCodeOfADiagnostic) {
+    std::size_t alarms = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(GSIM_SOURCE "/lua_lib")) {
+        if (entry.path().extension() != ".lua") continue;
+        std::ifstream file(entry.path());
+        const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        static const std::regex call(R"re((\w+[ .])?\balarm\((\s*"([^"]*)",)?)re");
+        for (std::sregex_iterator found(text.begin(), text.end(), call), end; found != end; ++found) {
+            if ((*found)[1] == "function " || (*found)[1] == "core.") continue;
+            const std::string code = (*found)[3];
+            EXPECT_TRUE(text::diagnostic_kind(code))
+                << entry.path() << ": " << text.substr(static_cast<std::size_t>(found->position()), 80);
+            ++alarms;
+        }
+    }
+    EXPECT_GT(alarms, 200U);
+}
+
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::codes_test

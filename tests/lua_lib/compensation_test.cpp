@@ -10,7 +10,7 @@
 
 #include "tests/lua_lib/ngc_run.h"
 
-namespace gsim::script {
+namespace gsim::script::compensation_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -91,6 +91,15 @@ TEST(NgcCompensation, MovesOutsideThePlaneKeepTheirPlaceInTheOrder) {
     EXPECT_EQ(r.to(2, 'Z'), 5);
     EXPECT_EQ(r.to(3, 'Z'), -5);
     EXPECT_EQ(r.moves.at(3).info.place.line, 6U);
+}
+
+// LinuxCNC has forgotten there that the tool came on an arc; the numbers are its own.
+TEST(NgcCompensation, BehindAStopAMoveBesideThePlaneHidesTheArcBeforeIt) {
+    const Outcome r = run_ngc(
+        "G21 F384.1\nG0 X0 Y0\nG41.1 D3.175\nG1 X24.42 Y7.5\nG91\nG2 X19.8534 Y44.0310 R91.770\nM0\n"
+        "G1 Z-2.420\nG1 X-33.0005 Y14.8798\nG90\nG40\nG1 X-70 Y70\nM2\n");
+    EXPECT_EQ(ways(r),
+              "f 23.0129 8.7285, cw 43.0489 52.5414, f 41.7261 50.9382, f 10.6204 64.9636, f -70 70");
 }
 
 TEST(NgcCompensation, TheEntryMayBeAnArcThatStaysTangentAtItsEnd) {
@@ -326,4 +335,4 @@ TEST(Ab9Compensation, KeepsItsDistanceFromRandomPaths) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::compensation_test

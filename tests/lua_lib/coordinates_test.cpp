@@ -3,7 +3,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::coordinates_test {
 namespace {
 
 TEST(Coordinates, AbsoluteAndIncremental) {
@@ -155,4 +155,4 @@ TEST(Coordinates, AnAxisThatTheMachineDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::coordinates_test

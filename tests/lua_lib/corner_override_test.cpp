@@ -7,7 +7,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::corner_override_test {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
@@ -139,4 +139,4 @@ TEST(CornerOverride, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::corner_override_test

@@ -7,7 +7,7 @@
 
 #include "tests/lua_lib/ngc_run.h"
 
-namespace gsim::script {
+namespace gsim::script::cycles_test {
 namespace {
 
 Outcome run_ab9(const std::string& lua) {
@@ -280,4 +280,4 @@ TEST(CyclesAb9, AThreadHasItsLeadFromFOrE) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::cycles_test

@@ -5,7 +5,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::feed_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -155,4 +155,4 @@ TEST(Home, G27Checks) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::feed_test

@@ -5,7 +5,7 @@
 
 #include "tests/lua_lib/ngc_run.h"
 
-namespace gsim::script {
+namespace gsim::script::ngc_blocks_test {
 namespace {
 
 // X of the end of the last move.
@@ -127,4 +127,4 @@ TEST(NgcComputedCodes, AreThoseWithoutWordsThatActBeforeTheMove) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ngc_blocks_test

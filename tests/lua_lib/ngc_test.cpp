@@ -7,7 +7,7 @@
 
 #include "tests/lua_lib/ngc_run.h"
 
-namespace gsim::script {
+namespace gsim::script::ngc_test {
 namespace {
 
 // What an expression is, printed with six decimals.
@@ -346,4 +346,4 @@ TEST(NgcOutputs, DoNotStopTheMachineIfTheyGoWithAMove) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::ngc_test

@@ -1,27 +1,59 @@
-// Probing (G38.2 to G38.5): what a script answers, and the dry run without one.
+// Probing (G38.2 to G38.5): what a script answers, a plane, nothing, and the targets themselves.
 
 #include "tests/lua_lib/ngc_run.h"
 
-namespace gsim::script {
+namespace gsim::script::probe_test {
 namespace {
 
-TEST(Probe, StopsWhereTheScriptSays) {
+using simulation::ProbeFeels;
+
+constexpr double kF3000_mm_s = 50;
+
+/// How far a joint goes on that brakes from a speed: v^2 / 2a.
+double braking_mm(double speed_mm_s) {
+    return speed_mm_s * speed_mm_s / (2 * kAcceleration_mm_s2);
+}
+
+/// RS274/NGC on the built-in machine, of which the accelerations are known.
+Conditions on_built_in(const ProbeFeels& feels = {}) {
+    Conditions setup;
+    setup.options.dialect = "rs274ngc";
+    setup.machine.axes[2].min = -1000;
+    setup.probe = feels;
+    return setup;
+}
+
+Conditions at_plane(char axis, double at_mm) {
+    return on_built_in(
+        {.kind = ProbeFeels::Kind::plane, .axis = static_cast<std::size_t>(axis - 'x'), .at_mm = at_mm});
+}
+
+TEST(Probe, TripsWhereTheScriptSaysAndBrakesBehindIt) {
     const Outcome r = run_ngc_lua(
         "on_probe(function(from, to) return { z = -3 } end)\n"
-        "G21() F(100) G10{l=2, p=1, z=-1}\n"
-        "G38_2{z=-10}\n"
-        "DEBUG('%f %f %f', v[5063], v[5070], p._z)\n");
-    EXPECT_EQ(debug_texts(r), "-2.000000 1.000000 -2.000000\n");
+        "G21() F(3000) G10{l=2, p=1, z=-1}\n"
+        "G38_2{z=-100}\n"
+        "DEBUG('%.4f %.4f %.4f', v[5063], v[5070], p._z)\n",
+        on_built_in());
+    // It has reached its speed where it touches: 50^2 / 2a is 2.5493 mm.
+    EXPECT_EQ(debug_texts(r), "-2.0000 1.0000 -4.5493\n");
     ASSERT_EQ(r.moves.size(), 1U);
     EXPECT_EQ(r.moves[0].info.kind, simulation::MoveKind::probe);
-    EXPECT_NEAR(r.to(0, 'Z'), -3, 1e-9);
+    EXPECT_NEAR(r.to(0, 'Z'), -3 - braking_mm(kF3000_mm_s), 1e-9);
+    EXPECT_NEAR(r.seconds(0), 3 / kF3000_mm_s + 1.5 * kF3000_mm_s / kAcceleration_mm_s2, 1e-9);
 }
 
 TEST(Probe, MayAnswerWithAPartOfTheWay) {
-    const Outcome r = run_ngc_lua("function probe(from, to) return 0.25 end\nG21() F(100) G38_3{x=8, y=4}\n");
-    ASSERT_TRUE(r.completed()) << r.message();
-    EXPECT_NEAR(r.to(0, 'X'), 2, 1e-9);
-    EXPECT_NEAR(r.to(0, 'Y'), 1, 1e-9);
+    const Outcome r = run_ngc_lua(
+        "function probe(from, to) return 0.25 end\nG21() F(100) G38_3{x=8, y=4} "
+        "DEBUG('%.6f %.6f', v[5061], v[5062])\n");
+    EXPECT_EQ(debug_texts(r), "2.000000 1.000000\n");
+    const Outcome at_once =
+        run_ngc_lua("on_probe(function() return 0 end) G21() F(100) G38_2{x=8} DEBUG('%.1f', v[5070])");
+    EXPECT_EQ(debug_texts(at_once), "1.0\n");
+    EXPECT_TRUE(at_once.moves.empty());
+    const Outcome whole = run_ngc_lua("on_probe(function() return 1 end) G21() F(100) G38_2{x=8}");
+    EXPECT_NEAR(whole.to(0, 'X'), 8, 1e-12);
 }
 
 TEST(Probe, FindingNothingIsAnAlarmWhereItMust) {
@@ -42,29 +74,115 @@ TEST(Probe, AnAnswerBesideTheWayIsRefused) {
                  {"answers with"});
 }
 
-// LinuxCNC's dry run: the move goes to its end, and the program goes on 0.254 mm before it.
-TEST(Probe, WithoutAScriptIsThatOfADryRun) {
+TEST(Probe, TouchesAtItsTargetWhereNothingIsSaid) {
     const Outcome r = run_ngc(
         "G21 F50\nG0 Z10\nG38.2 Z-5\nG1 X#5061 Z#5063\nG38.3 X10\nG38.4 Z5\n(debug,%.4f#5070 #<_x> "
         "#<_z>)\nG1 Y1\nM2\n");
-    EXPECT_EQ(debug_texts(r), "0.0000 9.7460 4.7460\n");
+    EXPECT_EQ(debug_texts(r), "1.0000 10.0000 5.0000\n");
     ASSERT_EQ(r.moves.size(), 5U);
     EXPECT_NEAR(r.to(1, 'Z'), -5, 1e-9);
     EXPECT_NEAR(r.to(2, 'X'), 10, 1e-9);
-    EXPECT_NEAR(r.to(3, 'X'), 9.746, 1e-9);
-    EXPECT_NEAR(r.to(4, 'Z'), 4.746, 1e-9);
+    EXPECT_NEAR(r.to(3, 'Z'), 5, 1e-9);
+    EXPECT_NEAR(r.to(4, 'Y'), 1, 1e-9);
+    EXPECT_EQ(
+        r.report.warnings,
+        std::vector<std::string>{"probes touch at their targets, as nothing says what they meet: a cell "
+                                 "(--cell), a plane (--probe z=-3.2), or a script (on_probe); --probe none "
+                                 "lets them pass"});
 }
 
-// A rapid leads to the arc's start only where the probe has left it in the arc's plane.
-TEST(Probe, AnArcBehindADryRunBeginsWhereTheProgramIs) {
-    const Outcome along = run_ngc("G21 F50\nG38.3 Z-5\nG2 X10 R5\nM2\n");
-    ASSERT_EQ(along.moves.size(), 2U) << along.message();
-    EXPECT_EQ(along.moves[1].info.kind, simulation::MoveKind::arc_cw);
-    EXPECT_NEAR(along.to(1, 'Z'), -4.746, 1e-9);
-    const Outcome across = run_ngc("G21 F50\nG38.3 X5\nG2 X10 R5\nM2\n");
-    ASSERT_EQ(across.moves.size(), 3U) << across.message();
-    EXPECT_EQ(across.moves[1].info.kind, simulation::MoveKind::rapid);
-    EXPECT_NEAR(across.to(1, 'X'), 4.746, 1e-9);
+TEST(Probe, NoMoveIsAddedBehindIt) {
+    for (const std::string probe : {"G38.3 Z-5", "G38.3 X5", "G38.5 X5"}) {
+        const Outcome r = run_ngc("G21 F50\n" + probe + "\nG2 X15 R20\nM2\n");
+        ASSERT_EQ(r.moves.size(), 2U) << r.message();
+        EXPECT_EQ(r.moves[1].info.kind, simulation::MoveKind::arc_cw);
+        EXPECT_NEAR(r.to(1, 'X'), 15, 1e-9);
+    }
+}
+
+TEST(Probe, APlaneStopsItOnEachAxis) {
+    for (const char axis : {'x', 'y', 'z'}) {
+        const std::string letter(1, static_cast<char>(axis - 'a' + 'A'));
+        const Outcome r = run_ngc("G21 F3000\nG0 X50 Y50 Z-20\nG38.2 " + letter +
+                                      "200\n(debug,%.6f#5061 #5062 "
+                                      "#5063 #5070)\nM2\n",
+                                  at_plane(axis, 100));
+        const double stop = 100 + braking_mm(kF3000_mm_s);
+        EXPECT_NEAR(r.to(r.moves.size() - 1, letter[0]), stop, 1e-6) << letter << r.message();
+        const std::string trip = axis == 'x'   ? "100.000000 50.000000 -20.000000"
+                                 : axis == 'y' ? "50.000000 100.000000 -20.000000"
+                                               : "50.000000 50.000000 100.000000";
+        EXPECT_EQ(debug_texts(r), trip + " 1.000000\n");
+    }
+}
+
+// Z of the machine is Z of the program, and the offsets: the tool's end is at the plane in machine
+// coordinates.
+TEST(Probe, APlaneIsInMachineCoordinatesOfTheToolsEnd) {
+    const Outcome r = run_ngc(
+        "G21 F60\nG10 L2 P1 Z2 R30\nG43.1 Z50\nG0 Z0\nG38.2 Z-20\n(debug,%.4f#5063)\nG43.1 Z60\n"
+        "G38.5 Z9\n(debug,%.4f#5063)\nM2\n",
+        at_plane('z', -3.2));
+    EXPECT_EQ(debug_texts(r), "-5.2000\n-5.2000\n");
+}
+
+TEST(Probe, APlaneIsLeftAgain) {
+    const Outcome r = run_ngc(
+        "G21 F600\nG38.2 Z-20\nG38.4 Z5\n(debug,%.6f#5063 #5070)\nG38.3 Z-1\n(debug,%.1f#5063 #5070)\nM2\n",
+        at_plane('z', -3.2));
+    EXPECT_EQ(debug_texts(r), "-3.200000 1.000000\n-1.0 0.0\n");
+    EXPECT_NEAR(r.to(1, 'Z'), -3.2 + braking_mm(10), 1e-6);
+}
+
+TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
+    const std::string touched = "G21 F600\nG38.2 Z-20\n";
+    expect_alarm(run_ngc(touched + "G38.2 Z-30\nM2\n", at_plane('z', -3)), 3,
+                 {"G38.2 goes to what the probe is to touch, and it touches already where it begins"});
+    expect_alarm(run_ngc(touched + "G0 Z5\nG38.4 Z9\nM2\n", at_plane('z', -3)), 4,
+                 {"G38.4 goes away from what the probe touches, and it touches nothing where it begins"});
+    const Outcome r = run_ngc(touched + "G38.3 Z-30\n(debug,%.1f#5070)\nM2\n", at_plane('z', -3));
+    EXPECT_EQ(debug_texts(r), "1.0\n");
+    EXPECT_EQ(r.moves.size(), 1U);
+}
+
+TEST(Probe, NothingFoundIsAnAlarmAsOnTheControl) {
+    const Conditions nothing = on_built_in({.kind = ProbeFeels::Kind::nothing});
+    expect_alarm(run_ngc("G21 F600\nG38.2 Z-20\nM2\n", nothing), 2,
+                 {"G38.2 has come to its end, and the probe has not touched anything"});
+    expect_alarm(run_ngc("G21 F600\nG38.4 Z-20\nM2\n", nothing), 2,
+                 {"G38.4 has come to its end, and the probe has not come free"});
+    const Outcome r = run_ngc(
+        "G21 F600\nG38.3 Z-20\n(debug,%.1f#5063 #5070)\nG38.5 Z0\n(debug,%.1f#5063 "
+        "#5070)\nM2\n",
+        nothing);
+    EXPECT_EQ(debug_texts(r), "-20.0 0.0\n0.0 0.0\n");
+    EXPECT_TRUE(r.report.warnings.empty());
+}
+
+TEST(Probe, TheMachineComesToRestBeforeIt) {
+    Conditions setup = at_plane('z', -3);
+    setup.machine.controller.planner = rrs::PlannerKind::look_ahead;
+    const Outcome r = run_ngc("G21 F3000 G64\nG1 X50\nG38.2 Z-100\nG1 X100\nM2\n", setup);
+    ASSERT_EQ(r.moves.size(), 3U) << r.message();
+    EXPECT_NEAR(r.to(0, 'X'), 50, 1e-9);
+    EXPECT_NEAR(r.to(0, 'Z'), 0, 1e-9);
+    EXPECT_NEAR(r.to(1, 'Z'), -3 - braking_mm(kF3000_mm_s), 1e-6);
+    EXPECT_NEAR(r.seconds(1), 3 / kF3000_mm_s + 1.5 * kF3000_mm_s / kAcceleration_mm_s2, 1e-6);
+    for (const motion::Segment& segment : r.segments) EXPECT_FALSE(segment.beside);
+}
+
+TEST(Probe, GoesOnFromWhereItStandsInALoopOfASubroutine) {
+    const Outcome r = run_ngc(
+        "o1 sub\n#2=0\no2 while [#2 LT 3]\nG91 G38.2 X50\nG0 X-10\n#2=[#2+1]\no2 endwhile\no1 endsub\n"
+        "G20 F40\nG21\no1 call\n(debug,%.4f#5061)\nM2\n",
+        at_plane('x', 30));
+    EXPECT_EQ(debug_texts(r), "30.0000\n");
+    EXPECT_EQ(r.moves.size(), 6U);
+}
+
+TEST(Probe, CompensationRefusesIt) {
+    Conditions setup = ngc_conditions();
+    expect_alarm(run_ngc("G21 F50 T1 M6\nG41 G1 X5\nG38.2 X20\nM2\n", setup), 3, {"G38.2"});
 }
 
 TEST(Probe, WrongWords) {
@@ -75,4 +193,4 @@ TEST(Probe, WrongWords) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::probe_test

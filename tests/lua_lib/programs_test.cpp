@@ -4,7 +4,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::programs_test {
 namespace {
 
 TEST(Programs, TheFirstOneRuns) {
@@ -22,6 +22,52 @@ TEST(Programs, CallsAndRepeats) {
 TEST(Programs, ModalStateGoesThroughCalls) {
     // The subprogram leaves G91 and G1 in force.
     expect_end(run("O1\nF1000 G0 X10\nM98 P2\nX5\nM2\nO2\nG91 G1 X1\nM99\n"), 16, 0, 0);
+}
+
+TEST(Programs, ACallComesBackPlainlyWhereOthersSayAtWhichBlockToGoOn) {
+    const std::string sub = "O5\nIF [#100 EQ 2] GOTO 8\nM99\nN8 M99 P30\n";
+    for (const char* call : {"M98 P5", "G65 P5"}) {
+        const std::string main = std::string(call) + "\nG01 X50 F500\nN30 G01 X60 F500\nM30\n";
+        const Outcome plain = run("O1\n" + main + sub);
+        expect_end(plain, 60, 0, 0);
+        EXPECT_EQ(plain.moves.size(), 2U);
+        const Outcome led = run("O1\n#100=2\n" + main + sub);
+        expect_end(led, 60, 0, 0);
+        EXPECT_EQ(led.moves.size(), 1U) << "X50 is passed over";
+    }
+}
+
+TEST(Programs, AReturnThatSaysWhereToGoOnHoldsForItsCallAlone) {
+    // The first call goes on at N20, the second one comes back plainly.
+    expect_end(run("O1\n#100=2\nM98 P5\nG0 Y1\nN20 #100=0\nM98 P5\nG0 X5\nM30\n"
+                   "O5\nIF [#100 EQ 2] GOTO 8\nM99\nN8 M99 P20\n"),
+               5, 0, 0);
+}
+
+TEST(Programs, AComputedJumpInALoopReachesTheBlocksOfTheLoop) {
+    const auto with = [](int target) {
+        return run(
+            fmt::format("#9={}\nWHILE [#1 LT 2] DO1\n#1=#1+1\nGOTO #9\nG0 X[10*#1]\nN20 G0 Y[10*#1]\n"
+                        "END1\nM30\nN30 G0 Z5\nM30\n",
+                        target));
+    };
+    const Outcome inside = with(20);
+    expect_end(inside, 0, 20, 0);
+    EXPECT_EQ(inside.moves.size(), 2U);
+    expect_end(with(30), 0, 0, 5);
+    expect_alarm(with(40), 4, {"GOTO 40: no block of this program has that number"});
+    // From an inner loop to a block of the outer one, and into a loop from outside.
+    expect_end(
+        run("#9=20\nWHILE [#1 LT 3] DO1\n#1=#1+1\nWHILE [1 EQ 1] DO2\nGOTO #9\nEND2\nN20 G91 G0 X1\nEND1\n"),
+        3, 0, 0);
+    expect_alarm(run("#9=20\nGOTO #9\nWHILE [#1 LT 1] DO1\n#1=#1+1\nN20 G0 X1\nEND1\n"), 2,
+                 {"does not lead into loops from outside"});
+}
+
+TEST(Programs, ACallInALoopGoesOnAtABlockOfTheLoop) {
+    expect_end(run("O1\nWHILE [#100 LT 2] DO1\n#100=#100+1\nM98 P5\nG0 X99\nN20 G91 G0 "
+                   "Y1\nEND1\nM30\nO5\nM99 P20\n"),
+               0, 2, 0);
 }
 
 TEST(Programs, NestToEightLevels) {
@@ -71,8 +117,56 @@ TEST(Programs, AMainProgramWithoutEndEnds) {
     EXPECT_TRUE(run("%\n%\n").completed());
 }
 
-TEST(Programs, M99InTheMainProgramRepeatsToALimit) {
+TEST(Programs, M99InTheMainProgramIsTheEndOfAPass) {
+    const Outcome one = run("G0 X100\nX0\nM99\n");
+    expect_end(one, 0, 0, 0);
+    EXPECT_EQ(one.moves.size(), 2U);
+    ASSERT_TRUE(one.report.passes);
+    EXPECT_EQ(one.report.passes->count, 1U);
+    EXPECT_EQ(one.report.passes->place.line, 3U);
+    EXPECT_EQ(one.report.passes->to_block, std::nullopt);
     Conditions setup;
+    setup.options.passes = 3;
+    const Outcome three = run("G0 X100\nX0\nM99\n", setup);
+    expect_end(three, 0, 0, 0);
+    EXPECT_EQ(three.moves.size(), 6U);
+    EXPECT_NEAR(three.report.cycle_time_s, 3 * one.report.cycle_time_s, 1e-9);
+    EXPECT_EQ(three.report.passes->count, 3U);
+    EXPECT_TRUE(run("M99\n").completed()) << "nothing moves in between";
+    EXPECT_EQ(run("G0 X1\nM30\n").report.passes, std::nullopt);
+    EXPECT_EQ(run("O1\nM98 P2\nM30\nO2\nG0 X1\nM99\n").report.passes, std::nullopt) << "a return is none";
+}
+
+TEST(Programs, APassMayEndByM30) {
+    Conditions setup;
+    setup.options.passes = 9;
+    const Outcome r = run("#1=#1+1\nG91 G0 X1\nIF [#1 EQ 3] GOTO 5\nM99\nN5 M30\n", setup);
+    expect_end(r, 3, 0, 0);
+    EXPECT_EQ(r.report.passes->count, 2U) << "the third one comes to M30";
+}
+
+TEST(Programs, AJumpBackAtTheEndOfTheMainProgramIsAPassToo) {
+    for (const char* last : {"M99 P10", "GOTO 10", "/M99 P10"}) {
+        const std::string gcode = "G0 X5\nN10 G91 G0 Y1\n" + std::string(last) + "\n%\n";
+        const Outcome one = run(gcode);
+        expect_end(one, 5, 1, 0);
+        ASSERT_TRUE(one.report.passes) << last;
+        EXPECT_EQ(one.report.passes->to_block, 10);
+        EXPECT_EQ(one.report.passes->place.line, 3U);
+        Conditions setup;
+        setup.options.passes = 4;
+        expect_end(run(gcode, setup), 5, 4, 0);
+    }
+    // What is not the last block, or depends on something, is a loop like any other.
+    const Outcome loop = run("N10 G91 G0 Y1\n#1=#1+1\nIF [#1 LT 3] GOTO 10\n");
+    expect_end(loop, 0, 3, 0);
+    EXPECT_EQ(loop.report.passes, std::nullopt);
+    expect_end(run("N10 G91 G0 Y1\n#1=#1+1\nIF [#1 EQ 3] GOTO 20\nM99 P10\nN20 M30\n"), 0, 3, 0);
+}
+
+TEST(Programs, PassesEndAtTheLimitsOfTheRun) {
+    Conditions setup;
+    setup.options.passes = 1000;
     setup.limits.max_time_s = 10;
     const Outcome r = run("G0 X100\nX0\nM99\n", setup);
     expect_stopped(r, "--max-time");
@@ -83,8 +177,6 @@ TEST(Programs, M99InTheMainProgramRepeatsToALimit) {
     const Outcome blocks = run("G0 X100\nX0\nM99\n", setup);
     expect_stopped(blocks, "--max-blocks");
     EXPECT_EQ(blocks.report.blocks, 100U);
-    expect_stopped(run("M8\nM99\n"), "endless loop");
-    expect_stopped(run("M99\n"), "endless loop");
 }
 
 TEST(Programs, ALoopWithoutMotionEndsByItsSteps) {
@@ -94,7 +186,7 @@ TEST(Programs, ALoopWithoutMotionEndsByItsSteps) {
     expect_stopped(r, "--max-steps");
     EXPECT_GE(r.line(), 2U);
     EXPECT_LE(r.line(), 4U);
-    expect_stopped(run("N1 GOTO1\n", setup), "--max-steps");
+    expect_stopped(run("N1 GOTO1\nM30\n", setup), "--max-steps");
 }
 
 TEST(Programs, BlockDelete) {
@@ -124,6 +216,7 @@ TEST(Places, AnAlarmOfAnExpressionIsOfItsOwnLine) {
     expect_alarm(run("G0 X1\nG0 X[1/0]\n"), 2, {"division by zero"});
     expect_alarm(run("O1\nG0 X1\nM98 P2\nM2\nO2\nG0 X2\n#50=1\nM99\n"), 7, {"#50"});
     expect_alarm(run("G0 X1\nIF[1 EQ 1]GOTO[#1+2.5]\nN2\n"), 2, {"2.5"});
+    expect_alarm(run("O1\nG0 X1\nM98 P2\nM2\nO2\nG0 X2\nM99 P[1.5]\n"), 7, {"1.5"});
     expect_alarm(run("G0 X1\n\nGOTO[#1+3]\nN2\n"), 3, {"3"});
 }
 
@@ -136,4 +229,4 @@ TEST(Places, MovesHaveTheLineOfTheGCode) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::programs_test

@@ -10,7 +10,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::random_programs_test {
 namespace {
 
 constexpr int kPrograms = 80;
@@ -284,4 +284,4 @@ TEST(RandomPrograms, EveryMoveIsWhereItsBlockSaysAndKeepsTheLimits) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::random_programs_test

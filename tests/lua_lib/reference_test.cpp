@@ -8,7 +8,7 @@
 #include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::reference_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,4 +44,4 @@ TEST(Reference, AppendixJAsWritten) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::reference_test

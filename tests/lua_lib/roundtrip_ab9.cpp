@@ -6,17 +6,6 @@
 
 namespace gsim::roundtrip {
 
-namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr double kNoMove_mm = 1e-7;
-
-std::size_t at(Eigen::Index i) {
-    return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 // In the order of docs/language.md, "Order of execution in a block".
 void Ab9Control::run(const ReadBlock& block) {
     select_plane(block);

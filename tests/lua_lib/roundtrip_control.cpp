@@ -10,11 +10,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kTurn_rad = 2 * std::numbers::pi;
-constexpr double kNoMove_mm = 1e-7;
 constexpr double kMinute_s = 60;
 constexpr std::array<char, 3> kCentreWords{'I', 'J', 'K'};
-
-constexpr const char* kSystems[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
 
 // The angle from a to b in the sense of travel, above 0 and up to a turn.
 double swept(const Vector2d& a, const Vector2d& b, bool ccw) {
@@ -153,7 +150,6 @@ void Control::arc(bool ccw, const ReadBlock& block) {
 
     Move move;
     move.kind = Kind::arc;
-    move.plane = plane_;
     move.end = to_machine(end);
     move.turns = static_cast<int>(std::ceil(circle.sweep_rad / kTurn_rad - 1e-9));
     Eigen::Vector3d centre = start.head<3>();
@@ -161,12 +157,10 @@ void Control::arc(bool ccw, const ReadBlock& block) {
     centre[second] = circle.centre[1];
     move.centre = space() * centre;
     const Eigen::Matrix3d turn = space().linear();
-    const double determinant =
-        turn(first, first) * turn(second, second) - turn(first, second) * turn(second, first);
-    move.counterclockwise = ccw == (determinant > 0);
+    move.axis = (ccw ? 1 : -1) * turn.col(first).cross(turn.col(second)).normalized();
     const Eigen::Vector3d out = position_.head<3>() - move.centre;
-    const double machine_radius = std::hypot(out[first], out[second]);
-    move.length_mm = std::hypot(machine_radius * circle.sweep_rad, move.end[normal] - position_[normal]);
+    const Eigen::Vector3d way = move.end.head<3>() - position_.head<3>();
+    move.length_mm = std::hypot(out.cross(move.axis).norm() * circle.sweep_rad, way.dot(move.axis));
     if (inverse_time_) move.time_s = inverse_time_of_arc_s(circle.sweep_rad) / feed_;
     move.feed_per_min = inverse_time_ ? move.length_mm / *move.time_s * kMinute_s : feed_ * feed_unit_mm_;
     add(move);

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/lua_lib/roundtrip_units.h"
+
 namespace gsim::roundtrip {
 
 inline constexpr std::string_view kAxes = "XYZABCUVW";
@@ -27,10 +29,9 @@ struct Move {
     double feed_per_min = 0;       ///< mm/min, or deg/min where only rotary axes move.
     std::optional<double> time_s;  ///< Where the program says it: a dwell, inverse time feed.
     // Of an arc:
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< Only in the plane.
-    int plane = 0;                                     ///< Index into kPlanes.
-    bool counterclockwise = false;
-    int turns = 0;  ///< 1 up to a full circle, 2 for one more turn, ..
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< Any point of the axis.
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< About which it runs by the right hand, unit.
+    int turns = 0;                                     ///< 1 up to a full circle, 2 for one more turn, ..
 };
 
 /// A block with the values of its words; a vacant variable has left out its word.

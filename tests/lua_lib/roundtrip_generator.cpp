@@ -52,7 +52,6 @@ class Generator {
     Surroundings surroundings() const {
         Surroundings here;
         here.turned_systems = turned_systems_;
-        if (turned_systems_) here.arcs = {true, false, false};
         return here;
     }
 

@@ -6,17 +6,6 @@
 
 namespace gsim::roundtrip {
 
-namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr double kNoMove_mm = 1e-7;
-
-std::size_t at(Eigen::Index i) {
-    return static_cast<std::size_t>(i);
-}
-
-}  // namespace
-
 NgcControl::NgcControl(const std::array<Point, 9>& systems) {
     for (std::size_t i = 0; i < systems.size(); ++i) systems_[i].origin = systems[i];
     return_to_r_ = true;

@@ -5,13 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "tests/lua_lib/roundtrip_units.h"
+
 namespace gsim::roundtrip {
-
-namespace {
-
-constexpr const char* kSystems[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
-
-}  // namespace
 
 Block Shapes::start() {
     return {.codes = {"G21", "G90", "G17", "G94", "G54"}, .words = {{"F", values_.constant(100, 900)}}};

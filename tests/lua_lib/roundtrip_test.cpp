@@ -10,7 +10,7 @@
 #include "tests/lua_lib/roundtrip_interpreter.h"
 #include "tests/lua_lib/roundtrip_text.h"
 
-namespace gsim::roundtrip {
+namespace gsim::roundtrip::roundtrip_test {
 namespace {
 
 using simulation::MoveKind;
@@ -80,12 +80,14 @@ std::string shown(const Point& point) {
 
 void expect_arc(const Move& wanted, const simulation::RecordedMove& found) {
     ASSERT_TRUE(found.arc);
-    EXPECT_EQ(found.info.kind == MoveKind::arc_ccw, wanted.counterclockwise);
-    EXPECT_EQ(static_cast<int>(found.info.plane), wanted.plane);
+    const Eigen::Vector3d& normal = found.info.normal;
+    const Eigen::Vector3d axis = found.info.kind == MoveKind::arc_ccw ? normal : Eigen::Vector3d(-normal);
+    EXPECT_LT((axis - wanted.axis).norm(), kTolerance)
+        << "found  " << axis.transpose() << "\nwanted " << wanted.axis.transpose();
+    EXPECT_EQ(normal, simulation::told_normal(normal));
     EXPECT_EQ(found.info.turns, wanted.turns);
-    for (const Eigen::Index axis : {kPlanes[static_cast<std::size_t>(wanted.plane)][0],
-                                    kPlanes[static_cast<std::size_t>(wanted.plane)][1]})
-        EXPECT_NEAR(found.arc->center[axis], wanted.centre[axis], kTolerance);
+    const Eigen::Vector3d apart = found.arc->center - wanted.centre;
+    EXPECT_LT((apart - apart.dot(axis) * axis).norm(), kTolerance);
 }
 
 void expect_move(const Move& wanted, const script::Outcome& run, std::size_t n) {
@@ -153,4 +155,4 @@ TEST(RoundTrip, Rs274Ngc) {
 }
 
 }  // namespace
-}  // namespace gsim::roundtrip
+}  // namespace gsim::roundtrip::roundtrip_test

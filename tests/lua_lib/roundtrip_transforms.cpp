@@ -21,8 +21,6 @@ class Maker {
         if (random_.chance(3)) turn.codes.emplace_back(random_.chance(2) ? "G90" : "G91");
         if (random_.chance(4)) turn.codes.push_back(fmt::format("G{}", random_.whole(54, 59)));
         add_centre(turn, kLetters[plane]);
-        for (std::size_t i = 0; i < 3; ++i)
-            inside_.arcs[i] = inside_.arcs[i] && i == static_cast<std::size_t>(plane);
         Bracket bracket{.begin = {}, .end = {.codes = {"G69"}}};
         bracket.begin.push_back({.block = std::move(turn)});
         // In increments the angle adds to the rotation that is in force in that plane.

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/lua_lib/roundtrip_units.h"
+
 namespace gsim::roundtrip {
 
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kNear = 1e-9;
 constexpr double kEqual = 1e-4;  // EQ and NE of RS274/NGC
 

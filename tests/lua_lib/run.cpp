@@ -62,6 +62,7 @@ Outcome run_script(Script script, Conditions setup) {
     simulation::Simulator simulator(result.machine, setup.limits);
     Collector collector(result);
     simulator.add_output(collector);
+    simulator.set_probe(setup.probe);
     const std::string name = script.file_name;
     {
         Engine engine(simulator, std::move(setup.options));

@@ -10,6 +10,7 @@
 
 #include "runtime/machine/machine_data.h"
 #include "runtime/script/engine.h"
+#include "runtime/simulation/probe.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"
 
@@ -21,7 +22,9 @@ machine::Machine built_in_machine();
 struct Conditions {
     machine::Machine machine = built_in_machine();
     Engine::Options options;
-    simulation::RunLimits limits;
+    /// Past a range or in a zone the run ends there, unless a test wants it to go on.
+    simulation::RunLimits limits{.stop_at_first = true};
+    simulation::ProbeFeels probe;
 };
 
 /// The same with two tools in the table: 10 and 25 mm long, 6 and 4 mm in diameter.

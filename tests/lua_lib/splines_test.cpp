@@ -7,7 +7,7 @@
 
 #include "tests/lua_lib/ngc_run.h"
 
-namespace gsim::script {
+namespace gsim::script::splines_test {
 namespace {
 
 constexpr double kTolerance_mm = 0.001;  // TOLERANCE_MM of splines.lua
@@ -112,4 +112,4 @@ TEST(Splines, WrongWords) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::splines_test

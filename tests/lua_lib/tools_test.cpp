@@ -3,7 +3,7 @@
 
 #include "tests/lua_lib/ngc_run.h"
 
-namespace gsim::script {
+namespace gsim::script::tools_test {
 namespace {
 
 Outcome run_ab9(const std::string& lua) {
@@ -92,4 +92,4 @@ TEST(ToolsAb9, NumbersOfToolsAreNotThoseOfOffsets) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::tools_test

@@ -4,7 +4,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::variables_test {
 namespace {
 
 // The value of an expression, by way of a move: X goes to 500 + the value.
@@ -150,4 +150,4 @@ TEST(Globals, AUserMayDefineHisOwn) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::variables_test

@@ -11,7 +11,7 @@
 
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::machine {
+namespace gsim::machine::controller_file_test {
 namespace {
 
 using rrs::ControllerRules;
@@ -287,4 +287,4 @@ TEST(ControllerFile, HoldsOneTable) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::controller_file_test

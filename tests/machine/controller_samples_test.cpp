@@ -11,7 +11,7 @@
 #include "runtime/machine/machine_file.h"
 #include "runtime/machine/text_file.h"
 
-namespace gsim::machine {
+namespace gsim::machine::controller_samples_test {
 namespace {
 
 using rrs::ControllerRules;
@@ -155,4 +155,4 @@ INSTANTIATE_TEST_SUITE_P(All, GrblSample,
                          });
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::controller_samples_test

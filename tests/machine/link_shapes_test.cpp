@@ -10,7 +10,7 @@
 
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::machine {
+namespace gsim::machine::link_shapes_test {
 namespace {
 
 using testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST(LinkShapes, SaysWhereAndWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::link_shapes_test

@@ -6,7 +6,7 @@
 
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::machine {
+namespace gsim::machine::machine_data_document_test {
 namespace {
 
 using Changed = MachineDataDocument::Changed;
@@ -211,4 +211,4 @@ TEST(MachineDataDocument, DataOfARunChangeTheirLinesAlone) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::machine_data_document_test

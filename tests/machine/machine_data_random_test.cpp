@@ -12,7 +12,7 @@
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::machine {
+namespace gsim::machine::machine_data_random_test {
 namespace {
 
 std::vector<Axis> axes() {
@@ -269,4 +269,4 @@ TEST(MachineDataRandom, MangledFilesAreReadWhollyOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::machine_data_random_test

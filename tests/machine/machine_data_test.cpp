@@ -8,7 +8,7 @@
 
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::machine {
+namespace gsim::machine::machine_data_test {
 namespace {
 
 using testing::ElementsAre;
@@ -224,4 +224,4 @@ TEST(MachineData, FileThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::machine_data_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::machine {
+namespace gsim::machine::machine_file_test {
 namespace {
 
 constexpr std::string_view kHead = "[machine]\nname = \"m\"\n";  // two lines
@@ -162,7 +162,9 @@ TEST(MachineFile, MissingKeys) {
     EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = \"linear\"\n"),
               "m.toml:3:1: a linear [[axis]] lacks the key 'letter'");
     EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = \"rotary\"\nletter = \"A\"\n"),
-              "m.toml:3:1: a rotary [[axis]] lacks the key 'dh'");
+              "m.toml:3:1: a rotary [[axis]] lacks one of the keys 'direction', 'frame' and 'dh', which tell "
+              "how its "
+              "joint lies");
 }
 
 TEST(MachineFile, ValuesOutOfRange) {
@@ -229,6 +231,22 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
               "m.toml:7:11: an axis that unwinds turns on without end; leave out 'min_deg' and 'max_deg'");
 }
 
+TEST(MachineFile, AnAxisByItsDirection) {
+    const auto machine = read_machine(std::string(kHead) +
+                                          "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ncarries = \"work\"\n"
+                                          "frame = { z_mm = -25.0 }\ndirection = \"-x\"\n",
+                                      "m.toml");
+    ASSERT_TRUE(machine) << machine.error();
+    EXPECT_EQ(machine->axes.at(0).direction, AxisDirection::minus_x);
+    EXPECT_EQ(machine->axes.at(0).frame, (Frame{.z_mm = -25}));
+    EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
+    EXPECT_EQ(error_of(with_axis_line("direction = \"x\"")),
+              "m.toml:7:13: a linear [[axis]] has both 'dh' and 'direction'; one tells where its joint is");
+    EXPECT_EQ(
+        error_of(std::string(kHead) + "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"right\"\n"),
+        "m.toml:6:13: 'direction' must be \"x\", \"y\", \"z\", \"-x\", \"-y\" or \"-z\"");
+}
+
 TEST(MachineFile, InverseThatDoesNotFitTheChain) {
     const std::string error =
         error_of("[machine]\nname = \"m\"\ninverse = \"gantry\"\n" + std::string(kAxis));
@@ -249,4 +267,4 @@ TEST(MachineFile, FileThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::machine_file_test

@@ -11,7 +11,7 @@
 
 #include "runtime/machine/machine_file.h"
 
-namespace gsim::machine {
+namespace gsim::machine::machine_test {
 namespace {
 
 Machine af5() {
@@ -135,4 +135,4 @@ TEST(Machine, ChainThatDoesNotFitTheInverseIsRefused) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::machine_test

@@ -9,7 +9,7 @@
 #include "runtime/machine/text_file.h"
 #include "tests/support/mangled_text.h"
 
-namespace gsim::machine {
+namespace gsim::machine::mangled_file_test {
 namespace {
 
 using Random = std::mt19937;
@@ -96,4 +96,4 @@ TEST(MangledFile, MachineData) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::mangled_file_test

@@ -13,7 +13,7 @@
 #include "tests/kinematics/kdl_chain.h"
 #include "tests/kinematics/random_pose.h"
 
-namespace gsim::machine {
+namespace gsim::machine::sample_kinematics_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -144,4 +144,4 @@ TEST(SampleKinematics, GantryWithTheTipOffTheRotationPoint) {
 }
 
 }  // namespace
-}  // namespace gsim::machine
+}  // namespace gsim::machine::sample_kinematics_test

@@ -8,7 +8,7 @@
 
 #include "tests/motion/machines.h"
 
-namespace gsim::motion {
+namespace gsim::motion::arc_limits_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -115,4 +115,4 @@ TEST_F(ArcLimits, SharesOfACircle) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::arc_limits_test

@@ -4,7 +4,7 @@
 #include "tests/motion/machines.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::arc_move_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -135,4 +135,4 @@ TEST_F(ArcMove, stays_in_the_directions_that_the_machine_has) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::arc_move_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::motion {
+namespace gsim::motion::arc_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -147,4 +147,4 @@ TEST(Arc, range_is_that_of_dense_samples) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::arc_test

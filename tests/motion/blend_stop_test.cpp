@@ -4,7 +4,7 @@
 #include "tests/motion/motion_checks.h"
 #include "tests/motion/stop_way.h"
 
-namespace gsim::motion {
+namespace gsim::motion::blend_stop_test {
 namespace {
 
 using rrs::CornerRule;
@@ -113,4 +113,4 @@ INSTANTIATE_TEST_SUITE_P(Both, BlendStop,
                          });
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::blend_stop_test

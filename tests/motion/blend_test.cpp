@@ -6,7 +6,7 @@
 #include "tests/motion/look_ahead_path.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::blend_test {
 namespace {
 
 using rrs::CornerRule;
@@ -315,4 +315,4 @@ TEST(Blend, IsACriterionOfFlyby) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::blend_test

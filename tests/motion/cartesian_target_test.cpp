@@ -4,7 +4,7 @@
 #include "runtime/kinematics/pose.h"
 #include "tests/motion/planner_under_test.h"
 
-namespace gsim::motion {
+namespace gsim::motion::cartesian_target_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -131,4 +131,4 @@ TEST_P(CartesianTarget, kinematics_services_undo_each_other) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::cartesian_target_test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace gsim::motion {
+namespace gsim::motion::circle_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -161,4 +161,4 @@ TEST(ArcAbout, bad_numbers_are_refused) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::circle_test

@@ -6,7 +6,7 @@
 
 #include "tests/motion/machines.h"
 
-namespace gsim::motion {
+namespace gsim::motion::conveyor_test {
 namespace {
 
 using rrs::Status;
@@ -150,4 +150,4 @@ TEST(Object, MovesAtConstantSpeedAndTurnsInProportion) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::conveyor_test

@@ -5,7 +5,7 @@
 #include "tests/motion/planner_under_test.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::events_test {
 namespace {
 
 using rrs::Status;
@@ -252,4 +252,4 @@ TEST_P(HeldEvents, KeepTheirTimeWhereTheyAreKnownTooLate) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::events_test

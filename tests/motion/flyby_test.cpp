@@ -3,7 +3,7 @@
 #include "tests/motion/planner_under_test.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::flyby_test {
 namespace {
 
 using rrs::PlannerKind;
@@ -92,4 +92,4 @@ TEST_P(FlybyServices, ExactStopsWaitAsSelected) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::flyby_test

@@ -4,7 +4,7 @@
 #include "tests/motion/look_ahead_path.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::following_error_test {
 namespace {
 
 /// e' = v(t) - gain e by the classical Runge-Kutta method.
@@ -101,4 +101,4 @@ TEST(FollowingError, OnlyExactStopsWait) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::following_error_test

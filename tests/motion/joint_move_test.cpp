@@ -5,7 +5,7 @@
 #include "tests/motion/machines.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::joint_move_test {
 namespace {
 
 using rrs::Status;
@@ -74,4 +74,4 @@ TEST_F(JointMove, without_any_limit_there_is_no_time_to_take) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::joint_move_test

@@ -3,7 +3,7 @@
 #include "tests/motion/machines.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::line_move_test {
 namespace {
 
 using rrs::Dominance;
@@ -200,4 +200,4 @@ TEST_F(LineMove, secondary_slide_leads_alone_and_follows_beside_the_path) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::line_move_test

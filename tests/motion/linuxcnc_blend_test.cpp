@@ -7,7 +7,7 @@
 #include "tests/motion/linuxcnc_run.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::linuxcnc_blend_test {
 namespace {
 
 constexpr double kA = 490.3;
@@ -169,4 +169,4 @@ TEST(LinuxcncBlend, overlaps_start_with_a_period) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::linuxcnc_blend_test

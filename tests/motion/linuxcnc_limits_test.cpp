@@ -6,7 +6,7 @@
 
 #include "tests/motion/linuxcnc_run.h"
 
-namespace gsim::motion {
+namespace gsim::motion::linuxcnc_limits_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -117,4 +117,4 @@ TEST(LinuxcncLimits, huge_and_tiny_moves) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::linuxcnc_limits_test

@@ -4,7 +4,7 @@
 
 #include "tests/motion/linuxcnc_run.h"
 
-namespace gsim::motion {
+namespace gsim::motion::linuxcnc_look_ahead_test {
 namespace {
 
 constexpr double kA = 490.3;
@@ -137,4 +137,4 @@ TEST(LinuxcncLookAhead, holds_back_little_of_parabolic_blends) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::linuxcnc_look_ahead_test

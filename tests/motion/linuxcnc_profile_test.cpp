@@ -6,7 +6,7 @@
 #include "runtime/motion/linuxcnc/profile.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion::linuxcnc {
+namespace gsim::motion::linuxcnc::linuxcnc_profile_test {
 namespace {
 
 constexpr Clock kMillisecond{1e-3, true};
@@ -116,4 +116,4 @@ TEST(LinuxcncProfile, parts_of_a_law_join) {
 }
 
 }  // namespace
-}  // namespace gsim::motion::linuxcnc
+}  // namespace gsim::motion::linuxcnc::linuxcnc_profile_test

@@ -7,7 +7,7 @@
 
 #include "tests/motion/linuxcnc_run.h"
 
-namespace gsim::motion {
+namespace gsim::motion::linuxcnc_random_test {
 namespace {
 
 class Programs {
@@ -183,4 +183,4 @@ TEST(LinuxcncRandom, scales) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::linuxcnc_random_test

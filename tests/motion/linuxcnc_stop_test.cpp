@@ -5,7 +5,7 @@
 #include "tests/motion/motion_checks.h"
 #include "tests/motion/stop_way.h"
 
-namespace gsim::motion {
+namespace gsim::motion::linuxcnc_stop_test {
 namespace {
 
 using rrs::Status;
@@ -128,4 +128,4 @@ TEST(LinuxcncStop, InABlendItStandsAtOnce) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::linuxcnc_stop_test

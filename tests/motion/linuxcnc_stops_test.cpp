@@ -5,7 +5,7 @@
 #include "tests/motion/linuxcnc_run.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::linuxcnc_stops_test {
 namespace {
 
 constexpr double kA = 490.3;
@@ -149,4 +149,4 @@ TEST(LinuxcncStops, without_a_servo_period_times_are_exact) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::linuxcnc_stops_test

@@ -7,7 +7,7 @@
 #include "runtime/motion/linuxcnc/way.h"
 #include "tests/motion/linuxcnc_run.h"
 
-namespace gsim::motion {
+namespace gsim::motion::linuxcnc_way_test {
 namespace {
 
 TEST(LinuxcncWay, a_part_of_an_arc_lies_on_it) {
@@ -125,4 +125,4 @@ TEST(LinuxcncWay, flat_arcs_become_lines) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::linuxcnc_way_test

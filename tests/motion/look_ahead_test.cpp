@@ -6,7 +6,7 @@
 #include "tests/motion/look_ahead_path.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::look_ahead_test {
 namespace {
 
 using rrs::CornerRule;
@@ -322,4 +322,4 @@ TEST(LookAhead, AnArcReachesItsTargetWhereItsLastChordIsRoundedAway) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::look_ahead_test

@@ -8,7 +8,7 @@
 
 #include "tests/motion/planner_under_test.h"
 
-namespace gsim::motion {
+namespace gsim::motion::odd_values_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -201,4 +201,4 @@ TEST_P(OddSegments, rounded_corners_survive_anything) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::odd_values_test

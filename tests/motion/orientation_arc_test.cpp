@@ -6,7 +6,7 @@
 
 #include "tests/motion/machines.h"
 
-namespace gsim::motion {
+namespace gsim::motion::orientation_arc_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -198,4 +198,4 @@ TEST_F(OrientationArcs, WhatHasNoWaySaysWhy) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::orientation_arc_test

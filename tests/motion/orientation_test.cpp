@@ -3,7 +3,7 @@
 #include "tests/motion/machines.h"
 #include "tests/motion/motion_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::orientation_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -342,4 +342,4 @@ TEST(Orientation, SelectedModesHoldUntilTheyAreSelectedAnew) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::orientation_test

@@ -5,7 +5,7 @@
 
 #include "tests/motion/planner_under_test.h"
 
-namespace gsim::motion {
+namespace gsim::motion::planner_queue_test {
 namespace {
 
 using rrs::CartPos;
@@ -270,4 +270,4 @@ TEST(PlannerQueue, ModelsTellOfTimesThatTheMachineCannotKeep) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::planner_queue_test

@@ -6,7 +6,7 @@
 
 #include "tests/motion/planner_under_test.h"
 
-namespace gsim::motion {
+namespace gsim::motion::planner_services_test {
 namespace {
 
 using rrs::CartPos;
@@ -194,4 +194,4 @@ TEST(PlannerMotionTypes, joint_motion_without_position_joints_has_no_length) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::planner_services_test

@@ -7,7 +7,7 @@
 
 #include "tests/motion/machines.h"
 
-namespace gsim::motion {
+namespace gsim::motion::planner_setup_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -85,4 +85,4 @@ TEST(PlannerSetup, planner_throws_the_sentence) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::planner_setup_test

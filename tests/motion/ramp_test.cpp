@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::motion {
+namespace gsim::motion::ramp_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -212,4 +212,4 @@ TEST(Ramp, odd_values_neither_hang_nor_crash) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::ramp_test

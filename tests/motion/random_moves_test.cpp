@@ -10,7 +10,7 @@
 #include "tests/motion/machines.h"
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::random_moves_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -207,4 +207,4 @@ TEST_F(RandomMoves, arcs_and_helices_keep_their_limits_and_their_circle) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::random_moves_test

@@ -5,7 +5,7 @@
 #include "tests/motion/motion_checks.h"
 #include "tests/motion/planner_under_test.h"
 
-namespace gsim::motion {
+namespace gsim::motion::rest_ramps_test {
 namespace {
 
 using rrs::MotionType;
@@ -152,4 +152,4 @@ TEST_P(RampServices, LimitsOfTheProgramLowerThoseOfTheMachine) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::rest_ramps_test

@@ -10,7 +10,7 @@
 #include "tests/motion/law_cases.h"
 #include "tests/motion/law_reference.h"
 
-namespace gsim::motion {
+namespace gsim::motion::s_curve_test {
 namespace {
 
 constexpr double kRelative = 1e-9;
@@ -350,4 +350,4 @@ TEST(SCurve, odd_values_neither_hang_nor_crash) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::s_curve_test

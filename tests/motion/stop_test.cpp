@@ -3,7 +3,7 @@
 #include "tests/motion/motion_checks.h"
 #include "tests/motion/planner_under_test.h"
 
-namespace gsim::motion {
+namespace gsim::motion::stop_test {
 namespace {
 
 using rrs::MotionType;
@@ -261,4 +261,4 @@ TEST(Stop, ATurningJointBesideAnArc) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::stop_test

@@ -11,7 +11,7 @@
 #include "runtime/motion/time_bound.h"
 #include "tests/motion/time_bound_paths.h"
 
-namespace gsim::motion {
+namespace gsim::motion::time_bound_curve_test {
 namespace {
 
 using namespace bound_paths;
@@ -55,7 +55,7 @@ class Reference {
     std::pair<double, double> range(std::size_t i, double speed2) const {
         double low = std::max(-1e9, -shape_.caps.max_deceleration);
         double high = std::min(1e9, shape_.caps.max_acceleration);
-        if (speed2 > std::pow(shape_.caps.max_speed, 2)) high = -kInfinity;
+        if (speed2 > std::pow(shape_.caps.max_speed, 2)) high = -kNoBound;
         for (Eigen::Index j = 0; j < points_[i].q.size(); ++j) {
             for (const double ahead : {0.0, 2 * h_}) {  // there the square of the speed has grown by ahead a
                 const CurvePoint& point = points_[ahead > 0 ? i + 1 : i];
@@ -65,8 +65,7 @@ class Reference {
                 low = std::max(low, std::min((most - drag) / lever, (-most - drag) / lever));
                 high = std::min(high, std::max((most - drag) / lever, (-most - drag) / lever));
             }
-            if (std::abs(points_[i].q1[j]) * std::sqrt(speed2) > shape_.limits.max_speed[j])
-                high = -kInfinity;
+            if (std::abs(points_[i].q1[j]) * std::sqrt(speed2) > shape_.limits.max_speed[j]) high = -kNoBound;
         }
         return {low, high};
     }
@@ -96,7 +95,7 @@ TEST(TimeBoundCurve, arc_under_limits_of_its_path_alone_has_a_closed_form) {
         const double centripetal = random.around(1000);
         const double tangential = random.around(1000);
         const PathCaps caps{std::sqrt(centripetal * radius), tangential, tangential};
-        const Shape shape = circle(radius, random.between(0.01, 3), kInfinity);
+        const Shape shape = circle(radius, random.between(0.01, 3), kNoBound);
         TimeBound bound(shape.limits);
         bound.add_curve(shape.curve(), caps);
         const double expected_s = trapezoid_s(shape.length, caps);
@@ -129,7 +128,7 @@ TEST(TimeBoundCurve, one_joint_takes_its_own_trapezoid) {
 // goes at its own constant speed of 1, which it can only because the path slows down; mirrored, speeds up.
 TEST(TimeBoundCurve, a_joint_may_need_the_path_to_change_its_speed) {
     for (const bool mirrored : {false, true}) {
-        const PathCaps caps{kInfinity, mirrored ? 10.0 : 1.0, mirrored ? 1.0 : 10.0};
+        const PathCaps caps{kNoBound, mirrored ? 10.0 : 1.0, mirrored ? 1.0 : 10.0};
         const auto at = [&](double s) {
             const double speed = std::sqrt(mirrored ? 40 + 20 * s : 100 - 20 * s);
             const double q2 = 10 / (speed * speed * speed);
@@ -197,4 +196,4 @@ TEST(TimeBoundCurve, no_random_law_on_a_curve_beats_the_bound) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::time_bound_curve_test

@@ -13,7 +13,7 @@
 /// Random paths for the tests of TimeBound, and what their times are known by.
 namespace gsim::motion::bound_paths {
 
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNoBound = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kRounding = 1e-11;
 

@@ -8,7 +8,7 @@
 
 #include "tests/motion/time_bound_paths.h"
 
-namespace gsim::motion {
+namespace gsim::motion::time_bound_test {
 namespace {
 
 using namespace bound_paths;
@@ -69,7 +69,7 @@ double between_s(const Line& line, double v0, double v1) {
     };
     double low = std::max(v0, v1);
     double high = limit;
-    if (low > limit || ramps(low) > line.length * (1 + 1e-12)) return kInfinity;
+    if (low > limit || ramps(low) > line.length * (1 + 1e-12)) return kNoBound;
     for (int i = 0; i < 30; ++i) (ramps((low + high) / 2) <= line.length ? low : high) = (low + high) / 2;
     const double cruise = std::max(0.0, line.length - ramps(low));
     return (low - v0) / up + (low - v1) / down + cruise / low;
@@ -86,7 +86,7 @@ double programmed_s(const std::vector<Line>& lines, int steps) {
         std::vector<double> next_best;
         for (int step = 0; step <= (last ? 0 : steps); ++step) {
             next_speeds.push_back(top * step / steps);
-            double least = kInfinity;
+            double least = kNoBound;
             for (std::size_t k = 0; k < speeds.size(); ++k) {
                 least = std::min(least, best[k] + between_s(lines[i], speeds[k], next_speeds.back()));
             }
@@ -110,7 +110,7 @@ TEST(TimeBound, polylines_agree_with_dynamic_programming) {
 }
 
 TEST(TimeBound, joints_limit_a_line_by_their_shares) {
-    TimeBound bound({joints({100, 30, kInfinity}), joints({1000, 500, 800})});
+    TimeBound bound({joints({100, 30, kNoBound}), joints({1000, 500, 800})});
     bound.add_line(200, joints({0.6, -0.8, 0}), {70, 1200, 400});
     const PathCaps expected{30 / 0.8, 500 / 0.8, 400};
     EXPECT_DOUBLE_EQ(bound.bound_s(), trapezoid_s(200, expected));
@@ -210,20 +210,20 @@ TEST(TimeBound, falls_as_any_limit_rises) {
 }
 
 TEST(TimeBound, infinite_limits_drop_out) {
-    EXPECT_DOUBLE_EQ(bound_of({{100, {50, kInfinity, kInfinity}}}), 2);
-    EXPECT_DOUBLE_EQ(bound_of({{100, {kInfinity, 100, 100}}}), 2);
+    EXPECT_DOUBLE_EQ(bound_of({{100, {50, kNoBound, kNoBound}}}), 2);
+    EXPECT_DOUBLE_EQ(bound_of({{100, {kNoBound, 100, 100}}}), 2);
     EXPECT_NEAR(bound_of({{100, {}}}), 0, 1e-40);
 }
 
 TEST(TimeBound, lengths_that_are_none_add_nothing) {
     const PathCaps caps{100, 100, 100};
-    for (const double none : {0.0, -1.0, kNaN, -kInfinity}) {
+    for (const double none : {0.0, -1.0, kNaN, -kNoBound}) {
         EXPECT_DOUBLE_EQ(bound_of({{300, caps}, {none, {1e-9, 1e-9, 1e-9}}}), 4) << none;
     }
 }
 
 TEST(TimeBound, odd_values_give_a_number_that_is_not_negative) {
-    const double odd[] = {0, -1, 1e-320, 1e-200, 1, 1e200, 1e308, kInfinity, -kInfinity, kNaN};
+    const double odd[] = {0, -1, 1e-320, 1e-200, 1, 1e200, 1e308, kNoBound, -kNoBound, kNaN};
     Random random(10);
     const auto any = [&] { return odd[random.count(0, std::size(odd) - 1)]; };
     for (int i = 0; i < 3000; ++i) {
@@ -245,4 +245,4 @@ TEST(TimeBound, odd_values_give_a_number_that_is_not_negative) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::time_bound_test

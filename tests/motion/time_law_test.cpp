@@ -8,7 +8,7 @@
 
 #include "tests/motion/segment_checks.h"
 
-namespace gsim::motion {
+namespace gsim::motion::time_law_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -209,4 +209,4 @@ TEST(TimeLaw, distance_is_the_integral_of_the_speed) {
 }
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::time_law_test

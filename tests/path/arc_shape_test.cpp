@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::path {
+namespace gsim::path::arc_shape_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -52,4 +52,4 @@ TEST(ArcShape, AHelixOfSeveralTurnsEndsAtItsEnd) {
 }
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::arc_shape_test

@@ -8,7 +8,7 @@
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/merged_lines.h"
 
-namespace gsim::path {
+namespace gsim::path::axis_moves_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -219,4 +219,4 @@ TEST(AxisMoves, TinyArcsAreLinesWithinTheirDigits) {
 }
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::axis_moves_test

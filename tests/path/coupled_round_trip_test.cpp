@@ -12,7 +12,7 @@
 #include "tests/lua_lib/run.h"
 #include "tests/path/way.h"
 
-namespace gsim::path {
+namespace gsim::path::coupled_round_trip_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Coupled{"mill-table-table", "fanuc", {0, 0, 60}, 1e-3, 1e-3}));
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::coupled_round_trip_test

@@ -10,7 +10,7 @@
 #include "tests/path/random_path.h"
 #include "tests/support/mangled_text.h"
 
-namespace gsim::path {
+namespace gsim::path::json_test {
 namespace {
 
 using test::is_located;
@@ -132,4 +132,4 @@ TEST(PathJson, DeepBracketsAndHugeNumbersAreErrors) {
 }
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::json_test

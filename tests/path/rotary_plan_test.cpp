@@ -11,7 +11,7 @@
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/axis_moves.h"
 
-namespace gsim::path {
+namespace gsim::path::rotary_plan_test {
 namespace {
 
 machine::Machine built_in() {
@@ -184,4 +184,4 @@ TEST(RotaryPlan, AnOrientationHandedOverDifferently) {
 }
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::rotary_plan_test

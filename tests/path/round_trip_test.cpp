@@ -13,7 +13,7 @@
 #include "tests/path/random_path.h"
 #include "tests/path/way.h"
 
-namespace gsim::path {
+namespace gsim::path::round_trip_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -172,6 +172,7 @@ TEST_P(RoundTrip, TheToolGoesWhereThePathSays) {
         kind.orientations = controller.rotary_axes;
         const PathFile file{random_program(random, kind), "f", {}, {}};
         apps::PathProgramOptions options;
+        options.go_on = true;  // random paths have actions that are no words
         options.words = {controller.inch, controller.verbose};
         options.tolerance_mm = kTolerance_mm;
         options.name = "part";
@@ -197,4 +198,4 @@ INSTANTIATE_TEST_SUITE_P(All, RoundTrip,
                                          Controller{"grbl", false, true, false, 0.001}));
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::round_trip_test

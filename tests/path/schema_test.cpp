@@ -10,7 +10,7 @@
 #include "runtime/path/keys.h"
 #include "runtime/path/target_draft.h"
 
-namespace gsim::path {
+namespace gsim::path::schema_test {
 namespace {
 
 using nlohmann::json;
@@ -79,4 +79,4 @@ TEST(PathSchema, HasTheReadersLimits) {
 }
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::schema_test

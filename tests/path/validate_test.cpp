@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace gsim::path {
+namespace gsim::path::validate_test {
 namespace {
 
 Point at(double x, double y, double z) {
@@ -124,4 +124,4 @@ TEST(ValidatePath, Values) {
 }
 
 }  // namespace
-}  // namespace gsim::path
+}  // namespace gsim::path::validate_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::process {
+namespace gsim::process::conveyor_test {
 namespace {
 
 TEST(Conveyor, TravelIsTheSumOfSpeedTimesTime) {
@@ -26,4 +26,4 @@ TEST(Conveyor, TellsWhenItComesThere) {
 }
 
 }  // namespace
-}  // namespace gsim::process
+}  // namespace gsim::process::conveyor_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::process {
+namespace gsim::process::robots_file_test {
 namespace {
 
 constexpr const char* kGood = R"([[robot]]
@@ -55,4 +55,4 @@ TEST(RobotsFile, FaultsAreToldWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace gsim::process
+}  // namespace gsim::process::robots_file_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::process {
+namespace gsim::process::schedule_test {
 namespace {
 
 TEST(Schedule, TheLeastTimeGoesNextAndTheFirstOfEquals) {
@@ -79,4 +79,4 @@ TEST(Signals, NumbersAndSwitchesCompare) {
 }
 
 }  // namespace
-}  // namespace gsim::process
+}  // namespace gsim::process::schedule_test

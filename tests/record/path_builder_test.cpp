@@ -5,7 +5,7 @@
 
 #include "runtime/path/validate.h"
 
-namespace gsim::record {
+namespace gsim::record::path_builder_test {
 namespace {
 
 using path::Point;
@@ -113,4 +113,4 @@ TEST(PathBuilder, EndsWithoutABeginAreNone) {
 }
 
 }  // namespace
-}  // namespace gsim::record
+}  // namespace gsim::record::path_builder_test

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -14,7 +15,7 @@
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/random_program.h"
 
-namespace gsim::record {
+namespace gsim::record::path_recorder_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -106,8 +107,7 @@ TEST(PathRecorder, PassesTheEndsOfRandomMovesInTheirOrderBySameLengths) {
         for (std::size_t i = 1; i < points.size(); ++i) {
             recorded_mm += length_mm(points[i - 1].position_mm, points[i]);
         }
-        double made_mm =
-            -run.made.moves.front().length_mm;  // of the first point, where it starts is not told
+        double made_mm = 0;
         auto point = points.begin();
         for (const RecordedMove& move : run.made.moves) {
             made_mm += move.length_mm;
@@ -121,20 +121,26 @@ TEST(PathRecorder, PassesTheEndsOfRandomMovesInTheirOrderBySameLengths) {
     }
 }
 
-// The point of the circle after a share of an arc, by the definition of ArcMove.
-AxisVector on_arc(const AxisVector& start, const ArcMove& move, int first, int second, double share) {
-    const double x = start[first] - move.center_first_mm;
-    const double y = start[second] - move.center_second_mm;
+// The point of the helix after a share of an arc, by the definition of ArcMove: Rodrigues' formula.
+AxisVector on_arc(const AxisVector& start, const ArcMove& move, double rise_mm, double share) {
     const double angle = (move.kind == MoveKind::arc_ccw ? 1 : -1) * share * move.sweep_rad;
-    AxisVector axes = start + share * (move.target - start);
-    axes[first] = move.center_first_mm + x * std::cos(angle) - y * std::sin(angle);
-    axes[second] = move.center_second_mm + x * std::sin(angle) + y * std::cos(angle);
+    const Vector3d from = start.head<3>() - move.center_mm;
+    const Vector3d turned = std::cos(angle) * from + std::sin(angle) * move.normal.cross(from) +
+                            (1 - std::cos(angle)) * move.normal.dot(from) * move.normal;
+    AxisVector axes = start;
+    axes.head<3>() = move.center_mm + turned + share * rise_mm * move.normal;
     return axes;
+}
+
+Vector3d random_normal(std::mt19937& random) {
+    switch (random() % 4) {
+        case 0: return simulation::normal_of(static_cast<simulation::Plane>(random() % 3));
+        default: return simulation::told_normal(simulation::random_direction(random));
+    }
 }
 
 // Where the work is turned, arcs of the axes lie anywhere in the work frame.
 TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
-    constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
     std::mt19937 random(11);
     for (const char* name : {"af5", "mill-table-table", "mill-head-table", "gantry-offset-head"}) {
         for (int round = 0; round < 30; ++round) {
@@ -143,15 +149,15 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
             for (Eigen::Index i = 0; i < start.size(); ++i) start[i] += simulation::between(random, -50, 50);
             run.line(start);
             ArcMove move;
-            move.plane = static_cast<simulation::Plane>(round % 3);
-            const auto [first, second, normal] = kAxes[static_cast<std::size_t>(round % 3)];
+            move.normal = random_normal(random);
             move.kind = random() % 2 == 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
             move.sweep_rad = simulation::between(random, 0.1, 12);
-            move.center_first_mm = start[first] + simulation::between(random, -40, 40);
-            move.center_second_mm = start[second] + simulation::between(random, 1, 40);
-            move.target = start;
-            move.target[normal] += simulation::between(random, -20, 20);
-            move.target = on_arc(start, move, first, second, 1);
+            const double radius_mm = simulation::between(random, 1, 40);
+            const Vector3d aside = simulation::random_direction(random).cross(move.normal).normalized();
+            move.center_mm = start.head<3>() + radius_mm * aside;
+            move.center_mm += simulation::between(random, -40, 40) * move.normal;
+            const double rise_mm = simulation::between(random, -20, 20);
+            move.target = on_arc(start, move, rise_mm, 1);
             move.feed.linear_mm_min = 1000;
             ASSERT_TRUE(run.simulator.move(move));
             const std::vector<Point> points = run.points();
@@ -159,7 +165,7 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
             ASSERT_TRUE(std::holds_alternative<CenterArc>(arc.arc)) << name;
             const path::ArcShape shape = path::arc_shape(points[points.size() - 2].position_mm, arc).value();
             for (const double share : {0.1, 0.5, 0.8, 1.0}) {
-                const Vector3d tip = run.place.tip(on_arc(start, move, first, second, share));
+                const Vector3d tip = run.place.tip(on_arc(start, move, rise_mm, share));
                 EXPECT_LT((shape.at(share) - tip).norm(), 1e-6) << name << " " << share;
             }
         }
@@ -179,13 +185,20 @@ TEST(PathRecorder, WhereTurningMovesTheTipALineBecomesLinesInItsTime) {
     const std::vector<Point> points = run.points();
     ASSERT_GT(points.size(), 20U);
     EXPECT_EQ(points[0].position_mm, run.place.position(start));
-    double whole_s = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) whole_s += points[i].duration_s.value();
+    EXPECT_EQ(points[0].motion, MotionType::none);
+    std::vector<double> lasts_s{0};
+    double feed_mm_min = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        EXPECT_FALSE(points[i].duration_s) << "that is inverse time feed";
+        feed_mm_min = points[i].feed_mm_min.value_or(feed_mm_min);
+        lasts_s.push_back(length_mm(points[i - 1].position_mm, points[i]) / feed_mm_min * 60);
+    }
+    const double whole_s = std::accumulate(lasts_s.begin(), lasts_s.end(), 0.0);
     EXPECT_NEAR(whole_s, std::hypot(100, 30) / 10, 1e-6);
     double time_s = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const double middle_s = time_s + *points[i].duration_s / 2;
-        time_s += *points[i].duration_s;
+        const double middle_s = time_s + lasts_s[i] / 2;
+        time_s += lasts_s[i];
         const Vector3d middle =
             (path::to_eigen(points[i - 1].position_mm) + path::to_eigen(points[i].position_mm)) / 2;
         EXPECT_LT((middle - run.place.tip(start + middle_s / whole_s * (target - start))).norm(), 0.0006);
@@ -204,9 +217,9 @@ TEST(PathRecorder, AnArcWithRadiiThatDifferIsSplitUntilPathsTakeIt) {
     move.feed.linear_mm_min = 1000;
     ASSERT_TRUE(run.simulator.move(move));
     const std::vector<Point> points = run.points();
-    EXPECT_EQ(points.size(), 6U);
+    EXPECT_EQ(points.size(), 7U);
     EXPECT_EQ(points.back().position_mm, (path::Vector{-10.04, 0, 0}));
-    EXPECT_NEAR(points[3].position_mm[0], 10.024 * std::cos(0.6 * std::numbers::pi), 1e-8);
+    EXPECT_NEAR(points[4].position_mm[0], 10.024 * std::cos(0.6 * std::numbers::pi), 1e-8);
 }
 
 TEST(PathRecorder, ActionsAndDwellsStandWhereTheyHappened) {
@@ -221,12 +234,14 @@ TEST(PathRecorder, ActionsAndDwellsStandWhereTheyHappened) {
     run.line(run.axes({20, 0, 0, 0, 0}));
     const std::vector<Point> points = run.points();
     ASSERT_EQ(points.size(), 5U);
+    EXPECT_EQ(points[0].motion, MotionType::none) << "the machine stands there";
     EXPECT_THAT(points[0].actions, ElementsAre("spindle_cw"));
-    EXPECT_THAT(points[1].actions, ElementsAre("waterjet_on"));
+    EXPECT_THAT(points[1].actions, ElementsAre("waterjet_on", "message pierced?"));
     EXPECT_EQ(points[1].dwell_s, 0) << "a dwell comes before the actions of its point";
     EXPECT_EQ(points[2].dwell_s, 0.5);
     EXPECT_EQ(points[3].dwell_s, 0.25);
     EXPECT_THAT(points[3].actions, ElementsAre("digital_output P3 on"));
+    EXPECT_EQ(points[3].motion, MotionType::none);
     EXPECT_EQ(points[3].position_mm, (path::Vector{10, 0, 0}));
 }
 
@@ -241,15 +256,85 @@ TEST(PathRecorder, FeedsAndOrientationsAreGivenWhereTheyChange) {
     run.simulator.move(timed);
     run.line(run.axes({60, 0, 0, 30, 0}), 900);
     const std::vector<Point> points = run.points();
-    ASSERT_EQ(points.size(), 5U);
-    EXPECT_EQ(points[0].feed_mm_min, 600);
+    ASSERT_EQ(points.size(), 6U);
+    EXPECT_EQ(points[1].feed_mm_min, 600);
     EXPECT_EQ(points[0].orientation, path::Orientation(path::RotaryAxes{{'B', 0}, {'C', 0}}));
-    EXPECT_FALSE(points[1].feed_mm_min || points[1].orientation);
-    EXPECT_EQ(points[2].feed_deg_min, 360) << "rotary axes alone";
-    EXPECT_EQ(points[2].orientation, path::Orientation(path::RotaryAxes{{'B', 30}, {'C', 0}}));
-    EXPECT_EQ(points[3].duration_s, 2);
-    EXPECT_FALSE(points[3].feed_mm_min);
-    EXPECT_EQ(points[4].feed_mm_min, 900);
+    EXPECT_FALSE(points[1].orientation || points[2].feed_mm_min || points[2].orientation);
+    EXPECT_EQ(points[3].feed_deg_min, 360) << "rotary axes alone";
+    EXPECT_EQ(points[3].orientation, path::Orientation(path::RotaryAxes{{'B', 30}, {'C', 0}}));
+    EXPECT_EQ(points[4].duration_s, 2);
+    EXPECT_FALSE(points[4].feed_mm_min);
+    EXPECT_EQ(points[5].feed_mm_min, 900);
+}
+
+TEST(PathRecorder, WhatIsSelectedForWhatFollowsIsInItsOrder) {
+    RunOf run(sample("af5"));
+    run.simulator.select_work_offset({"55", {{'X', 10}, {'Z', -3}}, 0});
+    run.simulator.set_path_mode(rrs::PathMode::continuous, 0, 0);  // as programs begin
+    run.simulator.set_spindle_speed(1200.5);
+    run.line(run.axes({10, 0, 0, 0, 0}));
+    run.simulator.set_path_mode(rrs::PathMode::continuous, 0.05, 0.01);
+    run.simulator.exact_stop_once();
+    run.line(run.axes({20, 0, 0, 0, 0}));
+    run.simulator.set_ramps(rrs::RampMode::s_curve);
+    run.simulator.set_ramp_limit(rrs::RampLimit::jerk, 1, 5000);
+    run.simulator.set_ramp_limit(rrs::RampLimit::acceleration, 3, 90);
+    run.simulator.reset_ramp_limits();
+    run.simulator.select_work_offset({"54", {}, 0});
+    run.line(run.axes({30, 0, 0, 0, 0}));
+    const std::vector<Point> points = run.points();
+    ASSERT_EQ(points.size(), 4U);
+    EXPECT_THAT(points[0].actions, ElementsAre("speed 1200.5"));
+    EXPECT_EQ(points[0].work_offset, "55");
+    EXPECT_THAT(points[1].actions, ElementsAre("path_mode continuous 0.05 0.01", "exact_stop_once"));
+    EXPECT_THAT(points[2].actions, ElementsAre("ramps s_curve", "ramp_limit jerk Y 5000 mm",
+                                               "ramp_limit acceleration B 90 deg", "ramp_limits machine"));
+    EXPECT_EQ(points[3].work_offset, "54");
+}
+
+// A change of offsets is no event; a dwell or a switch brings the machine to rest anyway.
+TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
+    RunOf run(sample("af5"));
+    run.simulator.wait();
+    run.line(run.axes({10, 0, 0, 0, 0}));
+    run.simulator.wait();
+    run.simulator.wait();
+    run.line(run.axes({20, 0, 0, 0, 0}));
+    run.simulator.wait();
+    run.simulator.event("jet_on", "", {});
+    run.simulator.wait();
+    run.line(run.axes({30, 0, 0, 0, 0}));
+    run.simulator.event("message", "hello", {}, Simulator::When::in_passing);
+    run.simulator.wait();
+    run.line(run.axes({40, 0, 0, 0, 0}));
+    const std::vector<Point> points = run.points();
+    EXPECT_THAT(points[0].actions, ElementsAre());
+    EXPECT_THAT(points[1].actions, ElementsAre("rest"));
+    EXPECT_THAT(points[2].actions, ElementsAre("waterjet_on"));
+    EXPECT_THAT(points[3].actions, ElementsAre("message hello", "rest"));
+}
+
+TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
+    RunOf run(sample("af5"));
+    LineMove move;
+    move.target = run.axes({10, 0, 0, 0, 0});
+    move.feed = {.linear_mm_min = 600, .rotary_deg_min = 600, .linear_mm_rev = 0.5};
+    run.simulator.move(move);
+    move.kind = MoveKind::thread;
+    move.target = run.axes({20, 0, 0, 0, 0});
+    move.feed.linear_mm_rev = 2;
+    run.simulator.move(move);
+    const std::vector<Point> points = run.points();
+    EXPECT_EQ(points[1].feed_mm_rev, 0.5);
+    EXPECT_EQ(points[2].lead_mm, 2);
+    EXPECT_FALSE(points[2].feed_mm_rev);
+}
+
+TEST(PathRecorder, ToolCentrePointControlIsRefused) {
+    RunOf run(sample("mill-head-table"));
+    run.simulator.set_tip_control(Eigen::Vector3d(0, 0, 50), {});
+    EXPECT_EQ(run.recorder.finish("p").error(),
+              "tool-centre-point control (G43.4) moves the tip, not the axes");
 }
 
 TEST(PathRecorder, AMachineWithoutXYZGivesPoses) {
@@ -272,14 +357,14 @@ TEST(PathRecorder, CornersAreThoseOfTheProgramThoughAControllerRoundsThem) {
     run.line(run.axes({10, 0, 0, 0, 0}), 6000);
     run.line(run.axes({10, 10, 0, 0, 0}), 6000);
     const std::vector<Point> points = run.points();
-    ASSERT_EQ(points.size(), 2U);
-    EXPECT_EQ(points[0].position_mm, (path::Vector{10, 0, 0}));
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_EQ(points[1].position_mm, (path::Vector{10, 0, 0}));
 }
 
 TEST(PathRecorder, MotionByServicesIsRefused) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
-    run.recorder.service_motion();
+    run.recorder.untold_motion("the script moves by services (SetNextTarget)");
     EXPECT_THAT(run.recorder.finish("p").error(), testing::HasSubstr("SetNextTarget"));
 }
 
@@ -290,4 +375,4 @@ TEST(PathRecorder, NothingMakesNoPath) {
 }
 
 }  // namespace
-}  // namespace gsim::record
+}  // namespace gsim::record::path_recorder_test

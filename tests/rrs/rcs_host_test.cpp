@@ -8,7 +8,7 @@
 
 #include "tests/rrs/test_module.h"
 
-namespace gsim::rrs {
+namespace gsim::rrs::rcs_host_test {
 namespace {
 
 using testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(RcsHost, what_is_no_library_is_a_sentence) {
 }
 
 }  // namespace
-}  // namespace gsim::rrs
+}  // namespace gsim::rrs::rcs_host_test

@@ -6,7 +6,7 @@
 
 #include "tests/rrs/test_module.h"
 
-namespace gsim::rrs {
+namespace gsim::rrs::rcs_shell_test {
 namespace {
 
 RcsShell ready(const std::string& name) {
@@ -129,4 +129,4 @@ TEST(RcsShell, status_of_another_service_is_a_fault) {
 }
 
 }  // namespace
-}  // namespace gsim::rrs
+}  // namespace gsim::rrs::rcs_shell_test

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace gsim::rrs {
+namespace gsim::rrs::rcs_trial_test {
 namespace {
 
 constexpr int kPlenty_ms = 10'000;
@@ -58,4 +58,4 @@ TEST(RcsTrial, work_without_end_is_ended) {
 }
 
 }  // namespace
-}  // namespace gsim::rrs
+}  // namespace gsim::rrs::rcs_trial_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::rrs {
+namespace gsim::rrs::shell_test {
 namespace {
 
 // A controller that offers nothing, but notes what it was asked for.
@@ -109,4 +109,4 @@ TEST(Shell, every_service_without_an_implementation_says_so_by_its_name) {
 }
 
 }  // namespace
-}  // namespace gsim::rrs
+}  // namespace gsim::rrs::shell_test

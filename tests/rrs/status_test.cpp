@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::rrs {
+namespace gsim::rrs::status_test {
 
 TEST(Status, names_are_those_of_the_constants) {
     EXPECT_EQ(name(Status::RRS_SUCCESS), "RRS_SUCCESS");
@@ -24,4 +24,4 @@ TEST(Status, number_of_a_newer_module_is_unknown) {
     EXPECT_EQ(name(static_cast<Status>(-999)), "RRS_UNKNOWN_STATUS");
 }
 
-}  // namespace gsim::rrs
+}  // namespace gsim::rrs::status_test

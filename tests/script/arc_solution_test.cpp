@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::script {
+namespace gsim::script::arc_solution_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -149,4 +149,4 @@ TEST(ArcSolution, OddNumbersComeBack) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::arc_solution_test

@@ -3,7 +3,7 @@
 #include "codegen/translate.h"
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::chunks_test {
 namespace {
 
 // The Lua of a program without O, its body in pieces of so many lines.
@@ -97,4 +97,4 @@ TEST(Chunks, ProgressIsTold) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::chunks_test

@@ -8,7 +8,7 @@
 #include "lua_lib/embedded_lua.h"
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::library_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,7 +55,7 @@ TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
                               "word(\"M9\", function() core.event(\"valve\") end)\n");
     const Outcome r = run_here("M77() M8() M9()");
     EXPECT_TRUE(r.completed()) << r.message();
-    EXPECT_EQ(r.events(), "pallet jet_on valve");
+    EXPECT_EQ(r.events(), "pallet jet_on valve jet_off") << "the machine file says what M9 switches";
 }
 
 TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
@@ -94,4 +94,4 @@ TEST_F(LibraryFolder, AMistakeInAWordIsAnErrorOfTheRun) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::library_test

@@ -8,7 +8,7 @@
 #include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::neutral_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -161,4 +161,4 @@ TEST(Neutral, AMachineWithoutInverseSaysSo) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::neutral_test

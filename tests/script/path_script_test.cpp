@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::script {
+namespace gsim::script::path_script_test {
 namespace {
 
 TEST(PathScript, BuildsPointsAndSubPathsInLoops) {
@@ -65,4 +65,4 @@ TEST(PathScript, ErrorsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::path_script_test

@@ -4,7 +4,7 @@
 #include "codegen/translate.h"
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::places_test {
 namespace {
 
 TEST(Places, UneditedLuaIsToldAsGCode) {
@@ -58,4 +58,4 @@ TEST(Simulators, TwoInOneProcessDoNotMeet) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::places_test

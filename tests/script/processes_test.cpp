@@ -2,7 +2,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::processes_test {
 namespace {
 
 /// The times of all changes of a signal.
@@ -193,4 +193,4 @@ TEST(Processes, ProgramsWaitInThePiecesOfALongScript) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::processes_test

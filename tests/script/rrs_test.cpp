@@ -6,7 +6,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::rrs_test {
 namespace {
 
 // Runs a script whose asserts must hold.
@@ -136,6 +136,50 @@ G91() G1{x=100.0}
     EXPECT_NEAR(r.seconds(2), trapezoid_s(100, 100, kAcceleration_mm_s2), 1e-9);
 }
 
+/// What the second of two targets takes, behind a word or without it.
+double second_target_s(const std::string& word,
+                       const std::string& speed = "rrs.SetCartesianPositionSpeed(100)") {
+    const Outcome r = run_lua("rrs.SelectTargetType(\"joint\") rrs.SelectMotionType(\"linear\") " + speed +
+                              "\nassert(rrs.SetNextTarget({200, 0, 0, 0, 0}) == 0)\n" + word +
+                              "\nassert(rrs.SetNextTarget({200, 300, 0, 0, 0}) == 0)\n");
+    EXPECT_TRUE(r.completed()) << word << ": " << r.message();
+    return r.moves.empty() ? 0 : r.seconds(r.moves.size() - 1);
+}
+
+TEST(Services, HaveModesOfTheirOwnBehindEachWordThatMoves) {
+    for (const char* word :
+         {"", "G0{y=100}", "F(500) G1{y=100}", "F(500) G2{y=100, r=50}", "G93() F(2) G1{y=100} G94()",
+          "F(500) G1{x=200, y=100} G0{z=0} move{y=100}", "G0{y=100} G28{z=0} G0{y=100}",
+          "F(500) CIP{y=100, i1=250, j1=50}", "F(90) G1{b=20} G1{b=0} G0{y=100}",
+          "F(500) MoveLinear{x=200, y=100}", "MoveJoint{x=200, y=100}",
+          "F(500) MoveCircular{via={x=250, y=50}, to={x=200, y=100}}",
+          "F(500) S(100) G95() F(1) G1{y=100} G94()"}) {
+        const double from = word[0] == '\0' ? 300 : 200;
+        EXPECT_NEAR(second_target_s(word), trapezoid_s(from, 100, kAcceleration_mm_s2), 1e-9) << word;
+    }
+    // Rapid is a mode of the services, where they have selected it.
+    EXPECT_NEAR(second_target_s("F(500) G1{y=100}", "rrs.SetRapid(true)"),
+                trapezoid_s(200, 508, kAcceleration_mm_s2), 1e-9);
+}
+
+TEST(Services, BehindAWordTheFirstTargetsAreThoseOfServicesAlone) {
+    const Outcome r = expect_true(R"(
+G0{x=10.0}
+assert(rrs.SelectTargetType("joint") == 0)
+assert(rrs.SelectMotionType("linear") == 0)
+assert(rrs.SetCartesianPositionSpeed(100) == 0)
+assert(rrs.SetNextNamedTarget({200, 0, 0, 0, 0}, "P1") == 0)
+assert(rrs.SetNextNamedTarget({200, 200, 0, 0, 0}, "P2") == 0)
+)");
+    EXPECT_NEAR(r.seconds(2), trapezoid_s(200, 100, kAcceleration_mm_s2), 1e-9);
+    expect_true(
+        "F(500) G1{x=10.0}\nrrs.SelectMotionType(\"linear\")\n"
+        "assert(rrs.status_name(rrs.SetNextTarget({20, 0, 0, 0, 0})) == \"RRS_ZERO_SPEED\")");
+    const Outcome joint = expect_true("F(500) G1{x=10.0}\nassert(rrs.SetNextTarget({110, 0, 0, 0, 0}) == 0)");
+    EXPECT_NEAR(joint.seconds(1), trapezoid_s(100, 508, kAcceleration_mm_s2), 1e-9)
+        << "joint motion is the default";
+}
+
 TEST(Services, CircularByViaAndEnd) {
     const Outcome r = expect_true(R"(
 rrs.SelectTargetType("joint")
@@ -220,4 +264,4 @@ TEST(Services, ValuesThatAreNotFiniteAreRefused) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::rrs_test

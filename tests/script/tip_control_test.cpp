@@ -9,7 +9,7 @@
 #include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::tip_control_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -141,4 +141,4 @@ TEST(Poses, AnUnreachableOneNamesItsBlock) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::tip_control_test

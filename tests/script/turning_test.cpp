@@ -5,7 +5,7 @@
 
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::turning_test {
 namespace {
 
 // The built-in machine with B endless, or of a range, and turning so.
@@ -92,4 +92,4 @@ TEST(FurtherHomesOfTheMachine, AreThoseOfTheMachineFileWhereMachineDataHasNone) 
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::turning_test

@@ -13,7 +13,7 @@
 #include "runtime/simulation/report.h"
 #include "tests/lua_lib/run.h"
 
-namespace gsim::script {
+namespace gsim::script::two_runs_test {
 namespace {
 
 /// What one run is made of.
@@ -128,4 +128,4 @@ TEST(TwoRuns, GiveTheReportsThatEachGivesAlone) {
 }
 
 }  // namespace
-}  // namespace gsim::script
+}  // namespace gsim::script::two_runs_test

@@ -6,7 +6,7 @@
 
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::centripetal_watch_test {
 namespace {
 
 using testing::HasSubstr;
@@ -53,4 +53,4 @@ TEST(CentripetalWatch, an_axis_at_an_angle_to_the_plane_gives_its_share) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::centripetal_watch_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::simulation {
+namespace gsim::simulation::json_text_test {
 namespace {
 
 std::string number(double value) {
@@ -63,4 +63,4 @@ TEST(JsonText, Strings) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::json_text_test

@@ -4,7 +4,7 @@
 
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::limit_name_test {
 namespace {
 
 using motion::LimitKind;
@@ -37,4 +37,4 @@ TEST(LimitName, JointsThatTheMachineDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::limit_name_test

@@ -14,7 +14,7 @@
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::module_motion_test {
 namespace {
 
 using testing::HasSubstr;
@@ -102,7 +102,7 @@ TEST_F(SmallModule, each_move_gets_its_own_steps) {
 TEST_F(SmallModule, missing_service_ends_the_run_with_its_name) {
     ArcMove arc;
     arc.target = AxisVector::Zero(5);
-    arc.center_first_mm = 10;
+    arc.center_mm[0] = 10;
     arc.sweep_rad = 1;
     arc.feed.linear_mm_min = 600;
     EXPECT_FALSE(simulator.move(arc));
@@ -163,7 +163,7 @@ void put_program(Simulator& simulator) {
     arc.kind = MoveKind::arc_cw;
     arc.target = AxisVector::Zero(5);
     arc.target[0] = 200;
-    arc.center_first_mm = 100;
+    arc.center_mm[0] = 100;
     arc.sweep_rad = std::numbers::pi;
     arc.feed.linear_mm_min = 6000;
     simulator.move(arc);
@@ -197,4 +197,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, DefaultModule,
                                          rrs::PlannerKind::linuxcnc));
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::module_motion_test

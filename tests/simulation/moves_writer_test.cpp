@@ -8,7 +8,7 @@
 #include "tests/simulation/string_stream.h"
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::moves_writer_test {
 namespace {
 
 class MovesWriterTest : public testing::Test {
@@ -68,7 +68,7 @@ TEST_F(MovesWriterTest, NothingLimitsADwell) {
 TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
     machine.axes[1].zero = 50;
     RecordedMove recorded = move(MoveKind::arc_cw);
-    recorded.info.plane = Plane::zx;
+    recorded.info.normal = normal_of(Plane::zx);
     recorded.info.turns = 2;
     const motion::Segment segment = arc(1, 0, 500, 600, 100, 0, 90);
     recorded.arc = segment.arc;
@@ -77,7 +77,32 @@ TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
     EXPECT_EQ(json["kind"], "arc_cw");
     EXPECT_EQ(json["center"], (nlohmann::json{{"X", 500}, {"Y", 650}, {"Z", 0}}));
     EXPECT_EQ(json["plane"], "zx");
+    EXPECT_EQ(json["normal"], (nlohmann::json{{"X", 0}, {"Y", 1}, {"Z", 0}}));
     EXPECT_EQ(json["turns"], 2);
+}
+
+TEST_F(MovesWriterTest, AnObliqueArcHasItsNormalAndNoPlane) {
+    RecordedMove recorded = move(MoveKind::arc_ccw);
+    recorded.info.normal = {-0.6, 0.8, 0};
+    const auto json = nlohmann::json::parse(written(recorded));
+    EXPECT_EQ(json["plane"], nullptr);
+    EXPECT_EQ(json["normal"], (nlohmann::json{{"X", -0.6}, {"Y", 0.8}, {"Z", 0}}));
+}
+
+TEST(ArcNormal, IsToldWithItsGreatestPartAboveZero) {
+    MoveInfo info;
+    set_axis(info, Eigen::Vector3d(0, 0, -3));
+    EXPECT_EQ(info.kind, MoveKind::arc_cw);
+    EXPECT_EQ(info.normal, Eigen::Vector3d::UnitZ());
+    set_axis(info, Eigen::Vector3d(-4, 3, 0));
+    EXPECT_EQ(info.kind, MoveKind::arc_cw);
+    EXPECT_LT((info.normal - Eigen::Vector3d(0.8, -0.6, 0)).norm(), 1e-12);
+    // Of equal parts the last one counts, whatever rounding makes of them.
+    const Eigen::Vector3d even = Eigen::Vector3d(-1 - 1e-12, 1, 0).normalized();
+    EXPECT_GT(told_normal(even)[1], 0);
+    EXPECT_GT(told_normal(-even)[1], 0);
+    EXPECT_EQ(main_plane(Eigen::Vector3d(0, -1, 1e-12)), Plane::zx);
+    EXPECT_EQ(main_plane(Eigen::Vector3d(0, 1, 1e-6).normalized()), std::nullopt);
 }
 
 TEST_F(MovesWriterTest, FilesThatAppearLaterAndNamesWithOddCharacters) {
@@ -94,4 +119,4 @@ TEST_F(MovesWriterTest, UnknownFileIsNull) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::moves_writer_test

@@ -9,7 +9,7 @@
 
 #include "runtime/simulation/text_stream.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -125,4 +125,4 @@ TEST(TextStream, FullDiskIsReportedOnceAndForAll) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::output_file_test

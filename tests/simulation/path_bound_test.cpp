@@ -10,7 +10,7 @@
 #include "tests/simulation/random_program.h"
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::path_bound_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -64,7 +64,7 @@ LineMove to(const AxisVector& target, double feed_mm_min, MoveKind kind = MoveKi
 
 ArcMove circle(double radius_mm, double feed_mm_min) {
     return {.kind = MoveKind::arc_ccw,
-            .center_first_mm = radius_mm,
+            .center_mm = {radius_mm, 0, 0},
             .sweep_rad = 2 * kPi,
             .target = at(0, 0),
             .feed = {feed_mm_min, 0, {}},
@@ -275,4 +275,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& controller) { return controller.param.name; });
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::path_bound_test

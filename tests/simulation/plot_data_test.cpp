@@ -9,7 +9,7 @@
 
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::plot_data_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -85,15 +85,15 @@ TEST(TimeBuckets, EveryPeakSurvives) {
     TimeBuckets buckets;
     for (int i = 0; i < 1000000; ++i) {
         const double speed = i == 654321 ? 99 : i % 2 == 0 ? 10 : 20;
-        buckets.add({0.01 * i, speed, i >= 500000});
+        buckets.add({0.01 * i, speed, i >= 500000 ? PathStyle::jet : PathStyle::feed});
     }
     const auto points = buckets.points();
-    EXPECT_LE(points.size(), 4 * TimeBuckets::kMaxBuckets);
+    EXPECT_LE(points.size(), 6 * TimeBuckets::kMaxBuckets);
     double greatest = 0, least = 100;
     for (std::size_t i = 0; i < points.size(); ++i) {
         greatest = std::max(greatest, points[i].value);
         least = std::min(least, points[i].value);
-        EXPECT_EQ(points[i].jet_on, points[i].t_s >= 5000) << points[i].t_s;
+        EXPECT_EQ(points[i].style == PathStyle::jet, points[i].t_s >= 5000) << points[i].t_s;
         EXPECT_GE(points[i].t_s, points[i > 0 ? i - 1 : 0].t_s);
     }
     EXPECT_EQ(greatest, 99);
@@ -114,7 +114,7 @@ TEST(PlotData, SeesArcsAsArcsAndSpeedAsItIs) {
     }
     double top = 0;
     for (const TimePoint& point : data.speed()) {
-        EXPECT_TRUE(point.jet_on);
+        EXPECT_EQ(point.style, PathStyle::jet);
         top = std::max(top, point.value);
     }
     EXPECT_NEAR(top, kSpeed_mm_s, 1e-9);
@@ -171,6 +171,30 @@ TEST(PlotData, TheFeedIsThatOfMovesThatHaveOneInMmPerMinute) {
     EXPECT_EQ(data.feed()[1].value, 50);
 }
 
+TEST(PlotData, SideViewsShowWhatIsUpwards) {
+    const machine::Machine machine = af5();
+    PlotData front(machine, Plane::zx), side(machine, Plane::yz);
+    for (PlotData* each : {&front, &side}) {
+        rrs::JointPos start = joints(10, 20);
+        start[2] = 30;
+        each->begin(start);
+    }
+    EXPECT_EQ(front.labels(), (std::array<std::string, 2>{"X (mm)", "Z (mm)"}));
+    EXPECT_EQ(front.path()[0].at_mm, Vector2d(10, 30));
+    EXPECT_EQ(side.labels(), (std::array<std::string, 2>{"Y (mm)", "Z (mm)"}));
+    EXPECT_EQ(side.path()[0].at_mm, Vector2d(20, 30));
+}
+
+TEST(PlotData, ASideViewNeedsItsAxes) {
+    machine::Machine machine = af5();
+    EXPECT_EQ(PlotData::lacks_axes(machine, Plane::yz), std::nullopt);
+    machine.axes.erase(machine.axes.begin() + 1);
+    machine.name = "lathe";
+    EXPECT_EQ(PlotData::lacks_axes(machine, Plane::zx), std::nullopt);
+    EXPECT_EQ(PlotData::lacks_axes(machine, Plane::yz),
+              "--plot-plane yz needs the axes Y and Z, which the machine 'lathe' has not");
+}
+
 TEST(PlotData, MachineWithoutXAndY) {
     machine::Machine machine = af5();
     machine.axes.erase(machine.axes.begin(), machine.axes.begin() + 4);
@@ -180,4 +204,4 @@ TEST(PlotData, MachineWithoutXAndY) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::plot_data_test

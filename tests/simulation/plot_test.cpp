@@ -11,7 +11,7 @@
 #include "runtime/simulation/plot_script.h"
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::plot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,6 +37,10 @@ class PlotTest : public testing::Test {
         std::ifstream file(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
+    tl::expected<void, std::string> draw(const fs::path& path, std::string_view title) const {
+        return Picture::named(path).and_then(
+            [&](const Picture& picture) { return picture.draw(data, title); });
+    }
     bool has_gnuplot() const {
         std::FILE* null = std::fopen("/dev/null", "r+");
         const bool has = run_child({"gnuplot", "--version"}, null, null).has_value();
@@ -52,10 +56,10 @@ class PlotTest : public testing::Test {
 TEST_F(PlotTest, DrawsPngAndSvg) {
     if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
     draw_something();
-    const auto png = make_plot(data, folder / "a b.png", "it's `a` \"title\" \\ $x\n{/*2 y}");
+    const auto png = draw(folder / "a b.png", "it's `a` \"title\" \\ $x\n{/*2 y}");
     ASSERT_TRUE(png) << png.error();
     EXPECT_THAT(content(folder / "a b.png"), StartsWith("\x89PNG"));
-    const auto svg = make_plot(data, folder / "a.svg", "it's `a` title");
+    const auto svg = draw(folder / "a.svg", "it's `a` title");
     ASSERT_TRUE(svg) << svg.error();
     EXPECT_THAT(content(folder / "a.svg"), HasSubstr("it's `a` title"));
     EXPECT_THAT(content(folder / "a.svg"), HasSubstr("</svg>"));
@@ -64,7 +68,7 @@ TEST_F(PlotTest, DrawsPngAndSvg) {
 TEST_F(PlotTest, DrawsARunWithoutAMove) {
     if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
     data.begin(joints(0, 0));
-    const auto drawn = make_plot(data, folder / "a.png", "");
+    const auto drawn = draw(folder / "a.png", "");
     EXPECT_TRUE(drawn) << drawn.error();
 }
 
@@ -101,13 +105,63 @@ TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
 }
 
 TEST_F(PlotTest, NameWithoutAKnownEnding) {
-    EXPECT_EQ(make_plot(data, "a.pdf", "").error(),
-              "cannot draw 'a.pdf': a picture's name ends in .svg or .png");
+    EXPECT_EQ(Picture::named("a.pdf").error(), "cannot draw 'a.pdf': a picture's name ends in .svg or .png");
 }
 
 TEST_F(PlotTest, FolderThatIsNotThere) {
     const std::string name = (folder / "no" / "a.png").string();
-    EXPECT_EQ(make_plot(data, name, "").error(), "cannot write '" + name + "': No such file or directory");
+    EXPECT_EQ(Picture::named(name).error(), "cannot write '" + name + "': No such file or directory");
+}
+
+TEST_F(PlotTest, ANameThatWillDoLeavesNothingBehind) {
+    if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
+    EXPECT_TRUE(Picture::named(folder / "a.png"));
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+// 400 mm/s in rapids, 40 mm/s and 100 mm/s2 in feed moves.
+TEST_F(PlotTest, RapidsHaveAScaleOfTheirOwn) {
+    data.begin(joints(0, 0));
+    motion::Segment rapid = line(1, 0, joints(0, 0), joints(100, 0));
+    rapid.lead = motion::TimeLaw::fastest(100, 400, 8000);
+    rapid.duration_s = rapid.lead.duration_s();
+    data.take(rapid, {.kind = MoveKind::rapid});
+    motion::Segment feed = line(2, rapid.duration_s, joints(100, 0), joints(100, 100));
+    feed.lead = motion::TimeLaw::fastest(100, 40, 100);
+    feed.duration_s = feed.lead.duration_s();
+    data.take(feed, {.kind = MoveKind::linear, .feed_per_min = 2400, .jet_on = true});
+    const std::string script = plot_script(data, PictureFormat::svg, "t");
+    EXPECT_THAT(script, HasSubstr("set yrange [0:43.2]\n"));
+    EXPECT_THAT(script, HasSubstr("set y2range [0:432]\n"));
+    EXPECT_THAT(script, HasSubstr("set yrange [-108:108]\n"));
+    EXPECT_THAT(script, HasSubstr("set y2range [-8640:8640]\n"));
+    EXPECT_THAT(script, HasSubstr("$speed_rapid axes x1y2 with lines"));
+    EXPECT_THAT(script, HasSubstr("set y2label 'rapid (mm/s)'"));
+}
+
+TEST_F(PlotTest, RapidsAloneHaveTheLeftScale) {
+    data.begin(joints(0, 0));
+    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::rapid});
+    const std::string script = plot_script(data, PictureFormat::svg, "t");
+    EXPECT_THAT(script, HasSubstr("set yrange [0:54]\n"));
+    EXPECT_THAT(script, Not(HasSubstr("y2range")));
+}
+
+TEST_F(PlotTest, PiercesCollisionsAndTheAlarmAreMarked) {
+    draw_something();
+    data.take(line(4, 20, joints(-100, 100), joints(-100, 0)), {.kind = MoveKind::linear});
+    data.take(line(5, 30, joints(-100, 0), joints(7, 0)), {.kind = MoveKind::linear, .jet_on = true});
+    const std::string before = plot_script(data, PictureFormat::svg, "t");
+    EXPECT_THAT(before, HasSubstr("$pierce << EOD\n100 100\n-100 0\nEOD\n"));
+    EXPECT_THAT(before, Not(HasSubstr("title 'alarm'")));
+    EXPECT_THAT(before, Not(HasSubstr("title 'collision'")));
+    data.mark_collision(joints(5, 6));
+    data.mark_alarm();
+    const std::string script = plot_script(data, PictureFormat::svg, "t");
+    EXPECT_THAT(script, HasSubstr("$collision << EOD\n5 6\nEOD\n"));
+    EXPECT_THAT(script, HasSubstr("$alarm << EOD\n7 0\nEOD\n"));
+    for (const char* title : {"'pierce'", "'collision'", "'alarm'"})
+        EXPECT_THAT(script, HasSubstr(std::string("title ") + title));
 }
 
 TEST(ChildProcess, ErrorsAreSentences) {
@@ -120,4 +174,4 @@ TEST(ChildProcess, ErrorsAreSentences) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::plot_test

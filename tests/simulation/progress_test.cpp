@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::simulation {
+namespace gsim::simulation::progress_test {
 namespace {
 
 std::string drawn(bool enabled, std::uint64_t done, std::uint64_t total) {
@@ -42,4 +42,4 @@ TEST(Progress, SilentWhereThereIsNoTerminal) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::progress_test

@@ -45,11 +45,18 @@ inline machine::Machine random_machine(std::mt19937& random, const machine::Mach
     return machine;
 }
 
+inline Eigen::Vector3d random_direction(std::mt19937& random) {
+    Eigen::Vector3d direction;
+    do {
+        for (double& part : direction) part = between(random, -1, 1);
+    } while (!(direction.norm() > 0.1 && direction.norm() < 1));
+    return direction.normalized();
+}
+
 /// A full circle from where the machine stands.
 inline ArcMove circle_at(const Simulator& simulator, double radius_mm, double feed_mm_min) {
     ArcMove move;
-    move.center_first_mm = simulator.position()[0] + radius_mm;
-    move.center_second_mm = simulator.position()[1];
+    move.center_mm = {simulator.position()[0] + radius_mm, simulator.position()[1], 0};
     move.sweep_rad = 2 * std::numbers::pi;
     move.target = simulator.position();
     move.feed.linear_mm_min = feed_mm_min;
@@ -106,24 +113,22 @@ class RandomMoves {
         simulator_.move(LineMove{.kind = kind, .target = target(axes), .feed = feed(), .place = {}});
     }
 
-    // In one of the planes, with travel along its normal and of the rotary axes in some.
+    // In one of the planes or an oblique one, with travel along its normal and of the rotary axes in some.
     void arc() {
-        static constexpr int kAxes[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
         ArcMove move;
-        move.plane = static_cast<Plane>(random_() % 3);
+        move.normal = random_() % 2 == 0 ? normal_of(static_cast<Plane>(random_() % 3))
+                                         : told_normal(random_direction(random_));
         move.kind = random_() % 2 == 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
-        const auto [first, second, normal] = kAxes[static_cast<int>(move.plane)];
         const double radius = around(random_, 20, 1);
-        const double from = between(random_, 0, 2 * std::numbers::pi);
+        const Eigen::Vector3d out = random_direction(random_).cross(move.normal).normalized();
         move.sweep_rad = between(random_, 0.05, 8);
-        const double to = from + (move.kind == MoveKind::arc_ccw ? 1 : -1) * move.sweep_rad;
         const AxisVector start = simulator_.position();
-        move.center_first_mm = start[first] - radius * std::cos(from);
-        move.center_second_mm = start[second] - radius * std::sin(from);
+        move.center_mm = start.head<3>() - radius * out;
+        const Eigen::Vector3d ahead = move.axis().cross(out);
         move.target = start;
-        move.target[first] = move.center_first_mm + radius * std::cos(to);
-        move.target[second] = move.center_second_mm + radius * std::sin(to);
-        if (random_() % 2 == 0) move.target[normal] += between(random_, -3, 3) * radius;
+        move.target.head<3>() =
+            move.center_mm + radius * (std::cos(move.sweep_rad) * out + std::sin(move.sweep_rad) * ahead);
+        if (random_() % 2 == 0) move.target.head<3>() += between(random_, -3, 3) * radius * move.normal;
         if (random_() % 4 == 0) move.target[3] += between(random_, -20, 20);
         move.feed = feed();
         simulator_.move(move);

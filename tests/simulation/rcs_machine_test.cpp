@@ -10,7 +10,7 @@
 #include "runtime/machine/machine_file.h"
 #include "runtime/simulation/simulator.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::rcs_machine_test {
 namespace {
 
 rrs::JointPos random_joints(const motion::PlannerSetup& setup, std::mt19937& random) {
@@ -57,4 +57,4 @@ TEST(RcsMachine, RowsAreNumberedFromZeroUp) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::rcs_machine_test

@@ -10,7 +10,7 @@
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::recorder_test {
 namespace {
 
 using testing::ElementsAre;
@@ -252,4 +252,4 @@ TEST(Recorder, RecordsWhatThePlannerMakes) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::recorder_test

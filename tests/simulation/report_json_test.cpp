@@ -8,7 +8,7 @@
 
 #include "runtime/simulation/report.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::report_json_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -44,9 +44,10 @@ std::vector<std::string> keys(const ordered_json& json) {
 
 TEST(ReportJson, KeysInTheirOrder) {
     const auto json = ordered_json::parse(to_json(sample()));
-    EXPECT_THAT(keys(json), ElementsAre("program", "machine", "controller", "status", "alarm", "cycle_time_s",
-                                        "time", "length", "blocks", "moves", "blends", "bounds", "events",
-                                        "warnings", "slowest"));
+    EXPECT_THAT(keys(json), ElementsAre("program", "machine", "controller", "status", "alarm", "violations",
+                                        "violation_count", "remedy", "cycle_time_s", "valid_until_s", "time",
+                                        "process", "length", "blocks", "moves", "blends", "bounds", "events",
+                                        "warnings", "diagnostics", "findings", "slowest"));
     EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
     EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
     EXPECT_THAT(keys(json["blends"]), ElementsAre("count", "max_deviation_mm", "file", "line"));
@@ -54,6 +55,45 @@ TEST(ReportJson, KeysInTheirOrder) {
     EXPECT_THAT(keys(json["bounds"]["X"]), ElementsAre("min", "max", "limit_min", "limit_max"));
     EXPECT_THAT(keys(json["slowest"][0]),
                 ElementsAre("file", "line", "kind", "duration_s", "length_mm", "limited_by"));
+}
+
+TEST(ReportJson, PassesOfAMainProgramThatLeadsBack) {
+    Report report = sample();
+    report.passes = Passes{3, {1, 7}, std::nullopt};
+    auto json = ordered_json::parse(to_json(report));
+    EXPECT_EQ(json["passes"].dump(), R"({"count":3,"file":"sub.nc","line":7,"to_block":null})");
+    report.passes->to_block = 20;
+    json = ordered_json::parse(to_json(report));
+    EXPECT_EQ(json["passes"]["to_block"], 20);
+}
+
+TEST(ReportJson, ViolationsAndFindings) {
+    Report report = sample();
+    report.status = RunStatus::violations;
+    report.violations.list = {{.t_s = 0.25,
+                               .place = {0, 4},
+                               .message = "axis X goes to -5 mm",
+                               .axis = 'X',
+                               .value = -5,
+                               .limit = 0,
+                               .offset = "G54"}};
+    report.violations.count = 3;
+    report.violations.remedy = {{.offset = "G54", .axis = 'X', .shift_mm = 5}};
+    report.findings = {.list = {{.t_s = 1, .place = {1, 2}, .message = "a rapid"}}, .count = 1};
+    report.process = "laser";
+    const auto json = ordered_json::parse(to_json(report));
+    EXPECT_EQ(json["status"], "violations");
+    EXPECT_EQ(
+        json["violations"][0].dump(),
+        R"({"t_s":0.25,"file":"part.nc","line":4,"axis":"X","unit":"mm","value":-5.0,"limit":0.0,"amount":5.0,)"
+        R"("zone":null,"offset":"G54","message":"axis X goes to -5 mm","calls":[]})");
+    EXPECT_EQ(json["violation_count"], 3);
+    EXPECT_EQ(json["valid_until_s"], 0.25);
+    EXPECT_EQ(json["remedy"].dump(), R"([{"offset":"G54","axis":"X","shift_mm":5.0}])");
+    EXPECT_EQ(json["findings"].dump(),
+              R"([{"t_s":1.0,"file":"sub.nc","line":2,"code":"rapid-with-process-on","message":"a rapid"}])");
+    EXPECT_EQ(json["process"], "laser");
+    EXPECT_EQ(ordered_json::parse(to_json(sample()))["valid_until_s"], nullptr);
 }
 
 TEST(ReportJson, Values) {
@@ -108,7 +148,8 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
         Alarm{.message = "X beyond its limit", .place = {0, 4}, .axis = 'X', .value = 12, .limit = 10};
     auto json = ordered_json::parse(to_json(report));
     EXPECT_EQ(json["status"], "alarm");
-    EXPECT_EQ(json["alarm"], (ordered_json{{"message", "X beyond its limit"},
+    EXPECT_EQ(json["alarm"], (ordered_json{{"code", "script"},
+                                           {"message", "X beyond its limit"},
                                            {"file", "part.nc"},
                                            {"line", 4},
                                            {"axis", "X"},
@@ -118,7 +159,7 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
     report.alarm = Alarm{.message = "no such program", .place = {9, 0}, .value = {}, .limit = {}};
     json = ordered_json::parse(to_json(report));
     EXPECT_THAT(keys(json["alarm"]),
-                ElementsAre("message", "file", "line", "axis", "value", "limit", "calls"));
+                ElementsAre("code", "message", "file", "line", "axis", "value", "limit", "calls"));
     for (const char* key : {"file", "line", "axis", "value", "limit"}) EXPECT_EQ(json["alarm"][key], nullptr);
 }
 
@@ -153,4 +194,4 @@ TEST(ReportJson, NothingThatJsonCannotHold) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::report_json_test

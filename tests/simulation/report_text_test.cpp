@@ -7,7 +7,7 @@
 
 #include "runtime/simulation/report.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::report_text_test {
 namespace {
 
 using testing::HasSubstr;
@@ -98,4 +98,4 @@ TEST(ReportText, EmptyReport) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::report_text_test

@@ -6,7 +6,7 @@
 
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::simulator_test {
 namespace {
 
 using rrs::PlannerKind;
@@ -65,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(Planners, EachPlanner,
                                          PlannerKind::linuxcnc));
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::simulator_test

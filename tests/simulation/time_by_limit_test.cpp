@@ -5,7 +5,7 @@
 
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::time_by_limit_test {
 namespace {
 
 using motion::LimitedBy;
@@ -62,4 +62,4 @@ TEST_F(TimeByLimitTest, ManyTimesDoNotDrift) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::time_by_limit_test

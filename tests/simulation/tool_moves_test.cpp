@@ -15,7 +15,7 @@
 #include "runtime/motion/tool_path.h"
 #include "runtime/simulation/simulator.h"
 
-namespace gsim::motion {
+namespace gsim::motion::tool_moves_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -365,4 +365,4 @@ TEST_P(Arm, a_way_out_of_reach_is_named) {
 INSTANTIATE_TEST_SUITE_P(Planners, Arm, testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead));
 
 }  // namespace
-}  // namespace gsim::motion
+}  // namespace gsim::motion::tool_moves_test

@@ -12,7 +12,7 @@
 #include "tests/simulation/string_stream.h"
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::trajectory_writer_test {
 namespace {
 
 constexpr double kNoEnd_s = std::numeric_limits<double>::infinity();
@@ -136,4 +136,4 @@ TEST(TrajectoryWriter, TooManySamplesAreCutShort) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::trajectory_writer_test

@@ -13,7 +13,7 @@
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/simulator.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::work_frames_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -244,4 +244,4 @@ TEST(WorkFramesOfCells, WithoutACellThereAreNone) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::work_frames_test

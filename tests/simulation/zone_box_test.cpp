@@ -10,7 +10,7 @@
 
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::zone_box_test {
 namespace {
 
 constexpr double kTime_s = 1e-9;
@@ -165,4 +165,4 @@ TEST(ZoneBox, beside_a_law_of_its_own_an_axis_passes_its_wall_by_that) {
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::zone_box_test

@@ -13,7 +13,7 @@
 #include "tests/simulation/random_program.h"
 #include "tests/simulation/test_segments.h"
 
-namespace gsim::simulation {
+namespace gsim::simulation::zone_watch_test {
 namespace {
 
 using machine::ZoneKind;
@@ -125,7 +125,7 @@ TEST_P(ZonesWithEachPlanner, end_the_run_at_the_first_instant_that_is_not_allowe
         const machine::Zone& zone = data.security_zones[3];
         if (allowance_mm(zone, run.at(0)) < kWall_mm) continue;
 
-        Simulator watched(machine, {});
+        Simulator watched(machine, {.stop_at_first = true});
         watched.watch_zones(data);
         watched.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
         moves.seed(seed + 1000);
@@ -140,6 +140,71 @@ TEST_P(ZonesWithEachPlanner, end_the_run_at_the_first_instant_that_is_not_allowe
         expect_first(zone, run, report.cycle_time_s);
     }
     EXPECT_GT(hits, 15);
+}
+
+/// Entries are where the tool passes from where it may be to where it may not, and none is left out.
+void expect_entries(const machine::Zone& zone, const Collected& run, const std::vector<Violation>& entries) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const double from_s = entries[i].t_s;
+        EXPECT_NEAR(allowance_mm(zone, run.at(from_s)), 0, kWall_mm) << i;
+        EXPECT_LE(least_allowance_mm(zone, run, from_s, std::min(from_s + 2e-4, run.end_s()), 1e-5),
+                  kWall_mm);
+    }
+    std::size_t begun = 0;
+    double allowed_s = 0;
+    bool allowed = true;
+    for (double t_s = 0; t_s < run.end_s(); t_s += 1e-3) {
+        const double allowance = allowance_mm(zone, run.at(t_s));
+        while (begun < entries.size() && entries[begun].t_s <= t_s) ++begun;
+        if (allowance > kWall_mm) {
+            allowed = true;
+            allowed_s = t_s;
+        } else if (allowance < -1e-3) {
+            ASSERT_GT(begun, 0U) << t_s;
+            if (allowed) {
+                EXPECT_GE(entries[begun - 1].t_s, allowed_s) << t_s;
+            }
+            if (!allowed) {
+                EXPECT_LE(entries[begun - 1].t_s, t_s) << t_s;
+            }
+            EXPECT_GE(entries[begun - 1].amount(), 0) << t_s;
+            allowed = false;
+        }
+    }
+}
+
+TEST_P(ZonesWithEachPlanner, or_else_list_each_entry_and_change_nothing) {
+    std::size_t entries = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        const machine::Machine machine =
+            machine_with(random, GetParam().planner, GetParam().corner, GetParam().jerk);
+        Collected run;
+        Simulator free(machine, {});
+        free.add_output(run);
+        free.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+        std::mt19937 moves(seed + 1000);
+        make_random_moves(moves, free, kMoves);
+        const Report whole = free.finish("p");
+        machine::MachineData data;
+        data.security_zones[3] = random_zone(random, run);
+        if (allowance_mm(data.security_zones[3], run.at(0)) < kWall_mm) continue;
+        Simulator watched(machine, {});
+        watched.watch_zones(data);
+        watched.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
+        moves.seed(seed + 1000);
+        make_random_moves(moves, watched, kMoves);
+        const Report report = watched.finish("p");
+        EXPECT_EQ(report.cycle_time_s, whole.cycle_time_s);
+        std::vector<Violation> of_zone;
+        for (const Violation& violation : report.violations.list) {
+            if (!violation.zone.empty()) of_zone.push_back(violation);
+        }
+        entries += of_zone.size();
+        expect_entries(data.security_zones[3], run, of_zone);
+    }
+    EXPECT_GT(entries, 30U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, ZonesWithEachPlanner,
@@ -172,7 +237,7 @@ machine::MachineData security_zone(double min_x, double max_x) {
 Simulator& with_look_ahead(std::unique_ptr<Simulator>& simulator) {
     machine::Machine machine = af5();
     machine.controller.planner = PlannerKind::look_ahead;
-    simulator = std::make_unique<Simulator>(machine, RunLimits{});
+    simulator = std::make_unique<Simulator>(machine, RunLimits{.stop_at_first = true});
     return *simulator;
 }
 
@@ -187,7 +252,7 @@ TEST(ZoneWatch, the_alarm_names_the_block_of_the_motion_not_the_one_that_is_read
     simulator.leave_program();
     simulator.event("message", "later", {0, 3}, Simulator::When::in_passing);
     simulator.move(line_to(300, 0, {0, 4}));
-    simulator.fail("the program has a fault of its own", {0, 5});
+    simulator.fail(text::DiagnosticKind::script, "the program has a fault of its own", {0, 5});
     const Report report = simulator.finish("p");
     ASSERT_TRUE(report.alarm);
     EXPECT_EQ(report.alarm->place.line, 10U);
@@ -222,7 +287,7 @@ TEST(ZoneWatch, switches_hold_from_the_next_target_on) {
 }
 
 TEST(ZoneWatch, the_tools_end_counts_with_the_offset_of_its_move) {
-    Simulator simulator(af5(), {});
+    Simulator simulator(af5(), {.stop_at_first = true});
     simulator.watch_zones(security_zone(100, 200));
     simulator.move(line_to(90, 0, {0, 1}));
     simulator.set_tool_offset({30, 0, 0});
@@ -236,7 +301,7 @@ TEST(ZoneWatch, the_tools_end_counts_with_the_offset_of_its_move) {
 }
 
 TEST(ZoneWatch, a_tool_that_stands_where_it_must_not_ends_the_run_where_the_zone_begins_to_hold) {
-    Simulator simulator(af5(), {});
+    Simulator simulator(af5(), {.stop_at_first = true});
     simulator.watch_zones(security_zone(100, 200));
     simulator.switch_zones(2, false);
     simulator.move(line_to(150, 0, {0, 1}));
@@ -261,4 +326,4 @@ TEST(ZoneWatch, walls_on_an_axis_that_the_machine_has_not_are_left_out_with_a_wa
 }
 
 }  // namespace
-}  // namespace gsim::simulation
+}  // namespace gsim::simulation::zone_watch_test

@@ -6,7 +6,7 @@
 #include "runtime/cell/mesh_file.h"
 #include "tests/solid/solids.h"
 
-namespace gsim::cell {
+namespace gsim::cell::cell_mesh_test {
 
 namespace {
 
@@ -38,4 +38,4 @@ TEST(CellMesh, IsRefusedWhereItIsTooLargeOrDamaged) {
 
 }  // namespace
 
-}  // namespace gsim::cell
+}  // namespace gsim::cell::cell_mesh_test

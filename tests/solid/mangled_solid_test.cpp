@@ -10,7 +10,7 @@
 #include "solid/plate.h"
 #include "tests/solid/solids.h"
 
-namespace gsim::solid {
+namespace gsim::solid::mangled_solid_test {
 
 namespace {
 
@@ -76,4 +76,4 @@ TEST(MangledSolid, NeitherHangsNorCrashes) {
 
 }  // namespace
 
-}  // namespace gsim::solid
+}  // namespace gsim::solid::mangled_solid_test

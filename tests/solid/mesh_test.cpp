@@ -9,7 +9,7 @@
 
 #include "tests/solid/solids.h"
 
-namespace gsim::solid {
+namespace gsim::solid::mesh_test {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST(SolidMesh, SaysWhatIsWrongWithAFile) {
 
 }  // namespace
 
-}  // namespace gsim::solid
+}  // namespace gsim::solid::mesh_test

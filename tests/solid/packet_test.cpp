@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::solid {
+namespace gsim::solid::packet_test {
 
 namespace {
 
@@ -47,4 +47,4 @@ TEST(Packet, KnowsWhenItWasCutOff) {
 
 }  // namespace
 
-}  // namespace gsim::solid
+}  // namespace gsim::solid::packet_test

@@ -11,7 +11,7 @@
 #include "geometry/chain.h"
 #include "tests/solid/solids.h"
 
-namespace gsim::solid {
+namespace gsim::solid::plate_test {
 
 namespace {
 
@@ -259,4 +259,4 @@ TEST(Plate, WhatIsNoPlateIsNamedWithItsPlace) {
 
 }  // namespace
 
-}  // namespace gsim::solid
+}  // namespace gsim::solid::plate_test

@@ -5,7 +5,7 @@
 #include "tests/apps/run_program.h"
 #include "tests/solid/solids.h"
 
-namespace gsim::apps {
+namespace gsim::apps::program_test {
 
 namespace {
 
@@ -80,4 +80,4 @@ shape = {{ sphere_mm = 10.0 }}
 
 }  // namespace
 
-}  // namespace gsim::apps
+}  // namespace gsim::apps::program_test

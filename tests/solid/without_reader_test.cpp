@@ -5,7 +5,7 @@
 
 #include "solid/mesh.h"
 
-namespace gsim::solid {
+namespace gsim::solid::without_reader_test {
 
 namespace {
 
@@ -18,4 +18,4 @@ TEST(WithoutReader, SaysHowToGetOne) {
 
 }  // namespace
 
-}  // namespace gsim::solid
+}  // namespace gsim::solid::without_reader_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::text {
+namespace gsim::text::edit_distance_test {
 namespace {
 
 TEST(EditDistance, CountsSingleCharacterChanges) {
@@ -17,4 +17,4 @@ TEST(EditDistance, CountsSingleCharacterChanges) {
 }
 
 }  // namespace
-}  // namespace gsim::text
+}  // namespace gsim::text::edit_distance_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gsim::text {
+namespace gsim::text::letter_case_test {
 namespace {
 
 TEST(LetterCase, ChangesLettersOfAsciiAlone) {
@@ -12,4 +12,4 @@ TEST(LetterCase, ChangesLettersOfAsciiAlone) {
 }
 
 }  // namespace
-}  // namespace gsim::text
+}  // namespace gsim::text::letter_case_test

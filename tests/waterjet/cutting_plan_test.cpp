@@ -10,7 +10,7 @@
 #include "runtime/waterjet/water_flow.h"
 #include "sample.h"
 
-namespace gsim::waterjet {
+namespace gsim::waterjet::cutting_plan_test {
 namespace {
 
 using testing::HasSubstr;
@@ -176,4 +176,4 @@ TEST(CuttingPlan, FiniteAtTheEndsOfTheRanges) {
 }
 
 }  // namespace
-}  // namespace gsim::waterjet
+}  // namespace gsim::waterjet::cutting_plan_test

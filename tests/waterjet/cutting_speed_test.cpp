@@ -7,7 +7,7 @@
 
 #include "runtime/waterjet/water_flow.h"
 
-namespace gsim::waterjet {
+namespace gsim::waterjet::cutting_speed_test {
 namespace {
 
 constexpr double kMmInInch = 25.4;
@@ -132,4 +132,4 @@ TEST(WaterFlow, GoesWithAreaAndTheRootOfThePressure) {
 }
 
 }  // namespace
-}  // namespace gsim::waterjet
+}  // namespace gsim::waterjet::cutting_speed_test

@@ -10,7 +10,7 @@
 
 #include "sample.h"
 
-namespace gsim::waterjet {
+namespace gsim::waterjet::jet_lag_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -136,4 +136,4 @@ TEST(Feed, OddValuesAreTheSlowest) {
 }
 
 }  // namespace
-}  // namespace gsim::waterjet
+}  // namespace gsim::waterjet::jet_lag_test

@@ -6,7 +6,7 @@
 
 #include "sample.h"
 
-namespace gsim::waterjet {
+namespace gsim::waterjet::job_price_test {
 namespace {
 
 double uniform(std::mt19937& random, double from, double to) {
@@ -77,4 +77,4 @@ TEST(JobPrice, RecyclingSavesAtMostItsShareOfTheAbrasive) {
 }
 
 }  // namespace
-}  // namespace gsim::waterjet
+}  // namespace gsim::waterjet::job_price_test

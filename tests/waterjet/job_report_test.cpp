@@ -9,7 +9,7 @@
 
 #include "sample.h"
 
-namespace gsim::waterjet {
+namespace gsim::waterjet::job_report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -49,4 +49,4 @@ TEST(JobReport, JsonHasEveryValueAndItsItemsAddUp) {
 }
 
 }  // namespace
-}  // namespace gsim::waterjet
+}  // namespace gsim::waterjet::job_report_test

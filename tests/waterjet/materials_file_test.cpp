@@ -11,7 +11,7 @@
 #include "sample.h"
 #include "tests/support/mangled_text.h"
 
-namespace gsim::waterjet {
+namespace gsim::waterjet::materials_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(MaterialsFile, Mangled) {
 }
 
 }  // namespace
-}  // namespace gsim::waterjet
+}  // namespace gsim::waterjet::materials_file_test

@@ -7,7 +7,7 @@
 
 #include "sample.h"
 
-namespace gsim::waterjet {
+namespace gsim::waterjet::table_of_speeds_test {
 namespace {
 
 struct Row {
@@ -48,4 +48,4 @@ TEST(TableOfSpeeds, EachRowWithinAFactor) {
 }
 
 }  // namespace
-}  // namespace gsim::waterjet
+}  // namespace gsim::waterjet::table_of_speeds_test

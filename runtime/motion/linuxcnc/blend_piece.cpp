@@ -77,7 +77,7 @@ bool touches(const Piece& before, const Piece& after, const Blend& blend, const 
     return !after.curved || !off(after.arc.tangent(blend.cut_after), arc.tangent(arc.sweep_rad));
 }
 
-void set_limits(Piece& piece, const Piece& before, const Piece& after, const BlendSpeeds& speeds) {
+void set_blend_limits(Piece& piece, const Piece& before, const Piece& after, const BlendSpeeds& speeds) {
     piece.target_id = after.target_id;
     piece.curved = true;
     piece.rapid = before.rapid;
@@ -118,7 +118,7 @@ std::optional<Blend> blend_between(const Piece& before, const Piece& after, cons
     blend->cut_before = circle->cut_before;
     blend->cut_after = circle->cut_after;
     Piece& piece = blend->piece;
-    set_limits(piece, before, after, *speeds);
+    set_blend_limits(piece, before, after, *speeds);
     const Vector3d start = end_after_cut(before, corner, circle->cut_before);
     const Vector3d end = start_after_cut(after, corner, circle->cut_after);
     piece.arc = arc_between(circle->center, start, end);

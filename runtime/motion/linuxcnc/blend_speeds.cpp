@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNoCorner_rad = 1e-6;
 constexpr double kSmallestArc_mm = 1e-6;
-constexpr double kSmallestRadius_mm = 1e-12;
+constexpr double kSmallestBlendRadius_mm = 1e-12;
 
 double tolerance_of(const Piece& piece) {
     const double share = piece.nominal_length / 4;
@@ -32,7 +32,7 @@ double wanted_speed(const Piece& piece) {
 }
 
 bool wide_enough(const BlendSpeeds& blend, double turn_rad) {
-    return blend.radius_mm >= kSmallestRadius_mm && blend.radius_mm * turn_rad >= kSmallestArc_mm;
+    return blend.radius_mm >= kSmallestBlendRadius_mm && blend.radius_mm * turn_rad >= kSmallestArc_mm;
 }
 
 }  // namespace

@@ -9,7 +9,6 @@ namespace gsim::motion::linuxcnc {
 
 namespace {
 
-constexpr double kCount = 1e-9;         // a number of periods that is this near to a whole one is whole
 constexpr double kShortRamp_s = 0.01;   // feed pieces that take less time than this are one ramp
 constexpr std::size_t kKeptPieces = 4;  // a group's end never starts to be shared earlier than with these
 
@@ -114,7 +113,7 @@ Profile Pacer::last_of_group(const PieceQueue& queue) {
     Profile profile = from_speed_to_speed(stretch, group_.speed, 0);
     if (!clock_.counts) return profile;
     const double motion_s = group_.duration_s + profile.law.duration_s();
-    profile.law.rest(std::ceil(motion_s / clock_.period_s - kCount) * clock_.period_s - motion_s);
+    profile.law.rest(std::ceil(motion_s / clock_.period_s - kWholePeriods) * clock_.period_s - motion_s);
     return profile;
 }
 
@@ -136,8 +135,9 @@ double Pacer::overlap_s(const PieceQueue& queue, double brake_s) const {
     const double slow_s = parabola_between(last, queue[next_].piece).before / acceleration(last);
     if (!clock_.counts) return std::min(slow_s, brake_s);
     const double slow = slow_s / clock_.period_s, brake = brake_s / clock_.period_s;
-    const double periods = std::ceil(brake - kCount);
-    return clock_.period_s * (brake < slow ? periods + 1 : periods - std::floor(brake - slow + kCount));
+    const double periods = std::ceil(brake - kWholePeriods);
+    return clock_.period_s *
+           (brake < slow ? periods + 1 : periods - std::floor(brake - slow + kWholePeriods));
 }
 
 void Pacer::share_end(PieceQueue& queue, double overlap_s) const {

@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastChange = 1e-7;  // LinuxCNC makes no move of less
 constexpr double kAcross = 1e-9;       // share of an axis in a plane below which the plane lies across it
 
-JointRole leading_role(const JointChanges& changes, bool curved) {
+JointRole piece_role(const JointChanges& changes, bool curved) {
     if (curved || changes.norm(JointRole::position) > 0) return JointRole::position;
     return changes.norm(JointRole::secondary) > 0 ? JointRole::secondary : JointRole::rotary;
 }
@@ -191,7 +191,7 @@ void set_limits(Piece& piece, const PlannerSetup& setup, const Axes& axes, const
 tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const Move& move,
                                         double period_s) {
     const JointChanges changes(setup, move.start, move.end, kLeastChange);
-    const JointRole role = leading_role(changes, move.kind == SegmentKind::circular);
+    const JointRole role = piece_role(changes, move.kind == SegmentKind::circular);
     Piece piece;
     set_way(piece, axes, move, changes, role);
     if (Planned values = check_values(move, piece, role); !values) return tl::unexpected(values.error());

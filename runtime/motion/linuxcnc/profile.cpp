@@ -7,8 +7,6 @@ namespace gsim::motion::linuxcnc {
 
 namespace {
 
-constexpr double kCount = 1e-9;  // a number of periods that is this near to a whole one is whole
-
 // Speeds in mm/s for one period of acceleration, lengths in mm for one period of that speed: in these units
 // the acceleration is 1 and a period takes 1.
 struct Units {
@@ -56,7 +54,7 @@ class Counter {
         if (from < 0) return stop_within_period();
         change_to(from);
         add(from, -1);
-        idle(std::ceil(from - kCount) - from);
+        idle(std::ceil(from - kWholePeriods) - from);
         return from;
     }
     const Law& law() const { return law_; }
@@ -83,10 +81,11 @@ Profile counted(const Stretch& stretch, double period_s) {
     const Units units = units_of(stretch, period_s);
     const double top = stretch.top_speed / units.speed;
     Counter counter(stretch.length / units.length, units);
-    counter.ramp_up(std::min(std::floor(std::sqrt(counter.way()) + kCount), std::floor(top + kCount)));
+    counter.ramp_up(
+        std::min(std::floor(std::sqrt(counter.way()) + kWholePeriods), std::floor(top + kWholePeriods)));
     if (brake_speed(counter.speed(), counter.way()) >= top) {
-        if (top > counter.speed() + kCount) counter.change_to(top);
-        counter.cruise(std::max(0.0, std::floor((counter.way() - top * top / 2) / top + kCount)));
+        if (top > counter.speed() + kWholePeriods) counter.change_to(top);
+        counter.cruise(std::max(0.0, std::floor((counter.way() - top * top / 2) / top + kWholePeriods)));
     }
     const double braked = counter.brake();
     return {counter.law(), braked * period_s, 0};

@@ -4,6 +4,9 @@
 
 namespace gsim::motion::linuxcnc {
 
+/// A number of periods that is this near to a whole one is whole.
+inline constexpr double kWholePeriods = 1e-9;
+
 /// The controller's loop.
 struct Clock {
     double period_s = 1e-3;

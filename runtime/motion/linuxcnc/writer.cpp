@@ -11,17 +11,17 @@ namespace gsim::motion::linuxcnc {
 
 namespace {
 
-constexpr double kNoTime_s = 1e-12;  // rounding of times that are cut out of others
+constexpr double kTimeRounding_s = 1e-12;  // of times that are cut out of others
 
 bool done(const HeldPiece& held) {
-    return held.left_s() <= kNoTime_s;
+    return held.left_s() <= kTimeRounding_s;
 }
 
 // The end of the part of the way on which the piece is at `from_s`.
 double part_end_s(const HeldPiece& held, double from_s) {
     if (held.piece.lead_in > 0) {
         const double lead_in_s = held.law.time_at(held.piece.lead_in);
-        if (from_s < lead_in_s - kNoTime_s) return lead_in_s;
+        if (from_s < lead_in_s - kTimeRounding_s) return lead_in_s;
     }
     return held.law.duration_s();
 }
@@ -30,8 +30,8 @@ double part_end_s(const HeldPiece& held, double from_s) {
 double way_at(const HeldPiece& held, double t_s) {
     const double end_s = held.law.duration_s();
     if (t_s <= 0) return 0;
-    if (t_s >= end_s - kNoTime_s) return held.piece.length;
-    if (held.piece.lead_in > 0 && std::abs(t_s - held.law.time_at(held.piece.lead_in)) <= kNoTime_s) {
+    if (t_s >= end_s - kTimeRounding_s) return held.piece.length;
+    if (held.piece.lead_in > 0 && std::abs(t_s - held.law.time_at(held.piece.lead_in)) <= kTimeRounding_s) {
         return held.piece.lead_in;
     }
     return std::min(held.law.at(t_s), held.piece.length);
@@ -67,7 +67,7 @@ rrs::TargetId target_of(const HeldPiece& held, double to_s) {
 // arc leads in on its line.
 bool ends_target(const HeldPiece& held, double to_s, const HeldPiece* next) {
     if (leads_in(held, to_s)) return way_at(held, to_s) >= held.piece.lead_in;
-    if (to_s < held.law.duration_s() - held.shared_s - kNoTime_s) return false;
+    if (to_s < held.law.duration_s() - held.shared_s - kTimeRounding_s) return false;
     if (next == nullptr) return true;
     const Piece& behind = next->piece;
     return (behind.lead_in > 0 ? behind.lead_in_id : behind.target_id) != held.piece.target_id;
@@ -78,14 +78,14 @@ const HeldPiece* behind(const PieceQueue& queue, std::size_t index) {
 }
 
 bool ends_piece(const HeldPiece& held, double to_s) {
-    return to_s >= held.law.duration_s() - kNoTime_s;
+    return to_s >= held.law.duration_s() - kTimeRounding_s;
 }
 
 bool ends_group(const HeldPiece& held, double to_s) {
     return held.ends_group && ends_piece(held, to_s);
 }
 
-void move_by(const rrs::JointPos& way, const Axes& axes, Segment& segment) {
+void shift_by(const rrs::JointPos& way, const Axes& axes, Segment& segment) {
     segment.start += way;
     segment.end += way;
     if (segment.kind == SegmentKind::circular) segment.arc.center += axes.point(way);
@@ -134,7 +134,7 @@ bool Writer::write_front(PieceQueue& queue, std::size_t ready, bool ended) {
 
 void Writer::write_alone(PieceQueue& queue, double until_s) {
     HeldPiece& held = queue.front();
-    while (held.written_s < until_s - kNoTime_s) {
+    while (held.written_s < until_s - kTimeRounding_s) {
         const double to_s = std::min(until_s, part_end_s(held, held.written_s));
         put({&held, held.written_s, to_s, behind(queue, 0)});
         held.written_s = to_s;
@@ -163,7 +163,7 @@ void Writer::write_to_rest(PieceQueue& queue, std::size_t standing_index, const 
         const double to_s = part_end_s(tail, tail.written_s);
         Segment& segment = output_.begin(standing.piece.target_id);
         fill({&tail, tail.written_s, to_s, nullptr}, segment);
-        move_by(standing.piece.end - corner, axes_, segment);
+        shift_by(standing.piece.end - corner, axes_, segment);
         segment.reaches_target = ends_group(tail, to_s) && ends_target(standing, standing.law.duration_s(),
                                                                        behind(queue, standing_index));
         look_for_nearest(segment, axes_, corner, tail);
@@ -190,7 +190,7 @@ void Writer::put_both(const Span& tail, const Span& head, const rrs::JointPos& c
     beside->start_s = segment.start_s;
     beside->position_joints = segment.position_joints;
     fill(head, *beside);
-    move_by(beside->start - corner, axes_, segment);
+    shift_by(beside->start - corner, axes_, segment);
     const bool stands_first = ends_group(*head.held, head.to_s) && !ends_group(*tail.held, tail.to_s);
     segment.reaches_target = !stands_first && ends_target(*head.held, head.to_s, head.next);
     segment.beside = std::move(beside);

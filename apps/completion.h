@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "apps/command_line.h"
+
+namespace gsim::apps {
+
+/// A program as a shell completes it: under its own name, and as a command of gsim.
+struct CompletedProgram {
+    std::string command;  ///< "run"
+    const CommandLine* line = nullptr;
+};
+
+/// Scripts that complete `gsim` and the programs.
+std::string bash_completion(const CommandLine& front, std::span<const CompletedProgram> programs);
+std::string zsh_completion(const CommandLine& front, std::span<const CompletedProgram> programs);
+std::string fish_completion(const CommandLine& front, std::span<const CompletedProgram> programs);
+
+}  // namespace gsim::apps

@@ -1,0 +1,103 @@
+#include "apps/data_import.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/exit_status.h"
+#include "apps/machine_data_file.h"
+#include "runtime/import/import_machine.h"
+#include "runtime/import/linuxcnc_tables.h"
+#include "runtime/machine/text_file.h"
+#include "text/letter_case.h"
+
+namespace gsim::apps {
+
+namespace {
+
+using Written = tl::expected<void, std::string>;
+
+constexpr double kMmPerInch = 25.4;
+
+Written write_text(const std::string& path, const std::string& text) {
+    if (!path.empty()) return save_text(path, text);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    if (std::fflush(stdout) == 0) return {};
+    return tl::unexpected(std::string("standard output cannot be written"));
+}
+
+void tell(Findings& findings, text::Severity severity, const std::string& file, const std::string& text) {
+    findings.take({.severity = severity, .kind = text::DiagnosticKind::machine, .file = file, .text = text});
+}
+
+void tell(Findings& findings, const std::string& file, const import::Imported& imported) {
+    for (const std::string& warning : imported.warnings)
+        tell(findings, text::Severity::warning, file, warning);
+    for (const std::string& name : imported.left_out)
+        tell(findings, text::Severity::note, file, "not taken over: " + name);
+}
+
+Written write_machine(const DataArguments& arguments, const std::string& source, Findings& findings) {
+    const auto imported = import::import_machine(source);
+    if (!imported) return tl::unexpected(imported.error());
+    const auto toml = import::machine_toml(*imported, source);
+    if (!toml) return tl::unexpected(toml.error());
+    tell(findings, source, *imported);
+    if (imported->has_data && arguments.data.empty()) {
+        tell(findings, text::Severity::note, source,
+             "offsets and tools are not written; --data FILE writes them");
+    }
+    if (Written written = write_text(arguments.output, *toml); !written || arguments.data.empty())
+        return written;
+    return import::machine_data_text(*imported).and_then(
+        [&](const std::string& text) { return save_text(arguments.data, text); });
+}
+
+// X, Y and Z, which need nothing but letters here.
+std::vector<machine::Axis> plain_axes() {
+    std::vector<machine::Axis> axes;
+    for (const char letter : {'X', 'Y', 'Z'}) axes.push_back({.letter = letter});
+    return axes;
+}
+
+Written write_table(const DataArguments& arguments, const std::string& source, bool tools,
+                    const std::optional<machine::Machine>& machine, Findings& findings) {
+    const auto text = machine::read_text_file(source);
+    if (!text) return tl::unexpected(text.error());
+    import::Imported imported;
+    imported.machine.axes = machine ? machine->axes : plain_axes();
+    std::string letters;
+    for (const machine::Axis& axis : imported.machine.axes) letters += axis.letter;
+    import::TableNotes notes;
+    const auto take = tools ? import::take_tools : import::take_parameters;
+    const double unit_mm = arguments.inch ? kMmPerInch : 1;
+    if (Written taken = take(*text, source, unit_mm, letters, imported.data, notes); !taken) return taken;
+    imported.left_out = std::move(notes.left_out);
+    tell(findings, source, imported);
+    return import::machine_data_text(imported).and_then(
+        [&](const std::string& data) { return write_text(arguments.output, data); });
+}
+
+}  // namespace
+
+tl::expected<int, std::string> import_settings(const DataArguments& arguments,
+                                               const std::optional<machine::Machine>& machine,
+                                               Findings& findings) {
+    const std::string& source = arguments.source.empty() ? arguments.file : arguments.source;
+    if (source.empty()) return tl::unexpected(std::string("import needs a file: gsim-data import mill.ini"));
+    const std::string ending = text::lower(std::filesystem::path(source).extension().string());
+    const bool is_table = ending == ".tbl" || ending == ".var";
+    const auto text = machine::read_text_file(source);
+    if (!text) return tl::unexpected(text.error());
+    if (!is_table && !import::is_control_file(source)) {
+        return tl::unexpected(fmt::format(
+            "'{}' is no LinuxCNC .ini, .tbl or .var, and has no lines as grbl answers to $$ ($110=500.000)",
+            source));
+    }
+    const Written written = is_table ? write_table(arguments, source, ending == ".tbl", machine, findings)
+                                     : write_machine(arguments, source, findings);
+    return written.map([] { return kDone; });
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "apps/data_commands.h"
+#include "apps/findings.h"
+#include "runtime/machine/machine.h"
+
+namespace gsim::apps {
+
+/// gsim-data import: the settings of a control as a machine file, or one of its tables as machine data, for
+/// the axes of `machine` (X, Y and Z where none is given). `findings` gets what is not taken over, by
+/// name. The exit status; the error is a sentence.
+tl::expected<int, std::string> import_settings(const DataArguments& arguments,
+                                               const std::optional<machine::Machine>& machine,
+                                               Findings& findings);
+
+}  // namespace gsim::apps

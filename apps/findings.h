@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/command_line.h"
+#include "apps/finding_documents.h"
+#include "text/diagnostic.h"
+
+namespace gsim::apps {
+
+/// How diagnostics are wanted.
+struct FindingOptions {
+    bool json = false;  ///< One JSON document in place of text.
+    std::string sarif;  ///< A file of SARIF 2.1.0 besides, "-": standard output; empty: none.
+};
+
+/// --sarif, and --json where the program has no other use of it.
+void add_finding_options(CommandLine& line, FindingOptions& options);
+void add_sarif_option(CommandLine& line, FindingOptions& options);
+
+/// What a program has to tell of its input: text at once, or one document at the end.
+class Findings {
+  public:
+    enum class Stream : std::uint8_t { standard_output, standard_error };
+
+    /// `program` names it in sentences without a place; text goes to `text_to`.
+    Findings(std::string program, FindingOptions options, Stream text_to = Stream::standard_error)
+        : program_(std::move(program)), options_(std::move(options)), text_to_(text_to) {}
+
+    void take(const text::Diagnostic& diagnostic);
+    /// A program has been looked at: for the JSON document.
+    void checked(CheckedProgram program) { programs_.push_back(std::move(program)); }
+    /// Another document has told what was taken so far, and these.
+    void replace(std::vector<text::Diagnostic> diagnostics) { all_ = std::move(diagnostics); }
+    /// Takes what a reader of files or of options says, as a sentence that may begin with its place, or with
+    /// the name `file`; the exit status for it.
+    int fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file = {});
+
+    /// Ends with this status: writes the documents that are wanted. JSON goes to `json_to`: standard error
+    /// where the program's product is on standard output. The status, or that of an output that cannot be
+    /// written.
+    int finish(int status, Stream json_to);
+    /// The same where another document (a report) has told the diagnostics: SARIF alone.
+    int finish_told(int status);
+
+    const FindingOptions& options() const { return options_; }
+    const std::vector<text::Diagnostic>& all() const { return all_; }
+
+  private:
+    void print(const std::string& text) const;
+
+    std::string program_;
+    FindingOptions options_;
+    Stream text_to_;
+    std::vector<text::Diagnostic> all_;
+    std::vector<CheckedProgram> programs_;
+};
+
+}  // namespace gsim::apps

@@ -1,0 +1,163 @@
+#include "apps/front.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/completion.h"
+#include "apps/exit_status.h"
+#include "apps/findings.h"
+#include "apps/help_text.h"
+#include "apps/man_page.h"
+#include "apps/parse.h"
+#include "apps/print.h"
+#include "apps/programs.h"
+#include "apps/suggestion.h"
+#include "apps/usage_error.h"
+#include "apps/version.h"
+
+namespace gsim::apps {
+
+namespace {
+
+using Arguments = std::span<const std::string>;
+
+constexpr const char* kFront = "gsim";
+
+struct OwnCommand {
+    const char* name;
+    const char* description;
+};
+
+// What gsim does itself, for people and for packages.
+constexpr OwnCommand kHelp{"help", "tell what gsim, or a command, can be told"};
+constexpr OwnCommand kCompletion{"completion", "print the completion for a shell: bash, zsh or fish"};
+constexpr OwnCommand kManual{"manual", "print the man page of a command, for man -l -"};
+
+CommandLine front_line() {
+    CommandLine line(kFront,
+                     "Tells what a part program will do on a machine, how long it takes and what goes wrong");
+    for (const ProgramEntry& entry : programs()) {
+        const std::string description = entry.make()->command_line().description();
+        line.add_command(std::string(entry.command), fmt::format("{} ({})", description, entry.name));
+    }
+    for (const OwnCommand& own : {kHelp, kCompletion, kManual}) line.add_command(own.name, own.description);
+    line.add_example("gsim run part.nc", "simulate a part program; the report");
+    line.add_example("gsim check --machine mine.toml *.nc",
+                     "what is wrong with these programs on this machine");
+    line.add_example("gsim translate part.nc -o part.lua", "as a script, to read and to change");
+    line.add_example("gsim path plate.svg --material aluminum --thickness 12 -o plate.path.json",
+                     "how a waterjet cuts a drawing out");
+    line.add_example("gsim write plate.path.json --dialect rs274ngc -o plate.ngc",
+                     "a path as a part program");
+    line.add_example("gsim help run", "all that a command can be told");
+    return line;
+}
+
+const ProgramEntry* find_named(const std::string& name) {
+    for (const ProgramEntry& entry : programs()) {
+        if (name == entry.name) return &entry;
+    }
+    return nullptr;
+}
+
+// By its command or by its name, which some know better.
+const ProgramEntry* find_program(const std::string& word) {
+    for (const ProgramEntry& entry : programs()) {
+        if (word == entry.command) return &entry;
+    }
+    return find_named(word);
+}
+
+// What keeps a program from being run, as text or as JSON.
+int refuse(const ProgramEntry& entry, Arguments arguments, text::DiagnosticKind kind,
+           const std::string& why) {
+    const bool json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
+    Findings findings(std::string(entry.name), {.json = json, .sarif = {}});
+    const int status = findings.fail(kind, why);
+    if (!json && kind == text::DiagnosticKind::usage)
+        std::fprintf(stderr, "%s", fmt::format("{0}: {0} --help tells what there is\n", entry.name).c_str());
+    return findings.finish(status, Findings::Stream::standard_output);
+}
+
+int run_program(const ProgramEntry& entry, Arguments arguments) {
+    const std::unique_ptr<Program> program = entry.make();
+    const auto parsed = parse(program->command_line(), arguments);
+    if (!parsed) return refuse(entry, arguments, text::DiagnosticKind::usage, parsed.error());
+    return *parsed ? **parsed : program->run();
+}
+
+int unknown_command(const std::string& word) {
+    const CommandLine line = front_line();
+    std::vector<std::string_view> known;
+    for (const CommandLine& command : line.commands()) known.emplace_back(command.program());
+    return usage_error(kFront, fmt::format("there is no command '{}'{}\n{}: gsim --help tells what there is",
+                                           word, did_you_mean(word, known), kFront));
+}
+
+int print_help(Arguments words) {
+    if (words.empty() || words.front() == kFront) {
+        const CommandLine line = front_line();
+        return print(help_text(line, &line));
+    }
+    const ProgramEntry* entry = find_program(words.front());
+    if (entry == nullptr) return unknown_command(words.front());
+    const std::unique_ptr<Program> program = entry->make();
+    return print(help_text(program->command_line(), &program->command_line()));
+}
+
+int print_manual(Arguments words) {
+    std::vector<std::string> pages{kFront};
+    for (const ProgramEntry& entry : programs()) pages.emplace_back(entry.name);
+    if (words.empty() || words.front() == kFront) return print(man_page(front_line(), pages));
+    const ProgramEntry* entry = find_program(words.front());
+    return entry == nullptr ? unknown_command(words.front())
+                            : print(man_page(entry->make()->command_line(), pages));
+}
+
+int print_completion(Arguments words) {
+    std::vector<std::unique_ptr<Program>> made;
+    std::vector<CompletedProgram> completed;
+    for (const ProgramEntry& entry : programs()) {
+        made.push_back(entry.make());
+        completed.push_back({std::string(entry.command), &made.back()->command_line()});
+    }
+    const std::string shell = words.empty() ? "" : words.front();
+    if (shell == "bash") return print(bash_completion(front_line(), completed));
+    if (shell == "zsh") return print(zsh_completion(front_line(), completed));
+    if (shell == "fish") return print(fish_completion(front_line(), completed));
+    return usage_error(kFront, "completion is for bash, zsh or fish; name one of them");
+}
+
+int run_command(Arguments arguments) {
+    if (arguments.empty()) {
+        print_help({});
+        return kUsage;
+    }
+    const std::string& word = arguments.front();
+    const Arguments rest = arguments.subspan(1);
+    if (word == "--help" || word == "-h" || word == kHelp.name) return print_help(rest);
+    if (word == "--version") return print(version_text(kFront));
+    if (word == kManual.name) return print_manual(rest);
+    if (word == kCompletion.name) return print_completion(rest);
+    const ProgramEntry* entry = find_program(word);
+    return entry == nullptr ? unknown_command(word) : run_program(*entry, rest);
+}
+
+}  // namespace
+
+int run_front(const std::string& called, std::span<const std::string> arguments) {
+    const std::string name = std::filesystem::path(called).filename().string();
+    const ProgramEntry* entry = find_named(name);
+    try {
+        return entry == nullptr ? run_command(arguments) : run_program(*entry, arguments);
+    } catch (const std::exception& error) {
+        if (entry == nullptr) return usage_error(kFront, error.what());
+        return refuse(*entry, arguments, text::DiagnosticKind::internal, error.what());
+    }
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,98 @@
+// gsim-check: what is wrong with programs on a machine, in a line for each finding.
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/data_file.h"
+#include "apps/findings.h"
+#include "apps/programs.h"
+#include "apps/run_engine.h"
+#include "apps/run_inputs.h"
+#include "runtime/simulation/report_diagnostics.h"
+
+namespace gsim::apps {
+
+namespace {
+
+struct CheckArguments {
+    RunArguments run;
+    std::vector<std::string> programs;
+};
+
+constexpr const char* kCheck = "gsim-check";
+
+void add_check_options(CommandLine& line, CheckArguments& a) {
+    line.add("part.nc|part.lua", &a.programs, "programs and scripts")
+        .of_file(FileKind::input, {".nc", ".ngc", ".lua"})
+        .must_be_given();
+    add_machine_options(line, a.run);
+    line.begin_group("Diagnostics");
+    add_finding_options(line, a.run.findings);
+    add_limit_options(line, a.run);
+    line.add_example("gsim-check part.nc", "errors, limits and zones on the built-in machine");
+    line.add_example("gsim-check --machine mine.toml --cell cell.toml *.nc",
+                     "each program on its own, with collisions");
+}
+
+using Kind = text::DiagnosticKind;
+
+bool is_clean(const simulation::Report& report) {
+    return report.status == simulation::RunStatus::completed && !has_collisions(report) &&
+           report.findings.count == 0;
+}
+
+// Warnings are told, but do not count, save those of the process.
+int check_program(const RunArguments& arguments, const MachineInput& machine, Findings& findings) {
+    const TellDiagnostic tell = [&](const text::Diagnostic& told) { findings.take(told); };
+    tl::expected<RunInputs, InputError> inputs = read_run_inputs(arguments, machine, tell);
+    if (!inputs) {
+        findings.checked({.name = arguments.input, .status = "not run"});
+        if (inputs.error().in_program) return kProgramFault;
+        return findings.fail(inputs.error().kind, inputs.error().message, inputs.error().file);
+    }
+    const simulation::Report report = ProgramRun(arguments, *std::move(inputs), false, tell).run();
+    for (const text::Diagnostic& found : diagnostics_of(report)) findings.take(found);
+    findings.checked({report.program, std::string(name(report.status)), report.cycle_time_s});
+    if (!is_clean(report)) return kProgramFault;
+    if (!findings.options().json)
+        fmt::print("{}: nothing wrong, {:.3f} s\n", report.program, report.cycle_time_s);
+    return kDone;
+}
+
+// The worst of what was found in all programs: a file that cannot be read does not keep the others from being
+// checked.
+int check_programs(const CheckArguments& arguments, Findings& findings) {
+    const tl::expected<RunArguments, std::string> found = with_files_found(arguments.run);
+    if (!found) return findings.fail(Kind::input_file, found.error(), arguments.run.cell);
+    const tl::expected<MachineInput, std::string> machine = read_machine(*found);
+    if (!machine) return findings.fail(Kind::input_file, machine.error(), found->machine);
+    for (const std::string& note : machine->notes)
+        findings.take({.severity = text::Severity::note, .kind = Kind::machine, .text = note});
+    int status = kDone;
+    for (const std::string& program : arguments.programs) {
+        RunArguments one = *found;
+        one.input = find_file(InstalledKind::sample, program).value_or(program);
+        status = std::max(status, check_program(one, *machine, findings));
+    }
+    return std::fflush(stdout) == 0 ? status
+                                    : findings.fail(Kind::output, "standard output cannot be written");
+}
+
+int run_check(const CheckArguments& arguments) {
+    Findings findings(kCheck, arguments.run.findings, Findings::Stream::standard_output);
+    return findings.finish(check_programs(arguments, findings), Findings::Stream::standard_output);
+}
+
+}  // namespace
+
+std::unique_ptr<Program> make_gsim_check() {
+    return std::make_unique<ProgramOf<CheckArguments>>(
+        kCheck, "Finds what is wrong with part programs on a machine: errors, limits, zones, collisions",
+        add_check_options, run_check);
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,98 @@
+#include "apps/help_text.h"
+
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "text/letter_case.h"
+
+namespace gsim::apps {
+
+namespace {
+
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kColumn = 30;  // where the help of an option begins
+
+std::string entry(const std::string& name, const std::string& help) {
+    const std::string text = wrapped(help, kWidth - kColumn, kColumn);
+    if (name.size() + 4 > kColumn) return fmt::format("  {}\n{}", name, text);
+    return fmt::format("  {:<{}}{}", name, kColumn - 2, text.substr(kColumn));
+}
+
+std::string shown_names(const Option& option) {
+    const std::string value = value_name(option);
+    const std::string separator = option.short_name().empty() ? "" : ", ";
+    return fmt::format("{}{}{}{}{}", option.short_name(), separator, option.long_name(),
+                       value.empty() ? "" : " ", value);
+}
+
+std::string option_lists(const CommandLine& line) {
+    std::string text;
+    for (const std::string& group : line.groups()) {
+        text += fmt::format("\n{}:\n", group);
+        for (const Option& option : line.options()) {
+            if (option.group == group) text += entry(shown_names(option), full_help(option));
+        }
+    }
+    return text;
+}
+
+std::string command_list(const CommandLine& line) {
+    if (line.commands().empty()) return {};
+    std::string text = "\nCommands:\n";
+    for (const CommandLine& command : line.commands())
+        text += entry(command.program(), command.description());
+    return text;
+}
+
+std::string example_list(const CommandLine& line) {
+    if (line.examples().empty()) return {};
+    std::string text = "\nExamples:\n";
+    for (const Example& example : line.examples())
+        text += fmt::format("  {}\n{}", example.command, wrapped(example.effect, kWidth - 6, 6));
+    return text;
+}
+
+std::string note_list(const CommandLine& line) {
+    std::string text;
+    for (const std::string& note : line.notes()) text += "\n" + wrapped(note, kWidth, 0);
+    return text;
+}
+
+}  // namespace
+
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+    const std::string margin(indent, ' ');
+    std::istringstream words(text);
+    std::string result;
+    std::string line;
+    for (std::string word; words >> word;) {
+        if (!line.empty() && line.size() + 1 + word.size() > width)
+            result += margin + std::exchange(line, {}) + "\n";
+        line += (line.empty() ? "" : " ") + word;
+    }
+    return result + margin + line + "\n";
+}
+
+std::string exit_statuses() {
+    return "0 done; 1 errors in the program, an alarm or a limit, findings of a check; 2 "
+           "options or files.";
+}
+
+std::string help_text(const CommandLine& line, const CommandLine* chosen) {
+    const bool within = chosen != &line;
+    const std::string usage = within ? line.program() + " FILE " + chosen->usage() : line.usage();
+    std::string description = chosen->description() + ".";
+    description.replace(0, 1, text::upper(description.substr(0, 1)));
+    std::string text = fmt::format("Usage: {}\n\n{}", usage, wrapped(description, kWidth, 0));
+    text += option_lists(*chosen);
+    if (within) text += option_lists(line);
+    text += "\nHelp:\n" + entry("-h, --help", "print this and end") +
+            entry("--version", "print the version and those of parts, and end");
+    if (!within) text += command_list(line);
+    return text + note_list(line) + example_list(line) + "\n" +
+           wrapped("Exit status: " + exit_statuses(), kWidth, 0);
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,57 @@
+#include "apps/machine_input.h"
+
+#include <fmt/format.h>
+
+#include "apps/data_file.h"
+#include "apps/process_words.h"
+#include "runtime/import/import_machine.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::apps {
+
+namespace {
+
+MachineInput from_control(import::Imported imported, const std::string& file) {
+    MachineInput input;
+    input.machine = std::move(imported.machine);
+    if (imported.has_data) input.data = std::move(imported.data);
+    input.notes = std::move(imported.warnings);
+    if (!imported.left_out.empty()) {
+        input.notes.push_back(
+            fmt::format("{}: lines that are not taken over: {}; gsim-data import {} lists them", file,
+                        imported.left_out.size(), file));
+    }
+    return input;
+}
+
+// What switches the process of a machine are words that a dialect has.
+tl::expected<machine::Machine, std::string> load_machine_file(const std::string& file) {
+    auto machine = machine::load_machine(file);
+    if (!machine || !machine->process) return machine;
+    if (const auto fault = fault_of_process(*machine->process))
+        return tl::unexpected(fmt::format("{}: {}", file, *fault));
+    return machine;
+}
+
+}  // namespace
+
+tl::expected<MachineInput, std::string> read_machine_input(const std::string& name) {
+    const auto plain = [](machine::Machine machine) { return MachineInput{std::move(machine), {}, {}}; };
+    if (name.empty())
+        return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").map(plain);
+    return find_file(InstalledKind::machine, name).and_then([&](const std::string& file) {
+        if (!import::is_control_file(file)) return load_machine_file(file).map(plain);
+        return import::import_machine(file).map(
+            [&](import::Imported imported) { return from_control(std::move(imported), file); });
+    });
+}
+
+tl::expected<machine::ProgramTable, std::string> read_program_input(const std::string& name) {
+    return find_file(InstalledKind::machine, name).and_then([](const std::string& file) {
+        if (!import::is_control_file(file)) return machine::load_program_table(file);
+        return import::import_machine(file).map(
+            [](const import::Imported& imported) { return imported.machine.program; });
+    });
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/machine/machine.h"
+#include "runtime/machine/machine_data.h"
+
+namespace gsim::apps {
+
+/// A machine as the command line names it: a machine file, a sample by its name, or the settings of a control
+/// (LinuxCNC's .ini, what grbl answers to $$).
+struct MachineInput {
+    machine::Machine machine;
+    std::optional<machine::MachineData> data;  ///< Offsets and tools that the settings name.
+    std::vector<std::string> notes;            ///< What of the settings is not taken over, in sentences.
+};
+
+/// Reads it; an empty name is the machine that is built in. The error is a sentence.
+tl::expected<MachineInput, std::string> read_machine_input(const std::string& name);
+
+/// Of that only what it says of programs: a machine file is not read any further.
+tl::expected<machine::ProgramTable, std::string> read_program_input(const std::string& name);
+
+}  // namespace gsim::apps

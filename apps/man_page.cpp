@@ -1,0 +1,109 @@
+#include "apps/man_page.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "apps/help_text.h"
+#include "apps/version.h"
+#include "text/letter_case.h"
+
+namespace gsim::apps {
+
+namespace {
+
+// Text that roff prints as it is: a backslash begins an escape, a bare hyphen may become a dash, a quote a
+// curved one, and a dot in front makes a request of a line.
+std::string roff(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '\\') {
+            result += "\\e";
+        } else if (c == '-') {
+            result += "\\-";
+        } else if (c == '\'') {
+            result += "\\(aq";  // in a command to copy, not a typographer's
+        } else {
+            result += c;
+        }
+    }
+    if (result.starts_with('.')) result.insert(0, "\\&");
+    return result;
+}
+
+std::string sentence(std::string text) {
+    if (!text.ends_with('.')) text += '.';
+    return roff(text);
+}
+
+std::string tagged_names(const Option& option) {
+    std::string text;
+    if (!option.short_name().empty()) text = fmt::format("\\fB{}\\fR, ", roff(option.short_name()));
+    text += fmt::format("\\fB{}\\fR", roff(option.long_name()));
+    const std::string value = value_name(option);
+    return value.empty() ? text : fmt::format("{} \\fI{}\\fR", text, roff(value));
+}
+
+std::string option_section(const CommandLine& line) {
+    std::string text;
+    for (const std::string& group : line.groups()) {
+        text += fmt::format(".SS {}\n", roff(group));
+        for (const Option& option : line.options()) {
+            if (option.group == group)
+                text += fmt::format(".TP\n{}\n{}\n", tagged_names(option), sentence(full_help(option)));
+        }
+    }
+    return text;
+}
+
+std::string command_section(const CommandLine& line) {
+    if (line.commands().empty()) return {};
+    std::string text = ".SH COMMANDS\n";
+    for (const CommandLine& command : line.commands()) {
+        text +=
+            fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(command.program()), sentence(command.description()));
+        for (const Option& option : command.options())
+            text += fmt::format(".RS\n.TP\n{}\n{}\n.RE\n", tagged_names(option), sentence(full_help(option)));
+    }
+    return text;
+}
+
+std::string example_section(const CommandLine& line) {
+    if (line.examples().empty()) return {};
+    std::string text = ".SH EXAMPLES\n";
+    for (const Example& example : line.examples())
+        text += fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(example.command), sentence(example.effect));
+    return text;
+}
+
+std::string see_also(const CommandLine& line, std::span<const std::string> others) {
+    std::string text = ".SH SEE ALSO\n";
+    std::string separator;
+    for (const std::string& other : others) {
+        if (other == line.program()) continue;
+        text += fmt::format("{}.BR {} (1)", separator, roff(other));
+        separator = ",\n";
+    }
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string man_page(const CommandLine& line, std::span<const std::string> others) {
+    std::string text = fmt::format(".TH {} 1 {} \"gsim {}\" \"User Commands\"\n",
+                                   roff(text::upper(line.program())), roff(release_date()), version());
+    // The short form of a description in the index of man pages: its first clause, without a capital letter.
+    std::string brief = line.description().substr(0, line.description().find(':'));
+    brief = text::lower(brief.substr(0, 1)) + brief.substr(1);
+    text += fmt::format(".SH NAME\n{} \\- {}\n", roff(line.program()), roff(brief));
+    text += fmt::format(".SH SYNOPSIS\n.B {}\n{}\n", roff(line.program()),
+                        roff(line.usage().substr(line.program().size() + 1)));
+    text += fmt::format(".SH DESCRIPTION\n{}\n", sentence(line.description()));
+    for (const std::string& note : line.notes()) text += fmt::format(".PP\n{}\n", roff(note));
+    if (!line.options().empty()) text += ".SH OPTIONS\n" + option_section(line);
+    text += command_section(line) + example_section(line);
+    text += fmt::format(".SH EXIT STATUS\n{}\n", roff(exit_statuses()));
+    return text + see_also(line, others);
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,24 @@
+#include "apps/programs.h"
+
+#include <array>
+
+namespace gsim::apps {
+
+namespace {
+
+constexpr std::array<ProgramEntry, 6> kPrograms{{
+    {"gsim-run", "run", make_gsim_run},
+    {"gsim-check", "check", make_gsim_check},
+    {"gcode2lua", "translate", make_gcode2lua},
+    {"autopath", "path", make_autopath},
+    {"path2gcode", "write", make_path2gcode},
+    {"gsim-data", "data", make_gsim_data},
+}};
+
+}  // namespace
+
+std::span<const ProgramEntry> programs() {
+    return kPrograms;
+}
+
+}  // namespace gsim::apps

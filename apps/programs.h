@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "apps/program.h"
+
+namespace gsim::apps {
+
+std::unique_ptr<Program> make_gsim_run();
+std::unique_ptr<Program> make_gsim_check();
+std::unique_ptr<Program> make_gcode2lua();
+std::unique_ptr<Program> make_path2gcode();
+std::unique_ptr<Program> make_autopath();
+std::unique_ptr<Program> make_gsim_data();
+
+/// A program in the list of all: everything that is made for each of them (links, man pages, completions) is
+/// made from this list.
+struct ProgramEntry {
+    std::string_view name;     ///< "gsim-run", as it is called by itself
+    std::string_view command;  ///< "run", as gsim calls it
+    std::unique_ptr<Program> (*make)();
+};
+
+/// All programs, those that people begin with first.
+std::span<const ProgramEntry> programs();
+
+}  // namespace gsim::apps

@@ -1,0 +1,88 @@
+#include "apps/remedy.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "apps/run_engine.h"
+#include "runtime/cell/cell_file.h"
+#include "runtime/simulation/progress.h"
+
+namespace gsim::apps {
+
+namespace {
+
+using simulation::OffsetShift;
+
+// Where RS274/NGC keeps its work offsets, in inches: #5221 is X of G54.
+constexpr int kFirstOffset = 5221;
+constexpr int kVariablesOfOffset = 20;
+constexpr double kMmOfVariable = 25.4;
+constexpr std::array<std::string_view, 9> kOffsetNames{"54", "55",   "56",   "57",  "58",
+                                                       "59", "59.1", "59.2", "59.3"};
+
+/// The variable of a work offset's X, Y or Z, where the data have it.
+double* variable_of(machine::MachineData& data, std::string_view code, char axis) {
+    const auto name = std::find(kOffsetNames.begin(), kOffsetNames.end(), code);
+    if (name == kOffsetNames.end() || axis < 'X' || axis > 'Z') return nullptr;
+    const int number =
+        kFirstOffset + kVariablesOfOffset * static_cast<int>(name - kOffsetNames.begin()) + (axis - 'X');
+    const auto found = data.variables.find(number);
+    return found == data.variables.end() ? nullptr : &found->second;
+}
+
+void shift_offset(machine::MachineData& data, const OffsetShift& shift, bool has_variables) {
+    const std::string code = shift.offset.substr(1);
+    machine::AxisValues& offset = data.offsets[code];
+    double* variable =
+        has_variables && !offset.contains(shift.axis) ? variable_of(data, code, shift.axis) : nullptr;
+    if (variable != nullptr) {
+        *variable += shift.shift_mm / kMmOfVariable;
+    } else {
+        offset[shift.axis] += shift.shift_mm;
+    }
+}
+
+}  // namespace
+
+Remedy::Remedy(const RunArguments& arguments, const RunInputs& inputs)
+    : arguments_(arguments),
+      machine_(inputs.machine),
+      data_(inputs.data),
+      language_(inputs.language),
+      program_(inputs.program),
+      setup_(inputs.setup),
+      probe_(inputs.probe) {}
+
+void Remedy::look_for(simulation::Report& report) const {
+    if (report.status != simulation::RunStatus::violations || report.violations.shifts.empty()) return;
+    if (!arguments_.rcs.empty() || !mends(report.violations.shifts)) return;
+    report.violations.remedy = report.violations.shifts;
+}
+
+bool Remedy::mends(const std::vector<OffsetShift>& shifts) const {
+    machine::MachineData data = data_;
+    const bool has_variables = language_.dialect->name() == grammar::dialect_rs274ngc().name();
+    for (const OffsetShift& shift : shifts) shift_offset(data, shift, has_variables);
+    std::unique_ptr<simulation::CellWatch> cell;
+    if (!arguments_.cell.empty()) {
+        auto read = cell::load_cell(arguments_.cell, machine_);
+        if (!read) return false;
+        cell = std::make_unique<simulation::CellWatch>(*std::move(read), machine_);
+    }
+    simulation::RunLimits limits = arguments_.limits;
+    limits.stop_at_first = true;
+    simulation::Simulator simulator(machine_, limits);
+    if (cell != nullptr) simulator.set_cell(*cell);
+    simulator.set_probe(probe_);
+    simulation::Progress progress(stderr, false);
+    const TellDiagnostic tell = [](const text::Diagnostic&) {};  // the first run has told them
+    script::Engine::Options options = engine_options(arguments_, std::move(data), language_, progress, tell);
+    options.setup = setup_;
+    script::Engine engine(simulator, options);
+    engine.run(script::Script(program_));
+    return simulator.finish(program_.file_name).status == simulation::RunStatus::completed;
+}
+
+}  // namespace gsim::apps

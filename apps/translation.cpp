@@ -1,0 +1,44 @@
+#include "apps/translation.h"
+
+#include <utility>
+
+#include "codegen/program_signs.h"
+
+namespace gsim::apps {
+
+namespace {
+
+text::Diagnostic about_control(const lexer::Source& source, const Language& language,
+                               text::Severity severity) {
+    return {.severity = severity,
+            .kind = text::DiagnosticKind::dialect,
+            .file = source.name(),
+            .text = language.caution};
+}
+
+}  // namespace
+
+codegen::Translation translate_source(lexer::Source& source, codegen::LuaSpool& spool,
+                                      const Language& language, codegen::TranslateOptions options,
+                                      const TellDiagnostic& tell) {
+    options.source_name = source.name();
+    options.dialect = language.dialect;
+    options.aliases = language.aliases;
+    options.unknown = language.unknown;
+    options.inch = language.units == machine::ProgramUnits::inch;
+    codegen::Translation made = codegen::translate(source, spool, options, tell);
+    if (!made.ok) {
+        if (const auto hint = codegen::find_dialect_hint(source, *language.dialect)) {
+            tell(*hint);
+        } else if (!language.caution.empty()) {
+            tell(about_control(source, language, text::Severity::note));
+        }
+        return made;
+    }
+    if (!language.caution.empty()) tell(about_control(source, language, text::Severity::warning));
+    if (language.units) return made;
+    if (const auto inches = codegen::find_inch_signs(source)) tell(*inches);
+    return made;
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "lexer/source.h"
+
+namespace gsim::codegen {
+
+/// The first lines of a program as its dialect has no part in them: in capitals, without comments in brackets
+/// and behind semicolons. For looking at, not for running.
+class PlainLines {
+  public:
+    /// Reads the source from its start, at most 256 KiB of it.
+    explicit PlainLines(lexer::Source& source);
+
+    /// Goes to the next line that says something; false at the end.
+    bool next();
+    std::uint32_t number() const { return number_; }
+    std::string_view text() const { return line_; }
+
+  private:
+    std::string bytes_;
+    std::size_t at_ = 0;
+    std::uint32_t number_ = 0;
+    std::string line_;
+};
+
+/// A word of a plain line: a letter with a number as it is written.
+struct PlainWord {
+    char letter = ' ';
+    std::string_view digits;  ///< "-1.250"
+    double value = 0;
+    int decimals = 0;  ///< Digits behind the point.
+};
+
+/// The words of a plain line one after the other; names and expressions are passed over.
+class PlainWords {
+  public:
+    explicit PlainWords(std::string_view line) : line_(line) {}
+    /// Goes to the next word; false at the end.
+    bool next();
+    const PlainWord& word() const { return word_; }
+
+  private:
+    bool take_number(std::size_t begin);
+
+    std::string_view line_;
+    std::size_t at_ = 0;
+    PlainWord word_;
+};
+
+}  // namespace gsim::codegen

@@ -1,0 +1,59 @@
+#include "runtime/import/import_machine.h"
+
+#include <fmt/format.h>
+
+#include "runtime/import/grbl_dump.h"
+#include "runtime/import/linuxcnc_ini.h"
+#include "runtime/machine/machine_data_document.h"
+#include "runtime/machine/machine_file.h"
+#include "runtime/machine/text_file.h"
+#include "runtime/machine/toml_text.h"
+#include "text/letter_case.h"
+
+namespace gsim::import {
+
+namespace {
+
+bool is_ini(const std::filesystem::path& path) {
+    return text::lower(path.extension().string()) == ".ini";
+}
+
+// A remark that nothing in it can end.
+std::string remark(std::string_view text) {
+    std::string line = "# ";
+    for (const char c : text) line += machine::is_printable({&c, 1}) ? c : ' ';
+    return line + '\n';
+}
+
+}  // namespace
+
+bool is_control_file(const std::filesystem::path& path) {
+    if (is_ini(path)) return true;
+    if (text::lower(path.extension().string()) == ".toml") return false;
+    const auto text = machine::read_text_file(path);
+    return text && is_grbl_dump(*text);
+}
+
+tl::expected<Imported, std::string> import_machine(const std::filesystem::path& path) {
+    return machine::read_text_file(path).and_then([&](const std::string& text) {
+        return is_ini(path) ? import_linuxcnc(text, path) : import_grbl(text, path.string());
+    });
+}
+
+tl::expected<std::string, std::string> machine_toml(const Imported& imported,
+                                                    const std::filesystem::path& path) {
+    std::string toml = remark(fmt::format("Made from {}.", path.filename().string()));
+    if (!imported.warnings.empty()) toml += "#\n";
+    for (const std::string& warning : imported.warnings) toml += remark(warning);
+    if (!imported.left_out.empty()) toml += "#\n# Not taken over:\n";
+    for (const std::string& name : imported.left_out) toml += remark("  " + name);
+    toml += '\n' + machine::print_machine(imported.machine);
+    return machine::read_machine(toml, path.string()).map([&](const machine::Machine&) { return toml; });
+}
+
+tl::expected<std::string, std::string> machine_data_text(const Imported& imported) {
+    machine::MachineDataDocument document(imported.machine.axes);
+    return document.update(imported.data).map([&] { return document.text(); });
+}
+
+}  // namespace gsim::import

@@ -1,0 +1,215 @@
+#include "runtime/import/linuxcnc_ini.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "runtime/import/ini_file.h"
+#include "runtime/import/linuxcnc_axes.h"
+#include "runtime/import/linuxcnc_tables.h"
+#include "runtime/machine/controller_file.h"
+#include "runtime/machine/text_file.h"
+#include "text/letter_case.h"
+
+namespace gsim::import {
+
+namespace {
+
+using Done = tl::expected<void, std::string>;
+
+constexpr std::string_view kLinuxcncModel = "linuxcnc-2.9";
+constexpr double kNanosecond_s = 1e-9;
+
+/// A parameter of the planner that is built in with this value.
+struct FixedValue {
+    std::string_view section;
+    std::string_view key;
+    double value;
+};
+constexpr std::array kFixedValues{
+    FixedValue{"TRAJ", "ARC_BLEND_ENABLE", 1},       FixedValue{"TRAJ", "ARC_BLEND_FALLBACK_ENABLE", 0},
+    FixedValue{"TRAJ", "ARC_BLEND_GAP_CYCLES", 4},   FixedValue{"TRAJ", "ARC_BLEND_RAMP_FREQ", 100},
+    FixedValue{"TRAJ", "ARC_BLEND_KINK_RATIO", 0.1}, FixedValue{"TRAJ", "PLANNER_TYPE", 0},
+};
+
+class Importer {
+  public:
+    Importer(IniFile ini, const std::filesystem::path& path)
+        : ini_(std::move(ini)), folder_(path.parent_path()) {}
+
+    tl::expected<Imported, std::string> take() {
+        return read_units(ini_)
+            .and_then([&](const IniUnits& units) {
+                units_ = units;
+                return read_axes(ini_, units_, result_.warnings);
+            })
+            .and_then([&](std::vector<machine::Axis> axes) {
+                result_.machine.axes = std::move(axes);
+                return take_rest();
+            })
+            .map([&] {
+                leave_out();
+                return std::move(result_);
+            });
+    }
+
+  private:
+    Done take_rest() {
+        take_name();
+        take_units();
+        for (const auto step : {&Importer::take_path, &Importer::take_planner, &Importer::take_parameter_file,
+                                &Importer::take_tool_table}) {
+            if (Done done = (this->*step)(); !done) return done;
+        }
+        return {};
+    }
+
+    void take_name() {
+        result_.machine.name = ini_.text("EMC", "MACHINE").value_or("LinuxCNC");
+        ini_.find("EMC", "VERSION");  // of the file's own form
+        // Three slides have an inverse whatever else; where rotary axes lie the file does not say.
+        const auto linear = [](const machine::Axis& axis) { return axis.kind == machine::AxisKind::linear; };
+        const bool slides = result_.machine.axes.size() == 3 && letters() == "XYZ" &&
+                            std::all_of(result_.machine.axes.begin(), result_.machine.axes.end(), linear);
+        result_.machine.inverse = slides ? machine::InverseKind::gantry : machine::InverseKind::none;
+    }
+
+    std::string letters() const {
+        std::string letters;
+        for (const machine::Axis& axis : result_.machine.axes) letters += axis.letter;
+        return letters;
+    }
+
+    // RS274NGC_STARTUP_CODE runs before each program; of it the units are known here.
+    void take_units() {
+        result_.machine.program.dialect = "linuxcnc";
+        if (units_.linear_mm == 25.4) result_.machine.program.units = machine::ProgramUnits::inch;
+        const auto startup = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
+        if (!startup) return;
+        const std::string code = text::upper(*startup);
+        if (code.find("G20") != std::string::npos)
+            result_.machine.program.units = machine::ProgramUnits::inch;
+        if (code.find("G21") != std::string::npos) result_.machine.program.units = machine::ProgramUnits::mm;
+        result_.warnings.push_back(fmt::format(
+            "[RS274NGC] RS274NGC_STARTUP_CODE = {} is not run before programs; of it the units are "
+            "taken over",
+            *startup));
+    }
+
+    // A number of [TRAJ] by the first of two names, of which the second is that of older versions.
+    tl::expected<std::optional<double>, std::string> of_path(std::string_view key, std::string_view older) {
+        auto value = ini_.number("TRAJ", key);
+        if (value && !value->has_value()) return ini_.number("TRAJ", older);
+        return value;
+    }
+
+    Done take_path() {
+        machine::PathLimits& path = result_.machine.path;
+        const auto speed = of_path("MAX_LINEAR_VELOCITY", "MAX_VELOCITY");
+        if (!speed) return tl::unexpected(speed.error());
+        if (*speed) path.max_feed_mm_s = path.max_rapid_mm_s = **speed * units_.linear_mm;
+        const auto acceleration = of_path("MAX_LINEAR_ACCELERATION", "MAX_ACCELERATION");
+        if (!acceleration) return tl::unexpected(acceleration.error());
+        if (!*acceleration) return {};
+        path.max_acceleration_mm_s2 = **acceleration * units_.linear_mm;
+        for (const machine::Axis& axis : result_.machine.axes) {
+            if (axis.kind == machine::AxisKind::rotary ||
+                axis.max_acceleration <= path.max_acceleration_mm_s2)
+                continue;
+            result_.warnings.push_back(fmt::format(
+                "[TRAJ] MAX_LINEAR_ACCELERATION, less than that of axis {}, is taken over for feed "
+                "moves, not for rapid ones",
+                axis.letter));
+            break;
+        }
+        return {};
+    }
+
+    Done take_planner() {
+        rrs::ControllerRules& rules = result_.machine.controller;
+        rules = machine::built_in_controller(kLinuxcncModel).value();
+        const auto period_ns = ini_.number("EMCMOT", "SERVO_PERIOD");
+        if (!period_ns) return tl::unexpected(period_ns.error());
+        if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
+        const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
+        if (!depth) return tl::unexpected(depth.error());
+        if (*depth && **depth >= 1) rules.look_ahead_blocks = static_cast<std::size_t>(**depth);
+        for (const FixedValue& fixed : kFixedValues) {
+            const auto value = ini_.number(fixed.section, fixed.key);
+            if (!value) return tl::unexpected(value.error());
+            if (!*value || **value == fixed.value) continue;
+            result_.warnings.push_back(fmt::format(
+                "[{}] {} = {} is not taken over: the planner here is that of LinuxCNC 2.9 with {}",
+                fixed.section, fixed.key, **value, fixed.value));
+        }
+        return {};
+    }
+
+    // The text of a file that the INI file names; nothing where it names none, or it is not there.
+    std::optional<std::pair<std::string, std::string>> named_file(std::string_view section,
+                                                                  std::string_view key) {
+        const auto name = ini_.text(section, key);
+        if (!name || name->empty()) return std::nullopt;
+        const std::filesystem::path path = folder_ / *name;
+        auto text = machine::read_text_file(path);
+        if (text) return std::pair(path.string(), *std::move(text));
+        result_.warnings.push_back(
+            fmt::format("[{}] {} = {} is not taken over: {}", section, key, *name, text.error()));
+        return std::nullopt;
+    }
+
+    Done take_parameter_file() {
+        const auto file = named_file("RS274NGC", "PARAMETER_FILE");
+        return file ? take_table(*file, take_parameters) : Done();
+    }
+
+    Done take_tool_table() {
+        const auto file = named_file("EMCIO", "TOOL_TABLE");
+        return file ? take_table(*file, take_tools) : Done();
+    }
+
+    Done take_table(const std::pair<std::string, std::string>& file,
+                    Done (*take_over)(std::string_view, std::string_view, double, std::string_view,
+                                      machine::MachineData&, TableNotes&)) {
+        TableNotes notes;
+        Done done = take_over(file.second, file.first, units_.linear_mm, letters(), result_.data, notes);
+        result_.has_data = true;
+        for (const std::string& name : notes.left_out)
+            result_.left_out.push_back(
+                fmt::format("{}: {}", std::filesystem::path(file.first).filename().string(), name));
+        return done;
+    }
+
+    // What nobody asked for, by sections.
+    void leave_out() {
+        std::vector<std::pair<std::string, std::string>> sections;
+        for (const IniEntry& entry : ini_.entries()) {
+            if (entry.taken) continue;
+            auto found = std::find_if(sections.begin(), sections.end(),
+                                      [&](const auto& one) { return one.first == entry.section; });
+            if (found == sections.end()) found = sections.insert(sections.end(), {entry.section, ""});
+            if ((", " + found->second + ",").find(", " + entry.key + ",") != std::string::npos) continue;
+            found->second += (found->second.empty() ? "" : ", ") + entry.key;
+        }
+        for (const auto& [section, keys] : sections)
+            result_.left_out.push_back(fmt::format("[{}] {}", section, keys));
+    }
+
+    IniFile ini_;
+    std::filesystem::path folder_;
+    IniUnits units_;
+    Imported result_;
+};
+
+}  // namespace
+
+tl::expected<Imported, std::string> import_linuxcnc(std::string_view text,
+                                                    const std::filesystem::path& path) {
+    return IniFile::read(text, path).and_then([&](IniFile ini) {
+        return Importer(std::move(ini), path).take();
+    });
+}
+
+}  // namespace gsim::import

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "runtime/rrs/types.h"
+
+namespace gsim::kinematics {
+
+/// A row and a column for each joint.
+using JointSquare =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, rrs::kMaxJoints, rrs::kMaxJoints>;
+
+/// The solution of matrix * x = right; the matrix is symmetric and positive definite. Eigen's decompositions
+/// take seconds to compile wherever they are used, so they are used in dense.cpp.
+rrs::JointPos solve_symmetric(const JointSquare& matrix, const rrs::JointPos& right);
+
+/// Singular values, greatest first, and the right singular vectors as columns.
+struct SingularValues {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd right;
+};
+SingularValues singular_values(const Eigen::MatrixXd& matrix);
+
+}  // namespace gsim::kinematics

@@ -1,0 +1,59 @@
+#include "runtime/machine/program_section.h"
+
+#include <array>
+
+#include "runtime/machine/text_file.h"
+
+namespace gsim::machine {
+
+using std::string_view_literals::operator""sv;
+
+namespace {
+
+constexpr std::array kProgramKeys{"dialect"sv, "units"sv};
+constexpr std::array kUnitNames{"mm"sv, "inch"sv};  // in the order of ProgramUnits
+constexpr double kMmPerInch = 25.4;
+
+}  // namespace
+
+double unit_mm(ProgramUnits units) {
+    return units == ProgramUnits::inch ? kMmPerInch : 1;
+}
+
+ProgramTable read_program_section(FirstError& error, const toml::table* table) {
+    ProgramTable program;
+    if (table == nullptr) return program;
+    TomlSection section(error, *table, "[program]", kProgramKeys);
+    if (section.has("dialect")) program.dialect = section.text("dialect");
+    if (section.has("dialect") && program.dialect.empty())
+        section.fail("dialect", "'dialect' is empty; leave it out where nothing is to be said");
+    if (section.has("units"))
+        program.units = static_cast<ProgramUnits>(section.choice("units", 0, kUnitNames));
+    return program;
+}
+
+void print_program_section(TomlText& out, const ProgramTable& program) {
+    if (program == ProgramTable{}) return;
+    out.section("[program]");
+    if (!program.dialect.empty()) out.line("dialect", toml_string(program.dialect));
+    if (program.units) out.line("units", toml_string(kUnitNames[static_cast<std::size_t>(*program.units)]));
+}
+
+tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
+                                                           std::string_view file_name) {
+    FirstError error(file_name);
+    const toml::table root = parse_toml(error, toml_text);
+    const toml::node* node = root.get("program");
+    if (node != nullptr && !node->is_table())
+        error.report(node->source().begin, "'program' must be a table, under [program]");
+    const ProgramTable program = read_program_section(error, node == nullptr ? nullptr : node->as_table());
+    if (error.text()) return tl::unexpected(*error.text());
+    return program;
+}
+
+tl::expected<ProgramTable, std::string> load_program_table(const std::filesystem::path& path) {
+    return read_text_file(path).and_then(
+        [&](const std::string& text) { return read_program_table(text, path.string()); });
+}
+
+}  // namespace gsim::machine

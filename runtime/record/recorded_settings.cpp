@@ -1,0 +1,69 @@
+// What a program selects for what follows, as actions and offsets of the path.
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "runtime/record/action_name.h"
+#include "runtime/record/path_recorder.h"
+
+namespace gsim::record {
+
+using simulation::AxisVector;
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kRamps = {"machine", "linear", "s_curve", "infinite"};
+constexpr std::array<std::string_view, 3> kRampLimits = {"acceleration", "deceleration", "jerk"};
+
+}  // namespace
+
+// What follows begins at rest, which a dwell or a switch says already.
+void PathRecorder::rest(const AxisVector&) {
+    rests_ = rests_ || has_moved_;
+    has_moved_ = false;
+}
+
+void PathRecorder::spindle_speed(const AxisVector& at, double rev_min) {
+    if (spindle_rev_min_ == rev_min) return;
+    spindle_rev_min_ = rev_min;
+    act(at, fmt::format("speed {}", number_text(rev_min)));
+}
+
+void PathRecorder::path_mode(const AxisVector& at, const simulation::PathPassing& passing) {
+    if (passing == passing_) return;
+    passing_ = passing;
+    switch (passing.mode) {
+        case rrs::PathMode::exact_stop: return act(at, "path_mode exact_stop");
+        case rrs::PathMode::exact_path: return act(at, "path_mode exact_path");
+        case rrs::PathMode::continuous: break;
+    }
+    if (passing.tolerance_mm == 0 && passing.merge_tolerance_mm == 0) return act(at, "path_mode continuous");
+    act(at, fmt::format("path_mode continuous {} {}", number_text(passing.tolerance_mm),
+                        number_text(passing.merge_tolerance_mm)));
+}
+
+void PathRecorder::exact_stop_once(const AxisVector& at) {
+    act(at, "exact_stop_once");
+}
+
+void PathRecorder::ramps(const AxisVector& at, rrs::RampMode mode) {
+    act(at, fmt::format("ramps {}", kRamps[static_cast<std::size_t>(mode)]));
+}
+
+void PathRecorder::ramp_limit(const AxisVector& at, rrs::RampLimit limit, const machine::Axis& axis,
+                              double value) {
+    act(at, fmt::format("ramp_limit {} {} {} {}", kRampLimits[static_cast<std::size_t>(limit)], axis.letter,
+                        number_text(value), axis.kind == machine::AxisKind::rotary ? "deg" : "mm"));
+}
+
+void PathRecorder::no_ramp_limits(const AxisVector& at) {
+    act(at, "ramp_limits machine");
+}
+
+void PathRecorder::work_offset(const simulation::WorkOffset& offset) {
+    work_offset_ = offset.name;
+    work_offsets_.insert_or_assign(offset.name, path::WorkOffset{offset.origin, offset.rotation_deg});
+}
+
+}  // namespace gsim::record

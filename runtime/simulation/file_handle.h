@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdio>
+#include <memory>
+
+namespace gsim::simulation {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Closes its file at the end; errors of writing are for its owner to ask before.
+using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
+
+}  // namespace gsim::simulation

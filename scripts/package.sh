@@ -1,0 +1,92 @@
+#!/bin/bash
+# Makes the packages of a release build, into its folder packages: Debian packages, and an archive that runs wherever it is
+# unpacked. The same sources give the same bytes, wherever and whenever they are built (scripts/reproducible.sh).
+# Usage: scripts/package.sh BUILD
+set -euo pipefail
+
+build=$(realpath "$1")
+cd "$(dirname "$0")/.."
+export LC_ALL=C.UTF-8 TZ=UTC
+umask 022
+readonly build work=$build/package-work packages=$build/packages
+version=$(sed -n 's/^project(gsim VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+name=gsim-$version-linux-$(uname -m)
+readonly version name
+SOURCE_DATE_EPOCH=$(dpkg-parsechangelog --show-field Timestamp)
+export SOURCE_DATE_EPOCH
+
+# Quiet when it works; all of its words when it does not.
+quietly() {
+    local log=$work/log
+    "$@" >"$log" 2>&1 || {
+        cat "$log" >&2
+        return 1
+    }
+}
+
+# They are made in a copy of debian/, so that what debhelper leaves behind stays below build/.
+debian_packages() {
+    local profiles=()
+    [[ -e $build/bin/gsim-solid ]] || profiles=(--build-profiles=pkg.gsim.nosolid)
+    mkdir "$work/gsim-$version"
+    cp -r debian "$work/gsim-$version"
+    cd "$work/gsim-$version"
+    GSIM_BUILD=$build quietly dpkg-buildpackage --build=binary --no-sign "${profiles[@]}"
+    cd - >/dev/null
+    mv "$work"/*.deb "$packages"
+    TMPDIR=$work quietly lintian --fail-on error,warning "$packages"/*.deb
+}
+
+# The shared libraries of a program that no system has to have: all but those of the compiler and of the C library.
+libraries() {
+    ldd "$@" | awk '$2 == "=>" { print $3 }' | sort -u | grep -Ev '/(libc|libm|libstdc\+\+|libgcc_s)\.so\.'
+}
+
+# The name of the package that a file came with.
+package_of() {
+    dpkg --search "*/${1##*/}" | sed -n '1s/:.*//p'
+}
+
+# Others' code in the archive comes with its terms: the libraries beside the programs, and those that are headers alone.
+licences() {
+    local package
+    mkdir "$1"
+    {
+        for library in "${@:2}"; do package_of "$library"; done
+        printf '%s\n' libcli11-dev libeigen3-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev
+    } | sort -u | while read -r package; do
+        install -m 644 "/usr/share/doc/$package/copyright" "$1/$package"
+    done
+}
+
+archive() {
+    local root=$work/$name component library libraries
+    for component in programs development docs licence; do
+        quietly cmake --install "$build" --prefix "$root" --component $component --strip
+    done
+    mapfile -t libraries < <(libraries "$root/bin/gsim" "$root/lib/gsim/libgsim_rcs_default.so")
+    for library in "${libraries[@]}"; do
+        install -m 644 "$library" "$root/lib/gsim"
+    done
+    # shellcheck disable=SC2016  # the loader replaces $ORIGIN
+    patchelf --set-rpath '$ORIGIN/../lib/gsim' "$root/bin/gsim"
+    # shellcheck disable=SC2016
+    patchelf --set-rpath '$ORIGIN' "$root"/lib/gsim/*.so*
+    licences "$root/share/doc/gsim/licences" "${libraries[@]}"
+    sed "s/@VERSION@/$version/" scripts/archive-readme.txt >"$root/README"
+    tar --create --directory="$work" --format=gnu --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner \
+        --mode=u+rw,go=rX "$name" | gzip -9 --no-name >"$packages/$name.tar.gz"
+}
+
+if [[ $(dpkg-parsechangelog --show-field Version) != "$version" ]]; then
+    echo "package: debian/changelog has another version than CMakeLists.txt ($version)" >&2
+    exit 1
+fi
+rm -rf "$work" "$packages"
+mkdir -p "$work" "$packages"
+debian_packages
+archive
+rm -rf "$work"
+cd "$packages"
+echo "$packages:"
+du --apparent-size --block-size=1K -- *

@@ -1,0 +1,127 @@
+// gsim in front of the programs, and what all of them tell of themselves.
+
+#include <string>
+#include <vector>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps::front_test {
+namespace {
+
+class Front : public Apps {
+  protected:
+    Ended gsim(const std::vector<std::string>& arguments) const {
+        return run_program(GSIM_FRONT, arguments, folder_);
+    }
+    const std::string part_ = write("part.nc", "G0 X100\nG1 X110 F3000\n");
+    const std::string wrong_ = write("wrong.nc", "G0 X5000\n");
+};
+
+constexpr const char* kPrograms[] = {"gsim-run", "gsim-check", "gcode2lua",
+                                     "autopath", "path2gcode", "gsim-data"};
+
+TEST_F(Front, ACommandIsTheProgramByItsOwnName) {
+    const Ended by_command = gsim({"run", part_, "--json"});
+    const Ended by_name = gsim_run({part_, "--json"});
+    EXPECT_EQ(by_command.status, 0);
+    EXPECT_EQ(by_command.out, by_name.out);
+    EXPECT_EQ(gsim({"gsim-run", part_, "--json"}).out, by_name.out);
+    EXPECT_EQ(gsim({"translate", part_}).out, gcode2lua({part_}).out);
+}
+
+TEST_F(Front, WhatIsNotKnownIsToldWithTheNearestName) {
+    const Ended command = gsim({"rum", part_});
+    EXPECT_EQ(command.status, 2);
+    EXPECT_EQ(command.out, "");
+    EXPECT_EQ(
+        command.err,
+        "gsim: there is no command 'rum'; did you mean 'run'?\ngsim: gsim --help tells what there is\n");
+    const Ended option = gsim({"run", part_, "--machin", "x.toml"});
+    EXPECT_EQ(option.status, 2);
+    EXPECT_EQ(option.err,
+              "gsim-run: there is no option '--machin'; did you mean '--machine'?\n"
+              "gsim-run: gsim-run --help tells what there is\n");
+    const Ended sub = gsim({"data", "x.txt", "lits"});
+    EXPECT_EQ(sub.status, 2);
+    EXPECT_TRUE(holds(sub.err, "nothing takes 'lits'; did you mean 'list'?")) << sub.err;
+    EXPECT_FALSE(holds(gsim({"run", "--qqqqqqqqqqqqqq"}).err, "did you mean"));
+    EXPECT_EQ(gsim({}).status, 2);
+}
+
+TEST_F(Front, AnOptionOfManyValuesLeavesTheNextWordAlone) {
+    const Ended ended = gsim({"run", "--envelope", "reach.csv", part_});
+    EXPECT_TRUE(holds(ended.err, "take away part.nc")) << ended.err;
+}
+
+TEST_F(Front, EveryProgramTellsOfItself) {
+    for (const std::string program : kPrograms) {
+        const Ended help = gsim({"help", program});
+        EXPECT_EQ(help.status, 0) << program;
+        EXPECT_TRUE(help.out.starts_with("Usage: " + program + " ")) << help.out;
+        EXPECT_TRUE(holds(help.out, "\nExamples:\n")) << program;
+        EXPECT_TRUE(holds(help.out, "\nExit status: 0 done")) << program;
+        const Ended page = gsim({"manual", program});
+        EXPECT_EQ(page.status, 0) << program;
+        for (const char* heading :
+             {".TH ", ".SH NAME", ".SH SYNOPSIS", ".SH OPTIONS", ".SH EXIT STATUS", ".SH EXAMPLES"})
+            EXPECT_TRUE(holds(page.out, heading)) << program << " " << heading;
+        const Ended version = gsim({program, "--version"});
+        EXPECT_TRUE(version.out.starts_with(program + " ")) << version.out;
+        EXPECT_TRUE(holds(version.out, "\nLua 5.4")) << version.out;
+    }
+}
+
+TEST_F(Front, HelpStandsInGroupsByTask) {
+    const std::string help = gsim({"run", "--help"}).out;
+    const std::size_t machine = help.find("\nMachine and language:\n");
+    const std::size_t results = help.find("\nResults:\n");
+    ASSERT_NE(machine, std::string::npos);
+    ASSERT_NE(results, std::string::npos);
+    EXPECT_GT(help.find("--cell FILE"), machine);
+    EXPECT_GT(help.find("--trajectory FILE"), results);
+    EXPECT_TRUE(holds(help, "time between samples (1e-06 to 1000000) [0.01]"));
+}
+
+TEST_F(Front, CompletionsAreForThreeShells) {
+    for (const std::string shell : {"bash", "zsh", "fish"}) {
+        const Ended script = gsim({"completion", shell});
+        EXPECT_EQ(script.status, 0);
+        for (const std::string program : kPrograms)
+            EXPECT_TRUE(holds(script.out, program)) << shell << " " << program;
+        EXPECT_TRUE(holds(script.out, "machine-data")) << shell;
+    }
+    EXPECT_EQ(gsim({"completion", "tcsh"}).status, 2);
+}
+
+TEST_F(Front, ACheckLooksAtEachProgram) {
+    const Ended clean = gsim({"check", part_});
+    EXPECT_EQ(clean.status, 0);
+    EXPECT_TRUE(clean.out.starts_with("part.nc: nothing wrong, ")) << clean.out;
+    const Ended both = gsim({"check", wrong_, part_});
+    EXPECT_EQ(both.status, 1);
+    EXPECT_TRUE(holds(both.out, "wrong.nc:1: error: axis X ")) << both.out;
+    EXPECT_TRUE(holds(both.out, "part.nc: nothing wrong")) << both.out;
+    const Ended missing = gsim({"check", "nowhere.nc", part_});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_TRUE(holds(missing.out, "part.nc: nothing wrong")) << missing.out;
+    EXPECT_TRUE(holds(missing.err, "nowhere.nc")) << missing.err;
+    EXPECT_EQ(gsim({"check"}).status, 2);
+}
+
+TEST_F(Front, ACheckTellsCollisionsWithBlockPairAndTime) {
+    const std::string cell =
+        write("cell.toml",
+              "[cell]\nname = \"a post\"\nclearance_mm = 1.0\n"
+              "[[object]]\nname = \"post\"\nshape = { box_mm = [20.0, 20.0, 20.0] }\n"
+              "frame = { x_mm = 105.0 }\n"
+              "[[shape]]\nname = \"tip\"\non = \"tool\"\nshape = { sphere_mm = 10.0 }\n");
+    const Ended ended = gsim({"check", "--cell", cell, part_});
+    ASSERT_NE(ended.status, 2) << ended.err;
+    EXPECT_EQ(ended.status, 1) << ended.out;
+    // The rapid of the first line; its near miss with the same body is not told again.
+    EXPECT_TRUE(ended.out.starts_with("part.nc:1: error: collision: 'tip' and 'post' at ")) << ended.out;
+    EXPECT_FALSE(holds(ended.out, "near miss: 'tip' and 'post', 0.000 mm")) << ended.out;
+}
+
+}  // namespace
+}  // namespace gsim::apps::front_test

@@ -1,0 +1,136 @@
+// A recorded run written again: the words of offsets, feeds, modes, switches and tools, and what is refused.
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps::recorded_program_test {
+namespace {
+
+class RecordedProgram : public Apps {
+  protected:
+    Ended path2gcode(std::vector<std::string> arguments) const {
+        return run_program(GSIM_PATH2GCODE, arguments, folder_);
+    }
+    void record(const std::string& program, const std::vector<std::string>& options = {}) const {
+        write("data.txt", "NCFILE\nOFFSET\n54 200 150 -60\n55 10 20 30\nTOOL\n3 0 6\nENDFILE\n");
+        std::vector<std::string> arguments{
+            write("x.nc", program), "--machine-data", "data.txt",   "--quiet", "--record",
+            "x.path.json",          "--moves",        "first.jsonl"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Ended ran = gsim_run(arguments);
+        ASSERT_EQ(ran.status, 0) << ran.err;
+    }
+    std::string written(std::vector<std::string> options = {}) const {
+        options.insert(options.end(), {"x.path.json", "--quiet"});
+        const Ended ended = path2gcode(options);
+        EXPECT_EQ(ended.status, 0) << ended.err;
+        return ended.out;
+    }
+    std::string refusal(std::vector<std::string> options) const {
+        options.emplace_back("x.path.json");
+        const Ended ended = path2gcode(options);
+        EXPECT_EQ(ended.status, 1);
+        EXPECT_EQ(ended.out, "");
+        return ended.err;
+    }
+    // The last place of a run of the written program.
+    std::string last_place(const std::string& program, const std::string& dialect) const {
+        const Ended ran = gsim_run({write("again.nc", program), "--dialect", dialect, "--machine-data",
+                                    "data.txt", "--quiet", "--moves", "again.jsonl"});
+        EXPECT_EQ(ran.status, 0) << ran.err << program;
+        return place(read("again.jsonl"));
+    }
+    static std::string place(const std::string& moves) {
+        const std::size_t at = moves.rfind("\"to\":");
+        return moves.substr(at, moves.find('}', at) - at);
+    }
+};
+
+// The specimen: machine coordinates under an active G54 drove the head 60 mm too deep.
+TEST_F(RecordedProgram, StandsWhereTheFirstOneDidUnderAnyOffsets) {
+    record("G21 G90 G0 X10 Y20 Z200\nG1 Z190 F600\nM30\n");
+    const std::string first = place(read("first.jsonl"));
+    EXPECT_EQ(first, R"("to":{"X":210,"Y":170,"Z":130,"B":0,"C":0)");
+    for (const std::string dialect : {"ab9", "rs274ngc"}) {
+        const auto text = [&](const std::string& offsets) {
+            return written({"--dialect", dialect, "--offsets", offsets});
+        };
+        EXPECT_TRUE(holds(text("keep"), dialect == "ab9" ? "Z190.000" : "Z190 ")) << text("keep");
+        EXPECT_TRUE(holds(text("none"), "G92 X0")) << text("none");
+        EXPECT_TRUE(holds(text("G53"), "G53 G01 Z130")) << text("G53");
+        for (const std::string offsets : {"keep", "none", "G53"})
+            EXPECT_EQ(last_place(text(offsets), dialect), first) << dialect << offsets;
+        EXPECT_EQ(text("keep"), written({"--dialect", dialect})) << "the default";
+    }
+}
+
+TEST_F(RecordedProgram, BeginsWithNothingThatNobodyProgrammed) {
+    record("G21 G90 S1200 M3\nG1 X10 F600\nM30\n");
+    EXPECT_EQ(written({"--dialect", "rs274ngc"}),
+              "(x)\nG21 G17 G40 G49 G54 G80 G90 G94 G91.1\nG92.2\nS1200\nM3\nG01 X10 F600\nM2\n");
+}
+
+TEST_F(RecordedProgram, SaysToolsSpeedsSwitchesModesAndFeedsAgain) {
+    record(
+        "T3\nM6\nS1200 M3\nG0 X10 Y10 Z200\nM8\nG93 G1 X50 F30\nG2 X70 I10 J0 F20\nG94 F500\nG61\nG1 Y40\n"
+        "G64\nG48.1 X500 Y400\nG1 X20 F2000\nG48\nG95 G1 X60 F0.5\nG94\n#1103=1\nG4 P0.5\nG55\n"
+        "G0 X100 Y100 Z50\nG33 Z45 F2\nG9 G1 X90 F700\nM1\nM19\nM9\nM5\nM30\n");
+    EXPECT_EQ(written(),
+              "O0001\nN00005 D1 H1\nN00010 G92.1\nN00015 G00 G17 G21 G40 G80 G90 G54 G94\nN00020 T3\n"
+              "N00025 M06\nN00030 S1200\nN00035 M03\nN00040 G00 X10.000 Y10.000 Z200.000\nN00045 M08\n"
+              "N00050 G93 G01 X50.000 F30\nN00055 G17 G02 X70.000 I10.000 J0.000 F20\nN00060 G61\n"
+              "N00065 G94 G01 Y40.000 F500.000\nN00070 G64\nN00075 G48.1 X500\nN00080 G48.1 Y400\n"
+              "N00085 X20.000 F2000.000\nN00090 G48\nN00095 G95 X60.000 F0.5\nN00100 #1103=1\n"
+              "N00105 G04 P0.500\nN00110 G55\nN00115 G00 X100.000 Y100.000 Z50.000 B0.000 C0.000\n"
+              "N00120 G33 Z45.000 F2\nN00125 G09 G94 G01 X90.000 F700.000\nN00130 M01\nN00135 M19\n"
+              "N00140 M09\nN00145 M05\nN00150 G92.1\nN00155 M02\n%\n");
+}
+
+TEST_F(RecordedProgram, WhatAControlHasNoWordForIsRefusedByName) {
+    record("M10\nG48.1 X500\nG48.1 X600\nG1 X10 F600\nM30\n");
+    EXPECT_EQ(refusal({"--dialect", "rs274ngc"}),
+              "error: the post 'rs274ngc' has no words for 'ramp_limit acceleration X 500 mm', 'ramp_limit "
+              "acceleration "
+              "X 600 mm'; with --go-on they become comments\n");
+    const Ended went_on = path2gcode({"--dialect", "rs274ngc", "--go-on", "x.path.json"});
+    EXPECT_EQ(went_on.status, 0);
+    EXPECT_EQ(
+        went_on.err,
+        "note: 'ramp_limit acceleration X 500 mm' is a comment, 1 times: the post 'rs274ngc' has no block "
+        "for it\nnote: 'ramp_limit acceleration X 600 mm' is a comment, 1 times: the post 'rs274ngc' has "
+        "no block for it\n");
+    EXPECT_TRUE(holds(went_on.out, "(action: ramp_limit acceleration X 500 mm)\n")) << went_on.out;
+}
+
+TEST_F(RecordedProgram, OffsetsThatCannotBeWrittenAreRefused) {
+    record("G10 L2 P2 R30\nG55\nG0 X1 Y1 Z1\nM2\n", {"--dialect", "rs274ngc"});
+    EXPECT_EQ(written({"--dialect", "rs274ngc"}).substr(0, 4), "(x)\n") << "turned by the program itself";
+    write("hand.path.json",
+          R"json({"paths": [{"name": "a", "targets": [{"position_mm": [1, 2, 3], "feed_mm_min": 9,
+             "rotary_deg": {"B": 0, "C": 0}}]}]})json");
+    EXPECT_EQ(path2gcode({"--offsets", "keep", "hand.path.json"}).err,
+              "error: --offsets keep is for recorded paths (gsim-run --record), which say what offsets were "
+              "in force\n");
+    const auto recorded_in = [this](const std::string& offsets) {
+        write("x.path.json", R"json({"work_offsets": )json" + offsets +
+                                 R"json(, "paths": [{"name": "a", "targets": [{"position_mm": [1, 2, 3],
+             "feed_mm_min": 9, "rotary_deg": {"B": 0, "C": 0}, "work_offset": "505"}]}]})json");
+    };
+    recorded_in(R"({"505": {"X": 1}})");
+    EXPECT_EQ(refusal({"--dialect", "rs274ngc"}),
+              "error: the post 'rs274ngc' has no word for the work offset G505; --offsets none or G53 writes "
+              "the program "
+              "without\n");
+    recorded_in(R"({"505": {}, "54": {"X": 1, "rotation_deg": 30}})");
+    EXPECT_TRUE(holds(refusal({"--dialect", "ab9"}), "G505"));
+    recorded_in(R"({"54": {"X": 1, "rotation_deg": 30}})");
+    EXPECT_TRUE(holds(refusal({"--dialect", "ab9"}),
+                      "'work_offset' names '505', which is none of the program's 'work_offsets'"));
+}
+
+// Rotary axes stand where they stood, whole turns included, without an option.
+TEST_F(RecordedProgram, RotaryAxesKeepTheirTurns) {
+    record("G21 G90 G0 X0 Y0 Z100\nG0 B350\nG0 B-350\nM30\n");
+    EXPECT_TRUE(holds(written(), "B350.000\n")) << written();
+}
+
+}  // namespace
+}  // namespace gsim::apps::recorded_program_test

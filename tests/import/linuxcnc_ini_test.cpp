@@ -1,0 +1,209 @@
+// INI files of LinuxCNC as machines.
+
+#include "runtime/import/linuxcnc_ini.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "runtime/import/import_machine.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::import::linuxcnc_ini_test {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string limits(const std::string& section, double range, double speed, double acceleration) {
+    return fmt::format("[{}]\nMIN_LIMIT = {}\nMAX_LIMIT = {}\nMAX_VELOCITY = {}\nMAX_ACCELERATION = {}\n",
+                       section, -range, range, speed, acceleration);
+}
+
+// The configuration with which the motion of samples/machines/linuxcnc-*.toml was recorded.
+std::string recorded(double speed, double acceleration, double turn_acceleration, double path_speed) {
+    std::string ini = fmt::format(
+        "[KINS]\nKINEMATICS = trivkins coordinates=XYZBC\nJOINTS = 5\n"
+        "[EMCMOT]\nSERVO_PERIOD = 1000000\n"
+        "[TRAJ]\nCOORDINATES = X Y Z B C\nLINEAR_UNITS = mm\nANGULAR_UNITS = degree\nMAX_LINEAR_VELOCITY = "
+        "{}\n",
+        path_speed);
+    for (const char letter : {'X', 'Y', 'Z'})
+        ini += limits(fmt::format("AXIS_{}", letter), 10000, speed, acceleration);
+    for (const char letter : {'B', 'C'})
+        ini += limits(fmt::format("AXIS_{}", letter), 36000, 90, turn_acceleration);
+    return ini;
+}
+
+Imported import_text(const std::string& ini) {
+    const auto imported = import_linuxcnc(ini, "mill.ini");
+    EXPECT_TRUE(imported) << imported.error();
+    return imported.value_or(Imported{});
+}
+
+std::string error_of(const std::string& ini) {
+    const auto imported = import_linuxcnc(ini, "mill.ini");
+    return imported ? "no error" : imported.error();
+}
+
+// All that decides on places and times is that of the samples, by which recordings are matched.
+TEST(LinuxcncIni, TheRecordedMachinesAreTheSamples) {
+    for (const auto& [name, ini] : {std::pair{"linuxcnc-gantry.toml", recorded(508, 490.3, 20, 2000)},
+                                    std::pair{"linuxcnc-gantry254.toml", recorded(508, 490.3, 20, 254)},
+                                    std::pair{"linuxcnc-router.toml", recorded(100, 1000, 200, 1000)}}) {
+        machine::Machine machine = import_text(ini).machine;
+        machine::Machine sample =
+            machine::load_machine(std::string(GSIM_SAMPLES "/machines/") + name).value();
+        machine.name = sample.name;
+        machine.program = sample.program;
+        machine.process = sample.process;
+        EXPECT_EQ(machine::print_machine(machine), machine::print_machine(sample)) << name;
+    }
+}
+
+constexpr const char* kMill =
+    "[EMC]\nMACHINE = My mill\n[KINS]\nKINEMATICS = trivkins\nJOINTS = 3\n"
+    "[TRAJ]\nCOORDINATES = XYZ\nLINEAR_UNITS = inch\n";
+
+std::string mill() {
+    return std::string(kMill) + limits("AXIS_X", 3, 2, 20) + limits("AXIS_Y", 2, 2, 20) +
+           limits("AXIS_Z", 2, 1, 10);
+}
+
+TEST(LinuxcncIni, InchesAreConvertedAndAreTheUnitOfPrograms) {
+    const machine::Machine machine = import_text(mill()).machine;
+    EXPECT_EQ(machine.name, "My mill");
+    EXPECT_EQ(machine.axes.at(0).max, 76.2);
+    EXPECT_NEAR(machine.axes.at(0).max_speed, 50.8, 1e-12);
+    EXPECT_NEAR(machine.axes.at(2).max_acceleration, 254, 1e-12);
+    EXPECT_EQ(machine.program.units, machine::ProgramUnits::inch);
+    EXPECT_EQ(machine.program.dialect, "linuxcnc");
+    EXPECT_EQ(machine.inverse, machine::InverseKind::gantry);
+}
+
+TEST(LinuxcncIni, AnAxisHasTheNarrowerOfItsOwnAndItsJointsLimits) {
+    std::string ini = mill();
+    ini.replace(ini.find("trivkins"), 8, "trivkins coordinates=XYYZ");
+    ini.replace(ini.find("JOINTS = 3"), 10, "JOINTS = 4");
+    ini += limits("JOINT_1", 1.5, 9, 90) + limits("JOINT_2", 5, 0.5, 90) + "HOME = 1\n" +
+           limits("JOINT_3", 5, 0.7, 90) + "HOME = 1.5\n";
+    const machine::Machine machine = import_text(ini).machine;
+    EXPECT_EQ(machine.axes.at(1).max, 38.1);                  // of joint 1
+    EXPECT_NEAR(machine.axes.at(1).max_speed, 12.7, 1e-12);   // of joint 2
+    EXPECT_NEAR(machine.axes.at(2).max_speed, 17.78, 1e-12);  // of joint 3
+    EXPECT_EQ(machine.axes.at(2).home, 38.1);
+}
+
+TEST(LinuxcncIni, JointsOfOldFilesAreAxesByNumber) {
+    const std::string ini = std::string(kMill) + limits("AXIS_0", 3, 2, 20) + limits("AXIS_1", 2, 2, 20) +
+                            limits("AXIS_2", 1, 1, 10);
+    EXPECT_EQ(import_text(ini).machine.axes.at(2).max, 25.4);
+}
+
+TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
+    const Imported imported =
+        import_text("[DISPLAY]\nDISPLAY = axis\nCYCLE_TIME = 0.1\n" + mill() +
+                    "[TRAJ]\nARC_BLEND_ENABLE = 0\nPLANNER_TYPE = 1\nARC_BLEND_OPTIMIZATION_DEPTH = "
+                    "80\nMAX_LINEAR_JERK = 9\n"
+                    "[JOINT_0]\nMAX_VELOCITY = 2\nMAX_ACCELERATION = 20\nTYPE = ANGULAR\nBACKLASH = 0.1\n"
+                    "[RS274NGC]\nPARAMETER_FILE = none.var\nRS274NGC_STARTUP_CODE = G21 G64P0.01\n");
+    EXPECT_EQ(imported.machine.controller.look_ahead_blocks, 80U);
+    EXPECT_EQ(imported.machine.program.units, machine::ProgramUnits::mm);
+    EXPECT_THAT(
+        imported.warnings,
+        ElementsAre(
+            "[JOINT_0] TYPE = ANGULAR is not taken over: axis X is linear",
+            "[RS274NGC] RS274NGC_STARTUP_CODE = G21 G64P0.01 is not run before programs; of it the units are "
+            "taken over",
+            "[TRAJ] ARC_BLEND_ENABLE = 0 is not taken over: the planner here is that of LinuxCNC 2.9 with 1",
+            "[TRAJ] PLANNER_TYPE = 1 is not taken over: the planner here is that of LinuxCNC 2.9 with 0",
+            "[RS274NGC] PARAMETER_FILE = none.var is not taken over: cannot read 'none.var': No such file or "
+            "directory"));
+    EXPECT_THAT(imported.left_out,
+                ElementsAre("[DISPLAY] DISPLAY, CYCLE_TIME", "[TRAJ] MAX_LINEAR_JERK", "[JOINT_0] BACKLASH"));
+}
+
+TEST(LinuxcncIni, OtherKinematicsAreRefusedByName) {
+    std::string ini = mill();
+    ini.replace(ini.find("trivkins"), 8, "scarakins");
+    EXPECT_EQ(
+        error_of(ini),
+        "mill.ini:4: the kinematics 'scarakins' cannot be imported, only trivkins; write a machine file with "
+        "its frames, and take the limits from here");
+}
+
+TEST(LinuxcncIni, FaultsHaveTheirPlace) {
+    EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = XYZ\nLINEAR_UNITS = furlong\n"),
+              "mill.ini:3: LINEAR_UNITS is 'furlong'; there are mm, metric, inch, in, imperial, cm");
+    EXPECT_EQ(error_of("[TRAJ]\nfast\n"), "mill.ini:2: a line is [SECTION], KEY = VALUE or a remark");
+    EXPECT_EQ(error_of("[TRAJ\n"), "mill.ini:1: the section's name has no ']'");
+    EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = X\n[AXIS_X]\nMAX_VELOCITY = fast\nMAX_ACCELERATION = 1\n"),
+              "mill.ini:4: MAX_VELOCITY is 'fast', which is no number");
+    EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = X\n"),
+              "mill.ini: there is neither [AXIS_X] nor a section [JOINT_n] for axis X");
+    EXPECT_EQ(error_of("#INCLUDE none.inc\n"),
+              "mill.ini:1: cannot read 'none.inc': No such file or directory");
+}
+
+/// A folder with files; gone at the end.
+class LinuxcncFiles : public testing::Test {
+  protected:
+    LinuxcncFiles()
+        : folder_(std::filesystem::temp_directory_path() / fmt::format("gsim_ini_{}", ::getpid())) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~LinuxcncFiles() override {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+        return folder_ / name;
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
+    write("limits.inc", limits("AXIS_X", 3, 2, 20) + limits("AXIS_Y", 2, 2, 20) + limits("AXIS_Z", 2, 1, 10));
+    write("mill.var", "5221 1.5\n5222 -2\n5230 30\n5161 1\n31 7\n");
+    write("mill.tbl", "T2 P5 Z1.25 D0.5 ; end mill\n");
+    const auto path = write("mill.ini", std::string(kMill) +
+                                            "#INCLUDE limits.inc\n[RS274NGC]\nPARAMETER_FILE = mill.var\n"
+                                            "[EMCIO]\nTOOL_TABLE = mill.tbl\n");
+    ASSERT_TRUE(is_control_file(path));
+    const auto imported = import_machine(path);
+    ASSERT_TRUE(imported) << imported.error();
+    EXPECT_EQ(imported->machine.axes.size(), 3U);
+    EXPECT_TRUE(imported->has_data);
+    const machine::AxisValues& offset = imported->data.offsets.at("54");
+    EXPECT_NEAR(offset.at('X'), 38.1, 1e-12);
+    EXPECT_NEAR(offset.at('Y'), -50.8, 1e-12);
+    EXPECT_EQ(imported->data.variables.at(5230), 30);
+    EXPECT_NEAR(imported->data.variables.at(5161), 1, 1e-12);  // inches here, whatever the machine has
+    EXPECT_NEAR(imported->data.tools.at(2).length_mm, 31.75, 1e-12);
+    EXPECT_THAT(imported->left_out, ElementsAre("mill.tbl: P5 of tool 2: places in a magazine"));
+    EXPECT_THAT(machine_data_text(*imported).value(), HasSubstr("TOOL\n2  31.75  12.7\n"));
+}
+
+// The machine file reads back as the machine, and says where it is from.
+TEST_F(LinuxcncFiles, TheMachineFileIsTheMachine) {
+    const auto path = write("mill.ini", mill() + "[HAL]\nHALFILE = a.hal\n");
+    const auto imported = import_machine(path);
+    ASSERT_TRUE(imported) << imported.error();
+    const auto toml = machine_toml(*imported, path);
+    ASSERT_TRUE(toml) << toml.error();
+    EXPECT_EQ(machine::read_machine(*toml, "mill.toml").value(), imported->machine);
+    EXPECT_THAT(*toml,
+                testing::StartsWith("# Made from mill.ini.\n#\n# Not taken over:\n#   [HAL] HALFILE\n"));
+    EXPECT_THAT(*toml, HasSubstr("units = \"inch\"\n"));
+}
+
+}  // namespace
+}  // namespace gsim::import::linuxcnc_ini_test

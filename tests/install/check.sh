@@ -1,0 +1,117 @@
+#!/bin/bash
+# Runs what is installed below PREFIX: the wheel, a cell, a path, a module, and whatever else of it has been installed. The
+# programs get an empty environment and a foreign folder. It needs no more than bash, coreutils, grep and sed, so that it also
+# runs in a root that has nothing but the packages. A line for each check, "ok ..." or "FAILED ...".
+# Usage: tests/install/check.sh PREFIX
+# shellcheck disable=SC2317  # functions are called by check
+set -uo pipefail
+
+prefix=$(realpath "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+readonly prefix scratch bin=$prefix/bin share=$prefix/share
+readonly samples=$share/gsim/samples
+failed=0
+cd /
+
+# In the environment of nobody in particular.
+bare() {
+    env -i PATH=/usr/bin:/bin HOME="$scratch" LC_ALL=C "$@"
+}
+
+# check WHAT PATTERN COMMAND...: the command succeeds, and a line of its output has the pattern.
+check() {
+    local what=$1 pattern=$2 output code=0
+    shift 2
+    output=$("$@" 2>&1) || code=$?
+    if ((code == 0)) && grep -q -e "$pattern" <<<"$output"; then
+        echo "ok $what"
+    else
+        failed=1
+        echo "FAILED $what: status $code, wanted '$pattern' from: $*"
+        head -n 20 <<<"$output"
+    fi
+}
+
+# Says so if each of the files is there and not empty, be it compressed or not; links have to lead somewhere.
+present() {
+    local file
+    for file; do
+        if [[ ! -s $file && ! -s $file.gz ]]; then
+            echo "missing or empty: $file"
+            return 1
+        fi
+    done
+    echo present
+}
+
+way_of_a_path() {
+    bare "$bin/autopath" "$samples/plate.svg" --material aluminum --thickness 12 --at 200 200 50 -o "$scratch/plate.json" &&
+        bare "$bin/path2gcode" "$scratch/plate.json" -o "$scratch/plate.nc" &&
+        bare "$bin/gsim-run" "$scratch/plate.nc"
+}
+
+translated() {
+    bare "$bin/gcode2lua" "$samples/wheel.nc" -o "$scratch/wheel.lua" &&
+        bare "$bin/gsim" run --machine "$samples/machines/af5-measured.toml" "$scratch/wheel.lua"
+}
+
+# A whole module from the example, by the header that is installed.
+own_module() {
+    cc -shared -fPIC -I"$prefix/include" "$prefix/share/doc/gsim/examples/small_module.c" -o "$scratch/small.so" -lm &&
+        printf 'G1 X10 F600\nM2\n' >"$scratch/part.nc" &&
+        bare "$bin/gsim-run" --rcs "$scratch/small.so" "$scratch/part.nc"
+}
+
+# What gsim.pc says is where things are; pkg-config puts backslashes before what a shell takes for its own.
+described() {
+    local variable folder
+    local -A files=([includedir]=gsim/rcs_module.h [moduledir]=libgsim_rcs_default.so)
+    for variable in "${!files[@]}"; do
+        folder=$(PKG_CONFIG_PATH=$share/pkgconfig pkg-config "--variable=$variable" gsim)
+        present "${folder//\\/}/${files[$variable]}" || return
+    done
+}
+
+# It is no solid, but to find that out the reader has to begin, with all its libraries.
+no_solid() {
+    echo 'ISO-10303-21; nothing follows' >"$scratch/part.step"
+    ! bare "$bin/autopath" "$scratch/part.step" --material aluminum --thickness 12
+}
+
+readonly names=(gsim-run gsim-check gcode2lua autopath path2gcode gsim-data)
+for name in gsim "${names[@]}"; do
+    check "$name --version" "^$name [0-9]" bare "$bin/$name" --version
+    check "$name(1)" present present "$share/man/man1/$name.1"
+    check "completion of $name" present present "$share/bash-completion/completions/$name" "$share/fish/vendor_completions.d/$name.fish"
+done
+check 'completion for zsh' present present "$share"/zsh/*/_gsim
+check samples present present "$share/doc/gsim/samples/wheel.nc" "$share/doc/gsim/lua_lib/init.lua"
+check wheel '^cycle time  129\.9[89]' bare "$bin/gsim-run" --machine "$samples/machines/af5-measured.toml" "$samples/wheel.nc"
+check 'wheel, translated' '^cycle time  129\.9[89]' translated
+check 'wheel, checked' '' bare "$bin/gsim-check" "$samples/wheel.nc"
+check cell '^collisions  none' bare "$bin/gsim-run" --cell "$samples/cell/table.toml" "$samples/wheel.nc"
+check path '^status      completed' way_of_a_path
+check module '^status      completed' bare "$bin/gsim-run" --rcs "$prefix/lib/gsim/libgsim_rcs_default.so" "$samples/wheel.nc"
+check 'library in Lua' '^cycle time  129\.9[89]' bare "$bin/gsim-run" --lua-lib "$share/gsim/lua_lib" \
+    --machine "$samples/machines/af5-measured.toml" "$samples/wheel.nc"
+# By their names, from a foreign folder.
+check 'sample machine by its name' '^cycle time  129\.9[89]' bare "$bin/gsim-run" --machine af5-measured samples/wheel.nc
+check 'module by its name' '^status      completed' bare "$bin/gsim-run" --rcs gsim_rcs_default samples/wheel.nc
+check 'materials and drawings by their names' '' bare "$bin/autopath" samples/plate.svg --materials samples/materials.toml \
+    --material aluminum --thickness 12 --at 200 200 50 -o "$scratch/named.json"
+if [[ -e $prefix/include/gsim/rcs_module.h ]] && command -v cc >/dev/null; then
+    check 'module of one'"'"'s own' '^status      completed' own_module
+fi
+if [[ -e $share/pkgconfig/gsim.pc ]] && command -v pkg-config >/dev/null; then
+    check pkg-config present described
+fi
+if [[ -e $prefix/libexec/gsim/gsim-solid ]]; then
+    check 'reader of solids' 'part\.step' no_solid
+else
+    check 'no reader of solids' "gsim-solid, which reads STEP and IGES files, is neither in '$bin' nor in\|scripts/setup.sh step" no_solid
+fi
+if [[ -e $share/doc/gsim/README.md ]]; then
+    check documentation present present "$share/doc/gsim/docs/machine-file.md" "$share/doc/gsim/docs/path.schema.json"
+fi
+exit "$failed"

@@ -1,0 +1,86 @@
+// The keys of words' tables: those that programs can write, and a sentence for any other.
+
+#include <fmt/format.h>
+
+#include "grammar/dialect.h"
+#include "tests/lua_lib/run.h"
+
+namespace gsim::script::word_keys_test {
+namespace {
+
+/// The keys that the translator can write for a code, in the order of the dialect's table.
+std::string keys_of(const grammar::Code& code) {
+    std::string keys;
+    const auto add = [&](const std::string& key) { keys += (keys.empty() ? "" : ", ") + key; };
+    if (code.axes != grammar::AxisUse::none) add("a, b, c, u, v, w, x, y, z, radius, angle");
+    for (const char letter : code.words) {
+        if (letter == '$') add("spindle");
+        if (letter >= 'A' && letter <= 'Z') add(std::string(1, static_cast<char>(letter | 0x20)));
+    }
+    return keys;
+}
+
+/// Plain motions and macro calls look at their keys by themselves; user codes take any.
+bool looks_by_itself(const grammar::Code& code) {
+    const std::string name = grammar::lua_name(code);
+    for (const char* own : {"G0", "G1", "G2", "G3", "G65", "G66", "G66_1"}) {
+        if (name == own) return true;
+    }
+    return name[0] == 'M' && name[1] == '[';
+}
+
+class WordKeys : public testing::TestWithParam<const char*> {};
+
+TEST_P(WordKeys, AreThoseOfTheDialect) {
+    Conditions setup;
+    setup.options.dialect = GetParam();
+    std::size_t looked_at = 0;
+    for (const grammar::Code& code : grammar::dialect_named(GetParam())->codes()) {
+        const std::string keys = keys_of(code);
+        if (keys.empty() || code.support != grammar::Support::full || looks_by_itself(code)) continue;
+        const Outcome r = run_lua(fmt::format("{}{{[\"%\"]=1}}", grammar::lua_name(code)), setup);
+        EXPECT_EQ(r.message(),
+                  fmt::format("'%' is no word that {} takes; it takes {}", grammar::code_name(code), keys));
+        ++looked_at;
+    }
+    EXPECT_GT(looked_at, 30U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dialects, WordKeys, testing::Values("ab9", "rs274ngc"));
+
+std::string said(const std::string& script) {
+    const Outcome r = run_lua(script);
+    EXPECT_EQ(r.line(), 1U) << script;
+    return r.message();
+}
+
+TEST(WordAdvice, SaysWhatToWrite) {
+    EXPECT_EQ(said("G1{X=100}"), "'X' is no word that this motion takes; write x");
+    EXPECT_EQ(said("G2{x=1, I=2}"), "'I' is no word that this motion takes; write i");
+    EXPECT_EQ(said("G28{X=1}"), "'X' is no word that G28 takes; write x");
+    EXPECT_EQ(said("M98{P=1}"), "'P' is no word that M98 takes; write p");
+    EXPECT_EQ(said("F(50) G1{x=10, f=100}"),
+              "'f' is no word that this motion takes; the feed is a word of its own, F(100)");
+    EXPECT_EQ(said("G0{x=10, S=2500}"),
+              "'S' is no word that this motion takes; the spindle speed is a word of its own, S(2500)");
+    EXPECT_EQ(said("G0{q=1}"), "'q' is no word that this motion takes; it takes x, y, z, b, c");
+    EXPECT_EQ(said("G28{radios=1}"), "'radios' is no word that G28 takes; did you mean radius?");
+}
+
+TEST(Choices, TellAllWordsAndTheNearest) {
+    EXPECT_EQ(said("rrs.SelectMotionType(\"Linear\")"),
+              "bad argument #1 to 'SelectMotionType' ('Linear' is none of \"joint\", \"linear\", "
+              "\"circular\"; did you "
+              "mean \"linear\"?)");
+    EXPECT_EQ(said("rrs.SelectTargetType(\"xy\")"),
+              "bad argument #1 to 'SelectTargetType' ('xy' is none of \"cartesian\", \"joint\")");
+}
+
+TEST(Errors, NameTheFunctionHoweverItIsCalled) {
+    EXPECT_EQ(said("local done, text = pcall(rrs.SetCartesianPositionSpeed, \"a\") error(text, 0)"),
+              "bad argument #1 to 'rrs.SetCartesianPositionSpeed' (number expected, got string)");
+    EXPECT_EQ(said("table.concat(5)"), "bad argument #1 to 'table.concat' (table expected, got number)");
+}
+
+}  // namespace
+}  // namespace gsim::script::word_keys_test

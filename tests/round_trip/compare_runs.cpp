@@ -1,0 +1,170 @@
+#include "tests/round_trip/compare_runs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace gsim::round_trip {
+
+namespace {
+
+constexpr double kSamePlace = 1e-3;  // mm or deg
+constexpr double kOnArc_mm = 0.012;  // the writer's tolerance of lines in place of arcs, and the digits
+constexpr double kSameShare = 1e-3;
+constexpr double kSameTime_s = 2e-3;
+
+double distance(const MadeMove& a, const MadeMove& b) {
+    double greatest = 0;
+    for (const auto& [letter, value] : a.to) greatest = std::max(greatest, std::abs(value - b.to.at(letter)));
+    return greatest;
+}
+
+bool is_arc(const MadeMove& move) {
+    return move.kind.starts_with("arc");
+}
+
+// The way a move is told: all straight feed moves are one.
+std::string way_of(const MadeMove& move) {
+    return is_arc(move) || move.kind == "rapid" || move.kind == "dwell" || move.kind == "thread" ? move.kind
+                                                                                                 : "linear";
+}
+
+double radius_at(const MadeMove& arc, const MadeMove& at) {
+    double square = 0;
+    for (const auto& [letter, value] : arc.center) {
+        const bool in_plane = arc.plane.find(static_cast<char>(letter | 0x20)) != std::string::npos;
+        if (in_plane) square += std::pow(at.to.at(letter) - value, 2);
+    }
+    return std::sqrt(square);
+}
+
+double center_distance(const MadeMove& a, const MadeMove& b) {
+    double greatest = 0;
+    for (const auto& [letter, value] : a.center) {
+        const bool in_plane = a.plane.find(static_cast<char>(letter | 0x20)) != std::string::npos;
+        const auto other = b.center.find(letter);
+        if (in_plane && other != b.center.end())
+            greatest = std::max(greatest, std::abs(value - other->second));
+    }
+    return greatest;
+}
+
+// Whether `piece` is a part of the arc that it does not end.
+bool is_piece(const MadeMove& arc, const MadeMove& piece) {
+    if (!is_arc(arc)) return false;
+    if (piece.kind == "linear") return std::abs(radius_at(arc, piece) - radius_at(arc, arc)) < kOnArc_mm;
+    return piece.kind == arc.kind && piece.plane == arc.plane && center_distance(arc, piece) < kOnArc_mm;
+}
+
+std::string shown(const MadeMove& move) {
+    std::string text = move.kind;
+    for (const auto& [letter, value] : move.to) text += fmt::format(" {}{:.6f}", letter, value);
+    return text;
+}
+
+std::string name_of(const MadeEvent& event) {
+    if (event.detail.empty() || event.kind == "optional_stop") return event.kind;
+    return event.kind + " " + event.detail;
+}
+
+std::string same_switch(const MadeEvent& event) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kSame = {{
+        {"jet_on", "M8"},
+        {"flood_on", "M8"},
+        {"jet_off", "M9"},
+        {"coolant_off", "M9"},
+        {"mist_on", "M7"},
+        {"coolant_2_on", "M7"},
+        {"abrasive_on", "digital_output P0 on"},  // as the post rs274ngc has it
+        {"abrasive_off", "digital_output P0 off"},
+    }};
+    for (const auto& [kind, word] : kSame) {
+        if (event.kind == kind) return std::string(word);
+    }
+    return name_of(event);
+}
+
+std::vector<MadeEvent> events_of(const RunRecord& run, const std::set<std::string>& unsaid) {
+    std::vector<MadeEvent> events;
+    for (const MadeEvent& event : run.events) {
+        const bool repeated = event.kind != "probe" && event.kind != "tool_table";
+        if (repeated && !unsaid.contains(name_of(event))) events.push_back(event);
+    }
+    return events;
+}
+
+// A dwell of no time is how a program says that the machine comes to rest.
+std::vector<MadeMove> moves_of(const RunRecord& run) {
+    std::vector<MadeMove> moves;
+    for (const MadeMove& move : run.moves) {
+        if (move.kind != "dwell" || move.duration_s > 0) moves.push_back(move);
+    }
+    return moves;
+}
+
+bool is_same_time(double a_s, double b_s) {
+    return std::abs(a_s - b_s) <= std::max(kSameTime_s, kSameShare * std::abs(a_s));
+}
+
+}  // namespace
+
+std::string compare_positions(const RunRecord& first, const RunRecord& second) {
+    const std::vector<MadeMove> wanted_moves = moves_of(first), found_moves = moves_of(second);
+    const MadeMove* at = nullptr;  // where the second run is
+    std::size_t j = 0;
+    for (std::size_t i = 0; i < wanted_moves.size(); ++i) {
+        const MadeMove& wanted = wanted_moves[i];
+        std::size_t found = j;
+        // The pieces of an arc, up to the one that ends where it ends.
+        while (found < found_moves.size() && is_piece(wanted, found_moves[found]) &&
+               (distance(wanted, found_moves[found]) > kSamePlace)) {
+            ++found;
+        }
+        const bool ends_there =
+            found < found_moves.size() && distance(wanted, found_moves[found]) <= kSamePlace;
+        const bool same_way = ends_there && (way_of(wanted) == way_of(found_moves[found]) ||
+                                             is_piece(wanted, found_moves[found]));
+        if (same_way) {
+            // Further turns end where the first one does.
+            for (int turn = 1; turn < wanted.turns && found + 1 < found_moves.size(); ++turn) {
+                const MadeMove& next = found_moves[found + 1];
+                if (!is_arc(next) || !is_piece(wanted, next) || distance(wanted, next) > kSamePlace) break;
+                ++found;
+            }
+            at = &found_moves[found];
+            j = found + 1;
+            continue;
+        }
+        const bool stays = wanted.kind != "dwell" && (at == nullptr || distance(wanted, *at) <= kSamePlace);
+        if (stays) continue;
+        return fmt::format("move {}: {}, found {}", i + 1, shown(wanted),
+                           j < found_moves.size() ? shown(found_moves[j]) : "none");
+    }
+    if (j < found_moves.size()) return fmt::format("a further move: {}", shown(found_moves[j]));
+    return {};
+}
+
+std::string compare_times(const RunRecord& first, const RunRecord& second) {
+    if (is_same_time(first.time_s, second.time_s)) return {};
+    return fmt::format("{:.4f} s, found {:.4f} s ({:+.2f} %)", first.time_s, second.time_s,
+                       100 * (second.time_s / first.time_s - 1));
+}
+
+std::string compare_events(const RunRecord& first, const RunRecord& second,
+                           const std::set<std::string>& unsaid) {
+    const std::vector<MadeEvent> a = events_of(first, unsaid), b = events_of(second, unsaid);
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+        const std::string wanted = i < a.size() ? same_switch(a[i]) : "none";
+        const std::string found = i < b.size() ? same_switch(b[i]) : "none";
+        if (wanted != found) return fmt::format("event {}: {}, found {}", i + 1, wanted, found);
+        if (!is_same_time(a[i].t_s, b[i].t_s)) {
+            return fmt::format("event {}, {}: at {:.4f} s, found at {:.4f} s", i + 1, wanted, a[i].t_s,
+                               b[i].t_s);
+        }
+    }
+    return {};
+}
+
+}  // namespace gsim::round_trip

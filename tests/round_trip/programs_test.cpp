@@ -1,0 +1,94 @@
+// Samples, programs of the golden files and random programs, written for each control from what they do and
+// run again.
+#include <algorithm>
+#include <fstream>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "tests/lua_lib/roundtrip_generator.h"
+#include "tests/lua_lib/roundtrip_text.h"
+#include "tests/round_trip/random_modes.h"
+#include "tests/round_trip/way_round.h"
+
+namespace gsim::round_trip::programs_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RoundTrip : public apps::Apps {
+  protected:
+    std::string file(const std::string& name, const std::string& text) const {
+        return (folder_ / write(name, text)).string();
+    }
+    // Written for the control or refused by name; where it is written, it is the same.
+    bool expect_same(const WayRound& round, const Way& way,
+                     const std::vector<std::string>& options = {}) const {
+        const Outcome outcome = round.end(way, options);
+        if (outcome.ending == Ending::not_written || outcome.ending == Ending::not_recorded) return false;
+        EXPECT_EQ(outcome.ending, Ending::same) << way.post << ": " << outcome.differences.positions << "\n"
+                                                << outcome.differences.times << "\n"
+                                                << outcome.differences.events << "\n"
+                                                << outcome.message << "\n"
+                                                << round.written();
+        return true;
+    }
+};
+
+TEST_F(RoundTrip, SamplesAndGoldenPrograms) {
+    int written = 0;
+    for (const fs::path& folder : {fs::path(GSIM_SAMPLES), fs::path(GSIM_GOLDEN)}) {
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            const bool ngc = entry.path().extension() == ".ngc";
+            if (!ngc && entry.path().extension() != ".nc") continue;
+            SCOPED_TRACE(entry.path().filename().string());
+            for (const char* axes : {"XYZ", "XYZABC"}) {
+                WayRound round(folder_, axes);
+                if (!round.begin(entry.path(), ngc ? "rs274ngc" : "ab9")) continue;
+                for (const Way& way : kWays) written += static_cast<int>(expect_same(round, way));
+                break;
+            }
+        }
+    }
+    EXPECT_GT(written, 20);
+}
+
+// The programs of the random comparison with a second evaluator: offsets, rotations, planes, units, dwells,
+// calls and variables of both dialects.
+TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
+    int written = 0;
+    for (const auto dialect : {roundtrip::Dialect::ab9, roundtrip::Dialect::ngc}) {
+        const std::string name = dialect == roundtrip::Dialect::ab9 ? "ab9" : "rs274ngc";
+        for (unsigned seed = 1; seed <= 12; ++seed) {
+            const std::string text = roundtrip::program_text(roundtrip::random_program(dialect, seed), seed);
+            SCOPED_TRACE(fmt::format("{} {}\n{}", name, seed, text));
+            WayRound round(folder_, "XYZABC");
+            if (!round.begin(file("random.nc", text), name)) continue;
+            for (const Way& way : kWays) written += static_cast<int>(expect_same(round, way));
+            ASSERT_FALSE(HasFailure());
+        }
+    }
+    EXPECT_GT(written, 20);
+}
+
+// Modes, feeds, speeds, switches, tools, offsets and subprograms, in each way to write offsets.
+TEST_F(RoundTrip, RandomModes) {
+    int written = 0;
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        for (const std::string dialect : {"ab9", "rs274ngc"}) {
+            const std::string text = random_modes(dialect, seed);
+            SCOPED_TRACE(text);
+            WayRound round(folder_, "XYZ");
+            ASSERT_TRUE(round.begin(file("random.nc", text), dialect)) << round.message();
+            for (const Way& way : kWays) {
+                for (const char* offsets : {"keep", "none"})
+                    written += static_cast<int>(expect_same(round, way, {"--offsets", offsets}));
+            }
+            ASSERT_FALSE(HasFailure());
+        }
+    }
+    EXPECT_GE(written, 40);
+}
+
+}  // namespace
+}  // namespace gsim::round_trip::programs_test

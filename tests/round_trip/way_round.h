@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/apps/run_program.h"
+#include "tests/round_trip/compare_runs.h"
+
+namespace gsim::round_trip {
+
+/// A way to write programs, and the dialect that reads them.
+struct Way {
+    std::string post, dialect, controller;  ///< controller: model that a machine file names.
+};
+
+/// The three controls of the fidelity table (docs/round-trip.md).
+inline const std::vector<Way> kWays{
+    {"rs274ngc", "rs274ngc", "linuxcnc-2.9"}, {"ab9", "ab9", "ab9"}, {"grbl", "rs274ngc", "grbl-1.1"}};
+
+/// How the way round ended.
+enum class Ending {
+    same,          ///< The second program does what the first did.
+    differs,       ///< It does not.
+    not_written,   ///< The writer has refused by name.
+    not_run,       ///< The written program does not run.
+    not_recorded,  ///< The run leaves no path.
+    does_not_run,  ///< The first program does not run.
+};
+
+struct Outcome {
+    Ending ending = Ending::same;
+    Differences differences;
+    std::string message;    ///< Of what refused.
+    bool by_lines = false;  ///< Arcs outside the planes are lines: times are not compared.
+};
+
+/// A program that is run, recorded, written and run again, in a folder of its own.
+class WayRound {
+  public:
+    /// Axes of the machine, of X Y Z A B C. `folder` is for files in between.
+    WayRound(std::filesystem::path folder, std::string axes);
+
+    /// Runs the program in a dialect and records it; whether it runs. A path of none is a run of no path.
+    bool begin(const std::filesystem::path& program, const std::string& dialect);
+    /// Writes it, with these options, and runs it again.
+    Outcome end(const Way& way, const std::vector<std::string>& options = {}) const;
+    /// What the first run said.
+    const std::string& message() const { return message_; }
+    std::string written() const;
+
+  private:
+    apps::Ended gsim_run(const std::string& program, const std::string& dialect, const std::string& name,
+                         const std::string& controller, bool record) const;
+    RunRecord read(const std::string& name) const;
+    std::string machine(const std::string& controller) const;
+
+    std::filesystem::path folder_;
+    std::string axes_;
+    std::filesystem::path program_;
+    std::string dialect_;
+    std::string message_;
+    bool has_path_ = false;
+};
+
+}  // namespace gsim::round_trip

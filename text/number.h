@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+namespace gsim::text {
+
+/// The value, 0 in place of -0. What is printed with a number of significant digits comes through here: -0
+/// tells nobody anything.
+constexpr double unsigned_zero(double value) {
+    return value + 0.0;
+}
+
+/// The digits of a number without exponent; those of -0 without their sign.
+constexpr std::string_view unsigned_zero(std::string_view digits) {
+    const bool zero = digits.find_first_not_of("-0.") == std::string_view::npos;
+    return zero && digits.starts_with('-') ? digits.substr(1) : digits;
+}
+
+/// The value with so many digits behind the point, 0 to 9; what these show as 0 has no sign.
+inline std::string fixed(double value, int decimals) {
+    std::array<char, 340> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::fixed, decimals);
+    return std::string(unsigned_zero({buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data())}));
+}
+
+}  // namespace gsim::text
