@@ -110,7 +110,8 @@ Status DefaultPlanner::SetPathMode(rrs::PathMode mode, double tolerance_mm, doub
                       fmt::format("The tolerances of a path are 0 or greater; {} and {} were asked for.",
                                   tolerance_mm, merge_tolerance_mm));
     }
-    programmed_.path_mode = mode;
+    const bool stops = mode == rrs::PathMode::exact_path && setup_.controller.exact_path_stops;
+    programmed_.path_mode = stops ? rrs::PathMode::exact_stop : mode;
     programmed_.tolerance_mm = tolerance_mm;
     programmed_.merge_tolerance_mm = merge_tolerance_mm;
     return Status::RRS_SUCCESS;

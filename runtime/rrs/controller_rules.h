@@ -46,6 +46,8 @@ struct ControllerRules {
     /// Corners in continuous mode (G64), and in exact path mode (G61).
     CornerRule corner = CornerRule::stop;
     CornerRule exact_path_corner = CornerRule::stop;
+    /// The control has no exact path mode: what asks for it is an exact stop, smooth joints or not.
+    bool exact_path_stops = false;
     double junction_deviation_mm = 0.01;
     /// How far a blend may miss its corner where the program sets no tolerance (G64 P); 0: corners are exact.
     double blend_tolerance_mm = 0.05;

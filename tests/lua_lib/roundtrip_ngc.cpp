@@ -175,7 +175,7 @@ void NgcControl::drill(const ReadBlock& block) {
     if (!in_series_) initial_ = program_point()[normal];
     in_series_ = true;
     const Hole hole = read_levels(block);
-    if (initial_ < hole.r) to_level(true, hole.r);
+    if (hole.r - initial_ > kNoMove_mm) to_level(true, hole.r);
     const int times = static_cast<int>(block.word("L").value_or(1));
     for (int pass = 0; pass < times; ++pass) {
         Point over = program_target(block);

@@ -100,7 +100,7 @@ void expect_move(const Move& wanted, const script::Outcome& run, std::size_t n) 
     const Point end = end_of(run, n);
     EXPECT_LT((end - wanted.end).cwiseAbs().maxCoeff(), kTolerance)
         << "found  " << shown(end) << "\nwanted " << shown(wanted.end);
-    EXPECT_NEAR(found.length_mm, wanted.length_mm, kTolerance);
+    EXPECT_NEAR(found.length_mm, wanted.length_mm, kTolerance * (1 + wanted.length_mm * 1e-3));
     if (wanted.kind == Kind::arc) expect_arc(wanted, found);
     if (wanted.kind != Kind::rapid) {
         EXPECT_NEAR(found.info.feed_per_min, wanted.feed_per_min, kTolerance * (1 + wanted.feed_per_min));

@@ -132,7 +132,10 @@ double Variables::binary(const std::string& op, double a, double b) {
     if (op == "**") return std::pow(a, b);
     if (op == "MOD") {
         const double size = dialect_ == Dialect::ngc ? std::abs(b) : b;
-        return a - size * std::floor(step(a / size));
+        const double quotient = step(a / size);
+        // The division rounds to a whole number what is none: 15.1 MOD 3.02 leaves nearly 3.02.
+        if (quotient == std::floor(quotient) && std::fmod(a, size) != 0) fragile_ = true;
+        return a - size * std::floor(quotient);
     }
     return logic(op, a, b);
 }

@@ -80,7 +80,8 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     const std::string lines =
         "name = \"all\"\nplanner = \"look-ahead\"\nlook_ahead_blocks = 7\ncorner = \"velocity-step\"\n"
         "exact_path_corner = \"junction-deviation\"\njunction_deviation_mm = 0.25\nspeed_step_s = 0.125\n"
-        "stop_between_rapid_and_feed = false\nlimit_jerk = true\ncentripetal_share = 0.5\n"
+        "stop_between_rapid_and_feed = false\nexact_path_stops = true\nlimit_jerk = true\ncentripetal_share "
+        "= 0.5\n"
         "tcp_tolerance_mm = 0.02\narc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = "
         "true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
         "blend_tolerance_mm = 9\nblend_tolerance_deg = 10\nposition_gain_1_s = 11\nin_position_mm = 12\n"
@@ -92,6 +93,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .look_ahead_blocks = 7,
                                  .corner = CornerRule::velocity_step,
                                  .exact_path_corner = CornerRule::junction_deviation,
+                                 .exact_path_stops = true,
                                  .junction_deviation_mm = 0.25,
                                  .blend_tolerance_mm = 9,
                                  .blend_tolerance_deg = 10,

@@ -70,7 +70,7 @@ std::string name_of(const MadeEvent& event) {
 }
 
 std::string same_switch(const MadeEvent& event) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kSame = {{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kSame = {{
         {"jet_on", "M8"},
         {"flood_on", "M8"},
         {"jet_off", "M9"},
@@ -79,6 +79,7 @@ std::string same_switch(const MadeEvent& event) {
         {"coolant_2_on", "M7"},
         {"abrasive_on", "digital_output P0 on"},  // as the post rs274ngc has it
         {"abrasive_off", "digital_output P0 off"},
+        {"spindle_orient", "spindle_orient 0 deg, shortest way"},  // the marked angle is that of R0
     }};
     for (const auto& [kind, word] : kSame) {
         if (event.kind == kind) return std::string(word);
