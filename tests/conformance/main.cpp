@@ -13,6 +13,7 @@
 
 #include "apps/parse.h"
 #include "tests/conformance/compare.h"
+#include "tests/conformance/known.h"
 #include "tests/conformance/moves_reader.h"
 #include "tests/conformance/programs.h"
 #include "tests/conformance/random_run.h"
@@ -30,6 +31,7 @@ struct Arguments {
     std::string folder;
     GsimOptions gsim;
     double least_percent = 100;
+    std::string known_file;
     bool failures_only = false;
     std::string moves_file;
     std::string canon_file;
@@ -45,6 +47,16 @@ Outcome compare_with(const std::filesystem::path& canon_file, const std::vector<
         if (!expected) return tl::unexpected(expected.error());
         return compare(*expected, moves);
     });
+}
+
+// A file that is known not to agree does as the list says, and any other agrees; else says what does not.
+bool is_as_known(const std::string& name, const Outcome& outcome, const std::vector<Known>& known) {
+    const Known* const entry = find_known(known, name);
+    const bool agrees = outcome && !outcome->difference;
+    if (entry == nullptr) return agrees;
+    if (!outcome && outcome.error().find(entry->why) != std::string::npos) return true;
+    fmt::print("{}: is not refused by \"{}\", as the list of known files has it\n", name, entry->why);
+    return false;
 }
 
 // Prints how a file fared; whether it agrees wholly.
@@ -81,18 +93,24 @@ int compare_folder(const Arguments& arguments) {
     const auto programs = find_recorded(arguments.folder);
     if (!programs) throw std::runtime_error(programs.error());
     if (programs->empty()) throw std::runtime_error("no recorded programs in " + arguments.folder);
+    const bool has_list = !arguments.known_file.empty();
+    const auto known = has_list ? read_known(arguments.known_file) : std::vector<Known>{};
+    if (!known) throw std::runtime_error(known.error());
     const GsimRuns gsim(arguments.gsim, recorded_tools());
-    std::size_t agreeing = 0;
+    std::size_t agreeing = 0, as_known = 0;
     for (const Recorded& recorded : *programs) {
         const auto moves = gsim.moves(recorded);
         const Outcome outcome = moves ? compare_with(recorded.canon, *moves) : tl::unexpected(moves.error());
         const std::string name = recorded.program.lexically_relative(arguments.folder);
         if (print(name, outcome, arguments.failures_only)) ++agreeing;
+        if (is_as_known(name, outcome, *known)) ++as_known;
         std::fflush(stdout);
     }
     const double percent = 100.0 * static_cast<double>(agreeing) / static_cast<double>(programs->size());
     fmt::print("{} of {} files agree wholly ({:.1f} %)\n", agreeing, programs->size(), percent);
-    return percent >= arguments.least_percent ? kAgree : kDiffer;
+    if (!has_list) return percent >= arguments.least_percent ? kAgree : kDiffer;
+    fmt::print("{} of {} files are as they are known to be\n", as_known, programs->size());
+    return as_known == programs->size() ? kAgree : kDiffer;
 }
 
 int compare_random_programs(const Arguments& arguments) {
@@ -119,6 +137,8 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
     line.add("--least", &arguments.least_percent, "percentage of files that must agree wholly")
         .within(0, 100)
         .shows_default();
+    line.add("--known", &arguments.known_file,
+             "list of files that are known not to agree, and how: all others must");
     line.add("--failures", &arguments.failures_only, "list only the files that do not agree");
     line.add("--random", &arguments.random.count,
              "compare so many random programs with LinuxCNC's interpreter");

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace gsim::conformance {
+
+/// A program that is known not to agree.
+struct Known {
+    std::string file;  ///< What its name ends in.
+    std::string why;   ///< What the error of gsim-run holds.
+};
+
+/// A list of them: a file's name, white space and what its error holds on each line; `#` begins a remark. The
+/// error names the file that cannot be read, or the line without a reason.
+tl::expected<std::vector<Known>, std::string> read_known(const std::filesystem::path& list);
+
+/// The entry of a program, or nullptr.
+const Known* find_known(const std::vector<Known>& known, std::string_view program);
+
+}  // namespace gsim::conformance
