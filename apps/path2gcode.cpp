@@ -61,8 +61,9 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
         .called("NAME|FILE")
         .of_file(FileKind::input, {".toml"})
         .shows_default();
-    line.add("--machine", &a.machine,
-             "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
+    line.add(
+            "--machine", &a.machine,
+            "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
         .of_file(FileKind::input, {".toml"});
     line.add("--rotary", &a.rotary,
              "least-turn: rotary axes go the way that turns least; as-given: rotary_deg is taken as it is, "

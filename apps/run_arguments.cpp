@@ -47,8 +47,9 @@ std::string contradiction_of_robots(const RunArguments& arguments) {
 
 void add_machine_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Machine and language");
-    line.add("--machine", &a.machine,
-             "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
+    line.add(
+            "--machine", &a.machine,
+            "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
         .of_file(FileKind::input, {".toml"});
     line.add("--machine-data", &a.machine_data, "machine data (NCFILE): work offsets, variables, aliases")
         .of_file(FileKind::input, {".txt"});

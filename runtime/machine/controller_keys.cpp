@@ -69,6 +69,7 @@ constexpr std::array kNumberKeys{
 constexpr std::array kFlagKeys{
     FlagKey{"stop_between_rapid_and_feed", &Rules::stop_between_rapid_and_feed},
     FlagKey{"exact_path_stops", &Rules::exact_path_stops},
+    FlagKey{"own_ramps", &Rules::own_ramps},
     FlagKey{"limit_jerk", &Rules::limit_jerk},
     FlagKey{"inverse_time_of_chords", &Rules::inverse_time_of_chords},
 };

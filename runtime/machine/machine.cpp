@@ -121,7 +121,10 @@ std::optional<std::string> find_kinematic_fault(const Machine& machine) {
     return std::nullopt;
 }
 
-std::optional<std::string> find_orientation_fault(const Machine& machine) {
+std::optional<std::string> find_controller_fault(const Machine& machine) {
+    if (machine.controller.own_ramps && machine.controller.planner != rrs::PlannerKind::rest_to_rest)
+        return "'own_ramps' is of the planner \"rest-to-rest\" alone: in the others all axes go in "
+               "proportion";
     if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
         return "'orientation = \"great-circle\"' is not for the planner \"linuxcnc\" nor for arcs as chords: "

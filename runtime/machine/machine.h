@@ -121,7 +121,7 @@ std::optional<std::string> find_kinematic_fault(const Machine& machine);
 
 /// Why the machine or its planner cannot turn the tool as its controller's rules ask, as a sentence; nothing
 /// if they can. For a machine without a kinematic fault.
-std::optional<std::string> find_orientation_fault(const Machine& machine);
+std::optional<std::string> find_controller_fault(const Machine& machine);
 
 /// Where an axis goes (mm or deg) that stands at `now` and is told to go to `value`: a rotary one perhaps
 /// elsewhere by whole turns, as its `turning` says. `origin` is where both values count from, in machine

@@ -244,7 +244,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     read_link_shapes(error, file, root, folder, machine);
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;
-    if (const auto fault = find_orientation_fault(machine)) file.fail("controller", *fault);
+    if (const auto fault = find_controller_fault(machine)) file.fail("controller", *fault);
     return machine;
 }
 

@@ -50,11 +50,10 @@ Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& seg
     const MoveRules resolved = rules.resolved(changes.norm(JointRole::rotary) > 0);
     if (resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
     const OrientationArc* orientation = segment.orientation.get();
-    const Followers followers(setup, resolved, changes, JointRole::position, orientation);
     LeadPath lead = arc_path(setup, resolved, segment);
     limit_by_arc_jerk(setup, segment.arc, lead);
     if (orientation != nullptr) limit_by_orientation(setup, resolved, *orientation, lead);
-    return set_timing(segment, lead, &followers, rules.least_duration_s);
+    return set_timing_with_beside(setup, resolved, changes, JointRole::position, lead, segment);
 }
 
 }  // namespace gsim::motion

@@ -9,20 +9,9 @@ namespace gsim::motion {
 
 Followers::Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
                      JointRole lead, const OrientationArc* orientation) {
-    const double turn = changes.norm(JointRole::rotary);
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        const double change = changes.of(joint);
-        if (change == 0 || changes.role(joint) == lead) continue;
-        if (orientation != nullptr && orientation->moves(joint)) continue;
-        LawLimits limits = law_limits(setup, joint);
-        if (changes.role(joint) == JointRole::rotary) {
-            const double share = std::abs(change) / turn;
-            const double acceleration = rules.orientation_acceleration_rad_s2 * share;
-            limits.max_speed = std::min(limits.max_speed, rules.orientation_speed_rad_s * share);
-            limits.acceleration = std::min(limits.acceleration, acceleration);
-            limits.deceleration = std::min(limits.deceleration, acceleration);
-        }
-        add(joint, change, limits);
+        if (is_beside(changes, lead, orientation, joint))
+            add(joint, changes.of(joint), limits_beside(setup, rules, changes, joint));
     }
 }
 
@@ -43,6 +32,23 @@ void Followers::write(Segment& segment, double duration_s) const {
                              rest_law(std::abs(move.change), move.limits, move.fastest_s, duration_s),
                              move.limits);
     }
+}
+
+bool is_beside(const JointChanges& changes, JointRole lead, const OrientationArc* orientation, int joint) {
+    if (changes.of(joint) == 0 || changes.role(joint) == lead) return false;
+    return orientation == nullptr || !orientation->moves(joint);
+}
+
+LawLimits limits_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                        int joint) {
+    LawLimits limits = law_limits(setup, joint);
+    if (changes.role(joint) != JointRole::rotary) return limits;
+    const double share = std::abs(changes.of(joint)) / changes.norm(JointRole::rotary);
+    const double acceleration = rules.orientation_acceleration_rad_s2 * share;
+    limits.max_speed = std::min(limits.max_speed, rules.orientation_speed_rad_s * share);
+    limits.acceleration = std::min(limits.acceleration, acceleration);
+    limits.deceleration = std::min(limits.deceleration, acceleration);
+    return limits;
 }
 
 LawLimits law_limits(const PlannerSetup& setup, int joint) {

@@ -56,4 +56,19 @@ Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* foll
     return {};
 }
 
+Planned set_timing_with_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                               JointRole role, LeadPath lead, Segment& segment) {
+    const OrientationArc* const orientation = segment.orientation.get();
+    if (setup.controller.own_ramps) {
+        const Followers followers(setup, rules, changes, role, orientation);
+        return set_timing(segment, lead, &followers, rules.least_duration_s);
+    }
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        if (!is_beside(changes, role, orientation, joint)) continue;
+        lead.limit_by_joint(joint, limits_beside(setup, rules, changes, joint),
+                            std::abs(changes.of(joint)) / lead.length);
+    }
+    return set_timing(segment, lead, nullptr, rules.least_duration_s);
+}
+
 }  // namespace gsim::motion

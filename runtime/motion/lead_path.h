@@ -57,4 +57,9 @@ void limit_by_path(const MoveRules& rules, LeadPath& lead);
 Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* followers,
                    double least_duration_s);
 
+/// The same of a linear or circular move with the joints beside its path: in proportion to the lead, which
+/// keeps their limits, too, or followers, as the controller has it. `role` is that of the joints that lead.
+Planned set_timing_with_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                               JointRole role, LeadPath lead, Segment& segment);
+
 }  // namespace gsim::motion

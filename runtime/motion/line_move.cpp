@@ -59,10 +59,9 @@ Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& se
     const MoveRules resolved = rules.resolved(turns && role != JointRole::rotary);
     if (role != JointRole::rotary && resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
     const OrientationArc* orientation = segment.orientation.get();
-    const Followers followers(setup, resolved, changes, role, orientation);
     segment.length_mm = role == JointRole::rotary ? 0 : changes.norm(role);
-    return set_timing(segment, leading_path(setup, resolved, changes, role, orientation), &followers,
-                      rules.least_duration_s);
+    return set_timing_with_beside(setup, resolved, changes, role,
+                                  leading_path(setup, resolved, changes, role, orientation), segment);
 }
 
 void plan_stay(Segment& segment, double duration_s) {

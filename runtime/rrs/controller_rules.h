@@ -69,6 +69,10 @@ struct ControllerRules {
     /// control, Cartesian targets): these ways become lines of the joints.
     double tcp_tolerance_mm = 0.001;
     OrientationRule orientation = OrientationRule::joints;
+    /// The joints beside the tool's path (rotary ones, and a second set of linear ones) arrive with it, but
+    /// by ramps of their own; else all joints of a linear or circular move go in proportion at every instant.
+    /// Of PlannerKind::rest_to_rest alone: the others know no such moves.
+    bool own_ramps = false;
     double least_feed_mm_min = 0;  ///< A lower one is raised to it.
 
     double settle_s = 0;  ///< Time at each exact stop until the axes are in position.

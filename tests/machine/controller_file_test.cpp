@@ -75,12 +75,13 @@ TEST(ControllerFile, EveryOtherKeyOverridesOneValue) {
 }
 
 // Each key with a value of its own, none of them a default; but for the orientation, which needs more of a
-// machine.
+// machine, and for own_ramps, which needs another planner.
 TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     const std::string lines =
         "name = \"all\"\nplanner = \"look-ahead\"\nlook_ahead_blocks = 7\ncorner = \"velocity-step\"\n"
         "exact_path_corner = \"junction-deviation\"\njunction_deviation_mm = 0.25\nspeed_step_s = 0.125\n"
-        "stop_between_rapid_and_feed = false\nexact_path_stops = true\nlimit_jerk = true\ncentripetal_share "
+        "stop_between_rapid_and_feed = false\nexact_path_stops = true\nlimit_jerk = "
+        "true\ncentripetal_share "
         "= 0.5\n"
         "tcp_tolerance_mm = 0.02\narc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = "
         "true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
@@ -143,6 +144,14 @@ TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
     EXPECT_THAT(error_of("orientation = \"great-circle\""),
                 testing::AllOf(testing::HasSubstr("m.toml:3:"), testing::HasSubstr("two rotary axes")));
     EXPECT_THAT(error_of("orientation = \"slerp\""), testing::HasSubstr("great-circle"));
+}
+
+TEST(ControllerFile, OwnRampsAreOfThePlannerThatStopsAtEachTarget) {
+    EXPECT_TRUE(rules_of("own_ramps = true").own_ramps);
+    EXPECT_TRUE(rules_of("model = \"exact-stop\"\nown_ramps = true").own_ramps);
+    EXPECT_THAT(
+        error_of("model = \"ab9\"\nown_ramps = true"),
+        testing::AllOf(testing::HasSubstr("m.toml:3:"), testing::HasSubstr("\"rest-to-rest\" alone")));
 }
 
 TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {

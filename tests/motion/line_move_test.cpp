@@ -12,7 +12,7 @@ using rrs::Status;
 // At the middle of the gantry, linear motion at 100 mm/s.
 class LineMove : public testing::Test {
   protected:
-    LineMove() : at(gantry_setup(), start) {
+    explicit LineMove(const PlannerSetup& setup = gantry_setup()) : at(setup, start) {
         at.planner.SelectMotionType(rrs::MotionType::linear);
         at.planner.SetCartesianPositionSpeed(100);
     }
@@ -65,26 +65,19 @@ TEST_F(LineMove, rapid_needs_no_programmed_speed) {
     EXPECT_EQ(fresh.to(joint_pos({600, 500, 300, 0, 0})), Status::RRS_SUCCESS);
 }
 
-TEST_F(LineMove, slower_rotary_joint_sets_the_time_and_the_path_runs_along) {
-    const Segment& segment = go({600, 500, 300, kPi, 0});
-    EXPECT_DOUBLE_EQ(segment.duration_s, kPi / quarter + 1);
-    ASSERT_EQ(segment.followers().size(), 1U);
-    EXPECT_EQ(segment.followers()[0].joint, 3);
-    EXPECT_DOUBLE_EQ(segment.followers()[0].law.peak_speed(), quarter);
-    EXPECT_LT(segment.lead.peak_speed(), 100);
-    EXPECT_DOUBLE_EQ(segment.lead.duration_s(), segment.duration_s);
-}
-
-TEST_F(LineMove, faster_rotary_joint_is_stretched_to_the_path) {
-    const Segment& segment = go({1000, 500, 300, -0.1, 0.2});
-    EXPECT_DOUBLE_EQ(segment.duration_s, 500 / 100.0 + 100 / acceleration);
-    ASSERT_EQ(segment.followers().size(), 2U);
-    for (const Follower& follower : segment.followers()) {
-        EXPECT_EQ(follower.law.duration_s(), segment.duration_s);
-        EXPECT_DOUBLE_EQ(follower.law.at(0).a, quarter);
+// Expected: the ramps that each joint may make in its share of the way, the slowest of them for all.
+TEST_F(LineMove, all_joints_go_in_proportion_by_the_slowest_of_them) {
+    const Segment& slow = go({600, 500, 300, kPi, 0});
+    EXPECT_TRUE(slow.followers().empty());
+    EXPECT_DOUBLE_EQ(slow.duration_s, trapezoid_s(100, quarter / kPi * 100, quarter / kPi * 100));
+    EXPECT_EQ(slow.limited_by, (LimitedBy{LimitKind::joint_speed, 3}));
+    const Segment& fast = go({1000, 500, 300, kPi - 0.1, 0.2});
+    EXPECT_DOUBLE_EQ(fast.duration_s, 400 / 100.0 + 100 / acceleration);
+    for (const double part : {0.01, 0.1, 0.3, 0.5, 0.8}) {
+        const rrs::JointPos gone = fast.position_at(fast.duration_s * part) - fast.start;
+        EXPECT_NEAR(gone[3] / gone[0], -0.1 / 400, 1e-12);
+        EXPECT_NEAR(gone[4] / gone[0], 0.2 / 400, 1e-12);
     }
-    EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[3], -0.05, 1e-12);
-    EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[4], 0.1, 1e-12);
 }
 
 TEST_F(LineMove, rotary_joints_alone_lead_in_the_space_of_their_angles) {
@@ -107,7 +100,7 @@ TEST_F(LineMove, dominance_tells_which_programmed_speed_counts) {
         return go({1000, 500, 300, 1, 0}).duration_s;
     };
     const double by_position = 500 / 100.0 + 100 / acceleration;
-    const double by_orientation = 1 / 0.1 + 0.1 / quarter;
+    const double by_orientation = trapezoid_s(500, 50, acceleration);
     EXPECT_DOUBLE_EQ(time_to(Dominance::automatic), by_orientation);
     EXPECT_DOUBLE_EQ(time_to(Dominance::orientation), by_orientation);
     EXPECT_DOUBLE_EQ(time_to(Dominance::position), by_position);
@@ -193,10 +186,48 @@ TEST_F(LineMove, secondary_slide_leads_alone_and_follows_beside_the_path) {
     EXPECT_EQ(planner.to(joint_pos({0, 0, 0, 100, 0.1})), Status::RRS_SUCCESS);
     EXPECT_DOUBLE_EQ(planner.last().duration_s, 100 / 10.0 + 10 / acceleration);
     EXPECT_DOUBLE_EQ(planner.last().length_mm, 100);
-    EXPECT_EQ(planner.last().followers().size(), 1U);
+    EXPECT_TRUE(planner.last().followers().empty());
     EXPECT_EQ(planner.to(joint_pos({10, 0, 0, 200, 0.1})), Status::RRS_SUCCESS);
-    EXPECT_DOUBLE_EQ(planner.last().duration_s, 100 / 20.0 + 20 / acceleration);
+    EXPECT_DOUBLE_EQ(planner.last().duration_s, trapezoid_s(10, 2, acceleration / 10));
     EXPECT_DOUBLE_EQ(planner.last().length_mm, 10);
+}
+
+// A controller whose joints beside the path arrive with it by ramps of their own.
+class OwnRamps : public LineMove {
+  protected:
+    OwnRamps() : LineMove(own_ramps()) {}
+    static PlannerSetup own_ramps() {
+        PlannerSetup setup = gantry_setup();
+        setup.controller.own_ramps = true;
+        return setup;
+    }
+};
+
+TEST_F(OwnRamps, slower_rotary_joint_sets_the_time_and_the_path_runs_along) {
+    const Segment& segment = go({600, 500, 300, kPi, 0});
+    EXPECT_DOUBLE_EQ(segment.duration_s, kPi / quarter + 1);
+    ASSERT_EQ(segment.followers().size(), 1U);
+    EXPECT_EQ(segment.followers()[0].joint, 3);
+    EXPECT_DOUBLE_EQ(segment.followers()[0].law.peak_speed(), quarter);
+    EXPECT_LT(segment.lead.peak_speed(), 100);
+    EXPECT_DOUBLE_EQ(segment.lead.duration_s(), segment.duration_s);
+}
+
+TEST_F(OwnRamps, faster_rotary_joint_is_stretched_to_the_path) {
+    const Segment& segment = go({1000, 500, 300, -0.1, 0.2});
+    EXPECT_DOUBLE_EQ(segment.duration_s, 500 / 100.0 + 100 / acceleration);
+    ASSERT_EQ(segment.followers().size(), 2U);
+    for (const Follower& follower : segment.followers()) {
+        EXPECT_EQ(follower.law.duration_s(), segment.duration_s);
+        EXPECT_DOUBLE_EQ(follower.law.at(0).a, quarter);
+    }
+    EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[3], -0.05, 1e-12);
+    EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[4], 0.1, 1e-12);
+}
+
+TEST_F(OwnRamps, programmed_speed_of_orientation) {
+    at.planner.SetCartesianOrientationSpeed(0.1);
+    EXPECT_DOUBLE_EQ(go({1000, 500, 300, 1, 0}).duration_s, 1 / 0.1 + 0.1 / quarter);
 }
 
 }  // namespace

@@ -55,8 +55,45 @@ class RandomMoves : public testing::Test {
     std::mt19937 random{31};
 };
 
-// The time rule of linear motion, written down a second time: lead trapezoid and one trapezoid for each
-// follower.
+// The time rules of linear motion, written down a second time. All joints in proportion: a trapezoid that
+// keeps the limits of each in its share of the way.
+double proportional_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& way) {
+    double norm[3] = {0, 0, 0};
+    for (int j = 0; j < way.size(); ++j) norm[static_cast<int>(setup.role(j))] += way[j] * way[j];
+    for (double& n : norm) n = std::sqrt(n);
+    const int lead = norm[0] > 0 ? 0 : norm[1] > 0 ? 1 : 2;
+    if (norm[lead] == 0) return 0;
+    double speed = kUnlimited, acceleration = kUnlimited;
+    if (lead != 2) {
+        speed = p.rapid ? setup.path.max_rapid_mm_s : std::min(p.speed, setup.path.max_feed_mm_s);
+        if (!p.rapid) acceleration = std::min(p.acceleration, setup.path.max_acceleration_mm_s2);
+    }
+    if (norm[2] > 0 && !p.rapid) {
+        speed = std::min(speed, p.orientation_speed * norm[lead] / norm[2]);
+        acceleration = std::min(acceleration, p.orientation_acceleration * norm[lead] / norm[2]);
+    }
+    for (int j = 0; j < way.size(); ++j) {
+        if (way[j] == 0) continue;
+        const double share = std::abs(way[j]) / norm[lead];
+        const JointSetup& limits = setup.joints[static_cast<std::size_t>(j)];
+        speed = std::min(speed, limits.max_speed / share);
+        acceleration = std::min(acceleration, limits.max_acceleration / share);
+    }
+    return trapezoid_s(norm[lead], speed, acceleration);
+}
+
+void expect_in_proportion(const Segment& segment) {
+    const rrs::JointPos way = segment.end - segment.start;
+    const double longest = way.array().abs().maxCoeff();
+    Eigen::Index leading = 0;
+    way.array().abs().maxCoeff(&leading);
+    for (int i = 0; i <= 60; ++i) {
+        const rrs::JointPos gone = segment.position_at(segment.duration_s * i / 60) - segment.start;
+        ASSERT_LT((gone - way * (gone[leading] / way[leading])).norm(), 1e-9 * (1 + longest));
+    }
+}
+
+// Ramps of their own: lead trapezoid and one trapezoid for each follower.
 double line_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& way) {
     double norm[3] = {0, 0, 0};
     for (int j = 0; j < way.size(); ++j) norm[static_cast<int>(setup.role(j))] += way[j] * way[j];
@@ -123,16 +160,19 @@ void expect_straight(const Segment& segment, const PlannerSetup& setup) {
 TEST_F(RandomMoves, lines_keep_all_limits_and_take_the_time_of_the_slowest_rule) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
-        const PlannerSetup setup = odd_setup(random);
+        PlannerSetup setup = odd_setup(random);
+        setup.controller.own_ramps = coin();
         const rrs::JointPos start = random_target(setup, 1), way = random_target(setup, 0.6);
         ReadyPlanner at(setup, start);
         at.planner.SelectMotionType(rrs::MotionType::linear);
         const Programme p = programme(at.planner, true);
         ASSERT_EQ(at.to(start + way), Status::RRS_SUCCESS) << at.message();
         const Segment& segment = at.last();
-        const double expected_s = line_time_s(setup, p, segment.end - segment.start);
+        const auto rule = setup.controller.own_ramps ? line_time_s : proportional_time_s;
+        const double expected_s = rule(setup, p, segment.end - segment.start);
         ASSERT_NEAR(segment.duration_s, expected_s, 1e-9 * expected_s);
         if (expected_s == 0) continue;
+        if (!setup.controller.own_ramps) expect_in_proportion(segment);
         expect_joint_limits(segment, setup);
         expect_straight(segment, setup);
         expect_smooth(segment);
