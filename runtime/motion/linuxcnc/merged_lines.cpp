@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gsim::motion::linuxcnc {
 
@@ -11,9 +12,13 @@ namespace {
 
 constexpr std::size_t kMostLines = 100;
 constexpr double kLevel = 1e-9;  // slope of a plane that counts as that of XY
+constexpr double kOneTurn_rad = 2 * std::numbers::pi + 1e-5;
 
+// The height over the chord tells how far an arc of one turn at most leads away from it. More turns are
+// always driven: LinuxCNC's own test forgets them, and would leave them out wherever what remains is flat.
 bool flat(const Move& move) {
     const Arc& arc = move.arc;
+    if (arc.sweep_rad > kOneTurn_rad) return false;
     const bool level = std::abs(arc.u.z()) < kLevel && std::abs(arc.v.z()) < kLevel;
     return level && arc.radius_mm * (1 - std::cos(arc.sweep_rad / 2)) < move.merge_tolerance_mm;
 }
