@@ -1,4 +1,4 @@
--- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), put out as chords.
+-- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), put out as pairs of arcs.
 
 local SAME_MM = 1e-9
 local DEFAULT_ORDER = 3
@@ -13,19 +13,28 @@ local function on_machine(point)
   return target
 end
 
-local function put_out(from, ends)
-  local lengths, whole, last = {}, 0, from
-  for i, point in ipairs(ends) do
-    lengths[i] = space_between(last, point)
-    whole, last = whole + lengths[i], point
-  end
+local function put_out(points, weights, order)
+  local pieces, whole = splines.arcs(points, weights, order), 0
+  for _, piece in ipairs(pieces) do whole = whole + piece.length end
   local feed = core.take_feed()
-  for i, point in ipairs(ends) do
-    if lengths[i] > SAME_MM then
-      -- Time per block (G93) is shared among the chords by their lengths.
-      path.line(on_machine(point), feed_of_part(feed, lengths[i] / whole), "spline")
+  for _, piece in ipairs(pieces) do
+    if piece.length > SAME_MM then
+      -- Time per block (G93) is shared among the pieces by their lengths.
+      local target, own_feed = on_machine(piece), feed_of_part(feed, piece.length / whole)
+      if piece.sweep then
+        path.arc("xy", piece.ccw, piece.first, piece.second, piece.sweep, target, own_feed)
+      else
+        path.line(target, own_feed, "spline")
+      end
     end
   end
+end
+
+-- A Bezier curve is a NURBS whose order is the number of its points.
+local function put_out_bezier(points)
+  local weights = {}
+  for i = 1, #points do weights[i] = 1 end
+  put_out(points, weights, #points)
 end
 
 -- --- The words ---
@@ -75,8 +84,7 @@ word("G5", function(words)
   local last = pair(words, "p", "q", "G5")
   local target, named = core.target(words, " i j p q ")
   if not named then alarm("word-missing", "G5 needs X or Y, its end") end
-  put_out(start, splines.bezier_chords {
-    start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target })
+  put_out_bezier { start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target }
   last_g5 = { point = target, lead = { -last[1], -last[2] } }
 end)
 
@@ -88,7 +96,7 @@ word("G5_1", function(words)
   local target, named = core.target(words, " i j ")
   if not named then alarm("word-missing", "G5.1 needs X or Y, its end") end
   local start = here()
-  put_out(start, splines.bezier_chords { start, moved(start, middle[1], middle[2]), target })
+  put_out_bezier { start, moved(start, middle[1], middle[2]), target }
 end)
 
 local nurbs   -- control points, weights and order of the curve between G5.2 and G5.3
@@ -137,5 +145,5 @@ word("G5_3", function()
       curve.order, curve.order,
       #curve.points)
   end
-  put_out(curve.points[1], splines.nurbs_chords(curve.points, curve.weights, curve.order))
+  put_out(curve.points, curve.weights, curve.order)
 end)

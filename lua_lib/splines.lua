@@ -1,9 +1,9 @@
--- Curves by control points as chords. A curve is cut into rational Bezier pieces; a piece is halved until its control
--- points lie within the tolerance of its chord, and the curve lies within their hull.
+-- Curves in the XY plane by control points, as LinuxCNC drives them: four times as many stretches as there are control
+-- points, each a pair of arcs that have its ends and its tangents.
 
-local TOLERANCE_MM = 0.001   -- between the curve and its chords
-local MOST_HALVINGS = 16     -- of a piece
-local AXES = { "x", "y", "z" }
+local STRETCHES_FOR_A_POINT = 4
+local TANGENT_STEP = 1e-5    -- of the parameter: tangents are chords of twice as much
+local STRAIGHT_MM2 = 1e-6    -- twice a triangle's area: an arc with less between chord and tangent is a line
 
 splines = {}
 
@@ -19,50 +19,6 @@ local function mixed(a, b, part)
 end
 
 local function place_of(point) return { x = point[1] / point[4], y = point[2] / point[4], z = point[3] / point[4] } end
-
--- Distance of p from the chord a b.
-local function beside(p, a, b)
-  local along, length = 0, 0
-  for _, letter in ipairs(AXES) do
-    local way = b[letter] - a[letter]
-    along, length = along + (p[letter] - a[letter]) * way, length + way * way
-  end
-  local part = length > 0 and math.max(0, math.min(1, along / length)) or 0
-  local foot = {}
-  for _, letter in ipairs(AXES) do foot[letter] = a[letter] + part * (b[letter] - a[letter]) end
-  return space_between(p, foot)
-end
-
-local function is_flat(piece)
-  local first, last = place_of(piece[1]), place_of(piece[#piece])
-  for i = 2, #piece - 1 do
-    if beside(place_of(piece[i]), first, last) > TOLERANCE_MM then return false end
-  end
-  return true
-end
-
--- The two halves of a Bezier piece (de Casteljau).
-local function halved(piece)
-  local left, right, row = {}, {}, piece
-  while #row > 0 do
-    left[#left + 1] = row[1]
-    table.insert(right, 1, row[#row])
-    local shorter = {}
-    for i = 1, #row - 1 do shorter[i] = mixed(row[i], row[i + 1], 0.5) end
-    row = shorter
-  end
-  return left, right
-end
-
-local function add_chords(piece, ends, halvings)
-  if halvings == 0 or is_flat(piece) then
-    ends[#ends + 1] = place_of(piece[#piece])
-    return
-  end
-  local left, right = halved(piece)
-  add_chords(left, ends, halvings - 1)
-  add_chords(right, ends, halvings - 1)
-end
 
 -- Knots of a NURBS that begins at its first control point and ends at its last, evenly spaced between.
 local function even_knots(count, order)
@@ -84,28 +40,81 @@ local function blossom(points, knots, degree, span, arguments)
   return row[degree]
 end
 
-local function bezier_piece(points, knots, degree, span)
-  local piece = {}
-  for i = 0, degree do
-    local arguments = {}
-    for level = 1, degree do arguments[level] = level <= degree - i and knots[span] or knots[span + 1] end
-    piece[i + 1] = blossom(points, knots, degree, span, arguments)
+-- The place on a curve, its parameter from 0 to count - degree.
+local function place_at(curve, parameter)
+  local degree = curve.order - 1
+  local span = math.min(math.floor(parameter) + curve.order, #curve.points)
+  local arguments = {}
+  for level = 1, degree do arguments[level] = parameter end
+  return place_of(blossom(curve.points, curve.knots, degree, span, arguments))
+end
+
+local function unit(x, y)
+  local length = math.sqrt(x * x + y * y)
+  if length == 0 then return 0, 0 end
+  return x / length, y / length
+end
+
+local function tangent_at(curve, parameter, last)
+  local a = place_at(curve, math.max(0, parameter - TANGENT_STEP))
+  local b = place_at(curve, math.min(last, parameter + TANGENT_STEP))
+  return { unit(b.x - a.x, b.y - a.y) }
+end
+
+-- The arc from a to b that leaves along a tangent, or the line.
+local function add_arc(pieces, a, b, tangent)
+  local x, y = b.x - a.x, b.y - a.y
+  local aside = 2 * (y * tangent[1] - x * tangent[2])
+  local piece = { x = b.x, y = b.y, z = b.z }
+  pieces[#pieces + 1] = piece
+  piece.length = math.sqrt(x * x + y * y)
+  if math.abs(aside) <= STRAIGHT_MM2 then return end
+  local radius = (x * x + y * y) / aside   -- above 0: the centre is on the left
+  piece.ccw = radius > 0
+  piece.first, piece.second = a.x - tangent[2] * radius, a.y + tangent[1] * radius
+  piece.sweep = 2 * math.atan(math.abs(aside) / 2, x * tangent[1] + y * tangent[2])
+  piece.length = math.abs(radius) * piece.sweep
+end
+
+-- How far the corners of both arcs' tangents are from the ends: as far from the one as from the other. None where the
+-- tangents lead away.
+local function reach(a, b, out, into)
+  local vx, vy = a.x - b.x, a.y - b.y
+  local square = vx * vx + vy * vy
+  local along = 2 * (vx * (out[1] + into[1]) + vy * (out[2] + into[2]))
+  local turned = 2 * (1 - out[1] * into[1] - out[2] * into[2])
+  local rest = math.sqrt(along * along + 4 * turned * square) - along
+  if not (rest > 0) then return nil end
+  return 2 * square / rest
+end
+
+local function add_pair(pieces, a, b, out, into)
+  local far = reach(a, b, out, into)
+  if far == nil then
+    pieces[#pieces + 1] = { x = b.x, y = b.y, z = b.z, length = space_between(a, b) }
+    return
   end
-  return piece
+  local before = { x = a.x + far * out[1], y = a.y + far * out[2] }
+  local after = { x = b.x - far * into[1], y = b.y - far * into[2] }
+  local meeting = { x = (before.x + after.x) / 2, y = (before.y + after.y) / 2, z = (a.z + b.z) / 2 }
+  add_arc(pieces, a, meeting, out)
+  add_arc(pieces, meeting, b, { unit(after.x - meeting.x, after.y - meeting.y) })
 end
 
--- Ends of the chords of a NURBS with these control points ({x, y, z} in mm) and weights.
-function splines.nurbs_chords(points, weights, order)
-  local held, ends = {}, {}
+-- Arcs and lines along a NURBS with these control points ({x, y, z} in mm) and weights, one behind the other: each has
+-- its end x, y, z, its length, and if it is an arc ccw, its centre first, second, and sweep (rad).
+function splines.arcs(points, weights, order)
+  local held = {}
   for i, point in ipairs(points) do held[i] = weighted(point, weights[i]) end
-  local knots = even_knots(#points, order)
-  for span = order, #points do add_chords(bezier_piece(held, knots, order - 1, span), ends, MOST_HALVINGS) end
-  return ends
-end
-
-function splines.bezier_chords(points)
-  local piece, ends = {}, {}
-  for i, point in ipairs(points) do piece[i] = weighted(point, 1) end
-  add_chords(piece, ends, MOST_HALVINGS)
-  return ends
+  local curve = { points = held, order = order, knots = even_knots(#points, order) }
+  local last, stretches = #points - order + 1, STRETCHES_FOR_A_POINT * #points
+  local pieces, from, out = {}, points[1], tangent_at(curve, 0, last)
+  for i = 1, stretches do
+    local parameter = last * i / stretches
+    local to = i == stretches and points[#points] or place_at(curve, parameter)
+    local into = tangent_at(curve, parameter, last)
+    add_pair(pieces, from, to, out, into)
+    from, out = to, into
+  end
+  return pieces
 end

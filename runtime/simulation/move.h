@@ -7,7 +7,7 @@
 
 namespace gsim::simulation {
 
-/// `thread`: a feed move in step with the spindle; `spline`: a chord of a curve.
+/// `thread`: a feed move in step with the spindle; `spline`: a straight piece of a curve.
 enum class MoveKind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, dwell, probe, thread, spline };
 enum class Plane : std::uint8_t { xy, zx, yz };
 

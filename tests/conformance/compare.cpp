@@ -21,6 +21,11 @@ std::size_t leading_splines(std::span<const ExpectedMove> expected) {
     return static_cast<std::size_t>(end - expected.begin());
 }
 
+// A curve is driven as arcs, and lines where it is straight.
+bool may_be_of_curve(const Move& move) {
+    return move.kind == Kind::spline || is_arc(move.kind);
+}
+
 // Each move goes at the feed of one of the splines.
 bool spline_feeds_agree(std::span<const ExpectedMove> splines, std::span<const Move> moves) {
     return std::all_of(moves.begin(), moves.end(), [splines](const Move& move) {
@@ -55,7 +60,7 @@ class Comparison {
 
 void Comparison::step() {
     if (!expected_.empty() && !found_.empty()) {
-        if (expected_[0].move.kind == Kind::spline && found_[0].kind == Kind::spline) {
+        if (expected_[0].move.kind == Kind::spline && may_be_of_curve(found_[0])) {
             if (!take_splines()) differ("splines: the moves do not go with the splines of the reference");
             return;
         }
@@ -70,13 +75,13 @@ void Comparison::step() {
     }
 }
 
-// The reference prints no points of a spline: it stands for the spline moves of one line, or for a part of
+// The reference prints no points of a spline: it stands for the arcs and lines of one line, or for a part of
 // them where a loop puts splines of one line in a row.
 bool Comparison::take_splines() {
     const std::size_t splines = leading_splines(expected_);
     std::size_t moves = 0;
     std::size_t lines = 0;
-    for (; moves < found_.size() && found_[moves].kind == Kind::spline; ++moves) {
+    for (; moves < found_.size() && may_be_of_curve(found_[moves]); ++moves) {
         if (moves > 0 && found_[moves].line == found_[moves - 1].line) continue;
         if (lines == splines) break;
         ++lines;

@@ -131,6 +131,8 @@ TEST(Compare, LetsASplineStandForMovesOfOneLine) {
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(2, 1), spline(2.5, 2), last})),
               "");
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(2.5, 1), last})), "");  // a loop
+    const auto piece = [](double x, long line) { return feed_move(x, 0, 0, 10, Kind::arc_cw, line); };
+    EXPECT_EQ(difference(compare(expected, std::vector{piece(1, 1), spline(2, 1), piece(2.5, 2), last})), "");
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), last})),
               "splines: the moves do not go with the splines of the reference");
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(2, 2), spline(2.5, 3), last})),

@@ -23,9 +23,8 @@ Vector3d normal_of(const Piece& arc) {
     return arc.arc.u.cross(arc.arc.v);
 }
 
-// Two arcs need lie in parallel planes only: helices may climb into their corner.
+// A helix climbs out of its plane, so none makes a corner with a blend arc.
 bool in_one_plane(const Piece& before, const Piece& after, const Corner& corner) {
-    if (before.curved && after.curved) return parallel(normal_of(before), normal_of(after));
     return (!before.curved || parallel(normal_of(before), corner.normal)) &&
            (!after.curved || parallel(normal_of(after), corner.normal));
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/units.h"
+
 namespace gsim::motion::linuxcnc {
 
 using Eigen::Vector3d;
@@ -22,16 +24,26 @@ Vector3d level_tangent(const Arc& arc, double phi_rad) {
     return std::cos(phi_rad) * arc.v - std::sin(phi_rad) * arc.u;
 }
 
+// A line on which X, Y and Z rest counts as one along X.
+Vector3d direction_of_line(const Piece& line) {
+    return line.direction.isZero() ? Vector3d::UnitX() : line.direction;
+}
+
 Vector3d end_direction_of(const Piece& piece) {
-    return piece.curved ? level_tangent(piece.arc, piece.arc.sweep_rad) : piece.direction;
+    return piece.curved ? level_tangent(piece.arc, piece.arc.sweep_rad) : direction_of_line(piece);
 }
 
 // An arc starts into the direction of its whole acceleration at half of its speed.
 Vector3d start_direction_of(const Piece& piece) {
-    if (!piece.curved) return piece.direction;
+    if (!piece.curved) return direction_of_line(piece);
     const double speed = piece.requested_speed / 2;
     const double across = speed * speed / piece.arc.radius_mm;
     return (whole_acceleration(piece) * level_tangent(piece.arc, 0) - across * piece.arc.u).normalized();
+}
+
+// The program's tolerance, in degrees where rotary joints alone move.
+double parabola_tolerance(const Piece& piece) {
+    return piece.path_limited ? piece.tolerance_mm : piece.tolerance_mm * kRadPerDeg;
 }
 
 }  // namespace
@@ -47,7 +59,7 @@ Parabola parabola_between(const Piece& before, const Piece& after) {
         std::acos(std::clamp(-end_direction_of(before).dot(start_direction_of(after)), -1.0, 1.0)) / 2;
     const double sharpness = std::cos(half_angle_rad);
     if (before.tolerance_mm > 0 && sharpness > std::sin(kStraight_rad)) {
-        const double within = 2 * std::sqrt(a_before * before.tolerance_mm / sharpness);
+        const double within = 2 * std::sqrt(a_before * parabola_tolerance(before) / sharpness);
         from = std::min(from, within);
         to = std::min(to, within);
     }

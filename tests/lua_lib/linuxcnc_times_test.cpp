@@ -1,0 +1,75 @@
+// Short programs against the times that LinuxCNC 2.9 took for them (the unpatched Debian package, counted in
+// servo periods of 1 ms), on machines with its limits.
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "tests/lua_lib/ngc_run.h"
+
+namespace gsim::script::linuxcnc_times_test {
+namespace {
+
+constexpr double kNear_s = 0.002;  // where in a period a motion begins is chance
+
+struct Recorded {
+    const char* name;
+    const char* program;
+    double time_s;
+};
+
+class LinuxcncTimes : public testing::TestWithParam<Recorded> {};
+
+TEST_P(LinuxcncTimes, AreThoseRecorded) {
+    Conditions setup = ngc_conditions();
+    setup.machine =
+        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/linuxcnc-router.toml")
+            .value();
+    const Outcome run = run_ngc(std::string("G21 G90 G94 G17\n") + GetParam().program + "M2\n", setup);
+    ASSERT_TRUE(run.completed()) << run.message();
+    EXPECT_NEAR(run.report.cycle_time_s, GetParam().time_s, kNear_s);
+}
+
+std::string name_of(const testing::TestParamInfo<Recorded>& recorded) {
+    return recorded.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Turns, LinuxcncTimes,
+    testing::Values(
+        Recorded{"four", "G64 P0.05\nG1 Z5 F2000\nG1 Z0\nG2 X0 Y0 Z-4 I5 J0 P4 F4000\nG1 X10\n", 2.976},
+        Recorded{"two", "G64 P0.05\nG1 Z5 F2000\nG1 Z0\nG2 X0 Y0 Z-4 I5 J0 P2 F4000\nG1 X10\n", 1.922}),
+    name_of);
+
+/// No blend arc leads into a helix from an arc or out of it.
+INSTANTIATE_TEST_SUITE_P(
+    Helices, LinuxcncTimes,
+    testing::Values(Recorded{"behind_an_arc",
+                             "G64\nG1 F4000 X0 Y-2\nX0 Y0\nG2 X0 Y0 I-0.35 J0\nG3 X0 Y0 Z0.7 I0 J3.25\n",
+                             0.957},
+                    Recorded{"behind_turns",
+                             "G64\nG19\nG1 F4000 Y-1.4480 Z1.0160\nG2 Y-1.4480 Z1.0160 J-0.3437 K0 P3\n"
+                             "G3 X0.7 Y-1.4480 Z1.0160 J0 K3.2548 P3\n",
+                             1.940}),
+    name_of);
+
+/// Of rotary axes alone the tolerance counts in degrees, and they go along X for the angle of a corner.
+INSTANTIATE_TEST_SUITE_P(
+    RotaryAxes, LinuxcncTimes,
+    testing::Values(Recorded{"before_a_line", "G64 P0.05\nG1 B15 F2000\nG1 B30\nG1 X-10\n", 1.557},
+                    Recorded{"between_lines", "G64 P0.05\nG1 X10 F2000\nG1 B15\nG1 X20\n", 1.152}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Splines, LinuxcncTimes,
+    testing::Values(
+        Recorded{"cubic", "G64\nG1 X5 F3000\nG5 I5 J10 P-5 Q10 X25 Y0\nG5 X45 Y0 P-5 Q10\nG1 X100\n", 2.345},
+        Recorded{"quadratic",
+                 "G64 P0.02\nG1 X5 F3000\nG5.1 X15 Y0 I5 J-8\nG5.1 X25 Y0 I5 J8\nG5.1 X35 Y0 I5 J-8\n"
+                 "G5.1 X45 Y0 I5 J8\nG5.1 X55 Y0 I5 J-8\nG5.1 X65 Y0 I5 J8\nG5.1 X75 Y0 I5 J-8\n"
+                 "G5.1 X85 Y0 I5 J8\nG1 X100\n",
+                 2.701}),
+    name_of);
+
+}  // namespace
+}  // namespace gsim::script::linuxcnc_times_test
