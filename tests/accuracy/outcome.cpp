@@ -11,7 +11,6 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 constexpr std::array kMarks{"good"sv, "fair"sv, "OFF"sv, "REFUSED"sv, "not counted"sv};
-constexpr std::size_t kLeastClosePercent = 95;
 
 }  // namespace
 
@@ -34,11 +33,13 @@ Mark mark(const TimeOutcome& outcome, const Controller& controller) {
 }
 
 bool Summary::good() const {
-    return unknown == 0 && 100 * close >= kLeastClosePercent * counted;
+    return 100 * close >= close_percent * counted && 100 * (counted - unknown) >= fair_percent * counted;
 }
 
 Summary summarize(std::span<const TimeOutcome> outcomes, const Controller& controller) {
     Summary summary;
+    summary.close_percent = controller.close_percent;
+    summary.fair_percent = controller.fair_percent;
     for (const TimeOutcome& outcome : outcomes) {
         if (!outcome.counted) continue;
         ++summary.counted;

@@ -45,9 +45,11 @@ struct Summary {
     std::size_t close = 0;
     std::size_t fair = 0;                ///< Those that are close among them.
     std::size_t unknown = 0;             ///< Not fair and not known to be off.
+    std::size_t close_percent = 0;       ///< As many shall be close,
+    std::size_t fair_percent = 0;        ///< and as many fair or known.
     std::optional<TimeOutcome> largest;  ///< Of those that gsim ran, by percent.
 
-    /// Whether at least 95 % are close, and all fair but for those that are known.
+    /// Whether as many are close and fair as the controller asks for.
     bool good() const;
 };
 

@@ -74,6 +74,18 @@ TEST(Summary, IsGoodWith95PercentCloseAndTheOthersFair) {
     EXPECT_FALSE(summarize(outcomes, kController).good());  // 18 of 20
 }
 
+TEST(Summary, IsGoodWithAsManyAsItsControllerAsksFor) {
+    Controller half = kController;
+    half.close_percent = 50;
+    half.fair_percent = 75;
+    std::vector<TimeOutcome> outcomes{outcome(10, 10), outcome(10, 10), outcome(10, 10.1), outcome(10, 11)};
+    EXPECT_TRUE(summarize(outcomes, half).good());
+    outcomes[2] = outcome(10, 11);
+    EXPECT_FALSE(summarize(outcomes, half).good());
+    outcomes[2] = outcomes[1] = outcome(10, 10.1);
+    EXPECT_FALSE(summarize(outcomes, half).good());
+}
+
 TEST(Summary, ForgivesWhatIsKnownButNotInThe95Percent) {
     std::vector<TimeOutcome> outcomes(19, outcome(10, 10));
     outcomes.push_back(outcome(10, 11));

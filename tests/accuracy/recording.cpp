@@ -1,10 +1,12 @@
 #include "tests/accuracy/recording.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -63,20 +65,55 @@ bool is_four(std::string_view text) {
     return text.empty() || text[0] < '0' || text[0] > '9';
 }
 
-tl::expected<Recording, std::string> read_recording(const fs::path& program, const Controller& controller) {
+fs::path figures_of(const fs::path& program) {
+    return fs::path(program).replace_extension(".json");
+}
+
+// A program with figures of its own does not need the table.
+tl::expected<std::map<std::string, double>, std::string> listed_times(const fs::path& folder,
+                                                                      const Controller& controller) {
+    const fs::path table = folder / "table.tsv";
+    if (!fs::is_regular_file(table)) return {};
+    auto times =
+        read_file(table).and_then([&](const std::string& text) { return read_times(text, controller); });
+    if (!times) return tl::unexpected(fmt::format("{}: {}", table.string(), times.error()));
+    std::erase_if(*times, [&](const auto& listed) {
+        return fs::is_regular_file(figures_of(folder / (listed.first + ".ngc")));
+    });
+    return times;
+}
+
+std::vector<std::string> columns_of(const std::string& line) {
+    std::vector<std::string> columns(1);
+    for (const char c : line) {
+        if (c == '\t') {
+            columns.emplace_back();
+        } else if (c != '\r') {
+            columns.back() += c;
+        }
+    }
+    return columns;
+}
+
+tl::expected<Recording, std::string> read_recording(const fs::path& program, const Controller& controller,
+                                                    const std::map<std::string, double>& times) {
     Recording recording;
     recording.name = program.stem().string();
     recording.program = program;
     recording.samples = fs::path(program).replace_extension(".csv.gz");
     recording.machine_file =
-        fmt::format("{}-{}.toml", controller.name, recording.name.substr(0, recording.name.find('_')));
-    const fs::path figures = fs::path(program).replace_extension(".json");
-    const auto json_text = read_file(figures);
-    if (!json_text) return tl::unexpected(json_text.error());
+        fmt::format("{}-{}.toml", controller.machines, recording.name.substr(0, recording.name.find('_')));
     const auto program_text = read_file(program);
     if (!program_text) return tl::unexpected(program_text.error());
-    if (const auto read = read_figures(*json_text, controller, recording); !read)
-        return tl::unexpected(fmt::format("{}: {}", figures.string(), read.error()));
+    if (const auto listed = times.find(recording.name); listed != times.end()) {
+        recording.cycle_time_s = listed->second;
+    } else {
+        const fs::path figures = figures_of(program);
+        const auto json_text = read_file(figures);
+        if (!json_text) return tl::unexpected(json_text.error());
+        if (const auto read = read_figures(*json_text, controller, recording); !read)
+            return tl::unexpected(fmt::format("{}: {}", figures.string(), read.error()));
+    }
     recording.counted = controller.times_dwells || !has_dwell(*program_text);
     return recording;
 }
@@ -86,18 +123,21 @@ tl::expected<Recording, std::string> read_recording(const fs::path& program, con
 tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path& folder,
                                                                   const Controller& controller) {
     std::error_code error;
+    const auto times = listed_times(folder, controller);
+    if (!times) return tl::unexpected(times.error());
     std::vector<fs::path> programs;
     for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         const fs::path& file = entry->path();
-        if (file.extension() == ".ngc" && fs::is_regular_file(fs::path(file).replace_extension(".json")))
+        if (file.extension() != ".ngc") continue;
+        if (times->contains(file.stem().string()) || fs::is_regular_file(figures_of(file)))
             programs.push_back(file);
     }
     if (error) return tl::unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
     std::sort(programs.begin(), programs.end());
     std::vector<Recording> recordings;
     for (const fs::path& program : programs) {
-        auto recording = read_recording(program, controller);
+        auto recording = read_recording(program, controller, *times);
         if (!recording) return tl::unexpected(recording.error());
         recordings.push_back(*std::move(recording));
     }
@@ -116,6 +156,32 @@ tl::expected<void, std::string> read_figures(const std::string& json_text, const
         return tl::unexpected<std::string>(error.what());
     }
     return {};
+}
+
+tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
+                                                                    const Controller& controller) {
+    std::istringstream lines(table);
+    std::string line;
+    std::getline(lines, line);
+    const std::vector<std::string> heading = columns_of(line);
+    const auto column = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::find(heading.begin(), heading.end(), name) - heading.begin());
+    };
+    const std::size_t name = column("name"), time = column(controller.time_key);
+    if (std::max(name, time) >= heading.size())
+        return tl::unexpected(fmt::format("there is no column 'name' or no '{}'", controller.time_key));
+    std::map<std::string, double> times;
+    while (std::getline(lines, line)) {
+        const std::vector<std::string> columns = columns_of(line);
+        if (columns.size() <= std::max(name, time)) continue;
+        double time_s = 0;
+        const std::string& text = columns[time];
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), time_s);
+        if (read.ec != std::errc() || !(time_s >= 0))
+            return tl::unexpected(fmt::format("'{}' is no time", text));
+        times[columns[name]] = time_s;
+    }
+    return times;
 }
 
 bool has_dwell(std::string_view program) {

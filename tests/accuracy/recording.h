@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,14 +26,20 @@ struct Recording {
     std::vector<Block> blocks;  ///< Where they were recorded.
 };
 
-/// The recordings in a folder, sorted by name: programs with a JSON beside them. The error names the folder
-/// or file that cannot be read.
+/// The recordings in a folder, sorted by name: programs with a JSON beside them, or with a line of the
+/// folder's table.tsv. The error names the folder or file that cannot be read.
 tl::expected<std::vector<Recording>, std::string> find_recordings(const std::filesystem::path& folder,
                                                                   const Controller& controller);
 
 /// Puts what the JSON of a recording says into it; the error says what it lacks.
 tl::expected<void, std::string> read_figures(const std::string& json_text, const Controller& controller,
                                              Recording& recording);
+
+/// The times of a table by the names of the programs: lines of columns with tabs between, under a line that
+/// names them
+/// ("name", and the controller's time key). The error says what it lacks.
+tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
+                                                                    const Controller& controller);
 
 /// Whether a program has G4 outside its comments.
 bool has_dwell(std::string_view program);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr const Controller& kLinuxcnc = kControllers[0];
 constexpr const Controller& kGrbl = kControllers[1];
+constexpr const Controller& kLinuxcnc2 = kControllers[2];
 
 TEST(Recording, HasTheTimeOfItsController) {
     const std::string figures =
@@ -82,6 +83,25 @@ TEST(Recordings, CountDwellsThatTheControllerTimes) {
     ASSERT_EQ(recordings->size(), 1U);
     EXPECT_TRUE(recordings->front().counted);
     EXPECT_EQ(recordings->front().machine_file, "grbl-router.toml");
+}
+
+TEST(Recordings, MayBeLinesOfATable) {
+    const conformance::ScratchFolder folder;
+    folder.write("router_a.ngc", "G1 X1 F10\n");
+    folder.write("router_b.ngc", "G1 X1 F10\n");
+    folder.write("router_b.json", R"({"cycle_time_s": 2, "mode": "G61"})");
+    folder.write("router_unlisted.ngc", "G1 X1 F10\n");
+    folder.write("table.tsv", "name\tcycle_time_s\nrouter_a\t1.5\nrouter_b\t9\nrouter_gone\t3\n");
+    const auto recordings = find_recordings(folder.path(), kLinuxcnc2);
+    ASSERT_TRUE(recordings) << recordings.error();
+    ASSERT_EQ(recordings->size(), 2U);
+    EXPECT_EQ((*recordings)[0].cycle_time_s, 1.5);
+    EXPECT_EQ((*recordings)[0].machine_file, "linuxcnc-router.toml");
+    EXPECT_EQ((*recordings)[1].cycle_time_s, 2);  // its own figures
+    folder.write("table.tsv", "name\ttime\nrouter_a\t1.5\n");
+    EXPECT_FALSE(find_recordings(folder.path(), kLinuxcnc2));
+    folder.write("table.tsv", "name\tcycle_time_s\nrouter_a\tsoon\n");
+    EXPECT_FALSE(find_recordings(folder.path(), kLinuxcnc2));
 }
 
 TEST(Recordings, NameTheFileThatCannotBeRead) {
