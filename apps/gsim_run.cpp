@@ -172,6 +172,7 @@ class Run {
         run.language = arguments_.language;
         run.outputs = arguments_.outputs;
         run.limits = arguments_.limits;
+        run.collisions = !arguments_.no_collisions;
         run.tell = tell_;
         run.options = apps::engine_options(arguments_, {}, {}, progress, tell_);
         tl::expected<simulation::RobotsReport, apps::InputError> report = apps::run_robots(std::move(run));
@@ -188,7 +189,7 @@ class Run {
 
     /// What is told of a machine without a program.
     int run_studies(const machine::Machine& machine) {
-        const auto ended = apps::run_studies(arguments_.studies, machine, arguments_.cell,
+        const auto ended = apps::run_studies(arguments_.studies, machine, apps::cell_choice(arguments_),
                                              {.json = arguments_.findings.json, .quiet = arguments_.quiet});
         if (!ended) return fail(Kind::input_file, ended.error());
         told_ = true;

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "apps/exit_status.h"
-#include "runtime/cell/cell_file.h"
-#include "runtime/cell/machine_shapes.h"
 #include "runtime/check/machine_check.h"
 #include "runtime/envelope/outline_files.h"
 #include "runtime/envelope/stl.h"
@@ -20,10 +18,9 @@ namespace gsim::apps {
 
 namespace {
 
-tl::expected<int, std::string> print_check(const machine::Machine& machine, const std::string& cell_file,
+tl::expected<int, std::string> print_check(const machine::Machine& machine, const CellChoice& choice,
                                            const StudyOutput& output) {
-    const tl::expected<cell::Cell, std::string> bodies =
-        cell_file.empty() ? cell::cell_of_machine(machine) : cell::load_cell(cell_file, machine);
+    const tl::expected<cell::Cell, std::string> bodies = read_bodies(choice, machine);
     if (!bodies) return tl::unexpected(bodies.error());
     const check::MachineCheck found = check::check_machine(machine, *bodies);
     if (output.json) {
@@ -134,7 +131,7 @@ void add_study_options(CommandLine& line, MachineStudies& studies) {
 }
 
 tl::expected<int, std::string> run_studies(const MachineStudies& studies, const machine::Machine& machine,
-                                           const std::string& cell, const StudyOutput& output) {
+                                           const CellChoice& cell, const StudyOutput& output) {
     int status = kDone;
     if (!studies.check.empty()) {
         auto checked = print_check(machine, cell, output);

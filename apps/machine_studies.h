@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "apps/command_line.h"
+#include "apps/run_cell.h"
 #include "runtime/machine/machine.h"
 
 namespace gsim::apps {
@@ -27,9 +28,9 @@ struct StudyOutput {
     bool quiet = false;  ///< Nothing for people on standard output.
 };
 
-/// Makes what was asked for: prints the check, with the bodies of a cell file where `cell` names one, and
+/// Makes what was asked for: prints the check, of the bodies that `cell` chooses, and
 /// writes the envelopes. The exit status; the error is a sentence on files.
 tl::expected<int, std::string> run_studies(const MachineStudies& studies, const machine::Machine& machine,
-                                           const std::string& cell, const StudyOutput& output);
+                                           const CellChoice& cell, const StudyOutput& output);
 
 }  // namespace gsim::apps

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "apps/run_engine.h"
-#include "runtime/cell/cell_file.h"
 #include "runtime/simulation/progress.h"
 
 namespace gsim::apps {
@@ -65,16 +64,12 @@ bool Remedy::mends(const std::vector<OffsetShift>& shifts) const {
     machine::MachineData data = data_;
     const bool has_variables = language_.dialect->name() == grammar::dialect_rs274ngc().name();
     for (const OffsetShift& shift : shifts) shift_offset(data, shift, has_variables);
-    std::unique_ptr<simulation::CellWatch> cell;
-    if (!arguments_.cell.empty()) {
-        auto read = cell::load_cell(arguments_.cell, machine_);
-        if (!read) return false;
-        cell = std::make_unique<simulation::CellWatch>(*std::move(read), machine_);
-    }
+    const auto cell = read_run_cell(cell_choice(arguments_), machine_);
+    if (!cell) return false;
     simulation::RunLimits limits = arguments_.limits;
     limits.stop_at_first = true;
     simulation::Simulator simulator(machine_, limits);
-    if (cell != nullptr) simulator.set_cell(*cell);
+    simulator.set_cell(**cell);
     simulator.set_probe(probe_);
     simulation::Progress progress(stderr, false);
     const TellDiagnostic tell = [](const text::Diagnostic&) {};  // the first run has told them

@@ -7,10 +7,9 @@
 
 #include "apps/machine_input.h"
 #include "apps/process_words.h"
+#include "apps/run_cell.h"
 #include "apps/run_inputs.h"
-#include "runtime/cell/cell_file.h"
 #include "runtime/process/robots_file.h"
-#include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/output_file.h"
 
 namespace gsim::apps {
@@ -64,13 +63,12 @@ tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
         if (const auto fault = fault_of_process(*machine->process, *station.language.dialect))
             return usage(*fault);
     }
-    if (!entry.cell.empty()) {
-        auto cell = cell::load_cell(entry.cell.string(), *machine, conveyors);
-        if (!cell) return usage(cell.error());
-        station.cell = std::make_unique<simulation::CellWatch>(*std::move(cell), *machine);
-    }
+    auto cell =
+        read_run_cell({.file = entry.cell.string(), .collisions = run.collisions}, *machine, conveyors);
+    if (!cell) return usage(cell.error());
+    station.cell = *std::move(cell);
     station.simulator = std::make_unique<simulation::Simulator>(std::move(*machine), run.limits);
-    if (station.cell) station.simulator->set_cell(*station.cell);
+    station.simulator->set_cell(*station.cell);
     auto outputs = Outputs::open(own_files(run.outputs, entry.name), *station.simulator);
     if (!outputs) return usage(outputs.error());
     station.outputs = std::make_unique<Outputs>(*std::move(outputs));

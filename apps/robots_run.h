@@ -20,6 +20,7 @@ struct RobotsRun {
     LanguageNames language;
     OutputNames outputs;  ///< Each robot has files of its own but for the report: moves.left.jsonl.
     simulation::RunLimits limits;
+    bool collisions = true;  ///< Bodies of machines and cells are looked at.
     script::Engine::Options options;
     TellDiagnostic tell;  ///< Gets what is wrong with programs' texts.
 };

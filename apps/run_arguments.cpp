@@ -45,6 +45,10 @@ std::string contradiction_of_robots(const RunArguments& arguments) {
 
 }  // namespace
 
+CellChoice cell_choice(const RunArguments& arguments) {
+    return {.file = arguments.cell, .collisions = !arguments.no_collisions};
+}
+
 void add_machine_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Machine and language");
     line.add(
@@ -53,11 +57,12 @@ void add_machine_options(CommandLine& line, RunArguments& a) {
         .of_file(FileKind::input, {".toml"});
     line.add("--machine-data", &a.machine_data, "machine data (NCFILE): work offsets, variables, aliases")
         .of_file(FileKind::input, {".txt"});
-    line.add(
-            "--cell", &a.cell,
-            "cell file (TOML): the run is looked at for collisions and near misses; it may name the machine, "
-            "too")
+    line.add("--cell", &a.cell,
+             "cell file (TOML): the run is looked at for collisions and near misses in it, too; it may name "
+             "the machine")
         .of_file(FileKind::input, {".toml"});
+    line.add("--no-collisions", &a.no_collisions,
+             "do not look for collisions and near misses: neither of the machine's own bodies nor in a cell");
     line.add("--probe", &a.probe,
              "what probes touch: z=-3.2 (or x=, y=) is a plane, in mm of machine coordinates of the tool's "
              "end; "

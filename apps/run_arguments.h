@@ -8,6 +8,7 @@
 #include "apps/language.h"
 #include "apps/machine_studies.h"
 #include "apps/outputs.h"
+#include "apps/run_cell.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/simulation/simulator.h"
 
@@ -38,7 +39,11 @@ struct RunArguments {
     bool print_machine = false;
     bool block_delete = false;
     bool optional_stop = false;
+    bool no_collisions = false;
 };
+
+/// What the options say to look at.
+CellChoice cell_choice(const RunArguments& arguments);
 
 /// The options of gsim-run.
 void add_run_options(CommandLine& line, RunArguments& arguments);

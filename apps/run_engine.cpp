@@ -52,7 +52,7 @@ ProgramRun::ProgramRun(const RunArguments& arguments, RunInputs inputs, bool sho
       program_(inputs.program.file_name),
       script_(std::move(inputs.program)),
       engine_(simulator_, options_of(arguments, inputs, progress_, tell)) {
-    if (cell_ != nullptr) simulator_.set_cell(*cell_);
+    simulator_.set_cell(*cell_);
     simulator_.set_probe(inputs.probe);
 }
 
@@ -67,8 +67,7 @@ simulation::Report ProgramRun::run() {
 
 /// What must be said even where no report is wanted.
 void print_faults(const simulation::Report& report) {
-    if (has_collisions(report))
-        std::fprintf(stderr, "collisions in the cell: %zu\n", report.cell->collisions.size());
+    if (has_collisions(report)) std::fprintf(stderr, "collisions: %zu\n", report.cell->collisions.size());
     const auto text_of = [&](const simulation::Place& place) {
         return place.line > 0 ? fmt::format("{}:{}: ", report.files[place.file], place.line) : std::string();
     };

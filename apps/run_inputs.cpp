@@ -46,15 +46,6 @@ tl::expected<std::optional<script::Script>, std::string> read_setup(const RunArg
         .map_error([](InputError error) { return std::move(error.message); });
 }
 
-/// Null where no cell is asked for.
-tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_cell(const RunArguments& arguments,
-                                                                            const machine::Machine& machine) {
-    if (arguments.cell.empty()) return nullptr;
-    return cell::load_cell(arguments.cell, machine).map([&](cell::Cell cell) {
-        return std::make_unique<simulation::CellWatch>(std::move(cell), machine);
-    });
-}
-
 /// Nothing where no controller module is asked for.
 tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const RunArguments& arguments,
                                                                      const machine::Machine& machine) {
@@ -121,7 +112,7 @@ tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& argument
     if (!setup) return fault(setup.error());
     auto module = load_module(arguments, machine);
     if (!module) return fault(module.error());
-    auto cell = read_cell(arguments, machine);
+    auto cell = read_run_cell(cell_choice(arguments), machine);
     if (!cell) return fault(cell.error());
     return RunInputs{.machine = std::move(machine),
                      .document = *std::move(document),

@@ -32,8 +32,8 @@ struct RunInputs {
     Language language;
     script::Script program;
     std::optional<script::Script> setup;
-    std::optional<rrs::RcsModule> module;         ///< Where a controller module is asked for.
-    std::unique_ptr<simulation::CellWatch> cell;  ///< Null where no cell is asked for.
+    std::optional<rrs::RcsModule> module;  ///< Where a controller module is asked for.
+    std::unique_ptr<simulation::CellWatch> cell;
     simulation::ProbeFeels probe;
 };
 

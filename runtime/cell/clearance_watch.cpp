@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/cell/placed_kinematics.h"
 #include "runtime/cell/touch_search.h"
 
 namespace gsim::cell {
@@ -15,7 +16,9 @@ constexpr int kOverlapLooks = 24;
 }  // namespace
 
 ClearanceWatch::ClearanceWatch(const Cell& cell, const machine::Machine& machine)
-    : cell_(cell), kinematics_(machine::make_kinematics(machine)) {
+    : cell_(cell),
+      machine_kinematics_(machine::make_kinematics(machine)),
+      kinematics_(placed_kinematics(machine_kinematics_, cell.frames)) {
     make_pairs();
 }
 
@@ -30,6 +33,7 @@ void ClearanceWatch::make_pairs() {
 }
 
 void ClearanceWatch::frames_changed() {
+    kinematics_ = placed_kinematics(machine_kinematics_, cell_.frames);
     if (parents_.size() != cell_.carried.size()) return make_pairs();
     for (Watched& pair : pairs_) {
         pair.bodies.first = body_of(cell_, pair.items.first);

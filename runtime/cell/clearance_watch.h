@@ -36,8 +36,8 @@ class ClearanceWatch {
     /// `cell` must outlive this; it was read for this machine.
     ClearanceWatch(const Cell& cell, const machine::Machine& machine);
 
-    /// Frames of the cell have been moved, or go by themselves from now on: what touches then counts as
-    /// another contact.
+    /// Frames of the cell, or the machine's base, have been moved, or go by themselves from now on: what
+    /// touches then counts as another contact.
     void frames_changed();
     /// The segments that follow belong to another block.
     void begin_block() { nearest_.reset(); }
@@ -80,9 +80,10 @@ class ClearanceWatch {
     void go_on_in_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair, double from_s);
 
     const Cell& cell_;
-    std::shared_ptr<const kinematics::Kinematics> kinematics_;
-    std::vector<int> parents_;            ///< Of links that go by themselves.
-    std::vector<double> drifts_since_s_;  ///< Of those, in the stretch before.
+    std::shared_ptr<const kinematics::Kinematics> machine_kinematics_;
+    std::shared_ptr<const kinematics::Kinematics> kinematics_;  ///< Where the machine stands now.
+    std::vector<int> parents_;                                  ///< Of links that go by themselves.
+    std::vector<double> drifts_since_s_;                        ///< Of those, in the stretch before.
     std::vector<Watched> pairs_;
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;

@@ -12,7 +12,7 @@ FrameTree::FrameTree(const machine::Machine& machine) {
     const kinematics::Chain& chain = kinematics->chain();
     frames_.reserve(machine.axes.size() + 4);
     frames_.push_back({"world", 0, rrs::CartPos::Identity(), 0, true});
-    const std::size_t base = add("base", 0, chain.tool_side().base);
+    base_ = add("base", 0, chain.tool_side().base);
     const std::size_t before_axes = frames_.size();
     for (const machine::Axis& axis : machine.axes) {
         const std::size_t frame = frames_.size();
@@ -23,7 +23,7 @@ FrameTree::FrameTree(const machine::Machine& machine) {
         return before_axes + static_cast<std::size_t>(branch.links.back().joint);
     };
     const kinematics::Branch& tool_side = chain.tool_side();
-    add("tool", tool_side.links.empty() ? base : link_frame(tool_side), tool_side.end);
+    add("tool", tool_side.links.empty() ? base_ : link_frame(tool_side), tool_side.end);
     const kinematics::Branch& work_side = chain.work_side();
     if (work_side.links.empty()) {
         add("work", 0, work_side.base * work_side.end);

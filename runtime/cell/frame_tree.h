@@ -10,22 +10,23 @@
 
 namespace gsim::cell {
 
-/// The named frames of a cell, each attached to another one. Those of the machine come first and cannot be
-/// changed: "world", "base" (of the joints that carry the tool), a letter for the link behind each axis,
-/// "tool" and "work".
+/// The named frames of a cell, each attached to another one. Those of the machine come first: "world", "base"
+/// (of the joints that carry the tool), a letter for the link behind each axis, "tool" and "work". Of these
+/// "base" alone can be moved, and the machine with it (placed_kinematics()).
 class FrameTree {
   public:
     explicit FrameTree(const machine::Machine& machine);
 
     std::optional<std::size_t> find(std::string_view name) const;
     const std::string& name(std::size_t frame) const { return frames_[frame].name; }
+    std::size_t base() const { return base_; }
     bool is_of_machine(std::size_t frame) const { return frame < machine_frames_; }
     /// A frame attached to `parent`, which exists. The name must be new.
     std::size_t add(std::string name, std::size_t parent, const rrs::CartPos& in_parent);
 
     /// Relative to what the frame is attached to (mm).
     const rrs::CartPos& in_parent(std::size_t frame) const { return frames_[frame].in_parent; }
-    /// Moves a frame that is not the machine's, and with it all that is attached to it.
+    /// Moves base(), or a frame that is not the machine's, and with it all that is attached to it.
     void move(std::size_t frame, const rrs::CartPos& in_parent) { frames_[frame].in_parent = in_parent; }
 
     /// A frame that is not the machine's goes by itself from now on, and with it what is attached to it, as a
@@ -55,6 +56,7 @@ class FrameTree {
     };
 
     std::vector<Frame> frames_;
+    std::size_t base_ = 0;
     int machine_links_ = 0;
     std::size_t machine_frames_ = 0;
 };

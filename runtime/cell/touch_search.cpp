@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/cell/placed_kinematics.h"
+
 namespace gsim::cell {
 
 namespace {
@@ -39,7 +41,7 @@ tl::expected<TouchSearch, std::string> TouchSearch::make(const Cell& cell, const
             "a probe cannot feel the bodies of a cell in which frames go by themselves (on conveyors, or led "
             "by a program); on_probe of a script, or --probe, says where it touches");
     }
-    TouchSearch search(machine::make_kinematics(machine));
+    TouchSearch search(placed_kinematics(machine::make_kinematics(machine), cell.frames));
     bool has_body = false;
     for (std::size_t item = 0; item < cell.items.size(); ++item) has_body = has_body || probes(cell, item);
     if (!has_body) {

@@ -119,4 +119,12 @@ std::vector<rrs::CartPos> Chain::joint_frames(const rrs::JointPos& joints) const
     return frames;
 }
 
+Chain moved(const Chain& chain, const rrs::CartPos& shift) {
+    Branch tool_side = chain.tool_side();
+    tool_side.base = shift * tool_side.base;
+    Branch work_side = chain.work_side();
+    if (!work_side.links.empty()) work_side.base = shift * work_side.base;
+    return Chain(std::move(tool_side), std::move(work_side));
+}
+
 }  // namespace gsim::kinematics

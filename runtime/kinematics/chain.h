@@ -71,4 +71,8 @@ class Chain {
     bool work_is_world_ = false;
 };
 
+/// The same machine, moved as a whole in the world by `shift`: joints that carry the work go along; where
+/// there are none, the work frame stays where it is.
+Chain moved(const Chain& chain, const rrs::CartPos& shift);
+
 }  // namespace gsim::kinematics

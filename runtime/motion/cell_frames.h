@@ -32,8 +32,8 @@ class CellFrames {
     /// A frame's value at a time of the run, relative to what it is attached to. RRS_UNKNOWN_FRAME.
     virtual tl::expected<rrs::CartPos, PlanError> frame(std::string_view name, double time_s) const = 0;
     /// Gives it another value from `time_s` of the run on, which is not before that of the last change.
-    /// RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER for a frame of the machine or of a conveyor, and for what is
-    /// no pose.
+    /// RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER for what is no pose, for a frame of a conveyor, and for one
+    /// of the machine but for those of MachineFrames.
     virtual Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) = 0;
     /// The frame may be led from now on, and stands until then. Refused as by move_frame().
     virtual Planned carry_frame(std::string_view name) = 0;
@@ -44,6 +44,8 @@ class CellFrames {
     /// the first does not move with the tool or the second not with the work frame.
     virtual tl::expected<WorkFrames, PlanError> work_frames(std::string_view tool_frame,
                                                             std::string_view object_frame) const = 0;
+    /// How the machine has been moved in the world from where its kinematics have it (mm).
+    virtual const rrs::CartPos& base_shift() const = 0;
 };
 
 }  // namespace gsim::motion

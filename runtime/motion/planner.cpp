@@ -78,7 +78,9 @@ void DefaultPlanner::start_over() {
     tip_.reset();
     work_frames_ = {};
     selected_.reset();
+    frames_before_.clear();
     tip_turns_ = tip_turns(setup_);
+    if (cell_ != nullptr) static_cast<void>(select_frames());
     tool_model_->clear();
     stopped_.reset();
     held_.clear();
@@ -183,7 +185,7 @@ Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, do
         joints = front.position_at(step_s_ - front.start_s);
         if (step_s_ > front.start_s) step_target_ = front.target_id;
     }
-    pose = work_frames_.target_of(setup_.kinematics->forward(joints));
+    pose = frames_of_step(from_s).target_of(setup_.kinematics->forward(joints));
     elapsed_s = step_s_ - from_s;
     return status;
 }

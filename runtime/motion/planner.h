@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,10 +11,10 @@
 #include <string_view>
 
 #include "runtime/motion/axis_space.h"
-#include "runtime/motion/cell_frames.h"
 #include "runtime/motion/conveyor_frame.h"
 #include "runtime/motion/event_list.h"
 #include "runtime/motion/held_targets.h"
+#include "runtime/motion/machine_frames.h"
 #include "runtime/motion/motion_model.h"
 #include "runtime/motion/object_motion.h"
 #include "runtime/motion/plan_error.h"
@@ -234,6 +235,9 @@ class DefaultPlanner final : public rrs::Shell {
     };
     bool moves_tool(bool along_path) const;
     Eigen::Vector3d tip_mm() const;
+    void keep_frames();
+    Planned select_frames();
+    const WorkFrames& frames_of_step(double from_s);
     void lead_object(const rrs::CartPos& pose, double duration_s);
     tl::expected<TipWay, PlanError> tip_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                             const std::optional<Circle>& circle) const;
@@ -268,6 +272,12 @@ class DefaultPlanner final : public rrs::Shell {
         std::string object;
     };
     std::optional<SelectedFrames> selected_;
+    /// Frames in which the poses of what was queued are told, until frames were moved.
+    struct FramesUntil {
+        double until_s;
+        WorkFrames frames;
+    };
+    std::deque<FramesUntil> frames_before_;
     bool tip_turns_ = false;              ///< The tip is not where the position joints alone say.
     std::optional<Eigen::Vector3d> tip_;  ///< Under tool-centre-point control, in the tool's frame.
     PlanError error_;

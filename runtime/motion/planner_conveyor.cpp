@@ -69,7 +69,11 @@ Status DefaultPlanner::SelectTracking(int conveyor, bool on) {
     come_to_rest();
     position_ = standing();
     if (model_) model_->clear();
-    auto frame = ConveyorFrame::of(setup_, axis_space_ ? &*axis_space_ : nullptr, found->second);
+    ConveyorMotion conveyor_motion = found->second;
+    if (cell_ != nullptr) {
+        conveyor_motion.direction = cell_->base_shift().linear().transpose() * conveyor_motion.direction;
+    }
+    auto frame = ConveyorFrame::of(setup_, axis_space_ ? &*axis_space_ : nullptr, conveyor_motion);
     if (!frame) return tell(std::move(frame.error()));
     Segment& segment = begin_segment(queue_.next(), kNoTarget);
     if (Planned ramp = frame->plan_ramp(setup_, true, segment); !ramp) return tell(std::move(ramp.error()));

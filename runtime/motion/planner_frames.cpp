@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "runtime/motion/planner.h"
 
 namespace gsim::motion {
@@ -18,24 +20,59 @@ Status DefaultPlanner::GetCellFrame(std::string_view frame_name, rrs::CartPos& f
     return Status::RRS_SUCCESS;
 }
 
-/// What was queued before is made with the frame as it was.
+/// What was queued before is made, and told, with the frame as it was.
 Status DefaultPlanner::ModifyCellFrame(std::string_view frame_name, const rrs::CartPos& frame) {
     if (cell_ == nullptr) return Shell::ModifyCellFrame(frame_name, frame);
     if (!initialized_) return not_initialized();
+    if (tracked_ && MachineFrames::has(frame_name)) {
+        return refuse(Status::RRS_INVALID_PARAMETER,
+                      fmt::format("The frame '{}' is the machine's, which cannot change while a conveyor is "
+                                  "tracked.",
+                                  frame_name));
+    }
     come_to_rest(true);
     if (Planned moved = cell_->move_frame(frame_name, frame, end_s_); !moved)
         return tell(std::move(moved.error()));
-    return selected_ ? SelectWorkFrames(selected_->tool, selected_->object) : Status::RRS_SUCCESS;
+    keep_frames();
+    if (Planned selected = select_frames(); !selected) return tell(std::move(selected.error()));
+    return Status::RRS_SUCCESS;
+}
+
+/// Those of what waits in the queue: when it is stepped through, it is told as it was planned.
+void DefaultPlanner::keep_frames() {
+    while (!frames_before_.empty() && frames_before_.front().until_s <= step_s_) frames_before_.pop_front();
+    const bool kept = !frames_before_.empty() && frames_before_.back().until_s >= end_s_;
+    if (step_s_ < end_s_ && !kept) frames_before_.push_back({end_s_, work_frames_});
+}
+
+/// The frames that are selected, as they are now.
+Planned DefaultPlanner::select_frames() {
+    auto frames = selected_ ? cell_->work_frames(selected_->tool, selected_->object)
+                            : cell_->work_frames(kToolFrame, "work");
+    if (!frames) return tl::unexpected(std::move(frames.error()));
+    work_frames_ = *frames;
+    tip_turns_ = tip_turns(setup_, work_frames_.tip_mm());
+    return {};
+}
+
+/// Those in which the step that began at `from_s` is told.
+const WorkFrames& DefaultPlanner::frames_of_step(double from_s) {
+    const auto is_over = [&](const FramesUntil& before) {
+        return before.until_s <= from_s || before.until_s < step_s_;
+    };
+    while (!frames_before_.empty() && is_over(frames_before_.front())) frames_before_.pop_front();
+    return frames_before_.empty() ? work_frames_ : frames_before_.front().frames;
 }
 
 Status DefaultPlanner::SelectWorkFrames(std::string_view tool_frame, std::string_view object_frame) {
     if (cell_ == nullptr) return Shell::SelectWorkFrames(tool_frame, object_frame);
     if (!initialized_) return not_initialized();
-    auto frames = cell_->work_frames(tool_frame, object_frame);
-    if (!frames) return tell(std::move(frames.error()));
-    work_frames_ = *frames;
-    tip_turns_ = tip_turns(setup_, work_frames_.tip_mm());
-    selected_ = SelectedFrames{std::string(tool_frame), std::string(object_frame)};
+    auto before =
+        std::exchange(selected_, SelectedFrames{std::string(tool_frame), std::string(object_frame)});
+    if (Planned selected = select_frames(); !selected) {
+        selected_ = std::move(before);
+        return tell(std::move(selected.error()));
+    }
     return Status::RRS_SUCCESS;
 }
 

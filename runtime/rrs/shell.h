@@ -43,7 +43,9 @@ class Shell {
     virtual Status GetForwardKinematics(const JointPos& joints, CartPos& pose);
     /// The frame called `frame_name` in the cell. RRS_UNKNOWN_FRAME.
     virtual Status GetCellFrame(std::string_view frame_name, CartPos& frame);
-    /// Gives the frame called `frame_name` (such as the robot's tool or base) a new value. RRS_UNKNOWN_FRAME.
+    /// Gives the frame called `frame_name` a new value for what follows: "tool" is the robot's tool centre
+    /// point in the frame of the last joint in front of it, "base" where the robot stands in the world.
+    /// RRS_UNKNOWN_FRAME.
     virtual Status ModifyCellFrame(std::string_view frame_name, const CartPos& frame);
     /// Selects the tool frame that moves and the object frame in which targets are given, and poses told.
     /// Default: the tool centre point and the work frame. RRS_UNKNOWN_FRAME; RRS_INVALID_PARAMETER where the

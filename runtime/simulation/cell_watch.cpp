@@ -24,8 +24,13 @@ std::array<double, 3> array_of(const Eigen::Vector3d& point) {
 
 }  // namespace
 
-CellWatch::CellWatch(cell::Cell cell, const machine::Machine& machine)
-    : machine_(machine), cell_(std::move(cell)), set_frames_(cell_.frames), watch_(cell_, machine_) {
+CellWatch::CellWatch(cell::Cell cell, const machine::Machine& machine, CellUse use)
+    : machine_(machine),
+      use_(use),
+      cell_(std::move(cell)),
+      set_frames_(cell_.frames),
+      machine_frames_(machine::make_kinematics(machine_)->chain()),
+      watch_(cell_, machine_) {
     findings_.name = cell_.name;
     findings_.clearance_mm = cell_.clearance_mm;
 }
@@ -47,7 +52,10 @@ tl::expected<std::size_t, PlanError> CellWatch::find_movable(std::string_view na
     if (set_frames_.is_of_machine(*found)) {
         return motion::refused(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("The frame '{}' is the machine's, whose file says where it is.", name));
+            fmt::format(
+                "The frame '{}' is the machine's, whose file says where it is; of its frames a program "
+                "moves 'tool' and 'base' alone, by ModifyCellFrame.",
+                name));
     }
     if (const auto moving = carrier_of(*found); moving && cell_.carried[*moving].conveyor) {
         return motion::refused(Status::RRS_INVALID_PARAMETER,
@@ -65,6 +73,7 @@ std::optional<std::size_t> CellWatch::carrier_of(std::size_t frame) const {
 }
 
 tl::expected<rrs::CartPos, PlanError> CellWatch::frame(std::string_view name, double time_s) const {
+    if (name == motion::kToolFrame) return machine_frames_.tool();
     return find(name).map([&](std::size_t found) {
         const auto moving = carrier_of(found);
         return moving ? cell_.carried[*moving].carrier.at(time_s) : set_frames_.in_parent(found);
@@ -72,16 +81,23 @@ tl::expected<rrs::CartPos, PlanError> CellWatch::frame(std::string_view name, do
 }
 
 Planned CellWatch::move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) {
-    const auto found = find_movable(name);
+    const bool of_machine = motion::MachineFrames::has(name);
+    const auto found = of_machine ? find(name) : find_movable(name);
     if (!found) return tl::unexpected(found.error());
     if (auto checked = kinematics::check_pose(pose); !checked)
         return motion::refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+    if (of_machine) machine_frames_.set(name, pose);
+    if (name == motion::kToolFrame) return {};
     if (const auto moving = carrier_of(*found)) {
         cell_.carried[*moving].carrier.add({.from_s = time_s, .pose = pose});
         return {};
     }
     set_frames_.move(*found, pose);
-    frame_moves_.push_back({time_s, *found, pose});
+    if (use_.watched) {
+        frame_moves_.push_back({time_s, *found, pose});
+    } else {
+        cell_.frames.move(*found, pose);  // no segment will come that the move waits for
+    }
     return {};
 }
 
@@ -132,25 +148,45 @@ tl::expected<cell::TouchSearch, std::string> CellWatch::touch_search(const Eigen
 
 /// Targets lead the tool centre point in the work frame, so that a frame that moves against one of them by
 /// itself cannot be meant.
-tl::expected<motion::WorkFrames, PlanError> CellWatch::work_frames(std::string_view tool_frame,
-                                                                   std::string_view object_frame) const {
-    const auto in_frame_of = [this](std::string_view name,
-                                    std::string_view of) -> tl::expected<rrs::CartPos, PlanError> {
-        const auto frame = find(name);
-        if (!frame) return tl::unexpected(frame.error());
-        const std::size_t origin = *set_frames_.find(of);
-        if (set_frames_.link(*frame) == set_frames_.link(origin))
-            return set_frames_.in_link(origin).inverse() * set_frames_.in_link(*frame);
-        return motion::refused(
-            Status::RRS_INVALID_PARAMETER,
-            fmt::format("The frame '{}' moves against the frame '{}', to which it would have to be attached.",
-                        name, of));
-    };
-    const auto tool = in_frame_of(tool_frame, "tool");
-    if (!tool) return tl::unexpected(tool.error());
-    const auto object = in_frame_of(object_frame, "work");
-    if (!object) return tl::unexpected(object.error());
+tl::expected<motion::WorkFrames, PlanError> CellWatch::work_frames(std::string_view tool_name,
+                                                                   std::string_view object_name) const {
+    auto tool = tip_frame(tool_name);
+    if (!tool) return tl::unexpected(std::move(tool.error()));
+    auto object = object_frame(object_name);
+    if (!object) return tl::unexpected(std::move(object.error()));
     return motion::WorkFrames{*tool, *object};
+}
+
+Planned CellWatch::moves_together(std::size_t frame, std::size_t origin) const {
+    if (set_frames_.link(frame) == set_frames_.link(origin)) return {};
+    return motion::refused(
+        Status::RRS_INVALID_PARAMETER,
+        fmt::format("The frame '{}' moves against the frame '{}', to which it would have to be attached.",
+                    set_frames_.name(frame), set_frames_.name(origin)));
+}
+
+/// A frame seen from the tool centre point of the kinematics.
+tl::expected<rrs::CartPos, PlanError> CellWatch::tip_frame(std::string_view name) const {
+    if (name == motion::kToolFrame) return machine_frames_.tool_shift();
+    const auto frame = find(name);
+    if (!frame) return tl::unexpected(frame.error());
+    const std::size_t tool = *set_frames_.find(motion::kToolFrame);
+    return moves_together(*frame, tool).map([&] {
+        return set_frames_.in_link(tool).inverse() * set_frames_.in_link(*frame);
+    });
+}
+
+/// A frame seen from the work frame of the kinematics, to which the world moves where the machine does.
+tl::expected<rrs::CartPos, PlanError> CellWatch::object_frame(std::string_view name) const {
+    const auto frame = find(name);
+    if (!frame) return tl::unexpected(frame.error());
+    const std::size_t work = *set_frames_.find("work");
+    if (*frame == work) return machine_frames_.work_frames().object;
+    return moves_together(*frame, work).map([&]() -> rrs::CartPos {
+        const rrs::CartPos origin = set_frames_.in_link(work);
+        if (set_frames_.link(work) != 0) return origin.inverse() * set_frames_.in_link(*frame);
+        return origin.inverse() * base_shift().inverse() * set_frames_.in_link(*frame);
+    });
 }
 
 /// Brings the frames to where they are in motion that begins at a time.

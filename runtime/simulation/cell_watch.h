@@ -8,27 +8,35 @@
 
 #include "runtime/cell/clearance_watch.h"
 #include "runtime/cell/touch_search.h"
-#include "runtime/motion/cell_frames.h"
+#include "runtime/motion/machine_frames.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/run_output.h"
 
 namespace gsim::simulation {
 
+/// What a run takes of a cell.
+struct CellUse {
+    bool of_file = true;  ///< A cell file describes it; else it is the machine alone, and no probe feels it.
+    bool watched = true;  ///< Contacts and near misses are looked for.
+};
+
 /// The cell of a run: looks at each segment for contacts and near misses of its block, and has the frames
 /// that programs may ask for and move.
 class CellWatch final : public RunOutput, public motion::CellFrames {
   public:
-    CellWatch(cell::Cell cell, const machine::Machine& machine);
+    CellWatch(cell::Cell cell, const machine::Machine& machine, CellUse use = {});
     CellWatch(const CellWatch&) = delete;
     CellWatch& operator=(const CellWatch&) = delete;
 
     const cell::Cell& cell() const { return cell_; }
+    const CellUse& use() const { return use_; }
     tl::expected<rrs::CartPos, motion::PlanError> frame(std::string_view name, double time_s) const override;
     motion::Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) override;
     motion::Planned carry_frame(std::string_view name) override;
     void lead_frame(std::string_view name, const rrs::CartPos& pose, double from_s, double to_s) override;
     tl::expected<motion::WorkFrames, motion::PlanError> work_frames(
         std::string_view tool_frame, std::string_view object_frame) const override;
+    const rrs::CartPos& base_shift() const override { return machine_frames_.base_shift(); }
 
     /// What a probe feels from a time on at which the machine is at rest, all its motion before having been
     /// taken; the cell must not change while the search is used. `tip_mm` and the error are those of
@@ -58,15 +66,22 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
 
     tl::expected<std::size_t, motion::PlanError> find(std::string_view name) const;
     tl::expected<std::size_t, motion::PlanError> find_movable(std::string_view name) const;
+    tl::expected<rrs::CartPos, motion::PlanError> tip_frame(std::string_view name) const;
+    tl::expected<rrs::CartPos, motion::PlanError> object_frame(std::string_view name) const;
+    motion::Planned moves_together(std::size_t frame, std::size_t origin) const;
     std::optional<std::size_t> carrier_of(std::size_t frame) const;
     void look_at(const motion::Segment& segment, const MoveInfo& info);
     void move_frames(double until_s);
     void end_block();
 
     machine::Machine machine_;
+    CellUse use_;
     cell::Cell cell_;
     /// Frames as the program has set them so far, which segments that are still to come may be behind.
     cell::FrameTree set_frames_;
+    /// The machine's own as the program has set them. In the trees "tool" is the file's: another tip moves no
+    /// body.
+    motion::MachineFrames machine_frames_;
     struct FrameMove {
         double time_s;
         std::size_t frame;

@@ -27,7 +27,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
 
     rrs::Shell& shell() override { return *this; }
     bool set_cell(motion::CellFrames& /*cell*/) override { return false; }
-    motion::WorkFrames work_frames() const override { return {}; }
+    std::optional<motion::WorkFrames> work_frames() const override { return std::nullopt; }
     void forget_position_speed() override {}
     void come_to_rest(bool waits) override;
     /// The module is stepped until `search` answers, and then to its stop: it has to offer StopMotion and

@@ -19,8 +19,8 @@ class MotionSource {
     virtual rrs::Shell& shell() = 0;
     /// Tells the controller of the cell, which must outlive this; false where it has frames of its own.
     virtual bool set_cell(motion::CellFrames& cell) = 0;
-    /// The frames of the controller's Cartesian targets, where they are the cell's.
-    virtual motion::WorkFrames work_frames() const = 0;
+    /// The frames of the controller's Cartesian targets; none where it does not tell.
+    virtual std::optional<motion::WorkFrames> work_frames() const = 0;
     /// No speed of the tool is programmed any more; a module keeps the last one, as no service takes it back.
     virtual void forget_position_speed() = 0;
     /// As rrs::Shell::ComeToRest(); a controller that has not that service comes to rest by itself.

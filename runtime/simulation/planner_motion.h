@@ -17,7 +17,7 @@ class PlannerMotion final : public MotionSource {
         planner_.set_cell(cell);
         return true;
     }
-    motion::WorkFrames work_frames() const override { return planner_.work_frames(); }
+    std::optional<motion::WorkFrames> work_frames() const override { return planner_.work_frames(); }
     void forget_position_speed() override { planner_.forget_position_speed(); }
     void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
     rrs::Status put_until(const std::function<rrs::Status()>& put,

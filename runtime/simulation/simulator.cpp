@@ -54,6 +54,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       centripetal_(machine_),
       zones_(machine_, recorder_),
       setup_(planner_setup(machine_)),
+      machine_frames_(setup_.kinematics->chain()),
       motion_(make_motion(std::move(module))),
       shell_(motion_->shell()),
       space_axes_(space_axes(machine_)),

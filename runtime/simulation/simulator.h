@@ -90,7 +90,7 @@ class Simulator {
     /// allow.
     bool probe(const ProbeMove& move, ProbeResult& result);
     /// Whether a line of the axes between two poses is none of the tool: for such machines PoseMove is made.
-    bool tip_turns() const { return motion::tip_turns(setup_, motion_->work_frames().tip_mm()); }
+    bool tip_turns() const { return motion::tip_turns(setup_, work_frames().tip_mm()); }
     /// Tool-centre-point control (TipFrame) for the moves that follow, with a tool length offset of the
     /// linear axes X, Y and Z in mm; none: off. The machine comes to rest; position() and all targets are
     /// coordinates of the tip while it is on.
@@ -183,8 +183,8 @@ class Simulator {
     const rrs::JointPos& joints() const { return motion_->position(); }
     /// The value of a frame of the cell; without a cell what the controller answers.
     rrs::Status get_cell_frame(std::string_view name, rrs::CartPos& frame);
-    /// Moves a frame of the cell at the present place of the program: the machine comes to rest first.
-    /// Without a cell what the controller answers.
+    /// Moves a frame of the cell, or one of motion::MachineFrames, at the present place of the program: the
+    /// machine comes to rest first. The machine's own are the controller's to move; without a cell all are.
     rrs::Status modify_cell_frame(std::string_view name, const rrs::CartPos& frame);
     /// Whether the cell has conveyors, whose motion it has to be told.
     bool has_conveyors() const { return cell_ != nullptr && cell_->has_conveyors(); }
@@ -225,6 +225,13 @@ class Simulator {
     bool feels_cell(const ProbeMove& move) const;
     tl::expected<std::unique_ptr<ProbeSignal>, std::string> probe_signal(const ProbeMove& move);
     tl::expected<std::unique_ptr<ProbeSignal>, std::string> cell_signal(bool away);
+    motion::WorkFrames work_frames() const {
+        return motion_->work_frames().value_or(machine_frames_.work_frames());
+    }
+    bool has_cell() const { return cell_ != nullptr && cell_->use().of_file; }
+    bool asks_controller() const { return controller_has_cell_ || !has_cell(); }
+    void machine_frame_changed(std::string_view name, const rrs::CartPos& frame);
+    tl::expected<TipFrame, std::string> tip_frame_of(const Eigen::Vector3d& offset_mm) const;
     std::unique_ptr<ProbeSignal> plane_signal(const ProbeMove& move);
     std::unique_ptr<ProbeSignal> part_signal(const ProbeMove& move) const;
     bool make_probe_move(const ProbeMove& move, ProbeSignal* signal, ProbeResult& result);
@@ -253,10 +260,12 @@ class Simulator {
     ProgramObserver* observer_ = nullptr;
     std::optional<WorkOffset> selected_offset_;  ///< As the program has selected it last.
     motion::PlannerSetup setup_;
+    motion::MachineFrames machine_frames_;  ///< As the program has set them.
     std::unique_ptr<MotionSource> motion_;
     rrs::Shell& shell_;                  ///< Of motion_.
     std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 where the machine has no such axis.
-    std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control.
+    std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control, with this offset:
+    Eigen::Vector3d tip_offset_mm_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d tool_offset_mm_ = Eigen::Vector3d::Zero();
     ProbeFeels probe_feels_;
     std::optional<double> solid_side_;  ///< Of the plane that probes feel: 1 above it, -1 below; once known.

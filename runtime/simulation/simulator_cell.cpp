@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/kinematics/pose.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -9,11 +10,11 @@ namespace gsim::simulation {
 void Simulator::set_cell(CellWatch& cell) {
     cell_ = &cell;
     controller_has_cell_ = motion_->set_cell(cell);
-    recorder_.add_output(cell);
+    if (cell.use().watched) recorder_.add_output(cell);
 }
 
 rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame) {
-    if (cell_ == nullptr || controller_has_cell_) return controller().GetCellFrame(name, frame);
+    if (asks_controller()) return controller().GetCellFrame(name, frame);
     const auto found = cell_->frame(name, motion_->time_s());
     if (!found) return found.error().status;
     frame = *found;
@@ -21,10 +22,27 @@ rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame
 }
 
 rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartPos& frame) {
-    if (cell_ == nullptr || controller_has_cell_) return controller().ModifyCellFrame(name, frame);
-    wait();
-    const motion::Planned moved = cell_->move_frame(name, frame, motion_->time_s());
-    return moved ? rrs::Status::RRS_SUCCESS : moved.error().status;
+    const bool of_machine = motion::MachineFrames::has(name);
+    if (of_machine && !kinematics::check_pose(frame)) return rrs::Status::RRS_INVALID_PARAMETER;
+    if (!asks_controller() || of_machine) wait();
+    if (asks_controller() || of_machine) {
+        const rrs::Status status = controller().ModifyCellFrame(name, frame);
+        if (static_cast<int>(status) < 0 || !of_machine) return status;
+    }
+    if (cell_ != nullptr && !controller_has_cell_) {
+        const motion::Planned moved = cell_->move_frame(name, frame, motion_->time_s());
+        if (!moved) return moved.error().status;
+    }
+    if (of_machine) machine_frame_changed(name, frame);
+    return rrs::Status::RRS_SUCCESS;
+}
+
+/// What counts from the tool centre point goes along with it.
+void Simulator::machine_frame_changed(std::string_view name, const rrs::CartPos& frame) {
+    machine_frames_.set(name, frame);
+    if (observer_ != nullptr)
+        observer_->untold_motion("the script moves the machine's own frame, 'tool' or 'base'");
+    if (tip_frame_) set_tip_control(Eigen::Vector3d(tip_offset_mm_), last_place_);
 }
 
 void Simulator::set_conveyor(std::string_view name, const Eigen::Vector3d& at_mm,
@@ -36,7 +54,7 @@ void Simulator::set_conveyor(std::string_view name, const Eigen::Vector3d& at_mm
 }
 
 void Simulator::add_cell_findings(Report& report) {
-    if (cell_ == nullptr) return;
+    if (cell_ == nullptr || !cell_->use().watched) return;
     report.cell = cell_->release();
     if (report.cell->dropped == 0) return;
     report.warnings.push_back(fmt::format(

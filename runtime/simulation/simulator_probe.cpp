@@ -67,10 +67,9 @@ std::unique_ptr<ProbeSignal> Simulator::part_signal(const ProbeMove& move) const
 }
 
 SignalOrError Simulator::cell_signal(bool away) {
-    Eigen::Vector3d tip_mm = tip_frame_ ? tip_frame_->tip_mm() : Eigen::Vector3d::Zero();
+    Eigen::Vector3d tip_mm = tip_frame_ ? tip_frame_->tip_mm() : machine_frames_.tool_shift().translation();
     if (!tip_frame_ && !tool_offset_mm_.isZero()) {
-        const AxisVector zero = AxisVector::Zero(static_cast<Eigen::Index>(machine_.axes.size()));
-        const auto frame = TipFrame::make(setup_, to_joints(zero), tool_offset_mm_);
+        const auto frame = tip_frame_of(tool_offset_mm_);
         if (!frame) return tl::unexpected(frame.error());
         tip_mm = frame->tip_mm();
     }
@@ -81,12 +80,12 @@ SignalOrError Simulator::cell_signal(bool away) {
 
 bool Simulator::touches_target(const ProbeMove& move) const {
     if (move.answer != ProbeMove::Answer::none_given) return move.answer == ProbeMove::Answer::at_part;
-    return probe_feels_.kind == ProbeFeels::Kind::surroundings && cell_ == nullptr;
+    return probe_feels_.kind == ProbeFeels::Kind::surroundings && !has_cell();
 }
 
 bool Simulator::feels_cell(const ProbeMove& move) const {
     return move.answer == ProbeMove::Answer::none_given &&
-           probe_feels_.kind == ProbeFeels::Kind::surroundings && cell_ != nullptr;
+           probe_feels_.kind == ProbeFeels::Kind::surroundings && has_cell();
 }
 
 /// None where no signal comes before the target.

@@ -8,13 +8,17 @@ using text::DiagnosticKind;
 
 using rrs::Status;
 
+tl::expected<TipFrame, std::string> Simulator::tip_frame_of(const Eigen::Vector3d& offset_mm) const {
+    const AxisVector zero = AxisVector::Zero(static_cast<Eigen::Index>(machine_.axes.size()));
+    return TipFrame::make(setup_, to_joints(zero), machine_frames_.tool_shift().translation(), offset_mm);
+}
+
 bool Simulator::set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm, const Place& place) {
     if (!offset_mm && !tip_frame_) return true;
     wait();
     std::optional<TipFrame> frame;
     if (offset_mm) {
-        const AxisVector zero = AxisVector::Zero(static_cast<Eigen::Index>(machine_.axes.size()));
-        auto made = TipFrame::make(setup_, to_joints(zero), *offset_mm);
+        auto made = tip_frame_of(*offset_mm);
         if (!made) return fail(DiagnosticKind::machine, made.error(), place);
         frame = *made;
     }
@@ -24,6 +28,7 @@ bool Simulator::set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm,
         return fail(DiagnosticKind::mode, "this controller has no tool-centre-point control", place);
     if (static_cast<int>(status) < 0) return refused(place);
     tip_frame_ = frame;
+    tip_offset_mm_ = offset_mm.value_or(Eigen::Vector3d::Zero());
     if (frame && observer_ != nullptr)
         observer_->untold_motion("tool-centre-point control (G43.4) moves the tip, not the axes");
     position_ = position_at(motion_->position());
@@ -40,7 +45,7 @@ AxisVector Simulator::position_at(const rrs::JointPos& joints) const {
 }
 
 tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
-    return setup_.kinematics->inverse(motion_->work_frames().tool_centre_of(pose), to_joints(position_))
+    return setup_.kinematics->inverse(work_frames().tool_centre_of(pose), to_joints(position_))
         .map([this](const rrs::JointPos& joints) { return to_axes(joints); });
 }
 
@@ -50,7 +55,7 @@ bool Simulator::move(const PoseMove& move) {
     info.timed = move.feed.motion_s.has_value();
     if (move.via) {
         info.turns = 1;
-        const motion::WorkFrames frames = motion_->work_frames();
+        const motion::WorkFrames frames = work_frames();
         set_axis(info, setup_.kinematics->forward(motion_->position()) * frames.tip_mm(),
                  (frames.object * *move.via).translation(), (frames.object * move.target).translation());
     }

@@ -9,13 +9,13 @@
 namespace gsim::simulation {
 
 tl::expected<TipFrame, std::string> TipFrame::make(const motion::PlannerSetup& setup,
-                                                   const rrs::JointPos& zero,
+                                                   const rrs::JointPos& zero, const Eigen::Vector3d& tool_mm,
                                                    const Eigen::Vector3d& offset_mm) {
     rrs::JointPos joints = zero;
     motion::put_position(setup.position_joints, Eigen::Vector3d::Zero(), joints);
     const rrs::CartPos origin = setup.kinematics->forward(joints);
     TipFrame frame;
-    frame.origin_mm_ = origin.translation();
+    frame.origin_mm_ = origin * tool_mm;
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0) {
@@ -25,7 +25,7 @@ tl::expected<TipFrame, std::string> TipFrame::make(const motion::PlannerSetup& s
         }
         rrs::JointPos moved = joints;
         moved[joint] += 1;
-        frame.directions_.col(axis) = setup.kinematics->forward(moved).translation() - frame.origin_mm_;
+        frame.directions_.col(axis) = setup.kinematics->forward(moved) * tool_mm - frame.origin_mm_;
     }
     if (!(frame.directions_.transpose() * frame.directions_).isIdentity(1e-9)) {
         return tl::unexpected(std::string(
@@ -33,7 +33,7 @@ tl::expected<TipFrame, std::string> TipFrame::make(const motion::PlannerSetup& s
             "not"));
     }
     frame.handedness_ = frame.directions_.determinant() < 0 ? -1 : 1;
-    frame.tip_mm_ = -(origin.linear().transpose() * (frame.directions_ * offset_mm));
+    frame.tip_mm_ = tool_mm - (origin.linear().transpose() * (frame.directions_ * offset_mm));
     return frame;
 }
 

@@ -14,11 +14,12 @@ namespace gsim::simulation {
 /// these at zero, and a tool of no length, the coordinates are the axes' own.
 class TipFrame {
   public:
-    /// `zero`: the joints with all axes at 0. `offset_mm`: how far the slides x, y, z have to go for the tip
-    /// of this tool to stand, with the other axes at zero, where that of none would (tool length offset). The
-    /// error is a sentence.
+    /// `zero`: the joints with all axes at 0. `tool_mm`: the machine's tool centre point, as the program has
+    /// set it, seen from that of the kinematics. `offset_mm`: how far the slides x, y, z have to go for the
+    /// tip of this tool to stand, with the other axes at zero, where that of none would (tool length offset).
+    /// The error is a sentence.
     static tl::expected<TipFrame, std::string> make(const motion::PlannerSetup& setup,
-                                                    const rrs::JointPos& zero,
+                                                    const rrs::JointPos& zero, const Eigen::Vector3d& tool_mm,
                                                     const Eigen::Vector3d& offset_mm);
 
     /// The tip in the frame of the tool centre point.

@@ -55,7 +55,7 @@ local status, pose = rrs.GetCellFrame("post")
 assert(status == 0 and pose[1][4] == 200, "frame")
 pose[1][4] = 400
 assert(rrs.ModifyCellFrame("post", pose) == 0)
-assert(rrs.ModifyCellFrame("tool", pose) < 0 and rrs.ModifyCellFrame("pots", pose) < 0)
+assert(rrs.ModifyCellFrame("X", pose) < 0 and rrs.ModifyCellFrame("pots", pose) < 0)
 G1{x=300}
 )");
     const Ended e = gsim_run({script, "--cell", cell_, "--json"});
@@ -126,7 +126,7 @@ TEST_F(Cell, TheSampleRunsWithItsMachine) {
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(holds(e.out, "nozzle and mould")) << e.out;
     const Ended quiet = gsim_run({part, "--cell", cell, "--quiet"});
-    EXPECT_TRUE(holds(quiet.err, "collisions in the cell: ")) << quiet.err;
+    EXPECT_TRUE(holds(quiet.err, "collisions: ")) << quiet.err;
 }
 
 TEST_F(Cell, FaultsOfTheFileAreErrorsOfUsage) {

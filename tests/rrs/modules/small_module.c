@@ -29,6 +29,7 @@
 #define HANGS_ON_LOAD 17
 #define ENDS_IN_CREATE 18
 #define HANGS_IN_CREATE 19
+#define HAS_BASE 20 /* no fault: it takes its base, too */
 
 #ifndef FAULT
 #define FAULT NO_FAULT
@@ -205,6 +206,10 @@ GSIM_RCS_EXPORT int32_t gsim_rcs_call(gsim_rcs_module* m, int32_t opcode, const 
             if (FAULT == NO_RAPID) return GSIM_RCS_NOT_SUPPORTED;
             m->rapid = ((const gsim_rcs_integer*)input)->value;
             return GSIM_RCS_SUCCESS;
+        case GSIM_RCS_MODIFY_CELL_FRAME:
+            if (FAULT == HAS_BASE && strcmp(((const gsim_rcs_frame*)input)->name, "base") == 0)
+                return GSIM_RCS_SUCCESS;
+            return GSIM_RCS_NOT_SUPPORTED;
         default: return GSIM_RCS_NOT_SUPPORTED;
     }
 }

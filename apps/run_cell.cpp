@@ -1,0 +1,35 @@
+#include "apps/run_cell.h"
+
+#include <utility>
+
+#include "runtime/cell/cell_file.h"
+#include "runtime/cell/machine_shapes.h"
+
+namespace gsim::apps {
+
+namespace {
+
+cell::Cell frames_alone(const machine::Machine& machine) {
+    return {.name = machine.name, .frames = cell::FrameTree(machine)};
+}
+
+}  // namespace
+
+tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine) {
+    if (!choice.collisions) return frames_alone(machine);
+    return choice.file.empty() ? cell::cell_of_machine(machine) : cell::load_cell(choice.file, machine);
+}
+
+tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
+    const CellChoice& choice, const machine::Machine& machine, std::span<const std::string> conveyors) {
+    const bool of_file = !choice.file.empty();
+    const bool watched = choice.collisions && of_file;
+    const auto watch = [&](cell::Cell cell) {
+        return std::make_unique<simulation::CellWatch>(
+            std::move(cell), machine, simulation::CellUse{.of_file = of_file, .watched = watched});
+    };
+    if (of_file) return cell::load_cell(choice.file, machine, conveyors).map(watch);
+    return watch(frames_alone(machine));
+}
+
+}  // namespace gsim::apps

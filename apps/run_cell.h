@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "runtime/simulation/cell_watch.h"
+
+namespace gsim::apps {
+
+/// What a run or a study of a machine is to look at.
+struct CellChoice {
+    std::string file;        ///< The cell file; empty: none, the machine's own bodies alone.
+    bool collisions = true;  ///< Else bodies are not looked at.
+};
+
+/// The bodies to look at. Meshes of the machine are read here; the error is a sentence.
+tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine);
+
+/// The cell of a run, which has the frames of the machine at least. `conveyors` as in cell::load_cell(). The
+/// error is a sentence.
+tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
+    const CellChoice& choice, const machine::Machine& machine, std::span<const std::string> conveyors = {});
+
+}  // namespace gsim::apps
