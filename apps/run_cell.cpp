@@ -23,12 +23,13 @@ tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, cons
 tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
     const CellChoice& choice, const machine::Machine& machine, std::span<const std::string> conveyors) {
     const bool of_file = !choice.file.empty();
-    const bool watched = choice.collisions && of_file;
+    const bool watched = choice.collisions && (of_file || !machine.shapes.empty());
     const auto watch = [&](cell::Cell cell) {
         return std::make_unique<simulation::CellWatch>(
             std::move(cell), machine, simulation::CellUse{.of_file = of_file, .watched = watched});
     };
     if (of_file) return cell::load_cell(choice.file, machine, conveyors).map(watch);
+    if (watched) return cell::cell_of_machine(machine).map(watch);
     return watch(frames_alone(machine));
 }
 
