@@ -170,7 +170,7 @@ class PathProgram::Sink : public path::MoveSink {
                                         codegen::ArcPlane::about_z};
         writer_.arc(values,
                     {kPlanes[static_cast<std::size_t>(move.arc->about)], !move.arc->counterclockwise,
-                     move.arc->center_offset_mm, move.arc->turn_rad},
+                     move.arc->center_offset_mm, move.arc->turn_rad, move.arc->turns},
                     feed);
     }
     void stand(const path::AxisValues& axes) override { writer_.stand(values_of(axes)); }
@@ -310,7 +310,12 @@ path::MoveOptions PathProgram::move_options() const {
     const auto oblique = post_->through_point          ? path::ObliqueArcs::through_points
                          : post_->refuses_oblique_arcs ? path::ObliqueArcs::refused
                                                        : path::ObliqueArcs::lines;
-    return {options_.tolerance_mm, digit_mm, oblique, offsets() != Offsets::machine};
+    return {options_.tolerance_mm,
+            digit_mm,
+            oblique,
+            offsets() != Offsets::machine,
+            !post_->turns_of_arcs.empty(),
+            {post_->tool_change.stops_spindle, post_->tool_change.stops_coolant}};
 }
 
 tl::expected<void, std::string> PathProgram::look_at_moves() {

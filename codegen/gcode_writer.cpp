@@ -282,6 +282,7 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
     }
     axis_words(values);
     for (const std::size_t direction : in_plane) word(kCenterLetters[direction], offsets[direction], length_);
+    if (words.turns > 1) code(fmt::format("{}{}", post_.turns_of_arcs, words.turns));
     feed_word(feed, words.turn_rad);
     end_block();
 }

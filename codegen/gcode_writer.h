@@ -32,6 +32,7 @@ struct ArcWords {
     bool clockwise = false;                    ///< Seen from the positive end of the axis it turns about.
     std::array<double, 3> center_offset_mm{};  ///< From the start, along X, Y and Z.
     double turn_rad = 0;                       ///< How far it turns.
+    int turns = 1;  ///< Circles that it begins; more than one only of a post that has a word for it.
 };
 
 /// A feed rate. Where the control can be told so, it is written as what it comes from.
@@ -76,7 +77,7 @@ class GcodeWriter {
     /// A rapid (without feed) or linear move to these values, one for each axis. Nothing is written where no
     /// word would change.
     void move(std::span<const double> values, const std::optional<WrittenFeed>& feed);
-    /// An arc or helix of one turn at most; a full circle ends where it starts.
+    /// An arc or helix; a full circle ends where it starts.
     void arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed);
     /// An arc through a point, whose X, Y and Z are given. Only of a post that has words for it.
     void arc_through(std::span<const double> values, const std::array<double, 3>& via_mm,

@@ -49,6 +49,14 @@ struct OffsetWords {
     bool operator==(const OffsetWords&) const = default;
 };
 
+/// What the word for the change of the tool stops by itself, as paths do not say.
+struct ToolChangeWords {
+    bool stops_spindle = false;
+    bool stops_coolant = false;
+
+    bool operator==(const ToolChangeWords&) const = default;
+};
+
 /// One controller's way of writing programs (docs/paths.md). Templates hold {number}, {title}, {program},
 /// {lower}, {unit}, {repeats}, {label}, {seconds}, {milliseconds}, {acceleration} and {system}.
 struct Post {
@@ -63,12 +71,14 @@ struct Post {
     std::string dwell;
     std::string
         start_position;  ///< Word of a block that names where the tool stands at the start; may be empty.
+    std::string turns_of_arcs;  ///< The letter of how many circles an arc begins; empty: one at most.
     std::optional<ThroughPoint> through_point;  ///< Of arcs in any plane; none: the controller has no word.
     bool refuses_oblique_arcs = false;          ///< Those it has no word for; otherwise they become lines.
     std::string thread;       ///< Word of a line in step with the spindle; empty: the controller has none.
     std::string thread_lead;  ///< The letter of its lead.
     FeedModes feed_modes;
     OffsetWords offsets;
+    ToolChangeWords tool_change;
     std::vector<std::string> acceleration;      ///< Lines that set it; empty: the controller has no words.
     std::vector<std::string> end_acceleration;  ///< Lines that take it back, at the program's end.
     std::vector<std::string> begin, end;        ///< Of the program.

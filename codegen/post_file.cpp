@@ -21,10 +21,10 @@ constexpr std::string_view kExtension = ".toml";
 constexpr int kMostDecimals = 6;
 constexpr int kMostDigits = 9;
 
-constexpr std::array<std::string_view, 11> kPostKeys = {"name",         "reads_as",   "numbers",    "blocks",
-                                                        "arcs",         "program",    "subprogram", "actions",
-                                                        "acceleration", "feed_modes", "offsets"};
-constexpr std::array<std::string_view, 2> kArcKeys = {"through_point", "oblique"};
+constexpr std::array<std::string_view, 12> kPostKeys = {
+    "name",       "reads_as", "numbers",      "blocks",     "arcs",    "program",
+    "subprogram", "actions",  "acceleration", "feed_modes", "offsets", "tool_change"};
+constexpr std::array<std::string_view, 3> kArcKeys = {"through_point", "oblique", "turns"};
 constexpr std::array<std::string_view, 2> kOblique = {"lines", "refuse"};
 constexpr std::array<std::string_view, 6> kNumberKeys = {
     "decimals_mm", "decimals_inch", "decimals_deg", "decimals_feed", "decimals_recorded_mm", "zeros"};
@@ -34,6 +34,8 @@ constexpr std::array<std::string_view, 4> kFeedModeKeys = {"per_minute", "invers
                                                            "inverse_time_of_arcs"};
 constexpr std::array<std::string_view, 6> kOffsetKeys = {"system", "systems", "machine",
                                                          "here",   "begin",   "end"};
+constexpr std::array<std::string_view, 1> kToolChangeKeys = {"stops"};
+constexpr std::array<std::string_view, 2> kStopped = {"spindle", "coolant"};
 constexpr std::array<std::string_view, 2> kTimesOfArcs = {"move", "radian"};
 constexpr std::array<std::string_view, 1> kSystemPlaces = {"system"};
 constexpr std::array<std::string_view, 2> kProgramKeys = {"begin", "end"};
@@ -83,6 +85,7 @@ class PostReader {
         }
         if (const auto* modes = section.table("feed_modes")) read_feed_modes(*modes);
         if (const auto* offsets = section.table("offsets")) read_offsets(*offsets);
+        if (const auto* change = section.table("tool_change")) read_tool_change(*change);
         if (const auto* actions = section.table("actions")) read_actions(*actions);
     }
 
@@ -155,9 +158,22 @@ class PostReader {
             section.fail("system", "'system' and 'systems' go together");
     }
 
+    void read_tool_change(const toml::table& table) {
+        TomlSection section(error_, table, "[tool_change]", kToolChangeKeys);
+        for (const std::string& stopped : lines(section, "stops", {})) {
+            const auto at = std::find(kStopped.begin(), kStopped.end(), stopped);
+            if (at == kStopped.end())
+                section.fail("stops", fmt::format("'stops' holds {}, not \"{}\"",
+                                                  fmt::join(kStopped, " and "), stopped));
+            (at == kStopped.begin() ? post_.tool_change.stops_spindle : post_.tool_change.stops_coolant) =
+                true;
+        }
+    }
+
     void read_arcs(const toml::table& table) {
         TomlSection section(error_, table, "[arcs]", kArcKeys);
         post_.refuses_oblique_arcs = section.choice("oblique", 0, kOblique) == 1;
+        post_.turns_of_arcs = word(section, "turns");
         if (!section.has("through_point")) return;
         std::vector<std::string> words = lines(section, "through_point", {});
         if (words.size() != 4) {

@@ -114,6 +114,7 @@ Status DefaultPlanner::SetNextRest(rrs::TargetId id, double rest_s) {
         return refuse(Status::RRS_INVALID_PARAMETER,
                       fmt::format("A rest takes from 0 to {} s; {} was asked for.", kLongest_s, rest_s));
     }
+    come_to_rest(true);
     append_rest(id, dwell_s(rest_s));
     return Status::RRS_SUCCESS;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/path/arc_blocks.h"
 #include "runtime/path/pieces.h"
 
 namespace gsim::path {
@@ -14,10 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFullTurn_rad = 2 * std::numbers::pi;
-constexpr double kLeastHeightSteps = 4;  // of the third of them above the chord
-constexpr double kLeastSteps = 20;       // of a program's numbers, in an arc's radius and between its ends
-constexpr double kGreatestRadius_mm = 1e5;
+constexpr double kMoreThanACircle_rad = 2 * std::numbers::pi * (1 + 1e-9);
 constexpr double kGreatestRotaryTurn_deg = 360'000;
 constexpr int kRangeSamples = 16;
 constexpr double kSamePlace_mm = 1e-6;
@@ -72,10 +70,8 @@ class Walk {
     using PieceOfArc = std::optional<AxisArc> (TipMotion::*)(double from, double to,
                                                              double tolerance_mm) const;
     bool arcs(const TipMotion& motion, const Feed& feed);
-    bool arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfArc piece_of);
-    int pieces_in_plane(const ArcShape& arc) const;
-    int pieces_through_points(const ArcShape& arc) const;
-    bool is_worth_an_arc(const ArcShape& arc) const;
+    bool arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfArc piece_of, int turns = 1);
+    std::optional<Fault> act(const Point& point, const State& before);
 
     const MachineSpace& space_;
     const PathTurns& turns_;
@@ -119,7 +115,19 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
     rotary_ = rotary;
     if (failed) return failed;
     if (point.dwell_s > 0) sink_.dwell(point.dwell_s);
-    for (const std::string& action : point.actions) sink_.action(action);
+    return act(point, before);
+}
+
+std::optional<Fault> Walk::act(const Point& point, const State& before) {
+    Running running = before.running;
+    for (const std::string& action : point.actions) {
+        sink_.action(action);
+        running.pass(action);
+        if (!is_tool_change(action)) continue;
+        const auto again = restored(running, options_.tool_change_stops);
+        if (!again) return fault(again.error());
+        for (const std::string& each : *again) sink_.action(each);
+    }
     return std::nullopt;
 }
 
@@ -186,7 +194,7 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
         }
     }
     if (motion.arc()) {
-        if (!is_worth_an_arc(*motion.arc()) && (!space_.coupled() || motion.turn_deg() == 0)) {
+        if (!is_worth_an_arc(*motion.arc(), options_) && (!space_.coupled() || motion.turn_deg() == 0)) {
             // The program's numbers say no more of such an arc.
             lines(motion, *feed, std::min(options_.tolerance_mm, options_.resolution_mm / 2));
             return std::nullopt;
@@ -261,42 +269,18 @@ void Walk::lines(const TipMotion& motion, const Feed& feed, double tolerance_mm)
     });
 }
 
-// A short arc's rounded end may lie on the wrong side of its rounded start.
-bool Walk::is_worth_an_arc(const ArcShape& arc) const {
-    const double least = kLeastSteps * options_.resolution_mm;
-    const double radius = arc.radius_mm();
-    return radius >= least && radius <= kGreatestRadius_mm && radius * arc.turn_rad >= least;
-}
-
-// Arcs of a turn at most; one that nearly closes is halved, since rounding might close it.
-int Walk::pieces_in_plane(const ArcShape& arc) const {
-    const double turns = arc.turn_rad / kFullTurn_rad;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
-    const double gap_mm = std::abs(turns / pieces - 1) * kFullTurn_rad * arc.radius_mm();
-    const bool closed = gap_mm < 1e-6 && std::abs(arc.radius_mm() - arc.end_radius_mm) < 1e-6;
-    return !closed && gap_mm < kLeastSteps * options_.resolution_mm ? 2 * pieces : pieces;
-}
-
-// The printed ends of an arc that nearly closes say little of the plane that they lie in: rounded by a digit,
-// they tilt it about the third point. It is halved where it would leave the tolerance. 0: the third point is
-// hardly off the line between the ends.
-int Walk::pieces_through_points(const ArcShape& arc) const {
-    const double least_gap = std::min(2.0, options_.resolution_mm / options_.tolerance_mm);  // in radii
-    const double widest_rad = kFullTurn_rad - 2 * std::asin(least_gap / 2);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(arc.turn_rad / widest_rad - 1e-9)));
-    const double height_mm = arc.radius_mm() * (1 - std::cos(arc.turn_rad / pieces / 2));
-    return height_mm >= kLeastHeightSteps * options_.resolution_mm ? pieces : 0;
-}
-
 bool Walk::arcs(const TipMotion& motion, const Feed& feed) {
     const ArcShape& arc = *motion.arc();
-    if (!options_.arcs || !is_worth_an_arc(arc)) return false;
-    if (arcs(motion, feed, pieces_in_plane(arc), &TipMotion::axis_arc)) return true;
+    if (!options_.arcs || !is_worth_an_arc(arc, options_)) return false;
+    const bool bends = space_.coupled() && motion.turn_deg() > 0;
+    const int turns = bends ? 1 : turns_in_one(arc, options_);
+    if (turns > 1 && arcs(motion, feed, 1, &TipMotion::axis_arc, turns)) return true;
+    if (arcs(motion, feed, pieces_in_plane(arc, options_), &TipMotion::axis_arc)) return true;
     return options_.oblique_arcs == ObliqueArcs::through_points &&
-           arcs(motion, feed, pieces_through_points(arc), &TipMotion::oblique_arc);
+           arcs(motion, feed, pieces_through_points(arc, options_), &TipMotion::oblique_arc);
 }
 
-bool Walk::arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfArc piece_of) {
+bool Walk::arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfArc piece_of, int turns) {
     std::vector<AxisArc> found;
     found.reserve(static_cast<std::size_t>(pieces));
     for (int i = 0; i < pieces; ++i) {
@@ -305,10 +289,13 @@ bool Walk::arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfAr
         if (!piece) return false;
         found.push_back(*piece);
     }
+    if (turns == 1 && motion.arc()->turn_rad > kMoreThanACircle_rad)
+        sink_.note(here(), "an arc of several turns by several blocks");
     for (int i = 0; i < pieces; ++i) {
         AxisMove move = feed_move(motion.at(static_cast<double>(i + 1) / pieces), feed, 1.0 / pieces);
         move.arc = found[static_cast<std::size_t>(i)];
         move.arc->turn_rad = motion.arc()->turn_rad / pieces;
+        move.arc->turns = turns;
         sink_.move(move);
     }
     return pieces > 0;

@@ -14,13 +14,13 @@
 
 namespace gsim::path {
 
-/// An arc in one of the planes of X, Y and Z, of one turn at most; what it moves along the third axis makes
-/// it a helix.
+/// An arc in one of the planes of X, Y and Z; what it moves along the third axis makes it a helix.
 struct AxisArc {
     int about = 2;                  ///< The axis that it turns about: 0 X, 1 Y, 2 Z.
     bool counterclockwise = false;  ///< By the right hand about that axis.
     Vector center_offset_mm{};      ///< From the start, along X, Y and Z.
     double turn_rad = 0;            ///< > 0
+    int turns = 1;                  ///< Circles that it begins; one unless MoveOptions::arcs_of_turns.
     /// X, Y and Z halfway, of an arc in an oblique plane. That tells the arc; of the above turn_rad alone
     /// counts then.
     std::optional<Vector> via_mm = {};
@@ -63,7 +63,9 @@ struct MoveOptions {
     double tolerance_mm = 0.01;    ///< How far pieces may be off the path.
     double resolution_mm = 0.001;  ///< Smallest step of a program's numbers.
     ObliqueArcs oblique_arcs = ObliqueArcs::lines;
-    bool arcs = true;  ///< Whether arcs may stay arcs.
+    bool arcs = true;                        ///< Whether arcs may stay arcs.
+    bool arcs_of_turns = false;              ///< Whether one may turn by more than a circle.
+    ToolChangeStops tool_change_stops = {};  ///< What is set going again behind a change of the tool.
 };
 
 /// Turns the points of a path into moves of the axes. Arcs stay arcs where they lie in a plane of the axes,

@@ -11,11 +11,6 @@ void set(Inherited<T>& target, const std::optional<T>& value) {
     if (value) target = Inherited<T>(*value);
 }
 
-template <typename T>
-void set(Inherited<T>& target, const Inherited<T>& value) {
-    set(target, value.value());
-}
-
 }  // namespace
 
 void State::merge(const State& other) {
@@ -27,6 +22,7 @@ void State::merge(const State& other) {
     work_offset.merge(other.work_offset);
     jet_on.merge(other.jet_on);
     abrasive_on.merge(other.abrasive_on);
+    running.merge(other.running);
 }
 
 void State::pass(const Point& point) {
@@ -41,6 +37,7 @@ void State::pass(const Point& point) {
         if (action == "waterjet_off") jet_on = Inherited<bool>(false);
         if (action == "abrasive_on") abrasive_on = Inherited<bool>(true);
         if (action == "abrasive_off") abrasive_on = Inherited<bool>(false);
+        running.pass(action);
     }
 }
 
@@ -87,14 +84,15 @@ void States::enter(std::size_t path, const State& state) {
 void States::pass(State& state, const Target& target) const {
     if (const auto* point = std::get_if<Point>(&target)) return state.pass(*point);
     const State& change = changes_[std::get<SubPath>(target).path];
-    set(state.position_mm, change.position_mm);
-    set(state.orientation, change.orientation);
-    set(state.feed_mm_min, change.feed_mm_min);
-    set(state.feed_deg_min, change.feed_deg_min);
-    set(state.feed_mm_rev, change.feed_mm_rev);
-    set(state.work_offset, change.work_offset);
-    set(state.jet_on, change.jet_on);
-    set(state.abrasive_on, change.abrasive_on);
+    state.position_mm.set(change.position_mm);
+    state.orientation.set(change.orientation);
+    state.feed_mm_min.set(change.feed_mm_min);
+    state.feed_deg_min.set(change.feed_deg_min);
+    state.feed_mm_rev.set(change.feed_mm_rev);
+    state.work_offset.set(change.work_offset);
+    state.jet_on.set(change.jet_on);
+    state.abrasive_on.set(change.abrasive_on);
+    state.running.set(change.running);
 }
 
 }  // namespace gsim::path

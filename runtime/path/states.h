@@ -4,30 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "runtime/path/inherited.h"
+#include "runtime/path/running.h"
 #include "runtime/path/validate.h"
 
 namespace gsim::path {
-
-/// A value that a path takes over from those that use it: not there, the same from all of them, or not.
-template <typename T>
-class Inherited {
-  public:
-    Inherited() = default;
-    explicit Inherited(T value) : value_(std::move(value)) {}
-
-    const std::optional<T>& value() const { return value_; }
-    bool differs() const { return differs_; }
-    /// Takes in what another user hands over.
-    void merge(const Inherited& other) {
-        differs_ = differs_ || other.differs_ || value_ != other.value_;
-        if (differs_) value_.reset();
-    }
-    bool operator==(const Inherited&) const = default;
-
-  private:
-    std::optional<T> value_;
-    bool differs_ = false;
-};
 
 /// What holds at one moment of a program.
 struct State {
@@ -37,6 +18,7 @@ struct State {
     Inherited<double> feed_mm_rev;  ///< 0 where feed_mm_min is none by turns of the spindle.
     Inherited<std::string> work_offset;
     Inherited<bool> jet_on, abrasive_on;
+    Running running;
 
     void merge(const State& other);
     /// What a point changes, its actions included.

@@ -64,9 +64,8 @@ void PathRecorder::begin(const AxisVector& at) {
 // A move is told next.
 void PathRecorder::moves(const AxisVector& from) {
     begin(from);
-    if (rests_) act(from, "rest");
-    rests_ = false;
-    has_moved_ = true;
+    tell_rest(from);
+    time_has_passed_ = true;
 }
 
 void PathRecorder::set_feed(Point& point, const Feed& feed, bool rotary_alone) {
@@ -181,11 +180,18 @@ void PathRecorder::dwell(const AxisVector& at, double seconds) {
     const Point* last = builder_.last_point();
     if (last == nullptr || last->dwell_s > 0 || !last->actions.empty()) hold(at);
     builder_.last_point()->dwell_s = seconds;
-    has_moved_ = rests_ = false;
+    rests_ = false;
+    time_has_passed_ = true;
+}
+
+// What follows begins at rest, which no dwell or switch says.
+void PathRecorder::tell_rest(const AxisVector& at) {
+    if (std::exchange(rests_, false)) act(at, "rest");
 }
 
 void PathRecorder::act(const AxisVector& at, std::string action) {
     if (is_full()) return;
+    tell_rest(at);
     begin(at);
     if (builder_.last_point() == nullptr) hold(at);
     builder_.last_point()->actions.push_back(std::move(action));
@@ -197,7 +203,7 @@ void PathRecorder::event(const AxisVector& at, const simulation::Event& event, b
         if (at_rest) rest(at);
         return;
     }
-    if (at_rest) has_moved_ = rests_ = false;
+    if (at_rest) time_has_passed_ = rests_ = false;
     act(at, *std::move(name));
 }
 
@@ -215,6 +221,7 @@ void PathRecorder::untold_motion(std::string_view why) {
 }
 
 tl::expected<path::Program, std::string> PathRecorder::finish(const std::string& name) {
+    if (builder_.has_targets()) tell_rest(rest_at_);
     if (fault_.empty() && !builder_.has_targets()) fault_ = "the program neither moves nor switches anything";
     if (!fault_.empty()) return tl::unexpected(fault_);
     path::Program program = builder_.finish(name);

@@ -66,6 +66,7 @@ class PathRecorder final : public simulation::ProgramObserver {
     bool is_full();
     void begin(const simulation::AxisVector& at);
     void moves(const simulation::AxisVector& from);
+    void tell_rest(const simulation::AxisVector& at);
     void act(const simulation::AxisVector& at, std::string action);
     path::Point point_at(const simulation::AxisVector& axes, path::MotionType motion);
     void set_feed(path::Point& point, const simulation::Feed& feed, bool rotary_alone);
@@ -88,8 +89,9 @@ class PathRecorder final : public simulation::ProgramObserver {
     std::map<std::string, path::WorkOffset, std::less<>> work_offsets_;
     simulation::PathPassing passing_{rrs::PathMode::continuous, 0, 0};  // in which programs begin
     std::optional<double> spindle_rev_min_;
-    bool has_moved_ = false;  // since the machine was at rest
-    bool rests_ = false;      // before the next move, though no dwell or switch says so
+    bool time_has_passed_ = false;  // since the machine has last waited
+    bool rests_ = false;            // before what follows, though no dwell or switch says so
+    simulation::AxisVector rest_at_;
     std::set<std::string> notes_;
     std::string fault_;
 };

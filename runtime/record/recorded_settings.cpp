@@ -19,9 +19,10 @@ constexpr std::array<std::string_view, 3> kRampLimits = {"acceleration", "decele
 }  // namespace
 
 // What follows begins at rest, which a dwell or a switch says already.
-void PathRecorder::rest(const AxisVector&) {
-    rests_ = rests_ || has_moved_;
-    has_moved_ = false;
+void PathRecorder::rest(const AxisVector& at) {
+    rests_ = rests_ || time_has_passed_;
+    rest_at_ = at;
+    time_has_passed_ = false;
 }
 
 void PathRecorder::spindle_speed(const AxisVector& at, double rev_min) {

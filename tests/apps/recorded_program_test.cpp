@@ -79,9 +79,41 @@ TEST_F(RecordedProgram, SaysToolsSpeedsSwitchesModesAndFeedsAgain) {
               "N00050 G93 G01 X50.000 F30\nN00055 G17 G02 X70.000 I10.000 J0.000 F20\nN00060 G61\n"
               "N00065 G94 G01 Y40.000 F500.000\nN00070 G64\nN00075 G48.1 X500\nN00080 G48.1 Y400\n"
               "N00085 X20.000 F2000.000\nN00090 G48\nN00095 G95 X60.000 F0.5\nN00100 #1103=1\n"
-              "N00105 G04 P0.500\nN00110 G55\nN00115 G00 X100.000 Y100.000 Z50.000 B0.000 C0.000\n"
-              "N00120 G33 Z45.000 F2\nN00125 G09 G94 G01 X90.000 F700.000\nN00130 M01\nN00135 M19\n"
-              "N00140 M09\nN00145 M05\nN00150 G92.1\nN00155 M02\n%\n");
+              "N00105 G04 P0.500\nN00110 G04 P0.000\nN00115 G55\n"
+              "N00120 G00 X100.000 Y100.000 Z50.000 B0.000 C0.000\nN00125 G33 Z45.000 F2\n"
+              "N00130 G09 G94 G01 X90.000 F700.000\nN00135 M01\nN00140 M19\nN00145 M09\nN00150 M05\n"
+              "N00155 G92.1\nN00160 M02\n%\n");
+}
+
+// Where the control has a word for turns an arc of several comes back as one block, helices included.
+TEST_F(RecordedProgram, ArcsOfSeveralTurnsAreOneBlock) {
+    record("G21 G90 G0 X10 Y10 Z200\nG2 X10 Y10 I20 J0 P3 F600\nG3 X50 Y10 Z190 I20 J0 P2\nM2\n",
+           {"--dialect", "rs274ngc"});
+    const std::string ngc = written({"--dialect", "rs274ngc"});
+    EXPECT_TRUE(holds(ngc, "G17 G02 X10 Y10 I20 J0 P3 F600\nG03 X50 Z190 I20 J0 P2\n")) << ngc;
+    EXPECT_FALSE(holds(written(), " P"));
+}
+
+// LinuxCNC's M6 stops the spindle, the change of the recorded run did not: it went on cutting with it on.
+TEST_F(RecordedProgram, ASpindleThatAChangeOfTheToolStopsIsSetGoingAgain) {
+    record("S1200 M4\nT3 M6\nG1 X10 F600\nM5\nM6\nG1 X20\nM30\n");
+    const std::string ngc = written({"--dialect", "rs274ngc"});
+    EXPECT_TRUE(holds(ngc, "S1200\nM4\nT3\nM6\nS1200\nM4\nG01 X10 F600\nM5\nM6\nX20\n")) << ngc;
+    EXPECT_TRUE(holds(written(), "M06\nN00040 G01")) << written();
+    record("S1200 M3\nM8\nM6\nG1 X10 F600\nM9\nM6\nM30\n");
+    const std::string fanuc = written({"--dialect", "fanuc"});
+    EXPECT_TRUE(holds(fanuc, "M06\nN70 S1200\nN80 M03\nN90 M08\nN100 G01 X10. F600.\n")) << fanuc;
+    EXPECT_TRUE(holds(fanuc, "M09\nN120 M06\nN130 S1200\nN140 M03\n")) << fanuc;
+}
+
+// The same subprogram, once with the spindle on and once with it off.
+TEST_F(RecordedProgram, AChangeOfTheToolWithTheSpindleOnAndOffIsRefused) {
+    record("M3\nG1 X10 F600\nM98 P2\nM5\nG1 X10\nM98 P2\nM30\n%\nO2\nM6\nG0 X20\nM99\n");
+    EXPECT_EQ(refusal({"--dialect", "rs274ngc"}),
+              "x.path.json:7:1: error: this control stops the spindle to change the tool, and the "
+              "places that lead to this change hand over different states of it; switch it by an action in "
+              "front of the change\n");
+    EXPECT_TRUE(holds(written(), "M06\n"));
 }
 
 TEST_F(RecordedProgram, WhatAControlHasNoWordForIsRefusedByName) {

@@ -142,6 +142,13 @@ TEST(PostFile, TheBuiltInOnesAreThere) {
         "there is no post 'gbrl'; there are ab9, fanuc, rs274ngc, grbl, or name a file that ends in .toml");
 }
 
+TEST(PostFile, SaysWhatAChangeOfTheToolStops) {
+    const auto stops = [](const std::string& name) { return find_post(name).value().tool_change; };
+    EXPECT_EQ(stops("rs274ngc"), (ToolChangeWords{true, false}));
+    EXPECT_EQ(stops("fanuc"), (ToolChangeWords{true, true}));
+    EXPECT_EQ(stops("ab9"), ToolChangeWords{});
+}
+
 TEST(PostFile, ErrorsNameThePlace) {
     const auto error = [](const std::string& text) { return read_post(text, "p").error(); };
     EXPECT_EQ(error("name = 1"), "p:1:8: 'name' must be a string, not a number");
@@ -159,6 +166,9 @@ TEST(PostFile, ErrorsNameThePlace) {
     EXPECT_EQ(
         error(head + numbers + blocks + "[arcs]\nthrough_point = [\"CIP\", \"I1=\"]"),
         "p:14:17: 'through_point' takes four strings: the code, and the letters of X, Y and Z of the point");
+    EXPECT_EQ(
+        error(head + numbers + blocks + "[program]\nbegin = []\nend = []\n[tool_change]\nstops = [\"jet\"]"),
+        "p:17:9: 'stops' holds spindle and coolant, not \"jet\"");
 }
 
 }  // namespace

@@ -74,10 +74,11 @@ ExprPtr Values::operation(const Names& names, int depth) {
                 return binary(base, "**", number(random_.pick(kPowers)));
             }
             return binary(a, "/", constant(1, 9));
-        default:
-            if (dialect_ == Dialect::ngc) return binary(a, random_.pick(kLogic), leaf(names));
-            return binary(function("FIX", binary(a, "MOD", number("64"))), random_.pick(kLogic),
-                          constant(0, 40, 0));
+        default: {
+            const char* const logic = random_.pick(kLogic);
+            if (dialect_ == Dialect::ngc) return binary(a, logic, leaf(names));
+            return binary(function("FIX", binary(a, "MOD", number("64"))), logic, constant(0, 40, 0));
+        }
     }
 }
 
@@ -88,9 +89,11 @@ ExprPtr Values::any(const Names& names, int depth) {
 }
 
 ExprPtr Values::wrapped(const Names& names, int depth) {
-    if (random_.chance(2))
-        return binary(binary(any(names, depth), "MOD", number("80")), "-", constant(0, 40));
-    return binary(constant(5, 60), "*", function(random_.chance(2) ? "SIN" : "COS", any(names, depth)));
+    const bool by_remainder = random_.chance(2);
+    const ExprPtr a = any(names, depth);
+    if (by_remainder) return binary(binary(a, "MOD", number("80")), "-", constant(0, 40));
+    const char* const wave = random_.chance(2) ? "SIN" : "COS";
+    return binary(constant(5, 60), "*", function(wave, a));
 }
 
 ExprPtr Values::coordinate(const Names& names) {
@@ -102,9 +105,15 @@ ExprPtr Values::coordinate(const Names& names) {
     return filled(names);
 }
 
+// A name or number, moved by a constant up to `most`.
+ExprPtr Values::shifted(const Names& names, double most) {
+    const ExprPtr a = leaf(Names{.readable = names.readable});
+    return sum(a, constant(-most, most));
+}
+
 ExprPtr Values::filled(const Names& names) {
     switch (random_.whole(0, 7)) {
-        case 0: return sum(leaf(Names{.readable = names.readable}), constant(-20, 20));
+        case 0: return shifted(names, 20);
         case 1: return wrapped(names, 2);
         case 2: return negative(wrapped(names, 1));
         default: return constant(-60, 60);
@@ -122,19 +131,22 @@ ExprPtr Values::comparison(const Names& names) {
     const ExprPtr a = random_.chance(2) ? leaf(names) : any(names, 1);
     if (random_.chance(10))  // equal in RS274/NGC, where EQ has a tolerance
         return binary(a, random_.chance(2) ? "EQ" : "NE", sum(a, number("0.00005")));
-    return binary(a, random_.pick(kComparisons), leaf(names));
+    const char* const comparison = random_.pick(kComparisons);
+    return binary(a, comparison, leaf(names));
 }
 
 ExprPtr Values::condition(const Names& names) {
     static constexpr const char* kJoints[] = {"AND", "OR", "XOR"};
     if (!random_.chance(3)) return comparison(names);
-    return binary(comparison(names), random_.pick(kJoints), comparison(names));
+    const ExprPtr a = comparison(names);
+    const char* const joint = random_.pick(kJoints);
+    return binary(a, joint, comparison(names));
 }
 
 ExprPtr Values::assigned(const Names& names) {
     switch (random_.whole(0, 5)) {
         case 0: return coordinate(names);
-        case 1: return sum(leaf(Names{.readable = names.readable}), constant(-5, 5));
+        case 1: return shifted(names, 5);
         case 2: return constant(-50, 50);
         default: return wrapped(names, 3);
     }

@@ -62,6 +62,7 @@ class Values {
     ExprPtr operation(const Names& names, int depth);
     ExprPtr comparison(const Names& names);
     ExprPtr wrapped(const Names& names, int depth);
+    ExprPtr shifted(const Names& names, double most);
 
     Dialect dialect_;
     Random& random_;

@@ -314,6 +314,23 @@ TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
     EXPECT_THAT(points[3].actions, ElementsAre("message hello", "rest"));
 }
 
+// A control that takes time for each wait takes it again behind a dwell, and where nothing follows.
+TEST(PathRecorder, RestIsSaidBehindADwellAndAtTheEnd) {
+    RunOf run(sample("af5"));
+    run.line(run.axes({10, 0, 0, 0, 0}));
+    run.simulator.wait();
+    run.simulator.dwell(0.5, {});
+    run.simulator.wait();
+    run.simulator.event("message", "hello", {}, Simulator::When::in_passing);
+    run.line(run.axes({20, 0, 0, 0, 0}));
+    run.simulator.wait();
+    const std::vector<Point> points = run.points();
+    ASSERT_EQ(points.size(), 3U);
+    EXPECT_EQ(points[1].dwell_s, 0.5);
+    EXPECT_THAT(points[1].actions, ElementsAre("rest", "message hello"));
+    EXPECT_THAT(points[2].actions, ElementsAre("rest"));
+}
+
 TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
     RunOf run(sample("af5"));
     LineMove move;

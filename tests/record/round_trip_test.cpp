@@ -51,7 +51,7 @@ class Record : public apps::Apps {
         for (std::string line; std::getline(text, line);) {
             if (const auto comment = line.find('('); comment != std::string::npos) line.resize(comment);
             if (line.starts_with('N')) line.erase(0, line.find(' ') + 1);
-            if (!line.starts_with("G92")) lines.push_back(line);
+            if (!line.starts_with("G92") && !line.empty()) lines.push_back(line);
         }
         return lines;
     }
@@ -214,7 +214,7 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
     ASSERT_EQ(gsim_run({part, "--machine", machine, "--quiet", "--record", "part.path.json"}).status, 0);
     const auto post = [&](const std::string& arcs) {
         std::string text = read(GSIM_SAMPLES "/posts/rs274ngc.toml");
-        return write("own.toml", text.insert(text.find("[program]"), arcs));
+        return write("own.toml", text.insert(text.find("turns ="), arcs));
     };
     const std::vector<std::string> common{"part.path.json", "--machine", machine, "--dialect"};
     const auto written = [&](const std::string& arcs) {
@@ -226,14 +226,14 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
     EXPECT_EQ(lines.status, 0) << lines.err;
     EXPECT_TRUE(holds(lines.out, "(an arc outside the planes of the axes by lines within 0.01 mm)"))
         << lines.out;
-    const Ended refused = written("[arcs]\noblique = \"refuse\"\n");
+    const Ended refused = written("oblique = \"refuse\"\n");
     EXPECT_EQ(refused.status, 1);
     EXPECT_TRUE(
         holds(refused.err,
               "this arc lies outside the planes of X, Y and Z, and the post refuses such arcs ([arcs], "
               "oblique)"))
         << refused.err;
-    const Ended through = written("[arcs]\nthrough_point = [\"G2.4\", \"I\", \"J\", \"K\"]\n");
+    const Ended through = written("through_point = [\"G2.4\", \"I\", \"J\", \"K\"]\n");
     EXPECT_TRUE(holds(through.out, "G2.4 X120 I110 J8 K6 F1000\n")) << through.out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -91,7 +92,38 @@ std::vector<MadeEvent> events_of(const RunRecord& run, const std::set<std::strin
     std::vector<MadeEvent> events;
     for (const MadeEvent& event : run.events) {
         const bool repeated = event.kind != "probe" && event.kind != "tool_table";
-        if (repeated && !unsaid.contains(name_of(event))) events.push_back(event);
+        if (!repeated || unsaid.contains(name_of(event))) continue;
+        if (event.kind == "overrides_on" || event.kind == "overrides_off") {
+            // M48 and M49 are two events in RS274/NGC.
+            const std::string state = event.kind == "overrides_on" ? " enabled" : " disabled";
+            events.push_back({event.t_s, "override", "feed" + state});
+            events.push_back({event.t_s, "override", "speed" + state});
+            continue;
+        }
+        events.push_back(event);
+    }
+    return events;
+}
+
+// A control that stops the spindle to change the tool (M6 of LinuxCNC) stops one that turns; what is written
+// for it sets it going again. Where the second run stops it at a change that the first makes with it on, the
+// first is told as if it did both, so that each is asked for.
+std::vector<MadeEvent> with_stops_at_changes(const std::vector<MadeEvent>& first,
+                                             const std::vector<MadeEvent>& second) {
+    std::vector<MadeEvent> events;
+    std::optional<MadeEvent> turning;
+    for (const MadeEvent& event : first) {
+        const std::size_t at = events.size();
+        const bool stops =
+            event.kind == "tool_change" && turning && at < second.size() && second[at].kind == "spindle_off";
+        if (stops) events.push_back({event.t_s, "spindle_off", {}});
+        events.push_back(event);
+        if (stops) events.push_back({event.t_s, turning->kind, turning->detail});
+        if (event.kind == "spindle_cw" || event.kind == "spindle_ccw") {
+            turning = event;
+        } else if (event.kind.starts_with("spindle_")) {
+            turning.reset();
+        }
     }
     return events;
 }
@@ -155,7 +187,8 @@ std::string compare_times(const RunRecord& first, const RunRecord& second) {
 
 std::string compare_events(const RunRecord& first, const RunRecord& second,
                            const std::set<std::string>& unsaid) {
-    const std::vector<MadeEvent> a = events_of(first, unsaid), b = events_of(second, unsaid);
+    const std::vector<MadeEvent> b = events_of(second, unsaid);
+    const std::vector<MadeEvent> a = with_stops_at_changes(events_of(first, unsaid), b);
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
         const std::string wanted = i < a.size() ? same_switch(a[i]) : "none";
         const std::string found = i < b.size() ? same_switch(b[i]) : "none";

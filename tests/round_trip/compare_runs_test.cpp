@@ -63,5 +63,39 @@ TEST(CompareRuns, TimesAndEvents) {
               "event 2, digital_output P3 on: at 3.0000 s, found at 3.1000 s");
 }
 
+RunRecord switches(const std::vector<std::string>& kinds) {
+    RunRecord made;
+    for (const std::string& kind : kinds) made.events.push_back({1, kind, ""});
+    return made;
+}
+
+TEST(CompareRuns, OverridesAreOneSwitchOrTwo) {
+    RunRecord two;
+    two.events = {{1, "override", "feed enabled"}, {1, "override", "speed enabled"}};
+    EXPECT_EQ(compare_events(switches({"overrides_on"}), two, {}), "");
+    EXPECT_NE(compare_events(switches({"overrides_off"}), two, {}), "");
+}
+
+// LinuxCNC's M6 stops the spindle: nothing but its stop and its start, both, may be there beside the change.
+TEST(CompareRuns, AChangeOfTheToolMayStopTheSpindleThatGoesOnBehindIt) {
+    const RunRecord on = switches({"spindle_ccw", "tool_change", "flood_on"});
+    EXPECT_EQ(compare_events(on, switches({"spindle_ccw", "tool_change", "flood_on"}), {}), "");
+    EXPECT_EQ(compare_events(
+                  on, switches({"spindle_ccw", "spindle_off", "tool_change", "spindle_ccw", "flood_on"}), {}),
+              "");
+    EXPECT_EQ(compare_events(on, switches({"spindle_ccw", "spindle_off", "tool_change", "flood_on"}), {}),
+              "event 4: spindle_ccw, found M8");
+    EXPECT_EQ(compare_events(
+                  on, switches({"spindle_ccw", "spindle_off", "tool_change", "spindle_cw", "flood_on"}), {}),
+              "event 4: spindle_ccw, found spindle_cw");
+    EXPECT_EQ(compare_events(on, switches({"spindle_ccw", "tool_change", "spindle_ccw", "flood_on"}), {}),
+              "event 3: M8, found spindle_ccw");
+    const RunRecord off = switches({"spindle_ccw", "spindle_off", "flood_on", "tool_change"});
+    EXPECT_EQ(
+        compare_events(
+            off, switches({"spindle_ccw", "spindle_off", "flood_on", "spindle_off", "tool_change"}), {}),
+        "event 4: tool_change, found spindle_off");
+}
+
 }  // namespace
 }  // namespace gsim::round_trip::compare_runs_test

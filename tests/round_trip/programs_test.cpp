@@ -1,6 +1,7 @@
 // Samples, programs of the golden files and random programs, written for each control from what they do and
 // run again.
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 
@@ -15,6 +16,12 @@ namespace gsim::round_trip::programs_test {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Programs of each dialect: as many as the variable says, else `few`.
+unsigned programs(unsigned few) {
+    const char* const wanted = std::getenv("GSIM_ROUND_TRIP_PROGRAMS");
+    return wanted == nullptr ? few : static_cast<unsigned>(std::stoul(wanted));
+}
 
 class RoundTrip : public apps::Apps {
   protected:
@@ -59,7 +66,7 @@ TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
     int written = 0;
     for (const auto dialect : {roundtrip::Dialect::ab9, roundtrip::Dialect::ngc}) {
         const std::string name = dialect == roundtrip::Dialect::ab9 ? "ab9" : "rs274ngc";
-        for (unsigned seed = 1; seed <= 12; ++seed) {
+        for (unsigned seed = 1; seed <= programs(12); ++seed) {
             const std::string text = roundtrip::program_text(roundtrip::random_program(dialect, seed), seed);
             SCOPED_TRACE(fmt::format("{} {}\n{}", name, seed, text));
             WayRound round(folder_, "XYZABC");
@@ -74,7 +81,7 @@ TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
 // Modes, feeds, speeds, switches, tools, offsets and subprograms, in each way to write offsets.
 TEST_F(RoundTrip, RandomModes) {
     int written = 0;
-    for (unsigned seed = 1; seed <= 10; ++seed) {
+    for (unsigned seed = 1; seed <= programs(10); ++seed) {
         for (const std::string dialect : {"ab9", "rs274ngc"}) {
             const std::string text = random_modes(dialect, seed);
             SCOPED_TRACE(text);

@@ -34,29 +34,43 @@ class RandomModes {
 
     std::string move() {
         switch (random_() % 4) {
-            case 0: return fmt::format("G0 X{:.3f} Z{:.3f}\n", number(0, 50), number(0, 20));
+            case 0: {
+                const double x = number(0, 50), z = number(0, 20);
+                return fmt::format("G0 X{:.3f} Z{:.3f}\n", x, z);
+            }
             case 1: return arc("");
-            default: return fmt::format("G1 X{:.3f} Y{:.3f}\n", number(0, 50), number(0, 50));
+            default: return line("") + "\n";
         }
     }
+    // The draws are declared, since the order in which arguments are worked out is not.
+    std::string line(const std::string& mode) {
+        const double x = number(0, 50), y = number(0, 50);
+        return fmt::format("{}G1 X{:.3f} Y{:.3f}", mode, x, y);
+    }
+    std::string per_minute() { return fmt::format("G94 F{:.1f}\n", number(100, 3000)); }
     // A half circle to the right and one back, in steps from where the tool is.
     std::string arc(const std::string& feed) {
         const double radius = number(2, 20);
-        return fmt::format("G91 G{0} X{1:.3f} I{2:.3f} J0 {3}\nX{4:.3f} I{5:.3f} J0 {3}\nG90\n",
-                           2 + random_() % 2, 2 * radius, radius, feed, -2 * radius, -radius);
+        const unsigned long sense = 2 + random_() % 2;
+        return fmt::format("G91 G{0} X{1:.3f} I{2:.3f} J0 {3}\nX{4:.3f} I{5:.3f} J0 {3}\nG90\n", sense,
+                           2 * radius, radius, feed, -2 * radius, -radius);
     }
     std::string timed() {
-        return fmt::format("G93 G1 X{:.3f} Y{:.3f} F{:.3f}\n", number(0, 50), number(0, 50), number(1, 30)) +
-               arc(fmt::format("F{:.3f}", number(2, 40))) + fmt::format("G94 F{:.1f}\n", number(100, 3000));
+        std::string text = line("G93 ");
+        text += fmt::format(" F{:.3f}\n", number(1, 30));
+        text += arc(fmt::format("F{:.3f}", number(2, 40)));
+        return text += per_minute();
     }
     std::string turned() {
-        return fmt::format("G95 F{:.4f}\n", number(0.05, 1)) + move() + move() +
-               fmt::format("S{:.0f}\n", number(500, 2000)) + move() +
-               fmt::format("G94 F{:.1f}\n", number(100, 3000));
+        std::string text = fmt::format("G95 F{:.4f}\n", number(0.05, 1));
+        text += moves(2);
+        text += fmt::format("S{:.0f}\n", number(500, 2000));
+        text += move();
+        return text += per_minute();
     }
     std::string switched() {
-        std::vector<std::string> list{"M8", "M9", "M7", "M3", "M4",
-                                      "M5", "M0", "M1", "M3", "T2\nM5\nM6\nM3 S900"};
+        std::vector<std::string> list{
+            "M8", "M9", "M7", "M3", "M4", "M5", "M0", "M1", "M3", "T2\nM5\nM6\nM3 S900", "T3\nM6"};
         const std::vector<std::string> own =
             ab9_ ? std::vector<std::string>{"M10", "M11", "#1105=1", "#1117=0", "M19", "M48"}
                  : std::vector<std::string>{"M62 P1",    "M65 P2",         "M67 E1 Q2.5", "M68 E0 Q-1", "M48",
@@ -68,6 +82,11 @@ class RandomModes {
         if (!ab9_) return one_of({"G61", "G61.1", "G64", "G64 P0.05", "G64 P0.1 Q0.02"});
         return one_of({"G61", "G64", "G9 G1 X5 Y5", "G48.1 X300 Y400", "G48.2 Z200", "G48", "G47.1", "G47"});
     }
+    std::string moves(int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += move();
+        return text;
+    }
     std::string block() {
         switch (random_() % 9) {
             case 0: return fmt::format("G4 P{:.3f}\n", number(0.01, 0.9));
@@ -75,9 +94,15 @@ class RandomModes {
             case 2: return turned();
             case 3: return switched();
             case 4: return mode();
-            case 5: return one_of({"G54", "G55", "G57"}) + move();
-            case 6: return fmt::format("F{:.1f}\n", number(200, 4000)) + move();
-            default: return move() + move();
+            case 5: {
+                const std::string system = one_of({"G54", "G55", "G57"});
+                return system + move();
+            }
+            case 6: {
+                const std::string feed = fmt::format("F{:.1f}\n", number(200, 4000));
+                return feed + move();
+            }
+            default: return moves(2);
         }
     }
 
