@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "apps/path_check.h"
 #include "runtime/path/merged_lines.h"
 #include "text/letter_case.h"
 
@@ -20,9 +20,7 @@ using path::Fault;
 namespace {
 
 constexpr double kMostTargets = 1e8;  // of a program whose sub-paths are written where they are used
-constexpr std::size_t kMostNotes = 20;
-constexpr std::size_t kMostNames = 8;  // in an error
-constexpr int kFirstLabel = 5001;      // of O-words that repeat a call
+constexpr int kFirstLabel = 5001;     // of O-words that repeat a call
 
 std::string plain_name(const std::string& name) {
     std::string plain;
@@ -33,91 +31,6 @@ std::string plain_name(const std::string& name) {
 }
 
 }  // namespace
-
-// Looks at the moves, so that what is wrong is known before anything is written, and gathers what to tell.
-class PathProgram::Check : public path::MoveSink {
-  public:
-    explicit Check(PathProgram& program) : program_(program), words_(program.post_->actions) {}
-
-    void move(const path::AxisMove& move) override {
-        const codegen::Post& post = *program_.post_;
-        if (move.duration_s) post.feed_modes.inverse_time.empty() ? ++mean_feeds_ : ++feed_modes_;
-        if (move.feed_mm_rev) post.feed_modes.per_revolution.empty() ? ++per_minute_ : ++feed_modes_;
-        if (move.lead_mm && post.thread.empty()) ++without_word_["a line in step with the spindle"];
-        if (move.lead_mm && program_.offsets() == Offsets::machine)
-            ++without_word_["a line in step with the spindle, in machine coordinates"];
-    }
-    void dwell(double) override {}
-    void acceleration(double) override { ++program_.accelerations_; }
-    void action(const std::string& name) override {
-        if (name == codegen::kRest || words_.block_of(name, 1)) return;
-        ++(is_said(name) ? said_ : without_word_)[fmt::format("'{}'", name)];
-    }
-    void call(const path::SubPath&) override {}
-    void note(const path::TargetId& where, std::string_view sentence) override {
-        if (++count_ <= kMostNotes) {
-            program_.notes_.push_back(program_.file_->located(where, std::string(sentence)));
-        }
-    }
-
-    /// The error is a sentence.
-    tl::expected<void, std::string> finish() {
-        program_.options_.words.feed_modes = feed_modes_ > 0;
-        if (count_ > kMostNotes) {
-            program_.notes_.push_back(fmt::format("{} more notes of this kind", count_ - kMostNotes));
-        }
-        const std::string& post = program_.post_->name;
-        if (program_.accelerations_ > 0 && program_.post_->acceleration.empty()) {
-            note_of("'acceleration_mm_s2' of {} points is not written: the post '{}' has no words for it",
-                    program_.accelerations_, post);
-        }
-        if (mean_feeds_ > 0)
-            note_of("times of {} moves are written as feeds: the post '{}' has no inverse time feed",
-                    mean_feeds_, post);
-        if (per_minute_ > 0)
-            note_of("feeds per revolution of {} moves are written per minute: the post '{}' has no others",
-                    per_minute_, post);
-        if (!program_.options_.go_on && !without_word_.empty()) return tl::unexpected(refusal());
-        for (const auto* list : {&said_, &without_word_}) {
-            for (const auto& [name, count] : *list)
-                note_of("{} is a comment, {} times: the post '{}' has no block for it", name, count, post);
-        }
-        return {};
-    }
-
-  private:
-    // What a program tells people, without anything being done.
-    static bool is_said(std::string_view action) {
-        constexpr std::array<std::string_view, 11> kSaid = {
-            "message",  "print",      "print_open", "print_close", "debug",      "log",
-            "log_open", "log_append", "log_close",  "probe_open",  "probe_close"};
-        const std::string_view kind = action.substr(0, action.find(' '));
-        return std::find(kSaid.begin(), kSaid.end(), kind) != kSaid.end();
-    }
-
-    template <typename... Values>
-    void note_of(fmt::format_string<Values...> format, Values&&... values) {
-        program_.notes_.push_back(fmt::format(format, std::forward<Values>(values)...));
-    }
-
-    std::string refusal() const {
-        std::vector<std::string> names;
-        for (const auto& [name, count] : without_word_) {
-            if (names.size() == kMostNames) break;
-            names.push_back(count == 1 ? name : fmt::format("{} ({} times)", name, count));
-        }
-        const std::size_t more = without_word_.size() - names.size();
-        return fmt::format("the post '{}' has no words for {}{}; with --go-on they become comments",
-                           program_.post_->name, fmt::join(names, ", "),
-                           more > 0 ? fmt::format(" and {} more", more) : "");
-    }
-
-    PathProgram& program_;
-    codegen::ActionWords words_;
-    std::size_t count_ = 0;
-    std::size_t feed_modes_ = 0, mean_feeds_ = 0, per_minute_ = 0;  // moves
-    std::map<std::string, int> without_word_, said_;
-};
 
 // Moves as blocks.
 class PathProgram::Sink : public path::MoveSink {
@@ -136,7 +49,7 @@ class PathProgram::Sink : public path::MoveSink {
 
     GcodeWriter& writer() { return writer_; }
     void run(std::size_t path) {
-        // Everything was looked at in Check.
+        // Everything was looked at by PathCheck.
         path::MergedLines merged(*this, program_.space_, program_.move_options());
         static_cast<void>(
             moves_.run(path, program_.space_.coupled() ? merged : static_cast<MoveSink&>(*this)));
@@ -155,7 +68,7 @@ class PathProgram::Sink : public path::MoveSink {
     /// Those before the lines of its end.
     void end() {
         if (program_.offsets() == Offsets::none) writer_.lines(program_.post_->offsets.end);
-        if (program_.accelerations_ > 0) writer_.lines(program_.post_->end_acceleration);
+        if (program_.has_accelerations_) writer_.lines(program_.post_->end_acceleration);
     }
 
     void move(const path::AxisMove& move) override {
@@ -326,11 +239,15 @@ tl::expected<void, std::string> PathProgram::look_at_moves() {
         if (auto size = check_size(); !size) return located(size.error());
     }
     const path::AxisMoves moves(file_->program, space_, states_, turns_, move_options());
-    Check check(*this);
+    PathCheck check(*file_, *post_, offsets() == Offsets::machine, options_.go_on);
     for (const std::size_t path : states_.users_first()) {
         if (auto run = moves.run(path, check); !run) return located(run.error());
     }
-    return check.finish();
+    return check.finish().map([this](PathCheck::Found found) {
+        notes_ = std::move(found.notes);
+        options_.words.feed_modes = found.feed_modes;
+        has_accelerations_ = found.accelerations;
+    });
 }
 
 tl::expected<void, Fault> PathProgram::check_size() const {

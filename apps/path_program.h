@@ -50,7 +50,6 @@ class PathProgram {
 
   private:
     class Sink;
-    class Check;
 
     PathProgram(const path::PathFile& file, path::MachineSpace space, const codegen::Post& post,
                 const PathProgramOptions& options)
@@ -76,7 +75,7 @@ class PathProgram {
     path::States states_;
     std::vector<path::PathTurns> turns_;
     std::vector<std::string> notes_;
-    std::size_t accelerations_ = 0;  // points with one
+    bool has_accelerations_ = false;
 };
 
 }  // namespace gsim::apps

@@ -181,13 +181,12 @@ TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
     const JointPos from = robot.planner.position();
     ASSERT_EQ(robot.planner.SetNextRest(2, 2), Status::RRS_SUCCESS) << robot.message();
     robot.planner.SelectTracking(1, false);
-    const JointPos way = robot.planner.position() - from;
-    const Vector3d gone =
-        turned.linear() * (robot.setup.kinematics->forward(robot.planner.position()) * Vector3d::Zero() -
-                           robot.setup.kinematics->forward(from) * Vector3d::Zero());
+    const auto tip = [&](const JointPos& joints) {
+        return robot.setup.kinematics->forward(joints).translation();
+    };
+    const Vector3d gone = turned.linear() * (tip(robot.planner.position()) - tip(from));
     EXPECT_GT(gone.x(), 20);
     EXPECT_NEAR(gone.y(), 0, 1e-9);
-    EXPECT_EQ(way.size(), from.size());
 }
 
 // Under tool-centre-point control it is the changed tip that stays where it is while the head turns.
