@@ -79,6 +79,7 @@ void DefaultPlanner::start_over() {
     work_frames_ = {};
     selected_.reset();
     frames_before_.clear();
+    machine_moved_s_ = 0;
     tip_turns_ = tip_turns(setup_);
     if (cell_ != nullptr) static_cast<void>(select_frames());
     tool_model_->clear();

@@ -278,6 +278,7 @@ class DefaultPlanner final : public rrs::Shell {
         WorkFrames frames;
     };
     std::deque<FramesUntil> frames_before_;
+    double machine_moved_s_ = 0;          ///< When one of MachineFrames was changed last.
     bool tip_turns_ = false;              ///< The tip is not where the position joints alone say.
     std::optional<Eigen::Vector3d> tip_;  ///< Under tool-centre-point control, in the tool's frame.
     PlanError error_;

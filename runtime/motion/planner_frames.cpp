@@ -24,16 +24,17 @@ Status DefaultPlanner::GetCellFrame(std::string_view frame_name, rrs::CartPos& f
 Status DefaultPlanner::ModifyCellFrame(std::string_view frame_name, const rrs::CartPos& frame) {
     if (cell_ == nullptr) return Shell::ModifyCellFrame(frame_name, frame);
     if (!initialized_) return not_initialized();
-    if (tracked_ && MachineFrames::has(frame_name)) {
+    const bool of_machine = MachineFrames::has(frame_name);
+    if (of_machine && (tracked_ || stopped_)) {
         return refuse(Status::RRS_INVALID_PARAMETER,
-                      fmt::format("The frame '{}' is the machine's, which cannot change while a conveyor is "
-                                  "tracked.",
-                                  frame_name));
+                      fmt::format("The frame '{}' is the machine's, which cannot change while {}.",
+                                  frame_name, tracked_ ? "a conveyor is tracked" : "a motion is stopped"));
     }
     come_to_rest(true);
     if (Planned moved = cell_->move_frame(frame_name, frame, end_s_); !moved)
         return tell(std::move(moved.error()));
     keep_frames();
+    if (of_machine) machine_moved_s_ = end_s_;
     if (Planned selected = select_frames(); !selected) return tell(std::move(selected.error()));
     return Status::RRS_SUCCESS;
 }

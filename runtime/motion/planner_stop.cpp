@@ -29,6 +29,12 @@ Status DefaultPlanner::StopMotion() {
     if (!initialized_) return not_initialized();
     if (tracked_ || step_s_ < conveyor_until_s_)
         return refuse(Status::RRS_MODE_NOT_SUPPORTED, "Motion along a conveyor cannot be stopped.");
+    if (step_s_ < machine_moved_s_) {
+        return refuse(
+            Status::RRS_MODE_NOT_SUPPORTED,
+            "The frame 'tool' or 'base' has been changed behind the motion under way, which cannot be "
+            "stopped.");
+    }
     if (!has_position_) return refuse(Status::RRS_NO_INITIAL_POSITION, "There is no motion to stop yet.");
     if (stopped_) return Status::RRS_SUCCESS;
     keeps_all_ = true;
@@ -94,6 +100,7 @@ Status DefaultPlanner::CancelMotion() {
         return refuse(Status::RRS_INVALID_PARAMETER, "No motion is stopped that could be dropped.");
     position_ = stopped_->position;
     stopped_.reset();
+    frames_before_.clear();
     via_.reset();
     if (model_) model_->clear();
     return Status::RRS_SUCCESS;

@@ -23,7 +23,8 @@ rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame
 
 rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartPos& frame) {
     const bool of_machine = motion::MachineFrames::has(name);
-    if (of_machine && !kinematics::check_pose(frame)) return rrs::Status::RRS_INVALID_PARAMETER;
+    if (of_machine && !controller_has_cell_ && !kinematics::check_pose(frame))
+        return rrs::Status::RRS_INVALID_PARAMETER;
     if (!asks_controller() || of_machine) wait();
     if (asks_controller() || of_machine) {
         const rrs::Status status = controller().ModifyCellFrame(name, frame);

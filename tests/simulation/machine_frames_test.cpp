@@ -169,6 +169,27 @@ TEST(MachineFrames, StayAsTheyAreWhileAConveyorIsTracked) {
     EXPECT_THAT(robot.message(), HasSubstr("while a conveyor is tracked"));
 }
 
+// A stop would leave a part of the motion, or all, that was planned before for the time after.
+TEST(MachineFrames, AreNotChangedAmongStopsOfAMotion) {
+    Posed robot("af5");
+    robot.start();
+    CartPos target = robot.step().pose;
+    target.translation().x() += 50;
+    ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.step().status, Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.StopMotion(), Status::RRS_SUCCESS);
+    EXPECT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere), Status::RRS_INVALID_PARAMETER);
+    EXPECT_THAT(robot.message(), HasSubstr("while a motion is stopped"));
+    ASSERT_EQ(robot.planner.ContinueMotion(), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere * file_base(robot)), Status::RRS_SUCCESS);
+    EXPECT_EQ(robot.planner.StopMotion(), Status::RRS_MODE_NOT_SUPPORTED);
+    EXPECT_THAT(robot.message(), HasSubstr("has been changed behind the motion under way"));
+    Posed::Step step = robot.step();
+    while (step.status == Status::RRS_SUCCESS) step = robot.step();
+    EXPECT_TRUE(step.pose.isApprox(target, 1e-9));
+    EXPECT_EQ(robot.planner.StopMotion(), Status::RRS_SUCCESS);
+}
+
 // A conveyor goes its way in the world, wherever the machine stands: turned by 90 degrees about the vertical,
 // the machine follows a belt along the world's X with its other slide.
 TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
