@@ -34,6 +34,7 @@ local function tell_frame(code) core.select_work_offset(code, at_start[code] or 
 
 local function select_frame(code)
   return function()
+    if state.frame ~= code then path.wait() end   -- also where both systems are in one place
     state.frame = code
     apply_offsets()
     path.act(function() tell_frame(code) end)

@@ -101,12 +101,13 @@ end
 
 word("S", function(value)
   if not given(value, "S") then return end
+  local before = state.spindle_rpm
   if is_constant_surface then
     surface_mm_min = speed(value, "S") * (state.unit_mm == 1 and MM_IN_M or MM_IN_FOOT)
   else
     turn(speed(value, "S"))
   end
-  if state.spindle then path.wait() end
+  if state.spindle then path.wait_for(state.spindle_rpm ~= before) end
 end)
 
 word("G50", function(words)
@@ -126,7 +127,11 @@ end)
 local function switch(name, kind)
   word(name, function() path.event(kind) end)
 end
-switch("M7", "coolant_2_on")
+word("M7", function()
+  local changed = not state.mist
+  state.mist = true
+  path.event("coolant_2_on", nil, nil, changed)
+end)
 switch("M48", "overrides_on")
 switch("M49", "overrides_off")
 

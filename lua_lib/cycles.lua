@@ -28,8 +28,9 @@ return_level("G99", "r")
 
 -- The spindle turns "cw" or "ccw", or stands (nil).
 function turn_spindle(direction)
+  local changed = state.spindle ~= direction
   state.spindle = direction
-  path.event(direction and "spindle_" .. direction or "spindle_off")
+  path.event(direction and "spindle_" .. direction or "spindle_off", nil, nil, changed)
 end
 
 -- Its speed in rev/min: for the feeds of the words that follow at once, for the machine behind the moves so far.

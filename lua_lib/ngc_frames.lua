@@ -118,7 +118,10 @@ end
 for system, name in ipairs(names) do
   word(ngc.system_word(system), function()
     refuse_with_compensation("G" .. name)
-    if system ~= ngc.system then ngc.load_system(system) end
+    if system ~= ngc.system then
+      path.wait()   -- also where both systems are in one place
+      ngc.load_system(system)
+    end
   end)
 end
 

@@ -26,9 +26,12 @@ local function reload(system)
   if system == ngc.system then ngc.load_system(system) end
 end
 
+local function wait_at(system) path.wait_at(system == ngc.system and "G10 L2" or "G10 L2 other") end
+
 local function set_origin(words)
   not_allowed(words, { "i", "j", "q" }, "G10 L2")
   local system = system_of(words, "G10 L2")
+  wait_at(system)
   each_axis(words, "G10 L2", " l p r ", function(letter, value) ngc.store_origin(system, letter, value) end)
   if words.r ~= nil then ngc.store_rotation(system, words.r) end
   reload(system)
@@ -53,6 +56,7 @@ end
 local function set_origin_by_position(words)
   not_allowed(words, { "i", "j", "q", "r" }, "G10 L20")
   local system = system_of(words, "G10 L20")
+  wait_at(system)
   local at, degrees = ngc.system_data(system)
   local here = carriage()
   local wanted = in_system(here, at, degrees, state.g92)
@@ -104,6 +108,7 @@ local TOOL_WORDS = " l p r i j q "
 
 local function set_tool(words)
   local tool = tool_of(words, "G10 L1")
+  path.wait_at("G10 L1")
   each_axis(words, "G10 L1", TOOL_WORDS, function(letter, value) set_tool_offset(tool, letter, value) end)
   set_shape(tool, words, "G10 L1")
 end
@@ -111,6 +116,7 @@ end
 -- L10, L11: with the new offset in force (G43) the machine stands at the given coordinates of the system.
 local function set_tool_by_position(name, words, system, g92)
   local tool = tool_of(words, name)
+  path.wait_at("G10 L1")
   local at, degrees = ngc.system_data(system)
   local here = carriage()
   for letter, value in pairs(here) do here[letter] = value + (state.tool_offset[letter] or 0) end

@@ -75,15 +75,19 @@ end
 
 word("S", function(value)
   if not given(value, "S") then return end
+  local before = state.spindle_rpm
   speed(value, "")
   set_speed()
-  if state.spindle then path.wait() end
+  if state.spindle then path.wait_for(state.spindle_rpm ~= before) end
 end)
 
 word("G96", function(words)
   ngc.check_spindle(words, "G96", true)
   words = words or {}
-  if words.s then speed(words.s, " of G96") end
+  if words.s then
+    path.wait_at("S")
+    speed(words.s, " of G96")
+  end
   local most = math.abs(words.d or 0)
   surface = { most_rpm = most > 0 and most or math.huge }
   core.warn("G96: the spindle speed is worked out where S is programmed, and does not follow X from there")
@@ -93,7 +97,10 @@ end)
 word("G97", function(words)
   ngc.check_spindle(words, "G97", true)
   surface = nil
-  if words and words.s then speed(words.s, " of G97") end
+  if words and words.s then
+    path.wait_at("S")
+    speed(words.s, " of G97")
+  end
   set_speed()
 end)
 
@@ -126,18 +133,21 @@ end)
 -- --- Coolant ---
 
 word("M7", function()
+  local changed = not state.mist
   state.mist = true
-  path.event("mist_on")
+  path.event("mist_on", nil, nil, changed)
 end)
 
 word("M8", function()
+  local changed = not state.flood
   state.flood = true
-  path.event("flood_on")
+  path.event("flood_on", nil, nil, changed)
 end)
 
 word("M9", function()
+  local changed = state.mist or state.flood or false
   state.mist, state.flood = false, false
-  path.event("coolant_off")
+  path.event("coolant_off", nil, nil, changed)
 end)
 
 -- --- Modes of the path ---

@@ -151,9 +151,17 @@ for _, kind in ipairs { "message", "print", "debug", "log", "log_open", "log_app
   in_passing[kind] = true
 end
 
+-- When an event is that its word does not say otherwise of. `changed`: false where it switches nothing.
+local function when_of(kind, changed)
+  if stop_rule == "always" then return "at_rest" end
+  if stop_rule == "never" then return "in_passing" end
+  if stop_rule == "on-change" then return changed == false and "in_passing" or "at_rest" end
+  return in_passing[kind] and "in_passing" or "at_rest"
+end
+
 -- `when` is "at_rest", "in_passing" (as the next move or dwell begins) or "with_motion" (as the next move begins).
-function path.event(kind, detail, when)
-  when = when or in_passing[kind] and "in_passing" or "at_rest"
+function path.event(kind, detail, when, changed)
+  when = when or when_of(kind, changed)
   if head == machine then
     core.event(kind, detail, nil, when)
   else
@@ -165,6 +173,16 @@ end
 -- The control reads on when all moves so far have been made.
 function path.wait()
   head:act(core.wait)
+end
+
+-- The same, unless the control waits at the word under way only where that changes something.
+function path.wait_for(changed)
+  if changed or stop_rule ~= "on-change" then path.wait() end
+end
+
+-- The same, if the control has a rule for `name`, which is part of a word's meaning, and by that waits.
+function path.wait_at(name)
+  if core.stops[name] == "always" then path.wait() end
 end
 
 -- How the moves that follow pass their ends: "exact_stop", "exact_path" (without a stop where the path goes straight on)

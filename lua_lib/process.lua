@@ -30,12 +30,12 @@ local event = path.event
 
 local function own_kind(entry) return process.kind .. (entry.on and "_on" or "_off") end
 
-function path.event(kind, detail, when)
+function path.event(kind, detail, when, changed)
   local entry = switching
-  if entry == nil or not says_what[kind] then return event(kind, detail, when) end
+  if entry == nil or not says_what[kind] then return event(kind, detail, when, changed) end
   switching = nil
-  if is_spindle or own_kind(entry) == kind then return event(kind, detail, when) end
-  return event(own_kind(entry), entry.text, when)
+  if is_spindle or own_kind(entry) == kind then return event(kind, detail, when, changed) end
+  return event(own_kind(entry), entry.text, when, changed)
 end
 
 local function entry_of(code, words)

@@ -78,9 +78,32 @@ function word_id()
   return next_id - 1
 end
 
+-- The rule of the word under way, where the control has one of its own for it.
+stop_rule = nil
+
+-- A word as it is printed: G92_1 is G92.1.
+local function printed(name)
+  local at = name:find("_", 1, true)
+  return at and name:sub(1, at - 1) .. "." .. name:sub(at + 1) or name
+end
+
+-- The meaning of a word at which the control waits by a rule of its own (core.stops, docs/stops.md).
+local function by_stop_rule(name, meaning)
+  local rule = core.stops[printed(name)]
+  if rule == nil then return meaning end
+  return function(...)
+    local outer = stop_rule
+    stop_rule = rule
+    if rule == "always" then path.wait() end
+    local result = meaning(...)
+    stop_rule = outer
+    return result
+  end
+end
+
 -- Defines a word of the language. A call counts as part of a block at the line where the script makes it.
 function word(name, meaning)
-  env[name] = core.word(word_id(), with_known_keys(name, meaning))
+  env[name] = core.word(word_id(), with_known_keys(name, by_stop_rule(name, meaning)))
 end
 
 -- Ends the run. `kind` is the code of a kind of diagnostic (text/diagnostic_kind.cpp); the text and its values are as

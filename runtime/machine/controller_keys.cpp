@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "runtime/machine/stop_keys.h"
 #include "runtime/machine/toml_section.h"
 #include "runtime/machine/toml_text.h"
 
@@ -30,7 +31,7 @@ struct CornerKey {
 constexpr std::string_view kName = "name";
 constexpr std::string_view kPlanner = "planner";
 constexpr std::string_view kLookAhead = "look_ahead_blocks";
-constexpr std::array kSingleKeys{kModelKey, kName, kPlanner, kLookAhead, kOrientationKey};
+constexpr std::array kSingleKeys{kModelKey, kName, kPlanner, kLookAhead, kOrientationKey, kStopsKey};
 
 // Names of rrs::PlannerKind, rrs::CornerRule and rrs::OrientationRule in their order.
 constexpr std::array<std::string_view, 3> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc"};
@@ -113,6 +114,7 @@ void read_controller_keys(TomlSection& section, Rules& rules) {
         rules.*value = read_kind(section, key, rules.*value, kCorners);
     for (const auto& [key, value, rule] : kNumberKeys) rules.*value = section.number(key, rules.*value, rule);
     for (const auto& [key, value] : kFlagKeys) rules.*value = section.flag(key, rules.*value);
+    read_stops(section, rules);
 }
 
 void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base) {
@@ -131,6 +133,7 @@ void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base)
     for (const auto& [key, value] : kFlagKeys) {
         if (rules.*value != base.*value) out.line(key, rules.*value ? "true" : "false");
     }
+    print_stops(out, rules, base);
 }
 
 }  // namespace gsim::machine

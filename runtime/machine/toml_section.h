@@ -145,6 +145,14 @@ class TomlSection {
         return node->as_table();
     }
 
+    /// The table under `key` as a section of its own, if there is one.
+    std::optional<TomlSection> section(std::string_view key, std::string title,
+                                       std::span<const std::string_view> known_keys) {
+        const toml::table* inner = table(key);
+        if (inner == nullptr) return std::nullopt;
+        return TomlSection(error_, *inner, std::move(title), known_keys);
+    }
+
     /// The tables of the array under `key`.
     std::vector<const toml::table*> tables(std::string_view key) {
         std::vector<const toml::table*> found;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <map>
 #include <string>
 
 namespace gsim::rrs {
@@ -27,6 +29,13 @@ enum class CornerRule {
 enum class OrientationRule {
     joints,        ///< By the angles of the rotary joints.
     great_circle,  ///< Its direction goes along the great circle, evenly with the length of the way.
+};
+
+/// When the control waits at a word until all moves have been made.
+enum class StopRule {
+    always,
+    on_change,  ///< Where the word changes something.
+    never,
 };
 
 /// Whether the rule takes the tool off the programmed way.
@@ -81,6 +90,9 @@ struct ControllerRules {
     double position_gain_1_s = 0;
     double in_position_mm = 0.01;
     double in_position_deg = 0.01;
+    /// Where this control differs from others in what stops it, by word as it is printed ("G92.1";
+    /// docs/stops.md).
+    std::map<std::string, StopRule, std::less<>> stops;
     double rest_s = 0;        ///< Time at each stop that waits for the program's next block (dwell, M code).
     double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
     double servo_period_s = 0;  ///< Of the controller's position loop; 0: continuous.

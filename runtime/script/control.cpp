@@ -1,5 +1,6 @@
 #include "runtime/script/control.h"
 
+#include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -47,6 +48,17 @@ void set_machine_process(lua_State* state, const machine::Process& process) {
     push_switch_words(state, process.off);
     lua_setfield(state, -2, "off");
     lua_setfield(state, -2, "process");
+}
+
+/// core.stops: which words stop the control otherwise than by default, by word as it is printed.
+void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
+    constexpr std::array kRules{"always", "on-change", "never"};
+    lua_createtable(state, 0, static_cast<int>(rules.stops.size()));
+    for (const auto& [word, rule] : rules.stops) {
+        lua_pushstring(state, kRules[static_cast<std::size_t>(rule)]);
+        lua_setfield(state, -2, word.c_str());
+    }
+    lua_setfield(state, -2, "stops");
 }
 
 void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
@@ -142,6 +154,7 @@ void Control::set_options(lua_State* state, const Switches& switches) const {
     const bool stops = robot_.simulator.machine().controller.planner == rrs::PlannerKind::rest_to_rest;
     lua_pushboolean(state, static_cast<int>(stops));
     lua_setfield(state, -2, "stops_at_each_move");
+    set_stops(state, robot_.simulator.machine().controller);
     lua_pushstring(state, prefix().c_str());
     lua_setfield(state, -2, "signal_prefix");
     set_corner_override(state, robot_.simulator.machine().controller);

@@ -88,7 +88,8 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "blend_tolerance_mm = 9\nblend_tolerance_deg = 10\nposition_gain_1_s = 11\nin_position_mm = 12\n"
         "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8\ncorner_override_percent = "
         "60\n"
-        "corner_override_before_mm = 9\ncorner_override_after_mm = 10\ncorner_override_angle_deg = 120";
+        "corner_override_before_mm = 9\ncorner_override_after_mm = 10\ncorner_override_angle_deg = 120\n"
+        "stops = { \"M1\" = \"never\", \"S\" = \"on-change\" }";
     const ControllerRules wanted{.model = "all",
                                  .planner = PlannerKind::look_ahead,
                                  .look_ahead_blocks = 7,
@@ -110,6 +111,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .position_gain_1_s = 11,
                                  .in_position_mm = 12,
                                  .in_position_deg = 13,
+                                 .stops = {{"M1", rrs::StopRule::never}, {"S", rrs::StopRule::on_change}},
                                  .rest_s = 5,
                                  .dwell_step_s = 6,
                                  .servo_period_s = 8,

@@ -105,6 +105,7 @@ bool WayRound::begin(const fs::path& program, const std::string& dialect) {
 
 Outcome WayRound::end(const Way& way, const std::vector<std::string>& options) const {
     if (!has_path_) return {Ending::not_recorded, {}, message_, false};
+    gsim_run(program_, dialect_, "first-timed", way.controller, true);
     std::vector<std::string> arguments{"path.json",         "--dialect", way.post,  "--machine",
                                        machine(kExactStop), "-o",        "again.nc"};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -125,13 +126,9 @@ Outcome WayRound::end(const Way& way, const std::vector<std::string>& options) c
         outcome.differences = {compare_positions(first, second), compare_times(first, second),
                                compare_events(first, second, unsaid)};
     }
-    const auto timed = [&](const std::string& program, const std::string& dialect) {
-        gsim_run(program, dialect, "timed", way.controller, false);
-        return read("timed");
-    };
     if (outcome.differences.none() && !outcome.by_lines) {
-        const RunRecord first_timed = timed(program_, dialect_);
-        const RunRecord second_timed = timed("again.nc", way.dialect);
+        gsim_run("again.nc", way.dialect, "again-timed", way.controller, false);
+        const RunRecord first_timed = read("first-timed"), second_timed = read("again-timed");
         outcome.differences.times = compare_times(first_timed, second_timed);
         outcome.differences.events = compare_events(first_timed, second_timed, unsaid);
     }

@@ -44,7 +44,7 @@ class WayRound {
 
     /// Runs the program in a dialect and records it; whether it runs. A path of none is a run of no path.
     bool begin(const std::filesystem::path& program, const std::string& dialect);
-    /// Writes it, with these options, and runs it again.
+    /// Records it on the control of the way, writes it, with these options, and runs it again.
     Outcome end(const Way& way, const std::vector<std::string>& options = {}) const;
     /// What the first run said.
     const std::string& message() const { return message_; }
