@@ -59,6 +59,7 @@ else
 end
 
 include "process"       -- watches the words that the others define
+include "times"         -- watches them, too
 include "stored_data"   -- knows what the run begins with
 
 -- A name that nothing defines is a mistake, not a vacant value.

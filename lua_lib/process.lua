@@ -3,6 +3,10 @@
 -- entries { code = "M62", text = "M62 P0", words = { p = 0 } }. Loaded behind all files that define words.
 
 local process = core.process
+
+-- What a word does to the process: an entry with `on`, or nil.
+function process_entry() end
+
 if process == nil then return end
 
 local is_spindle = process.kind == "spindle"
@@ -38,7 +42,7 @@ function path.event(kind, detail, when, changed)
   return event(own_kind(entry), entry.text, when, changed)
 end
 
-local function entry_of(code, words)
+function process_entry(code, words)
   for _, entry in ipairs(by_code[code] or {}) do
     local fits = true
     for letter, value in pairs(entry.words) do
@@ -53,7 +57,7 @@ local WITH_MOTION = { M62 = true, M63 = true, M67 = true }
 
 -- act(...), as a word that may switch the process.
 local function switched_by(code, words, act, ...)
-  local entry = entry_of(code, words)
+  local entry = process_entry(code, words)
   if entry == nil then return act(...) end
   path.act(function() core.set_process(entry.on, WITH_MOTION[code] or false) end)
   switching = entry

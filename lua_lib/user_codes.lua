@@ -49,9 +49,13 @@ local function define(number, meaning)
   end
 end
 
--- watch(words, meaning) is called in place of the code's meaning, which does nothing until someone defines it.
+-- watch(words, meaning) is called in place of the code's meaning, which does nothing until someone defines it. A later
+-- watch has an earlier one for the meaning.
 function watch_user_code(number, watch)
-  watchers[number] = watch
+  local inner = watchers[number]
+  watchers[number] = inner == nil and watch or function(words, meaning)
+    return watch(words, function(own_words) return inner(own_words, meaning) end)
+  end
   make_word(number, nothing)
 end
 

@@ -14,6 +14,7 @@
 #include "runtime/machine/link_shape.h"
 #include "runtime/machine/process.h"
 #include "runtime/machine/program_table.h"
+#include "runtime/machine/word_times.h"
 #include "runtime/rrs/controller_rules.h"
 
 namespace gsim::machine {
@@ -99,7 +100,8 @@ struct Machine {
     rrs::ControllerRules controller;
     ProgramTable program = {};
     std::optional<Process> process = std::nullopt;  ///< Where the file tells it.
-    std::vector<LinkShape> shapes = {};             ///< Its own bodies; their names differ.
+    WordTimes times = {};
+    std::vector<LinkShape> shapes = {};  ///< Its own bodies; their names differ.
     /// Pairs of shapes, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
 

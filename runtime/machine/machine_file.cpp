@@ -10,6 +10,7 @@
 #include "runtime/machine/process_section.h"
 #include "runtime/machine/program_section.h"
 #include "runtime/machine/text_file.h"
+#include "runtime/machine/times_section.h"
 #include "runtime/machine/toml_section.h"
 
 namespace gsim::machine {
@@ -21,9 +22,9 @@ using std::string_view_literals::operator""sv;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr std::string_view kLetters = "ABCUVWXYZ";
 
-constexpr std::array kMachineFileKeys{"machine"sv, "path"sv,       "base"sv,   "tool"sv,
-                                      "work"sv,    "controller"sv, "axis"sv,   "shape"sv,
-                                      "ignore"sv,  "process"sv,    "checks"sv, "program"sv};
+constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "tool"sv,   "work"sv,
+                                      "controller"sv, "axis"sv,    "shape"sv, "ignore"sv, "process"sv,
+                                      "checks"sv,     "program"sv, "times"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
@@ -239,6 +240,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     machine.program = read_program_section(error, file.table("program"));
     machine.controller = read_controller_table(error, file.table("controller"), folder);
     machine.process = read_process(error, file);
+    machine.times = read_times(error, file.table("times"));
     machine.axes = read_axes(error, file);
     if (error.text()) return machine;
     read_link_shapes(error, file, root, folder, machine);

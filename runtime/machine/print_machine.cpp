@@ -5,6 +5,7 @@
 #include "runtime/machine/print_shapes.h"
 #include "runtime/machine/process_section.h"
 #include "runtime/machine/program_section.h"
+#include "runtime/machine/times_section.h"
 #include "runtime/machine/toml_text.h"
 
 namespace gsim::machine {
@@ -100,6 +101,7 @@ std::string print_machine(const Machine& machine) {
     print_frame(out, "[work]", machine.work);
     print_controller(out, machine.controller);
     if (machine.process) print_process(out, *machine.process);
+    print_times(out, machine.times);
     for (const Axis& axis : machine.axes) print_axis(out, axis);
     print_link_shapes(out, machine);
     return out.take();

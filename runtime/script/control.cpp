@@ -61,6 +61,23 @@ void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "stops");
 }
 
+/// core.times, s; the table of the core is on top of the stack.
+void set_word_times(lua_State* state, const machine::WordTimes& times) {
+    lua_createtable(state, 0, 8);
+    set_number(state, "tool_change", times.tool_change_s);
+    set_number(state, "coolant_on", times.coolant_on_s);
+    set_number(state, "coolant_off", times.coolant_off_s);
+    set_number(state, "spindle_start", times.spindle_start_s);
+    set_number(state, "spindle_stop", times.spindle_stop_s);
+    set_number(state, "process_on", times.process_on_s);
+    set_number(state, "process_off", times.process_off_s);
+    lua_newtable(state);
+    for (const auto& [code, time_s] : times.codes_s)
+        set_number(state, fmt::format("M{}", code).c_str(), time_s);
+    lua_setfield(state, -2, "codes");
+    lua_setfield(state, -2, "times");
+}
+
 void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
     lua_createtable(state, 0, 4);
     set_number(state, "percent", rules.corner_override_percent);
@@ -159,6 +176,8 @@ void Control::set_options(lua_State* state, const Switches& switches) const {
     lua_setfield(state, -2, "signal_prefix");
     set_corner_override(state, robot_.simulator.machine().controller);
     if (robot_.simulator.machine().process) set_machine_process(state, *robot_.simulator.machine().process);
+    if (const machine::WordTimes& times = robot_.simulator.machine().times; times != machine::WordTimes{})
+        set_word_times(state, times);
 }
 
 void Control::include(lua_State* state, const std::string& file_name) {

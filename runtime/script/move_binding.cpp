@@ -205,6 +205,14 @@ int exact_stop_once(lua_State* state) {
     return 0;
 }
 
+/// core.take_time(s, place): the machine rests for what a word has set going.
+int take_time(lua_State* state) {
+    Controller& controller = controller_of(state);
+    const double seconds = luaL_checknumber(state, 1);
+    controller.check(state, controller.simulator().take_time(seconds, check_place(state, 2)));
+    return 0;
+}
+
 /// core.wait(): the control reads on when all moves have been made.
 int wait(lua_State* state) {
     controller_of(state).simulator().wait();
@@ -290,6 +298,7 @@ void add_moves(lua_State* state, Controller& controller) {
     set_function<event>(state, "event", &controller);
     set_function<exact_stop_once>(state, "exact_stop_once", &controller);
     set_function<wait>(state, "wait", &controller);
+    set_function<take_time>(state, "take_time", &controller);
     set_function<set_spindle_speed>(state, "set_spindle_speed", &controller);
     set_function<select_work_offset>(state, "select_work_offset", &controller);
     set_function<set_path_mode>(state, "set_path_mode", &controller);

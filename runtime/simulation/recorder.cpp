@@ -61,7 +61,23 @@ void Recorder::mark_last(std::uint16_t beyond) {
     (waiting_.empty() ? move_.info : waiting_.back()).beyond = beyond;
 }
 
+// A rest of the controller's own, which is part of no move.
+bool Recorder::is_between_moves(const Segment& segment) const {
+    const rrs::TargetId id = segment.target_id;
+    return segment.kind == SegmentKind::rest && !segment.beside && in_move_ && move_.info.target_id != id &&
+           std::none_of(waiting_.begin(), waiting_.end(),
+                        [id](const MoveInfo& info) { return info.target_id == id; });
+}
+
+void Recorder::take_between_moves(const Segment& rest) {
+    add_to_sums(rest);
+    end_s_ = rest.end_s();
+    const MoveInfo info{.target_id = rest.target_id, .kind = MoveKind::linear};
+    for (RunOutput* output : outputs_) output->take(rest, info);
+}
+
 void Recorder::take(const Segment& segment) {
+    if (is_between_moves(segment)) return take_between_moves(segment);
     if (!in_move_ || move_.info.target_id != segment.target_id) go_to_move(segment.target_id);
     add_limit(segment);
     add_deviation(segment);
@@ -170,7 +186,9 @@ std::vector<AxisBounds> Recorder::bounds() const {
     return bounds;
 }
 
+// The last move lasts until the controller is at rest.
 void Recorder::finish(Report& report) {
+    move_.end_s = end_s_;
     end_move();
     waiting_.clear();  // never made: the run ended before
     for (RunOutput* output : outputs_) output->end(end_s_);

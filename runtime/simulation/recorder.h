@@ -56,6 +56,8 @@ class Recorder : public motion::SegmentSink {
         std::ptrdiff_t count_ = 0;
     };
 
+    bool is_between_moves(const motion::Segment& segment) const;
+    void take_between_moves(const motion::Segment& rest);
     void go_to_move(rrs::TargetId id);
     void begin_move(const MoveInfo& info);
     void end_move();

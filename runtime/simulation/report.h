@@ -202,6 +202,7 @@ struct Report {
     std::string process = "jet";  ///< What the machine works with: "jet", "plasma", "laser", "spindle".
     double cycle_time_s = 0;
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
+    double words_s = 0;  ///< The part of dwell_s that words took by [times] of the machine file.
     double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
     std::uint64_t blocks = 0;
     std::uint64_t moves = 0;

@@ -212,6 +212,15 @@ Json passes(const Report& report) {
             {"to_block", report.passes->to_block ? Json(*report.passes->to_block) : Json(nullptr)}};
 }
 
+// `words_s` is there where words take time.
+Json times(const Report& report) {
+    Json json = {{"rapid_s", number(report.rapid_s)},
+                 {"feed_s", number(report.feed_s)},
+                 {"dwell_s", number(report.dwell_s)}};
+    if (report.words_s > 0) json["words_s"] = number(report.words_s);
+    return json;
+}
+
 Json object(const Report& report) {
     Json json = {
         {"program", report.program},
@@ -224,10 +233,7 @@ Json object(const Report& report) {
         {"remedy", remedy(report.violations)},
         {"cycle_time_s", number(report.cycle_time_s)},
         {"valid_until_s", number(report.violations.valid_until_s())},
-        {"time",
-         {{"rapid_s", number(report.rapid_s)},
-          {"feed_s", number(report.feed_s)},
-          {"dwell_s", number(report.dwell_s)}}},
+        {"time", times(report)},
         {"process", report.process},
         {"length",
          {{"rapid_mm", number(report.rapid_mm)},

@@ -141,7 +141,11 @@ void add_times(Text& out, const Report& report) {
     row("rapid", report.rapid_s, report.rapid_mm);
     row("feed", report.feed_s, report.feed_mm);
     out.line("{:<12}{:>12}{:>10}{:>16.3f}", fmt::format(" {} on", report.process), "", "", report.jet_on_mm);
-    out.line("{:<10}{:>14.3f}{:>8.1f} %", "dwell", report.dwell_s, percent(report, report.dwell_s));
+    const auto rest = [&](std::string_view what, double time_s) {
+        out.line("{:<10}{:>14.3f}{:>8.1f} %", what, time_s, percent(report, time_s));
+    };
+    rest("dwell", report.dwell_s);
+    if (report.words_s > 0) rest(" of words", report.words_s);
 }
 
 void add_explanation(Text& out, const Report& report) {

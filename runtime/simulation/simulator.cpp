@@ -322,6 +322,14 @@ bool Simulator::dwell(double seconds, const Place& place) {
                        [&](const AxisVector& at) { observer_->dwell(at, seconds); });
 }
 
+bool Simulator::take_time(double seconds, const Place& place) {
+    if (!machine_.times.before_first_move && time_s() <= 0) return true;
+    const MoveInfo info = next_move(MoveKind::dwell, place, 0);
+    recorder_.expect(info);
+    words_s_ += seconds;
+    return finish_move(shell_.SetNextRest(info.target_id, seconds), place);
+}
+
 double Simulator::time_s() {
     motion_->come_to_rest(false);
     return motion_->time_s();
@@ -359,6 +367,7 @@ Report Simulator::finish(std::string program) {
     if (report.status == RunStatus::completed && report.violations.count > 0)
         report.status = RunStatus::violations;
     report.blocks = blocks_;
+    report.words_s = words_s_;
     report.passes = passes_;
     report.events = events_.release();
     report.warnings = std::move(warnings_);

@@ -97,6 +97,9 @@ class Simulator {
     bool set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm, const Place& place);
     bool has_tip_control() const { return tip_frame_.has_value(); }
     bool dwell(double seconds, const Place& place);
+    /// The machine rests for what a word of the program has set going ([times] of the machine file). Part of
+    /// the program's time, but nothing that it asks for: the observer is not told.
+    bool take_time(double seconds, const Place& place);
     /// How the moves that follow are passed, and within what tolerances (mm; 0: as the controller does).
     void set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm);
     /// The next move ends in an exact stop, whatever the mode.
@@ -281,6 +284,7 @@ class Simulator {
     OpenCalls calls_;
     RunStatus status_ = RunStatus::completed;
     std::optional<Passes> passes_;
+    double words_s_ = 0;  // that take_time() has rested
     ServiceModes service_modes_;
     rrs::TargetId next_id_ = 1;
     Place last_place_;  ///< Of the last move.

@@ -23,6 +23,7 @@ struct Controller {
     Tolerance fair;                    ///< ... and all, but for those that known.h lists, this close.
     std::size_t close_percent = 95;    ///< How many are most,
     std::size_t fair_percent = 100;    ///< and all.
+    bool from_first_move = false;      ///< Recorded times begin with the first motion, whatever was before.
     std::string_view machines = name;  ///< What the names of its machine files begin with.
 };
 
@@ -31,7 +32,8 @@ struct Controller {
 inline constexpr std::array kControllers{
     Controller{"linuxcnc", "cycle_time_s", "mode", false, {0.5, 0.005}, {2, 0.005}},
     Controller{"grbl", "cycle_time_nominal_s", "notes", true, {0.2, 0.002}, {1, 0.002}},
-    Controller{"linuxcnc2", "cycle_time_s", "mode", true, {0.05, 0.002}, {0.5, 0.005}, 85, 97, "linuxcnc"},
+    Controller{
+        "linuxcnc2", "cycle_time_s", "mode", true, {0.05, 0.002}, {0.5, 0.005}, 85, 97, true, "linuxcnc"},
 };
 
 }  // namespace gsim::accuracy

@@ -71,7 +71,12 @@ tl::expected<std::string, std::string> GsimProgram::run(const Recording& recordi
 }
 
 tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& recording) const {
-    return run(recording, {}).and_then(read_cycle_time_s);
+    if (!recording.from_first_move) return run(recording, {}).and_then(read_cycle_time_s);
+    const fs::path moves_file = scratch_.path() / "moves.jsonl";
+    const auto whole_s = run(recording, {"--moves", moves_file}).and_then(read_cycle_time_s);
+    if (!whole_s) return whole_s;
+    std::ifstream moves(moves_file);
+    return *whole_s - first_motion_s(moves);
 }
 
 tl::expected<TimedPath, std::string> GsimProgram::path(const Recording& recording) const {
@@ -99,6 +104,15 @@ tl::expected<double, std::string> read_cycle_time_s(const std::string& report) {
     } catch (const std::exception& error) {  // nlohmann's
         return tl::unexpected(fmt::format("the report cannot be understood: {}", error.what()));
     }
+}
+
+double first_motion_s(std::istream& moves) {
+    std::string line;
+    while (std::getline(moves, line)) {
+        const json move = json::parse(line, nullptr, false);
+        if (move.is_object() && move.value("kind", "dwell") != "dwell") return move.value("start_s", 0.0);
+    }
+    return 0;
 }
 
 tl::expected<TimedPath, std::string> recorded_path(const Recording& recording) {

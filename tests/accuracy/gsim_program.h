@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -17,8 +18,8 @@ class GsimProgram {
     /// `machines` is the folder of machine files.
     GsimProgram(std::string gsim_run, std::filesystem::path machines);
 
-    /// The cycle time of a program in the dialect rs274ngc, s; the error is the first one that gsim-run
-    /// reports.
+    /// The cycle time of a program in the dialect rs274ngc, s, from its start or its first motion on; the
+    /// error is the first one that gsim-run reports.
     tl::expected<double, std::string> cycle_time_s(const Recording& recording) const;
 
     /// The path of a program, sampled every 10 ms; the error as above.
@@ -35,6 +36,9 @@ class GsimProgram {
 
 /// The cycle time in a report of `gsim-run --json`, s; the error says why there is none.
 tl::expected<double, std::string> read_cycle_time_s(const std::string& report);
+
+/// When the first motion begins, s, in what `gsim-run --moves` writes; 0 where there is none.
+double first_motion_s(std::istream& moves);
 
 /// The path of a recording; the error names the file that cannot be read or understood.
 tl::expected<TimedPath, std::string> recorded_path(const Recording& recording);

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -89,6 +90,16 @@ TEST(RecordedPath, IsUnpacked) {
     EXPECT_EQ(path->blocks.size(), 1U);
     made.samples = folder.path() / "missing.csv.gz";
     EXPECT_FALSE(recorded_path(made));
+}
+
+TEST(Moves, BeginWithTheFirstMotion) {
+    std::istringstream moves(
+        "{\"n\":1,\"kind\":\"dwell\",\"start_s\":0,\"end_s\":3}\n{\"n\":2,\"kind\":\"rapid\",\"start_s\":3.5}"
+        "\n"
+        "{\"n\":3,\"kind\":\"linear\",\"start_s\":4}\n");
+    EXPECT_EQ(first_motion_s(moves), 3.5);
+    std::istringstream none("");
+    EXPECT_EQ(first_motion_s(none), 0);
 }
 
 }  // namespace

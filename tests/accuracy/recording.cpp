@@ -114,6 +114,7 @@ tl::expected<Recording, std::string> read_recording(const fs::path& program, con
         if (const auto read = read_figures(*json_text, controller, recording); !read)
             return tl::unexpected(fmt::format("{}: {}", figures.string(), read.error()));
     }
+    recording.from_first_move = controller.from_first_move;
     recording.counted = controller.times_dwells || !has_dwell(*program_text);
     return recording;
 }

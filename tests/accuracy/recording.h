@@ -21,9 +21,10 @@ struct Recording {
     std::string machine_file;       ///< Name of the machine file: CONTROLLER-MACHINE.toml.
     std::string note;               ///< The mode, or a word about the program.
     double cycle_time_s = 0;
-    bool counted = true;        ///< Whether the controller timed all of it.
-    bool exact_stop = false;    ///< Whether it rests after each block (G61.1).
-    std::vector<Block> blocks;  ///< Where they were recorded.
+    bool from_first_move = false;  ///< The time begins with the first motion.
+    bool counted = true;           ///< Whether the controller timed all of it.
+    bool exact_stop = false;       ///< Whether it rests after each block (G61.1).
+    std::vector<Block> blocks;     ///< Where they were recorded.
 };
 
 /// The recordings in a folder, sorted by name: programs with a JSON beside them, or with a line of the

@@ -28,6 +28,7 @@ TEST_P(LinuxcncTimes, AreThoseRecorded) {
     const Outcome run = run_ngc(std::string("G21 G90 G94 G17\n") + GetParam().program + "M2\n", setup);
     ASSERT_TRUE(run.completed()) << run.message();
     EXPECT_NEAR(run.report.cycle_time_s, GetParam().time_s, kNear_s);
+    EXPECT_EQ(run.moves.back().end_s, run.report.cycle_time_s);  // with the periods in which the axes follow
 }
 
 std::string name_of(const testing::TestParamInfo<Recorded>& recorded) {

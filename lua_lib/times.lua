@@ -1,0 +1,52 @@
+-- How long words take: [times] of the machine file, in s. core.times is nil where there is no such table, else
+-- { tool_change = 8.0, ..., codes = { M100 = 0.5 } }. Loaded behind all files that define words.
+
+local times = core.times
+if times == nil then return end
+
+local named = {
+  M3 = times.spindle_start, M4 = times.spindle_start, M5 = times.spindle_stop,
+  M6 = times.tool_change, M7 = times.coolant_on,
+}
+if core.dialect == "rs274ngc" then
+  named.M8, named.M9 = times.coolant_on, times.coolant_off
+elseif core.process == nil then
+  named.M8, named.M9 = times.process_on, times.process_off
+end
+
+local function time_of(code, words)
+  if times.codes[code] then return times.codes[code] end
+  local entry = process_entry(code, words)
+  local of_process = entry and (entry.on and times.process_on or times.process_off) or 0
+  return of_process > 0 and of_process or named[code] or 0
+end
+
+-- act(...), and then the time that the word takes.
+local function timed(code, words, act, ...)
+  local result = act(...)
+  local seconds, place = time_of(code, words), core.place()
+  if seconds > 0 then path.act(function() core.take_time(seconds, place) end) end
+  return result
+end
+
+local function watch(code)
+  local meaning = rawget(env, code)
+  if meaning ~= nil then
+    env[code] = function(words, ...) return timed(code, words, meaning, words, ...) end
+  else
+    watch_user_code(tonumber(code:sub(2)), function(words, act) return timed(code, words, act, words) end)
+  end
+end
+
+local watched = {}
+for _, codes in ipairs { named, times.codes } do
+  for code in pairs(codes) do watched[code] = rawget(env, code) ~= nil or times.codes[code] ~= nil end
+end
+if core.process then
+  for _, list in ipairs { core.process.on, core.process.off } do
+    for _, entry in ipairs(list) do watched[entry.code] = true end
+  end
+end
+for code, is_word in pairs(watched) do
+  if is_word then watch(code) end
+end

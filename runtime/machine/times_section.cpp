@@ -1,0 +1,69 @@
+#include "runtime/machine/times_section.h"
+
+#include <array>
+#include <charconv>
+
+namespace gsim::machine {
+
+namespace {
+
+struct TimeKey {
+    std::string_view name;
+    double WordTimes::*time_s;
+};
+constexpr std::array kTimeKeys{TimeKey{"tool_change_s", &WordTimes::tool_change_s},
+                               TimeKey{"coolant_on_s", &WordTimes::coolant_on_s},
+                               TimeKey{"coolant_off_s", &WordTimes::coolant_off_s},
+                               TimeKey{"spindle_start_s", &WordTimes::spindle_start_s},
+                               TimeKey{"spindle_stop_s", &WordTimes::spindle_stop_s},
+                               TimeKey{"process_on_s", &WordTimes::process_on_s},
+                               TimeKey{"process_off_s", &WordTimes::process_off_s}};
+constexpr std::string_view kBeforeFirstMove = "before_first_move";
+constexpr int kLastCode = 999;
+
+// The number of an M code; none where the key is no such code.
+std::optional<int> code_of(std::string_view key) {
+    if (key.size() < 2 || key.front() != 'M') return std::nullopt;
+    int code = -1;
+    const char* end = key.data() + key.size();
+    const auto read = std::from_chars(key.data() + 1, end, code);
+    if (read.ec != std::errc() || read.ptr != end || code < 0 || code > kLastCode) return std::nullopt;
+    return code;
+}
+
+std::vector<std::string_view> keys_of(const toml::table& table) {
+    std::vector<std::string_view> keys;
+    for (const TimeKey& key : kTimeKeys) keys.push_back(key.name);
+    keys.push_back(kBeforeFirstMove);
+    for (const auto& [key, value] : table) {
+        if (code_of(key.str())) keys.push_back(key.str());
+    }
+    return keys;
+}
+
+}  // namespace
+
+WordTimes read_times(FirstError& error, const toml::table* table) {
+    WordTimes times;
+    if (table == nullptr) return times;
+    const std::vector<std::string_view> keys = keys_of(*table);
+    TomlSection section(error, *table, "[times]", keys);
+    for (const TimeKey& key : kTimeKeys)
+        times.*key.time_s = section.number(key.name, 0, NumberRule::not_negative);
+    times.before_first_move = section.flag(kBeforeFirstMove, true);
+    for (const std::string_view key : keys) {
+        if (const auto code = code_of(key))
+            times.codes_s[*code] = section.number(key, 0, NumberRule::not_negative);
+    }
+    return times;
+}
+
+void print_times(TomlText& out, const WordTimes& times) {
+    if (times == WordTimes{}) return;
+    out.section("[times]");
+    for (const TimeKey& key : kTimeKeys) out.number(key.name, times.*key.time_s);
+    out.line(kBeforeFirstMove, times.before_first_move ? "true" : "false");
+    for (const auto& [code, time_s] : times.codes_s) out.number(fmt::format("M{}", code), time_s);
+}
+
+}  // namespace gsim::machine

@@ -1,0 +1,93 @@
+// How long words take: [times] of the machine file.
+
+#include "tests/lua_lib/ngc_run.h"
+
+namespace gsim::script::word_times_test {
+namespace {
+
+using machine::WordTimes;
+
+Conditions with_times(WordTimes times, const char* dialect = "rs274ngc") {
+    Conditions setup = with_tools();
+    setup.options.dialect = dialect;
+    setup.machine.process.reset();
+    setup.machine.times = std::move(times);
+    return setup;
+}
+
+// What a word takes between two moves, s.
+double taken_s(const std::string& word, const WordTimes& times, const char* dialect = "rs274ngc") {
+    const std::string before = "G21 G1 X10 F6000\n", behind = "G1 X20\nM30\n";
+    const Outcome timed = run(before + word + "\n" + behind, with_times(times, dialect));
+    const Outcome bare = run(before + behind, with_times({}, dialect));
+    EXPECT_TRUE(timed.completed()) << timed.message();
+    EXPECT_NEAR(timed.report.words_s, timed.report.cycle_time_s - bare.report.cycle_time_s, 1e-9) << word;
+    EXPECT_NEAR(timed.report.dwell_s - bare.report.dwell_s, timed.report.words_s, 1e-9) << word;
+    return timed.report.words_s;
+}
+
+const WordTimes kTimes{.tool_change_s = 8,
+                       .coolant_on_s = 0.5,
+                       .coolant_off_s = 0.25,
+                       .spindle_start_s = 2,
+                       .spindle_stop_s = 1.5,
+                       .process_on_s = 0.3,
+                       .process_off_s = 0.2,
+                       .codes_s = {{4, 3}, {100, 0.75}}};
+
+TEST(WordTimes, OfEachWordByWhatItDoes) {
+    EXPECT_EQ(taken_s("T1 M6", kTimes), 8);
+    EXPECT_EQ(taken_s("M7", kTimes), 0.5);
+    EXPECT_EQ(taken_s("M8", kTimes), 0.5);
+    EXPECT_EQ(taken_s("M9", kTimes), 0.25);
+    EXPECT_EQ(taken_s("M3 S100", kTimes), 2);
+    EXPECT_EQ(taken_s("M5", kTimes), 1.5);
+    EXPECT_EQ(taken_s("M64 P0", kTimes), 0);
+    EXPECT_EQ(taken_s("M8\nM9\nM8", kTimes), 1.25);
+}
+
+TEST(WordTimes, ANumberGoesBeforeAName) {
+    EXPECT_EQ(taken_s("M4 S100", kTimes), 3);
+    EXPECT_EQ(taken_s("M3 S100", {.spindle_start_s = 2, .codes_s = {{3, 0}}}), 0);
+}
+
+// A user code that nothing defines takes its time and does nothing else.
+TEST(WordTimes, OfUserCodes) {
+    EXPECT_EQ(taken_s("M100", kTimes), 0.75);
+    EXPECT_EQ(taken_s("M100 P1 Q2", kTimes), 0.75);
+    expect_alarm(run("G21\nM101\nM2\n", with_times(kTimes)), "M101");
+}
+
+TEST(WordTimes, OfTheProcess) {
+    EXPECT_EQ(taken_s("M8", kTimes, "ab9"), 0.3);  // the waterjet's jet
+    EXPECT_EQ(taken_s("M9", kTimes, "ab9"), 0.2);
+    Conditions laser = with_times(kTimes);
+    laser.machine.process = machine::Process{.kind = machine::ProcessKind::laser,
+                                             .on = {{62, {{'P', 0}}}, {101, {}}},
+                                             .off = {{63, {{'P', 0}}}, {100, {}}},
+                                             .checks = {.dwell_s = 9}};
+    const Outcome run = script::run(
+        "G21 F6000\nG1 X10\nM62 P0\nG1 X20\nM63 P0\nG1 X30\nM62 P1\nG1 X40\nM101\nG1 X50\nM100\nG1 "
+        "X60\nM8\nM2\n",
+        laser);
+    ASSERT_TRUE(run.completed()) << run.message();
+    EXPECT_NEAR(run.report.words_s, 0.3 + 0.2 + 0.3 + 0.75 + 0.5, 1e-12);
+    EXPECT_EQ(run.events(), "laser_on laser_off digital_output laser_on laser_off flood_on");
+}
+
+// What recordings leave out that begin with the first move.
+TEST(WordTimes, MayCountFromTheFirstMoveOn) {
+    const std::string program = "G21 T1 M6\nG1 X10 F6000\nT2 M6\nG1 X20\nM2\n";
+    EXPECT_EQ(run(program, with_times({.tool_change_s = 8})).report.words_s, 16);
+    EXPECT_EQ(run(program, with_times({.tool_change_s = 8, .before_first_move = false})).report.words_s, 8);
+}
+
+TEST(WordTimes, AreSaidInTheReport) {
+    const Outcome timed = run("G21 M8\nG1 X10 F6000\nM2\n", with_times(kTimes));
+    EXPECT_NE(simulation::to_json(timed.report).find("\"words_s\": 0.5"), std::string::npos);
+    const Outcome bare = run("G21 M8\nG1 X10 F6000\nM2\n", with_times({}));
+    EXPECT_EQ(simulation::to_json(bare.report).find("words_s"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gsim::script::word_times_test
