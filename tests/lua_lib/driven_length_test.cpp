@@ -19,6 +19,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTurn_rad = 2 * std::numbers::pi;
+constexpr int kPrograms = 24;
 constexpr double kGrblChord_mm = 0.002;
 constexpr double kRounding_mm = 1e-4;  // of the programs' numbers, of all moves together
 
@@ -206,7 +207,7 @@ double distance_mm(const Vector3d& point, const std::vector<Vector3d>& chain) {
 /// The length that is driven is the programmed one, less at most what rounded corners and chords may take.
 TEST_P(DrivenLength, IsTheProgrammedOneLessWhatCornersMayTake) {
     Programs programs(11, false);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < kPrograms; ++i) {
         const Program program = programs.next();
         const Outcome run = run_ngc(program.text, conditions());
         ASSERT_TRUE(run.completed()) << run.message() << program.text;
@@ -220,7 +221,7 @@ TEST_P(DrivenLength, IsTheProgrammedOneLessWhatCornersMayTake) {
 /// are too large to count as lines are driven with all their turns.
 TEST_P(DrivenLength, MergedLinesLeaveNothingOut) {
     Programs programs(12, true);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < kPrograms; ++i) {
         const Program program = programs.next();
         const Outcome run = run_ngc(program.text, conditions());
         ASSERT_TRUE(run.completed()) << run.message() << program.text;
