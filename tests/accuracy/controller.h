@@ -33,7 +33,7 @@ inline constexpr std::array kControllers{
     Controller{"linuxcnc", "cycle_time_s", "mode", false, {0.5, 0.005}, {2, 0.005}},
     Controller{"grbl", "cycle_time_nominal_s", "notes", true, {0.2, 0.002}, {1, 0.002}},
     Controller{
-        "linuxcnc2", "cycle_time_s", "mode", true, {0.05, 0.002}, {0.5, 0.005}, 85, 97, true, "linuxcnc"},
+        "linuxcnc2", "cycle_time_s", "mode", true, {0.05, 0.002}, {0.5, 0.005}, 85, 96, true, "linuxcnc"},
 };
 
 }  // namespace gsim::accuracy

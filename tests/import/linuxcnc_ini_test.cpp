@@ -63,6 +63,7 @@ TEST(LinuxcncIni, TheRecordedMachinesAreTheSamples) {
         machine.name = sample.name;
         machine.program = sample.program;
         machine.process = sample.process;
+        machine.times = sample.times;
         EXPECT_EQ(machine::print_machine(machine), machine::print_machine(sample)) << name;
     }
 }
