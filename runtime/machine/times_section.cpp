@@ -33,6 +33,7 @@ std::optional<int> code_of(std::string_view key) {
 
 std::vector<std::string_view> keys_of(const toml::table& table) {
     std::vector<std::string_view> keys;
+    keys.reserve(kTimeKeys.size() + 1 + table.size());
     for (const TimeKey& key : kTimeKeys) keys.push_back(key.name);
     keys.push_back(kBeforeFirstMove);
     for (const auto& [key, value] : table) {
