@@ -202,7 +202,7 @@ TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
     const JointPos from = robot.planner.position();
     ASSERT_EQ(robot.planner.SetNextRest(2, 2), Status::RRS_SUCCESS) << robot.message();
     robot.planner.SelectTracking(1, false);
-    const auto tip = [&](const JointPos& joints) {
+    const auto tip = [&](const JointPos& joints) -> Vector3d {
         return robot.setup.kinematics->forward(joints).translation();
     };
     const Vector3d gone = turned.linear() * (tip(robot.planner.position()) - tip(from));
