@@ -16,10 +16,45 @@ using Precise = long double;
 constexpr Precise kHalfTurn = 180;
 constexpr Precise kPi = std::numbers::pi_v<Precise>;
 
-template <Precise (*function)(Precise)>
-int of_degrees(lua_State* state) {
-    const Precise degrees = luaL_checknumber(state, 1);
-    lua_pushnumber(state, static_cast<double>(function(degrees * kPi / kHalfTurn)));
+// A quarter of a turn in parts, each of so few digits that its products with kMostQuarters at most are exact
+// (Cody and Waite, Software Manual for the Elementary Functions, 1980).
+constexpr Precise kQuarterHigh = 0x1.921fb54442p+0L;
+constexpr Precise kQuarterMiddle = 0x1.a308d31319p-41L;
+constexpr Precise kQuarterLow = 0x1.145c06e0e6894812p-82L;
+constexpr Precise kMostQuarters = 1 << 20;
+
+/// An angle (rad) as quarters of a turn, counted from 0 to 3, and what is left of it, at most half a quarter:
+/// there the functions of long double are fast.
+struct Reduced {
+    unsigned quarters;
+    Precise rest;
+};
+
+Reduced reduced(Precise angle) {
+    const long whole = std::lrint(angle / (kPi / 2));
+    const auto count = static_cast<Precise>(whole);
+    const Precise rest = ((angle - count * kQuarterHigh) - count * kQuarterMiddle) - count * kQuarterLow;
+    return {static_cast<unsigned>(whole) & 3U, rest};
+}
+
+Precise sine(Precise angle, unsigned quarters_ahead) {
+    const auto [quarters, rest] = reduced(angle);
+    const unsigned place = (quarters + quarters_ahead) & 3U;
+    const Precise value = (place & 1U) != 0 ? std::cos(rest) : std::sin(rest);
+    return (place & 2U) != 0 ? -value : value;
+}
+
+template <Precise (*function)(Precise), unsigned quarters_ahead>
+int wave_of_degrees(lua_State* state) {
+    const Precise angle = static_cast<Precise>(luaL_checknumber(state, 1)) * kPi / kHalfTurn;
+    const bool near = std::abs(angle) < kMostQuarters;
+    lua_pushnumber(state, static_cast<double>(near ? sine(angle, quarters_ahead) : function(angle)));
+    return 1;
+}
+
+int tan_deg(lua_State* state) {
+    const Precise angle = static_cast<Precise>(luaL_checknumber(state, 1)) * kPi / kHalfTurn;
+    lua_pushnumber(state, static_cast<double>(std::tan(angle)));
     return 1;
 }
 
@@ -44,9 +79,9 @@ int atan_deg(lua_State* state) {
 }  // namespace
 
 void add_angles(lua_State* state, Controller& controller) {
-    set_function<of_degrees<std::sin>>(state, "sin_deg", &controller);
-    set_function<of_degrees<std::cos>>(state, "cos_deg", &controller);
-    set_function<of_degrees<std::tan>>(state, "tan_deg", &controller);
+    set_function<wave_of_degrees<std::sin, 0>>(state, "sin_deg", &controller);
+    set_function<wave_of_degrees<std::cos, 1>>(state, "cos_deg", &controller);
+    set_function<tan_deg>(state, "tan_deg", &controller);
     set_function<asin_deg>(state, "asin_deg", &controller);
     set_function<acos_deg>(state, "acos_deg", &controller);
     set_function<atan_deg>(state, "atan_deg", &controller);
