@@ -44,17 +44,21 @@ Precise sine(Precise angle, unsigned quarters_ahead) {
     return (place & 2U) != 0 ? -value : value;
 }
 
+/// The first argument, degrees, in rad.
+Precise angle_of(lua_State* state) {
+    return static_cast<Precise>(luaL_checknumber(state, 1)) * kPi / kHalfTurn;
+}
+
 template <Precise (*function)(Precise), unsigned quarters_ahead>
 int wave_of_degrees(lua_State* state) {
-    const Precise angle = static_cast<Precise>(luaL_checknumber(state, 1)) * kPi / kHalfTurn;
+    const Precise angle = angle_of(state);
     const bool near = std::abs(angle) < kMostQuarters;
     lua_pushnumber(state, static_cast<double>(near ? sine(angle, quarters_ahead) : function(angle)));
     return 1;
 }
 
 int tan_deg(lua_State* state) {
-    const Precise angle = static_cast<Precise>(luaL_checknumber(state, 1)) * kPi / kHalfTurn;
-    lua_pushnumber(state, static_cast<double>(std::tan(angle)));
+    lua_pushnumber(state, static_cast<double>(std::tan(angle_of(state))));
     return 1;
 }
 

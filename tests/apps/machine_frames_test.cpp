@@ -6,33 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"
+#include "tests/apps/slides.h"
 
 namespace gsim::apps::machine_frames_test {
 namespace {
 
 using nlohmann::json;
-
-/// Slides that are at their speed at once: X goes from 0 at 100 mm/s with F6000.
-constexpr const char* kSlides = R"(
-[machine]
-name = "slides"
-inverse = "none"
-[[axis]]
-letter = "X"
-kind = "linear"
-max_speed_mm_s = 1000.0
-direction = "x"
-[[axis]]
-letter = "Y"
-kind = "linear"
-max_speed_mm_s = 1000.0
-direction = "y"
-[[axis]]
-letter = "Z"
-kind = "linear"
-max_speed_mm_s = 1000.0
-direction = "z"
-)";
 
 /// The near side of the plate is met where the tool's centre is at x = 294.5.
 constexpr const char* kPlate = R"(
@@ -76,7 +55,7 @@ class MachineFrames : public Apps {
         EXPECT_EQ(report["collisions"][0]["pair"], (json{"tip", "plate"}));
         return report["collisions"][0]["t_s"].get<double>();
     }
-    const std::string machine_ = write("slides.toml", kSlides);
+    const std::string machine_ = write("slides.toml", slides("slides"));
     const std::string cell_ = write("cell.toml", kPlate);
 };
 

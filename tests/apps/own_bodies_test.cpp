@@ -4,32 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"
+#include "tests/apps/slides.h"
 
 namespace gsim::apps::own_bodies_test {
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* kSlides = R"({}
-[machine]
-name = "router with a table"
-inverse = "none"
-[[axis]]
-letter = "X"
-kind = "linear"
-max_speed_mm_s = 1000.0
-direction = "x"
-[[axis]]
-letter = "Y"
-kind = "linear"
-max_speed_mm_s = 1000.0
-direction = "y"
-[[axis]]
-letter = "Z"
-kind = "linear"
-max_speed_mm_s = 1000.0
-direction = "z"
-)";
 
 /// The head's underside comes to the table's top at Z = -70.
 constexpr const char* kBodies = R"(
@@ -47,7 +27,7 @@ shape = { box_mm = [60.0, 60.0, 60.0] }
 class OwnBodies : public Apps {
   protected:
     std::string machine(const std::string& bodies, const std::string& head = {}) const {
-        return write("machine.toml", fmt::format(fmt::runtime(kSlides), head) + bodies);
+        return write("machine.toml", head + "\n" + slides("router with a table") + bodies);
     }
     json run(const std::vector<std::string>& arguments, int status) const {
         std::vector<std::string> all = arguments;
