@@ -43,14 +43,14 @@ class Followers {
 /// What the limits of a joint allow it.
 LawLimits law_limits(const PlannerSetup& setup, int joint);
 
-/// Whether a joint moves beside the tool's path: it is none of those of the role that leads, nor of
-/// `orientation` where that is not null, which go with the lead.
-bool is_beside(const JointChanges& changes, JointRole lead, const OrientationArc* orientation, int joint);
-
 /// The same of a joint beside the tool's path: the programmed speed and acceleration of orientation reach
 /// each rotary joint in its share of the change of orientation.
 LawLimits limits_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
                         int joint);
+
+/// Whether a joint moves beside the tool's path: it is none of those of the role that leads, nor of
+/// `orientation` where that is not null, which go with the lead.
+bool is_beside(const JointChanges& changes, JointRole lead, const OrientationArc* orientation, int joint);
 
 /// What keeps a motion within limits from being faster: its speed, its acceleration or its jerk.
 LimitedBy limit_reached(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
