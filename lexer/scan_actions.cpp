@@ -88,7 +88,8 @@ std::optional<Slice> Lexer::add_number(std::string_view digits, bool negative) {
                          kMaxNumberBytes));
         return std::nullopt;
     }
-    Slice slice = block_.add(negative ? "-" : "");
+    if (!negative) return block_.add(digits);
+    Slice slice = block_.add("-");
     slice.size += block_.add(digits).size;
     return slice;
 }

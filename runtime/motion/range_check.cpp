@@ -29,6 +29,10 @@ Planned judge(const PlannerSetup& setup, const Excursion& excursion, const char*
     return {};
 }
 
+bool within(const JointSetup& range, const Range& way) {
+    return way.min >= range.min - kRangeRounding && way.max <= range.max + kRangeRounding;
+}
+
 Planned check_way(const PlannerSetup& setup, int joint, const Range& way, const char* where) {
     const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
     if (way.min < range.min - kRangeRounding) {
@@ -43,6 +47,7 @@ Planned check_way(const PlannerSetup& setup, int joint, const Range& way, const 
 Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const Range way{joints[joint], joints[joint]};
+        if (within(setup.joints[static_cast<std::size_t>(joint)], way)) continue;
         if (Planned checked = check_way(setup, joint, way, "at the target"); !checked) return checked;
     }
     return {};

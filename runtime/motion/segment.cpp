@@ -143,7 +143,11 @@ double Segment::peak_centripetal_mm_s2() const {
 
 bool Segment::surely_within(const Range& range, int joint) const {
     if (beside) return surely_straight_within(*this, range, joint);
-    if (kind != SegmentKind::circular) return false;
+    if (kind != SegmentKind::circular) {
+        if (orientation) return false;
+        const auto [least, most] = std::minmax(start[joint], end[joint]);
+        return least >= range.min && most <= range.max;
+    }
     const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
     if (axis == position_joints.end()) return false;
     const auto index = axis - position_joints.begin();
@@ -161,13 +165,14 @@ bool Segment::surely_within(const Range& range, int joint) const {
 
 Range Segment::joint_range(int joint) const {
     if (beside) return sampled_range(*this, joint);
-    const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
     const Range ends{std::min(start[joint], end[joint]), std::max(start[joint], end[joint])};
     if (orientation && joint == orientation->tilt_joint()) {
         const Range way = orientation->tilt_range();
         return {std::min(ends.min, way.min), std::max(ends.max, way.max)};
     }
-    if (kind != SegmentKind::circular || axis == position_joints.end()) return ends;
+    if (kind != SegmentKind::circular) return ends;
+    const auto axis = std::find(position_joints.begin(), position_joints.end(), joint);
+    if (axis == position_joints.end()) return ends;
     const Range way = arc.range(static_cast<int>(axis - position_joints.begin()));
     return {std::min(ends.min, way.min), std::max(ends.max, way.max)};
 }

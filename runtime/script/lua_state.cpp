@@ -1,6 +1,8 @@
 #include "runtime/script/lua_state.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 namespace gsim::script {
@@ -31,18 +33,40 @@ LuaState& LuaState::of(lua_State* state) {
     return **static_cast<LuaState**>(lua_getextraspace(state));
 }
 
+/// As realloc() does, with sizes above 0.
+void* LuaState::resize(void* block, std::size_t held, std::size_t new_size) {
+    if (held > SmallBlocks::kLargest && new_size > SmallBlocks::kLargest)
+        return std::realloc(block, new_size);
+    if (SmallBlocks::same_class(held, new_size)) return block;
+    const bool small = new_size <= SmallBlocks::kLargest;
+    void* const grown = small ? small_blocks_.take(new_size) : std::malloc(new_size);
+    if (grown == nullptr || block == nullptr) return grown;
+    std::memcpy(grown, block, std::min(held, new_size));
+    release(block, held);
+    return grown;
+}
+
+void LuaState::release(void* block, std::size_t held) {
+    if (block == nullptr) return;
+    if (held <= SmallBlocks::kLargest) {
+        small_blocks_.give(block, held);
+    } else {
+        std::free(block);
+    }
+}
+
 void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
     auto& state = *static_cast<LuaState*>(self);
     const std::size_t held = block == nullptr ? 0 : old_size;
     if (new_size == 0) {
-        std::free(block);
+        state.release(block, held);
         state.bytes_ -= held;
         return nullptr;
     }
     state.refused_ = new_size > held && state.bytes_ + (new_size - held) > state.limits_.memory_bytes;
     if (state.refused_) return nullptr;
     state.count_work(new_size);
-    void* grown = std::realloc(block, new_size);
+    void* grown = state.resize(block, held, new_size);
     state.refused_ = grown == nullptr;
     if (grown != nullptr) {
         state.bytes_ += new_size - held;

@@ -8,6 +8,8 @@
 
 #include <lua.hpp>
 
+#include "runtime/script/small_blocks.h"
+
 namespace gsim::script {
 
 /// A Lua state that counts its memory and its steps. Running out of either cannot be caught by a script: what
@@ -55,11 +57,14 @@ class LuaState {
 
   private:
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+    void* resize(void* block, std::size_t held, std::size_t new_size);
+    void release(void* block, std::size_t held);
     static void on_hook(lua_State* state, lua_Debug* event);
     void count_steps(lua_State* state);
     static void set_hook(lua_State* thread, int steps);
 
     Limits limits_;
+    SmallBlocks small_blocks_;
     std::size_t bytes_ = 0;
     std::size_t peak_bytes_ = 0;
     std::uint64_t steps_ = 0;

@@ -27,7 +27,8 @@ ProcessFinding finding_of(const RecordedMove& move, text::DiagnosticKind kind, s
 
 }  // namespace
 
-ProcessWatch::ProcessWatch(const machine::Machine& machine) : machine_(machine) {
+ProcessWatch::ProcessWatch(const machine::Machine& machine)
+    : machine_(machine), x_axis_(machine.find('X')), y_axis_(machine.find('Y')), z_axis_(machine.find('Z')) {
     if (machine.process) process_ = machine::name(machine.process->kind);
 }
 
@@ -95,21 +96,19 @@ void ProcessWatch::look_at_spindle(const RecordedMove& move) {
 }
 
 bool ProcessWatch::goes_in_xy(const RecordedMove& move) const {
-    const auto moves = [&](char letter) {
-        const auto axis = machine_.find(letter);
+    const auto moves = [&](std::optional<std::size_t> axis) {
         if (!axis) return false;
         const auto joint = static_cast<Eigen::Index>(*axis);
         return std::abs(move.end[joint] - last_end_[joint]) > kNoWay_mm;
     };
-    return moves('X') || moves('Y') || (move.arc && std::abs(move.info.normal.z()) > kUpright);
+    return moves(x_axis_) || moves(y_axis_) || (move.arc && std::abs(move.info.normal.z()) > kUpright);
 }
 
 /// The height of a move in X and Y along which that of the machine's Z stays.
 std::optional<std::int64_t> ProcessWatch::level_um(const RecordedMove& move) const {
     if (!goes_in_xy(move)) return std::nullopt;
-    const auto axis = machine_.find('Z');
-    if (!axis) return 0;
-    const auto joint = static_cast<Eigen::Index>(*axis);
+    if (!z_axis_) return 0;
+    const auto joint = static_cast<Eigen::Index>(*z_axis_);
     const double height_mm = move.end[joint];
     if (std::abs(height_mm - last_end_[joint]) > 1 / kStepsPerMm) return std::nullopt;
     return std::llround(height_mm * kStepsPerMm);

@@ -58,6 +58,7 @@ class ProcessWatch final : public RunOutput {
     std::optional<std::int64_t> level_um(const RecordedMove& move) const;
 
     const machine::Machine& machine_;
+    std::optional<std::size_t> x_axis_, y_axis_, z_axis_;
     std::string process_;  ///< "jet"
     rrs::JointPos last_end_;
     Fault fault_ = Fault::none;          ///< Of the move before.

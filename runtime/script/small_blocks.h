@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace gsim::script {
+
+/// Memory for the many small and short-lived objects of a Lua state: its collector gives back hundreds of one
+/// size at a time, more than what the C library's allocator keeps at hand. What is given back is kept for
+/// the next block of that size, until the end.
+class SmallBlocks {
+  public:
+    static constexpr std::size_t kLargest = 256;  ///< Bytes; larger blocks are for malloc.
+
+    /// A block of `size` bytes, 1 to kLargest, aligned as malloc's; null where there is no more memory.
+    void* take(std::size_t size);
+    /// Gives back what take(size) gave.
+    void give(void* block, std::size_t size);
+    /// Whether a block of the one size is as good for the other.
+    static bool same_class(std::size_t one, std::size_t other) {
+        return one > 0 && one <= kLargest && other <= kLargest && size_class(one) == size_class(other);
+    }
+
+  private:
+    static constexpr std::size_t kGrain = alignof(std::max_align_t);
+    static constexpr std::size_t kChunkBytes = std::size_t{32} << 10U;
+
+    struct Free {
+        Free* next;
+    };
+    struct Release {
+        void operator()(void* chunk) const;
+    };
+
+    static std::size_t size_class(std::size_t size) { return (size - 1) / kGrain; }
+    bool add_chunk(std::size_t size_class);
+
+    std::array<Free*, kLargest / kGrain> free_{};
+    std::vector<std::unique_ptr<void, Release>> chunks_;
+};
+
+}  // namespace gsim::script
