@@ -102,7 +102,7 @@ double largest_cut(const PlannerSetup& setup, const Block& from, const Block& to
     const rrs::ControllerRules& controller = setup.controller;
     const bool programmed = from.move.mode == rrs::PathMode::continuous && from.move.tolerance_mm > 0;
     const double tolerance_mm = programmed ? from.move.tolerance_mm : controller.blend_tolerance_mm;
-    return std::min({from.lead.length / 2, to.lead.length / 2,
+    return std::min({kMostOfLine * from.lead.length, kMostOfLine * to.lead.length,
                      cut_within(tolerance_mm, norms.prismatic, smooth),
                      cut_within(controller.blend_tolerance_deg * kRadPerDeg, norms.rotary, smooth)});
 }
@@ -123,6 +123,32 @@ BlendedCorner blend_between(const PlannerSetup& setup, const Block& from, const 
     if (!(cut > kNoCut)) return corner;
     corner.blend = {cut, smooth, blend_share(smooth) * cut * position_of(setup, turn).norm()};
     return corner;
+}
+
+bool saves_time(const BlendedCorner& blended, double exact_speed, const Block& from, const Block& to,
+                double most) {
+    if (exact_speed >= blended.speed) return false;
+    const double acceleration =
+        std::min({from.acceleration, from.deceleration, to.acceleration, to.deceleration});
+    const double jerk = std::min(from.jerk, to.jerk);
+    const double cut = blended.blend.cut;
+    const double room = std::min(from.lead.length, to.lead.length) / 2;
+    const double reached = reachable_speed(std::max(room - cut, 0.0), blended.speed, acceleration, jerk);
+    const double speed = std::min(most, reached);
+    const double way = ramp_length(exact_speed, speed, acceleration, jerk);
+    const double blended_way = cut + ramp_length(blended.speed, speed, acceleration, jerk);
+    const double time_s = ramp_s(exact_speed, speed, acceleration, jerk);
+    const double blended_s = cut / blended.speed + ramp_s(blended.speed, speed, acceleration, jerk);
+    return blended_s < time_s + (blended_way - way) / speed;
+}
+
+Blend blend_at(const PlannerSetup& setup, const Block& from, const Block& to, double speed) {
+    const Blend& planned = to.entry_blend;
+    const rrs::JointPos turn = to.slope_in - from.slope_out;
+    const Turns turns(setup, from, to, turn, norms_of(setup, from.lead.role, turn));
+    const double cut = turns.cut(speed, planned.smooth);
+    if (!(cut < planned.cut)) return planned;
+    return {std::max(cut, kNoCut), planned.smooth, planned.deviation_mm * cut / planned.cut};
 }
 
 double least_blend_speed(const Block& from, const Block& to) {

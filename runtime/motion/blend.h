@@ -20,6 +20,10 @@ constexpr double blend_share(bool smooth) {
     return smooth ? 1.0 / 6 : 1.0 / 4;
 }
 
+/// What one blend may cut off a line at most, as a share of it. A blend is passed at one speed: between two
+/// of them something must be left on which to speed up.
+inline constexpr double kMostOfLine = 0.4;
+
 /// A blend and the speed at which it may be passed.
 struct BlendedCorner {
     Blend blend;
@@ -32,6 +36,14 @@ struct BlendedCorner {
 /// cut off; no blend, and a speed, where nothing has to be.
 BlendedCorner blend_between(const PlannerSetup& setup, const Block& from, const Block& to, bool smooth,
                             double most);
+
+/// Whether the blend of a corner takes less time than to pass it exactly at `exact_speed`, over the same way
+/// and to and from the highest speed, at most `most`, that is reached from the blend on half of either line.
+bool saves_time(const BlendedCorner& blended, double exact_speed, const Block& from, const Block& to,
+                double most);
+
+/// The blend at the start of `to`, which was planned for a higher speed, no larger than `speed` needs.
+Blend blend_at(const PlannerSetup& setup, const Block& from, const Block& to, double speed);
 
 /// The speed below which it is better to stop at the corner than to pass its blend: a share, below those of
 /// full blends, of the one from which the cut is long enough to stop. Both ways then take about as long.

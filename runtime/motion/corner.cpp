@@ -5,6 +5,7 @@
 
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/blend.h"
+#include "runtime/motion/corner_window.h"
 
 namespace gsim::motion {
 
@@ -18,12 +19,7 @@ double velocity_step_speed(const PlannerSetup& setup, const rrs::JointPos& turn)
     double speed = kUnlimited;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = std::abs(turn[joint]);
-        if (change < kStraight) continue;
-        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-        const double step = std::isfinite(limits.max_speed_step)
-                                ? limits.max_speed_step
-                                : limits.least_acceleration() * setup.controller.speed_step_s;
-        speed = std::min(speed, step / change);
+        if (change >= kStraight) speed = std::min(speed, speed_step(setup, joint) / change);
     }
     return speed;
 }
@@ -83,16 +79,40 @@ CornerRule rule_between(const rrs::ControllerRules& controller, const Block& fro
     return is_blend(controller.exact_path_corner) ? CornerRule::stop : controller.exact_path_corner;
 }
 
-BlendedCorner pass_by_rule(const PlannerSetup& setup, const Block& from, const Block& to, double most) {
+/// The corner at the end of `window`, passed exactly by a jump of the joints' speeds.
+BlendedCorner pass_by_jump(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to,
+                           double most) {
+    const double jump = velocity_step_speed(setup, to.slope_in - window.back().slope_out);
+    return {{}, speed_in_window(setup, window, std::min(most, jump), to)};
+}
+
+/// Where a jump takes no more time than a blend, as between the many lines that stand for a curve, nothing is
+/// cut off.
+BlendedCorner pass_by_blend(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to,
+                            double most, bool smooth) {
+    const BlendedCorner blended = blend_between(setup, window.back(), to, smooth, most);
+    if (setup.controller.exact_path_corner != CornerRule::velocity_step) return blended;
+    const BlendedCorner exact = pass_by_jump(setup, window, to, most);
+    return saves_time(blended, exact.speed, window.back(), to, most) ? blended : exact;
+}
+
+bool jumps_where_exact(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
+    const CornerRule rule = rule_between(controller, from, to);
+    return (is_blend(rule) ? controller.exact_path_corner : rule) == CornerRule::velocity_step;
+}
+
+BlendedCorner pass_by_rule(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to,
+                           double most) {
+    const Block& from = window.back();
     const rrs::JointPos turn = to.slope_in - from.slope_out;
     if ((turn.array().abs() < kStraight).all()) return {{}, kUnlimited};
     const CornerRule rule = rule_between(setup.controller, from, to);
     switch (rule) {
         case CornerRule::stop: return {};
-        case CornerRule::velocity_step: return {{}, velocity_step_speed(setup, turn)};
+        case CornerRule::velocity_step: return pass_by_jump(setup, window, to, most);
         case CornerRule::parabolic_blend:
         case CornerRule::smooth_blend:
-            return blend_between(setup, from, to, rule == CornerRule::smooth_blend, most);
+            return pass_by_blend(setup, window, to, most, rule == CornerRule::smooth_blend);
         case CornerRule::junction_deviation: break;
     }
     if (from.lead.role != JointRole::position || !only_position_turns(setup, turn)) return {};
@@ -101,23 +121,31 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const Block& from, const B
 
 }  // namespace
 
-CornerSpeed corner_speed(const PlannerSetup& setup, const Block& from, const Block& to) {
+double speed_step(const PlannerSetup& setup, int joint) {
+    const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+    if (std::isfinite(limits.max_speed_step)) return limits.max_speed_step;
+    return limits.least_acceleration() * setup.controller.speed_step_s;
+}
+
+CornerSpeed corner_speed(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to) {
+    const Block& from = window.back();
     const rrs::ControllerRules& controller = setup.controller;
     const double most = std::min(from.max_speed, to.max_speed);
     if (from.move.piece && !from.move.reaches_target) return {most, LimitKind::feed, {}};
     const bool changes_mode = controller.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
     if (changes_mode || from.lead.role != to.lead.role || from.move.mode == rrs::PathMode::exact_stop)
         return {};
-    const BlendedCorner corner = pass_by_rule(setup, from, to, most);
+    const BlendedCorner corner = pass_by_rule(setup, window, to, most);
     if (corner.speed == 0) return {};
-    if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend};
-    return {most, LimitKind::feed, corner.blend};
+    const bool jumps = corner.blend.cut <= 0 && jumps_where_exact(controller, from, to);
+    if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend, jumps};
+    return {most, LimitKind::feed, corner.blend, jumps};
 }
 
 double largest_exit_cut(const PlannerSetup& setup, const Block& block) {
     const bool rounded = is_straight(block) && block.move.mode != rrs::PathMode::exact_stop &&
                          is_blend(rule_at_end(setup.controller, block));
-    return rounded ? block.lead.length / 2 : 0;
+    return rounded ? kMostOfLine * block.lead.length : 0;
 }
 
 }  // namespace gsim::motion

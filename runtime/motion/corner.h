@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deque>
+
 #include "runtime/motion/block.h"
 
 namespace gsim::motion {
@@ -9,12 +11,17 @@ struct CornerSpeed {
     double speed = 0;
     LimitKind limit = LimitKind::stop;
     Blend blend = {};
+    bool jumps = false;  ///< It is passed exactly, by a jump of the joints' speeds.
 };
 
-/// By the rules of the controller, for the mode in which the first block was programmed. Never above what
+/// By the rules of the controller, for the mode in which the last block of `window` was programmed, of the
+/// corner between it and `to`. Never above what
 /// either block may do. 0 where the measures of the two ways differ (mm of the tool, rad of rotary joints).
 /// Blends round corners between lines; at the others the rule of exact paths holds, or they stop.
-CornerSpeed corner_speed(const PlannerSetup& setup, const Block& from, const Block& to);
+CornerSpeed corner_speed(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to);
+
+/// The jump of speed that a joint stands at a corner, mm/s or rad/s.
+double speed_step(const PlannerSetup& setup, int joint);
 
 /// What the corner at the end of a block may yet cut off, whatever follows.
 double largest_exit_cut(const PlannerSetup& setup, const Block& block);

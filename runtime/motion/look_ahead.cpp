@@ -7,6 +7,7 @@
 #include "runtime/motion/blend.h"
 #include "runtime/motion/chords.h"
 #include "runtime/motion/corner.h"
+#include "runtime/motion/corner_window.h"
 #include "runtime/motion/followers.h"
 #include "runtime/motion/line_move.h"
 #include "runtime/motion/ramp.h"
@@ -64,7 +65,7 @@ Planned LookAhead::add_block(const Move& move) {
         reach_with_last(move);
         return {};
     }
-    if (!window_.empty()) join(window_.back(), **block);
+    if (!window_.empty()) join(**block);
     if (leads_on(**block)) ++inner_;
     window_.push_back(*std::move(*block));
     if (!window_is_full()) return {};
@@ -92,12 +93,14 @@ bool LookAhead::window_is_full() const {
     return window_.size() - inner_ >= most || inner_ >= kMostInnerPieces;
 }
 
-void LookAhead::join(Block& from, Block& to) const {
-    const CornerSpeed corner = corner_speed(setup_, from, to);
+void LookAhead::join(Block& to) {
+    Block& from = window_.back();
+    const CornerSpeed corner = corner_speed(setup_, window_, to);
     to.entry_cap = corner.speed;
     to.entry_limit = corner.limit;
     to.entry_blend = corner.blend;
     from.exit_cut = corner.blend.cut;
+    if (corner.jumps) leave_for_corners(setup_, window_, to);
 }
 
 /// From the newest block, which ends at rest `held_back` before its end, back to the first one that has been
@@ -144,9 +147,17 @@ void LookAhead::drop_slow_blend() {
     from.exit_cut = 0;
 }
 
+/// The less of a blend that is passed slowly leaves more of both lines to speed up on.
+void LookAhead::fit_blend(double speed) {
+    if (window_.size() < 2 || window_[1].entry_blend.cut <= 0 || !(speed > 0)) return;
+    window_[1].entry_blend = blend_at(setup_, window_[0], window_[1], speed);
+    window_[0].exit_cut = window_[1].entry_blend.cut;
+}
+
 void LookAhead::put_out_front() {
     drop_slow_blend();
     const double exit = front_exit_speed();
+    fit_blend(exit);
     const Block& block = window_.front();
     const bool blended = block.exit_cut > 0;
     const bool settles = exit == 0 && block.move.mode == rrs::PathMode::exact_stop;

@@ -35,13 +35,14 @@ class LookAhead final : public MotionModel {
   private:
     Planned add_line(const Move& move);
     Planned add_block(const Move& move);
-    void join(Block& from, Block& to) const;
+    void join(Block& to);
     bool window_is_full() const;
     void plan_back(double held_back);
     void put_out_front();
     void put_out_way(const Block& block, double exit_speed, bool reaches_target);
     void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
     void drop_slow_blend();
+    void fit_blend(double speed);
     void reach_with_last(const Move& move);
     bool knows_exit() const;
     double front_exit_speed() const;

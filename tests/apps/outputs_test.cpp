@@ -126,7 +126,7 @@ TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {
     }
     const std::string file = write("blends.toml", machine);
     const std::string square =
-        write("square.ngc", "G21 G64 P0.05 F6000\nG1 X20\nY20\nX0\nY0\nG61.1\nX5\nM2\n");
+        write("square.ngc", "G21 G64 P0.05 F1000\nG1 X20\nY20\nX0\nY0\nG61.1\nX5\nM2\n");
     EXPECT_EQ(gsim_run({square, "--dialect", "rs274ngc", "--machine", file, "--quiet", "--moves",
                         "moves.jsonl", "--report", "report.json"})
                   .status,

@@ -14,8 +14,8 @@ install_into() {
     local component
     for component in programs development solid docs licence; do
         cmake --install "$build" --component "$component" --prefix "$1" >>"$scratch/log" || return
-        # Without OpenCASCADE there is nothing of solid, and no manifest of it.
-        [[ ! -e $build/install_manifest_$component.txt ]] || grep . "$build/install_manifest_$component.txt" >>"$scratch/manifest"
+        # Without OpenCASCADE there is nothing of solid, and no manifest of it or an empty one.
+        [[ ! -s $build/install_manifest_$component.txt ]] || grep . "$build/install_manifest_$component.txt" >>"$scratch/manifest"
     done
 }
 
