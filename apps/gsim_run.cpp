@@ -172,6 +172,7 @@ class Run {
         run.language = arguments_.language;
         run.outputs = arguments_.outputs;
         run.limits = arguments_.limits;
+        run.overrides = arguments_.overrides;
         run.collisions = !arguments_.no_collisions;
         run.tell = tell_;
         run.options = apps::engine_options(arguments_, {}, {}, progress, tell_);

@@ -63,12 +63,15 @@ tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
         if (const auto fault = fault_of_process(*machine->process, *station.language.dialect))
             return usage(*fault);
     }
+    auto overrides = read_overrides(run.overrides, machine->controller);
+    if (!overrides) return usage(fmt::format("robot {}: {}", entry.name, overrides.error()));
     auto cell =
         read_run_cell({.file = entry.cell.string(), .collisions = run.collisions}, *machine, conveyors);
     if (!cell) return usage(cell.error());
     station.cell = *std::move(cell);
     station.simulator = std::make_unique<simulation::Simulator>(std::move(*machine), run.limits);
     station.simulator->set_cell(*station.cell);
+    if (!overrides->changes().empty()) station.simulator->set_overrides(*overrides);
     auto outputs = Outputs::open(own_files(run.outputs, entry.name), *station.simulator);
     if (!outputs) return usage(outputs.error());
     station.outputs = std::make_unique<Outputs>(*std::move(outputs));

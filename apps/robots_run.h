@@ -6,6 +6,7 @@
 
 #include "apps/language.h"
 #include "apps/outputs.h"
+#include "apps/override_options.h"
 #include "apps/script_input.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/robots_report.h"
@@ -20,7 +21,8 @@ struct RobotsRun {
     LanguageNames language;
     OutputNames outputs;  ///< Each robot has files of its own but for the report: moves.left.jsonl.
     simulation::RunLimits limits;
-    bool collisions = true;  ///< Bodies of machines and cells are looked at.
+    OverrideOptions overrides;  ///< Of each robot.
+    bool collisions = true;     ///< Bodies of machines and cells are looked at.
     script::Engine::Options options;
     TellDiagnostic tell;  ///< Gets what is wrong with programs' texts.
 };

@@ -102,6 +102,23 @@ void add_limit_options(CommandLine& line, RunArguments& a) {
 
 namespace {
 
+void add_override_options(CommandLine& line, RunArguments& a) {
+    line.begin_group("The operator");
+    line.add("--feed-override", &a.overrides.feed_percent,
+             "feed override of the whole run; M49, M50 P0, G63, threads and taps lock it")
+        .called("PERCENT");
+    line.add("--rapid-override", &a.overrides.rapid_percent, "rapid override of the whole run")
+        .called("PERCENT");
+    line.add("--spindle-override", &a.overrides.spindle_percent,
+             "spindle override of the whole run: it changes what moves in step with the spindle, or with a "
+             "feed per revolution")
+        .called("PERCENT");
+    line.add("--overrides", &a.overrides.file,
+             "changes of the overrides in the course of the run, [[override]] with at_s, feed_percent, "
+             "rapid_percent and spindle_percent (TOML); a move under way obeys at once, and 0 holds it")
+        .of_file(FileKind::input, {".toml"});
+}
+
 void add_output_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Results");
     line.add("--json", &a.findings.json, "the report as JSON on standard output");
@@ -167,6 +184,7 @@ void add_run_options(CommandLine& line, RunArguments& a) {
     line.begin_group("A machine without a program");
     line.add("--print-machine", &a.print_machine, "print the machine file and end");
     add_study_options(line, a.studies);
+    add_override_options(line, a);
     add_stored_options(line, a);
     add_limit_options(line, a);
     add_further_options(line, a);
@@ -181,6 +199,10 @@ void add_run_options(CommandLine& line, RunArguments& a) {
 }
 
 std::string find_contradiction(const RunArguments& arguments) {
+    if (!arguments.rcs.empty() && !arguments.overrides.given().empty()) {
+        return fmt::format("{} does not go with --rcs: a module has an override of its own, SetOverrideSpeed",
+                           arguments.overrides.given());
+    }
     if (std::string fault = contradiction_of_studies(arguments); !fault.empty()) return fault;
     if (std::string fault = contradiction_of_robots(arguments); !fault.empty()) return fault;
     if (const auto conflict = arguments.outputs.conflict()) return *conflict;

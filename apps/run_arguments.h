@@ -8,6 +8,7 @@
 #include "apps/language.h"
 #include "apps/machine_studies.h"
 #include "apps/outputs.h"
+#include "apps/override_options.h"
 #include "apps/run_cell.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/simulation/simulator.h"
@@ -28,6 +29,7 @@ struct RunArguments {
     std::string lua_lib;
     std::string rcs;
     std::string robots;
+    OverrideOptions overrides;
     OutputNames outputs;
     MachineStudies studies;
     simulation::RunLimits limits;

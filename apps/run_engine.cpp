@@ -54,6 +54,7 @@ ProgramRun::ProgramRun(const RunArguments& arguments, RunInputs inputs, bool sho
       engine_(simulator_, options_of(arguments, inputs, progress_, tell)) {
     simulator_.set_cell(*cell_);
     simulator_.set_probe(inputs.probe);
+    if (!inputs.overrides.changes().empty()) simulator_.set_overrides(inputs.overrides);
 }
 
 simulation::Report ProgramRun::run() {

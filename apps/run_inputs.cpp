@@ -67,6 +67,7 @@ tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments)
                                      {&arguments.cell, InstalledKind::sample},
                                      {&arguments.robots, InstalledKind::sample},
                                      {&arguments.setup, InstalledKind::sample},
+                                     {&arguments.overrides.file, InstalledKind::sample},
                                      {&arguments.lua_lib, InstalledKind::library},
                                      {&arguments.rcs, InstalledKind::module}}) {
         auto found = find_file(kind, *name);
@@ -94,6 +95,8 @@ tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& argument
     };
     const auto probe = read_probe_option(arguments.probe, machine);
     if (!probe) return fault(probe.error());
+    auto overrides = read_overrides(arguments.overrides, machine.controller);
+    if (!overrides) return fault(overrides.error());
     auto document = read_data(arguments, input);
     if (!document) return fault(document.error());
     auto data = with_variables(arguments, document->data());
@@ -122,7 +125,8 @@ tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& argument
                      .setup = *std::move(setup),
                      .module = *std::move(module),
                      .cell = *std::move(cell),
-                     .probe = *probe};
+                     .probe = *probe,
+                     .overrides = *std::move(overrides)};
 }
 
 }  // namespace gsim::apps

@@ -35,6 +35,7 @@ struct RunInputs {
     std::optional<rrs::RcsModule> module;  ///< Where a controller module is asked for.
     std::unique_ptr<simulation::CellWatch> cell;
     simulation::ProbeFeels probe;
+    motion::OverrideSchedule overrides;
 };
 
 /// `tell` gets what is wrong with the program's text.

@@ -12,19 +12,18 @@ local function warn_of_corner_override()
   end
 end
 
-local function mode(name, number, path_name, text)
+local function mode(name, number, path_name)
   word(name, function()
     path_mode = number
     path.set_mode(path_name)
-    if text then core.warn(text) end
+    overrides.lock("G63", { feed = number == 63 })
     if number == 64 then path.warn_of_stops("G64 (cutting mode)") end
     if number == 62 then warn_of_corner_override() end
   end)
 end
 mode("G61", 61, "exact_stop")
 mode("G62", 62, "continuous")
-mode("G63", 63, "continuous",
-  "G63 (tapping mode): there are no feed overrides and no feed hold here that it could lock")
+mode("G63", 63, "continuous")   -- tapping mode: the feed override does nothing
 mode("G64", 64, "continuous")
 path.set_mode("continuous")
 
@@ -132,8 +131,16 @@ word("M7", function()
   state.mist = true
   path.event("coolant_2_on", nil, nil, changed)
 end)
-switch("M48", "overrides_on")
-switch("M49", "overrides_off")
+
+-- M49 locks all overrides of the operator, until M48.
+local function override_switch(name, kind, is_locked)
+  word(name, function()
+    path.event(kind)
+    overrides.lock("M49", { feed = is_locked, rapid = is_locked, spindle = is_locked })
+  end)
+end
+override_switch("M48", "overrides_on", false)
+override_switch("M49", "overrides_off", true)
 
 -- The spindle stops at its marked angle.
 word("M19", function()

@@ -56,11 +56,13 @@ end
 
 local function tap(tool, hole, forth, back)
   if state.spindle ~= forth then turn_spindle(forth) end
-  tool.feed(hole.bottom)
-  turn_spindle(nil)
-  dwell(hole)
-  turn_spindle(back)
-  tool.feed(hole.r)
+  overrides.without(function()
+    tool.feed(hole.bottom)
+    turn_spindle(nil)
+    dwell(hole)
+    turn_spindle(back)
+    tool.feed(hole.r)
+  end)
   turn_spindle(nil)
   turn_spindle(forth)
   tool.rapid(hole.clear)

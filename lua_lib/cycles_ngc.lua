@@ -70,11 +70,13 @@ local function tap(hole, name, forth, back)
     core.warn(name .. " outside of the XY plane: as in LinuxCNC 2.9 its strokes go to exchanged axes; use G33.1")
     feed = function(level) hole.feed_to(misplaced(hole, level)) end
   end
-  feed(hole.bottom)
-  turn_spindle(nil)
-  turn_spindle(back)
-  if hole.p > 0 then path.dwell(hole.p) end
-  feed(hole.clear)
+  overrides.without(function()
+    feed(hole.bottom)
+    turn_spindle(nil)
+    turn_spindle(back)
+    if hole.p > 0 then path.dwell(hole.p) end
+    feed(hole.clear)
+  end)
   turn_spindle(nil)
   turn_spindle(forth)
 end

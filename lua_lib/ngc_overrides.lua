@@ -1,5 +1,6 @@
--- RS274/NGC: the operator's overrides and hold (M48 to M53), and the stop for a change of pallets (M60). Nobody
--- turns them in a simulation: they are events, and parameters tell which of them may be used.
+-- RS274/NGC: the operator's overrides and hold (M48 to M53), and the stop for a change of pallets (M60). They are
+-- events, and parameters tell which of them may be used. As in LinuxCNC the feed switch is that of rapid moves, too, and
+-- a move keeps what was in force when it was programmed. Adaptive feed and feed hold have no input here.
 
 local enabled = { feed = true, speed = true, adaptive = false, hold = true }
 
@@ -10,6 +11,7 @@ local function set(names, on)
     enabled[name] = on
     path.event("override", ("%s %s"):format(name, on and "enabled" or "disabled"))
   end
+  overrides.lock("M48 to M51", { feed = not enabled.feed, rapid = not enabled.feed, spindle = not enabled.speed })
 end
 
 for name, on in pairs { M48 = true, M49 = false } do

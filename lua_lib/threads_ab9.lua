@@ -22,7 +22,8 @@ local function thread(words)
   if lead_mm == nil then
     alarm("word-missing", "G33 needs its lead: F, the length of a turn, or E, the threads per inch")
   end
-  path.line(target, thread_feed(lead_mm, "G33"), "thread")
+  local feed = thread_feed(lead_mm, "G33")
+  overrides.without(function() path.line(target, feed, "thread") end)
 end
 
 modal_word("G33", thread)

@@ -20,6 +20,7 @@ namespace {
 using Done = tl::expected<void, std::string>;
 
 constexpr std::string_view kLinuxcncModel = "linuxcnc-2.9";
+constexpr double kPercent = 100;
 constexpr double kNanosecond_s = 1e-9;
 
 /// A parameter of the planner that is built in with this value.
@@ -127,6 +128,19 @@ class Importer {
         return {};
     }
 
+    // Shares of 1.
+    Done take_overrides(rrs::OverrideRules& overrides) {
+        for (const auto& [key, percent] : {std::pair{"MAX_FEED_OVERRIDE", &overrides.feed_max_percent},
+                                           {"MIN_SPINDLE_OVERRIDE", &overrides.spindle_min_percent},
+                                           {"MAX_SPINDLE_OVERRIDE", &overrides.spindle_max_percent}}) {
+            const auto share = ini_.number("DISPLAY", key);
+            if (!share) return tl::unexpected(share.error());
+            if (*share && **share > 0) *percent = **share * kPercent;
+        }
+        overrides.planned_feed_percent = overrides.feed_max_percent;
+        return {};
+    }
+
     Done take_planner() {
         rrs::ControllerRules& rules = result_.machine.controller;
         rules = machine::built_in_controller(kLinuxcncModel).value();
@@ -136,6 +150,7 @@ class Importer {
         const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
         if (!depth) return tl::unexpected(depth.error());
         if (*depth && **depth >= 1) rules.look_ahead_blocks = static_cast<std::size_t>(**depth);
+        if (auto taken = take_overrides(rules.overrides); !taken) return taken;
         for (const FixedValue& fixed : kFixedValues) {
             const auto value = ini_.number(fixed.section, fixed.key);
             if (!value) return tl::unexpected(value.error());

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "runtime/machine/override_keys.h"
 #include "runtime/machine/stop_keys.h"
 #include "runtime/machine/toml_section.h"
 #include "runtime/machine/toml_text.h"
@@ -31,7 +32,8 @@ struct CornerKey {
 constexpr std::string_view kName = "name";
 constexpr std::string_view kPlanner = "planner";
 constexpr std::string_view kLookAhead = "look_ahead_blocks";
-constexpr std::array kSingleKeys{kModelKey, kName, kPlanner, kLookAhead, kOrientationKey, kStopsKey};
+constexpr std::array kSingleKeys{kModelKey,       kName,     kPlanner,     kLookAhead,
+                                 kOrientationKey, kStopsKey, kOverridesKey};
 
 // Names of rrs::PlannerKind, rrs::CornerRule and rrs::OrientationRule in their order.
 constexpr std::array<std::string_view, 3> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc"};
@@ -115,6 +117,7 @@ void read_controller_keys(TomlSection& section, Rules& rules) {
     for (const auto& [key, value, rule] : kNumberKeys) rules.*value = section.number(key, rules.*value, rule);
     for (const auto& [key, value] : kFlagKeys) rules.*value = section.flag(key, rules.*value);
     read_stops(section, rules);
+    read_overrides(section, rules);
 }
 
 void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base) {
@@ -134,6 +137,7 @@ void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base)
         if (rules.*value != base.*value) out.line(key, rules.*value ? "true" : "false");
     }
     print_stops(out, rules, base);
+    print_overrides(out, rules, base);
 }
 
 }  // namespace gsim::machine

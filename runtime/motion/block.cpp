@@ -52,18 +52,19 @@ void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Blo
 }
 
 /// The programmed speed along the lead: of the tool, or of orientation where rotary joints alone move.
-double programmed_speed(const Move& move, const Block& block, const rrs::ControllerRules& controller) {
-    const MoveRules& rules = move.rules;
+double programmed_speed(const Move& move, const MoveRules& rules, const Block& block,
+                        const rrs::ControllerRules& controller) {
     if (rules.least_duration_s > 0) return block.lead.length / rules.least_duration_s;
     if (block.lead.role == JointRole::rotary) return rules.orientation_speed_rad_s;
     if (move.rapid) return kUnlimited;
     return std::max(rules.programmed_speed_mm_s, controller.least_feed_mm_min / 60);
 }
 
-void limit_by_program(const Move& move, const PlannerSetup& setup, double turn, Block& block) {
-    const MoveRules rules = move.rules.resolved(turn > 0 && block.lead.role != JointRole::rotary);
-    limit(block.max_speed, block.speed_limit, programmed_speed(move, block, setup.controller),
-          {move.rules.least_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
+void limit_by_program(const Move& move, const MoveRules& asked, const PlannerSetup& setup, double turn,
+                      Block& block) {
+    const MoveRules rules = asked.resolved(turn > 0 && block.lead.role != JointRole::rotary);
+    limit(block.max_speed, block.speed_limit, programmed_speed(move, asked, block, setup.controller),
+          {asked.least_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
     if (block.lead.role != JointRole::rotary) {
         limit(block.max_speed, block.speed_limit, rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
         limit(block.acceleration, block.acceleration_limit, rules.path_acceleration_mm_s2,
@@ -214,18 +215,20 @@ rrs::JointPos Block::line_at(double length) const {
     return move.start + length / lead.length * (move.end - move.start);
 }
 
-tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup) {
+tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup,
+                                                       const Overrides& overrides) {
     const JointChanges changes(setup, move.start, move.end);
     Block block;
     block.lead = lead_of(move, changes);
     if (block.lead.length == 0) return std::nullopt;
-    const bool feed = block.lead.role != JointRole::rotary && !move.rapid && move.rules.least_duration_s <= 0;
-    if (feed && move.rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
+    const MoveRules rules = move.rules.overridden(overrides, move.obeyed, move.rapid);
+    const bool feed = block.lead.role != JointRole::rotary && !move.rapid && rules.least_duration_s <= 0;
+    if (feed && rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
     block.move = move;
     block.move.length_mm = block.lead.role == JointRole::rotary ? 0 : block.lead.length;
     block.settling = settling_of(setup.controller);
     set_slopes(move, setup, changes, block);
-    limit_by_program(move, setup, turn_of(move, changes), block);
+    limit_by_program(move, rules, setup, turn_of(move, changes), block);
     limit_by_joints(setup, shares_of(move, setup, block), block);
     if (move.piece) limit_by_bend(setup, *move.piece, block.slope_in.cwiseAbs(), block);
     if (move.kind == SegmentKind::circular) {
@@ -234,6 +237,9 @@ tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const P
     }
     if (move.orientation)
         limit_lead(block, [&](LeadPath& lead) { limit_by_head(setup, *move.orientation, lead); });
+    if (rules.rapid_share < 1)
+        limit(block.max_speed, block.speed_limit, rules.rapid_share * block.max_speed,
+              {LimitKind::rapid_override, -1});
     if (Planned checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
     return block;
 }

@@ -61,8 +61,10 @@ struct Block {
     LawLimits limits() const { return {max_speed, acceleration, deceleration, jerk}; }
 };
 
-/// The way of a move and its limits; no value where it goes nowhere (changes below 1e-9 mm or rad are none).
-/// All joints go in proportion, so the slowest sets the pace. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
-tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup);
+/// The way of a move and its limits under the operator's overrides; no value where it goes nowhere (changes
+/// below 1e-9 mm or rad are none). All joints go in proportion, so the slowest sets the pace.
+/// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
+tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup,
+                                                       const Overrides& overrides = {});
 
 }  // namespace gsim::motion

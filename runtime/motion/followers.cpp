@@ -42,6 +42,7 @@ bool is_beside(const JointChanges& changes, JointRole lead, const OrientationArc
 LawLimits limits_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
                         int joint) {
     LawLimits limits = law_limits(setup, joint);
+    limits.max_speed *= rules.rapid_share;
     if (changes.role(joint) != JointRole::rotary) return limits;
     const double share = std::abs(changes.of(joint)) / changes.norm(JointRole::rotary);
     const double acceleration = rules.orientation_acceleration_rad_s2 * share;

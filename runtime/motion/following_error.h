@@ -20,6 +20,7 @@ class FollowingError final : public SegmentOutput {
 
     Segment& begin(rrs::TargetId id) override;
     void finish() override;
+    double time_s() const override { return output_.time_s(); }
     void clear() { lag_ = 0; }
 
     /// Behind the last segment, mm or rad as its way.

@@ -8,8 +8,9 @@
 namespace gsim::motion {
 
 /// Plans joint motion from segment.start to segment.end: all joints in proportion, by one law, with the
-/// leading joint at its limit. A move that goes nowhere becomes a segment of no duration. RRS_ZERO_SPEED,
-/// RRS_INVALID_PARAMETER.
-Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed, Segment& segment);
+/// leading joint at its limit, or at a share of its speed. A move that goes nowhere becomes a segment of no
+/// duration. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
+Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed, double speed_share,
+                        Segment& segment);
 
 }  // namespace gsim::motion

@@ -59,6 +59,8 @@ Planned set_timing(Segment& segment, const LeadPath& lead, const Followers* foll
 Planned set_timing_with_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
                                JointRole role, LeadPath lead, Segment& segment) {
     const OrientationArc* const orientation = segment.orientation.get();
+    if (rules.rapid_share < 1)
+        lead.limit_speed(rules.rapid_share * lead.limits.max_speed, {LimitKind::rapid_override, -1});
     if (setup.controller.own_ramps) {
         const Followers followers(setup, rules, changes, role, orientation);
         return set_timing(segment, lead, &followers, rules.least_duration_s);

@@ -59,7 +59,8 @@ Planned LookAhead::add_line(const Move& move) {
 }
 
 Planned LookAhead::add_block(const Move& move) {
-    auto block = block_of(move, setup_);
+    if (setup_.overrides && window_.empty()) take_overrides(output_.time_s());
+    auto block = block_of(move, setup_, overrides_);
     if (!block) return tl::unexpected(std::move(block.error()));
     if (!*block) {
         reach_with_last(move);
@@ -126,7 +127,8 @@ void LookAhead::plan_back(double held_back) {
 
 /// The speed at which the next block begins, as far as the oldest one can reach it.
 double LookAhead::front_exit_speed() const {
-    return std::min(window_.size() > 1 ? window_[1].entry : 0, reachable_exit());
+    const double planned = std::min(window_.size() > 1 ? window_[1].entry : 0, reachable_exit());
+    return setup_.overrides ? std::max(is_held() ? 0 : planned, least_exit()) : planned;
 }
 
 double LookAhead::reachable_exit() const {
@@ -141,6 +143,7 @@ void LookAhead::drop_slow_blend() {
     Block& from = window_[0];
     Block& to = window_[1];
     if (to.entry_blend.cut <= 0 || front_exit_speed() >= least_blend_speed(from, to)) return;
+    if (setup_.overrides && least_exit() > 0) return;
     to.entry_blend = {};
     to.entry = to.entry_cap = 0;
     to.entry_limit = LimitKind::stop;
@@ -155,6 +158,10 @@ void LookAhead::fit_blend(double speed) {
 }
 
 void LookAhead::put_out_front() {
+    if (setup_.overrides) {
+        while (turn_overrides()) {
+        }
+    }
     drop_slow_blend();
     const double exit = front_exit_speed();
     fit_blend(exit);
@@ -188,8 +195,9 @@ void LookAhead::put_out_way(const Block& block, double exit_speed, bool reaches_
     segment.orientation = block.move.orientation;
     segment.length_mm = block.move.length_mm * (way / length);
     segment.reaches_target = reaches_target;
-    segment.lead = TimeLaw::between(way, speed_, exit_speed, block.limits());
+    segment.lead = front_law(exit_speed);
     segment.lead_limits = block.limits();
+    segment.lead_limits.max_speed = std::max(block.max_speed, segment.lead.peak_speed());
     segment.duration_s = segment.lead.duration_s();
     segment.limited_by = limited_by(block, segment.lead, exit_speed);
     output_.finish();
@@ -233,7 +241,9 @@ LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double e
 
 void LookAhead::come_to_rest() {
     if (!window_.empty()) plan_back(0);
+    ending_ = true;
     while (!window_.empty()) put_out_front();
+    ending_ = false;
     speed_ = 0;
 }
 
@@ -243,6 +253,8 @@ rrs::JointPos LookAhead::standing_at(const rrs::JointPos& position) const {
 
 void LookAhead::clear() {
     window_.clear();
+    overrides_ = {};
+    overrides_s_ = 0;
     planned_ = 0;
     inner_ = 0;
     output_.clear();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <vector>
 
 #include "runtime/motion/block.h"
 #include "runtime/motion/following_error.h"
@@ -18,6 +19,11 @@ namespace gsim::motion {
 /// from (planned where an entry is asked for that further blocks can yet raise). When the window is full the
 /// oldest block becomes final: its exit speed is the next one's entry speed, and its law the fastest one
 /// between the two (TimeLaw::between). With jerk limits the acceleration is 0 at the ends of blocks.
+///
+/// Where the operator turns an override, the block under way is cut at that instant, what is left of it goes
+/// on as a block of its own, and all speeds of the window are planned anew; corners keep the way that they
+/// were given, unless they may now be passed faster. With jerk limits the change waits for an instant without
+/// acceleration.
 ///
 /// What a blend may yet cut off the newest block is not counted as way to brake on, so that a corner which
 /// becomes known never makes speeds infeasible that are final.
@@ -39,6 +45,17 @@ class LookAhead final : public MotionModel {
     bool window_is_full() const;
     void plan_back(double held_back);
     void put_out_front();
+    // What the operator turns (look_ahead_overrides.cpp).
+    bool turn_overrides();
+    void take_overrides(double now_s);
+    void limit_again(Block& block) const;
+    bool is_held() const;
+    double least_exit() const;
+    TimeLaw front_law(double exit_speed) const;
+    void put_out_part(const TimeLaw& law, double t_s);
+    void put_out_hold(double now_s);
+    void join_faster(const std::vector<double>& most);
+    void plan_anew();
     void put_out_way(const Block& block, double exit_speed, bool reaches_target);
     void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
     void drop_slow_blend();
@@ -56,6 +73,9 @@ class LookAhead final : public MotionModel {
     std::deque<Block> window_;
     std::size_t planned_ = 0;  ///< Blocks of the window whose entries were planned, from the oldest on.
     std::size_t inner_ = 0;    ///< Pieces in it that only lead on within their move: they count as no blocks.
+    Overrides overrides_;      ///< That the window is planned for,
+    double overrides_s_ = 0;   ///< and the instant from which on they hold.
+    bool ending_ = false;      ///< No block follows the newest one.
     double speed_ = 0;         ///< At the start of the oldest block, which cannot change any more.
     rrs::JointPos rounded_;    ///< Where the last block ends, on the grid of the joints' steps.
     bool has_rounded_ = false;

@@ -33,7 +33,8 @@ struct Move {
     std::shared_ptr<const ToolPiece> piece;
     bool reaches_target = true;  ///< Ends at its target; else another move leads on to it.
     double length_mm = 0;        ///< Of the tool's way; 0 where rotary joints alone move.
-    MoveRules rules;             ///< Programmed speeds and the path's limits, overrides applied.
+    MoveRules rules;  ///< Programmed speeds and the path's limits, without the operator's overrides.
+    ObeyedOverrides obeyed;
     bool rapid = false;
     rrs::PathMode mode = rrs::PathMode::exact_stop;
     double tolerance_mm =
@@ -51,6 +52,8 @@ class SegmentOutput {
     virtual Segment& begin(rrs::TargetId id) = 0;
     /// The slot that begin() gave is filled: the segment starts where the one before ends.
     virtual void finish() = 0;
+    /// The end of the last segment, on the planner's clock.
+    virtual double time_s() const = 0;
 };
 
 /// How a controller turns moves into motion. It may hold moves back until it knows those that follow;

@@ -65,6 +65,12 @@ class DefaultPlanner final : public rrs::Shell {
 
     /// The robot stands in this cell, which must outlive the planner, on whose clock the run's time is.
     void set_cell(CellFrames& cell) { cell_ = &cell; }
+    /// What the operator turns the overrides to, on this planner's clock. Before the first target.
+    void set_overrides(std::shared_ptr<const OverrideSchedule> overrides) {
+        machine_.overrides = setup_.overrides = std::move(overrides);
+    }
+    /// What the targets that follow obey of them.
+    void set_obeyed(const ObeyedOverrides& obeyed) { programmed_.obeyed = obeyed; }
     /// No Cartesian position speed is programmed any more.
     void forget_position_speed() { programmed_.position_speed_mm_s = 0; }
     /// The frames of Cartesian targets: until SelectWorkFrames the tool centre point and the work frame.
@@ -182,6 +188,7 @@ class DefaultPlanner final : public rrs::Shell {
         explicit Output(DefaultPlanner& planner) : planner_(planner) {}
         Segment& begin(rrs::TargetId id) override;
         void finish() override;
+        double time_s() const override { return planner_.end_s_; }
 
       private:
         DefaultPlanner& planner_;
@@ -219,9 +226,21 @@ class DefaultPlanner final : public rrs::Shell {
     Segment& begin_target(rrs::TargetId id, bool along_path);
     Segment& begin_segment(Segment& slot, rrs::TargetId id);
     rrs::Status finish_target(Segment& segment, Planned planned);
+    Move move_of(const Segment& segment) const;
     Planned add_to_model(const Segment& segment);
     void end_model();
     void append(const Segment& segment);
+    // What the operator turns, where there is no model (planner_overrides.cpp).
+    Overrides overrides_now() const;
+    bool goes_rapid() const;
+    MoveRules rules_now() const;
+    double share_now() const;
+    void wait_out_hold(rrs::TargetId id, const rrs::JointPos& at);
+    void append_overridden(Segment& segment);
+    struct OnWay;
+    void put_part(OnWay& on_way, const TimeLaw& law, double t_s);
+    void plan_rest_of(OnWay& on_way, double start_speed);
+    bool put_next_part(OnWay& on_way);
     void append_rest(rrs::TargetId id, double rest_s);
     double dwell_s(double programmed_s) const;
     rrs::JointPos standing() const;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/kinematics/kinematics.h"
+#include "runtime/motion/override_schedule.h"
 #include "runtime/motion/range_notes.h"
 #include "runtime/rrs/controller_rules.h"
 #include "runtime/rrs/types.h"
@@ -66,6 +67,8 @@ struct PlannerSetup {
     std::size_t queue_capacity = 64;
     /// Where set, it may let targets past the joints' ranges through.
     std::shared_ptr<RangeNotes> range_notes;
+    /// What the operator turns the overrides to, on the planner's clock; null: nothing.
+    std::shared_ptr<const OverrideSchedule> overrides;
 
     /// What is wrong with the values, as a sentence; nothing where they can be used.
     std::optional<std::string> validate() const;

@@ -25,22 +25,6 @@ namespace {
 constexpr double kLargestValue = 1e12;  // mm or rad; what is computed from it stays far from overflow
 constexpr double kSameTime = 1e-9;      // relative
 
-Move move_of(const Segment& segment, const Programmed& programmed, const PlannerSetup& setup) {
-    Move move;
-    move.target_id = segment.target_id;
-    move.kind = segment.kind;
-    move.start = segment.start;
-    move.end = segment.end;
-    move.arc = segment.arc;
-    move.orientation = segment.orientation;
-    move.rules = programmed.rules(setup.path);
-    move.rapid = programmed.rapid;
-    move.mode = programmed.path_mode;
-    move.tolerance_mm = programmed.tolerance_mm;
-    move.merge_tolerance_mm = programmed.merge_tolerance_mm;
-    return move;
-}
-
 /// A model takes moves before it can tell their times. By the machine's speeds this one takes so long at
 /// least; 0 where the program asks for no time, or the controller takes that of an arc for another thing.
 double least_s(const Move& move, const PlannerSetup& setup) {
@@ -200,11 +184,13 @@ Status DefaultPlanner::keep_via(const rrs::CartPos& cartesian, const rrs::JointP
 /// A motion along a path goes to the model, if there is one: it is put together beside the queue, whose slots
 /// the model fills. Joint motion is no model's.
 Segment& DefaultPlanner::begin_target(rrs::TargetId id, bool along_path) {
-    if (!model_) return begin_segment(queue_.next(), id);
-    if (along_path && holds_back()) return begin_segment(draft_, id);
-    end_model();
-    position_ = standing();
-    model_->clear();
+    if (model_ && along_path && holds_back()) return begin_segment(draft_, id);
+    if (model_) {
+        end_model();
+        position_ = standing();
+        model_->clear();
+    }
+    wait_out_hold(id, position_);
     return begin_segment(queue_.next(), id);
 }
 
@@ -229,10 +215,9 @@ Status DefaultPlanner::finish_target(Segment& segment, Planned planned) {
     if (planned) planned = held_back ? add_to_model(segment) : carry(segment);
     if (!planned) return tell(std::move(planned.error()));
     position_ = target;
-    if (!held_back) append(segment);
-    double takes_s = segment.duration_s;
-    if (held_back && programmed_.motion_time_s > 0)
-        takes_s = least_s(move_of(segment, programmed_, setup_), setup_);
+    double takes_s = segment.duration_s * share_now();
+    if (!held_back) append_overridden(segment);
+    if (held_back && programmed_.motion_time_s > 0) takes_s = least_s(move_of(segment), setup_);
     const double asked_s = std::exchange(programmed_.motion_time_s, 0);
     const double rest_s = std::exchange(programmed_.rest_s, 0);
     via_.reset();
@@ -243,8 +228,26 @@ Status DefaultPlanner::finish_target(Segment& segment, Planned planned) {
                               held_back ? "at least " : "", takes_s, asked_s));
 }
 
+/// A target as a move, as the program has it now.
+Move DefaultPlanner::move_of(const Segment& segment) const {
+    Move move;
+    move.target_id = segment.target_id;
+    move.kind = segment.kind;
+    move.start = segment.start;
+    move.end = segment.end;
+    move.arc = segment.arc;
+    move.orientation = segment.orientation;
+    move.rules = programmed_.rules(setup_.path);
+    move.obeyed = programmed_.obeyed;
+    move.rapid = programmed_.rapid;
+    move.mode = programmed_.path_mode;
+    move.tolerance_mm = programmed_.tolerance_mm;
+    move.merge_tolerance_mm = programmed_.merge_tolerance_mm;
+    return move;
+}
+
 Planned DefaultPlanner::add_to_model(const Segment& segment) {
-    const Move move = move_of(segment, programmed_, setup_);
+    const Move move = move_of(segment);
     const bool held = held_.put(move.target_id);  // before the model puts its motion out
     Planned planned = model_->add(move);
     if (!planned && held) held_.take_back();
@@ -269,11 +272,12 @@ void DefaultPlanner::append_rest(rrs::TargetId id, double rest_s) {
 
 Planned DefaultPlanner::plan_selected(Segment& segment) {
     switch (programmed_.motion_type) {
-        case rrs::MotionType::joint: return plan_joint_move(setup_for_motion(), programmed_, segment);
+        case rrs::MotionType::joint:
+            return plan_joint_move(setup_for_motion(), programmed_, share_now(), segment);
         case rrs::MotionType::linear:
             segment.kind = SegmentKind::linear;
             if (Planned turned = plan_orientation(segment); !turned || holds_back()) return turned;
-            return plan_line(setup_for_motion(), programmed_.rules(setup_.path), segment);
+            return plan_line(setup_for_motion(), rules_now(), segment);
         case rrs::MotionType::circular: break;
     }
     return plan_via_arc(segment);
@@ -322,8 +326,8 @@ Planned DefaultPlanner::plan_center_arc(const Eigen::Vector3d& center_mm, const 
 
 Planned DefaultPlanner::plan_along_arc(Segment& segment) {
     if (Planned turned = plan_orientation(segment); !turned) return turned;
-    Planned planned = holds_back() ? shape_arc(setup_, segment)
-                                   : plan_arc(setup_for_motion(), programmed_.rules(setup_.path), segment);
+    Planned planned =
+        holds_back() ? shape_arc(setup_, segment) : plan_arc(setup_for_motion(), rules_now(), segment);
     return planned && !tracked_ ? check_arc_ranges(setup_, segment) : planned;
 }
 

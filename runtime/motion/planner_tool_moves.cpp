@@ -113,6 +113,7 @@ Status DefaultPlanner::put_tool_move(rrs::TargetId id, const rrs::CartPos& carte
     whole.target_id = id;
     whole.rules = programmed_.rules(setup_.path);
     set_speed(**path, whole.rules);
+    whole.obeyed = programmed_.obeyed;
     whole.rapid = programmed_.rapid;
     whole.mode = programmed_.path_mode;
     whole.tolerance_mm = programmed_.tolerance_mm;

@@ -30,10 +30,11 @@ MoveRules Programmed::rules(const PathLimits& path) const {
     return rules;
 }
 
-LawLimits Programmed::joint_limits(const PlannerSetup& setup, int joint) const {
+LawLimits Programmed::joint_limits(const PlannerSetup& setup, int joint, double speed_share) const {
     LawLimits limits = law_limits(setup, joint);
-    if (motion_time_s <= 0)
-        limits.max_speed = std::min(joint_speeds[joint] * speed_override, limits.max_speed);
+    const double limit = limits.max_speed;
+    if (motion_time_s <= 0) limits.max_speed = std::min(joint_speeds[joint] * speed_override, limit);
+    limits.max_speed = std::min(limits.max_speed * speed_share, limit);
     if (ramps.mode == rrs::RampMode::infinite) return limits;
     const double acceleration = joint_accelerations[joint] * acceleration_override;
     limits.acceleration = std::min(acceleration, limits.acceleration);

@@ -30,7 +30,8 @@ struct Programmed {
     rrs::JointPos joint_accelerations;  ///< mm/s2 or rad/s2
     rrs::JointPos joint_jerks;          ///< mm/s3 or rad/s3
     ProgrammedRamps ramps;
-    double speed_override = 1;
+    double speed_override = 1;  ///< Of the services; the operator's counts beside it.
+    ObeyedOverrides obeyed;     ///< Of the operator's.
     double acceleration_override = 1;
     double motion_time_s = 0;        ///< Of the next target alone; 0: none.
     double rest_s = 0;               ///< Behind the next target alone.
@@ -42,8 +43,9 @@ struct Programmed {
 
     /// The rules for a linear or circular move now.
     MoveRules rules(const PathLimits& path) const;
-    /// What a joint may do in joint motion now, within the limits in force.
-    LawLimits joint_limits(const PlannerSetup& setup, int joint) const;
+    /// What a joint may do in joint motion now, within the limits in force, at a share of its speed (above 1:
+    /// of the programmed one).
+    LawLimits joint_limits(const PlannerSetup& setup, int joint, double speed_share) const;
 };
 
 }  // namespace gsim::motion

@@ -44,9 +44,10 @@ enum class LimitKind : std::uint8_t {
     corner,       ///< A slow corner at one of its ends.
     stop,         ///< A stop at one of its ends.
     jerk,
-    look_ahead,  ///< The controller did not know further blocks.
-    time,        ///< A programmed time (inverse time feed, dwell).
-    unknown,     ///< A controller module does not say.
+    look_ahead,      ///< The controller did not know further blocks.
+    time,            ///< A programmed time (inverse time feed, dwell).
+    rapid_override,  ///< The operator has turned it down.
+    unknown,         ///< A controller module does not say.
 };
 
 struct LimitedBy {

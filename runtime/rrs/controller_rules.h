@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "runtime/rrs/override_rules.h"
+
 namespace gsim::rrs {
 
 /// Which planner plans for a controller. Another one is another implementation of motion::MotionModel.
@@ -93,6 +95,7 @@ struct ControllerRules {
     /// Where this control differs from others in what stops it, by word as it is printed ("G92.1";
     /// docs/stops.md).
     std::map<std::string, StopRule, std::less<>> stops;
+    OverrideRules overrides = {};
     double rest_s = 0;        ///< Time at each stop that waits for the program's next block (dwell, M code).
     double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
     double servo_period_s = 0;  ///< Of the controller's position loop; 0: continuous.

@@ -242,6 +242,15 @@ int select_work_offset(lua_State* state) {
     return 0;
 }
 
+/// core.lock_overrides(feed, rapid, spindle): which of the operator's overrides the moves that follow do not
+/// obey.
+int lock_overrides(lua_State* state) {
+    const auto is_locked = [state](int index) { return lua_toboolean(state, index) != 0; };
+    controller_of(state).simulator().lock_overrides(
+        {.feed = is_locked(1), .rapid = is_locked(2), .spindle = is_locked(3)});
+    return 0;
+}
+
 /// core.set_path_mode("exact_stop" | "exact_path" | "continuous", tolerance_mm, merge_tolerance_mm)
 int set_path_mode(lua_State* state) {
     static constexpr std::array<const char*, 4> kNames{"exact_stop", "exact_path", "continuous", nullptr};
@@ -301,6 +310,7 @@ void add_moves(lua_State* state, Controller& controller) {
     set_function<take_time>(state, "take_time", &controller);
     set_function<set_spindle_speed>(state, "set_spindle_speed", &controller);
     set_function<select_work_offset>(state, "select_work_offset", &controller);
+    set_function<lock_overrides>(state, "lock_overrides", &controller);
     set_function<set_path_mode>(state, "set_path_mode", &controller);
     set_function<set_ramps>(state, "set_ramps", &controller);
     set_function<set_ramp_limits>(state, "set_ramp_limits", &controller);

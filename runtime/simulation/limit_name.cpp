@@ -33,6 +33,7 @@ std::string describe(motion::LimitedBy limited_by, const machine::Machine& machi
         case LimitKind::jerk: return "jerk";
         case LimitKind::look_ahead: return "look-ahead";
         case LimitKind::time: return "time";
+        case LimitKind::rapid_override: return "rapid override";
         case LimitKind::unknown: break;
     }
     return "unknown";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,11 @@ class MotionSource {
     virtual bool set_cell(motion::CellFrames& cell) = 0;
     /// The frames of the controller's Cartesian targets; none where it does not tell.
     virtual std::optional<motion::WorkFrames> work_frames() const = 0;
+    /// What the operator turns the overrides to, before the first target; false where the controller cannot
+    /// be told.
+    virtual bool set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) = 0;
+    /// What the targets that follow obey of them.
+    virtual void set_obeyed(const motion::ObeyedOverrides& obeyed) = 0;
     /// No speed of the tool is programmed any more; a module keeps the last one, as no service takes it back.
     virtual void forget_position_speed() = 0;
     /// As rrs::Shell::ComeToRest(); a controller that has not that service comes to rest by itself.

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "runtime/motion/override_schedule.h"
+
 namespace gsim::simulation {
 
 /// `thread`: a feed move in step with the spindle; `spline`: a straight piece of a curve.
@@ -41,7 +43,9 @@ struct MoveInfo {
     bool feels_cell = false;     ///< A probe that the bodies of the cell end.
     std::uint32_t switches = 0;  ///< How often the program has switched the process so far, on or off.
     std::uint16_t offset = 0;    ///< The work offset in force, as Simulator counts them.
-    std::uint16_t beyond = 0;    ///< A bit for each joint that it takes past its range, from the lowest on.
+    motion::ObeyedOverrides obeyed = {};  ///< Of the operator's overrides.
+    bool follows_spindle = false;         ///< Its feed is given by turns of the spindle.
+    std::uint16_t beyond = 0;  ///< A bit for each joint that it takes past its range, from the lowest on.
 };
 
 /// The normal and the sense of an arc that runs by the right hand about `axis`, of any length above 0.

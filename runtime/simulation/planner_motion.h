@@ -18,6 +18,11 @@ class PlannerMotion final : public MotionSource {
         return true;
     }
     std::optional<motion::WorkFrames> work_frames() const override { return planner_.work_frames(); }
+    bool set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) override {
+        planner_.set_overrides(std::move(overrides));
+        return true;
+    }
+    void set_obeyed(const motion::ObeyedOverrides& obeyed) override { planner_.set_obeyed(obeyed); }
     void forget_position_speed() override { planner_.forget_position_speed(); }
     void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
     rrs::Status put_until(const std::function<rrs::Status()>& put,

@@ -154,9 +154,13 @@ void Recorder::add_to_sums(const Segment& segment) {
     } else if (move_.info.kind == MoveKind::rapid) {
         rapid_s_.add(segment.duration_s);
         rapid_mm_.add(segment.length_mm);
+        if (!move_.info.obeyed.rapid) rapid_locked_s_.add(segment.duration_s);
     } else {
         feed_s_.add(segment.duration_s);
         feed_mm_.add(segment.length_mm);
+        if (!move_.info.obeyed.feed) feed_locked_s_.add(segment.duration_s);
+        if (move_.info.follows_spindle && !move_.info.obeyed.spindle)
+            spindle_locked_s_.add(segment.duration_s);
         if (move_.info.jet_on) jet_on_mm_.add(segment.length_mm);
     }
 }
@@ -201,6 +205,11 @@ void Recorder::finish(Report& report) {
     report.feed_mm = feed_mm_.value();
     report.jet_on_mm = jet_on_mm_.value();
     report.moves = moves_;
+    if (report.overrides) {
+        report.overrides->feed_locked_s = feed_locked_s_.value();
+        report.overrides->rapid_locked_s = rapid_locked_s_.value();
+        report.overrides->spindle_locked_s = spindle_locked_s_.value();
+    }
     report.blends = blends_;
     report.bounds = bounds();
     report.slowest = slowest_.list(machine_);

@@ -78,6 +78,7 @@ class Recorder : public motion::SegmentSink {
     std::uint64_t moves_ = 0;
     Blends blends_;
     ExactSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
+    ExactSum feed_locked_s_, rapid_locked_s_, spindle_locked_s_;  // against the operator's overrides
     std::array<motion::Range, rrs::kMaxJoints> ranges_;  // of joint values; the first joint_count hold them
     Slowest slowest_;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/motion/override_schedule.h"
 #include "runtime/rrs/types.h"
 #include "runtime/simulation/move.h"
 #include "text/diagnostic.h"
@@ -143,6 +144,15 @@ struct Passes {
     std::optional<std::int64_t> to_block;  ///< Its number; none: the start.
 };
 
+/// What the operator turned, and how long the machine moved that was deaf to it: because the program had
+/// locked an override, or by the kind of the move.
+struct OverrideReport {
+    std::vector<motion::OverrideChange> changes;
+    double feed_locked_s = 0;
+    double rapid_locked_s = 0;
+    double spindle_locked_s = 0;  ///< Of moves whose feed follows the spindle.
+};
+
 /// Two bodies of the cell begin to touch.
 struct Collision {
     double t_s = 0;
@@ -212,7 +222,8 @@ struct Report {
     std::vector<std::string> warnings;
     std::vector<text::Diagnostic> diagnostics;  ///< Of the program's text.
     std::optional<Passes> passes;
-    std::vector<SlowBlock> slowest;  ///< At most ten, longest first.
+    std::optional<OverrideReport> overrides;  ///< Where the operator turned one.
+    std::vector<SlowBlock> slowest;           ///< At most ten, longest first.
     std::optional<Explanation> explanation;
     std::optional<CellFindings> cell;
     std::vector<ProcessSummary> processes;  ///< None where there was but the program.

@@ -212,6 +212,25 @@ Json passes(const Report& report) {
             {"to_block", report.passes->to_block ? Json(*report.passes->to_block) : Json(nullptr)}};
 }
 
+/// Without the rounding of shares.
+double percent(double share) {
+    return std::round(share * 1e10) / 1e8;
+}
+
+Json overrides(const OverrideReport& overrides) {
+    Json changes = Json::array();
+    for (const motion::OverrideChange& change : overrides.changes) {
+        changes.push_back({{"at_s", number(change.at_s)},
+                           {"feed_percent", number(percent(change.to.feed))},
+                           {"rapid_percent", number(percent(change.to.rapid))},
+                           {"spindle_percent", number(percent(change.to.spindle))}});
+    }
+    return {{"changes", std::move(changes)},
+            {"feed_locked_s", number(overrides.feed_locked_s)},
+            {"rapid_locked_s", number(overrides.rapid_locked_s)},
+            {"spindle_locked_s", number(overrides.spindle_locked_s)}};
+}
+
 // `words_s` is there where words take time.
 Json times(const Report& report) {
     Json json = {{"rapid_s", number(report.rapid_s)},
@@ -250,6 +269,7 @@ Json object(const Report& report) {
         {"slowest", slowest(report)},
     };
     if (report.passes) json["passes"] = passes(report);
+    if (report.overrides) json["overrides"] = overrides(*report.overrides);
     if (report.explanation) {
         json["time_by_limit"] = time_by_limit(*report.explanation);
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);

@@ -91,6 +91,24 @@ void add_passes(Text& out, const Report& report) {
     out.line("{:<12}{}", "  back at", place_text(report, report.passes->place, kLineWidth - 12));
 }
 
+void add_overrides(Text& out, const Report& report) {
+    if (!report.overrides) return;
+    constexpr std::size_t kListed = 10;
+    const std::vector<motion::OverrideChange>& changes = report.overrides->changes;
+    for (std::size_t i = 0; i < std::min(changes.size(), kListed); ++i) {
+        const motion::Overrides& to = changes[i].to;
+        out.line("{:<12}feed {:g} %, rapid {:g} %, spindle {:g} % from {:.3f} s on",
+                 i == 0 ? "overrides" : "", to.feed * 100, to.rapid * 100, to.spindle * 100, changes[i].at_s);
+    }
+    if (changes.size() > kListed) out.line("{:<12}and {} more changes", "", changes.size() - kListed);
+    for (const auto& [name, locked_s] : {std::pair{"feed", report.overrides->feed_locked_s},
+                                         {"rapid", report.overrides->rapid_locked_s},
+                                         {"spindle", report.overrides->spindle_locked_s}}) {
+        if (locked_s > 0)
+            out.line("{:<12}{:.3f} s moved without the {} override", "  locked", locked_s, name);
+    }
+}
+
 void add_head(Text& out, const Report& report) {
     out.line("{:<12}{}", "program", shortened(report.program, kLineWidth - 12));
     if (!report.machine.empty()) {
@@ -111,6 +129,7 @@ void add_head(Text& out, const Report& report) {
     if (const auto valid_s = report.violations.valid_until_s())
         out.line("{:<12}not valid from {:.3f} s on, where the machine is first past a limit", "", *valid_s);
     add_passes(out, report);
+    add_overrides(out, report);
     out.line("{:<12}{} executed, {} moves", "blocks", report.blocks, report.moves);
     add_blends(out, report);
 }

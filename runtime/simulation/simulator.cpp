@@ -248,6 +248,7 @@ bool Simulator::move(const LineMove& move) {
     note_target(*joints);
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
     info.timed = move.feed.motion_s.has_value();
+    obey_overrides(info, move.feed);
     recorder_.expect(info);
     const Status status =
         shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), *joints, {}, 0);
@@ -273,6 +274,7 @@ bool Simulator::move(const ArcMove& move) {
     }
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move));
     info.timed = move.feed.motion_s.has_value();
+    obey_overrides(info, move.feed);
     info.normal = move.normal;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
     recorder_.expect(info);
@@ -302,6 +304,7 @@ bool Simulator::move(const ViaMove& move) {
     note_target(*target);
     MoveInfo info = next_move(MoveKind::arc_ccw, move.place, move.feed.linear_mm_min);
     info.timed = move.feed.motion_s.has_value();
+    obey_overrides(info, move.feed);
     info.turns = 1;
     set_axis(info, space_point(position_), space_point(move.via), space_point(move.target));
     recorder_.expect(info);
@@ -356,6 +359,7 @@ Report Simulator::finish(std::string program) {
     if (zones_.hit()) fail_in_zone();
     if (!alarm_ && process_on_) process_.end_program(next_id_, last_place_);
     Report report;
+    if (!overrides_.empty()) report.overrides.emplace();
     recorder_.finish(report);
     report.findings = process_.release();
     if (machine_.process) report.process = machine::name(machine_.process->kind);
@@ -369,6 +373,7 @@ Report Simulator::finish(std::string program) {
     report.blocks = blocks_;
     report.words_s = words_s_;
     report.passes = passes_;
+    if (report.overrides) report.overrides->changes = std::move(overrides_);
     report.events = events_.release();
     report.warnings = std::move(warnings_);
     if (const auto warning = centripetal_.warning(files_)) report.warnings.push_back(*warning);

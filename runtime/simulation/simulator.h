@@ -61,6 +61,9 @@ class Simulator {
     /// Before the first move: what probes feel. Without it they feel the cell, or where there is none, their
     /// targets.
     void set_probe(const ProbeFeels& feels) { probe_feels_ = feels; }
+    /// Before the first move: what the operator turns the overrides to in the course of the run. False where
+    /// the controller is a module, which has overrides of its own.
+    bool set_overrides(const motion::OverrideSchedule& overrides);
     /// The same of one that is told what the program asks for; one at most.
     void set_observer(ProgramObserver& observer);
 
@@ -104,6 +107,13 @@ class Simulator {
     void set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm);
     /// The next move ends in an exact stop, whatever the mode.
     void exact_stop_once();
+    /// Which overrides of the operator the program locks: the moves that follow go as if those were at 100 %.
+    struct OverrideLocks {
+        bool feed = false;
+        bool rapid = false;
+        bool spindle = false;
+    };
+    void lock_overrides(const OverrideLocks& locks) { locks_ = locks; }
     /// How the moves that follow speed up and slow down; a warning where the controller has it its own way.
     void set_ramps(rrs::RampMode mode);
     /// A limit of an axis's ramps for the moves that follow, mm or deg, s; > 0. The machine's own holds, too.
@@ -223,6 +233,7 @@ class Simulator {
     double feed_per_min(const ArcMove& move) const;
     bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
+    void obey_overrides(MoveInfo& info, const Feed& feed);
     Eigen::Vector3d tool_end(const AxisVector& axes) const;
     bool touches_target(const ProbeMove& move) const;
     bool feels_cell(const ProbeMove& move) const;
@@ -298,6 +309,8 @@ class Simulator {
     ProcessWatch process_;
     PathPassing passing_;  ///< As the program has selected it.
     bool exact_stop_once_ = false;
+    OverrideLocks locks_;  ///< As the program has set them.
+    std::vector<motion::OverrideChange> overrides_;
 };
 
 /// What the planner must know of a machine: X, Y and Z, where they are linear, carry the tool.

@@ -122,6 +122,7 @@ bool Simulator::make_probe_move(const ProbeMove& move, ProbeSignal* signal, Prob
     note_target(*joints);
     MoveInfo info = next_move(MoveKind::probe, line.place, feed_per_min(line, rotary));
     info.timed = line.feed.motion_s.has_value();
+    obey_overrides(info, line.feed);
     info.feels_cell = feels_cell(move);
     recorder_.expect(info);
     const auto put = [&] {

@@ -42,12 +42,33 @@ Status Simulator::set_start(const std::function<Status()>& set) {
 
 Status Simulator::queue_target(MoveKind kind, const Place& place,
                                const std::function<Status(rrs::TargetId)>& queue) {
-    const MoveInfo info = next_move(kind, place, 0);
+    MoveInfo info = next_move(kind, place, 0);
+    obey_overrides(info, {});
     recorder_.expect(info);
     const Status status = queue(info.target_id);
     position_ = position_at(motion_->position());
     if (observer_ != nullptr) observer_->untold_motion(kServiceMotion);
     return status;
+}
+
+bool Simulator::set_overrides(const motion::OverrideSchedule& overrides) {
+    overrides_ = overrides.changes();
+    std::vector<motion::OverrideChange> acting = overrides_;
+    for (motion::OverrideChange& change : acting) {
+        if (change.at_s > 0) change.at_s += machine_.controller.overrides.delay_s;
+    }
+    return motion_->set_overrides(std::make_shared<const motion::OverrideSchedule>(std::move(acting)));
+}
+
+/// What is in step with the spindle by its position is deaf to the feed override.
+void Simulator::obey_overrides(MoveInfo& info, const Feed& feed) {
+    info.follows_spindle = feed.linear_mm_rev.has_value();
+    const bool in_step = info.kind == MoveKind::thread && info.follows_spindle;
+    const bool deaf_probe = info.kind == MoveKind::probe && !machine_.controller.overrides.feed_of_probes;
+    info.obeyed = {.feed = !locks_.feed && !in_step && !deaf_probe,
+                   .rapid = !locks_.rapid,
+                   .spindle = info.follows_spindle && !locks_.spindle};
+    motion_->set_obeyed(info.obeyed);
 }
 
 Status Simulator::cancel_motion() {

@@ -53,6 +53,7 @@ bool Simulator::move(const PoseMove& move) {
     if (!set_feed(move.feed, false, move.place)) return false;
     MoveInfo info = next_move(MoveKind::linear, move.place, move.feed.linear_mm_min);
     info.timed = move.feed.motion_s.has_value();
+    obey_overrides(info, move.feed);
     if (move.via) {
         info.turns = 1;
         const motion::WorkFrames frames = work_frames();

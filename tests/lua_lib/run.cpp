@@ -63,6 +63,7 @@ Outcome run_script(Script script, Conditions setup) {
     Collector collector(result);
     simulator.add_output(collector);
     simulator.set_probe(setup.probe);
+    if (!setup.overrides.changes().empty()) simulator.set_overrides(setup.overrides);
     const std::string name = script.file_name;
     {
         Engine engine(simulator, std::move(setup.options));

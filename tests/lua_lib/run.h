@@ -25,6 +25,7 @@ struct Conditions {
     /// Past a range or in a zone the run ends there, unless a test wants it to go on.
     simulation::RunLimits limits{.stop_at_first = true};
     simulation::ProbeFeels probe;
+    motion::OverrideSchedule overrides;
 };
 
 /// The same with two tools in the table: 10 and 25 mm long, 6 and 4 mm in diameter.

@@ -89,7 +89,10 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8\ncorner_override_percent = "
         "60\n"
         "corner_override_before_mm = 9\ncorner_override_after_mm = 10\ncorner_override_angle_deg = 120\n"
-        "stops = { \"M1\" = \"never\", \"S\" = \"on-change\" }";
+        "stops = { \"M1\" = \"never\", \"S\" = \"on-change\" }\n"
+        "overrides = { feed_min_percent = 11, feed_max_percent = 190, rapid_max_percent = 90, "
+        "rapid_percents = [20, 90], spindle_min_percent = 12, spindle_max_percent = 180, feed_of_probes = "
+        "false, planned_feed_percent = 130, delay_s = 0.125 }";
     const ControllerRules wanted{.model = "all",
                                  .planner = PlannerKind::look_ahead,
                                  .look_ahead_blocks = 7,
@@ -112,6 +115,15 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .in_position_mm = 12,
                                  .in_position_deg = 13,
                                  .stops = {{"M1", rrs::StopRule::never}, {"S", rrs::StopRule::on_change}},
+                                 .overrides = {.feed_min_percent = 11,
+                                               .feed_max_percent = 190,
+                                               .rapid_max_percent = 90,
+                                               .rapid_percents = {20, 90},
+                                               .spindle_min_percent = 12,
+                                               .spindle_max_percent = 180,
+                                               .delay_s = 0.125,
+                                               .feed_of_probes = false,
+                                               .planned_feed_percent = 130},
                                  .rest_s = 5,
                                  .dwell_step_s = 6,
                                  .servo_period_s = 8,
@@ -123,6 +135,20 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     EXPECT_EQ(machine.controller, wanted);
     EXPECT_EQ(read_machine(print_machine(machine), "printed").value(), machine) << print_machine(machine);
     EXPECT_EQ(read_controller("[controller]\n" + lines, "c.toml", "c").value(), wanted);
+}
+
+TEST(ControllerFile, OverridesAreRanges) {
+    const auto error_of_overrides = [](std::string_view entries) {
+        return error_of(fmt::format("overrides = {{ {} }}", entries));
+    };
+    EXPECT_NE(error_of_overrides("feed_min_percent = 300").find("above the greatest"), std::string::npos);
+    EXPECT_NE(error_of_overrides("rapid_max_percent = 101").find("'rapid_max_percent' must be"),
+              std::string::npos);
+    for (const std::string_view percents : {"3", "[50, 25]", "[0]", "[101]", "['a']"}) {
+        EXPECT_NE(error_of_overrides(fmt::format("rapid_percents = {}", percents)).find("rise, above 0"),
+                  std::string::npos)
+            << percents;
+    }
 }
 
 std::string great_circle(std::string_view lines, const Machine& like) {

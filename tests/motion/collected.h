@@ -22,7 +22,7 @@ class Collected final : public SegmentOutput {
         end_s_ = open_.end_s();
         segments.push_back(open_);
     }
-    double time_s() const { return end_s_; }
+    double time_s() const override { return end_s_; }
 
     std::deque<Segment> segments;
 

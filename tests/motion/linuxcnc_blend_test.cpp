@@ -14,7 +14,7 @@ constexpr double kA = 490.3;
 
 double distance_to(const LinuxcncRun& run, double x, double y) {
     double nearest = 1e9;
-    for (double t_s = 0; t_s <= run.time_s; t_s += 2e-4) {
+    for (double t_s = 0; t_s <= run.end_s; t_s += 2e-4) {
         const rrs::JointPos at = run.position_at(t_s);
         nearest = std::min(nearest, std::hypot(at[0] - x, at[1] - y));
     }

@@ -178,7 +178,7 @@ TEST(LinuxcncRandom, scales) {
             ASSERT_TRUE(one.line(x, y));
             ASSERT_TRUE(two.line(2 * x, 2 * y));
         }
-        ASSERT_NEAR(one.end(), two.end(), 1e-9 * one.time_s);
+        ASSERT_NEAR(one.end(), two.end(), 1e-9 * one.end_s);
     }
 }
 

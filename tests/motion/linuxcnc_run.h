@@ -27,13 +27,15 @@ class LinuxcncRun final : public SegmentOutput {
         slot_ = Segment();
         slot_.target_id = id;
         slot_.position_joints = setup.position_joints;
-        slot_.start_s = time_s;
+        slot_.start_s = end_s;
         return slot_;
     }
     void finish() override {
-        time_s = slot_.end_s();
+        end_s = slot_.end_s();
         segments.push_back(slot_);
     }
+
+    double time_s() const override { return end_s; }
 
     /// Plans the move that `next` describes from where the last one ended to `joints`.
     Planned go(const rrs::JointPos& joints) {
@@ -69,7 +71,7 @@ class LinuxcncRun final : public SegmentOutput {
     /// Ends the program; answers its time.
     double end() {
         model.come_to_rest();
-        return time_s;
+        return end_s;
     }
 
     rrs::JointPos position_at(double t_s) const {
@@ -83,7 +85,7 @@ class LinuxcncRun final : public SegmentOutput {
     LinuxcncModel model;
     Move next;
     std::vector<Segment> segments;
-    double time_s = 0;
+    double end_s = 0;
     rrs::TargetId last_id = 0;
 
   private:

@@ -38,8 +38,11 @@ bool reverses(const Corner& corner) {
     return (corner.in + corner.out).squaredNorm() < kReversal_rad * kReversal_rad;
 }
 
-double shared_speed(const Piece& before, const Piece& after) {
-    return std::min({before.requested_speed, before.max_speed, after.requested_speed, after.max_speed});
+double shared_speed(const Piece& before, const Piece& after, double most_share) {
+    const auto most = [most_share](const Piece& piece) {
+        return piece.obeyed.feed ? piece.requested_speed * most_share : piece.requested_speed;
+    };
+    return std::min({most(before), before.max_speed, most(after), after.max_speed});
 }
 
 // The greatest share of an axis' acceleration that the kink takes if it is passed at `speed` within a period.
@@ -85,7 +88,7 @@ std::optional<Blend> join(Piece& before, Piece& after, const Axes& axes, const J
         end_by(before, after, Term::stop);
         return std::nullopt;
     }
-    const double speed = shared_speed(before, after);
+    const double speed = shared_speed(before, after, rules.most_share);
     const double share = kink_share(before, after, corner, speed, axes, rules.period_s);
     if (share < kKinkShare) {
         set_kink(before, after, speed, share);

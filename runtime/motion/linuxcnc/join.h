@@ -12,6 +12,7 @@ namespace gsim::motion::linuxcnc {
 struct JoinRules {
     double period_s = 0;
     bool stop_between_rapid_and_feed = true;
+    double most_share = 1;  ///< Of the programmed speed, that the operator could ask for.
 };
 
 /// Decides how `before` ends and how `after` starts: sets both pieces' terms and kinks. Where a blend arc is

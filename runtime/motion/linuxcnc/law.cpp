@@ -52,6 +52,22 @@ double Law::time_at(double length) const {
     return duration_s_;
 }
 
+double Law::speed_at(double t_s) const {
+    for (const LawPiece& piece : std::span(pieces_.data(), count_)) {
+        if (t_s <= piece.duration_s) return speed(piece, std::max(t_s, 0.0));
+        t_s -= piece.duration_s;
+    }
+    return 0;
+}
+
+Law Law::behind_rest(double rest_s) const {
+    Law law;
+    law.rest(rest_s);
+    for (const LawPiece& piece : std::span(pieces_.data(), count_))
+        law.add(piece.duration_s, piece.v0, piece.a0);
+    return law;
+}
+
 Law Law::part(double from_s, double to_s) const {
     Law part;
     double before_s = 0;

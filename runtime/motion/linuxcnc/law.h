@@ -21,8 +21,12 @@ class Law {
     /// Where it is at a time, and when it is somewhere, within the law.
     double at(double t_s) const;
     double time_at(double length) const;
+    /// The speed at a time within the law.
+    double speed_at(double t_s) const;
     /// The law from one time to another; counted from 0 again.
     Law part(double from_s, double to_s) const;
+    /// A rest, and then this law.
+    Law behind_rest(double rest_s) const;
     /// The law with its lengths multiplied by `scale`.
     TimeLaw scaled(double scale) const;
 

@@ -25,9 +25,11 @@ LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRul
     : setup_(setup),
       axes_(setup),
       clock_(clock_of(rules)),
-      join_rules_{clock_.period_s, rules.stop_between_rapid_and_feed},
+      join_rules_{clock_.period_s, rules.stop_between_rapid_and_feed,
+                  rules.overrides.planned_feed_percent / 100},
       merged_(axes_),
-      pacer_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_),
+      output_(output),
+      pacer_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, axes_),
       writer_(axes_, output) {}
 
 /// The way of a move that is too short to be made is made with the next line.
@@ -110,6 +112,7 @@ void LinuxcncModel::take(Piece piece) {
 }
 
 void LinuxcncModel::push(const Piece& piece) {
+    if (queue_.empty()) pacer_.start(output_.time_s(), setup_.overrides.get());
     queue_.push().piece = piece;
 }
 

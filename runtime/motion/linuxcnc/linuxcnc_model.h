@@ -24,6 +24,9 @@ namespace gsim::motion {
 /// nowhere has none. With a servo period of 0 times are not counted in periods, and the rules that need one
 /// take 1 ms.
 ///
+/// What the operator turns an override to is obeyed at once: the piece under way is cut there. Junctions keep
+/// their speeds, which count with the highest feed override that the controller takes.
+///
 /// Held back are as many moves as the look-ahead is deep, and some more; the rest is put out.
 class LinuxcncModel final : public MotionModel {
   public:
@@ -50,6 +53,7 @@ class LinuxcncModel final : public MotionModel {
     linuxcnc::Clock clock_;
     linuxcnc::JoinRules join_rules_;
     linuxcnc::MergedLines merged_;
+    SegmentOutput& output_;
     linuxcnc::PieceQueue queue_;
     linuxcnc::Pacer pacer_;
     linuxcnc::Writer writer_;

@@ -12,13 +12,12 @@ namespace {
 constexpr double kShortRamp_s = 0.01;   // feed pieces that take less time than this are one ramp
 constexpr std::size_t kKeptPieces = 4;  // a group's end never starts to be shared earlier than with these
 
-Stretch stretch_of(const Piece& piece) {
-    return {piece.length, target_speed(piece), acceleration(piece)};
-}
-
 // What kept the piece from being faster. `slowed_by` tells what limits the speed at its end.
-LimitedBy limit_of(const Piece& piece, const Law& law, bool from_rest, bool to_rest, LimitKind slowed_by) {
-    if (law.top_speed() >= target_speed(piece) * (1 - 1e-6)) return piece.speed_limit;
+LimitedBy limit_of(const Piece& piece, double share, const Law& law, bool from_rest, bool to_rest,
+                   LimitKind slowed_by) {
+    if (law.top_speed() >= target_speed(piece, share) * (1 - 1e-6)) {
+        return piece.rapid && share < 1 ? LimitedBy{LimitKind::rapid_override, -1} : piece.speed_limit;
+    }
     if (from_rest && to_rest) return piece.acceleration_limit;
     if (from_rest || to_rest) return {LimitKind::stop, -1};
     return {slowed_by, -1};
@@ -46,7 +45,7 @@ void Pacer::drop(std::size_t count) {
 }
 
 void Pacer::clear() {
-    *this = Pacer(depth_, clock_);
+    *this = Pacer(depth_, clock_, *axes_);
 }
 
 // Each piece is looked at once: the next time the look goes on where it stopped.
@@ -75,14 +74,16 @@ Horizon Pacer::horizon() const {
 }
 
 void Pacer::time_next(PieceQueue& queue) {
-    HeldPiece& held = queue[next_];
     const bool from_rest = group_.pieces == 0;
+    LimitKind slowed_by = LimitKind::corner;
+    const Profile profile =
+        schedule_ != nullptr ? overridden_profile(queue, slowed_by) : profile_of(queue, slowed_by);
+    HeldPiece& held = queue[next_];
     held.ends_group = end_known_ && seen_ == next_;
     held.shared_s = held.written_s = 0;
-    LimitKind slowed_by = LimitKind::corner;
-    const Profile profile = held.ends_group ? last_of_group(queue) : pass_on(queue, slowed_by);
     held.law = profile.law;
-    held.limited_by = limit_of(held.piece, held.law, from_rest, held.ends_group, slowed_by);
+    held.limited_by =
+        limit_of(held.piece, share_of(held.piece), held.law, from_rest, held.ends_group, slowed_by);
     ++next_;
     ++group_.pieces;
     group_.duration_s += held.law.duration_s();
@@ -90,12 +91,17 @@ void Pacer::time_next(PieceQueue& queue) {
     if (held.ends_group) end_group(queue, profile);
 }
 
+Profile Pacer::profile_of(PieceQueue& queue, LimitKind& slowed_by) {
+    return end_known_ && seen_ == next_ ? last_of_group(queue) : pass_on(queue, slowed_by);
+}
+
 Profile Pacer::pass_on(const PieceQueue& queue, LimitKind& slowed_by) const {
     const Piece& piece = queue[next_].piece;
     const JunctionSpeed junction = junction_speed(queue, next_, horizon());
     slowed_by = junction.limit;
-    const double own = target_speed(piece);
-    const double end_speed = std::min({junction.speed, own, target_speed(queue[next_ + 1].piece)});
+    const double own = target_speed(piece, share_of(piece));
+    const Piece& behind = queue[next_ + 1].piece;
+    const double end_speed = std::min({junction.speed, own, target_speed(behind, share_of(behind))});
     const double mean_speed = (group_.speed + std::min(junction.speed, own)) / 2;
     const Stretch stretch = stretch_of(piece);
     const bool gains_all =
@@ -126,13 +132,16 @@ void Pacer::end_group(PieceQueue& queue, const Profile& profile) {
         share_end(queue, overlap);
     }
     shared_before_s_ = overlap;
+    group_start_s_ += group_.duration_s - overlap;
     group_ = {};
 }
 
 // The next piece starts in the first period in which the last one, as it brakes, is slow enough.
 double Pacer::overlap_s(const PieceQueue& queue, double brake_s) const {
     const Piece& last = queue[next_ - 1].piece;
-    const double slow_s = parabola_between(last, queue[next_].piece).before / acceleration(last);
+    const Piece& next = queue[next_].piece;
+    const double slow_s =
+        parabola_between(last, next, share_of(last), share_of(next)).before / acceleration(last);
     if (!clock_.counts) return std::min(slow_s, brake_s);
     const double slow = slow_s / clock_.period_s, brake = brake_s / clock_.period_s;
     const double periods = std::ceil(brake - kWholePeriods);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "runtime/motion/linuxcnc/axes.h"
 #include "runtime/motion/linuxcnc/held_piece.h"
 #include "runtime/motion/linuxcnc/look_ahead.h"
 #include "runtime/motion/linuxcnc/profile.h"
@@ -15,7 +16,16 @@ namespace gsim::motion::linuxcnc {
 /// end is a parabolic blend the next group starts before it is at rest.
 class Pacer {
   public:
-    Pacer(std::size_t depth, const Clock& clock) : depth_(depth), clock_(clock) {}
+    /// `axes` must outlive it.
+    Pacer(std::size_t depth, const Clock& clock, const Axes& axes)
+        : depth_(depth), clock_(clock), axes_(&axes) {}
+
+    /// The first piece of an empty queue begins at a time of the run, under these overrides (null: none),
+    /// which must outlive the queue.
+    void start(double at_s, const OverrideSchedule* overrides) {
+        group_start_s_ = at_s;
+        schedule_ = overrides;
+    }
 
     /// Times what can be timed. The last piece of the queue is not final yet, unless the queue `ended`.
     void advance(PieceQueue& queue, bool ended);
@@ -38,6 +48,14 @@ class Pacer {
     bool can_time(const PieceQueue& queue) const;
     Horizon horizon() const;
     void time_next(PieceQueue& queue);
+    Profile profile_of(PieceQueue& queue, LimitKind& slowed_by);
+    // What the operator turns (pacer_overrides.cpp).
+    double share_of(const Piece& piece) const { return piece.obeyed.share(overrides_, piece.rapid); }
+    Stretch stretch_of(const Piece& piece) const;
+    Profile overridden_profile(PieceQueue& queue, LimitKind& slowed_by);
+    Profile braking_profile(PieceQueue& queue);
+    Profile cut_profile(PieceQueue& queue, const Profile& profile, double t_s);
+    void split(PieceQueue& queue, double length);
     Profile pass_on(const PieceQueue& queue, LimitKind& slowed_by) const;
     Profile last_of_group(const PieceQueue& queue);
     void end_group(PieceQueue& queue, const Profile& profile);
@@ -46,11 +64,15 @@ class Pacer {
 
     std::size_t depth_;
     Clock clock_;
-    std::size_t next_ = 0;    // first piece without a law
-    std::size_t seen_ = 0;    // pieces up to here, from next_ on, end tangent
-    std::size_t final_ = 0;   // number of final pieces
-    bool ended_ = false;      // the last final piece is the last of the queue
-    bool end_known_ = false;  // seen_ ends the run
+    const Axes* axes_;
+    const OverrideSchedule* schedule_ = nullptr;
+    Overrides overrides_;       // as the next piece begins
+    double group_start_s_ = 0;  // of the run, of the group under way
+    std::size_t next_ = 0;      // first piece without a law
+    std::size_t seen_ = 0;      // pieces up to here, from next_ on, end tangent
+    std::size_t final_ = 0;     // number of final pieces
+    bool ended_ = false;        // the last final piece is the last of the queue
+    bool end_known_ = false;    // seen_ ends the run
     Group group_;
     double shared_before_s_ = 0;  // the group under way started so long before the end of the one before
 };

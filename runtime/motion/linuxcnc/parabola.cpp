@@ -15,9 +15,9 @@ namespace {
 constexpr double kStraight_rad = 0.001;  // a turn by less than twice this needs no tolerance
 
 // The speed that a piece reaches if it is to stop again.
-double reached_speed(const Piece& piece, double acceleration) {
+double reached_speed(const Piece& piece, double acceleration, double share) {
     const double length = piece.settled ? piece.length : piece.length / 2;
-    return std::min(std::sqrt(acceleration * length), target_speed(piece));
+    return std::min(std::sqrt(acceleration * length), target_speed(piece, share));
 }
 
 Vector3d level_tangent(const Arc& arc, double phi_rad) {
@@ -48,9 +48,10 @@ double parabola_tolerance(const Piece& piece) {
 
 }  // namespace
 
-Parabola parabola_between(const Piece& before, const Piece& after) {
+Parabola parabola_between(const Piece& before, const Piece& after, double share_before, double share_after) {
     const double a_before = acceleration(before), a_after = acceleration(after);
-    const double v_before = reached_speed(before, a_before), v_after = reached_speed(after, a_after);
+    const double v_before = reached_speed(before, a_before, share_before);
+    const double v_after = reached_speed(after, a_after, share_after);
     const double blend_s = std::min(
         {before.length / v_before, after.length / v_after, std::max(v_before / a_before, v_after / a_after)});
     double from = std::min(v_before, blend_s * a_before);

@@ -11,6 +11,8 @@ struct Parabola {
     double net_speed = 0;  ///< Of both together on the way round the corner; 0 where neither moves X, Y or Z.
 };
 
-Parabola parabola_between(const Piece& before, const Piece& after);
+/// With these shares of the speeds that the pieces ask for.
+Parabola parabola_between(const Piece& before, const Piece& after, double share_before = 1,
+                          double share_after = 1);
 
 }  // namespace gsim::motion::linuxcnc

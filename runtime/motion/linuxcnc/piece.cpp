@@ -17,8 +17,8 @@ double acceleration(const Piece& piece) {
     return whole_acceleration(piece) * (piece.curved ? piece.tangential_share : 1.0);
 }
 
-double target_speed(const Piece& piece) {
-    const double speed = std::min(piece.requested_speed, piece.max_speed);
+double target_speed(const Piece& piece, double share) {
+    const double speed = std::min(piece.requested_speed * share, piece.max_speed);
     return piece.path_limited ? std::min(speed, piece.max_path_speed) : speed;
 }
 

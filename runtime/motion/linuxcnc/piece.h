@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "runtime/motion/arc.h"
+#include "runtime/motion/override_schedule.h"
 #include "runtime/motion/segment.h"
 #include "runtime/rrs/types.h"
 
@@ -29,6 +30,7 @@ struct Piece {
     rrs::TargetId target_id = 0;
     bool curved = false;  ///< Along `arc`; else straight from start to end in all joints.
     bool rapid = false;
+    ObeyedOverrides obeyed;
     bool turns = false;        ///< Moves joints other than X, Y and Z.
     bool path_limited = true;  ///< max_path_speed counts: not where rotary joints alone move.
     rrs::JointPos start;
@@ -65,8 +67,8 @@ struct Piece {
 double whole_acceleration(const Piece& piece);
 /// The acceleration along the way.
 double acceleration(const Piece& piece);
-/// The speed that it goes at where nothing else slows it.
-double target_speed(const Piece& piece);
+/// The speed that it goes at where nothing else slows it, with `share` of the speed that it asks for.
+double target_speed(const Piece& piece, double share = 1);
 
 /// Unit tangents in X, Y, Z; 0 where these rest.
 Eigen::Vector3d start_direction(const Piece& piece);

@@ -160,6 +160,7 @@ void set_way(Piece& piece, const Axes& axes, const Move& move, const JointChange
     piece.target_id = move.target_id;
     piece.curved = move.kind == SegmentKind::circular;
     piece.rapid = move.rapid;
+    piece.obeyed = move.obeyed;
     piece.turns = changes.norm(JointRole::secondary) > 0 || changes.norm(JointRole::rotary) > 0;
     piece.start = move.start;
     piece.end = move.end;

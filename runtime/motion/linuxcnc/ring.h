@@ -26,6 +26,11 @@ class Ring {
         ++size_;
         return back();
     }
+    /// Makes the element at `index` two equal ones.
+    void duplicate(std::size_t index) {
+        push();
+        for (std::size_t i = size_ - 1; i > index; --i) (*this)[i] = (*this)[i - 1];
+    }
     void pop() {
         first_ = (first_ + 1) & (slots_.size() - 1);
         --size_;
