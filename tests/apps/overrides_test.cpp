@@ -1,6 +1,8 @@
 // The operator's overrides on the command line: what they make of times, their ranges, and their file.
 
-#include <fmt/format.h>
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"

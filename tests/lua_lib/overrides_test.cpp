@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "tests/lua_lib/ngc_run.h"
 #include "tests/lua_lib/run.h"

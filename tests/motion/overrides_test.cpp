@@ -1,6 +1,14 @@
 // The operator's overrides: what they make of the time of moves, when a change acts, and what they leave as
 // it is, with each of the planners.
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/motion/machines.h"
