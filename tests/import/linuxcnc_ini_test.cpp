@@ -107,6 +107,19 @@ TEST(LinuxcncIni, JointsOfOldFilesAreAxesByNumber) {
     EXPECT_EQ(import_text(ini).machine.axes.at(2).max, 25.4);
 }
 
+TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
+    const auto overrides_of = [](const std::string& display) {
+        return import_text("[DISPLAY]\n" + display + mill()).machine.controller.overrides;
+    };
+    const rrs::OverrideRules wide =
+        overrides_of("MAX_FEED_OVERRIDE = 1.5\nMIN_SPINDLE_OVERRIDE = 0.25\nMAX_SPINDLE_OVERRIDE = 1.25\n");
+    EXPECT_EQ(wide.feed_max_percent, 150);
+    EXPECT_EQ(wide.planned_feed_percent, 150) << "junctions are planned for it";
+    EXPECT_EQ(wide.spindle_min_percent, 25);
+    EXPECT_EQ(wide.spindle_max_percent, 125);
+    EXPECT_EQ(overrides_of("").feed_max_percent, 100);
+}
+
 TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
     const Imported imported =
         import_text("[DISPLAY]\nDISPLAY = axis\nCYCLE_TIME = 0.1\n" + mill() +
