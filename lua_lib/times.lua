@@ -6,16 +6,20 @@ if times == nil then return end
 
 local named = {
   M3 = times.spindle_start, M4 = times.spindle_start, M5 = times.spindle_stop,
-  M6 = times.tool_change, M7 = times.coolant_on,
+  M6 = times.tool_change, M7 = times.coolant_on, G10 = times.tool_table,
 }
+local tool_tables = { [10] = true, [11] = true }  -- L of G10
 if core.dialect == "rs274ngc" then
   named.M8, named.M9 = times.coolant_on, times.coolant_off
-elseif core.process == nil then
-  named.M8, named.M9 = times.process_on, times.process_off
+  tool_tables[1] = true
+else
+  if core.process == nil then named.M8, named.M9 = times.process_on, times.process_off end
+  tool_tables[12], tool_tables[13] = true, true
 end
 
 local function time_of(code, words)
   if times.codes[code] then return times.codes[code] end
+  if code == "G10" and not tool_tables[words.l] then return 0 end
   local entry = process_entry(code, words)
   local of_process = entry and (entry.on and times.process_on or times.process_off) or 0
   return of_process > 0 and of_process or named[code] or 0

@@ -12,6 +12,7 @@ struct TimeKey {
     double WordTimes::*time_s;
 };
 constexpr std::array kTimeKeys{TimeKey{"tool_change_s", &WordTimes::tool_change_s},
+                               TimeKey{"tool_table_s", &WordTimes::tool_table_s},
                                TimeKey{"coolant_on_s", &WordTimes::coolant_on_s},
                                TimeKey{"coolant_off_s", &WordTimes::coolant_off_s},
                                TimeKey{"spindle_start_s", &WordTimes::spindle_start_s},

@@ -7,6 +7,7 @@ namespace gsim::machine {
 /// How long the machine takes for what words of a program set going, in s: table [times] of a machine file.
 struct WordTimes {
     double tool_change_s = 0;
+    double tool_table_s = 0;  ///< Of G10 where it writes the table of tools.
     double coolant_on_s = 0;
     double coolant_off_s = 0;
     double spindle_start_s = 0;

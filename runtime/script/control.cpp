@@ -63,8 +63,9 @@ void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
 
 /// core.times, s; the table of the core is on top of the stack.
 void set_word_times(lua_State* state, const machine::WordTimes& times) {
-    lua_createtable(state, 0, 8);
+    lua_createtable(state, 0, 9);
     set_number(state, "tool_change", times.tool_change_s);
+    set_number(state, "tool_table", times.tool_table_s);
     set_number(state, "coolant_on", times.coolant_on_s);
     set_number(state, "coolant_off", times.coolant_off_s);
     set_number(state, "spindle_start", times.spindle_start_s);

@@ -24,6 +24,7 @@ struct Controller {
     std::size_t close_percent = 95;    ///< How many are most,
     std::size_t fair_percent = 100;    ///< and all.
     bool from_first_move = false;      ///< Recorded times begin with the first motion, whatever was before.
+    int tools = 0;                     ///< It has tools 1 to this many, without lengths.
     std::string_view machines = name;  ///< What the names of its machine files begin with.
 };
 
@@ -33,7 +34,7 @@ inline constexpr std::array kControllers{
     Controller{"linuxcnc", "cycle_time_s", "mode", false, {0.5, 0.005}, {2, 0.005}},
     Controller{"grbl", "cycle_time_nominal_s", "notes", true, {0.2, 0.002}, {1, 0.002}},
     Controller{
-        "linuxcnc2", "cycle_time_s", "mode", true, {0.05, 0.002}, {0.5, 0.005}, 85, 96, true, "linuxcnc"},
+        "linuxcnc2", "cycle_time_s", "mode", true, {0.05, 0.002}, {0.5, 0.005}, 85, 97, true, 9, "linuxcnc"},
 };
 
 }  // namespace gsim::accuracy

@@ -53,6 +53,12 @@ std::string without_paths(std::string message, const std::string& gsim_run, cons
     return message.empty() ? "gsim-run failed without a word" : message;
 }
 
+std::string table_of_tools(int count) {
+    std::string text = "NCFILE\nTOOL\n";
+    for (int number = 1; number <= count; ++number) text += fmt::format("{} 0 0 CUTTER\n", number);
+    return text + "ENDFILE\n";
+}
+
 }  // namespace
 
 GsimProgram::GsimProgram(std::string gsim_run, fs::path machines)
@@ -63,6 +69,10 @@ tl::expected<std::string, std::string> GsimProgram::run(const Recording& recordi
     std::vector<std::string> command{
         gsim_run_, "--dialect", "rs274ngc", "--machine", (machines_ / recording.machine_file).string(),
         "--json"};
+    if (recording.tools > 0) {
+        const fs::path data = scratch_.write("tools.txt", table_of_tools(recording.tools));
+        command.insert(command.end(), {"--machine-data", data.string()});
+    }
     command.insert(command.end(), outputs.begin(), outputs.end());
     command.push_back(recording.program.string());
     return output_of(command, "/dev/null").map_error([&](const std::string& message) {

@@ -51,6 +51,20 @@ TEST(GsimProgram, RunsAProgramOnItsMachine) {
                                 (folder.path() / "router_a.ngc").string()));
 }
 
+TEST(GsimProgram, GivesItTheToolsOfTheRecording) {
+    const conformance::ScratchFolder folder;
+    const fs::path fake =
+        script(folder,
+               "cat \"$7\" >\"$(dirname \"$0\")/data\"; test \"$6\" = --machine-data || exit 1\n"
+               "echo '{\"status\": \"completed\", \"cycle_time_s\": 2.5}'\n");
+    Recording with_tools = recording(folder);
+    with_tools.tools = 2;
+    ASSERT_TRUE(GsimProgram(fake, "machines").cycle_time_s(with_tools));
+    std::ifstream data(folder.path() / "data");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(data), {}),
+              "NCFILE\nTOOL\n1 0 0 CUTTER\n2 0 0 CUTTER\nENDFILE\n");
+}
+
 TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
     const conformance::ScratchFolder folder;
     const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), "machines");

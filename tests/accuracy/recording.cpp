@@ -115,6 +115,7 @@ tl::expected<Recording, std::string> read_recording(const fs::path& program, con
             return tl::unexpected(fmt::format("{}: {}", figures.string(), read.error()));
     }
     recording.from_first_move = controller.from_first_move;
+    recording.tools = controller.tools;
     recording.counted = controller.times_dwells || !has_dwell(*program_text);
     return recording;
 }

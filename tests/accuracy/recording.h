@@ -22,6 +22,7 @@ struct Recording {
     std::string note;               ///< The mode, or a word about the program.
     double cycle_time_s = 0;
     bool from_first_move = false;  ///< The time begins with the first motion.
+    int tools = 0;                 ///< The controller had tools 1 to this many, without lengths.
     bool counted = true;           ///< Whether the controller timed all of it.
     bool exact_stop = false;       ///< Whether it rests after each block (G61.1).
     std::vector<Block> blocks;     ///< Where they were recorded.

@@ -27,6 +27,7 @@ double taken_s(const std::string& word, const WordTimes& times, const char* dial
 }
 
 const WordTimes kTimes{.tool_change_s = 8,
+                       .tool_table_s = 0.0625,
                        .coolant_on_s = 0.5,
                        .coolant_off_s = 0.25,
                        .spindle_start_s = 2,
@@ -44,6 +45,16 @@ TEST(WordTimes, OfEachWordByWhatItDoes) {
     EXPECT_EQ(taken_s("M5", kTimes), 1.5);
     EXPECT_EQ(taken_s("M64 P0", kTimes), 0);
     EXPECT_EQ(taken_s("M8\nM9\nM8", kTimes), 1.25);
+}
+
+TEST(WordTimes, OfWhatWritesTheTableOfTools) {
+    for (const char* const word : {"G10 L1 P1 Z5", "G10 L10 P1 Z5", "G10 L11 P1 Z5"})
+        EXPECT_EQ(taken_s(word, kTimes), 0.0625) << word;
+    for (const char* const word : {"G10 L2 P1 X0", "G10 L20 P1 X10", "G10 L0"})
+        EXPECT_EQ(taken_s(word, kTimes), 0) << word;
+    for (const char* const word : {"G10 L10 P1 R5", "G10 L11 P1 R0", "G10 L12 P1 R5", "G10 L13 P1 R0"})
+        EXPECT_EQ(taken_s(word, kTimes, "ab9"), 0.0625) << word;
+    EXPECT_EQ(taken_s("G10 L2 P1 X0 Y0", kTimes, "ab9"), 0);
 }
 
 TEST(WordTimes, ANumberGoesBeforeAName) {

@@ -21,12 +21,14 @@ std::string error_with(const std::string& times) {
 TEST(TimesSection, ReadsNamesAndCodes) {
     const auto machine = read_machine(
         machine_with(
-            "[times]\ntool_change_s = 8\ncoolant_on_s = 0.5\nspindle_start_s = 2.5\nspindle_stop_s = 1.5\n"
+            "[times]\ntool_change_s = 8\ntool_table_s = 0.0625\ncoolant_on_s = 0.5\nspindle_start_s = "
+            "2.5\nspindle_stop_s = 1.5\n"
             "process_on_s = 0.3\nprocess_off_s = 0.2\nbefore_first_move = false\nM100 = 4\nM8 = 0\n"),
         "m.toml");
     ASSERT_TRUE(machine) << machine.error();
     const WordTimes& times = machine->times;
     EXPECT_EQ(times.tool_change_s, 8);
+    EXPECT_EQ(times.tool_table_s, 0.0625);
     EXPECT_EQ(times.coolant_on_s, 0.5);
     EXPECT_EQ(times.coolant_off_s, 0);
     EXPECT_EQ(times.spindle_start_s, 2.5);
