@@ -56,6 +56,7 @@ void fill(const Block& from, const Block& to, const HalfWays& ways, const HalfLa
     segment.end = from.line_at(ways.leaving_to) + moved;
     segment.lead = laws.leaving;
     segment.lead_limits = {};
+    segment.off_way = OffWay::corner;
     segment.beside = std::move(beside);
     segment.length_mm = length_mm(from, segment, to.entry_blend.cut);
 }

@@ -71,6 +71,7 @@ Status DefaultPlanner::GetMessage(std::string& message) {
 void DefaultPlanner::start_over() {
     queue_.clear();
     if (model_) model_->clear();
+    if (ways_ != nullptr) ways_->forget();
     programmed_ = Programmed(setup_.joint_count());
     setup_ = machine_;
     position_.setZero();

@@ -24,6 +24,7 @@
 #include "runtime/motion/segment_queue.h"
 #include "runtime/motion/stop.h"
 #include "runtime/motion/tool_path.h"
+#include "runtime/motion/way_sink.h"
 #include "runtime/rrs/shell.h"
 
 namespace gsim::motion {
@@ -71,6 +72,8 @@ class DefaultPlanner final : public rrs::Shell {
     }
     /// What the targets that follow obey of them.
     void set_obeyed(const ObeyedOverrides& obeyed) { programmed_.obeyed = obeyed; }
+    /// From now on `ways`, which must outlive the planner, is told what the model's moves are to be.
+    void tell_ways(WaySink& ways) { ways_ = &ways; }
     /// No Cartesian position speed is programmed any more.
     void forget_position_speed() { programmed_.position_speed_mm_s = 0; }
     /// The frames of Cartesian targets: until SelectWorkFrames the tool centre point and the work frame.
@@ -278,6 +281,7 @@ class DefaultPlanner final : public rrs::Shell {
     PlannerSetup machine_;
     PlannerSetup setup_;  ///< The machine as the program has set it.
     SegmentSink* sink_;
+    WaySink* ways_ = nullptr;
     std::optional<AxisSpace> axis_space_;
     SegmentQueue queue_;
     Programmed programmed_;

@@ -103,6 +103,7 @@ Status DefaultPlanner::CancelMotion() {
     frames_before_.clear();
     via_.reset();
     if (model_) model_->clear();
+    if (ways_ != nullptr) ways_->forget();
     return Status::RRS_SUCCESS;
 }
 

@@ -206,6 +206,7 @@ Segment& DefaultPlanner::begin_segment(Segment& slot, rrs::TargetId id) {
     slot.beside.reset();
     slot.orientation.reset();
     slot.deviation_mm = 0;
+    slot.off_way = OffWay::no;
     return slot;
 }
 
@@ -249,8 +250,10 @@ Move DefaultPlanner::move_of(const Segment& segment) const {
 Planned DefaultPlanner::add_to_model(const Segment& segment) {
     const Move move = move_of(segment);
     const bool held = held_.put(move.target_id);  // before the model puts its motion out
+    if (ways_ != nullptr) ways_->programmed(move);
     Planned planned = model_->add(move);
     if (!planned && held) held_.take_back();
+    if (!planned && ways_ != nullptr) ways_->take_back();
     return planned;
 }
 

@@ -57,6 +57,13 @@ struct LimitedBy {
     bool operator==(const LimitedBy&) const = default;
 };
 
+/// Whether a controller leaves the programmed way.
+enum class OffWay : std::uint8_t {
+    no,
+    corner,  ///< Rounds a corner of two moves: nowhere farther off than where it passes it (deviation_mm).
+    yes,     ///< In another way: a line in place of several, more than two moves at once.
+};
+
 /// One finished piece of trajectory: a path and its time law. Starts and ends at the given joint values.
 /// Joints that are neither on an arc, of position or orientation, nor followers go from start to end in
 /// proportion to the lead law.
@@ -85,6 +92,7 @@ struct Segment {
     /// How far the tool passes from the programmed corner that is rounded here; told once for each such
     /// corner, by a segment of the move that begins there. 0 in all others.
     double deviation_mm = 0;
+    OffWay off_way = OffWay::no;
 
     std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
     void add_follower(int joint, double sign, const TimeLaw& law, const LawLimits& limits = {}) {

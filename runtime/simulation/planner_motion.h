@@ -8,9 +8,11 @@ namespace gsim::simulation {
 /// Our own planner, in process.
 class PlannerMotion final : public MotionSource {
   public:
-    /// `sink` must outlive this. Throws std::invalid_argument as DefaultPlanner does.
-    PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink)
-        : planner_(std::move(setup), &sink) {}
+    /// `sink` and `ways` must outlive this. Throws std::invalid_argument as DefaultPlanner does.
+    PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink, motion::WaySink& ways)
+        : planner_(std::move(setup), &sink) {
+        planner_.tell_ways(ways);
+    }
 
     rrs::Shell& shell() override { return planner_; }
     bool set_cell(motion::CellFrames& cell) override {

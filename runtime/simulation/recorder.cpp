@@ -80,7 +80,7 @@ void Recorder::take(const Segment& segment) {
     if (is_between_moves(segment)) return take_between_moves(segment);
     if (!in_move_ || move_.info.target_id != segment.target_id) go_to_move(segment.target_id);
     add_limit(segment);
-    add_deviation(segment);
+    move_.deviation_mm = std::max(move_.deviation_mm, segment.deviation_mm);
     add_to_sums(segment);
     add_to_bounds(segment);
     end_s_ = segment.end_s();
@@ -137,15 +137,6 @@ void Recorder::add_limit(const Segment& segment) {
     if (segment.kind == SegmentKind::rest || segment.duration_s <= longest_s_) return;
     longest_s_ = segment.duration_s;
     move_.limited_by = segment.limited_by;
-}
-
-void Recorder::add_deviation(const Segment& segment) {
-    if (segment.deviation_mm <= 0) return;
-    ++blends_.count;
-    move_.deviation_mm = std::max(move_.deviation_mm, segment.deviation_mm);
-    if (segment.deviation_mm <= blends_.max_deviation_mm) return;
-    blends_.max_deviation_mm = segment.deviation_mm;
-    blends_.place = move_.info.place;
 }
 
 void Recorder::add_to_sums(const Segment& segment) {
@@ -210,7 +201,6 @@ void Recorder::finish(Report& report) {
         report.overrides->rapid_locked_s = rapid_locked_s_.value();
         report.overrides->spindle_locked_s = spindle_locked_s_.value();
     }
-    report.blends = blends_;
     report.bounds = bounds();
     report.slowest = slowest_.list(machine_);
 }

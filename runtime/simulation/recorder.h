@@ -62,7 +62,6 @@ class Recorder : public motion::SegmentSink {
     void begin_move(const MoveInfo& info);
     void end_move();
     void add_limit(const motion::Segment& segment);
-    void add_deviation(const motion::Segment& segment);
     void add_to_sums(const motion::Segment& segment);
     void add_to_bounds(const motion::Segment& segment);
     std::vector<AxisBounds> bounds() const;
@@ -76,7 +75,6 @@ class Recorder : public motion::SegmentSink {
     bool in_move_ = false;  // move_ was expected, so that it may count
     double end_s_ = 0;
     std::uint64_t moves_ = 0;
-    Blends blends_;
     ExactSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
     ExactSum feed_locked_s_, rapid_locked_s_, spindle_locked_s_;  // against the operator's overrides
     std::array<motion::Range, rrs::kMaxJoints> ranges_;  // of joint values; the first joint_count hold them

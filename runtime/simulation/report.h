@@ -108,11 +108,22 @@ struct AxisBounds {
     double limit_min = 0, limit_max = 0;  ///< Of the machine.
 };
 
-/// Corners that the controller has rounded.
+/// The farthest that the tip leaves the programmed way on the part.
+struct Deviation {
+    double deviation_mm = 0;
+    Place place = {};  ///< Of the move there; the one behind a corner.
+
+    bool operator==(const Deviation&) const = default;
+};
+
+/// Where the controller leaves the programmed way: WayDeviation.
 struct Blends {
-    std::uint64_t count = 0;
-    double max_deviation_mm = 0;  ///< Of the tool from the programmed corner.
-    Place place = {};             ///< Of the move with the greatest one.
+    bool measured = true;     ///< A controller module does not tell.
+    std::uint64_t count = 0;  ///< Ends of moves that the tip does not pass.
+    Deviation feed = {};      ///< In corners of feed moves,
+    Deviation rapid = {};     ///< and between rapid moves.
+
+    const Deviation& greatest() const { return rapid.deviation_mm > feed.deviation_mm ? rapid : feed; }
 };
 
 struct SlowBlock {

@@ -97,12 +97,20 @@ Json remedy(const Violations& violations) {
     return list;
 }
 
+Json deviation(const Report& report, const Deviation& deviation) {
+    const bool any = deviation.deviation_mm > 0;
+    return {{"max_deviation_mm", number(deviation.deviation_mm)},
+            {"file", any ? file(report, deviation.place) : Json(nullptr)},
+            {"line", any ? line(deviation.place) : Json(nullptr)}};
+}
+
 Json blends(const Report& report) {
-    const bool any = report.blends.count > 0;
-    return {{"count", report.blends.count},
-            {"max_deviation_mm", number(report.blends.max_deviation_mm)},
-            {"file", any ? file(report, report.blends.place) : Json(nullptr)},
-            {"line", any ? line(report.blends.place) : Json(nullptr)}};
+    if (!report.blends.measured) return nullptr;
+    Json blends{{"count", report.blends.count}};
+    blends.update(deviation(report, report.blends.greatest()));
+    blends["feed"] = deviation(report, report.blends.feed);
+    blends["rapid"] = deviation(report, report.blends.rapid);
+    return blends;
 }
 
 Json bounds(const Report& report) {

@@ -78,11 +78,18 @@ class Text {
     std::string text_;
 };
 
+void add_deviation(Text& out, const Report& report, std::string_view moves, const Deviation& deviation) {
+    if (deviation.deviation_mm <= 0) return;
+    out.line("{:<12}at most {:.4f} mm off, at {}", moves, deviation.deviation_mm,
+             place_text(report, deviation.place));
+}
+
 void add_blends(Text& out, const Report& report) {
-    if (report.blends.count == 0) return;
-    out.line("{:<12}{} corner{}, at most {:.4f} mm off, at {}", "rounded", report.blends.count,
-             report.blends.count == 1 ? "" : "s", report.blends.max_deviation_mm,
-             place_text(report, report.blends.place));
+    const Blends& blends = report.blends;
+    if (!blends.measured || blends.count == 0) return;
+    out.line("{:<12}{} corner{}", "rounded", blends.count, blends.count == 1 ? "" : "s");
+    add_deviation(out, report, "  feed", blends.feed);
+    add_deviation(out, report, "  rapid", blends.rapid);
 }
 
 void add_passes(Text& out, const Report& report) {

@@ -55,6 +55,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       zones_(machine_, recorder_),
       setup_(planner_setup(machine_)),
       machine_frames_(setup_.kinematics->chain()),
+      way_deviation_(setup_),
       motion_(make_motion(std::move(module))),
       shell_(motion_->shell()),
       space_axes_(space_axes(machine_)),
@@ -66,12 +67,13 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
     recorder_.add_output(events_);
     recorder_.add_output(violations_);
     recorder_.add_output(process_);
+    recorder_.add_output(way_deviation_);
     if (!limits_.stop_at_first) zones_.go_on([this](const ZoneHit& hit) { add_zone_violation(hit); });
     start();
 }
 
 std::unique_ptr<MotionSource> Simulator::make_motion(std::optional<rrs::RcsModule> module) {
-    if (!module) return std::make_unique<PlannerMotion>(setup_, zones_);
+    if (!module) return std::make_unique<PlannerMotion>(setup_, zones_, way_deviation_);
     return std::make_unique<ModuleMotion>(*std::move(module), setup_, limits_.max_time_s, zones_);
 }
 
@@ -187,6 +189,7 @@ MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per
     MoveInfo info;
     last_place_ = place;
     info.target_id = next_id_++;
+    way_deviation_.expect(info.target_id, place);
     info.kind = kind;
     info.place = place;
     info.feed_per_min = feed_per_min;
@@ -362,6 +365,8 @@ Report Simulator::finish(std::string program) {
     if (!overrides_.empty()) report.overrides.emplace();
     recorder_.finish(report);
     report.findings = process_.release();
+    report.blends = way_deviation_.blends();
+    report.blends.measured = !sampled();
     if (machine_.process) report.process = machine::name(machine_.process->kind);
     if (!sampled()) report.controller = machine_.controller.model;
     report.program = std::move(program);

@@ -28,6 +28,7 @@
 #include "runtime/simulation/service_modes.h"
 #include "runtime/simulation/tip_frame.h"
 #include "runtime/simulation/violation_log.h"
+#include "runtime/simulation/way_deviation.h"
 #include "runtime/simulation/zone_watch.h"
 
 namespace gsim::simulation {
@@ -161,10 +162,7 @@ class Simulator {
         zones_.set_programmed(walls, next_id_);
     }
     /// How far the tool's end is from where X, Y and Z of the machine are, for zones and probes (mm).
-    void set_tool_offset(const Eigen::Vector3d& offset_mm) {
-        tool_offset_mm_ = offset_mm;
-        zones_.set_tool_offset(offset_mm, next_id_);
-    }
+    void set_tool_offset(const Eigen::Vector3d& offset_mm);
     /// A program is called, or the one called last has ended: an alarm names the calls that are open.
     void enter_program(std::string name, const Place& place);
     void leave_program();
@@ -244,6 +242,7 @@ class Simulator {
     }
     bool has_cell() const { return cell_ != nullptr && cell_->use().of_file; }
     bool asks_controller() const { return controller_has_cell_ || !has_cell(); }
+    void tip_changed();
     void machine_frame_changed(std::string_view name, const rrs::CartPos& frame);
     tl::expected<TipFrame, std::string> tip_frame_of(const Eigen::Vector3d& offset_mm) const;
     std::unique_ptr<ProbeSignal> plane_signal(const ProbeMove& move);
@@ -275,6 +274,7 @@ class Simulator {
     std::optional<WorkOffset> selected_offset_;  ///< As the program has selected it last.
     motion::PlannerSetup setup_;
     motion::MachineFrames machine_frames_;  ///< As the program has set them.
+    WayDeviation way_deviation_;
     std::unique_ptr<MotionSource> motion_;
     rrs::Shell& shell_;                  ///< Of motion_.
     std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 where the machine has no such axis.

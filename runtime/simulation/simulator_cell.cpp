@@ -41,6 +41,7 @@ rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartP
 /// What counts from the tool centre point goes along with it.
 void Simulator::machine_frame_changed(std::string_view name, const rrs::CartPos& frame) {
     machine_frames_.set(name, frame);
+    tip_changed();
     if (observer_ != nullptr)
         observer_->untold_motion("the script moves the machine's own frame, 'tool' or 'base'");
     if (tip_frame_) set_tip_control(Eigen::Vector3d(tip_offset_mm_), last_place_);

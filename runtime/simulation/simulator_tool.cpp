@@ -13,6 +13,19 @@ tl::expected<TipFrame, std::string> Simulator::tip_frame_of(const Eigen::Vector3
     return TipFrame::make(setup_, to_joints(zero), machine_frames_.tool_shift().translation(), offset_mm);
 }
 
+/// The tip of the tool in use as the machine carries it, whether the program is told of the tip or not.
+void Simulator::tip_changed() {
+    const auto frame = tip_frame_of(tool_offset_mm_);
+    way_deviation_.set_tip(frame ? frame->tip_mm() : machine_frames_.tool_shift().translation());
+}
+
+void Simulator::set_tool_offset(const Eigen::Vector3d& offset_mm) {
+    if (offset_mm == tool_offset_mm_) return;
+    tool_offset_mm_ = offset_mm;
+    zones_.set_tool_offset(offset_mm, next_id_);
+    tip_changed();
+}
+
 bool Simulator::set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm, const Place& place) {
     if (!offset_mm && !tip_frame_) return true;
     wait();

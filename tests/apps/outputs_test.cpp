@@ -1,5 +1,6 @@
 // The files that gsim-run writes: moves, trajectory, report and plot.
 
+#include <cctype>
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -121,8 +122,8 @@ TEST_F(Outputs, RoundedCornersHaveTheirDeviation) {
     for (const char letter : {'X', 'Y', 'Z'}) {
         machine += fmt::format(
             "[[axis]]\nletter = \"{}\"\nkind = \"linear\"\nmax_speed_mm_s = 500\n"
-            "max_acceleration_mm_s2 = 2000\nmax_jerk_mm_s3 = 1e5\ndh = {{}}\n",
-            letter);
+            "max_acceleration_mm_s2 = 2000\nmax_jerk_mm_s3 = 1e5\ndirection = \"{}\"\n",
+            letter, static_cast<char>(std::tolower(letter)));
     }
     const std::string file = write("blends.toml", machine);
     const std::string square =

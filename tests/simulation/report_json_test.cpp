@@ -50,7 +50,8 @@ TEST(ReportJson, KeysInTheirOrder) {
                                         "warnings", "diagnostics", "findings", "slowest"));
     EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
     EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
-    EXPECT_THAT(keys(json["blends"]), ElementsAre("count", "max_deviation_mm", "file", "line"));
+    EXPECT_THAT(keys(json["blends"]),
+                ElementsAre("count", "max_deviation_mm", "file", "line", "feed", "rapid"));
     EXPECT_THAT(keys(json["bounds"]), ElementsAre("X", "B"));
     EXPECT_THAT(keys(json["bounds"]["X"]), ElementsAre("min", "max", "limit_min", "limit_max"));
     EXPECT_THAT(keys(json["slowest"][0]),
@@ -122,10 +123,17 @@ TEST(ReportJson, Values) {
 TEST(ReportJson, RoundedCorners) {
     Report report = sample();
     EXPECT_EQ(ordered_json::parse(to_json(report))["blends"].dump(),
-              R"({"count":0,"max_deviation_mm":0.0,"file":null,"line":null})");
-    report.blends = {7, 0.05, {0, 9}};
+              R"({"count":0,"max_deviation_mm":0.0,"file":null,"line":null,)"
+              R"("feed":{"max_deviation_mm":0.0,"file":null,"line":null},)"
+              R"("rapid":{"max_deviation_mm":0.0,"file":null,"line":null}})");
+    report.blends = {.count = 7, .feed = {0.05, {0, 9}}, .rapid = {0.75, {0, 4}}};
     EXPECT_EQ(ordered_json::parse(to_json(report))["blends"].dump(),
-              R"({"count":7,"max_deviation_mm":0.05,"file":"part.nc","line":9})");
+              R"({"count":7,"max_deviation_mm":0.75,"file":"part.nc","line":4,)"
+              R"("feed":{"max_deviation_mm":0.05,"file":"part.nc","line":9},)"
+              R"("rapid":{"max_deviation_mm":0.75,"file":"part.nc","line":4}})");
+    report.blends.measured = false;
+    EXPECT_TRUE(ordered_json::parse(to_json(report))["blends"].is_null())
+        << "nothing is known, so nothing is said";
 }
 
 TEST(ReportJson, AnExplanationComesLastAndOnlyWhereThereIsOne) {

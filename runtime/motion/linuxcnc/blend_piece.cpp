@@ -82,6 +82,8 @@ void set_blend_limits(Piece& piece, const Piece& before, const Piece& after, con
     piece.rapid = before.rapid;
     piece.term = Term::tangent;
     piece.settled = true;
+    const bool exact = before.off_way == OffWay::no && after.off_way == OffWay::no;
+    piece.off_way = exact ? OffWay::corner : OffWay::yes;
     piece.requested_speed = speeds.requested_speed;
     piece.max_speed = speeds.speed;
     piece.max_path_speed = std::min(before.max_path_speed, after.max_path_speed);

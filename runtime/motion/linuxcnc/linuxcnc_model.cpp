@@ -90,8 +90,11 @@ void LinuxcncModel::merge(const Move& line) {
 void LinuxcncModel::end_merged() {
     if (merged_.empty()) return;
     auto piece = linuxcnc::piece_of(setup_, axes_, merged_.line(), clock_.period_s);
+    const bool several = merged_.several();
     merged_.clear();
-    if (piece && piece->length > 0) take(*std::move(piece));
+    if (!piece || !(piece->length > 0)) return;
+    if (several) piece->off_way = OffWay::yes;
+    take(*std::move(piece));
 }
 
 void LinuxcncModel::take(Piece piece) {

@@ -19,6 +19,8 @@ class MergedLines {
     explicit MergedLines(const Axes& axes) : axes_(axes) {}
 
     bool empty() const { return ends_.empty(); }
+    /// Whether there are several.
+    bool several() const { return ends_.size() > 1; }
     /// Whether the line, or flat arc, that follows may become part of this one.
     bool accepts(const Move& line) const;
     void add(const Move& line);

@@ -58,6 +58,7 @@ struct Piece {
     double lead_in = 0;  ///< Length of the straight line on which a blend arc begins.
     rrs::TargetId lead_in_id = 0;
     double deviation_mm = 0;  ///< Of a blend arc: how far it passes from the corner.
+    OffWay off_way = OffWay::no;
 
     LimitedBy speed_limit;
     LimitedBy acceleration_limit;

@@ -164,6 +164,7 @@ void Writer::write_to_rest(PieceQueue& queue, std::size_t standing_index, const 
         Segment& segment = output_.begin(standing.piece.target_id);
         fill({&tail, tail.written_s, to_s, nullptr}, segment);
         shift_by(standing.piece.end - corner, axes_, segment);
+        segment.off_way = OffWay::yes;
         segment.reaches_target = ends_group(tail, to_s) && ends_target(standing, standing.law.duration_s(),
                                                                        behind(queue, standing_index));
         look_for_nearest(segment, axes_, corner, tail);
@@ -194,6 +195,7 @@ void Writer::put_both(const Span& tail, const Span& head, const rrs::JointPos& c
     const bool stands_first = ends_group(*head.held, head.to_s) && !ends_group(*tail.held, tail.to_s);
     segment.reaches_target = !stands_first && ends_target(*head.held, head.to_s, head.next);
     segment.beside = std::move(beside);
+    segment.off_way = OffWay::yes;
     segment.length_mm = segment.blended_length_mm();
     look_for_nearest(segment, axes_, corner, *tail.held);
     if (ends_piece(*tail.held, tail.to_s))
@@ -215,6 +217,7 @@ void Writer::fill(const Span& span, Segment& segment) const {
     segment.lead_limits.acceleration = acceleration(held.piece) * part.scale;
     segment.lead_limits.deceleration = segment.lead_limits.acceleration;
     segment.limited_by = held.limited_by;
+    segment.off_way = held.piece.off_way;
     segment.deviation_mm = part.curved && ends_piece(held, span.to_s) ? held.piece.deviation_mm : 0;
 }
 

@@ -1,0 +1,232 @@
+// How far the report says that the tip leaves the programmed way on the part, against the trajectory.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps::way_deviation_test {
+namespace {
+
+using Eigen::Vector3d;
+using nlohmann::json;
+using Points = std::vector<Vector3d>;
+
+constexpr double kStep_s = 0.0005;
+
+double to_line(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
+    const Vector3d way = to - from;
+    const double square = way.squaredNorm();
+    const double share = square > 0 ? std::clamp((point - from).dot(way) / square, 0.0, 1.0) : 0.0;
+    return (point - from - share * way).norm();
+}
+
+double to_lines(const Vector3d& point, const Points& lines) {
+    double least = 1e300;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        least = std::min(least, to_line(point, lines[i - 1], lines[i]));
+    return least;
+}
+
+// Of the one from the other, whichever is farther: for ways that come near themselves nowhere.
+double apart(const Points& programmed, const Points& driven) {
+    double most = 0;
+    for (const Vector3d& point : driven) most = std::max(most, to_lines(point, programmed));
+    for (const Vector3d& point : programmed) most = std::max(most, to_lines(point, driven));
+    return most;
+}
+
+std::string axis(const char* letter, const std::string& rest) {
+    return fmt::format("[[axis]]\nletter = \"{}\"\n{}\n", letter, rest);
+}
+
+std::string linear(const char* letter, const std::string& more = "") {
+    return axis(letter, fmt::format("kind = \"linear\"\nmax_speed_mm_s = 500\nmax_acceleration_mm_s2 = 1000\n"
+                                    "direction = \"{}\"\n{}",
+                                    static_cast<char>(std::tolower(letter[0])), more));
+}
+
+std::string machine(const std::string& controller, const std::string& axes) {
+    return fmt::format("[machine]\nname = \"m\"\ninverse = \"none\"\n[controller]\n{}\n{}", controller, axes);
+}
+
+const std::string kThreeSlides = linear("X") + linear("Y") + linear("Z");
+// A table that turns about X carries the part; the tool stands above its axis.
+const std::string kWrap =
+    linear("X") + linear("Y") + linear("Z") +
+    axis("A",
+         "kind = \"rotary\"\ncarries = \"work\"\nmax_speed_deg_s = 90\nmax_acceleration_deg_s2 = 400\n"
+         "direction = \"x\"");
+
+class WayDeviation : public Apps {
+  protected:
+    struct Run {
+        json blends;
+        Points driven;  // on the part
+    };
+
+    // Columns of X, Y, Z and, where there is a table, A; the part turns about X.
+    Run run(const std::string& machine_text, const std::string& program) {
+        const std::string machine_file = write("m.toml", machine_text);
+        const std::string file = write("part.ngc", program);
+        const Ended ended =
+            gsim_run({file, "--dialect", "rs274ngc", "--machine", machine_file, "--quiet", "--report",
+                      "report.json", "--trajectory", "way.csv", "--step", fmt::format("{}", kStep_s)});
+        EXPECT_EQ(ended.status, 0) << ended.err;
+        return {json::parse(read("report.json"))["blends"], points()};
+    }
+
+    Points points() {
+        std::istringstream rows(read("way.csv"));
+        std::string row;
+        std::getline(rows, row);
+        const bool turns = row.find("a_deg") != std::string::npos;
+        Points points;
+        while (std::getline(rows, row)) {
+            std::replace(row.begin(), row.end(), ',', ' ');
+            std::istringstream values(row);
+            double t_s = 0, line = 0, a_deg = 0;
+            Vector3d at;
+            values >> t_s >> line >> at.x() >> at.y() >> at.z();
+            if (turns) values >> a_deg;
+            points.push_back(on_part(at, a_deg));
+        }
+        return points;
+    }
+
+    static Vector3d on_part(const Vector3d& at, double a_deg) {
+        return Eigen::AngleAxisd(a_deg * std::numbers::pi / 180, Vector3d::UnitX()) * at;
+    }
+};
+
+struct Zigzag {
+    std::string program;
+    Points points;
+};
+
+// Lines that turn by little, so that the way comes near itself nowhere.
+Zigzag zigzag(unsigned seed, double length_mm, int lines) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> heading(-1.2, 1.2), share(0.3, 1.7);
+    Zigzag made{"", {Vector3d::Zero()}};
+    Vector3d at = Vector3d::Zero();
+    for (int i = 0; i < lines; ++i) {
+        const double angle = heading(random);
+        const double step = length_mm * share(random);
+        at += step * Vector3d(std::cos(angle), std::sin(angle), 0);
+        at = (at * 1e4).array().round() / 1e4;
+        made.points.push_back(at);
+        made.program += fmt::format("G1 X{:.4f} Y{:.4f}\n", at.x(), at.y());
+    }
+    return made;
+}
+
+// G64 P merges lines, within its tolerance, and rounds the corners of the lines that come of it.
+TEST_F(WayDeviation, OfMergedLinesIsThatOfTheTrajectory) {
+    double most = 0;
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        const Zigzag part = zigzag(seed, seed % 2 == 0 ? 0.1 : 0.25, 40);
+        const Run made = run(machine("model = \"linuxcnc-2.9\"", kThreeSlides),
+                             "G21 G64 P0.05 F1200\n" + part.program + "M2\n");
+        const double wanted_mm = apart(part.points, made.driven);
+        EXPECT_NEAR(made.blends["max_deviation_mm"].get<double>(), wanted_mm, 0.01 * wanted_mm + 1e-4)
+            << seed;
+        EXPECT_EQ(made.blends["max_deviation_mm"], made.blends["feed"]["max_deviation_mm"]);
+        EXPECT_EQ(made.blends["rapid"]["max_deviation_mm"], 0);
+        EXPECT_TRUE(made.blends["rapid"]["line"].is_null());
+        most = std::max(most, wanted_mm);
+    }
+    EXPECT_GT(most, 0.06) << "more than the tolerance of one corner";
+}
+
+TEST_F(WayDeviation, OfParabolasAndArcsIsThatOfTheTrajectory) {
+    for (const std::string mode : {"G64", "G64 P0.4 Q0"}) {
+        for (unsigned seed = 0; seed < 4; ++seed) {
+            const Zigzag part = zigzag(seed, seed % 2 == 0 ? 0.2 : 3, 20);
+            const Run made = run(machine("model = \"linuxcnc-2.9\"", kThreeSlides),
+                                 "G21 " + mode + " F3000\n" + part.program + "M2\n");
+            const double wanted_mm = apart(part.points, made.driven);
+            EXPECT_NEAR(made.blends["max_deviation_mm"].get<double>(), wanted_mm, 0.01 * wanted_mm + 2e-3)
+                << mode << ' ' << seed;
+            EXPECT_EQ(made.blends["count"], 19);
+        }
+    }
+}
+
+// The parabola that cuts d off both lines of a right angle passes the corner by d sqrt(2) / 4.
+TEST_F(WayDeviation, OfAParabolaInClosedForm) {
+    const Run made =
+        run(machine("model = \"blend\"\ncorner = \"parabolic-blend\"\nblend_tolerance_mm = 20", kThreeSlides),
+            "G21 G64 F30000\nG1 X10\nY10\nM2\n");
+    const double cut_mm = 5;  // half of a line
+    EXPECT_NEAR(made.blends["feed"]["max_deviation_mm"].get<double>(), cut_mm * std::sqrt(2) / 4, 1e-9);
+    EXPECT_EQ(made.blends["count"], 1);
+    EXPECT_EQ(made.blends["feed"]["line"], 3) << "the move behind the corner";
+}
+
+TEST_F(WayDeviation, OfFeedAndRapidApart) {
+    const Run made = run(machine("model = \"blend\"", kThreeSlides),
+                         "G21 G64 P0.02 F3000\nG1 X30\nY30\nG64 P0.5\nG0 X0\nY0\nG0 X10\nM2\n");
+    EXPECT_NEAR(made.blends["feed"]["max_deviation_mm"].get<double>(), 0.02, 1e-9);
+    EXPECT_EQ(made.blends["feed"]["line"], 3);
+    EXPECT_NEAR(made.blends["rapid"]["max_deviation_mm"].get<double>(), 0.5, 1e-9);
+    EXPECT_EQ(made.blends["rapid"]["line"], 6);
+    EXPECT_EQ(made.blends["max_deviation_mm"], made.blends["rapid"]["max_deviation_mm"]);
+    const Ended text = gsim_run({"part.ngc", "--dialect", "rs274ngc", "--machine", "m.toml"});
+    EXPECT_NE(text.out.find("rounded     4 corners\n"
+                            "  feed      at most 0.0200 mm off, at part.ngc:3\n"
+                            "  rapid     at most 0.5000 mm off, at part.ngc:6\n"),
+              std::string::npos)
+        << text.out;
+}
+
+// Half a degree about a part of 400 mm radius is 3.5 mm at its rim, though no slide is off by more than
+// the tolerance.
+TEST_F(WayDeviation, OnATurningPartIsThatOfTheTip) {
+    struct Target {
+        double x_mm, a_deg;
+    };
+    const std::vector<Target> targets{{20, 0}, {20, 12}, {45, 16}, {60, 2}, {60, -9}};
+    for (const std::string controller :
+         {"model = \"blend\"\nblend_tolerance_deg = 2", "model = \"linuxcnc-2.9\""}) {
+        std::string program = "G21 G64 P0.05\nG0 Z400\nG61.1 G1 Z400 F6000 X0\nG64 P0.05\n";
+        Points programmed{{0, 0, 400}};
+        Target from{0, 0};
+        for (const Target& to : targets) {
+            program += fmt::format("G1 X{} A{}\n", to.x_mm, to.a_deg);
+            for (int i = 1; i <= 400; ++i) {
+                const double share = i / 400.0;
+                programmed.push_back(on_part({from.x_mm + share * (to.x_mm - from.x_mm), 0, 400},
+                                             from.a_deg + share * (to.a_deg - from.a_deg)));
+            }
+            from = to;
+        }
+        Run made = run(machine(controller, kWrap), program + "M2\n");
+        std::erase_if(made.driven, [](const Vector3d& at) { return at.norm() < 399.9; });  // on the way up
+        const double wanted_mm = apart(programmed, made.driven);
+        EXPECT_GT(wanted_mm, 0.5) << controller;
+        EXPECT_NEAR(made.blends["feed"]["max_deviation_mm"].get<double>(), wanted_mm, 0.01 * wanted_mm)
+            << controller;
+    }
+}
+
+TEST_F(WayDeviation, WhereCornersAreExactThereIsNone) {
+    for (const std::string controller : {"model = \"exact-stop\"", "model = \"ab9\""}) {
+        const Run made =
+            run(machine(controller, kThreeSlides), "G21 F3000\nG1 X10\nY10\nG2 X20 Y0 R10\nG0 X0\nM2\n");
+        EXPECT_EQ(made.blends["count"], 0);
+        EXPECT_EQ(made.blends["max_deviation_mm"], 0);
+        EXPECT_TRUE(made.blends["line"].is_null());
+    }
+}
+
+}  // namespace
+}  // namespace gsim::apps::way_deviation_test
