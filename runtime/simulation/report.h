@@ -112,8 +112,6 @@ struct AxisBounds {
 struct Deviation {
     double deviation_mm = 0;
     Place place = {};  ///< Of the move there; the one behind a corner.
-
-    bool operator==(const Deviation&) const = default;
 };
 
 /// Where the controller leaves the programmed way: WayDeviation.

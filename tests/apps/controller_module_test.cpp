@@ -31,6 +31,7 @@ TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
     EXPECT_NEAR(module["events"][0]["t_s"].get<double>(), built_in["events"][0]["t_s"].get<double>(), 1e-6);
     EXPECT_EQ(module["time_by_limit"][0]["limited_by"], "unknown");
     EXPECT_TRUE(module["lower_bound_s"].is_null());
+    EXPECT_TRUE(module["blends"].is_null()) << "a module does not tell where it leaves the way";
 }
 
 TEST_F(ControllerModule, OneThatCannotBeUsedIsAnErrorOfUsage) {
