@@ -78,7 +78,8 @@ struct Segment {
     rrs::JointPos start;
     rrs::JointPos end;
     bool reaches_target = true;  ///< Ends at its target; else another segment leads on to it.
-    Arc arc;                     ///< Of a circular segment, in the position joints.
+    OffWay off_way = OffWay::no;
+    Arc arc;                                         ///< Of a circular segment, in the position joints.
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.
     TimeLaw lead;           ///< Along the path: of its length in mm, or of the lead joints' norm.
     LawLimits lead_limits;  ///< That the lead keeps, so far as they limit it; none in a rest.
@@ -92,7 +93,6 @@ struct Segment {
     /// How far the tool passes from the programmed corner that is rounded here; told once for each such
     /// corner, by a segment of the move that begins there. 0 in all others.
     double deviation_mm = 0;
-    OffWay off_way = OffWay::no;
 
     std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
     void add_follower(int joint, double sign, const TimeLaw& law, const LawLimits& limits = {}) {
