@@ -79,21 +79,21 @@ CornerRule rule_between(const rrs::ControllerRules& controller, const Block& fro
     return is_blend(controller.exact_path_corner) ? CornerRule::stop : controller.exact_path_corner;
 }
 
-/// The corner at the end of `window`, passed exactly by a jump of the joints' speeds.
-BlendedCorner pass_by_jump(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to,
+/// The corner at the end of `before`, passed exactly by a jump of the joints' speeds.
+BlendedCorner pass_by_jump(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
                            double most) {
-    const double jump = velocity_step_speed(setup, to.slope_in - window.back().slope_out);
-    return {{}, speed_in_window(setup, window, std::min(most, jump), to)};
+    const double jump = velocity_step_speed(setup, to.slope_in - before.back().slope_out);
+    return {{}, speed_in_window(setup, before, std::min(most, jump), to)};
 }
 
 /// Where a jump takes no more time than a blend, as between the many lines that stand for a curve, nothing is
 /// cut off.
-BlendedCorner pass_by_blend(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to,
+BlendedCorner pass_by_blend(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
                             double most, bool smooth) {
-    const BlendedCorner blended = blend_between(setup, window.back(), to, smooth, most);
+    const BlendedCorner blended = blend_between(setup, before.back(), to, smooth, most);
     if (setup.controller.exact_path_corner != CornerRule::velocity_step) return blended;
-    const BlendedCorner exact = pass_by_jump(setup, window, to, most);
-    return saves_time(blended, exact.speed, window.back(), to, most) ? blended : exact;
+    const BlendedCorner exact = pass_by_jump(setup, before, to, most);
+    return saves_time(blended, exact.speed, before.back(), to, most) ? blended : exact;
 }
 
 bool jumps_where_exact(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
@@ -101,18 +101,18 @@ bool jumps_where_exact(const rrs::ControllerRules& controller, const Block& from
     return (is_blend(rule) ? controller.exact_path_corner : rule) == CornerRule::velocity_step;
 }
 
-BlendedCorner pass_by_rule(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to,
+BlendedCorner pass_by_rule(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
                            double most) {
-    const Block& from = window.back();
+    const Block& from = before.back();
     const rrs::JointPos turn = to.slope_in - from.slope_out;
     if ((turn.array().abs() < kStraight).all()) return {{}, kUnlimited};
     const CornerRule rule = rule_between(setup.controller, from, to);
     switch (rule) {
         case CornerRule::stop: return {};
-        case CornerRule::velocity_step: return pass_by_jump(setup, window, to, most);
+        case CornerRule::velocity_step: return pass_by_jump(setup, before, to, most);
         case CornerRule::parabolic_blend:
         case CornerRule::smooth_blend:
-            return pass_by_blend(setup, window, to, most, rule == CornerRule::smooth_blend);
+            return pass_by_blend(setup, before, to, most, rule == CornerRule::smooth_blend);
         case CornerRule::junction_deviation: break;
     }
     if (from.lead.role != JointRole::position || !only_position_turns(setup, turn)) return {};
@@ -127,15 +127,15 @@ double speed_step(const PlannerSetup& setup, int joint) {
     return limits.least_acceleration() * setup.controller.speed_step_s;
 }
 
-CornerSpeed corner_speed(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to) {
-    const Block& from = window.back();
+CornerSpeed corner_speed(const PlannerSetup& setup, const BlocksBefore& before, const Block& to) {
+    const Block& from = before.back();
     const rrs::ControllerRules& controller = setup.controller;
     const double most = std::min(from.max_speed, to.max_speed);
     if (from.move.piece && !from.move.reaches_target) return {most, LimitKind::feed, {}};
     const bool changes_mode = controller.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
     if (changes_mode || from.lead.role != to.lead.role || from.move.mode == rrs::PathMode::exact_stop)
         return {};
-    const BlendedCorner corner = pass_by_rule(setup, window, to, most);
+    const BlendedCorner corner = pass_by_rule(setup, before, to, most);
     if (corner.speed == 0) return {};
     const bool jumps = corner.blend.cut <= 0 && jumps_where_exact(controller, from, to);
     if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend, jumps};

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <deque>
-
-#include "runtime/motion/block.h"
+#include "runtime/motion/blocks_before.h"
 
 namespace gsim::motion {
 
@@ -14,11 +12,11 @@ struct CornerSpeed {
     bool jumps = false;  ///< It is passed exactly, by a jump of the joints' speeds.
 };
 
-/// By the rules of the controller, for the mode in which the last block of `window` was programmed, of the
+/// By the rules of the controller, for the mode in which the last block of `before` was programmed, of the
 /// corner between it and `to`. Never above what
 /// either block may do. 0 where the measures of the two ways differ (mm of the tool, rad of rotary joints).
 /// Blends round corners between lines; at the others the rule of exact paths holds, or they stop.
-CornerSpeed corner_speed(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to);
+CornerSpeed corner_speed(const PlannerSetup& setup, const BlocksBefore& before, const Block& to);
 
 /// The jump of speed that a joint stands at a corner, mm/s or rad/s.
 double speed_step(const PlannerSetup& setup, int joint);

@@ -42,17 +42,17 @@ double way_at(const Block& block, double speed) {
 /// Calls `look` with the stretches of two and more corners, from the shortest on, that are not longer than
 /// `longest`. A corner at which the motion stops ends them. `speed` is what `look` leaves for the newest.
 template <typename Look>
-void for_each_stretch(const std::deque<Block>& window, const Block& to, double longest, const double& speed,
+void for_each_stretch(const BlocksBefore& before, const Block& to, double longest, const double& speed,
                       const Look& look) {
-    const rrs::JointPos newest = to.slope_in - window.back().slope_out;
+    const rrs::JointPos newest = to.slope_in - before.back().slope_out;
     Stretch stretch{newest, rrs::JointPos::Zero(newest.size()), newest};
     double way = 0;
     double corners = 1;
-    for (std::size_t i = window.size(); i-- > 1 && window[i].entry_cap > 0;) {
-        const Block& block = window[i];
+    for (std::size_t i = before.size(); i-- > 1 && before[i].entry_cap > 0;) {
+        const Block& block = before[i];
         way += way_at(block, speed);
         if (way > longest) return;
-        stretch.add(block.slope_in - window[i - 1].slope_out, std::min(block.entry_cap, block.max_speed),
+        stretch.add(block.slope_in - before[i - 1].slope_out, std::min(block.entry_cap, block.max_speed),
                     speed);
         if (block.move.kind == SegmentKind::circular)
             stretch.add(block.slope_out - block.slope_in, block.max_speed, speed);
@@ -104,10 +104,10 @@ double speed_on(const PlannerSetup& setup, const Stretch& stretch) {
 }
 
 /// What the corners take of the joints' accelerations where their steps do not cover them.
-rrs::JointPos taken_by_corners(const PlannerSetup& setup, const std::deque<Block>& window, const Block& to) {
+rrs::JointPos taken_by_corners(const PlannerSetup& setup, const BlocksBefore& before, const Block& to) {
     const double speed = std::min(to.entry_cap, to.max_speed);
     rrs::JointPos taken = rrs::JointPos::Zero(setup.joint_count());
-    for_each_stretch(window, to, longest_stretch(setup, speed), speed, [&](const Stretch& stretch) {
+    for_each_stretch(before, to, longest_stretch(setup, speed), speed, [&](const Stretch& stretch) {
         for (int joint = 0; joint < setup.joint_count(); ++joint) {
             const double change = std::abs(speed * stretch.turn[joint] + stretch.before[joint]);
             if (change > speed_step(setup, joint))
@@ -119,19 +119,18 @@ rrs::JointPos taken_by_corners(const PlannerSetup& setup, const std::deque<Block
 
 }  // namespace
 
-double speed_in_window(const PlannerSetup& setup, const std::deque<Block>& window, double most,
-                       const Block& to) {
+double speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most, const Block& to) {
     if (!std::isfinite(setup.controller.centripetal_share)) return most;
     double speed = most;
-    for_each_stretch(window, to, longest_stretch(setup, most), speed,
+    for_each_stretch(before, to, longest_stretch(setup, most), speed,
                      [&](const Stretch& stretch) { speed = std::min(speed, speed_on(setup, stretch)); });
     return speed;
 }
 
-void leave_for_corners(const PlannerSetup& setup, const std::deque<Block>& window, Block& to) {
+void leave_for_corners(const PlannerSetup& setup, const BlocksBefore& before, Block& to) {
     if (!std::isfinite(setup.controller.centripetal_share)) return;
     const double least = 1 - std::min(setup.controller.centripetal_share, 1.0);
-    const rrs::JointPos taken = taken_by_corners(setup, window, to);
+    const rrs::JointPos taken = taken_by_corners(setup, before, to);
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double share = std::abs(to.slope_in[joint]);
         if (taken[joint] <= 0 || share < kNoShare) continue;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <deque>
-
-#include "runtime/motion/block.h"
+#include "runtime/motion/blocks_before.h"
 
 namespace gsim::motion {
 
@@ -13,13 +11,12 @@ namespace gsim::motion {
 // (n - 1) of the way from the first to the last. A polygon of many sides is then passed at the speed of its
 // arc.
 
-/// The speed at which the corner between the last block of `window` and `to` may be passed, at most `most`,
-/// by what the corners in front of it in the window have turned already.
-double speed_in_window(const PlannerSetup& setup, const std::deque<Block>& window, double most,
-                       const Block& to);
+/// The speed at which the corner between the last block of `before` and `to` may be passed, at most `most`,
+/// by what the corners in front of it there have turned already.
+double speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most, const Block& to);
 
 /// Takes from the accelerations of `to` along its way what the corners in front of it, the one at its entry
 /// among them, take of the joints' at its entry_cap.
-void leave_for_corners(const PlannerSetup& setup, const std::deque<Block>& window, Block& to);
+void leave_for_corners(const PlannerSetup& setup, const BlocksBefore& before, Block& to);
 
 }  // namespace gsim::motion

@@ -66,7 +66,7 @@ Planned LookAhead::add_block(const Move& move) {
         reach_with_last(move);
         return {};
     }
-    if (!window_.empty()) join(**block);
+    if (!window_.empty()) join(window_.size(), **block);
     if (leads_on(**block)) ++inner_;
     window_.push_back(*std::move(*block));
     if (!window_is_full()) return {};
@@ -94,14 +94,16 @@ bool LookAhead::window_is_full() const {
     return window_.size() - inner_ >= most || inner_ >= kMostInnerPieces;
 }
 
-void LookAhead::join(Block& to) {
-    Block& from = window_.back();
-    const CornerSpeed corner = corner_speed(setup_, window_, to);
+/// The corner between the first `count` blocks of the window and `to`.
+void LookAhead::join(std::size_t count, Block& to) {
+    Block& from = window_[count - 1];
+    const BlocksBefore before{window_, count};
+    const CornerSpeed corner = corner_speed(setup_, before, to);
     to.entry_cap = corner.speed;
     to.entry_limit = corner.limit;
     to.entry_blend = corner.blend;
     from.exit_cut = corner.blend.cut;
-    if (corner.jumps) leave_for_corners(setup_, window_, to);
+    if (corner.jumps) leave_for_corners(setup_, before, to);
 }
 
 /// From the newest block, which ends at rest `held_back` before its end, back to the first one that has been

@@ -41,7 +41,7 @@ class LookAhead final : public MotionModel {
   private:
     Planned add_line(const Move& move);
     Planned add_block(const Move& move);
-    void join(Block& to);
+    void join(std::size_t count, Block& to);
     bool window_is_full() const;
     void plan_back(double held_back);
     void put_out_front();

@@ -79,9 +79,8 @@ void LookAhead::take_overrides(double now_s) {
 void LookAhead::join_faster(const std::vector<double>& most) {
     const std::deque<Block> before = window_;
     for (std::size_t i = 1; i < window_.size(); ++i) {
-        Block& from = window_[i - 1];
         Block& to = window_[i];
-        if (std::min(from.max_speed, to.max_speed) > most[i - 1]) join(from, to);
+        if (std::min(window_[i - 1].max_speed, to.max_speed) > most[i - 1]) join(i, to);
     }
     plan_anew();
     if (window_.size() < 2 || least_exit() <= window_[1].entry) return;
@@ -94,8 +93,8 @@ void LookAhead::plan_anew() {
     if (!window_.empty()) plan_back(ending_ ? 0 : largest_exit_cut(setup_, window_.back()));
 }
 
-/// The limits of a block under the overrides now. What leads round a bend keeps the acceleration that the
-/// bend leaves at the higher speed.
+/// The limits of a block under the overrides now. What leads round a bend or through many corners
+/// keeps the acceleration that these leave at the higher speed.
 void LookAhead::limit_again(Block& block) const {
     const auto again = block_of(block.move, setup_, overrides_);
     if (!again || !*again) return;
@@ -104,7 +103,7 @@ void LookAhead::limit_again(Block& block) const {
     block.speed_limit = limits.speed_limit;
     block.jerk = limits.jerk;
     block.jerk_limit = limits.jerk_limit;
-    if (block.move.piece && limits.acceleration > block.acceleration) return;
+    if (limits.acceleration > block.acceleration) return;
     block.acceleration = limits.acceleration;
     block.acceleration_limit = limits.acceleration_limit;
     block.deceleration = limits.deceleration;
