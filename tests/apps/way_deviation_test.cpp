@@ -166,7 +166,7 @@ TEST_F(WayDeviation, OfAParabolaInClosedForm) {
     const Run made =
         run(machine("model = \"blend\"\ncorner = \"parabolic-blend\"\nblend_tolerance_mm = 20", kThreeSlides),
             "G21 G64 F30000\nG1 X10\nY10\nM2\n");
-    const double cut_mm = 5;  // half of a line
+    const double cut_mm = 4;  // 0.4 of a line
     EXPECT_NEAR(made.blends["feed"]["max_deviation_mm"].get<double>(), cut_mm * std::sqrt(2) / 4, 1e-9);
     EXPECT_EQ(made.blends["count"], 1);
     EXPECT_EQ(made.blends["feed"]["line"], 3) << "the move behind the corner";
@@ -174,7 +174,7 @@ TEST_F(WayDeviation, OfAParabolaInClosedForm) {
 
 TEST_F(WayDeviation, OfFeedAndRapidApart) {
     const Run made = run(machine("model = \"blend\"", kThreeSlides),
-                         "G21 G64 P0.02 F3000\nG1 X30\nY30\nG64 P0.5\nG0 X0\nY0\nG0 X10\nM2\n");
+                         "G21 G64 P0.02 F600\nG1 X30\nY30\nG64 P0.5\nG0 X0\nY0\nG0 X10\nM2\n");
     EXPECT_NEAR(made.blends["feed"]["max_deviation_mm"].get<double>(), 0.02, 1e-9);
     EXPECT_EQ(made.blends["feed"]["line"], 3);
     EXPECT_NEAR(made.blends["rapid"]["max_deviation_mm"].get<double>(), 0.5, 1e-9);
