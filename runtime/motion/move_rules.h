@@ -14,8 +14,9 @@ struct MoveRules {
     double orientation_speed_rad_s = kUnlimited;
     double orientation_acceleration_rad_s2 = kUnlimited;
     rrs::Dominance dominance = rrs::Dominance::automatic;
-    double least_duration_s = 0;  ///< The move takes this long at least.
-    double rapid_share = 1;       ///< Of the speed that the limits leave a rapid move.
+    double least_duration_s = 0;   ///< The move takes this long at least.
+    bool follows_spindle = false;  ///< The programmed speed goes by turns of the spindle.
+    double rapid_share = 1;        ///< Of the speed that the limits leave a rapid move.
 
     /// The rules with what a move obeys of the operator's overrides. A hold (0) changes none of them.
     MoveRules overridden(const Overrides& overrides, const ObeyedOverrides& obeyed, bool rapid) const {

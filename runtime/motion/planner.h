@@ -72,6 +72,8 @@ class DefaultPlanner final : public rrs::Shell {
     }
     /// What the targets that follow obey of them.
     void set_obeyed(const ObeyedOverrides& obeyed) { programmed_.obeyed = obeyed; }
+    /// Whether the speeds that they are given go by turns of the spindle.
+    void set_follows_spindle(bool follows) { programmed_.follows_spindle = follows; }
     /// From now on `ways`, which must outlive the planner, is told what the model's moves are to be.
     void tell_ways(WaySink& ways) { ways_ = &ways; }
     /// No Cartesian position speed is programmed any more.

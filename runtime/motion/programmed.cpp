@@ -19,6 +19,7 @@ MoveRules Programmed::rules(const PathLimits& path) const {
         return rules;
     }
     rules.max_path_speed_mm_s = path.max_feed_mm_s;
+    rules.follows_spindle = follows_spindle;
     if (ramps.mode != rrs::RampMode::infinite) {
         rules.path_acceleration_mm_s2 =
             std::min(position_acceleration_mm_s2 * acceleration_override, path.max_acceleration_mm_s2);

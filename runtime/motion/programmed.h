@@ -30,8 +30,9 @@ struct Programmed {
     rrs::JointPos joint_accelerations;  ///< mm/s2 or rad/s2
     rrs::JointPos joint_jerks;          ///< mm/s3 or rad/s3
     ProgrammedRamps ramps;
-    double speed_override = 1;  ///< Of the services; the operator's counts beside it.
-    ObeyedOverrides obeyed;     ///< Of the operator's.
+    double speed_override = 1;     ///< Of the services; the operator's counts beside it.
+    ObeyedOverrides obeyed;        ///< Of the operator's.
+    bool follows_spindle = false;  ///< Speeds go by turns of the spindle.
     double acceleration_override = 1;
     double motion_time_s = 0;        ///< Of the next target alone; 0: none.
     double rest_s = 0;               ///< Behind the next target alone.

@@ -30,6 +30,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     std::optional<motion::WorkFrames> work_frames() const override { return std::nullopt; }
     bool set_overrides(std::shared_ptr<const motion::OverrideSchedule>) override { return false; }
     void set_obeyed(const motion::ObeyedOverrides&) override {}
+    void set_follows_spindle(bool) override {}
     void forget_position_speed() override {}
     void come_to_rest(bool waits) override;
     /// The module is stepped until `search` answers, and then to its stop: it has to offer StopMotion and

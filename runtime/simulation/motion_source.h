@@ -27,6 +27,8 @@ class MotionSource {
     virtual bool set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) = 0;
     /// What the targets that follow obey of them.
     virtual void set_obeyed(const motion::ObeyedOverrides& obeyed) = 0;
+    /// Whether their speeds go by turns of the spindle.
+    virtual void set_follows_spindle(bool follows) = 0;
     /// No speed of the tool is programmed any more; a module keeps the last one, as no service takes it back.
     virtual void forget_position_speed() = 0;
     /// As rrs::Shell::ComeToRest(); a controller that has not that service comes to rest by itself.

@@ -25,6 +25,7 @@ class PlannerMotion final : public MotionSource {
         return true;
     }
     void set_obeyed(const motion::ObeyedOverrides& obeyed) override { planner_.set_obeyed(obeyed); }
+    void set_follows_spindle(bool follows) override { planner_.set_follows_spindle(follows); }
     void forget_position_speed() override { planner_.forget_position_speed(); }
     void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
     rrs::Status put_until(const std::function<rrs::Status()>& put,

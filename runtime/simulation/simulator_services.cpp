@@ -69,6 +69,7 @@ void Simulator::obey_overrides(MoveInfo& info, const Feed& feed) {
                    .rapid = !locks_.rapid,
                    .spindle = info.follows_spindle && !locks_.spindle};
     motion_->set_obeyed(info.obeyed);
+    motion_->set_follows_spindle(info.follows_spindle);
 }
 
 Status Simulator::cancel_motion() {

@@ -72,5 +72,25 @@ INSTANTIATE_TEST_SUITE_P(
                  2.701}),
     name_of);
 
+double feed_mm(const std::string& feed) {
+    Conditions setup = ngc_conditions();
+    setup.machine =
+        machine::load_machine(std::filesystem::path(GSIM_SOURCE) / "samples/machines/linuxcnc-router.toml")
+            .value();
+    const Outcome run = run_ngc("G21 G90 G17 G64 M3 S1000\n" + feed + "G1 X40\nY40\nX0\nM2\n", setup);
+    EXPECT_TRUE(run.completed()) << run.message();
+    return run.report.feed_mm;
+}
+
+/// What the spindle will ask for is not known, so that corners are rounded for all that the machine can do.
+TEST(LinuxcncSpindleFeed, RoundsCornersAsForTheTopSpeed) {
+    const double by_time = feed_mm("G94 F300\n");
+    const double by_turns = feed_mm("G95 F0.3\n");
+    // At 5 mm/s an arc of less than 0.1 mm is wide enough; each one takes (2 - pi/2) of its radius off the
+    // way.
+    EXPECT_GT(by_time, 120 - 0.1);
+    EXPECT_LT(by_turns, 120 - 2);
+}
+
 }  // namespace
 }  // namespace gsim::script::linuxcnc_times_test

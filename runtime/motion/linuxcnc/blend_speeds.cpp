@@ -31,6 +31,11 @@ double wanted_speed(const Piece& piece) {
     return std::min(piece.requested_speed, piece.max_speed);
 }
 
+// LinuxCNC does not know what a spindle will ask for and plans for the most (tcGetMaxTargetVel() in tc.c).
+double planned_speed(const Piece& piece) {
+    return piece.follows_spindle ? piece.max_speed : wanted_speed(piece);
+}
+
 bool wide_enough(const BlendSpeeds& blend, double turn_rad) {
     return blend.radius_mm >= kSmallestBlendRadius_mm && blend.radius_mm * turn_rad >= kSmallestArc_mm;
 }
@@ -51,7 +56,7 @@ std::optional<BlendSpeeds> blend_speeds(const Piece& before, const Piece& after,
     const double turn_rad = std::numbers::pi - 2 * blend.half_angle_rad;
     const bool lines = !leg_before.curved && !leg_after.curved;
     const double turning = lines ? turning_speed(before, after, leg_before, leg_after, turn_rad) : 0;
-    const double goal = std::min(blend.requested_speed,
+    const double goal = std::min(std::max(planned_speed(before), planned_speed(after)),
                                  std::max(turning, Axes::in_plane(axes.max_speed_mm_s(), corner.normal)));
 
     const double cut_mm =

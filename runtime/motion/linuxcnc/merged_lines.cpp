@@ -34,7 +34,8 @@ bool same_rules(const Move& a, const Move& b) {
            a.rules.max_path_speed_mm_s == b.rules.max_path_speed_mm_s &&
            a.rules.path_acceleration_mm_s2 == b.rules.path_acceleration_mm_s2 &&
            a.rules.least_duration_s <= 0 && b.rules.least_duration_s <= 0 && a.obeyed == b.obeyed &&
-           a.tolerance_mm == b.tolerance_mm && a.merge_tolerance_mm == b.merge_tolerance_mm;
+           a.rules.follows_spindle == b.rules.follows_spindle && a.tolerance_mm == b.tolerance_mm &&
+           a.merge_tolerance_mm == b.merge_tolerance_mm;
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ struct Piece {
     bool curved = false;  ///< Along `arc`; else straight from start to end in all joints.
     bool rapid = false;
     ObeyedOverrides obeyed;
+    bool follows_spindle = false;
     bool turns = false;        ///< Moves joints other than X, Y and Z.
     bool path_limited = true;  ///< max_path_speed counts: not where rotary joints alone move.
     rrs::JointPos start;

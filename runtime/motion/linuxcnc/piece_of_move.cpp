@@ -161,6 +161,7 @@ void set_way(Piece& piece, const Axes& axes, const Move& move, const JointChange
     piece.curved = move.kind == SegmentKind::circular;
     piece.rapid = move.rapid;
     piece.obeyed = move.obeyed;
+    piece.follows_spindle = move.rules.follows_spindle && !move.rapid;
     piece.turns = changes.norm(JointRole::secondary) > 0 || changes.norm(JointRole::rotary) > 0;
     piece.start = move.start;
     piece.end = move.end;
