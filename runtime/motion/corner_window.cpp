@@ -1,6 +1,7 @@
 #include "runtime/motion/corner_window.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "runtime/motion/axis_space.h"
@@ -9,6 +10,9 @@
 namespace gsim::motion {
 
 namespace {
+
+constexpr int kFewCorners = 8;
+constexpr int kCornersBetween = 4;
 
 /// Corners in a row up to the newest one, which are passed at its speed v or at a lower one of their own.
 /// Together they change the speeds of the joints by v turn + before, or by v whole_turn where v is below all
@@ -19,98 +23,128 @@ struct Stretch {
     rrs::JointPos whole_turn;
     double least = kUnlimited;  ///< The lowest speed of their own.
     double way = 0;             ///< That the corners count for.
+};
 
-    void add(const rrs::JointPos& change, double most, double speed) {
-        whole_turn += change;
-        if (most < speed) {
-            before += most * change;
-            least = std::min(least, most);
-        } else {
-            turn += change;
+/// The corners in front of the newest one that have a lower speed of their own.
+class SlowerCorners {
+  public:
+    explicit SlowerCorners(Eigen::Index joints)
+        : turn_(rrs::JointPos::Zero(joints)), jumps_(rrs::JointPos::Zero(joints)) {}
+
+    void add(const rrs::JointPos& change, double speed) {
+        turn_ += change;
+        jumps_ += speed * change;
+        least_ = std::min(least_, speed);
+    }
+    Stretch with(const rrs::JointPos& whole_turn, double way) const {
+        return {whole_turn - turn_, jumps_, whole_turn, least_, way};
+    }
+
+  private:
+    rrs::JointPos turn_;
+    rrs::JointPos jumps_;
+    double least_ = kUnlimited;
+};
+
+/// What the joints stand at corners.
+class JointBounds {
+  public:
+    explicit JointBounds(const PlannerSetup& setup) : count_(static_cast<std::size_t>(setup.joint_count())) {
+        const double share = std::min(setup.controller.centripetal_share, 1.0);
+        for (std::size_t joint = 0; joint < count_; ++joint) {
+            const double acceleration = share * setup.joints[joint].least_acceleration();
+            bounds_[joint] = {speed_step(setup, static_cast<int>(joint)), acceleration};
+            least_acceleration_ = std::min(least_acceleration_, acceleration);
         }
     }
+
+    double step(Eigen::Index joint) const { return bounds_[static_cast<std::size_t>(joint)].step; }
+    double least_acceleration() const { return least_acceleration_; }
+
+    bool steps_cover(const Stretch& stretch, double speed) const {
+        for (Eigen::Index joint = 0; joint < stretch.turn.size(); ++joint) {
+            if (std::abs(speed * stretch.turn[joint] + stretch.before[joint]) > step(joint)) return false;
+        }
+        return true;
+    }
+
+    double speed_on(const Stretch& stretch) const {
+        const double faster = speed_by(stretch.turn, stretch.before, stretch.way);
+        if (faster >= stretch.least || std::isinf(stretch.least)) return faster;
+        const rrs::JointPos none = rrs::JointPos::Zero(stretch.turn.size());
+        return std::max(faster, std::min(stretch.least, speed_by(stretch.whole_turn, none, stretch.way)));
+    }
+
+  private:
+    struct Bounds {
+        double step = 0;
+        double acceleration = 0;
+
+        /// The highest speed v at which a joint keeps to its step, v turn + before <= step, or to its
+        /// acceleration, v turn + before <= acceleration way / v.
+        double speed(double turn, double before, double way) const {
+            const double root = std::sqrt(before * before + 4 * turn * acceleration * way);
+            return std::max((step - before) / turn, (root - before) / (2 * turn));
+        }
+    };
+
+    double speed_by(const rrs::JointPos& turns, const rrs::JointPos& before, double way) const {
+        double speed = kUnlimited;
+        for (Eigen::Index joint = 0; joint < turns.size(); ++joint) {
+            const double turn = std::abs(turns[joint]);
+            if (turn < kNoShare) continue;
+            const double along = turns[joint] < 0 ? -before[joint] : before[joint];
+            speed = std::min(speed, bounds_[static_cast<std::size_t>(joint)].speed(turn, along, way));
+        }
+        return speed;
+    }
+
+    std::array<Bounds, rrs::kMaxJoints> bounds_;
+    std::size_t count_;
+    double least_acceleration_ = kUnlimited;
 };
 
 /// The way that is left of a block's where it is counted in the time that `speed` takes for it: on a long one
 /// the motion speeds up from its corners and slows down again.
 double way_at(const Block& block, double speed) {
+    if (speed >= block.max_speed) return block.lead.length;
     const double highest = std::sqrt(speed * speed + block.acceleration * block.lead.length);
-    const double peak = std::min(highest, block.max_speed);
-    return peak > speed ? block.lead.length * 2 * speed / (speed + peak) : block.lead.length;
+    return block.lead.length * 2 * speed / (speed + std::min(highest, block.max_speed));
 }
 
-/// Calls `look` with the stretches of two and more corners, from the shortest on, that are not longer than
-/// `longest`. A corner at which the motion stops ends them. `speed` is what `look` leaves for the newest.
+/// Calls `look` with the stretches of two and more corners, from the shortest on; of those of many corners
+/// with one of four. `speed` is what `look` leaves for the newest. A corner at which the motion stops ends
+/// them, and a way on which no turn of a joint, at most from -1 to 1, takes more than its acceleration.
 template <typename Look>
-void for_each_stretch(const BlocksBefore& before, const Block& to, double longest, const double& speed,
-                      const Look& look) {
-    const rrs::JointPos newest = to.slope_in - before.back().slope_out;
-    Stretch stretch{newest, rrs::JointPos::Zero(newest.size()), newest};
+void for_each_stretch(const JointBounds& bounds, const BlocksBefore& before, const Block& to,
+                      const double& speed, const Look& look) {
+    SlowerCorners slower(to.slope_in.size());
     double way = 0;
-    double corners = 1;
+    int corners = 1;
     for (std::size_t i = before.size(); i-- > 1 && before[i].entry_cap > 0;) {
         const Block& block = before[i];
         way += way_at(block, speed);
-        if (way > longest) return;
-        stretch.add(block.slope_in - before[i - 1].slope_out, std::min(block.entry_cap, block.max_speed),
-                    speed);
-        if (block.move.kind == SegmentKind::circular)
-            stretch.add(block.slope_out - block.slope_in, block.max_speed, speed);
+        if (way * bounds.least_acceleration() > 2 * speed * speed) return;
+        const rrs::JointPos& in = before[i - 1].slope_out;
+        const double own = std::min(block.entry_cap, block.max_speed);
+        if (own < speed) slower.add(block.slope_in - in, own);
+        if (block.move.kind == SegmentKind::circular && block.max_speed < speed)
+            slower.add(block.slope_out - block.slope_in, block.max_speed);
         ++corners;
-        stretch.way = way * corners / (corners - 1);
-        look(stretch);
+        if (corners <= kFewCorners || corners % kCornersBetween == 0)
+            look(slower.with(to.slope_in - in, way * corners / (corners - 1)));
     }
-}
-
-double towards_center(const PlannerSetup& setup, int joint) {
-    return std::min(setup.controller.centripetal_share, 1.0) *
-           setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
-}
-
-/// From this length on no turn of a joint, at most from -1 to 1, takes more than the joint's acceleration.
-double longest_stretch(const PlannerSetup& setup, double speed) {
-    double least = kUnlimited;
-    for (int joint = 0; joint < setup.joint_count(); ++joint)
-        least = std::min(least, towards_center(setup, joint));
-    return 2 * speed * speed / least;
-}
-
-/// The highest speed v at which a joint keeps to its step, v turn + before <= step, or to its acceleration,
-/// v turn + before <= acceleration way / v.
-double speed_of_joint(double step, double acceleration, double turn, double before, double way) {
-    const double by_step = (step - before) / turn;
-    const double root = std::sqrt(before * before + 4 * turn * acceleration * way);
-    return std::max(by_step, (root - before) / (2 * turn));
-}
-
-double speed_by(const PlannerSetup& setup, const rrs::JointPos& turns, const rrs::JointPos& before,
-                double way) {
-    double speed = kUnlimited;
-    for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        const double turn = std::abs(turns[joint]);
-        if (turn < kNoShare) continue;
-        const double along = turns[joint] < 0 ? -before[joint] : before[joint];
-        speed = std::min(
-            speed, speed_of_joint(speed_step(setup, joint), towards_center(setup, joint), turn, along, way));
-    }
-    return speed;
-}
-
-double speed_on(const PlannerSetup& setup, const Stretch& stretch) {
-    const double faster = speed_by(setup, stretch.turn, stretch.before, stretch.way);
-    if (faster >= stretch.least || std::isinf(stretch.least)) return faster;
-    const rrs::JointPos none = rrs::JointPos::Zero(setup.joint_count());
-    return std::max(faster, std::min(stretch.least, speed_by(setup, stretch.whole_turn, none, stretch.way)));
 }
 
 /// What the corners take of the joints' accelerations where their steps do not cover them.
 rrs::JointPos taken_by_corners(const PlannerSetup& setup, const BlocksBefore& before, const Block& to) {
+    const JointBounds bounds(setup);
     const double speed = std::min(to.entry_cap, to.max_speed);
     rrs::JointPos taken = rrs::JointPos::Zero(setup.joint_count());
-    for_each_stretch(before, to, longest_stretch(setup, speed), speed, [&](const Stretch& stretch) {
-        for (int joint = 0; joint < setup.joint_count(); ++joint) {
+    for_each_stretch(bounds, before, to, speed, [&](const Stretch& stretch) {
+        for (Eigen::Index joint = 0; joint < taken.size(); ++joint) {
             const double change = std::abs(speed * stretch.turn[joint] + stretch.before[joint]);
-            if (change > speed_step(setup, joint))
+            if (change > bounds.step(joint))
                 taken[joint] = std::max(taken[joint], speed * change / stretch.way);
         }
     });
@@ -121,9 +155,11 @@ rrs::JointPos taken_by_corners(const PlannerSetup& setup, const BlocksBefore& be
 
 double speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most, const Block& to) {
     if (!std::isfinite(setup.controller.centripetal_share)) return most;
+    const JointBounds bounds(setup);
     double speed = most;
-    for_each_stretch(before, to, longest_stretch(setup, most), speed,
-                     [&](const Stretch& stretch) { speed = std::min(speed, speed_on(setup, stretch)); });
+    for_each_stretch(bounds, before, to, speed, [&](const Stretch& stretch) {
+        if (!bounds.steps_cover(stretch, speed)) speed = std::min(speed, bounds.speed_on(stretch));
+    });
     return speed;
 }
 
