@@ -55,11 +55,18 @@ class JointBounds {
             const double acceleration = share * setup.joints[joint].least_acceleration();
             bounds_[joint] = {speed_step(setup, static_cast<int>(joint)), acceleration};
             least_acceleration_ = std::min(least_acceleration_, acceleration);
+            longest_step_s_ = std::max(longest_step_s_, bounds_[joint].step / acceleration);
         }
     }
 
     double step(Eigen::Index joint) const { return bounds_[static_cast<std::size_t>(joint)].step; }
-    double least_acceleration() const { return least_acceleration_; }
+    /// The way at a speed beyond which no stretch says more than shorter ones. On a longer one no turn of a
+    /// joint, at most from -1 to 1, takes more than its acceleration; and what takes longer than four
+    /// times as its acceleration needs for its step is made of stretches on which it is the acceleration
+    /// that counts.
+    double longest_way(double speed) const {
+        return 2 * speed * std::min(speed / least_acceleration_, 2 * longest_step_s_);
+    }
 
     bool steps_cover(const Stretch& stretch, double speed) const {
         for (Eigen::Index joint = 0; joint < stretch.turn.size(); ++joint) {
@@ -102,6 +109,7 @@ class JointBounds {
     std::array<Bounds, rrs::kMaxJoints> bounds_;
     std::size_t count_;
     double least_acceleration_ = kUnlimited;
+    double longest_step_s_ = 0;
 };
 
 /// The way that is left of a block's where it is counted in the time that `speed` takes for it: on a long one
@@ -114,7 +122,7 @@ double way_at(const Block& block, double speed) {
 
 /// Calls `look` with the stretches of two and more corners, from the shortest on; of those of many corners
 /// with one of four. `speed` is what `look` leaves for the newest. A corner at which the motion stops ends
-/// them, and a way on which no turn of a joint, at most from -1 to 1, takes more than its acceleration.
+/// them.
 template <typename Look>
 void for_each_stretch(const JointBounds& bounds, const BlocksBefore& before, const Block& to,
                       const double& speed, const Look& look) {
@@ -124,7 +132,7 @@ void for_each_stretch(const JointBounds& bounds, const BlocksBefore& before, con
     for (std::size_t i = before.size(); i-- > 1 && before[i].entry_cap > 0;) {
         const Block& block = before[i];
         way += way_at(block, speed);
-        if (way * bounds.least_acceleration() > 2 * speed * speed) return;
+        if (way > bounds.longest_way(speed)) return;
         const rrs::JointPos& in = before[i - 1].slope_out;
         const double own = std::min(block.entry_cap, block.max_speed);
         if (own < speed) slower.add(block.slope_in - in, own);
