@@ -107,6 +107,16 @@ double largest_cut(const PlannerSetup& setup, const Block& from, const Block& to
                      cut_within(controller.blend_tolerance_deg * kRadPerDeg, norms.rotary, smooth)});
 }
 
+/// The ramps that both blocks can do, up and down.
+struct SharedRamp {
+    SharedRamp(const Block& from, const Block& to)
+        : acceleration(std::min({from.acceleration, from.deceleration, to.acceleration, to.deceleration})),
+          jerk(std::min(from.jerk, to.jerk)) {}
+
+    double acceleration;
+    double jerk;
+};
+
 }  // namespace
 
 BlendedCorner blend_between(const PlannerSetup& setup, const Block& from, const Block& to, bool smooth,
@@ -128,9 +138,7 @@ BlendedCorner blend_between(const PlannerSetup& setup, const Block& from, const 
 bool saves_time(const BlendedCorner& blended, double exact_speed, const Block& from, const Block& to,
                 double most) {
     if (exact_speed >= blended.speed) return false;
-    const double acceleration =
-        std::min({from.acceleration, from.deceleration, to.acceleration, to.deceleration});
-    const double jerk = std::min(from.jerk, to.jerk);
+    const auto [acceleration, jerk] = SharedRamp(from, to);
     const double cut = blended.blend.cut;
     const double room = std::min(from.lead.length, to.lead.length) / 2;
     const double reached = reachable_speed(std::max(room - cut, 0.0), blended.speed, acceleration, jerk);
@@ -153,9 +161,8 @@ Blend blend_at(const PlannerSetup& setup, const Block& from, const Block& to, do
 
 double least_blend_speed(const Block& from, const Block& to) {
     constexpr double kShare = 0.45;  // blends at the limits of joints are passed at half of it at least
-    const double acceleration =
-        std::min({from.acceleration, from.deceleration, to.acceleration, to.deceleration});
-    return kShare * reachable_speed(to.entry_blend.cut, 0, acceleration, std::min(from.jerk, to.jerk));
+    const auto [acceleration, jerk] = SharedRamp(from, to);
+    return kShare * reachable_speed(to.entry_blend.cut, 0, acceleration, jerk);
 }
 
 }  // namespace gsim::motion
