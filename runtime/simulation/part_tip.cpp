@@ -61,7 +61,9 @@ void PartTip::stand_at(const rrs::JointPos& joints) {
 
 Vector3d PartTip::at(const rrs::JointPos& joints) const {
     if (turns(standing_, joints)) return kinematics_->forward(joints) * tip_mm_;
-    return origin_mm_ + slopes_ * joints;
+    Vector3d tip_mm = origin_mm_;
+    for (Eigen::Index joint = 0; joint < joints.size(); ++joint) tip_mm += joints[joint] * slopes_.col(joint);
+    return tip_mm;
 }
 
 }  // namespace gsim::simulation

@@ -44,10 +44,16 @@ double least_between(double from, double to, int steps, const Function& function
 }
 
 std::size_t nearest(const Vector3d& point, std::span<const Vector3d> curve) {
-    const auto closer = [&](const Vector3d& a, const Vector3d& b) {
-        return (a - point).squaredNorm() < (b - point).squaredNorm();
-    };
-    return static_cast<std::size_t>(std::min_element(curve.begin(), curve.end(), closer) - curve.begin());
+    std::size_t near = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const double square = (curve[i] - point).squaredNorm();
+        if (square < least) {
+            least = square;
+            near = i;
+        }
+    }
+    return near;
 }
 
 double turn_rad(const motion::Move& move, const std::array<int, 3>& position_joints) {
@@ -69,6 +75,7 @@ double distance_to_line(const Vector3d& point, const Vector3d& start, const Vect
 }
 
 double distance_to_chords(const Vector3d& point, std::span<const Vector3d> curve) {
+    if (curve.size() == 2) return distance_to_line(point, curve[0], curve[1]);
     const std::size_t near = nearest(point, curve);
     double least = std::numeric_limits<double>::infinity();
     if (near > 0) least = distance_to_line(point, curve[near - 1], curve[near]);
@@ -92,9 +99,7 @@ ProgrammedWay::ProgrammedWay(const motion::Move& move, const std::array<int, 3>&
     : id_(move.target_id), rapid_(move.rapid), place_(place), tip_(std::move(tip)) {
     const bool turns = tip_->turns(move.start, move.end);
     if (!turns) tip_->stand_at(move.start);
-    start_ = tip_->at(move.start);
-    end_ = tip_->at(move.end);
-    ends_ = {start_, end_};
+    ends_ = {tip_->at(move.start), tip_->at(move.end)};
     if (turns || move.kind == SegmentKind::circular)
         curve_ = std::make_unique<Curve>(Curve{move, position_joints});
 }
@@ -123,13 +128,13 @@ std::span<const Vector3d> ProgrammedWay::points() {
     const int steps = static_cast<int>(std::clamp(std::ceil(turn / kStep_rad), 2.0, kMostSteps));
     points.reserve(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i <= steps; ++i) points.push_back(at(static_cast<double>(i) / steps));
-    points.front() = start_;
-    points.back() = end_;
+    points.front() = start();
+    points.back() = end();
     return points;
 }
 
 double ProgrammedWay::distance(const Vector3d& point, double enough) {
-    if (!curve_) return distance_to_line(point, start_, end_);
+    if (!curve_) return distance_to_line(point, start(), end());
     const std::span<const Vector3d> curve = points();
     const std::size_t near = nearest(point, curve);
     const double at_point = (curve[near] - point).norm();

@@ -23,8 +23,8 @@ class ProgrammedWay {
     bool rapid() const { return rapid_; }
     const Place& place() const { return place_; }
     const std::shared_ptr<PartTip>& tip() const { return tip_; }
-    const Eigen::Vector3d& start() const { return start_; }
-    const Eigen::Vector3d& end() const { return end_; }
+    const Eigen::Vector3d& start() const { return ends_.front(); }
+    const Eigen::Vector3d& end() const { return ends_.back(); }
 
     /// Points of the way in their order, the first at its start and the last at its end: two of a straight
     /// one.
@@ -45,8 +45,6 @@ class ProgrammedWay {
     bool rapid_;
     Place place_;
     std::shared_ptr<PartTip> tip_;
-    Eigen::Vector3d start_;
-    Eigen::Vector3d end_;
     std::array<Eigen::Vector3d, 2> ends_;
     std::unique_ptr<Curve> curve_;  ///< Null: the way is straight.
 };

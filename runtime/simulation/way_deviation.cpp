@@ -127,7 +127,9 @@ void WayDeviation::look_at(const Segment& segment, PartTip& tip, Driven& driven)
     driven.count = steps + 1;
     for (int i = 0; i <= steps; ++i) {
         const double t_s = segment.duration_s * i / steps;
-        driven.points[static_cast<std::size_t>(i)] = tip.at(segment.position_at(t_s));
+        Vector3d& point = driven.points[static_cast<std::size_t>(i)];
+        point = tip.at(segment.position_at(t_s));
+        driven.box.extend(point);
     }
 }
 
@@ -141,15 +143,20 @@ std::size_t WayDeviation::way_of(rrs::TargetId id) const {
 }
 
 /// How far a point is from the moves about this one; where that is no more than `enough`, any value up to it.
-double WayDeviation::off_way(const Vector3d& point, std::size_t way, double enough) {
+/// Looked at first are the moves that follow `near`, which becomes the one that ends the search.
+double WayDeviation::off_way(const Vector3d& point, std::size_t way, double enough, std::size_t& near) {
     double least = kNowhere;
     const PartTip* const tip = ways_[way].tip().get();
     const auto look = [&](std::size_t index) {
-        if (ways_[index].tip().get() == tip) least = std::min(least, ways_[index].distance(point, enough));
+        if (ways_[index].tip().get() != tip) return;
+        const double distance_mm = ways_[index].distance(point, enough);
+        if (distance_mm >= least) return;
+        least = distance_mm;
+        near = index;
     };
-    const std::size_t last = std::min(way + kWaysBehind, ways_.size() - 1);
-    for (std::size_t index = way; index <= last && least > enough; ++index) look(index);
-    for (std::size_t index = way; index > 0 && least > enough; --index) look(index - 1);
+    const std::size_t last = std::min(way + kWaysBehind, ways_.size() - 1), first = std::min(near, last);
+    for (std::size_t index = first; index <= last && least > enough; ++index) look(index);
+    for (std::size_t index = first; index > 0 && least > enough; --index) look(index - 1);
     return least;
 }
 
@@ -158,29 +165,35 @@ void WayDeviation::measure(const Driven& driven, std::size_t way) {
     const bool one_tool = std::all_of(ways_.begin(), ways_.begin() + static_cast<std::ptrdiff_t>(way),
                                       [&](const ProgrammedWay& other) { return other.tip() == move.tip(); });
     if (!one_tool) return;
+    std::size_t near = way_of(near_);
     for (const Vector3d& point : driven.curve()) {
         const double worst = (move.rapid() ? blends_.rapid : blends_.feed).deviation_mm;
-        note(off_way(point, way, worst), move.rapid(), move.place());
+        note(off_way(point, way, worst, near), move.rapid(), move.place());
     }
+    near_ = ways_[near].id();
 }
 
 /// How far the driven way passes from a programmed point of a move, and from its end if that is the point.
 void WayDeviation::measure_missed(const Vector3d& point, std::size_t way) {
     const PartTip* const tip = ways_[way].tip().get();
-    const double least = run_distance(point, tip, distance_to_chords);
-    if (!(least > kMissed_mm) || least == kNowhere) return;
     const ProgrammedWay& next = ways_[std::min(way + 1, ways_.size() - 1)];
     const bool rapid = ways_[way].rapid() && next.rapid();
+    const double worst = (rapid ? blends_.rapid : blends_.feed).deviation_mm;
+    const double least = run_distance(point, tip, distance_to_chords, worst);
+    if (!(least > kMissed_mm) || least == kNowhere) return;
     if (point == ways_[way].end()) ++blends_.count;
-    if (least > (rapid ? blends_.rapid : blends_.feed).deviation_mm)
-        note(run_distance(point, tip, distance_to_curve), rapid, next.place());
+    if (least > worst) note(run_distance(point, tip, distance_to_curve, worst), rapid, next.place());
 }
 
-/// How far a point is from what is kept of the run of this tool; kNowhere where there is nothing.
-double WayDeviation::run_distance(const Vector3d& point, const PartTip* tip, CurveDistance distance) const {
+/// How far a point is from what is kept of the run of this tool; where it is missed by no more than `enough`,
+/// any value up to it. kNowhere where there is nothing.
+double WayDeviation::run_distance(const Vector3d& point, const PartTip* tip, CurveDistance distance,
+                                  double enough) const {
     double least = kNowhere;
     for (const Driven& driven : run_) {
-        if (driven.tip == tip) least = std::min(least, distance(point, driven.curve()));
+        const double of_use = least > enough ? least : kMissed_mm;
+        if (driven.tip != tip || driven.box.squaredExteriorDistance(point) > of_use * of_use) continue;
+        least = std::min(least, distance(point, driven.curve()));
     }
     return least;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <deque>
 #include <memory>
@@ -51,6 +52,7 @@ class WayDeviation final : public motion::WaySink, public RunOutput {
         const PartTip* tip = nullptr;
         int count = 0;
         std::array<Eigen::Vector3d, 33> points;
+        Eigen::AlignedBox3d box;  ///< Of the points.
 
         std::span<const Eigen::Vector3d> curve() const {
             return {points.data(), static_cast<std::size_t>(count)};
@@ -62,11 +64,12 @@ class WayDeviation final : public motion::WaySink, public RunOutput {
     void take_off_way(const motion::Segment& segment);
     void look_at(const motion::Segment& segment, PartTip& tip, Driven& driven) const;
     std::size_t way_of(rrs::TargetId id) const;
-    double off_way(const Eigen::Vector3d& point, std::size_t way, double enough);
+    double off_way(const Eigen::Vector3d& point, std::size_t way, double enough, std::size_t& near);
     void measure(const Driven& driven, std::size_t way);
     void measure_missed(const Eigen::Vector3d& point, std::size_t way);
     using CurveDistance = double (*)(const Eigen::Vector3d&, std::span<const Eigen::Vector3d>);
-    double run_distance(const Eigen::Vector3d& point, const PartTip* tip, CurveDistance distance) const;
+    double run_distance(const Eigen::Vector3d& point, const PartTip* tip, CurveDistance distance,
+                        double enough) const;
     void settle(rrs::TargetId until);
     void end_run(rrs::TargetId until);
     void drop_old();
@@ -78,6 +81,7 @@ class WayDeviation final : public motion::WaySink, public RunOutput {
     Place place_;  ///< Of the move that is expected.
     std::deque<ProgrammedWay> ways_;
     std::deque<Driven> run_;       ///< The last segments off the way, one behind the other.
+    rrs::TargetId near_ = 0;       ///< The move at which the last point of the driven way was found.
     rrs::TargetId passed_ = 0;     ///< Of the last segment on the way.
     rrs::TargetId unsettled_ = 0;  ///< Ends of moves before this one have been looked at.
     Blends blends_;
