@@ -41,6 +41,11 @@ Planned LinuxcncModel::add(const Move& move) {
 }
 
 Planned LinuxcncModel::add_whole(const Move& move) {
+    if (linuxcnc::may_merge(move) && linuxcnc::surely_makes_piece(setup_, move)) {
+        left_out_.reset();
+        merge(move);
+        return {};
+    }
     auto piece = linuxcnc::piece_of(setup_, axes_, move, clock_.period_s);
     if (!piece) return tl::unexpected(std::move(piece.error()));
     if (piece->length == 0) {

@@ -23,10 +23,11 @@ bool flat(const Move& move) {
     return level && arc.radius_mm * (1 - std::cos(arc.sweep_rad / 2)) < move.merge_tolerance_mm;
 }
 
-double distance(const Vector3d& point, const Vector3d& start, const Vector3d& way) {
+/// Whether a point is within `tolerance_mm` of the line that leads from `start` by `way`.
+bool lies_within(double tolerance_mm, const Vector3d& point, const Vector3d& start, const Vector3d& way) {
     const Vector3d to_point = point - start;
     const double share = std::clamp(to_point.dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return (to_point - share * way).norm();
+    return (to_point - share * way).squaredNorm() <= tolerance_mm * tolerance_mm;
 }
 
 bool same_rules(const Move& a, const Move& b) {
@@ -51,7 +52,7 @@ bool MergedLines::accepts(const Move& line) const {
     const Vector3d way = axes_.point(line.end) - start;
     if (!(way.squaredNorm() > 0)) return false;
     return std::all_of(ends_.begin(), ends_.end(), [&](const Vector3d& end) {
-        return distance(end, start, way) <= line.merge_tolerance_mm;
+        return lies_within(line.merge_tolerance_mm, end, start, way);
     });
 }
 

@@ -190,6 +190,25 @@ void set_limits(Piece& piece, const PlannerSetup& setup, const Axes& axes, const
 
 }  // namespace
 
+bool surely_makes_piece(const PlannerSetup& setup, const Move& move) {
+    if (move.kind == SegmentKind::circular || move.rapid || move.rules.least_duration_s > 0) return false;
+    if (!move.start.allFinite() || !move.end.allFinite()) return false;
+    const JointChanges changes(setup, move.start, move.end, kLeastChange);
+    if (changes.norm(JointRole::secondary) > 0 || changes.norm(JointRole::rotary) > 0) return false;
+    const double length_mm = changes.norm(JointRole::position);
+    const double asked_mm_s = move.rules.programmed_speed_mm_s;
+    double speed_mm_s = std::min(asked_mm_s, move.rules.max_path_speed_mm_s);
+    double acceleration_mm_s2 = move.rules.path_acceleration_mm_s2;
+    for (const int joint : setup.position_joints) {
+        if (joint < 0) continue;
+        const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
+        speed_mm_s = std::min(speed_mm_s, limits.max_speed);
+        acceleration_mm_s2 = std::min(acceleration_mm_s2, limits.max_acceleration);
+    }
+    return length_mm > 0 && speed_mm_s > 0 &&
+           length_mm / speed_mm_s + asked_mm_s / acceleration_mm_s2 <= kLongest_s;
+}
+
 tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const Move& move,
                                         double period_s) {
     const JointChanges changes(setup, move.start, move.end, kLeastChange);

@@ -15,4 +15,8 @@ namespace gsim::motion::linuxcnc {
 tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const Move& move,
                                         double period_s);
 
+/// Whether piece_of() surely makes a piece of a move, one of X, Y and Z alone; told of feed moves along lines
+/// by the lowest limits of these axes, for moves that become part of a longer line.
+bool surely_makes_piece(const PlannerSetup& setup, const Move& move);
+
 }  // namespace gsim::motion::linuxcnc
