@@ -28,6 +28,7 @@ inline constexpr double kMostOfLine = 0.4;
 struct BlendedCorner {
     Blend blend;
     double speed = 0;
+    bool steps_cover = false;  ///< The joints' steps surely cover this corner and those in front of it.
 };
 
 /// The blend of two lines whose measures are the same: as fast as the tolerances, half of either line and the

@@ -83,7 +83,8 @@ CornerRule rule_between(const rrs::ControllerRules& controller, const Block& fro
 BlendedCorner pass_by_jump(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
                            double most) {
     const double jump = velocity_step_speed(setup, to.slope_in - before.back().slope_out);
-    return {{}, speed_in_window(setup, before, std::min(most, jump), to)};
+    const WindowSpeed in_window = speed_in_window(setup, before, std::min(most, jump), to);
+    return {{}, in_window.speed, in_window.steps_cover};
 }
 
 /// Where a jump takes no more time than a blend, as between the many lines that stand for a curve, nothing is
@@ -105,7 +106,7 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const BlocksBefore& before
                            double most) {
     const Block& from = before.back();
     const rrs::JointPos turn = to.slope_in - from.slope_out;
-    if ((turn.array().abs() < kStraight).all()) return {{}, kUnlimited};
+    if ((turn.array().abs() < kStraight).all()) return {{}, kUnlimited, false};
     const CornerRule rule = rule_between(setup.controller, from, to);
     switch (rule) {
         case CornerRule::stop: return {};
@@ -116,7 +117,7 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const BlocksBefore& before
         case CornerRule::junction_deviation: break;
     }
     if (from.lead.role != JointRole::position || !only_position_turns(setup, turn)) return {};
-    return {{}, junction_deviation_speed(setup, from, to)};
+    return {{}, junction_deviation_speed(setup, from, to), false};
 }
 
 }  // namespace
@@ -137,9 +138,10 @@ CornerSpeed corner_speed(const PlannerSetup& setup, const BlocksBefore& before, 
         return {};
     const BlendedCorner corner = pass_by_rule(setup, before, to, most);
     if (corner.speed == 0) return {};
-    const bool jumps = corner.blend.cut <= 0 && jumps_where_exact(controller, from, to);
-    if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend, jumps};
-    return {most, LimitKind::feed, corner.blend, jumps};
+    const bool takes =
+        corner.blend.cut <= 0 && !corner.steps_cover && jumps_where_exact(controller, from, to);
+    if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend, takes};
+    return {most, LimitKind::feed, corner.blend, takes};
 }
 
 double largest_exit_cut(const PlannerSetup& setup, const Block& block) {

@@ -9,7 +9,8 @@ struct CornerSpeed {
     double speed = 0;
     LimitKind limit = LimitKind::stop;
     Blend blend = {};
-    bool jumps = false;  ///< It is passed exactly, by a jump of the joints' speeds.
+    bool takes_acceleration = false;  ///< It is passed exactly, by a jump of the joints' speeds, and may with
+                                      ///< the corners in front of it take of their accelerations.
 };
 
 /// By the rules of the controller, for the mode in which the last block of `before` was programmed, of the

@@ -14,17 +14,6 @@ namespace {
 constexpr int kFewCorners = 8;
 constexpr int kCornersBetween = 4;
 
-/// Corners in a row up to the newest one, which are passed at its speed v or at a lower one of their own.
-/// Together they change the speeds of the joints by v turn + before, or by v whole_turn where v is below all
-/// of the lower ones, too.
-struct Stretch {
-    rrs::JointPos turn;
-    rrs::JointPos before;  ///< mm/s or rad/s
-    rrs::JointPos whole_turn;
-    double least = kUnlimited;  ///< The lowest speed of their own.
-    double way = 0;             ///< That the corners count for.
-};
-
 /// The corners in front of the newest one that have a lower speed of their own.
 class SlowerCorners {
   public:
@@ -36,14 +25,42 @@ class SlowerCorners {
         jumps_ += speed * change;
         least_ = std::min(least_, speed);
     }
-    Stretch with(const rrs::JointPos& whole_turn, double way) const {
-        return {whole_turn - turn_, jumps_, whole_turn, least_, way};
-    }
+    double turn(Eigen::Index joint) const { return turn_[joint]; }
+    double jump(Eigen::Index joint) const { return jumps_[joint]; }  // mm/s or rad/s
+    double least() const { return least_; }
 
   private:
     rrs::JointPos turn_;
     rrs::JointPos jumps_;
     double least_ = kUnlimited;
+};
+
+/// Corners in a row up to the newest one, which are passed at its speed v or at a lower one of their own.
+/// Together they change the speeds of the joints by v turn + before, or by v whole_turn where v is below all
+/// of the lower ones, too.
+class Stretch {
+  public:
+    Stretch(const rrs::JointPos& slope_in, const rrs::JointPos& slope_out, const SlowerCorners& slower,
+            double way)
+        : slope_in_(slope_in), slope_out_(slope_out), slower_(slower), way_(way) {}
+
+    Eigen::Index joints() const { return slope_in_.size(); }
+    double whole_turn(Eigen::Index joint) const { return slope_out_[joint] - slope_in_[joint]; }
+    double turn(Eigen::Index joint) const { return whole_turn(joint) - slower_.turn(joint); }
+    double before(Eigen::Index joint) const { return slower_.jump(joint); }
+    double change(Eigen::Index joint, double speed) const {
+        return std::abs(speed * turn(joint) + before(joint));
+    }
+    /// The lowest speed of their own.
+    double least() const { return slower_.least(); }
+    /// That the corners count for.
+    double way() const { return way_; }
+
+  private:
+    const rrs::JointPos& slope_in_;
+    const rrs::JointPos& slope_out_;
+    const SlowerCorners& slower_;
+    double way_;
 };
 
 /// What the joints stand at corners.
@@ -69,17 +86,21 @@ class JointBounds {
     }
 
     bool steps_cover(const Stretch& stretch, double speed) const {
-        for (Eigen::Index joint = 0; joint < stretch.turn.size(); ++joint) {
-            if (std::abs(speed * stretch.turn[joint] + stretch.before[joint]) > step(joint)) return false;
+        for (Eigen::Index joint = 0; joint < stretch.joints(); ++joint) {
+            if (stretch.change(joint, speed) > step(joint)) return false;
         }
         return true;
     }
 
     double speed_on(const Stretch& stretch) const {
-        const double faster = speed_by(stretch.turn, stretch.before, stretch.way);
-        if (faster >= stretch.least || std::isinf(stretch.least)) return faster;
-        const rrs::JointPos none = rrs::JointPos::Zero(stretch.turn.size());
-        return std::max(faster, std::min(stretch.least, speed_by(stretch.whole_turn, none, stretch.way)));
+        double faster = kUnlimited, whole = kUnlimited;
+        for (Eigen::Index joint = 0; joint < stretch.joints(); ++joint) {
+            faster =
+                std::min(faster, speed_of(joint, stretch.turn(joint), stretch.before(joint), stretch.way()));
+            whole = std::min(whole, speed_of(joint, stretch.whole_turn(joint), 0, stretch.way()));
+        }
+        if (faster >= stretch.least() || std::isinf(stretch.least())) return faster;
+        return std::max(faster, std::min(stretch.least(), whole));
     }
 
   private:
@@ -95,15 +116,10 @@ class JointBounds {
         }
     };
 
-    double speed_by(const rrs::JointPos& turns, const rrs::JointPos& before, double way) const {
-        double speed = kUnlimited;
-        for (Eigen::Index joint = 0; joint < turns.size(); ++joint) {
-            const double turn = std::abs(turns[joint]);
-            if (turn < kNoShare) continue;
-            const double along = turns[joint] < 0 ? -before[joint] : before[joint];
-            speed = std::min(speed, bounds_[static_cast<std::size_t>(joint)].speed(turn, along, way));
-        }
-        return speed;
+    double speed_of(Eigen::Index joint, double turn, double before, double way) const {
+        if (std::abs(turn) < kNoShare) return kUnlimited;
+        const Bounds& bounds = bounds_[static_cast<std::size_t>(joint)];
+        return bounds.speed(std::abs(turn), turn < 0 ? -before : before, way);
     }
 
     std::array<Bounds, rrs::kMaxJoints> bounds_;
@@ -140,7 +156,7 @@ void for_each_stretch(const JointBounds& bounds, const BlocksBefore& before, con
             slower.add(block.slope_out - block.slope_in, block.max_speed);
         ++corners;
         if (corners <= kFewCorners || corners % kCornersBetween == 0)
-            look(slower.with(to.slope_in - in, way * corners / (corners - 1)));
+            look(Stretch(in, to.slope_in, slower, way * corners / (corners - 1)));
     }
 }
 
@@ -151,9 +167,9 @@ rrs::JointPos taken_by_corners(const PlannerSetup& setup, const BlocksBefore& be
     rrs::JointPos taken = rrs::JointPos::Zero(setup.joint_count());
     for_each_stretch(bounds, before, to, speed, [&](const Stretch& stretch) {
         for (Eigen::Index joint = 0; joint < taken.size(); ++joint) {
-            const double change = std::abs(speed * stretch.turn[joint] + stretch.before[joint]);
+            const double change = stretch.change(joint, speed);
             if (change > bounds.step(joint))
-                taken[joint] = std::max(taken[joint], speed * change / stretch.way);
+                taken[joint] = std::max(taken[joint], speed * change / stretch.way());
         }
     });
     return taken;
@@ -161,14 +177,16 @@ rrs::JointPos taken_by_corners(const PlannerSetup& setup, const BlocksBefore& be
 
 }  // namespace
 
-double speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most, const Block& to) {
-    if (!std::isfinite(setup.controller.centripetal_share)) return most;
+WindowSpeed speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most,
+                            const Block& to) {
+    if (!std::isfinite(setup.controller.centripetal_share)) return {most, true};
     const JointBounds bounds(setup);
-    double speed = most;
-    for_each_stretch(bounds, before, to, speed, [&](const Stretch& stretch) {
-        if (!bounds.steps_cover(stretch, speed)) speed = std::min(speed, bounds.speed_on(stretch));
+    WindowSpeed in_window{most, true};
+    for_each_stretch(bounds, before, to, in_window.speed, [&](const Stretch& stretch) {
+        if (bounds.steps_cover(stretch, in_window.speed)) return;
+        in_window = {std::min(in_window.speed, bounds.speed_on(stretch)), false};
     });
-    return speed;
+    return in_window;
 }
 
 void leave_for_corners(const PlannerSetup& setup, const BlocksBefore& before, Block& to) {

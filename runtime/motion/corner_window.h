@@ -11,9 +11,16 @@ namespace gsim::motion {
 // (n - 1) of the way from the first to the last. A polygon of many sides is then passed at the speed of its
 // arc.
 
+struct WindowSpeed {
+    double speed = 0;
+    bool steps_cover = false;  ///< At that speed the joints' steps cover all corners: none of the stretches
+                               ///< needs their accelerations.
+};
+
 /// The speed at which the corner between the last block of `before` and `to` may be passed, at most `most`,
 /// by what the corners in front of it there have turned already.
-double speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most, const Block& to);
+WindowSpeed speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most,
+                            const Block& to);
 
 /// Takes from the accelerations of `to` along its way what the corners in front of it, the one at its entry
 /// among them, take of the joints' at its entry_cap.

@@ -103,7 +103,7 @@ void LookAhead::join(std::size_t count, Block& to) {
     to.entry_limit = corner.limit;
     to.entry_blend = corner.blend;
     from.exit_cut = corner.blend.cut;
-    if (corner.jumps) leave_for_corners(setup_, before, to);
+    if (corner.takes_acceleration) leave_for_corners(setup_, before, to);
 }
 
 /// From the newest block, which ends at rest `held_back` before its end, back to the first one that has been
