@@ -125,7 +125,7 @@ Token Lexer::word(std::string_view text, Value& value) {
     Word word;
     word.address = static_cast<Address>(upper(text[0]));
     word.column = token_column_;
-    const bool has_gaps = is_ngc() && std::any_of(text.begin(), text.end(), is_blank);
+    const bool has_gaps = is_ngc() && has_blanks(text);
     const std::string without_gaps = has_gaps ? remove_blanks(text) : std::string();
     const SignedDigits number = split_sign((has_gaps ? std::string_view(without_gaps) : text).substr(1));
     const std::optional<Slice> slice = add_number(number.digits, number.negative);
@@ -279,7 +279,7 @@ Token Lexer::variable(std::string_view text, Value& value) {
 }
 
 Token Lexer::number(std::string_view text, Value& value) {
-    const bool has_gaps = std::any_of(text.begin(), text.end(), is_blank);
+    const bool has_gaps = has_blanks(text);
     const std::optional<Slice> slice = add_number(has_gaps ? remove_blanks(text) : text, false);
     if (!slice) return kBad;
     value.index = static_cast<std::uint32_t>(block_.numbers.size());
