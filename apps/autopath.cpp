@@ -14,8 +14,8 @@
 #include "apps/findings.h"
 #include "apps/programs.h"
 #include "drawing/drawing_file.h"
+#include "os/output_file.h"
 #include "runtime/path/json_writer.h"
-#include "runtime/simulation/output_file.h"
 #include "runtime/waterjet/cutting_plan.h"
 #include "runtime/waterjet/job_report.h"
 #include "runtime/waterjet/materials_file.h"
@@ -28,7 +28,7 @@ using namespace gsim;
 
 struct AutopathArguments {
     std::string input;
-    std::string output;
+    std::string output;  ///< Empty: standard output.
     std::string materials;
     waterjet::CuttingRequest cut;
     drawing::ReadOptions read;
@@ -192,16 +192,9 @@ tl::expected<cutting::CutRules, std::string> given_rules(const waterjet::Cutting
 }
 
 tl::expected<void, std::string> write_path(const path::Program& program, const std::string& name) {
-    if (name.empty()) {
-        path::write_json(program,
-                         [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); });
-        if (std::fflush(stdout) != 0) return tl::unexpected(std::string("standard output cannot be written"));
-        return {};
-    }
-    auto file = simulation::OutputFile::open(name);
+    auto file = os::OutputFile::open(name);
     if (!file) return tl::unexpected(file.error());
-    path::write_json(
-        program, [&](std::string_view text) { std::fwrite(text.data(), 1, text.size(), file->stream()); });
+    path::write_json(program, [&](std::string_view text) { file->write(text); });
     return file->commit();
 }
 
@@ -218,6 +211,8 @@ void tell_summary(const cutting::CutSummary& summary, apps::Findings& findings) 
 
 /// Makes the path as the arguments say, and tells what is wrong; the exit status.
 int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
+    if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))
+        return findings.fail(Kind::usage, *conflict);
     waterjet::Materials materials;
     waterjet::CuttingPlan plan;
     tl::expected<cutting::CutRules, std::string> rules;
@@ -253,7 +248,7 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
         findings.take(
             {.severity = text::Severity::note, .kind = Kind::path, .file = arguments.input, .text = note});
     }
-    const auto written = write_path(made->program, arguments.output);
+    const auto written = write_path(made->program, apps::product_name(arguments.output));
     if (!written) return findings.fail(Kind::output, written.error());
     tell_summary(made->summary, findings);
     if (!arguments.report) return apps::kDone;
@@ -267,7 +262,8 @@ int run_autopath(const AutopathArguments& arguments) {
     using Stream = apps::Findings::Stream;
     apps::Findings findings(kAutopath, arguments.findings);
     const int status = make_path(arguments, findings);
-    const bool product_on_standard_output = status == apps::kDone && arguments.output.empty();
+    const bool product_on_standard_output =
+        status == apps::kDone && apps::product_name(arguments.output) == os::kStandardStream;
     return findings.finish(status,
                            product_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }

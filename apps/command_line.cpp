@@ -61,6 +61,16 @@ Option& Option::of_file(FileKind kind, std::vector<std::string> name_endings) {
     return *this;
 }
 
+Option& Option::or_name() {
+    may_be_name = true;
+    return *this;
+}
+
+Option& Option::may_be_file_of(std::string other) {
+    may_be = std::move(other);
+    return *this;
+}
+
 Option& Option::suggests(std::vector<std::string> words) {
     suggestions = std::move(words);
     return *this;

@@ -12,8 +12,9 @@
 
 namespace gsim::apps {
 
-/// What a file on the command line is; shells complete names by it.
-enum class FileKind { none, input, output, folder };
+/// What a file on the command line is; shells complete names by it, and no output may be another file that is
+/// named (named_files.h). One that is changed is read and written.
+enum class FileKind { none, input, output, changed, folder };
 
 /// Where the value of an option goes. A bool is a flag; a vector takes as many values as are given.
 using Target = std::variant<bool*, std::string*, double*, std::uint64_t*, std::optional<double>*,
@@ -40,6 +41,8 @@ struct Option {
     std::string default_text = {};  ///< Empty: none is told.
     std::string excludes = {};      ///< An option that does not go with it.
     FileKind file = FileKind::none;
+    std::string may_be = {};   ///< The option whose file this one may be.
+    bool may_be_name = false;  ///< Without a dot it is a name of something built in.
     bool required = false;
     bool positive = false;  ///< A number must be more than 0.
 
@@ -56,6 +59,8 @@ struct Option {
     Option& one_of(std::vector<std::string> words);
     Option& suggests(std::vector<std::string> words);
     Option& of_file(FileKind kind, std::vector<std::string> name_endings = {});
+    Option& or_name();
+    Option& may_be_file_of(std::string other);
     Option& shows(std::string text);
     /// Tells the target's value of now as the default.
     Option& shows_default();

@@ -1,6 +1,5 @@
 #include "apps/data_commands.h"
 
-#include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
 #include "apps/machine_input.h"
+#include "apps/print.h"
 #include "runtime/machine/text_file.h"
 
 namespace gsim::apps {
@@ -28,8 +28,7 @@ using Status = tl::expected<int, std::string>;
 using Sentence = tl::unexpected<std::string>;
 
 Status printed(const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    if (std::fflush(stdout) != 0) return Sentence("standard output cannot be written");
+    print(text);
     return kDone;
 }
 
@@ -44,10 +43,11 @@ class Command {
 
     Status run() {
         if (arguments_.command == DataCommand::check) return check();
-        if (arguments_.command == DataCommand::convert && !arguments_.from_json.empty()) return from_json();
-        return open().and_then([this] { return take_section(); }).and_then([this] {
-            return run_on_document();
-        });
+        if (is_from_json()) return lock().and_then([this] { return from_json(); });
+        return lock()
+            .and_then([this] { return open(); })
+            .and_then([this] { return take_section(); })
+            .and_then([this] { return run_on_document(); });
     }
 
   private:
@@ -62,6 +62,30 @@ class Command {
     std::optional<LengthUnit> unit() const {
         if (arguments_.inch) return LengthUnit::inch;
         return arguments_.metric ? std::optional(LengthUnit::metric) : std::nullopt;
+    }
+
+    bool is_from_json() const {
+        return arguments_.command == DataCommand::convert && !arguments_.from_json.empty();
+    }
+
+    /// Whether FILE itself is changed.
+    bool changes_file() const {
+        switch (arguments_.command) {
+            case DataCommand::set:
+            case DataCommand::reset:
+            case DataCommand::reset_all: return true;
+            case DataCommand::convert:
+                return arguments_.output.empty() && (is_from_json() || !arguments_.findings.json);
+            default: return false;
+        }
+    }
+
+    // From before the file is read until it is written.
+    Done lock() {
+        if (!changes_file()) return {};
+        return lock_to_change(arguments_.file, arguments_.wait_s).map([this](os::FileLock lock) {
+            lock_.emplace(std::move(lock));
+        });
     }
 
     Done open() {
@@ -183,12 +207,12 @@ class Command {
 
     Status save(const Done& changed) const {
         if (!changed) return Sentence(fmt::format("{}: {}", arguments_.file, changed.error()));
-        const bool elsewhere = arguments_.command == DataCommand::convert && !arguments_.output.empty();
-        return saved(elsewhere ? arguments_.output : arguments_.file, document_.text());
+        return saved(changes_file() ? arguments_.file : arguments_.output, document_.text());
     }
 
-    static Status saved(const std::string& path, const std::string& text) {
-        return save_text(path, text).map([] { return kDone; });
+    Status saved(const std::string& path, const std::string& text) const {
+        const Done done = lock_ ? save_text(path, text) : replace_text(path, text, arguments_.wait_s);
+        return done.map([] { return kDone; });
     }
 
     const DataArguments& arguments_;
@@ -196,6 +220,7 @@ class Command {
     std::optional<machine::Machine> machine_;
     MachineDataDocument document_;
     std::optional<DataSection> section_;
+    std::optional<os::FileLock> lock_;
 };
 
 }  // namespace

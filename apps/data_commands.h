@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "apps/findings.h"
+#include "apps/machine_data_file.h"
 #include "runtime/machine/machine_data_document.h"
 
 namespace gsim::apps {
@@ -27,10 +28,11 @@ struct DataArguments {
     bool inch = false;
     bool metric = false;
     bool create = false;
-    std::string from_json;  ///< Of convert.
-    std::string output;     ///< Of convert; empty: the file itself, or standard output for JSON.
-    std::string source;     ///< Of import: settings of a control, or a table of one.
-    std::string data;       ///< Of import: where offsets and tools go; empty: nowhere.
+    double wait_s = kLongestWait_s;  ///< For files that another program changes.
+    std::string from_json;           ///< Of convert.
+    std::string output;              ///< Of convert; empty: the file itself, or standard output for JSON.
+    std::string source;              ///< Of import: settings of a control, or a table of one.
+    std::string data;                ///< Of import: where offsets and tools go; empty: nowhere.
 };
 
 /// Runs one command; prints what it shows. The result is the exit status, or a sentence on options or files.

@@ -1,12 +1,12 @@
 #include "apps/data_import.h"
 
-#include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
+#include "apps/print.h"
 #include "runtime/import/import_machine.h"
 #include "runtime/import/linuxcnc_tables.h"
 #include "runtime/machine/text_file.h"
@@ -20,11 +20,10 @@ using Written = tl::expected<void, std::string>;
 
 constexpr double kMmPerInch = 25.4;
 
-Written write_text(const std::string& path, const std::string& text) {
-    if (!path.empty()) return save_text(path, text);
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    if (std::fflush(stdout) == 0) return {};
-    return tl::unexpected(std::string("standard output cannot be written"));
+Written write_text(const DataArguments& arguments, const std::string& text) {
+    if (!arguments.output.empty()) return replace_text(arguments.output, text, arguments.wait_s);
+    print(text);
+    return {};
 }
 
 void tell(Findings& findings, text::Severity severity, const std::string& file, const std::string& text) {
@@ -48,10 +47,9 @@ Written write_machine(const DataArguments& arguments, const std::string& source,
         tell(findings, text::Severity::note, source,
              "offsets and tools are not written; --data FILE writes them");
     }
-    if (Written written = write_text(arguments.output, *toml); !written || arguments.data.empty())
-        return written;
+    if (Written written = write_text(arguments, *toml); !written || arguments.data.empty()) return written;
     return import::machine_data_text(*imported).and_then(
-        [&](const std::string& text) { return save_text(arguments.data, text); });
+        [&](const std::string& text) { return replace_text(arguments.data, text, arguments.wait_s); });
 }
 
 // X, Y and Z, which need nothing but letters here.
@@ -76,7 +74,7 @@ Written write_table(const DataArguments& arguments, const std::string& source, b
     imported.left_out = std::move(notes.left_out);
     tell(findings, source, imported);
     return import::machine_data_text(imported).and_then(
-        [&](const std::string& data) { return write_text(arguments.output, data); });
+        [&](const std::string& data) { return write_text(arguments, data); });
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "apps/exit_status.h"
 #include "apps/print.h"
-#include "runtime/simulation/output_file.h"
+#include "os/output_file.h"
 
 namespace gsim::apps {
 
@@ -18,13 +18,22 @@ int print_error(const std::string& text) {
 }
 
 int write_document(const std::string& name, const std::string& text) {
-    const auto written = simulation::write_file(name, text);
+    const auto written = os::write_file(name, text);
     if (written) return kDone;
     print_error(written.error() + '\n');
     return kUsage;
 }
 
 }  // namespace
+
+std::string product_name(const std::string& output) {
+    return output.empty() ? os::kStandardStream : output;
+}
+
+std::optional<std::string> sarif_conflict(const FindingOptions& options, const std::string& product) {
+    if (options.sarif != os::kStandardStream || product != os::kStandardStream) return std::nullopt;
+    return "--sarif - and the product both want standard output; give one of them a file";
+}
 
 void add_sarif_option(CommandLine& line, FindingOptions& options) {
     line.add("--sarif", &options.sarif,
@@ -39,13 +48,18 @@ void add_finding_options(CommandLine& line, FindingOptions& options) {
     add_sarif_option(line, options);
 }
 
-void Findings::print(const std::string& text) const {
-    if (!options_.json) std::fputs(text.c_str(), text_to_ == Stream::standard_output ? stdout : stderr);
+void Findings::say(const std::string& text) const {
+    if (options_.json) return;
+    if (text_to_ == Stream::standard_output && options_.sarif != os::kStandardStream) {
+        apps::print(text);
+    } else {
+        print_error(text);
+    }
 }
 
 void Findings::take(const text::Diagnostic& diagnostic) {
     all_.push_back(diagnostic);
-    print(text::to_text(diagnostic));
+    say(text::to_text(diagnostic));
 }
 
 int Findings::fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file) {
@@ -63,9 +77,11 @@ int Findings::fail(text::DiagnosticKind kind, std::string_view sentence, std::st
 int Findings::finish(int status, Stream json_to) {
     if (options_.json) {
         const std::string document = findings_json(all_, programs_);
-        const int printed =
-            json_to == Stream::standard_output ? apps::print(document) : print_error(document);
-        if (printed != kDone) status = printed;
+        if (json_to == Stream::standard_output) {
+            apps::print(document);
+        } else if (print_error(document) != kDone && status == kDone) {
+            status = kUsage;
+        }
     }
     return finish_told(status);
 }
@@ -73,9 +89,12 @@ int Findings::finish(int status, Stream json_to) {
 int Findings::finish_told(int status) {
     if (options_.sarif.empty()) return status;
     const std::string document = findings_sarif(all_);
-    const int written =
-        options_.sarif == "-" ? apps::print(document) : write_document(options_.sarif, document);
-    return written == kDone ? status : written;
+    if (options_.sarif == os::kStandardStream) {
+        apps::print(document);
+        return status;
+    }
+    const int written = write_document(options_.sarif, document);
+    return status == kDone ? written : status;
 }
 
 }  // namespace gsim::apps

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,11 @@ struct FindingOptions {
     std::string sarif;  ///< A file of SARIF 2.1.0 besides, "-": standard output; empty: none.
 };
 
+/// Where the product of a program goes: the file that was named, or standard output.
+std::string product_name(const std::string& output);
+/// Why SARIF cannot go where it is asked for, as a sentence: the product goes to standard output, too.
+std::optional<std::string> sarif_conflict(const FindingOptions& options, const std::string& product);
+
 /// --sarif, and --json where the program has no other use of it.
 void add_finding_options(CommandLine& line, FindingOptions& options);
 void add_sarif_option(CommandLine& line, FindingOptions& options);
@@ -25,7 +31,8 @@ class Findings {
   public:
     enum class Stream : std::uint8_t { standard_output, standard_error };
 
-    /// `program` names it in sentences without a place; text goes to `text_to`.
+    /// `program` names it in sentences without a place; text goes to `text_to`, and makes way for SARIF
+    /// there.
     Findings(std::string program, FindingOptions options, Stream text_to = Stream::standard_error)
         : program_(std::move(program)), options_(std::move(options)), text_to_(text_to) {}
 
@@ -45,12 +52,13 @@ class Findings {
     /// The same where another document (a report) has told the diagnostics: SARIF alone.
     int finish_told(int status);
 
+    /// A line of text beside the diagnostics; with JSON there is none.
+    void say(const std::string& text) const;
+
     const FindingOptions& options() const { return options_; }
     const std::vector<text::Diagnostic>& all() const { return all_; }
 
   private:
-    void print(const std::string& text) const;
-
     std::string program_;
     FindingOptions options_;
     Stream text_to_;

@@ -12,6 +12,7 @@
 #include "apps/findings.h"
 #include "apps/help_text.h"
 #include "apps/man_page.h"
+#include "apps/named_files.h"
 #include "apps/parse.h"
 #include "apps/print.h"
 #include "apps/programs.h"
@@ -36,6 +37,11 @@ struct OwnCommand {
 constexpr OwnCommand kHelp{"help", "tell what gsim, or a command, can be told"};
 constexpr OwnCommand kCompletion{"completion", "print the completion for a shell: bash, zsh or fish"};
 constexpr OwnCommand kManual{"manual", "print the man page of a command, for man -l -"};
+
+int printed(const std::string& text) {
+    print(text);
+    return kDone;
+}
 
 CommandLine front_line() {
     CommandLine line(kFront,
@@ -87,7 +93,10 @@ int run_program(const ProgramEntry& entry, Arguments arguments) {
     const std::unique_ptr<Program> program = entry.make();
     const auto parsed = parse(program->command_line(), arguments);
     if (!parsed) return refuse(entry, arguments, text::DiagnosticKind::usage, parsed.error());
-    return *parsed ? **parsed : program->run();
+    if (*parsed) return **parsed;
+    if (const auto conflict = find_file_conflict(program->command_line()))
+        return refuse(entry, arguments, text::DiagnosticKind::usage, *conflict);
+    return program->run();
 }
 
 int unknown_command(const std::string& word) {
@@ -101,21 +110,21 @@ int unknown_command(const std::string& word) {
 int print_help(Arguments words) {
     if (words.empty() || words.front() == kFront) {
         const CommandLine line = front_line();
-        return print(help_text(line, &line));
+        return printed(help_text(line, &line));
     }
     const ProgramEntry* entry = find_program(words.front());
     if (entry == nullptr) return unknown_command(words.front());
     const std::unique_ptr<Program> program = entry->make();
-    return print(help_text(program->command_line(), &program->command_line()));
+    return printed(help_text(program->command_line(), &program->command_line()));
 }
 
 int print_manual(Arguments words) {
     std::vector<std::string> pages{kFront};
     for (const ProgramEntry& entry : programs()) pages.emplace_back(entry.name);
-    if (words.empty() || words.front() == kFront) return print(man_page(front_line(), pages));
+    if (words.empty() || words.front() == kFront) return printed(man_page(front_line(), pages));
     const ProgramEntry* entry = find_program(words.front());
     return entry == nullptr ? unknown_command(words.front())
-                            : print(man_page(entry->make()->command_line(), pages));
+                            : printed(man_page(entry->make()->command_line(), pages));
 }
 
 int print_completion(Arguments words) {
@@ -126,9 +135,9 @@ int print_completion(Arguments words) {
         completed.push_back({std::string(entry.command), &made.back()->command_line()});
     }
     const std::string shell = words.empty() ? "" : words.front();
-    if (shell == "bash") return print(bash_completion(front_line(), completed));
-    if (shell == "zsh") return print(zsh_completion(front_line(), completed));
-    if (shell == "fish") return print(fish_completion(front_line(), completed));
+    if (shell == "bash") return printed(bash_completion(front_line(), completed));
+    if (shell == "zsh") return printed(zsh_completion(front_line(), completed));
+    if (shell == "fish") return printed(fish_completion(front_line(), completed));
     return usage_error(kFront, "completion is for bash, zsh or fish; name one of them");
 }
 
@@ -140,7 +149,7 @@ int run_command(Arguments arguments) {
     const std::string& word = arguments.front();
     const Arguments rest = arguments.subspan(1);
     if (word == "--help" || word == "-h" || word == kHelp.name) return print_help(rest);
-    if (word == "--version") return print(version_text(kFront));
+    if (word == "--version") return printed(version_text(kFront));
     if (word == kManual.name) return print_manual(rest);
     if (word == kCompletion.name) return print_completion(rest);
     const ProgramEntry* entry = find_program(word);

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
@@ -13,7 +15,7 @@
 #include "apps/translation.h"
 #include "codegen/language_page.h"
 #include "codegen/translate.h"
-#include "runtime/simulation/output_file.h"
+#include "os/output_file.h"
 
 namespace {
 
@@ -21,7 +23,7 @@ using namespace gsim;
 
 struct TranslateArguments {
     std::string input = "-";
-    std::string output;
+    std::string output;  ///< Empty: standard output.
     apps::LanguageNames language;
     std::string machine;
     std::string machine_data;
@@ -71,17 +73,21 @@ tl::expected<lexer::Source, std::string> open_source(const TranslateArguments& a
 }
 
 tl::expected<void, std::string> write_spool(const codegen::LuaSpool& spool, const std::string& path) {
-    tl::expected<simulation::OutputFile, std::string> file = simulation::OutputFile::open(path);
+    tl::expected<os::OutputFile, std::string> file = os::OutputFile::open(path);
     if (!file) return tl::unexpected(file.error());
-    if (!spool.copy_to(file->stream())) return tl::unexpected(path + ": cannot be written");
+    if (!spool.copy_to([&](std::string_view part) { file->write(part); }))
+        return tl::unexpected(fmt::format("cannot write '{}': its temporary file cannot be read", path));
     return file->commit();
 }
-
-constexpr const char* kNoOutput = "standard output cannot be written";
 
 /// Translates as the arguments say, and tells what is wrong; the exit status.
 int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
     using Kind = text::DiagnosticKind;
+    if (!arguments.check) {
+        if (const auto conflict =
+                apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))
+            return findings.fail(Kind::usage, *conflict);
+    }
     codegen::TranslateOptions options;
     options.annotate = arguments.annotate;
     options.max_errors = arguments.max_errors;
@@ -100,19 +106,20 @@ int translate_program(const TranslateArguments& arguments, apps::Findings& findi
         *source, spool, *language, options, [&](const auto& told) { findings.take(told); });
     if (!translation.ok) return apps::kProgramFault;
     if (arguments.check) return apps::kDone;
-    if (!arguments.output.empty()) {
-        const auto written = write_spool(spool, arguments.output);
-        return written ? apps::kDone : findings.fail(Kind::output, written.error(), arguments.output);
-    }
-    return spool.copy_to(stdout) ? apps::kDone : findings.fail(Kind::output, kNoOutput);
+    const auto written = write_spool(spool, apps::product_name(arguments.output));
+    return written ? apps::kDone : findings.fail(Kind::output, written.error());
 }
 
 int run_translate(const TranslateArguments& arguments) {
     using Stream = apps::Findings::Stream;
-    if (arguments.print_language) return apps::print(codegen::language_page());
+    if (arguments.print_language) {
+        apps::print(codegen::language_page());
+        return apps::kDone;
+    }
     apps::Findings findings(kGcode2lua, arguments.findings);
     const int status = translate_program(arguments, findings);
-    const bool lua_on_standard_output = status == apps::kDone && !arguments.check && arguments.output.empty();
+    const bool lua_on_standard_output = status == apps::kDone && !arguments.check &&
+                                        apps::product_name(arguments.output) == os::kStandardStream;
     return findings.finish(status, lua_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 

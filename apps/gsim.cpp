@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "apps/front.h"
+#include "apps/print.h"
+#include "os/standard_streams.h"
+#include "os/temporary_name.h"
 
 int main(int argc, char** argv) {
+    gsim::os::hold_standard_streams();
+    gsim::os::remove_temporaries_at_signals();
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
-    return gsim::apps::run_front(argc > 0 ? argv[0] : "", arguments);
+    return gsim::apps::finish_standard_output(gsim::apps::run_front(argc > 0 ? argv[0] : "", arguments));
 }

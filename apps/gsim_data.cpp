@@ -84,7 +84,7 @@ void add_examples(apps::CommandLine& line) {
 }
 
 void add_data_options(apps::CommandLine& line, DataArguments& a) {
-    line.add("FILE", &a.file, "machine data (NCFILE)").of_file(apps::FileKind::input, {".txt"});
+    line.add("FILE", &a.file, "machine data (NCFILE)").of_file(apps::FileKind::changed, {".txt"});
     line.begin_group("Options of all commands");
     line.add("--machine", &a.machine,
              "machine file (TOML): names the axes behind X, Y and Z, and has ranges to check")
@@ -92,6 +92,7 @@ void add_data_options(apps::CommandLine& line, DataArguments& a) {
     line.add("--json", &a.findings.json,
              "list, get, convert: print JSON; what a check finds, and mistakes, as JSON too");
     apps::add_sarif_option(line, a.findings);
+    apps::add_wait_option(line, a.wait_s);
     add_section(
         add_data_command(line, a, "list", DataCommand::list, "print all entries, or those of a section"), a);
     apps::CommandLine& get =

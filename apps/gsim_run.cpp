@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,10 @@
 #include "apps/run_engine.h"
 #include "apps/run_inputs.h"
 #include "apps/variables_file.h"
+#include "os/file_identity.h"
+#include "os/file_lock.h"
+#include "os/output_file.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/simulation/output_file.h"
 #include "runtime/simulation/progress.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/report_diagnostics.h"
@@ -33,11 +36,16 @@ using Kind = text::DiagnosticKind;
 constexpr const char* kGsimRun = "gsim-run";
 constexpr const char* kNoProgram = "no program given; gsim-run --help tells how";
 
+bool saves_what_it_reads(const RunArguments& arguments) {
+    const auto saved = os::identity_of(arguments.save_machine_data);
+    return saved && saved == os::identity_of(arguments.machine_data);
+}
+
 /// Whether what the control keeps can be written behind the run.
 tl::expected<void, std::string> check_kept(const RunArguments& arguments) {
     for (const std::string* file : {&arguments.variables, &arguments.save_machine_data}) {
         if (file->empty()) continue;
-        if (auto writable = simulation::OutputFile::check(*file); !writable) return writable;
+        if (auto writable = os::OutputFile::check(*file); !writable) return writable;
     }
     return {};
 }
@@ -57,7 +65,12 @@ tl::expected<void, std::string> keep(const RunArguments& arguments, script::Engi
         .map_error([&](const std::string& error) {
             return fmt::format("{} is not written: {}", arguments.save_machine_data, error);
         })
-        .and_then([&] { return apps::save_text(arguments.save_machine_data, document.text()); });
+        .and_then([&] {
+            const std::string& file = arguments.save_machine_data;
+            return saves_what_it_reads(arguments)
+                       ? apps::save_text(file, document.text())
+                       : apps::replace_text(file, document.text(), arguments.wait_s);
+        });
 }
 
 /// A program with errors is not run: the report says so, for those who read reports alone.
@@ -111,7 +124,8 @@ class Run {
         tell_notes(*input);
         if (arguments_.print_machine) {
             told_ = true;
-            return apps::print(machine::print_machine(input->machine));
+            apps::print(machine::print_machine(input->machine));
+            return apps::kDone;
         }
         if (arguments_.studies.any()) return run_studies(input->machine);
         if (arguments_.input.empty()) return fail(Kind::usage, kNoProgram);
@@ -125,7 +139,22 @@ class Run {
             findings_.take({.severity = text::Severity::note, .kind = Kind::machine, .text = note});
     }
 
+    /// Nobody else changes what the control keeps from before it is read until it is written. In one order,
+    /// so that two runs with the same two files do not wait for each other.
+    tl::expected<void, std::string> lock_kept() {
+        std::set<std::string> files;
+        if (!arguments_.variables.empty()) files.insert(arguments_.variables);
+        if (saves_what_it_reads(arguments_)) files.insert(arguments_.save_machine_data);
+        for (const std::string& file : files) {
+            auto lock = apps::lock_to_change(file, arguments_.wait_s);
+            if (!lock) return tl::unexpected(lock.error());
+            locks_.push_back(*std::move(lock));
+        }
+        return {};
+    }
+
     int run_program(const apps::MachineInput& input) {
+        if (auto locked = lock_kept(); !locked) return fail(Kind::output, locked.error());
         tl::expected<apps::RunInputs, apps::InputError> inputs =
             apps::read_run_inputs(arguments_, input, tell_);
         if (inputs) return simulate(*std::move(inputs));
@@ -194,10 +223,10 @@ class Run {
                                              {.json = arguments_.findings.json, .quiet = arguments_.quiet});
         if (!ended) return fail(Kind::input_file, ended.error());
         told_ = true;
-        return std::fflush(stdout) == 0 ? *ended : fail(Kind::output, "standard output cannot be written");
+        return *ended;
     }
 
-    /// Prints the report; `status`, or that of an output that cannot be written.
+    /// Prints the report; `status`.
     int ended(const simulation::Report& report, int status) {
         return printed(report, report, diagnostics_of(report), status);
     }
@@ -228,15 +257,16 @@ class Run {
                               (arguments_.outputs.on_standard_output() || arguments_.findings.sarif == "-");
         if (make_way) {
             std::fputs(text.c_str(), stderr);
-            return std::fflush(stdout) == 0 ? status : apps::kUsage;
+        } else {
+            apps::print(text);
         }
-        const int printed = apps::print(text);
-        return printed == apps::kDone ? status : printed;
+        return status;
     }
 
     RunArguments arguments_;
     apps::Findings findings_;
     apps::TellDiagnostic tell_;
+    std::vector<os::FileLock> locks_;
     bool told_ = false;
 };
 

@@ -77,7 +77,7 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 
 std::string exit_statuses() {
     return "0 done; 1 errors in the program, an alarm or a limit, findings of a check; 2 "
-           "options or files.";
+           "options, files or standard output.";
 }
 
 std::string help_text(const CommandLine& line, const CommandLine* chosen) {

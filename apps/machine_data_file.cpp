@@ -1,25 +1,20 @@
 #include "apps/machine_data_file.h"
 
-#include <cerrno>
-#include <system_error>
+#include <chrono>
 
-#include <fmt/format.h>
-#include <unistd.h>
-
+#include "os/output_file.h"
 #include "runtime/machine/text_file.h"
-#include "runtime/simulation/output_file.h"
 
 namespace gsim::apps {
 
-namespace {
-
-// What no disk is (a pipe, a terminal) has nothing to wait for.
-bool reach_disk(std::FILE* file) {
-    if (std::fflush(file) != 0) return false;
-    return ::fsync(::fileno(file)) == 0 || errno == EINVAL || errno == EROFS;
+void add_wait_option(CommandLine& line, double& wait_s) {
+    constexpr double kMost_s = 86'400;
+    line.add("--wait", &wait_s,
+             "how long to wait for a file that is to be changed and that another program is changing")
+        .called("SECONDS")
+        .within(0, kMost_s)
+        .shows_default();
 }
-
-}  // namespace
 
 tl::expected<machine::MachineDataDocument, std::vector<std::string>> open_machine_data(
     const std::string& path, std::span<const machine::Axis> axes) {
@@ -28,15 +23,19 @@ tl::expected<machine::MachineDataDocument, std::vector<std::string>> open_machin
     return machine::MachineDataDocument::read(*text, path, axes);
 }
 
+tl::expected<os::FileLock, std::string> lock_to_change(const std::string& path, double wait_s) {
+    const std::chrono::duration<double> wait(wait_s);
+    return os::FileLock::get(path, std::chrono::duration_cast<std::chrono::milliseconds>(wait));
+}
+
 tl::expected<void, std::string> save_text(const std::string& path, std::string_view text) {
-    tl::expected<simulation::OutputFile, std::string> file = simulation::OutputFile::open(path);
-    if (!file) return tl::unexpected(std::move(file.error()));
-    std::fwrite(text.data(), 1, text.size(), file->stream());
-    if (!reach_disk(file->stream())) {
-        return tl::unexpected(
-            fmt::format("cannot write '{}': {}", path, std::generic_category().message(errno)));
-    }
-    return file->commit();
+    return os::write_file(path, text, os::Reach::disk);
+}
+
+tl::expected<void, std::string> replace_text(const std::string& path, std::string_view text, double wait_s) {
+    const auto lock = lock_to_change(path, wait_s);
+    if (!lock) return tl::unexpected(lock.error());
+    return save_text(path, text);
 }
 
 }  // namespace gsim::apps

@@ -1,17 +1,17 @@
 #include "apps/machine_studies.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "apps/exit_status.h"
+#include "apps/print.h"
+#include "os/output_file.h"
 #include "runtime/check/machine_check.h"
 #include "runtime/envelope/outline_files.h"
 #include "runtime/envelope/stl.h"
 #include "runtime/envelope/volume.h"
-#include "runtime/simulation/output_file.h"
 #include "text/letter_case.h"
 
 namespace gsim::apps {
@@ -24,9 +24,9 @@ tl::expected<int, std::string> print_check(const machine::Machine& machine, cons
     if (!bodies) return tl::unexpected(bodies.error());
     const check::MachineCheck found = check::check_machine(machine, *bodies);
     if (output.json) {
-        std::fputs(check::to_json(found).c_str(), stdout);
+        print(check::to_json(found));
     } else if (!output.quiet) {
-        std::fputs(check::to_text(found).c_str(), stdout);
+        print(check::to_text(found));
     }
     return found.is_clean() ? kDone : kProgramFault;
 }
@@ -94,22 +94,22 @@ tl::expected<void, std::string> write_envelopes(const std::vector<std::string>& 
     for (const std::string& file : files) {
         if (!Envelope::is_known(file))
             return tl::unexpected(fmt::format("{}: an envelope's file ends in .stl, .csv or .svg", file));
-        if (auto writable = simulation::OutputFile::check(file); !writable) return writable;
+        if (auto writable = os::OutputFile::check(file); !writable) return writable;
     }
     auto chain = envelope::envelope_chain(machine);
     if (!chain) return tl::unexpected(chain.error());
     Envelope envelope(machine, *std::move(chain));
     for (const std::string& file : files) {
-        if (auto written = simulation::write_file(file, envelope.contents(file)); !written) return written;
+        if (auto written = os::write_file(file, envelope.contents(file)); !written) return written;
     }
-    if (!output.json && !output.quiet) std::fputs(envelope.summary().c_str(), stdout);
+    if (!output.json && !output.quiet) print(envelope.summary());
     return {};
 }
 
 tl::expected<void, std::string> draw_axes(const std::string& file, const machine::Machine& machine) {
     if (text::lower(std::filesystem::path(file).extension().string()) != ".svg")
         return tl::unexpected(fmt::format("{}: the picture of the axes is a file that ends in .svg", file));
-    return simulation::write_file(file, check::axes_svg(machine));
+    return os::write_file(file, check::axes_svg(machine));
 }
 
 }  // namespace

@@ -10,12 +10,12 @@
 
 namespace gsim::apps {
 
-using simulation::OutputFile;
+using os::OutputFile;
 
 namespace {
 
 bool is_standard(const std::string& name) {
-    return name == simulation::kStandardStream;
+    return name == os::kStandardStream;
 }
 
 }  // namespace
@@ -31,17 +31,6 @@ bool OutputNames::on_standard_output() const {
 std::optional<std::string> OutputNames::conflict() const {
     if (is_standard(plot))
         return "--plot needs the name of a file, whose ending says which kind of picture it is";
-    std::string first;
-    for (const auto& [name, option] :
-         {std::pair{&report, "--report"}, std::pair{&moves, "--moves"},
-          std::pair{&trajectory, "--trajectory"}, std::pair{&record, "--record"}}) {
-        if (!is_standard(*name)) continue;
-        if (!first.empty()) {
-            return fmt::format("{} - and {} - both want standard output; give one of them a file", first,
-                               option);
-        }
-        first = option;
-    }
     return std::nullopt;
 }
 
@@ -136,9 +125,7 @@ tl::expected<void, std::string> Outputs::make_path(const std::string& program) {
 tl::expected<void, std::string> Outputs::write_path() const {
     tl::expected<OutputFile, std::string> file = OutputFile::open(names_.record);
     if (!file) return tl::unexpected(file.error());
-    path::write_json(*path_, [stream = file->stream()](std::string_view text) {
-        std::fwrite(text.data(), 1, text.size(), stream);
-    });
+    path::write_json(*path_, [&](std::string_view text) { file->write(text); });
     return file->commit();
 }
 
@@ -157,7 +144,10 @@ tl::expected<void, std::string> Outputs::commit(const simulation::Report& report
         (*file)->text.end_line();
     }
     for (const std::unique_ptr<TextFile>& file : files_) {
-        if (auto flushed = file->text.flush(); !flushed) return flushed;
+        if (auto flushed = file->text.flush(); !flushed) return file->file.cannot_write(flushed.error());
+        if (auto settled = file->file.settle(); !settled) return settled;
+    }
+    for (const std::unique_ptr<TextFile>& file : files_) {
         if (auto committed = file->file.commit(); !committed) return committed;
     }
     if (auto drawn = draw(report); !drawn) return drawn;

@@ -7,9 +7,9 @@
 
 #include <tl/expected.hpp>
 
+#include "os/output_file.h"
 #include "runtime/record/path_recorder.h"
 #include "runtime/simulation/moves_writer.h"
-#include "runtime/simulation/output_file.h"
 #include "runtime/simulation/path_bound.h"
 #include "runtime/simulation/plot.h"
 #include "runtime/simulation/plot_data.h"
@@ -35,7 +35,7 @@ struct OutputNames {
     bool any() const;
     /// Whether something goes to standard output.
     bool on_standard_output() const;
-    /// What cannot be done, as a sentence: two of them on standard output, or a picture.
+    /// What cannot be done, as a sentence: a picture on standard output.
     std::optional<std::string> conflict() const;
 };
 
@@ -57,8 +57,8 @@ class Outputs {
 
   private:
     struct TextFile {
-        explicit TextFile(simulation::OutputFile opened) : file(std::move(opened)), text(file.stream()) {}
-        simulation::OutputFile file;
+        explicit TextFile(os::OutputFile opened) : file(std::move(opened)), text(file.stream()) {}
+        os::OutputFile file;
         simulation::TextStream text;
     };
     tl::expected<TextFile*, std::string> add_file(const std::string& name);

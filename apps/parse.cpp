@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "apps/exit_status.h"
 #include "apps/help_text.h"
 #include "apps/print.h"
 #include "apps/suggestion.h"
@@ -98,9 +99,11 @@ tl::expected<std::optional<int>, std::string> parse(const CommandLine& line,
         app.parse(std::vector<std::string>(arguments.rbegin(),
                                            arguments.rend()));  // CLI11 wants the last one first
     } catch (const CLI::CallForHelp&) {
-        return print(help_text(line, &chosen_command(app, line)));
+        print(help_text(line, &chosen_command(app, line)));
+        return kDone;
     } catch (const CLI::CallForVersion&) {
-        return print(version_text(line.program()));
+        print(version_text(line.program()));
+        return kDone;
     } catch (const CLI::ParseError& error) {
         return tl::unexpected(mistake(app, line, error.what()));
     }

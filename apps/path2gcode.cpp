@@ -1,9 +1,7 @@
 // path2gcode: writes a path as a part program for a machine and its controller.
 
 #include <array>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,9 +14,10 @@
 #include "apps/machine_input.h"
 #include "apps/path_input.h"
 #include "apps/path_program.h"
+#include "apps/program_files.h"
 #include "apps/programs.h"
 #include "codegen/post_file.h"
-#include "runtime/simulation/output_file.h"
+#include "os/output_file.h"
 
 namespace {
 
@@ -28,7 +27,7 @@ using Kind = text::DiagnosticKind;
 
 struct WriteArguments {
     std::string input = "-";
-    std::string output;
+    std::string output;  ///< Empty: standard output.
     std::string post = "ab9";
     std::string machine;
     std::string rotary;
@@ -38,6 +37,7 @@ struct WriteArguments {
     bool inch = false;
     bool verbose_words = false;
     bool separate_files = false;
+    bool overwrite = false;
     bool go_on = false;
     bool quiet = false;
     apps::FindingOptions findings;
@@ -60,6 +60,7 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
                          fmt::join(codegen::built_in_posts(), ", ")))
         .called("NAME|FILE")
         .of_file(FileKind::input, {".toml"})
+        .or_name()
         .shows_default();
     line.add(
             "--machine", &a.machine,
@@ -83,6 +84,7 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     line.add("-o,--output", &a.output, "write the program to this file; it appears only if all went well")
         .of_file(FileKind::output, {".nc", ".ngc"});
     line.add("--separate-files", &a.separate_files, "each sub-path in a file of its own beside the output");
+    line.add("--overwrite", &a.overwrite, "files of sub-paths may replace files that are there already");
     line.add("--decimals", &a.decimals, "digits behind the point of lengths in mm, in place of the post's")
         .one_of({"1", "2", "3", "4", "5", "6"});
     line.add("--inch", &a.inch, "the program is in inches");
@@ -95,50 +97,19 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
                      "what was run, for another control");
 }
 
-// ProgramFiles that get their names together, once all are written.
-class ProgramFiles {
-  public:
-    tl::expected<void, std::string> open(const fs::path& main, const std::vector<std::string>& beside) {
-        if (auto opened = add("", main); !opened) return opened;
-        for (const std::string& name : beside) {
-            if (auto opened = add(name, main.parent_path() / name); !opened) return opened;
-        }
-        return {};
-    }
-    std::FILE* stream(const std::string& name) const { return files_.at(name)->stream(); }
-    tl::expected<void, std::string> commit() {
-        for (auto& [name, file] : files_) {
-            if (auto committed = file->commit(); !committed) return committed;
-        }
-        return {};
-    }
-
-  private:
-    tl::expected<void, std::string> add(const std::string& name, const fs::path& path) {
-        auto file = simulation::OutputFile::open(path);
-        if (!file) return tl::unexpected(file.error());
-        files_.emplace(name, std::make_unique<simulation::OutputFile>(std::move(*file)));
-        return {};
-    }
-
-    std::map<std::string, std::unique_ptr<simulation::OutputFile>> files_;
-};
-
-codegen::GcodeWriter::Sink into(std::FILE* stream) {
-    return [stream](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); };
-}
-
-int write_program(const apps::PathProgram& program, const std::string& output, apps::Findings& findings) {
-    if (output.empty()) {
-        program.write([](const std::string&) { return into(stdout); });
-        const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-        return written ? apps::kDone : findings.fail(Kind::output, "standard output cannot be written");
-    }
-    ProgramFiles files;
-    if (auto opened = files.open(output, program.file_names()); !opened)
-        return findings.fail(Kind::output, opened.error());
-    program.write([&files](const std::string& name) { return into(files.stream(name)); });
-    const auto committed = files.commit();
+int write_program(const apps::PathProgram& program, const WriteArguments& a, apps::Findings& findings) {
+    const std::string output = apps::product_name(a.output);
+    const std::vector<apps::TakenFile> taken = {{"the program itself", output},
+                                                {"the path", a.input},
+                                                {"the machine file", a.machine},
+                                                {"the post", a.post},
+                                                {"what --sarif names", a.findings.sarif}};
+    auto files = apps::ProgramFiles::open(output, program.file_names(), taken, a.overwrite);
+    if (!files) return findings.fail(Kind::output, files.error());
+    program.write([&](const std::string& name) {
+        return [&file = files->file(name)](std::string_view text) { file.write(text); };
+    });
+    const auto committed = files->commit();
     return committed ? apps::kDone : findings.fail(Kind::output, committed.error());
 }
 
@@ -149,7 +120,13 @@ int path_fault(apps::Findings& findings, const std::string& message) {
 }
 
 int write_path_program(const WriteArguments& a, apps::Findings& findings) {
-    if (a.separate_files && a.output.empty())
+    const bool to_standard_output = apps::product_name(a.output) == os::kStandardStream;
+    if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(a.output)))
+        return findings.fail(Kind::usage, *conflict);
+    if (a.overwrite && !a.separate_files)
+        return findings.fail(Kind::usage,
+                             "--overwrite is for the files of --separate-files; --output replaces");
+    if (a.separate_files && to_standard_output)
         return findings.fail(Kind::usage, "--separate-files needs --output");
     const auto post = apps::find_post_file(a.post).and_then(codegen::find_post);
     if (!post) return findings.fail(Kind::input_file, post.error());
@@ -170,20 +147,21 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     options.go_on = a.go_on;
     options.tolerance_mm = a.tolerance_mm;
     options.separate_files = a.separate_files;
-    options.name = a.output.empty() ? file->program.name : fs::path(a.output).stem().string();
+    options.name = to_standard_output ? file->program.name : fs::path(a.output).stem().string();
     const auto program = apps::PathProgram::plan(*file, *machine, *post, options);
     if (!program) return path_fault(findings, program.error());
     for (const std::string& note : program->notes()) {
         if (!a.quiet) findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = note});
     }
-    return write_program(*program, a.output, findings);
+    return write_program(*program, a, findings);
 }
 
 int run_write(const WriteArguments& a) {
     using Stream = apps::Findings::Stream;
     apps::Findings findings(kPath2gcode, a.findings);
     const int status = write_path_program(a, findings);
-    const bool product_on_standard_output = status == apps::kDone && a.output.empty();
+    const bool product_on_standard_output =
+        status == apps::kDone && apps::product_name(a.output) == os::kStandardStream;
     return findings.finish(status,
                            product_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }

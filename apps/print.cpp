@@ -1,15 +1,38 @@
 #include "apps/print.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <system_error>
+
+#include <fmt/format.h>
 
 #include "apps/exit_status.h"
 
 namespace gsim::apps {
 
-int print(const std::string& text) {
-    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return kDone;
-    std::fputs("standard output cannot be written\n", stderr);
-    return kUsage;
+namespace {
+
+void tell_failure(int error) {
+    const std::string sentence =
+        fmt::format("cannot write standard output: {}\n", std::generic_category().message(error));
+    std::fputs(sentence.c_str(), stderr);
+}
+
+}  // namespace
+
+// The stream's own mark of an error says that it was told.
+void print(std::string_view text) {
+    if (std::ferror(stdout) != 0) return;
+    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!whole || std::ferror(stdout) != 0) tell_failure(errno);
+}
+
+int finish_standard_output(int status) {
+    const bool told = std::ferror(stdout) != 0;
+    // Some systems tell of a full disk or a lost server when the file is closed.
+    const bool closed = std::fclose(stdout) == 0;
+    if (!closed && !told) tell_failure(errno);
+    return (told || !closed) && status == kDone ? kUsage : status;
 }
 
 }  // namespace gsim::apps

@@ -9,8 +9,9 @@
 #include "apps/process_words.h"
 #include "apps/run_cell.h"
 #include "apps/run_inputs.h"
+#include "os/file_identity.h"
+#include "os/output_file.h"
 #include "runtime/process/robots_file.h"
-#include "runtime/simulation/output_file.h"
 
 namespace gsim::apps {
 
@@ -78,14 +79,34 @@ tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
     return station;
 }
 
+/// A file of a robot's own that is another one of the run, as a sentence.
+std::optional<std::string> conflict_of_own_files(const process::RobotEntry& robot, const RobotsRun& run) {
+    const OutputNames own = own_files(run.outputs, robot.name);
+    const std::pair<std::string, const char*> others[] = {
+        {run.outputs.report, "the report"},      {run.input, "the program"},
+        {run.robots, "the file of robots"},      {run.setup, "the setup"},
+        {robot.machine.string(), "its machine"}, {robot.machine_data.string(), "its machine data"},
+        {robot.cell.string(), "its cell"}};
+    for (const std::string* name : {&own.moves, &own.trajectory, &own.plot}) {
+        const auto identity = os::identity_of(*name);
+        if (name->empty() || !identity) continue;
+        for (const auto& [other, what] : others) {
+            if (other.empty() || os::identity_of(other) != identity) continue;
+            return fmt::format("'{}', of the robot {}, is {}, too; give one of them another name", *name,
+                               robot.name, what);
+        }
+    }
+    return std::nullopt;
+}
+
 tl::expected<void, InputError> write_report(const std::string& name, const simulation::RobotsReport& report) {
     if (name.empty()) return {};
-    auto file = simulation::OutputFile::open(name);
+    auto file = os::OutputFile::open(name);
     if (!file) return usage(file.error());
     simulation::TextStream text(file->stream());
     text.buffer().append(to_json(report));
     text.end_line();
-    if (auto flushed = text.flush(); !flushed) return usage(flushed.error());
+    if (auto flushed = text.flush(); !flushed) return usage(file->cannot_write(flushed.error()).value());
     if (auto committed = file->commit(); !committed) return usage(committed.error());
     return {};
 }
@@ -124,8 +145,11 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
     conveyors.reserve(file->conveyors.size());
     for (const process::Conveyor& conveyor : file->conveyors) conveyors.push_back(conveyor.name());
     if (!run.outputs.report.empty()) {
-        if (auto writable = simulation::OutputFile::check(run.outputs.report); !writable)
+        if (auto writable = os::OutputFile::check(run.outputs.report); !writable)
             return usage(writable.error());
+    }
+    for (const process::RobotEntry& entry : file->robots) {
+        if (auto conflict = conflict_of_own_files(entry, run)) return usage(*std::move(conflict));
     }
     std::vector<Station> stations;
     stations.reserve(file->robots.size());

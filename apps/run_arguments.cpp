@@ -154,10 +154,12 @@ void add_stored_options(CommandLine& line, RunArguments& a) {
     line.begin_group("What the control keeps");
     line.add("--variables", &a.variables,
              "keep permanent variables in this file: read at the start, written at the end")
-        .of_file(FileKind::output);
+        .of_file(FileKind::changed);
     line.add("--save-machine-data", &a.save_machine_data,
              "write the machine data as the program left them to this file; it may be the same one")
-        .of_file(FileKind::output, {".txt"});
+        .of_file(FileKind::output, {".txt"})
+        .may_be_file_of("--machine-data");
+    add_wait_option(line, a.wait_s);
 }
 
 void add_further_options(CommandLine& line, RunArguments& a) {

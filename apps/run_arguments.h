@@ -6,6 +6,7 @@
 #include "apps/command_line.h"
 #include "apps/findings.h"
 #include "apps/language.h"
+#include "apps/machine_data_file.h"
 #include "apps/machine_studies.h"
 #include "apps/outputs.h"
 #include "apps/override_options.h"
@@ -26,6 +27,7 @@ struct RunArguments {
     LanguageNames language;
     std::string setup;
     std::string variables;
+    double wait_s = kLongestWait_s;  ///< For files that another program changes.
     std::string lua_lib;
     std::string rcs;
     std::string robots;

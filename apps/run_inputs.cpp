@@ -2,11 +2,14 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "apps/data_file.h"
 #include "apps/machine_data_file.h"
 #include "apps/probe_option.h"
 #include "apps/process_words.h"
 #include "apps/variables_file.h"
+#include "os/file_identity.h"
 #include "runtime/cell/cell_file.h"
 #include "runtime/rcs/rcs_machine.h"
 
@@ -59,6 +62,29 @@ tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const RunAr
     });
 }
 
+/// An output that is a file which the cell names, as a sentence.
+std::optional<std::string> conflict_with_cell(const RunArguments& arguments, const cell::CellFiles& files) {
+    const OutputNames& outputs = arguments.outputs;
+    for (const auto& [file, what] :
+         {std::pair{files.machine, "machine"}, {files.machine_data, "machine data"}}) {
+        const auto identity = os::identity_of(file);
+        if (file.empty() || !identity) continue;
+        for (const auto& [name, option] : {std::pair{&outputs.report, "--report"},
+                                           {&outputs.moves, "--moves"},
+                                           {&outputs.trajectory, "--trajectory"},
+                                           {&outputs.plot, "--plot"},
+                                           {&outputs.record, "--record"},
+                                           {&arguments.findings.sarif, "--sarif"},
+                                           {&arguments.variables, "--variables"}}) {
+            if (name->empty() || os::identity_of(*name) != identity) continue;
+            return fmt::format(
+                "{} '{}' is the {} of the cell, which would be overwritten; give it another name", option,
+                *name, what);
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments) {
@@ -75,11 +101,12 @@ tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments)
         *name = *std::move(found);
     }
     if (arguments.cell.empty()) return arguments;
-    return cell::load_cell_files(arguments.cell).map([&](const cell::CellFiles& files) {
-        if (arguments.machine.empty()) arguments.machine = files.machine.string();
-        if (arguments.machine_data.empty()) arguments.machine_data = files.machine_data.string();
-        return std::move(arguments);
-    });
+    const auto files = cell::load_cell_files(arguments.cell);
+    if (!files) return tl::unexpected(files.error());
+    if (auto conflict = conflict_with_cell(arguments, *files)) return tl::unexpected(*std::move(conflict));
+    if (arguments.machine.empty()) arguments.machine = files->machine.string();
+    if (arguments.machine_data.empty()) arguments.machine_data = files->machine_data.string();
+    return arguments;
 }
 
 tl::expected<MachineInput, std::string> read_machine(const RunArguments& arguments) {

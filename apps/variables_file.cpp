@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/simulation/output_file.h"
+#include "os/output_file.h"
 
 namespace gsim::apps {
 
@@ -33,10 +33,9 @@ tl::expected<std::map<int, double>, std::string> read_variables(const std::strin
 
 tl::expected<void, std::string> write_variables(const std::string& path,
                                                 const std::map<int, double>& values) {
-    tl::expected<simulation::OutputFile, std::string> file = simulation::OutputFile::open(path);
-    if (!file) return tl::unexpected(file.error());
-    for (const auto& [number, value] : values) fmt::print(file->stream(), "{}\t{}\n", number, value);
-    return file->commit();
+    std::string text;
+    for (const auto& [number, value] : values) text += fmt::format("{}\t{}\n", number, value);
+    return os::write_file(path, text, os::Reach::disk);
 }
 
 }  // namespace gsim::apps

@@ -70,13 +70,14 @@ std::string LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
     return text;
 }
 
-bool LuaSpool::copy_to(std::FILE* stream) const {
+bool LuaSpool::copy_to(const std::function<void(std::string_view)>& sink) const {
     for (std::uint64_t done = 0; done < size_;) {
         const std::string part = read(done, std::min(size_, done + kBufferBytes));
-        if (part.empty() || std::fwrite(part.data(), 1, part.size(), stream) != part.size()) return false;
+        if (part.empty()) return false;
+        sink(part);
         done += part.size();
     }
-    return std::fflush(stream) == 0;
+    return true;
 }
 
 ScriptOrigin script_origin(std::string_view lua) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,8 +24,8 @@ class LuaSpool {
     std::uint64_t size() const { return size_; }
     /// Bytes [begin, end) of the finished text.
     std::string read(std::uint64_t begin, std::uint64_t end) const;
-    /// Writes the finished text to `stream`; false on a write error.
-    bool copy_to(std::FILE* stream) const;
+    /// Gives the finished text to `sink`, in pieces; false where it cannot be read back.
+    bool copy_to(const std::function<void(std::string_view)>& sink) const;
 
   private:
     struct Close {

@@ -49,6 +49,9 @@ constexpr std::array<std::string_view, 2> kDialects = {"ab9", "rs274ngc"};
 constexpr std::array<std::string_view, 5> kProgramPlaces = {"number", "title", "program", "lower", "unit"};
 constexpr std::array<std::string_view, 5> kCallPlaces = {"number", "program", "lower", "repeats", "label"};
 constexpr std::array<std::string_view, 3> kFilePlaces = {"number", "program", "lower"};
+constexpr std::string_view kFileCharacters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+constexpr std::size_t kLongestFileName = 100;
 constexpr std::array<std::string_view, 2> kDwellPlaces = {"seconds", "milliseconds"};
 constexpr std::array<std::string_view, 1> kAccelerationPlaces = {"acceleration"};
 
@@ -197,8 +200,29 @@ class PostReader {
         lines_of.call_repeated = lines(section, "call_repeated", kCallPlaces);
         lines_of.file = section.text("file");
         check_line(section, "file", lines_of.file, kFilePlaces);
-        if (lines_of.file.find('/') != std::string::npos) {
-            section.fail("file", "'file' must be a name without folders");
+        check_file_name(section, lines_of.file);
+    }
+
+    // Programs of others bring posts along: no name may be one that means something elsewhere, and each
+    // subprogram must get one of its own. What the places stand for is made of letters, digits and '_' alone.
+    static void check_file_name(TomlSection& section, std::string_view file) {
+        std::string plain(file);
+        for (const std::string_view place : kFilePlaces) {
+            const std::string written = fmt::format("{{{}}}", place);
+            for (std::size_t at = plain.find(written); at != std::string::npos; at = plain.find(written))
+                plain.replace(at, written.size(), "0");
+        }
+        const bool known = plain.find_first_not_of(kFileCharacters) == std::string::npos &&
+                           plain.find("..") == std::string::npos;
+        if (!known || plain.empty() || plain.size() > kLongestFileName || plain[0] == '.' ||
+            plain[0] == '-') {
+            section.fail("file",
+                         fmt::format("'file' must be a name of letters, digits, '_', '-' and '.', of {} at "
+                                     "most, that begins with a letter, a digit, '_' or a place, such as "
+                                     "\"{{program}}_O{{number}}.nc\"",
+                                     kLongestFileName));
+        } else if (file.find("{number}") == std::string_view::npos) {
+            section.fail("file", "'file' must hold {number}, so that each subprogram has a file of its own");
         }
     }
 

@@ -7,8 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "os/file_handle.h"
 #include "os/spawn.h"
-#include "runtime/simulation/file_handle.h"
 
 namespace gsim::simulation {
 
@@ -32,7 +32,7 @@ std::string first_line(std::FILE* file) {
 
 tl::expected<void, std::string> run_child(const std::vector<std::string>& command, std::FILE* input,
                                           std::FILE* output) {
-    const FileHandle errors(std::tmpfile());
+    const os::FileHandle errors(std::tmpfile());
     if (!errors) return tl::unexpected("cannot make a temporary file: " + message(errno));
     os::SpawnActions actions;
     actions.redirect(::fileno(input), STDIN_FILENO);
@@ -43,6 +43,8 @@ tl::expected<void, std::string> run_child(const std::vector<std::string>& comman
     const auto status = os::wait_for(*child);
     if (!status) return tl::unexpected(fmt::format("lost {}: {}", command[0], message(status.error())));
     if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0) return {};
+    if (WIFSIGNALED(*status))
+        return tl::unexpected(fmt::format("{} was ended by signal {}", command[0], WTERMSIG(*status)));
     return tl::unexpected(fmt::format("{} failed: {}", command[0], first_line(errors.get())));
 }
 

@@ -1,20 +1,26 @@
 #include "runtime/simulation/plot.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
+#include "os/file_handle.h"
+#include "os/output_file.h"
 #include "runtime/simulation/child_process.h"
-#include "runtime/simulation/file_handle.h"
-#include "runtime/simulation/output_file.h"
 #include "runtime/simulation/plot_script.h"
 
 namespace gsim::simulation {
 
 namespace {
+
+using os::FileHandle;
+using os::OutputFile;
 
 std::optional<PictureFormat> format_of(const std::filesystem::path& path) {
     if (path.extension() == ".svg") return PictureFormat::svg;
@@ -30,6 +36,27 @@ FileHandle temporary_file(const std::string& text) {
     if (!written || std::fflush(file.get()) != 0) return nullptr;
     std::rewind(file.get());
     return file;
+}
+
+// What gnuplot draws goes to memory first: of a full disk it says nothing.
+FileHandle file_in_memory() {
+    const int descriptor = ::memfd_create("picture", MFD_CLOEXEC);
+    if (descriptor < 0) return nullptr;
+    FileHandle file(::fdopen(descriptor, "w+"));
+    if (!file) ::close(descriptor);
+    return file;
+}
+
+// Writes all of it; false where there is nothing.
+bool copy(std::FILE* drawn, OutputFile& picture) {
+    std::rewind(drawn);
+    std::array<char, 1U << 16U> bytes;
+    std::size_t copied = 0;
+    while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), drawn)) {
+        picture.write({bytes.data(), count});
+        copied += count;
+    }
+    return copied != 0;
 }
 
 // Without it a run would end before what it was made for.
@@ -58,13 +85,16 @@ tl::expected<void, std::string> Picture::draw(const PlotData& data, std::string_
     auto picture = OutputFile::open(path_);
     if (!picture) return tl::unexpected(picture.error());
     const FileHandle script = temporary_file(plot_script(data, format_, title));
-    if (!script) {
+    const FileHandle drawing = file_in_memory();
+    if (!script || !drawing) {
         return tl::unexpected(
             fmt::format("cannot make a temporary file: {}", std::generic_category().message(errno)));
     }
     // -d keeps the user's settings out.
-    const auto drawn = run_child({"gnuplot", "-d"}, script.get(), picture->stream());
+    const auto drawn = run_child({"gnuplot", "-d"}, script.get(), drawing.get());
     if (!drawn) return tl::unexpected(cannot_draw(path_, drawn.error()));
+    if (!copy(drawing.get(), *picture))
+        return tl::unexpected(cannot_draw(path_, "gnuplot has drawn nothing"));
     return picture->commit();
 }
 

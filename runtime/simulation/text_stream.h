@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <optional>
-#include <string>
 
 #include <fmt/format.h>
 #include <tl/expected.hpp>
@@ -27,18 +26,17 @@ class TextStream {
     }
     /// Whether an error of writing has occurred.
     bool failed() const { return error_.has_value(); }
-    /// Passes on all that is left. The error is a sentence without a file name.
-    tl::expected<void, std::string> flush();
+    /// Passes on all that is left. The error is errno of the first failure.
+    tl::expected<void, int> flush();
 
   private:
     static constexpr std::size_t kEnough = std::size_t{1} << 16;
 
     void write();
-    void fail();
 
     std::FILE* file_;
     fmt::memory_buffer buffer_;
-    std::optional<std::string> error_;
+    std::optional<int> error_;
 };
 
 }  // namespace gsim::simulation

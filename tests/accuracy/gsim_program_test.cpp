@@ -69,7 +69,9 @@ TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
     const conformance::ScratchFolder folder;
     const GsimProgram gsim(script(folder, "echo \"$6:3: no such code\" >&2\nexit 1\n"), "machines");
     EXPECT_EQ(gsim.cycle_time_s(recording(folder)).error(), "router_a.ngc:3: no such code");
-    const GsimProgram silent(script(folder, "kill -9 $$\n"), "machines");
+    const GsimProgram killed(script(folder, "kill -9 $$\n"), "machines");
+    EXPECT_EQ(killed.cycle_time_s(recording(folder)).error(), "fake-gsim-run was ended by signal 9");
+    const GsimProgram silent(script(folder, "exit 1\n"), "machines");
     EXPECT_EQ(silent.cycle_time_s(recording(folder)).error(), "gsim-run failed without a word");
     const GsimProgram missing(folder.path() / "missing", "machines");
     EXPECT_FALSE(missing.cycle_time_s(recording(folder)));

@@ -22,6 +22,10 @@ class Path2Gcode : public Apps {
     Ended path2gcode(const std::vector<std::string>& arguments, const std::string& input = {}) const {
         return run_program(GSIM_PATH2GCODE, arguments, folder_, input);
     }
+    static std::string built_in_post(const std::string& name) {
+        std::ifstream file(GSIM_SOURCE "/samples/posts/" + name + ".toml");
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
 };
 
 /// The words of a block that say where the machine goes, and whether an arc turns clockwise.
@@ -110,6 +114,48 @@ TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
         EXPECT_TRUE(exists(dialect == "ab9" ? "wheel_O0002.ppg" : "wheel_o0002.ngc"));
         EXPECT_NEAR(end_of("wheel.nc", dialect), end_of("whole.nc", dialect), 1e-6) << dialect;
     }
+}
+
+TEST_F(Path2Gcode, FilesOfSubPathsReplaceNoOthers) {
+    write("wheel_O0002.ppg", "of somebody else");
+    const std::vector<std::string> again = {"--separate-files", "-o", "wheel.nc", kWheel};
+    const Ended refused = path2gcode(again);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(
+        refused.err,
+        "path2gcode: the post calls the file of a subprogram 'wheel_O0002.ppg', which is there already; "
+        "--overwrite replaces it\n");
+    EXPECT_EQ(read("wheel_O0002.ppg"), "of somebody else");
+    EXPECT_EQ(files(), 1U) << "nothing is written";
+    EXPECT_EQ(path2gcode({"--separate-files", "--overwrite", "-o", "wheel.nc", kWheel}).status, 0);
+    EXPECT_TRUE(holds(read("wheel_O0002.ppg"), "X"));
+    EXPECT_EQ(path2gcode({"--overwrite", "-o", "wheel.nc", kWheel}).status, 2) << "has nothing to say";
+}
+
+TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
+    const std::string post = built_in_post("ab9");
+    write("mine.toml",
+          std::regex_replace(post, std::regex("\\nfile = .*\n"), "\nfile = \"sub{number}.nc\"\n"));
+    const auto refused = [this](const std::string& output, const std::string& input) {
+        const Ended ended =
+            path2gcode({"--dialect", "mine.toml", "--separate-files", "--overwrite", "-o", output, input});
+        EXPECT_EQ(ended.status, 2);
+        return ended.err;
+    };
+    EXPECT_EQ(refused("./sub0002.nc", kWheel),
+              "path2gcode: the post calls the file of a subprogram './sub0002.nc', which is the program "
+              "itself; give "
+              "the output another name or another folder\n");
+    std::ifstream file(kWheel);
+    const std::string path{std::istreambuf_iterator<char>(file), {}};
+    write("sub0002.nc", path);
+    std::filesystem::create_hard_link(folder_ / "sub0002.nc", folder_ / "in.path.json");
+    EXPECT_TRUE(holds(refused("wheel.nc", "in.path.json"), "which is the path;"));
+    EXPECT_EQ(read("sub0002.nc"), path);
+    std::filesystem::remove(folder_ / "sub0002.nc");
+    std::filesystem::create_symlink("in.path.json", folder_ / "sub0002.nc");
+    EXPECT_TRUE(holds(refused("wheel.nc", kWheel), "which is there and no regular file"));
+    EXPECT_EQ(read("in.path.json"), path);
 }
 
 // At rest at both ends: way / speed + speed / acceleration.

@@ -142,6 +142,36 @@ TEST(PostFile, TheBuiltInOnesAreThere) {
         "there is no post 'gbrl'; there are ab9, fanuc, rs274ngc, grbl, or name a file that ends in .toml");
 }
 
+TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
+    const auto error_of = [](const std::string& file) {
+        const auto post = read_post(
+            "name = \"p\"\nreads_as = \"ab9\"\n[numbers]\ndecimals_mm = 3\ndecimals_inch = 4\n"
+            "decimals_deg = 3\ndecimals_feed = 1\nzeros = \"cut\"\n[blocks]\nnumber_step = 0\n"
+            "number_digits = 0\ndwell = \"G4\"\n[program]\nbegin = []\nend = []\n[subprogram]\n"
+            "order = \"after\"\nbegin = []\nend = []\ncall = []\ncall_repeated = []\n"
+            "file = '" +
+                file + "'\n",
+            "p.toml");
+        return post ? std::string() : post.error();
+    };
+    for (const std::string file :
+         {"O{number}.nc", "{program}_O{number}.ppg", "{lower}_o{number}", "a-b.{number}"})
+        EXPECT_EQ(error_of(file), "") << file;
+    for (const std::string file :
+         {".bashrc{number}", "../{number}", "a/{number}", "-{number}", "{number} {program}", "{number}..nc",
+          "{number}~", "{number}*", "{number}\\a", "a:{number}", "", "ä{number}"}) {
+        EXPECT_EQ(error_of(file),
+                  "p.toml:22:8: 'file' must be a name of letters, digits, '_', '-' and '.', of 100 at most, "
+                  "that begins "
+                  "with a letter, a digit, '_' or a place, such as \"{program}_O{number}.nc\"")
+            << file;
+    }
+    for (const std::string file : {"sub.nc", "{program}.nc", "{lower}"})
+        EXPECT_EQ(error_of(file),
+                  "p.toml:22:8: 'file' must hold {number}, so that each subprogram has a file of its own");
+    EXPECT_NE(error_of(std::string(101, 'a') + "{number}"), "");
+}
+
 TEST(PostFile, SaysWhatAChangeOfTheToolStops) {
     const auto stops = [](const std::string& name) { return find_post(name).value().tool_change; };
     EXPECT_EQ(stops("rs274ngc"), (ToolChangeWords{true, false}));

@@ -169,7 +169,7 @@ TEST(ChildProcess, ErrorsAreSentences) {
     EXPECT_EQ(run_child({"no-such-program"}, null, null).error(),
               "cannot run no-such-program: No such file or directory");
     EXPECT_EQ(run_child({"sh", "-c", "echo; echo why >&2; exit 3"}, null, null).error(), "sh failed: why");
-    EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, null, null).error(), "sh failed: ");
+    EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, null, null).error(), "sh was ended by signal 9");
     std::fclose(null);
 }
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace gsim::simulation {
+namespace gsim::os {
 
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -12,4 +12,4 @@ struct CloseFile {
 /// Closes its file at the end; errors of writing are for its owner to ask before.
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
-}  // namespace gsim::simulation
+}  // namespace gsim::os

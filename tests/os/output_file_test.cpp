@@ -1,4 +1,4 @@
-#include "runtime/simulation/output_file.h"
+#include "os/output_file.h"
 
 #include <fstream>
 #include <iterator>
@@ -7,9 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "runtime/simulation/text_stream.h"
-
-namespace gsim::simulation::output_file_test {
+namespace gsim::os::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,6 +76,35 @@ TEST_F(OutputFileTest, ErrorsNameTheFile) {
     EXPECT_EQ(directory.error(), "cannot write '" + folder.string() + "': Is a directory");
 }
 
+TEST_F(OutputFileTest, WhatIsToStayStays) {
+    auto file = OutputFile::open(folder / "a", Existing::keep);
+    ASSERT_TRUE(file) << file.error();
+    file->write("new");
+    write(folder / "a", "somebody else's");
+    const auto committed = file->commit();
+    ASSERT_FALSE(committed);
+    EXPECT_EQ(committed.error(), "cannot write '" + (folder / "a").string() + "': File exists");
+    EXPECT_EQ(content(folder / "a"), "somebody else's");
+    EXPECT_TRUE(OutputFile::open(folder / "b", Existing::keep)->commit());
+    EXPECT_TRUE(fs::exists(folder / "b"));
+}
+
+TEST_F(OutputFileTest, IsBroughtToTheDiskWhereAsked) {
+    EXPECT_TRUE(write_file(folder / "a", "new", Reach::disk));
+    EXPECT_EQ(content(folder / "a"), "new");
+    EXPECT_TRUE(write_file("/dev/null", "new", Reach::disk));
+}
+
+// The buffer of the stream is empty again when commit() looks.
+TEST(OutputFile, TheReasonOfAnEarlyFailureIsKept) {
+    auto file = OutputFile::open("/dev/full");
+    if (!file) GTEST_SKIP() << file.error();
+    file->write(std::string(1 << 20, 'a'));
+    const auto committed = file->commit();
+    ASSERT_FALSE(committed);
+    EXPECT_EQ(committed.error(), "cannot write '/dev/full': No space left on device");
+}
+
 TEST(OutputFile, DeviceIsWrittenDirectlyAndStaysADevice) {
     auto file = OutputFile::open("/dev/null");
     ASSERT_TRUE(file) << file.error();
@@ -108,21 +135,5 @@ TEST(OutputFile, FullDiskIsReported) {
     EXPECT_EQ(committed.error(), "cannot write '/dev/full': No space left on device");
 }
 
-TEST(TextStream, FullDiskIsReportedOnceAndForAll) {
-    std::FILE* file = std::fopen("/dev/full", "w");
-    if (!file) GTEST_SKIP() << "no /dev/full here";
-    TextStream stream(file);
-    for (int i = 0; i < 100000; ++i) {
-        fmt::format_to(std::back_inserter(stream.buffer()), "line {}", i);
-        stream.end_line();
-    }
-    EXPECT_TRUE(stream.failed());
-    EXPECT_LT(stream.buffer().size(), 100000u);
-    const auto flushed = stream.flush();
-    ASSERT_FALSE(flushed);
-    EXPECT_EQ(flushed.error(), "cannot write: No space left on device");
-    std::fclose(file);
-}
-
 }  // namespace
-}  // namespace gsim::simulation::output_file_test
+}  // namespace gsim::os::output_file_test

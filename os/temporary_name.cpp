@@ -1,0 +1,90 @@
+#include "os/temporary_name.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+
+#include <unistd.h>
+
+namespace gsim::os {
+
+namespace {
+
+constexpr std::array kEnding = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
+constexpr std::size_t kMostNames = 4096;  // more than a process may have files open, as a rule
+
+// The only state of the program that no object holds: a signal handler is given nothing but a number, and may
+// look at nothing but lock-free atomics. A name beyond kMostNames is not removed at a signal.
+std::array<std::atomic<const char*>, kMostNames> registered_names{};
+std::atomic<pid_t> registering_process = 0;
+static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+
+extern "C" void remove_and_end(int signal) {
+    const int error = errno;
+    // A child that was forked has the same list, of files that are its parent's.
+    if (registering_process.load() == ::getpid()) {
+        for (const auto& slot : registered_names) {
+            if (const char* name = slot.load()) ::unlink(name);
+        }
+    }
+    std::signal(signal, SIG_DFL);
+    static_cast<void>(::raise(signal));  // comes when the handler returns
+    errno = error;
+}
+
+extern "C" void do_nothing(int) {}
+
+void handle(int signal, void (*handler)(int)) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) return;
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (const int other : kEnding) sigaddset(&action.sa_mask, other);
+    ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+void remove_temporaries_at_signals() {
+    registering_process = ::getpid();
+    for (const int signal : kEnding) handle(signal, remove_and_end);
+    handle(SIGXFSZ, do_nothing);  // not SIG_IGN, which the programs that we run would inherit
+}
+
+SignalsHeld::SignalsHeld() : before_() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : kEnding) sigaddset(&held, signal);
+    ::pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+SignalsHeld::~SignalsHeld() {
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+TemporaryName::TemporaryName(const std::filesystem::path& file)
+    : name_(std::make_unique<const std::string>(file.string())) {
+    for (auto& slot : registered_names) {
+        const char* none = nullptr;
+        if (slot.compare_exchange_strong(none, name_->c_str())) return;
+    }
+}
+
+TemporaryName::~TemporaryName() {
+    if (empty()) return;
+    const SignalsHeld held;  // what has this name afterwards may be another program's
+    ::unlink(name_->c_str());
+    release();
+}
+
+void TemporaryName::release() {
+    for (auto& slot : registered_names) {
+        const char* name = name_->c_str();
+        if (slot.compare_exchange_strong(name, nullptr)) break;
+    }
+    name_.reset();
+}
+
+}  // namespace gsim::os
