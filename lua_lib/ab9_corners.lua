@@ -149,7 +149,7 @@ end
 
 local function goes_anywhere(move)
   if move.arc then return true end
-  for letter, value in pairs(move.target) do
+  for letter, value in unordered(move.target) do
     if math.abs(value - move.start[letter]) > SAME_MM then return true end
   end
   return false

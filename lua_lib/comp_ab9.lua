@@ -36,7 +36,7 @@ function ab9:parts(item, length_mm)
   local parts = comp_override.parts(item, math.sqrt(length_mm * length_mm + rise * rise))
   for i = 1, #parts - 1 do
     parts[i].target = copied(item.target)
-    for letter, from in pairs(item.source) do
+    for letter, from in unordered(item.source) do
       parts[i].target[letter] = from + (item.target[letter] - from) * parts[i].share
     end
   end

@@ -34,7 +34,7 @@ function comp_filter:point(target) return self.view:at(target) end
 
 function comp_filter:complete(target)
   local all = copied(self.programmed)
-  for letter, value in pairs(target) do all[letter] = value end
+  for letter, value in unordered(target) do all[letter] = value end
   return all
 end
 

@@ -114,7 +114,7 @@ end
 
 function copied(values)
   local copy = {}
-  for key, value in pairs(values) do copy[key] = value end
+  for key, value in unordered(values) do copy[key] = value end
   return copy
 end
 

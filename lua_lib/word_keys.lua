@@ -86,12 +86,18 @@ function with_known_keys(name, meaning)
   if list == nil then return meaning end
   local known = {}
   for _, key in ipairs(list) do known[key] = true end
+  -- Of several the first one by its name is told.
+  local function refuse(words)
+    for key, value in pairs(words) do
+      if type(key) == "string" and not known[key] then
+        alarm("word-out-of-place", "'%s' is no word that %s takes%s", key, code_name(name), core.word_advice(key, value, list))
+      end
+    end
+  end
   return function(words, ...)
     if type(words) == "table" then
-      for key, value in pairs(words) do
-        if type(key) == "string" and not known[key] then
-          alarm("word-out-of-place", "'%s' is no word that %s takes%s", key, code_name(name), core.word_advice(key, value, list))
-        end
+      for key in unordered(words) do
+        if type(key) == "string" and not known[key] then refuse(words) end
       end
     end
     return meaning(words, ...)

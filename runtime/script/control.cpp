@@ -122,6 +122,11 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
         lua_getglobal(state, name);
         lua_setfield(state, library, name);
     }
+    // In Lua's order, which is quick, where none is asked for: unordered(t) is its own pairs.
+    for (const auto& [name, own] : {std::pair{"next", "next"}, {"unordered", "pairs"}}) {
+        lua_getglobal(state, own);
+        lua_setfield(state, library, name);
+    }
     lua_newtable(state);
     add_core(state, controller_);
     add_angles(state, controller_);

@@ -107,8 +107,7 @@ Feed Controller::feed(lua_State* state, std::optional<double> sweep_rad) {
     return feed;
 }
 
-bool Controller::set_axis(lua_State* state, char letter, double value, AxisVector& target,
-                          std::uint32_t& seen) {
+bool Controller::set_axis(char letter, double value, AxisVector& target, std::uint32_t& seen) {
     int index = axis(letter);
     bool incremental = modal_.incremental;
     if (index < 0 && modal_.uvw_increments && letter >= 'u' &&
@@ -117,13 +116,15 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
         incremental = true;
     }
     if (index < 0) return false;
-    if (!std::isfinite(value))
-        alarm(state, DiagnosticKind::script,
-              fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
+    if (!std::isfinite(value)) {
+        note_fault({&letter, 1}, DiagnosticKind::script,
+                   fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
+    }
     if ((seen & (1U << static_cast<unsigned>(index))) != 0) {
-        alarm(state, DiagnosticKind::word_twice,
-              fmt::format("axis {} is given twice, as itself and as its increment",
-                          simulator_.machine().axes[static_cast<std::size_t>(index)].letter));
+        const char axis = simulator_.machine().axes[static_cast<std::size_t>(index)].letter;
+        const char key = static_cast<char>(axis - 'A' + 'a');
+        note_fault({&key, 1}, DiagnosticKind::word_twice,
+                   fmt::format("axis {} is given twice, as itself and as its increment", axis));
     }
     seen |= 1U << static_cast<unsigned>(index);
     const machine::Axis& moved = simulator_.machine().axes[static_cast<std::size_t>(index)];
@@ -140,16 +141,27 @@ bool Controller::set_axis(lua_State* state, char letter, double value, AxisVecto
     return true;
 }
 
-void Controller::unknown_word(lua_State* state, std::string_view key, std::optional<double> value,
-                              const OtherWords* others) {
+/// Of several faults that of the first key by its letters is told: Lua's order of keys differs from run to
+/// run.
+void Controller::note_fault(std::string_view key, DiagnosticKind kind, std::string message) {
+    if (!word_fault_ || key < word_fault_->key)
+        word_fault_ = WordFault{.key = std::string(key), .kind = kind, .message = std::move(message)};
+}
+
+void Controller::refuse_value(std::string_view key, const OtherWords* others) {
+    if (key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z') return refuse_word(key, std::nullopt, others);
+    note_fault(key, DiagnosticKind::script, fmt::format("the value of '{}' is no number", key));
+}
+
+void Controller::refuse_word(std::string_view key, std::optional<double> value, const OtherWords* others) {
     if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others == nullptr) {
-        alarm(state, DiagnosticKind::word_out_of_place,
-              "I, J, K and R belong to an arc, and the motion in force is a straight one");
+        return note_fault(key, DiagnosticKind::word_out_of_place,
+                          "I, J, K and R belong to an arc, and the motion in force is a straight one");
     }
     if (key.size() == 1 && std::string_view("abcuvwxyz").find(key) != std::string_view::npos) {
-        alarm(state, DiagnosticKind::axis,
-              fmt::format("the machine '{}' has no axis {}", simulator_.machine().name,
-                          static_cast<char>(key[0] - 'a' + 'A')));
+        return note_fault(key, DiagnosticKind::axis,
+                          fmt::format("the machine '{}' has no axis {}", simulator_.machine().name,
+                                      static_cast<char>(key[0] - 'a' + 'A')));
     }
     std::vector<std::string> letters;
     for (const machine::Axis& axis : simulator_.machine().axes)
@@ -159,38 +171,35 @@ void Controller::unknown_word(lua_State* state, std::string_view key, std::optio
         const std::vector<std::string_view> further = others->names();
         taken.insert(taken.end(), further.begin(), further.end());
     }
-    alarm(state, DiagnosticKind::word_out_of_place,
-          fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, taken)));
+    note_fault(key, DiagnosticKind::word_out_of_place,
+               fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, taken)));
 }
 
 /// With a matrix in force `target` is in program coordinates here, else in machine coordinates. False where
 /// the target is in polar form.
 bool Controller::read_words(lua_State* state, int index, OtherWords* others, AxisVector& target,
                             std::uint32_t& seen) {
-    lua_pushnil(state);
-    while (lua_next(state, index) != 0) {
-        std::size_t size = 0;
+    word_fault_.reset();
+    for (lua_pushnil(state); lua_next(state, index) != 0; lua_pop(state, 1)) {
         if (lua_type(state, -2) != LUA_TSTRING)
             alarm(state, DiagnosticKind::script, "the words of a motion are named: x=1, y=2");
-        const char* key = lua_tolstring(state, -2, &size);
+        std::size_t size = 0;
+        const char* text = lua_tolstring(state, -2, &size);
+        const std::string_view key(text, size);
         int is_number = 0;
         const double value = lua_tonumberx(state, -1, &is_number);
-        if (is_number == 0 && size == 1 && key[0] >= 'A' && key[0] <= 'Z')
-            unknown_word(state, {key, size}, std::nullopt, others);
-        if (is_number == 0)
-            alarm(state, DiagnosticKind::script,
-                  fmt::format("the value of '{}' is no number", std::string_view(key, size)));
-        const bool is_axis =
-            size == 1 && key[0] >= 'a' && key[0] <= 'z' && set_axis(state, key[0], value, target, seen);
-        if (!is_axis && on_polar != LUA_NOREF &&
-            (std::string_view(key, size) == "radius" || std::string_view(key, size) == "angle")) {
+        if (is_number == 0) {
+            refuse_value(key, others);
+            continue;
+        }
+        if (size == 1 && key[0] >= 'a' && key[0] <= 'z' && set_axis(key[0], value, target, seen)) continue;
+        if (on_polar != LUA_NOREF && (key == "radius" || key == "angle")) {
             lua_pop(state, 2);
             return false;
         }
-        if (!is_axis && (others == nullptr || !others->take({key, size}, value)))
-            unknown_word(state, std::string_view(key, size), value, others);
-        lua_pop(state, 1);
+        if (others == nullptr || !others->take(key, value)) refuse_word(key, value, others);
     }
+    if (word_fault_) alarm(state, word_fault_->kind, word_fault_->message);
     return true;
 }
 

@@ -123,12 +123,18 @@ class Controller {
     ModalTables modal_tables;
 
   private:
-    bool set_axis(lua_State* state, char letter, double value, simulation::AxisVector& target,
-                  std::uint32_t& seen);
+    struct WordFault {
+        std::string key;
+        text::DiagnosticKind kind = text::DiagnosticKind::script;
+        std::string message;
+    };
+
+    bool set_axis(char letter, double value, simulation::AxisVector& target, std::uint32_t& seen);
     bool read_words(lua_State* state, int index, OtherWords* others, simulation::AxisVector& target,
                     std::uint32_t& seen);
-    [[noreturn]] void unknown_word(lua_State* state, std::string_view key, std::optional<double> value,
-                                   const OtherWords* others);
+    void refuse_value(std::string_view key, const OtherWords* others);
+    void refuse_word(std::string_view key, std::optional<double> value, const OtherWords* others);
+    void note_fault(std::string_view key, text::DiagnosticKind kind, std::string message);
 
     simulation::Simulator& simulator_;
     PlaceFinder& places_;
@@ -139,6 +145,7 @@ class Controller {
     std::optional<simulation::AxisVector> programmed_;
     std::bitset<kMaxWordIds> words_in_block_;
     std::function<void(lua_State*, Controller&)> on_foreign_word_;
+    std::optional<WordFault> word_fault_;  ///< Of the words that are read: the first one by its key.
     bool attached_ = true;
     bool program_ended_ = false;
 };

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kStepsBetweenCounts = 10'000;
 constexpr std::size_t kBytesPerStep = 64;
+/// Of the longest string: what an instruction may look at and still count as one.
+constexpr std::uint64_t kBytesOfOneStep = std::uint64_t{64} << 10U;
 
 /// Its address is the value of an error that no script can make or tell from another.
 char stop_mark = 0;
@@ -69,10 +71,28 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
     void* grown = state.resize(block, held, new_size);
     state.refused_ = grown == nullptr;
     if (grown != nullptr) {
+        if (block == nullptr && old_size == LUA_TTABLE) state.number_table(grown, new_size);
+        if (block == nullptr && old_size == LUA_TSTRING && new_size > kBytesOfOneStep)
+            state.note_large(new_size);
         state.bytes_ += new_size - held;
         if (state.bytes_ > state.peak_bytes_) state.peak_bytes_ = state.bytes_;
     }
     return grown;
+}
+
+/// Lua says what it makes an object for. Its number goes behind the object, where a small block has room.
+void LuaState::number_table(void* table, std::size_t size) {
+    if (SmallBlocks::spare_bytes(size) < sizeof tables_) return;
+    ++tables_;
+    table_bytes_ = size;
+    std::memcpy(static_cast<std::byte*>(table) + size, &tables_, sizeof tables_);
+}
+
+std::uint64_t LuaState::serial_of_table(const void* table) const {
+    std::uint64_t serial = 0;
+    if (table_bytes_ > 0)
+        std::memcpy(&serial, static_cast<const std::byte*>(table) + table_bytes_, sizeof serial);
+    return serial;
 }
 
 void LuaState::count_work(std::uint64_t bytes) {
@@ -81,13 +101,34 @@ void LuaState::count_work(std::uint64_t bytes) {
     if (steps_ > limits_.steps && running_ != nullptr) set_hook(running_, 1);
 }
 
+void LuaState::charge(lua_State* state, std::uint64_t bytes) {
+    steps_ += bytes / kBytesPerStep;
+    if (steps_ > limits_.steps) end_for_steps(state);
+}
+
+void LuaState::note_large(std::uint64_t bytes) {
+    const std::uint64_t weight = std::max<std::uint64_t>(1, bytes / kBytesOfOneStep);
+    if (weight <= weight_) return;
+    weight_ = weight;
+    if (running_ != nullptr) set_hook(running_, steps_between_counts());
+}
+
+int LuaState::steps_between_counts() const {
+    return std::max(1, static_cast<int>(kStepsBetweenCounts / weight_));
+}
+
+void LuaState::set_running(lua_State* thread) {
+    running_ = thread;
+    if (lua_gethookcount(thread) > steps_between_counts()) set_hook(thread, steps_between_counts());
+}
+
 /// Lines stay watched where they are. Threads get the hook of the main one when they are made.
 void LuaState::set_hook(lua_State* thread, int steps) {
     lua_sethook(thread, on_hook, LUA_MASKCOUNT | (lua_gethookmask(thread) & LUA_MASKLINE), steps);
 }
 
-void LuaState::watch_lines(lua_State* thread, bool on) {
-    lua_sethook(thread, on_hook, on ? LUA_MASKCOUNT | LUA_MASKLINE : LUA_MASKCOUNT, kStepsBetweenCounts);
+void LuaState::watch_lines(lua_State* thread, bool on) const {
+    lua_sethook(thread, on_hook, on ? LUA_MASKCOUNT | LUA_MASKLINE : LUA_MASKCOUNT, steps_between_counts());
 }
 
 void LuaState::on_hook(lua_State* state, lua_Debug* event) {
@@ -101,11 +142,12 @@ void LuaState::on_hook(lua_State* state, lua_Debug* event) {
 
 void LuaState::count_steps(lua_State* state) {
     const int count = lua_gethookcount(state);
-    steps_ += static_cast<std::uint64_t>(count);
-    if (steps_ <= limits_.steps) {
-        if (count != kStepsBetweenCounts) set_hook(state, kStepsBetweenCounts);
-        return;
-    }
+    steps_ += static_cast<std::uint64_t>(count) * weight_;
+    if (steps_ > limits_.steps) end_for_steps(state);
+    if (count != steps_between_counts()) set_hook(state, steps_between_counts());
+}
+
+void LuaState::end_for_steps(lua_State* state) {
     ended_ = Ended::steps;
     if (on_last_step_) on_last_step_(state);
     raise_stop(state);

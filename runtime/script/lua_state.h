@@ -23,6 +23,9 @@ class LuaState {
     /// Why kStop was raised, where it was the state itself that raised it.
     enum class Ended : std::uint8_t { no, memory, steps };
 
+    /// What one value costs to copy, of the many that a call may have.
+    static constexpr std::uint64_t kBytesOfValue = 4;
+
     explicit LuaState(Limits limits);
     ~LuaState();
     LuaState(const LuaState&) = delete;
@@ -35,16 +38,24 @@ class LuaState {
     /// Work inside one instruction, by the bytes that it touches: long strings and tables take time in which
     /// no instruction is counted.
     void count_work(std::uint64_t bytes);
+    /// The same from a function that Lua calls, which ends the run here where that is too much.
+    void charge(lua_State* state, std::uint64_t bytes);
+    /// There is a string, or a list of values, that any instruction may take so many bytes of to look at:
+    /// from here on each counts as that much work.
+    void note_large(std::uint64_t bytes);
+    /// The how many-th table of this state it is; 0 where that is not known. Lua's order of tables as keys is
+    /// that of their addresses, which differ from run to run.
+    std::uint64_t serial_of_table(const void* table) const;
     std::size_t peak_memory_bytes() const { return peak_bytes_; }
     const Limits& limits() const { return limits_; }
     /// Called before the run ends for its steps, while the script's stack still stands.
     void on_last_step(std::function<void(lua_State*)> call) { on_last_step_ = std::move(call); }
 
     /// The thread that runs now; the main one unless told.
-    void set_running(lua_State* thread) { running_ = thread; }
+    void set_running(lua_State* thread);
     /// Called for each line that a watched thread begins; it may yield.
     void on_line(std::function<void(lua_State*, lua_Debug*)> call) { on_line_ = std::move(call); }
-    static void watch_lines(lua_State* thread, bool on);
+    void watch_lines(lua_State* thread, bool on) const;
 
     /// The LuaState of a lua_State.
     static LuaState& of(lua_State* state);
@@ -61,6 +72,9 @@ class LuaState {
     void release(void* block, std::size_t held);
     static void on_hook(lua_State* state, lua_Debug* event);
     void count_steps(lua_State* state);
+    [[noreturn]] void end_for_steps(lua_State* state);
+    void number_table(void* table, std::size_t size);
+    int steps_between_counts() const;
     static void set_hook(lua_State* thread, int steps);
 
     Limits limits_;
@@ -68,6 +82,9 @@ class LuaState {
     std::size_t bytes_ = 0;
     std::size_t peak_bytes_ = 0;
     std::uint64_t steps_ = 0;
+    std::uint64_t weight_ = 1;  ///< What an instruction counts as.
+    std::uint64_t tables_ = 0;  ///< That were made.
+    std::size_t table_bytes_ = 0;
     Ended ended_ = Ended::no;
     bool refused_ = false;  ///< The last request for more memory was.
     std::function<void(lua_State*)> on_last_step_;

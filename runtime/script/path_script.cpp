@@ -1,12 +1,18 @@
 #include "runtime/script/path_script.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "runtime/path/target_draft.h"
 #include "runtime/path/validate.h"
+#include "runtime/script/object_names.h"
 #include "runtime/script/sandbox.h"
 
 namespace gsim::script {
@@ -87,12 +93,14 @@ std::vector<double> numbers_at(lua_State* state, int table, std::string_view key
 void read_letters(lua_State* state, TargetDraft& draft, int table) {
     if (!lua_istable(state, table)) raise(state, "'rotary_deg' must be a table such as {B = 90}");
     draft.begin_rotary();
+    std::map<std::string, double> values;  // in the order of the letters, which that of a table is not
     for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
         if (lua_type(state, -2) != LUA_TSTRING || lua_type(state, -1) != LUA_TNUMBER) {
             raise(state, "'rotary_deg' must be a table such as {B = 90}");
         }
-        check(state, draft.set_rotary(text_at(state, -2), lua_tonumber(state, -1)));
+        values.emplace(text_at(state, -2), lua_tonumber(state, -1));
     }
+    for (const auto& [letter, value] : values) check(state, draft.set_rotary(letter, value));
 }
 
 void read_actions(lua_State* state, TargetDraft& draft, int table) {
@@ -125,20 +133,34 @@ void read_value(lua_State* state, TargetDraft& draft, TargetKey key) {
     }
 }
 
+constexpr auto kPointKeys = std::span(path::kTargetKeys).first(static_cast<std::size_t>(TargetKey::path));
+
+/// Of several unknown keys of the table at 1 the first one by its letters is told.
+void check_point_keys(lua_State* state) {
+    std::optional<std::string_view> unknown;
+    for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
+        const std::string_view name =
+            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view("[..]");
+        if (std::find(kPointKeys.begin(), kPointKeys.end(), name) != kPointKeys.end()) continue;
+        if (!unknown || name < *unknown) unknown = name;
+    }
+    if (unknown) raise(state, path::unknown_key(*unknown, "a point", kPointKeys));
+}
+
 /// point{position_mm = {..}, ..}
 int make_point(lua_State* state) {
     auto& builder = bound<Builder>(state);
     luaL_checktype(state, 1, LUA_TTABLE);
-    constexpr auto kPointKeys = std::span(path::kTargetKeys).first(static_cast<std::size_t>(TargetKey::path));
+    check_point_keys(state);
     TargetDraft draft;
-    for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
-        const std::string_view name =
-            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view("[..]");
-        const auto found = std::find(kPointKeys.begin(), kPointKeys.end(), name);
-        if (found == kPointKeys.end()) raise(state, path::unknown_key(name, "a point", kPointKeys));
-        const auto key = static_cast<TargetKey>(found - kPointKeys.begin());
-        draft.mark(key);
-        read_value(state, draft, key);
+    for (std::size_t i = 0; i < kPointKeys.size(); ++i) {
+        lua_pushlstring(state, kPointKeys[i].data(), kPointKeys[i].size());
+        if (lua_rawget(state, 1) != LUA_TNIL) {
+            const auto key = static_cast<TargetKey>(i);
+            draft.mark(key);
+            read_value(state, draft, key);
+        }
+        lua_pop(state, 1);
     }
     tl::expected<path::Target, std::string> target = draft.finish();
     if (!target) raise(state, target.error());
@@ -224,7 +246,7 @@ tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builde
     if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1)) {
         return tl::unexpected(ended_by(lua, builder.file.file_name));
     }
-    std::string message(luaL_tolstring(state, -1, nullptr));
+    std::string message(push_text(state, -1));
     std::replace(message.begin(), message.end(), '\n', ' ');
     return tl::unexpected(message);
 }

@@ -69,7 +69,7 @@ void Processes::start(lua_State* state, std::string name, bool background) {
     schedule_.add(std::move(name), background, start_s, places_.current(state));
     strands_.push_back(std::make_unique<Strand>());
     strands_.back()->threads.push_back(new_thread(state));
-    LuaState::watch_lines(strands_.back()->threads.front().state, follows_conveyors());
+    lua_.watch_lines(strands_.back()->threads.front().state, follows_conveyors());
     tell_known_time();
 }
 
@@ -287,7 +287,7 @@ void Processes::on_signal(lua_State* state, const std::string& name) {
     } else {
         strand.handlers.emplace(name, luaL_ref(state, LUA_REGISTRYINDEX));
     }
-    LuaState::watch_lines(strand.threads.front().state, !strand.handlers.empty() || follows_conveyors());
+    lua_.watch_lines(strand.threads.front().state, !strand.handlers.empty() || follows_conveyors());
 }
 
 /// A process that can be interrupted is about to run another line: what happens up to its time must be known.

@@ -1,19 +1,16 @@
 #include "runtime/script/sandbox.h"
 
 #include <array>
-#include <cstdio>
-#include <cstring>
-#include <string_view>
 
+#include "runtime/script/key_order.h"
 #include "runtime/script/lua_state.h"
-#include "text/number.h"
+#include "runtime/script/table_functions.h"
+#include "runtime/script/text_functions.h"
 
 namespace gsim::script {
 
 namespace {
 
-// To go over an element of a table costs as much as so many bytes of a string.
-constexpr std::size_t kBytesOfElement = 256;
 constexpr lua_Integer kRandomSeed = 2001;  // runs are repeatable
 
 template <std::size_t Count>
@@ -26,23 +23,6 @@ void copy_fields(lua_State* state, const char* library, const std::array<const c
     }
     lua_pop(state, 1);
     lua_setfield(state, -2, library);
-}
-
-int print_to_error(lua_State* state) {
-    const int count = lua_gettop(state);
-    for (int i = 1; i <= count; ++i) {
-        std::size_t size = 0;
-        if (lua_type(state, i) == LUA_TNUMBER && lua_isinteger(state, i) == 0) {
-            lua_pushnumber(state, text::unsigned_zero(lua_tonumber(state, i)));
-            lua_replace(state, i);
-        }
-        const char* text = luaL_tolstring(state, i, &size);
-        if (i > 1) std::fputc('\t', stderr);
-        std::fwrite(text, 1, size, stderr);
-        lua_pop(state, 1);
-    }
-    std::fputc('\n', stderr);
-    return 0;
 }
 
 /// The end of a pcall; it is LUA_YIELD where the function has waited for other processes.
@@ -58,53 +38,6 @@ int safe_pcall(lua_State* state) {
     luaL_checkany(state, 1);
     const int status = lua_pcallk(state, lua_gettop(state) - 1, LUA_MULTRET, 0, 0, finish_pcall);
     return finish_pcall(state, status, 0);
-}
-
-/// string.find(s, text [, from]): a plain search.
-int plain_find(lua_State* state) {
-    std::size_t size = 0;
-    std::size_t wanted_size = 0;
-    const char* text = luaL_checklstring(state, 1, &size);
-    const char* wanted = luaL_checklstring(state, 2, &wanted_size);
-    const lua_Integer from = luaL_optinteger(state, 3, 1);
-    const std::size_t begin = from < 1 ? 0 : static_cast<std::size_t>(from) - 1;
-    LuaState::of(state).count_work(size);
-    const std::size_t found = std::string_view(text, size).find(std::string_view(wanted, wanted_size), begin);
-    if (found == std::string_view::npos) return 0;
-    const auto first = static_cast<lua_Integer>(found) + 1;
-    lua_pushinteger(state, first);
-    lua_pushinteger(state, first + static_cast<lua_Integer>(wanted_size) - 1);
-    return 2;
-}
-
-/// string.rep(s, count [, separator]); Lua's own counts for years where there is nothing to repeat.
-int bounded_rep(lua_State* state) {
-    std::size_t size = 0;
-    std::size_t separator_size = 0;
-    luaL_checklstring(state, 1, &size);
-    luaL_checkinteger(state, 2);
-    luaL_optlstring(state, 3, "", &separator_size);
-    if (size + separator_size == 0) {
-        lua_pushliteral(state, "");
-        return 1;
-    }
-    lua_settop(state, 3);
-    lua_pushvalue(state, lua_upvalueindex(1));
-    lua_insert(state, 1);
-    lua_call(state, 3, 1);
-    return 1;
-}
-
-/// A function that works through its first argument, a table; upvalues: the function, and from how many
-/// arguments on it does (table.insert(t, x) goes to the end and has no work).
-int counted(lua_State* state) {
-    const int arguments = lua_gettop(state);
-    if (arguments >= lua_tointeger(state, lua_upvalueindex(2)) && lua_istable(state, 1))
-        LuaState::of(state).count_work(lua_rawlen(state, 1) * kBytesOfElement);
-    lua_pushvalue(state, lua_upvalueindex(1));
-    lua_insert(state, 1);
-    lua_call(state, arguments, LUA_MULTRET);
-    return lua_gettop(state);
 }
 
 /// The value of an operand of vacant arithmetic: nil counts as 0.
@@ -135,8 +68,7 @@ int vacant_less_equal(lua_State* state) {
     return 1;
 }
 
-constexpr std::array kBase = {"assert", "error",    "ipairs",   "next", "pairs",
-                              "select", "tonumber", "tostring", "type"};
+constexpr std::array kBase = {"assert", "error", "ipairs", "select", "tonumber", "type"};
 constexpr std::array kMath = {"abs",  "acos",       "asin",      "atan", "ceil", "cos",    "deg",
                               "exp",  "floor",      "fmod",      "huge", "log",  "max",    "maxinteger",
                               "min",  "mininteger", "modf",      "pi",   "rad",  "random", "sin",
@@ -172,20 +104,6 @@ void open_libraries(lua_State* state) {
     lua_pop(state, 4);
 }
 
-/// Replaces functions in field "table" of the table on top of the stack by counted ones.
-void count_table_work(lua_State* state) {
-    static constexpr std::array<std::pair<const char*, lua_Integer>, 5> kFunctions{
-        {{"concat", 1}, {"insert", 3}, {"remove", 2}, {"sort", 1}, {"unpack", 1}}};
-    lua_getfield(state, -1, "table");
-    for (const auto& [name, arguments] : kFunctions) {
-        lua_getfield(state, -1, name);
-        lua_pushinteger(state, arguments);
-        lua_pushcclosure(state, trampoline<counted>, 2);
-        lua_setfield(state, -2, name);
-    }
-    lua_pop(state, 1);
-}
-
 void seed_random(lua_State* state) {
     lua_getglobal(state, "math");
     lua_getfield(state, -1, "randomseed");
@@ -207,17 +125,13 @@ void push_safe_library(lua_State* state) {
     copy_fields(state, "math", kMath);
     copy_fields(state, "string", kString);
     copy_fields(state, "table", kTable);
-    count_table_work(state);
-    lua_getfield(state, -1, "string");
-    lua_pushcfunction(state, trampoline<plain_find>);
-    lua_setfield(state, -2, "find");
-    lua_getfield(state, -1, "rep");
-    lua_pushcclosure(state, trampoline<bounded_rep>, 1);
-    lua_setfield(state, -2, "rep");
-    lua_pop(state, 1);
+    set_text_functions(state);
+    set_table_functions(state);
     set_string_methods(state);
-    lua_pushcfunction(state, trampoline<print_to_error>);
-    lua_setfield(state, -2, "print");
+    lua_pushcfunction(state, trampoline<ordered_pairs>);
+    lua_setfield(state, -2, "pairs");
+    lua_pushcfunction(state, trampoline<ordered_next>);
+    lua_setfield(state, -2, "next");
     lua_pushcfunction(state, safe_pcall);
     lua_setfield(state, -2, "pcall");
 }

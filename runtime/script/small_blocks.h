@@ -22,6 +22,10 @@ class SmallBlocks {
     static bool same_class(std::size_t one, std::size_t other) {
         return one > 0 && one <= kLargest && other <= kLargest && size_class(one) == size_class(other);
     }
+    /// Bytes behind those of a block of `size` that are its own, too; 0 where it is none of these.
+    static std::size_t spare_bytes(std::size_t size) {
+        return size > 0 && size <= kLargest ? (size_class(size) + 1) * kGrain - size : 0;
+    }
 
   private:
     static constexpr std::size_t kGrain = alignof(std::max_align_t);

@@ -54,7 +54,9 @@ TEST(PathScript, ErrorsNameTheLine) {
         {"local t = {} for i = 1, 1e9 do t[i] = {} end", "f.lua:1: the script takes more memory than it may"},
         {"x = = 1", "f.lua:1: unexpected symbol"},
         {"io.open('x')", "f.lua:1: attempt to index a nil value"},
-        {"error({})", "table: "},
+        {"error({})", "table: 1"},
+        {"return point{position_mm = {1, 2, 3}, zulu = 1, alpha = 2, mike = 3}",
+         "f.lua:1: unknown key 'alpha' in a point"},
     };
     const LuaState::Limits limits{std::size_t{32} << 20U, 20'000'000};
     for (const Wrong& each : cases) {

@@ -169,6 +169,48 @@ TEST(Sandbox, WorkOnLongTablesCounts) {
     EXPECT_TRUE(run_lua("local t = {} for i = 1, 100000 do table.insert(t, i) end").completed());
 }
 
+TEST(Sandbox, WorkInsideOneCallCounts) {
+    Conditions conditions = tight();
+    conditions.options.limits.memory_bytes = std::size_t{1024} << 20U;
+    const std::string large = "local s = (\"a\"):rep(1 << 22)\n";
+    for (const char* call : {"s:find((\"a\"):rep(1 << 12) .. \"b\")", "tonumber(s .. \"x\")", "s:upper()",
+                             "s:lower()", "s:reverse()", "(s .. \"a\"):byte(1, 9)", "s:format()"}) {
+        SCOPED_TRACE(call);
+        expect_stopped(run_lua(large + "for i = 1, 2000 do local x = " + call + " end", conditions),
+                       "--max-steps");
+    }
+    const std::string list = "local t = {} for i = 1, 30000 do t[i * 2] = i end\n";
+    for (const char* call : {"pairs(t)", "next(t)", "next(t, 2)"}) {
+        SCOPED_TRACE(call);
+        expect_stopped(run_lua(list + "for i = 1, 2000 do local x = " + call + " end", tight()),
+                       "--max-steps");
+    }
+}
+
+TEST(Sandbox, InstructionsOnLargeValuesCountByTheirSize) {
+    Conditions conditions = tight();
+    conditions.options.limits = {.memory_bytes = std::size_t{256} << 20U, .steps = 500'000};
+    // Each comparison looks at 16 MB, and each call copies 100,000 values.
+    expect_stopped(run_lua("local a, b = (\"x\"):rep(1 << 24), (\"x\"):rep(1 << 24)\n"
+                           "for i = 1, 40000 do local same = a == b end",
+                           conditions),
+                   "--max-steps");
+    conditions.options.limits.steps = 1'000'000;
+    expect_stopped(run_lua("local t = {} for i = 1, 100000 do t[i] = 0 end\n"
+                           "local function f() end\n"
+                           "local function g(...) for i = 1, 100000 do f(...) end end\n"
+                           "g(table.unpack(t))",
+                           conditions),
+                   "--max-steps");
+}
+
+TEST(Sandbox, ARangeOfALongTableCostsAsMuchAsItHas) {
+    EXPECT_TRUE(run_lua("local t = {} for i = 1, 100000 do t[i] = i end\n"
+                        "for i = 1, 10000 do local a, b = table.unpack(t, i, i + 1) end",
+                        tight())
+                    .completed());
+}
+
 TEST(Sandbox, TableFunctionsWithOddRangesEnd) {
     for (const char* call :
          {"table.concat({}, \"\", 1, math.maxinteger)", "table.unpack({}, 1, math.maxinteger)",
