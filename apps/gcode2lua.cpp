@@ -9,6 +9,7 @@
 #include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/language.h"
+#include "apps/limit_options.h"
 #include "apps/machine_input.h"
 #include "apps/print.h"
 #include "apps/programs.h"
@@ -31,6 +32,7 @@ struct TranslateArguments {
     bool check = false;
     bool print_language = false;
     std::uint64_t max_errors = 100;
+    double max_cpu_s = apps::kMaxCpu_s;
     apps::FindingOptions findings;
 };
 
@@ -61,6 +63,7 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
     line.add("--max-errors", &arguments.max_errors, "stop after this many errors")
         .within(1, 1'000'000)
         .shows_default();
+    apps::add_cpu_option(line, arguments.max_cpu_s);
     line.add_example("gcode2lua part.nc -o part.lua", "line n of the program is line n+1 of the script");
     line.add_example("gcode2lua --check part.nc", "all errors with line and column");
     line.add_example("gcode2lua --dialect rs274ngc part.ngc | gsim-run -", "translate and run");
@@ -83,6 +86,7 @@ tl::expected<void, std::string> write_spool(const codegen::LuaSpool& spool, cons
 /// Translates as the arguments say, and tells what is wrong; the exit status.
 int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
     using Kind = text::DiagnosticKind;
+    os::CpuLimit cpu(arguments.max_cpu_s);
     if (!arguments.check) {
         if (const auto conflict =
                 apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))
@@ -97,10 +101,11 @@ int translate_program(const TranslateArguments& arguments, apps::Findings& findi
     tl::expected<machine::ProgramTable, std::string> program;
     if (!arguments.machine.empty()) program = apps::read_program_input(arguments.machine);
     if (!program) return findings.fail(Kind::input_file, program.error(), arguments.machine);
-    const auto language = apps::language_of(arguments.language, *program, *data);
+    auto language = apps::language_of(arguments.language, *program, *data);
     if (!language) return findings.fail(Kind::input_file, language.error());
     tl::expected<lexer::Source, std::string> source = open_source(arguments);
     if (!source) return findings.fail(Kind::file, source.error(), arguments.input);
+    language->cpu = &cpu;
     codegen::LuaSpool spool;
     const codegen::Translation translation = apps::translate_source(
         *source, spool, *language, options, [&](const auto& told) { findings.take(told); });

@@ -74,6 +74,8 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
     int status = kDone;
     for (const std::string& program : arguments.programs) {
         RunArguments one = *found;
+        os::CpuLimit cpu(one.max_cpu_s);  // each program on its own
+        one.limits.cpu = &cpu;
         one.input = find_file(InstalledKind::sample, program).value_or(program);
         status = std::max(status, check_program(one, *machine, findings));
     }

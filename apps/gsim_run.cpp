@@ -80,11 +80,13 @@ simulation::Report failed_report(const RunArguments& arguments, const machine::M
     report.program = arguments.input == "-" ? "stdin" : arguments.input;
     report.machine = machine.name;
     if (arguments.rcs.empty()) report.controller = machine.controller.model;
-    report.status = simulation::RunStatus::alarm;
+    const bool stopped = error.kind == Kind::run_limit;
+    report.status = stopped ? simulation::RunStatus::stopped : simulation::RunStatus::alarm;
     report.alarm = simulation::Alarm{};
     report.alarm->kind = error.kind;
     report.alarm->message = "the program has errors: " + error.message;
     if (error.first_error) {
+        if (stopped) report.alarm->message = error.first_error->text;
         report.files.push_back(error.first_error->file);
         report.alarm->place = {0, error.first_error->line};
     }
@@ -97,8 +99,11 @@ class Run {
   public:
     explicit Run(const RunArguments& given)
         : arguments_(given),
+          cpu_(given.max_cpu_s),
           findings_(kGsimRun, given.findings),
-          tell_([this](const text::Diagnostic& told) { findings_.take(told); }) {}
+          tell_([this](const text::Diagnostic& told) { findings_.take(told); }) {
+        arguments_.limits.cpu = &cpu_;
+    }
 
     int run() {
         const int status = run_as_asked();
@@ -264,6 +269,7 @@ class Run {
     }
 
     RunArguments arguments_;
+    os::CpuLimit cpu_;
     apps::Findings findings_;
     apps::TellDiagnostic tell_;
     std::vector<os::FileLock> locks_;

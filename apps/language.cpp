@@ -38,9 +38,11 @@ tl::expected<Language, std::string> language_of(const LanguageNames& names,
     auto control = control_of(names, program);
     if (!control) return tl::unexpected(control.error());
     return aliases_of(data).map([&](const lexer::Aliases& aliases) {
-        return Language{control->dialect, aliases,
-                        names.unknown == "warn" ? codegen::Unknown::warn : codegen::Unknown::error,
-                        program.units, control->caution};
+        return Language{.dialect = control->dialect,
+                        .aliases = aliases,
+                        .unknown = names.unknown == "warn" ? codegen::Unknown::warn : codegen::Unknown::error,
+                        .units = program.units,
+                        .caution = control->caution};
     });
 }
 

@@ -11,6 +11,7 @@
 #include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
+#include "apps/limit_options.h"
 #include "apps/machine_input.h"
 #include "apps/path_input.h"
 #include "apps/path_program.h"
@@ -40,6 +41,8 @@ struct WriteArguments {
     bool overwrite = false;
     bool go_on = false;
     bool quiet = false;
+    double max_cpu_s = apps::kMaxCpu_s;
+    std::uint64_t memory_mb = apps::kMemory_mb;
     apps::FindingOptions findings;
 };
 
@@ -90,6 +93,9 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     line.add("--inch", &a.inch, "the program is in inches");
     line.add("--verbose-words", &a.verbose_words, "write words though they have not changed");
     line.add("--quiet", &a.quiet, "no notes on standard error");
+    line.begin_group("Limits of scripts");
+    apps::add_cpu_option(line, a.max_cpu_s);
+    apps::add_memory_option(line, a.memory_mb);
     line.begin_group("Diagnostics");
     apps::add_finding_options(line, a.findings);
     line.add_example("path2gcode plate.path.json -o plate.nc", "a path for the built-in machine");
@@ -133,7 +139,11 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     const auto input = apps::read_machine_input(a.machine);
     if (!input) return findings.fail(Kind::input_file, input.error());
     const machine::Machine* machine = &input->machine;
-    const auto file = apps::find_file(apps::InstalledKind::sample, a.input).and_then(apps::read_path);
+    os::CpuLimit cpu(a.max_cpu_s);
+    const auto file =
+        apps::find_file(apps::InstalledKind::sample, a.input).and_then([&](const std::string& name) {
+            return apps::read_path(name, {.memory_bytes = a.memory_mb << 20U}, &cpu);
+        });
     if (!file) return path_fault(findings, file.error());
 
     apps::PathProgramOptions options;

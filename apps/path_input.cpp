@@ -9,7 +9,9 @@
 
 namespace gsim::apps {
 
-tl::expected<path::PathFile, std::string> read_path(const std::string& name) {
+tl::expected<path::PathFile, std::string> read_path(const std::string& name,
+                                                    const script::LuaState::Limits& limits,
+                                                    os::CpuLimit* cpu) {
     if (name == "-") {
         return path::read_json(
             [](char* buffer, std::size_t size) { return std::fread(buffer, 1, size, stdin); }, "stdin");
@@ -17,7 +19,7 @@ tl::expected<path::PathFile, std::string> read_path(const std::string& name) {
     if (std::filesystem::path(name).extension() != ".lua") return path::load_json(name);
     const auto text = machine::read_text_file(name);
     if (!text) return tl::unexpected(text.error());
-    return script::run_path_script(*text, name);
+    return script::run_path_script(*text, name, limits, cpu);
 }
 
 }  // namespace gsim::apps

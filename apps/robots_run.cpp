@@ -60,6 +60,8 @@ tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
     auto language = language_of(names, machine->program, station.data);
     if (!language) return usage(language.error());
     station.language = *std::move(language);
+    station.language.cpu = run.limits.cpu;
+    station.language.memory_bytes = run.options.limits.memory_bytes;
     if (machine->process) {
         if (const auto fault = fault_of_process(*machine->process, *station.language.dialect))
             return usage(*fault);
@@ -174,7 +176,7 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
                           .unit_mm = start_unit_mm(station.language),
                           .data = std::move(station.data),
                           .find_program = program_finder(run.input, station.language, run.tell),
-                          .find_module = module_finder(run.input),
+                          .find_module = module_finder(run.input, run.options.limits.memory_bytes),
                           .base = station.base});
     }
     const std::string program = input->file_name;

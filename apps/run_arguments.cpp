@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/limit_options.h"
 #include "runtime/simulation/trajectory_writer.h"
 
 namespace gsim::apps {
@@ -94,10 +95,8 @@ void add_limit_options(CommandLine& line, RunArguments& a) {
         .shows_default();
     line.add("--max-steps", &a.max_steps, "end the run after this many steps of the script without a motion")
         .shows_default();
-    line.add("--memory", &a.memory_mb, "memory that the script may use")
-        .called("MB")
-        .within(16, 1 << 20U)
-        .shows_default();
+    add_cpu_option(line, a.max_cpu_s);
+    add_memory_option(line, a.memory_mb);
 }
 
 namespace {

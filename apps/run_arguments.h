@@ -6,6 +6,7 @@
 #include "apps/command_line.h"
 #include "apps/findings.h"
 #include "apps/language.h"
+#include "apps/limit_options.h"
 #include "apps/machine_data_file.h"
 #include "apps/machine_studies.h"
 #include "apps/outputs.h"
@@ -35,8 +36,9 @@ struct RunArguments {
     OutputNames outputs;
     MachineStudies studies;
     simulation::RunLimits limits;
-    std::uint64_t memory_mb = 2048;
-    std::uint64_t passes = 1;  ///< Of a main program that leads back to its start.
+    std::uint64_t memory_mb = kMemory_mb;
+    std::uint64_t passes = 1;      ///< Of a main program that leads back to its start.
+    double max_cpu_s = kMaxCpu_s;  ///< What `limits.cpu` is made of.
     std::uint64_t max_steps = script::LuaState::Limits{}.steps;
     FindingOptions findings;  ///< `json`: the report is JSON.
     bool quiet = false;

@@ -17,10 +17,11 @@ script::Engine::Options engine_options(const RunArguments& arguments, machine::M
     script::Engine::Options options;
     options.limits.memory_bytes = arguments.memory_mb << 20U;
     options.limits.steps = arguments.max_steps;
+    options.cpu = arguments.limits.cpu;
     if (!arguments.lua_lib.empty()) options.library = script::Library(arguments.lua_lib);
     options.data = std::move(data);
     options.find_program = program_finder(arguments.input, language, tell);
-    options.find_module = module_finder(arguments.input);
+    options.find_module = module_finder(arguments.input, arguments.memory_mb << 20U);
     options.dialect = language.dialect->name();
     options.unit_mm = start_unit_mm(language);
     options.block_delete = arguments.block_delete;

@@ -130,6 +130,8 @@ tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& argument
     if (!data) return fault(data.error());
     auto language = language_of(arguments.language, machine.program, *data);
     if (!language) return fault(language.error());
+    language->cpu = arguments.limits.cpu;
+    language->memory_bytes = arguments.memory_mb << 20U;
     auto program = read_script(arguments.input, *language, tell);
     if (!program) return tl::unexpected(program.error());
     language->dialect = grammar::dialect_named(program->dialect);

@@ -24,6 +24,7 @@ namespace {
 /// Scripts with more lines than this are run in pieces.
 constexpr std::uint32_t kLinesInOnePiece = 50'000;
 constexpr std::size_t kLookedAtBytes = 4096;
+constexpr double kMegabyte = 1U << 20U;
 
 bool has_extension(const std::string& path, std::string_view extension) {
     return fs::path(path).extension() == extension;
@@ -57,7 +58,15 @@ std::string read_all(lexer::Source& source) {
     return text;
 }
 
-Script lua_script(lexer::Source& source) {
+/// The text is held, and once more while it is compiled.
+tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_t memory_bytes) {
+    if (source.size() > memory_bytes / 2) {
+        return tl::unexpected(
+            fmt::format("the text of the script {} has {:.1f} MB, which is more than half of the {} MB that "
+                        "the run may use "
+                        "(--memory): it is held twice while it is compiled",
+                        source.name(), static_cast<double>(source.size()) / kMegabyte, memory_bytes >> 20U));
+    }
     std::string text = read_all(source);
     const codegen::ScriptOrigin origin = codegen::script_origin(text);
     const auto requires_name = [head = text.substr(0, kLookedAtBytes)](std::string_view name) {
@@ -99,6 +108,7 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
     script.file_name = source.name();
     script.line_difference = -1;
     script.size = spool->size();
+    script.held_bytes = spool->held_bytes();
     if (translation.lua_lines > kLinesInOnePiece) {
         for (const codegen::ProgramPart& part : translation.programs)
             script.functions.push_back({part.head, chunks_of(part)});
@@ -109,7 +119,11 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
 
 tl::expected<Script, InputError> script_of(lexer::Source& source, bool lua, const Language& language,
                                            const TellDiagnostic& tell) {
-    if (lua) return lua_script(source);
+    if (lua) {
+        return lua_script(source, language.memory_bytes).map_error([](std::string sentence) {
+            return InputError{.message = std::move(sentence)};
+        });
+    }
     return translated_script(source, language, tell);
 }
 
@@ -218,30 +232,33 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-script::FindProgram module_finder(const std::string& main_path) {
+script::FindProgram module_finder(const std::string& main_path, std::uint64_t memory_bytes) {
     const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
     const fs::path folder = parent.empty() ? fs::path(".") : parent;
-    return [folder](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
-        const std::optional<fs::path> file = module_file(name);
-        if (!file) {
-            return tl::unexpected(
-                std::string("a module's name has letters, digits, _ and -, and dots for folders within that "
-                            "of the script: \"lib.shapes\" is lib/shapes.lua there"));
-        }
-        const fs::path path = folder / *file;
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored))
-            return tl::unexpected(
-                fmt::format("there is no file {} in the folder of the script", file->string()));
-        if (!is_inside(fs::canonical(path, ignored), fs::canonical(folder, ignored))) {
-            return tl::unexpected(
-                fmt::format("{} is a link that leads out of the folder of the script", file->string()));
-        }
-        tl::expected<lexer::Source, std::string> source =
-            lexer::Source::open(path.lexically_normal().string());
-        if (!source) return tl::unexpected(source.error());
-        return std::optional<Script>(lua_script(*source));
-    };
+    return
+        [folder, memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
+            const std::optional<fs::path> file = module_file(name);
+            if (!file) {
+                return tl::unexpected(std::string(
+                    "a module's name has letters, digits, _ and -, and dots for folders within that "
+                    "of the script: \"lib.shapes\" is lib/shapes.lua there"));
+            }
+            const fs::path path = folder / *file;
+            std::error_code ignored;
+            if (!fs::is_regular_file(path, ignored))
+                return tl::unexpected(
+                    fmt::format("there is no file {} in the folder of the script", file->string()));
+            if (!is_inside(fs::canonical(path, ignored), fs::canonical(folder, ignored))) {
+                return tl::unexpected(
+                    fmt::format("{} is a link that leads out of the folder of the script", file->string()));
+            }
+            tl::expected<lexer::Source, std::string> source =
+                lexer::Source::open(path.lexically_normal().string());
+            if (!source) return tl::unexpected(source.error());
+            return lua_script(*source, memory_bytes).map([](Script script) {
+                return std::optional<Script>(std::move(script));
+            });
+        };
 }
 
 }  // namespace gsim::apps

@@ -7,7 +7,9 @@
 
 #include <tl/expected.hpp>
 
+#include "apps/limit_options.h"
 #include "codegen/translate.h"
+#include "os/cpu_limit.h"
 #include "runtime/machine/program_table.h"
 #include "runtime/script/engine.h"
 
@@ -32,7 +34,9 @@ struct Language {
     const grammar::Dialect* dialect = &grammar::dialect_ab9();
     lexer::Aliases aliases;
     codegen::Unknown unknown = codegen::Unknown::error;
-    std::optional<machine::ProgramUnits> units;  ///< In force at the start; none: not said, which is mm.
+    std::optional<machine::ProgramUnits> units;      ///< In force at the start; none: not said, which is mm.
+    std::uint64_t memory_bytes = kMemory_mb << 20U;  ///< Of the run, for its scripts and their texts.
+    os::CpuLimit* cpu = nullptr;                     ///< Of the run that translates, if it has one.
     std::string caution;  ///< Where the control's own language is only near to the dialect: a sentence.
 };
 
@@ -47,7 +51,8 @@ script::FindProgram program_finder(const std::string& main_path, const Language&
                                    const TellDiagnostic& tell);
 
 /// Finds modules of scripts: `shapes` is shapes.lua in the folder of the main program, `lib.shapes`
-/// lib/shapes.lua. Nothing is found outside of that folder; the errors are sentences.
-script::FindProgram module_finder(const std::string& main_path);
+/// lib/shapes.lua. Nothing is found outside of that folder, and nothing that the run's memory is too small
+/// for; the errors are sentences.
+script::FindProgram module_finder(const std::string& main_path, std::uint64_t memory_bytes);
 
 }  // namespace gsim::apps

@@ -3,8 +3,11 @@
 #include <utility>
 
 #include "codegen/program_signs.h"
+#include "runtime/simulation/simulator.h"
 
 namespace gsim::apps {
+
+using simulation::cpu_limit_reached;
 
 namespace {
 
@@ -26,7 +29,12 @@ codegen::Translation translate_source(lexer::Source& source, codegen::LuaSpool& 
     options.aliases = language.aliases;
     options.unknown = language.unknown;
     options.inch = language.units == machine::ProgramUnits::inch;
+    if (language.cpu != nullptr) {
+        options.ends = [cpu = language.cpu] { return cpu->reached(); };
+        options.end_reason = cpu_limit_reached(*language.cpu);
+    }
     codegen::Translation made = codegen::translate(source, spool, options, tell);
+    if (!made.ok && source.was_ended()) return made;
     if (!made.ok) {
         if (const auto hint = codegen::find_dialect_hint(source, *language.dialect)) {
             tell(*hint);

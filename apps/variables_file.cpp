@@ -1,12 +1,13 @@
 #include "apps/variables_file.h"
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "os/output_file.h"
+#include "runtime/machine/text_file.h"
 
 namespace gsim::apps {
 
@@ -14,10 +15,11 @@ tl::expected<std::map<int, double>, std::string> read_variables(const std::strin
     std::map<int, double> values;
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) return values;
-    std::ifstream file(path);
-    if (!file) return tl::unexpected(path + ": cannot be read");
+    auto text = machine::read_text_file(path);
+    if (!text) return tl::unexpected(std::move(text.error()));
+    std::istringstream lines(*std::move(text));
     std::string line;
-    for (int number = 1; std::getline(file, line); ++number) {
+    for (int number = 1; std::getline(lines, line); ++number) {
         std::istringstream words(line);
         int variable = 0;
         double value = 0;

@@ -22,6 +22,8 @@ class LuaSpool {
     bool finish();
 
     std::uint64_t size() const { return size_; }
+    /// Of memory.
+    std::size_t held_bytes() const { return buffer_.capacity(); }
     /// Bytes [begin, end) of the finished text.
     std::string read(std::uint64_t begin, std::uint64_t end) const;
     /// Gives the finished text to `sink`, in pieces; false where it cannot be read back.

@@ -19,8 +19,13 @@ std::string leader_warning(std::uint32_t lines) {
 }  // namespace
 
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
-                      const std::function<void(const text::Diagnostic&)>& take) {
+                      const std::function<void(const text::Diagnostic&)>& take_all) {
     source.set_name(options.source_name);
+    source.end_where(options.ends);
+    // What is wrong with a program that was read in part says nothing.
+    const auto take = [&](const text::Diagnostic& told) {
+        if (!source.was_ended()) take_all(told);
+    };
     const lexer::Style style = options.dialect->rules().style;
     const FileScan scan = scan_file(source, options.aliases, style);
     lexer::Diagnostics diagnostics(source, options.max_errors, take);
@@ -44,6 +49,14 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
                                               .file = options.source_name,
                                               .text = "cannot be read to its end"};
         take(*result.first_error);
+    }
+    if (source.was_ended()) {
+        result.ok = false;
+        result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::run_limit,
+                                              .file = options.source_name,
+                                              .line = lexer.line(),
+                                              .text = options.end_reason};
+        take_all(*result.first_error);
     }
     if (result.ok && !spool.finish())
         throw std::runtime_error("the temporary file for the Lua cannot be written; is the disk full?");

@@ -28,6 +28,10 @@ struct TranslateOptions {
     bool annotate = false;                ///< Each whole source block as a trailing comment.
     std::size_t max_errors = 100;
     lexer::Aliases aliases;
+    /// Asked as the source is read: true ends the translation with an error of kind run_limit and
+    /// `end_reason`.
+    std::function<bool()> ends;
+    std::string end_reason;
 };
 
 /// What became of a translation.

@@ -42,6 +42,8 @@ class Lexer {
               std::string_view hint = {});
     /// The first lines of the source are remarks. Before the first token.
     void pass_over_leader(std::uint32_t lines) { leader_lines_ = lines; }
+    /// The line that is read.
+    std::uint32_t line() const { return line_; }
     bool in_leader() const { return line_ <= leader_lines_; }
     /// RS274/NGC: M2 or M30 has ended the main program; what follows is read only from the next O-word on.
     void end_main_program() { ended_ = true; }

@@ -72,6 +72,8 @@ std::size_t Source::read_at(std::uint64_t offset, char* buffer, std::size_t capa
 }
 
 std::size_t Source::read(char* buffer, std::size_t capacity) {
+    was_ended_ = was_ended_ || (ends_ && ends_());
+    if (was_ended_) return 0;
     const std::size_t count = read_at(position_, buffer, capacity);
     position_ += count;
     return count;

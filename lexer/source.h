@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -29,6 +30,11 @@ class Source {
     void set_name(std::string name) { name_ = std::move(name); }
     std::uint64_t size() const { return size_; }
 
+    /// Where reading in sequence may be ended before the end: `ends` is asked at each read, and true holds
+    /// from then on.
+    void end_where(std::function<bool()> ends) { ends_ = std::move(ends); }
+    /// Whether that has happened: what was read is not the whole file.
+    bool was_ended() const { return was_ended_; }
     /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end.
     std::size_t read(char* buffer, std::size_t capacity);
     /// Starts over.
@@ -50,6 +56,8 @@ class Source {
     std::uint64_t size_ = 0;
     std::uint64_t position_ = 0;
     mutable bool failed_ = false;
+    std::function<bool()> ends_;
+    bool was_ended_ = false;
 };
 
 /// The rule for any two files: `path` as an error wants it named, with the reason of errno.

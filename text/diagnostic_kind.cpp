@@ -69,7 +69,7 @@ constexpr std::array kKinds = {
                         "processes, signals, robots or conveyors that do not fit together"},
     DiagnosticKindEntry{Kind::machine, "machine", "the machine is not as it should be"},
     DiagnosticKindEntry{Kind::run_limit, "run-limit",
-                        "a limit of time, blocks, steps or memory ended the run"},
+                        "a limit of time, blocks, steps, processor time or memory ended the run"},
     DiagnosticKindEntry{Kind::passes, "passes", "a program that leads back to its start"},
     DiagnosticKindEntry{Kind::warning, "warning", "something to know of a run, told in its text"},
     DiagnosticKindEntry{Kind::collision, "collision", "two bodies of the cell or the machine touch"},

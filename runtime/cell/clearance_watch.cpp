@@ -45,6 +45,7 @@ void ClearanceWatch::frames_changed() {
 }
 
 void ClearanceWatch::take(const motion::Segment& segment, bool jet_on, bool probing) {
+    if (has_ended()) return;
     probing_ = probing;
     double from_s = 0;
     double to_s = 0;
@@ -106,6 +107,7 @@ void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole,
         pair.probed = false;
         return;
     }
+    if (has_ended()) return;
     const Nearness nearness = pair.bodies.nearest(motion, whole, cutoff_mm);
     pair.at_least_mm = nearness.lower_mm;
     const bool let_near = is_let_near(whole, pair);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "os/cpu_limit.h"
 #include "runtime/cell/cell.h"
 #include "runtime/cell/meeting_pairs.h"
 
@@ -39,6 +40,8 @@ class ClearanceWatch {
     /// Frames of the cell, or the machine's base, have been moved, or go by themselves from now on: what
     /// touches then counts as another contact.
     void frames_changed();
+    /// When that time is used up nothing is looked at any longer. Null: never. `cpu` outlives this.
+    void end_by(os::CpuLimit* cpu) { cpu_ = cpu; }
     /// The segments that follow belong to another block.
     void begin_block() { nearest_.reset(); }
     /// The next segment, with or without the jet; `probing`: of a motion that ends where the probe touches,
@@ -68,6 +71,7 @@ class ClearanceWatch {
     };
 
     void make_pairs();
+    bool has_ended() const { return cpu_ != nullptr && cpu_->reached(); }
     double stretch_end_s(const motion::Segment& segment, double from_s) const;
     std::vector<DriftingLink> drifting(double time_s);
     void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
@@ -87,6 +91,7 @@ class ClearanceWatch {
     std::vector<Watched> pairs_;
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;
+    os::CpuLimit* cpu_ = nullptr;
     bool probing_ = false;  ///< In the segment that is looked at.
 };
 

@@ -1,6 +1,7 @@
 #include "runtime/path/json_reader.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -13,12 +14,29 @@
 
 namespace gsim::path {
 
+namespace {
+
+/// Of a path file: some millions of points, which take some times as much memory.
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30U;
+
+}  // namespace
+
 tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, std::size_t)> read,
                                               std::string file_name) {
+    std::uint64_t size = 0;
+    const auto bounded = [&size, &read](char* buffer, std::size_t capacity) {
+        const std::size_t count = read(buffer, capacity);
+        size += count;
+        return size > kMaxBytes ? 0 : count;
+    };
     // Not on the stack: it holds a large buffer.
-    const auto bytes = std::make_unique<JsonBytes>(std::move(read));
-    JsonHandler handler(*bytes, std::move(file_name));
-    if (!nlohmann::json::sax_parse(JsonBytes::Iterator(*bytes), JsonBytes::Iterator(), &handler)) {
+    const auto bytes = std::make_unique<JsonBytes>(bounded);
+    JsonHandler handler(*bytes, file_name);
+    const bool parsed =
+        nlohmann::json::sax_parse(JsonBytes::Iterator(*bytes), JsonBytes::Iterator(), &handler);
+    if (size > kMaxBytes)
+        return tl::unexpected(fmt::format("{}: paths of up to {} MiB are read", file_name, kMaxBytes >> 20U));
+    if (!parsed) {
         return tl::unexpected(handler.error());
     }
     tl::expected<PathFile, std::string> file = handler.finish();

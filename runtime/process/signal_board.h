@@ -27,6 +27,8 @@ class SignalBoard {
     static constexpr std::size_t kMostListed = 10'000;
 
     Value get(std::string_view name) const;
+    /// Whether it has ever been set.
+    bool has(std::string_view name) const { return values_.find(name) != values_.end(); }
     /// True where the value is another one than before.
     bool set(const std::string& name, const Value& value);
     /// Notes a change for the report.

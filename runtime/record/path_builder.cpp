@@ -67,6 +67,12 @@ void PathBuilder::end_call() {
     ++targets_;
 }
 
+std::size_t PathBuilder::held_bytes() const {
+    // Vectors grow to twice what they held; rotary axes stand in a map of two, say.
+    constexpr std::size_t kBytesOfTarget = sizeof(Target) * 3 / 2 + 2 * 64;
+    return targets_ * kBytesOfTarget;
+}
+
 Point* PathBuilder::last_point() {
     return at_beginning() ? nullptr : std::get_if<Point>(&open_.back().targets.back());
 }

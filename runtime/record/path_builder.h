@@ -35,6 +35,8 @@ class PathBuilder {
     /// Whether any path has a target.
     bool has_targets() const { return targets_ > 0; }
     std::size_t target_count() const { return targets_; }
+    /// About the memory of all targets.
+    std::size_t held_bytes() const;
     /// The last target, if it is a point.
     path::Point* last_point();
     void add(path::Point point);

@@ -25,6 +25,7 @@ class PathRecorder final : public simulation::ProgramObserver {
     /// `machine` must outlive this.
     explicit PathRecorder(const machine::Machine& machine) : place_(machine) {}
 
+    std::size_t held_bytes() const override { return builder_.held_bytes(); }
     void line(const simulation::AxisVector& from, const simulation::LineMove& move,
               bool rotary_alone) override;
     void arc(const simulation::AxisVector& from, const simulation::ArcMove& move) override;

@@ -78,7 +78,12 @@ void Controller::alarm(lua_State* state, DiagnosticKind kind, const std::string&
 
 void Controller::check(lua_State* state, bool done) {
     if (!done) LuaState::raise_stop(state);
-    LuaState::of(state).restart_steps();
+    LuaState& lua = LuaState::of(state);
+    lua.restart_steps();
+    if (const std::size_t bytes = simulator_.observed_bytes(); bytes > observed_bytes_) {
+        lua.hold(state, bytes - observed_bytes_, "the path of the run (--record)");
+        observed_bytes_ = bytes;
+    }
 }
 
 Feed Controller::feed(lua_State* state, std::optional<double> sweep_rad) {

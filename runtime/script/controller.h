@@ -146,6 +146,7 @@ class Controller {
     std::bitset<kMaxWordIds> words_in_block_;
     std::function<void(lua_State*, Controller&)> on_foreign_word_;
     std::optional<WordFault> word_fault_;  ///< Of the words that are read: the first one by its key.
+    std::size_t observed_bytes_ = 0;       ///< Which the script's memory has been told of.
     bool attached_ = true;
     bool program_ended_ = false;
 };

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/machine/machine_data.h"
@@ -25,6 +26,7 @@ class Engine {
   public:
     struct Options {
         LuaState::Limits limits;
+        os::CpuLimit* cpu = nullptr;  ///< Of the whole run; null: none. It outlives the engine.
         Library library;
         machine::MachineData data;  ///< Of the only robot, as
         FindProgram find_program;   ///< this is
@@ -76,7 +78,8 @@ class Engine {
     tl::expected<void, std::string> read_kept(void (*read)(Engine&));
     void read_permanent();
     void read_stored();
-    void push_script(lua_State* state, Script script, Control& control);
+    Loaded& keep_script(lua_State* state, Script script, Control& control);
+    void push_script(lua_State* state, Loaded& loaded);
     void compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk);
     void note_error(lua_State* state, int index, int level);
     int run_chunks(lua_State* state, std::size_t next);
@@ -99,7 +102,8 @@ class Engine {
     Processes processes_;
     void (*work_)(Engine&) = nullptr;
     std::vector<std::unique_ptr<Loaded>> loaded_;
-    std::vector<Script> pending_;  ///< The last one is loaded first.
+    std::map<std::pair<const Control*, std::string>, Loaded*> programs_;  ///< Of files that were called.
+    std::vector<Script> pending_;                                         ///< The last one is loaded first.
     std::optional<Processes::Outcome> outcome_;
     std::map<int, double> permanent_;
     machine::MachineData stored_;

@@ -1,11 +1,7 @@
 #include "runtime/script/library.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-
 #include "lua_lib/embedded_lua.h"
+#include "runtime/machine/text_file.h"
 
 namespace gsim::script {
 
@@ -16,10 +12,7 @@ tl::expected<std::string, std::string> Library::read(std::string_view file_name)
             return tl::unexpected("the library has no file " + std::string(file_name));
         return std::string(text);
     }
-    const std::filesystem::path path = *folder_ / file_name;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return tl::unexpected(path.string() + ": " + std::strerror(errno));
-    return std::string(std::istreambuf_iterator<char>(file), {});
+    return machine::read_text_file(*folder_ / file_name);
 }
 
 }  // namespace gsim::script

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <new>
 
+#include <fmt/format.h>
+
 namespace gsim::script {
 
 namespace {
@@ -16,6 +18,16 @@ constexpr std::uint64_t kBytesOfOneStep = std::uint64_t{64} << 10U;
 
 /// Its address is the value of an error that no script can make or tell from another.
 char stop_mark = 0;
+
+constexpr const char* kScript = "the script";
+constexpr const char* kOneString = "a string of the script";
+
+std::string megabytes(std::size_t bytes) {
+    constexpr double kMegabyte = 1U << 20U;
+    constexpr std::size_t kSmall = std::size_t{100} << 10U;
+    return bytes < kSmall ? fmt::format("{} bytes", bytes)
+                          : fmt::format("{:.1f} MB", static_cast<double>(bytes) / kMegabyte);
+}
 
 }  // namespace
 
@@ -65,18 +77,20 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
         state.bytes_ -= held;
         return nullptr;
     }
-    state.refused_ = new_size > held && state.bytes_ + (new_size - held) > state.limits_.memory_bytes;
-    if (state.refused_) return nullptr;
+    const bool one_string = block == nullptr && old_size == LUA_TSTRING;
+    const auto refuse = [&](bool by_system) {
+        return state.refuse({one_string ? kOneString : kScript, new_size - held, state.bytes_, by_system});
+    };
+    if (new_size > held && state.bytes_ + (new_size - held) > state.limits_.memory_bytes)
+        return refuse(false);
     state.count_work(new_size);
     void* grown = state.resize(block, held, new_size);
-    state.refused_ = grown == nullptr;
-    if (grown != nullptr) {
-        if (block == nullptr && old_size == LUA_TTABLE) state.number_table(grown, new_size);
-        if (block == nullptr && old_size == LUA_TSTRING && new_size > kBytesOfOneStep)
-            state.note_large(new_size);
-        state.bytes_ += new_size - held;
-        if (state.bytes_ > state.peak_bytes_) state.peak_bytes_ = state.bytes_;
-    }
+    if (grown == nullptr) return refuse(true);
+    state.refused_ = false;
+    if (block == nullptr && old_size == LUA_TTABLE) state.number_table(grown, new_size);
+    if (one_string && new_size > kBytesOfOneStep) state.note_large(new_size);
+    state.bytes_ += new_size - held;
+    if (state.bytes_ > state.peak_bytes_) state.peak_bytes_ = state.bytes_;
     return grown;
 }
 
@@ -95,6 +109,35 @@ std::uint64_t LuaState::serial_of_table(const void* table) const {
     return serial;
 }
 
+std::nullptr_t LuaState::refuse(const Refusal& refusal) {
+    refused_ = true;
+    refusal_ = refusal;
+    return nullptr;
+}
+
+void LuaState::hold(lua_State* state, std::size_t bytes, const char* what) {
+    const auto is_too_much = [&] {
+        return bytes > limits_.memory_bytes || bytes_ > limits_.memory_bytes - bytes;
+    };
+    if (is_too_much()) lua_gc(state, LUA_GCCOLLECT);
+    if (is_too_much()) {
+        refuse({what, bytes, bytes_, false});
+        ended_ = Ended::memory;
+        raise_stop(state);
+    }
+    bytes_ += bytes;
+    peak_bytes_ = std::max(peak_bytes_, bytes_);
+}
+
+std::string LuaState::memory_refusal() const {
+    const std::string amounts = fmt::format("{} are in use, and it asks for {}",
+                                            megabytes(refusal_.held_bytes), megabytes(refusal_.asked_bytes));
+    if (refusal_.by_system)
+        return fmt::format("{} needs more memory than the system gives: {}", refusal_.what, amounts);
+    return fmt::format("{} needs more memory than the run may use, {} MB (--memory): {}", refusal_.what,
+                       limits_.memory_bytes >> 20U, amounts);
+}
+
 void LuaState::count_work(std::uint64_t bytes) {
     steps_ += bytes / kBytesPerStep;
     // Past the limit the very next instruction shall look at it.
@@ -103,7 +146,7 @@ void LuaState::count_work(std::uint64_t bytes) {
 
 void LuaState::charge(lua_State* state, std::uint64_t bytes) {
     steps_ += bytes / kBytesPerStep;
-    if (steps_ > limits_.steps) end_for_steps(state);
+    check_limits(state);
 }
 
 void LuaState::note_large(std::uint64_t bytes) {
@@ -143,12 +186,17 @@ void LuaState::on_hook(lua_State* state, lua_Debug* event) {
 void LuaState::count_steps(lua_State* state) {
     const int count = lua_gethookcount(state);
     steps_ += static_cast<std::uint64_t>(count) * weight_;
-    if (steps_ > limits_.steps) end_for_steps(state);
+    check_limits(state);
     if (count != steps_between_counts()) set_hook(state, steps_between_counts());
 }
 
-void LuaState::end_for_steps(lua_State* state) {
-    ended_ = Ended::steps;
+void LuaState::check_limits(lua_State* state) {
+    if (steps_ > limits_.steps) end_for(Ended::steps, state);
+    if (cpu_ != nullptr && cpu_->reached()) end_for(Ended::cpu, state);
+}
+
+void LuaState::end_for(Ended reason, lua_State* state) {
+    ended_ = reason;
     if (on_last_step_) on_last_step_(state);
     raise_stop(state);
 }

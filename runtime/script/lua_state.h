@@ -8,6 +8,7 @@
 
 #include <lua.hpp>
 
+#include "os/cpu_limit.h"
 #include "runtime/script/small_blocks.h"
 
 namespace gsim::script {
@@ -21,7 +22,7 @@ class LuaState {
         std::uint64_t steps = 200'000'000;  ///< Instructions without a motion or a dwell in between.
     };
     /// Why kStop was raised, where it was the state itself that raised it.
-    enum class Ended : std::uint8_t { no, memory, steps };
+    enum class Ended : std::uint8_t { no, memory, steps, cpu };
 
     /// What one value costs to copy, of the many that a call may have.
     static constexpr std::uint64_t kBytesOfValue = 4;
@@ -33,6 +34,8 @@ class LuaState {
 
     lua_State* get() const { return state_; }
     Ended ended() const { return refused_ ? Ended::memory : ended_; }
+    /// The processor time is bounded from here on; null: no longer. `cpu` outlives the state.
+    void end_by(os::CpuLimit* cpu) { cpu_ = cpu; }
     /// The machine has moved on: the count of steps starts anew.
     void restart_steps() { steps_ = 0; }
     /// Work inside one instruction, by the bytes that it touches: long strings and tables take time in which
@@ -43,12 +46,19 @@ class LuaState {
     /// There is a string, or a list of values, that any instruction may take so many bytes of to look at:
     /// from here on each counts as that much work.
     void note_large(std::uint64_t bytes);
+    /// Memory outside of Lua that is kept for the script counts as its own from here on. Ends the run where
+    /// that is too much; `what` is kept, and says what asks: "the text of the script".
+    void hold(lua_State* state, std::size_t bytes, const char* what);
+    /// It is kept no longer.
+    void give_back(std::size_t bytes) { bytes_ -= bytes; }
+    /// What asked for more memory than there is, as a sentence, where that ended the run.
+    std::string memory_refusal() const;
     /// The how many-th table of this state it is; 0 where that is not known. Lua's order of tables as keys is
     /// that of their addresses, which differ from run to run.
     std::uint64_t serial_of_table(const void* table) const;
     std::size_t peak_memory_bytes() const { return peak_bytes_; }
     const Limits& limits() const { return limits_; }
-    /// Called before the run ends for its steps, while the script's stack still stands.
+    /// Called before the run ends for its steps or its processor time, while the script's stack still stands.
     void on_last_step(std::function<void(lua_State*)> call) { on_last_step_ = std::move(call); }
 
     /// The thread that runs now; the main one unless told.
@@ -67,17 +77,28 @@ class LuaState {
     static void pass_on(lua_State* state, int status);
 
   private:
+    /// A request for memory that was not fulfilled.
+    struct Refusal {
+        const char* what = "the script";
+        std::size_t asked_bytes = 0;
+        std::size_t held_bytes = 0;
+        bool by_system = false;
+    };
+
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
     void* resize(void* block, std::size_t held, std::size_t new_size);
     void release(void* block, std::size_t held);
+    std::nullptr_t refuse(const Refusal& refusal);
     static void on_hook(lua_State* state, lua_Debug* event);
     void count_steps(lua_State* state);
-    [[noreturn]] void end_for_steps(lua_State* state);
+    void check_limits(lua_State* state);
+    [[noreturn]] void end_for(Ended reason, lua_State* state);
     void number_table(void* table, std::size_t size);
     int steps_between_counts() const;
     static void set_hook(lua_State* thread, int steps);
 
     Limits limits_;
+    os::CpuLimit* cpu_ = nullptr;
     SmallBlocks small_blocks_;
     std::size_t bytes_ = 0;
     std::size_t peak_bytes_ = 0;
@@ -87,10 +108,27 @@ class LuaState {
     std::size_t table_bytes_ = 0;
     Ended ended_ = Ended::no;
     bool refused_ = false;  ///< The last request for more memory was.
+    Refusal refusal_;
     std::function<void(lua_State*)> on_last_step_;
     std::function<void(lua_State*, lua_Debug*)> on_line_;
     lua_State* state_ = nullptr;
     lua_State* running_ = nullptr;
+};
+
+/// Memory outside of Lua that counts as the script's for as long as this lives.
+class HeldMemory {
+  public:
+    HeldMemory(lua_State* state, std::size_t bytes, const char* what)
+        : lua_(LuaState::of(state)), bytes_(bytes) {
+        lua_.hold(state, bytes, what);
+    }
+    ~HeldMemory() { lua_.give_back(bytes_); }
+    HeldMemory(const HeldMemory&) = delete;
+    HeldMemory& operator=(const HeldMemory&) = delete;
+
+  private:
+    LuaState& lua_;
+    std::size_t bytes_;
 };
 
 /// A C++ function as Lua calls it: an exception becomes an error of Lua with its text.

@@ -30,6 +30,8 @@ struct Handle {
     int repeats = 1;
 };
 
+constexpr const char* kPoints = "the path of the script";
+
 /// What the script has made so far.
 struct Builder {
     struct MadePoint {
@@ -38,6 +40,7 @@ struct Builder {
     };
     PathFile file;
     std::vector<MadePoint> points;
+    std::uint32_t last_line = 1;  ///< Where a limit was reached.
 };
 
 void push(lua_State* state, const Handle& handle) {
@@ -50,9 +53,24 @@ const Handle* handle_at(lua_State* state, int index) {
     return static_cast<const Handle*>(lua_touserdata(state, index));
 }
 
-path::Place calling_place(lua_State* state) {
+/// About what a point takes, with its place.
+std::size_t bytes_of(const path::Point& point) {
+    constexpr std::size_t kBytesOfLetter = 64;  // a node of a map
+    std::size_t bytes = sizeof(path::Target) + sizeof(path::Place) + point.name.size();
+    for (const std::string& action : point.actions) bytes += sizeof action + action.size();
+    if (point.orientation) {
+        if (const auto* axes = std::get_if<path::RotaryAxes>(&*point.orientation))
+            bytes += axes->size() * kBytesOfLetter;
+    }
+    return bytes;
+}
+
+/// Where the function is, `level` levels up, or if that is none of Lua the one that calls it.
+path::Place calling_place(lua_State* state, int level = 1) {
     lua_Debug caller{};
-    if (lua_getstack(state, 1, &caller) == 0 || lua_getinfo(state, "l", &caller) == 0) return {};
+    do {
+        if (lua_getstack(state, level++, &caller) == 0 || lua_getinfo(state, "l", &caller) == 0) return {};
+    } while (caller.currentline < 0);
     return {static_cast<std::uint32_t>(std::max(1, caller.currentline)), 0};
 }
 
@@ -164,6 +182,7 @@ int make_point(lua_State* state) {
     }
     tl::expected<path::Target, std::string> target = draft.finish();
     if (!target) raise(state, target.error());
+    LuaState::of(state).hold(state, bytes_of(std::get<path::Point>(*target)), kPoints);
     builder.points.push_back({std::get<path::Point>(std::move(*target)), calling_place(state)});
     push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
     return 1;
@@ -209,9 +228,12 @@ int make_path(lua_State* state) {
                   fmt::format("target {} of the path '{}' is neither a point nor a path", i, made.name));
         }
         if (handle->kind == Handle::Kind::point) {
+            // The vector may have grown to twice what it needs.
+            LuaState::of(state).hold(state, 2 * bytes_of(builder.points[handle->index].point), kPoints);
             made.targets.emplace_back(builder.points[handle->index].point);
             places.push_back(builder.points[handle->index].place);
         } else {
+            LuaState::of(state).hold(state, 2 * sizeof(path::Target), kPoints);
             made.targets.emplace_back(path::SubPath{handle->index, handle->repeats});
             places.push_back(here);
         }
@@ -224,14 +246,20 @@ int make_path(lua_State* state) {
     return 1;
 }
 
-std::string ended_by(const LuaState& lua, const std::string& file_name) {
-    const bool memory = lua.ended() == LuaState::Ended::memory;
-    return fmt::format("{}:1: the script takes more {} than it may", file_name, memory ? "memory" : "steps");
+std::string ended_by(const LuaState& lua, const Builder& builder, os::CpuLimit* cpu) {
+    std::string reason = "the script takes more steps than it may";
+    if (lua.ended() == LuaState::Ended::memory) reason = lua.memory_refusal();
+    if (lua.ended() == LuaState::Ended::cpu)
+        reason = fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
+                             cpu->seconds());
+    return fmt::format("{}:{}: {}", builder.file.file_name, builder.last_line, reason);
 }
 
 // Leaves what the script returns on the stack.
-tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder) {
+tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder,
+                                    os::CpuLimit* cpu) {
     lua_State* state = lua.get();
+    lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_place(at, 0).line; });
     const std::string chunk = fmt::format("@{}", builder.file.file_name);
     int status = luaL_loadbufferx(state, text.data(), text.size(), chunk.c_str(), "t");
     if (status == LUA_OK) {
@@ -240,11 +268,12 @@ tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builde
         set_function<make_path>(state, "path", &builder);
         set_function<make_repeated>(state, "repeated", &builder);
         lua_setupvalue(state, -2, 1);
+        lua.end_by(cpu);
         status = lua_pcall(state, 0, 1, 0);
     }
     if (status == LUA_OK) return {};
     if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1)) {
-        return tl::unexpected(ended_by(lua, builder.file.file_name));
+        return tl::unexpected(ended_by(lua, builder, cpu));
     }
     std::string message(push_text(state, -1));
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -254,11 +283,11 @@ tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builde
 }  // namespace
 
 tl::expected<PathFile, std::string> run_path_script(std::string_view text, std::string file_name,
-                                                    const LuaState::Limits& limits) {
+                                                    const LuaState::Limits& limits, os::CpuLimit* cpu) {
     LuaState lua(limits);
     Builder builder;
     builder.file.file_name = std::move(file_name);
-    if (auto done = run(lua, text, builder); !done) return tl::unexpected(done.error());
+    if (auto done = run(lua, text, builder, cpu); !done) return tl::unexpected(done.error());
     const Handle* root = handle_at(lua.get(), -1);
     if (root == nullptr || root->kind != Handle::Kind::path) {
         return tl::unexpected(fmt::format("{}:1: the script must return the root path, what path{{..}} made",

@@ -19,6 +19,9 @@ namespace {
 using process::Value;
 using process::WaitKind;
 
+/// A node of a map, without the name.
+constexpr std::size_t kBytesOfSignal = 128;
+
 Processes& processes_of(lua_State* state) {
     return bound<Processes>(state);
 }
@@ -98,7 +101,10 @@ int start(lua_State* state) {
 
 int signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
-    processes_of(state).set_signal(name, check_value(state, 2));
+    const Value value = check_value(state, 2);
+    if (!processes_of(state).signals().has(name))
+        LuaState::of(state).hold(state, kBytesOfSignal + name.size(), "the signals of the script");
+    processes_of(state).set_signal(name, value);
     return 0;
 }
 

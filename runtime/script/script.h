@@ -32,6 +32,7 @@ struct Script {
     std::int64_t line_difference =
         0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
     std::uint64_t size = 0;
+    std::size_t held_bytes = 0;  ///< Of memory, as long as it is kept.
     std::function<std::string(std::uint64_t begin, std::uint64_t end)> read;
     std::vector<ScriptFunction> functions;
 

@@ -29,6 +29,8 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     CellWatch& operator=(const CellWatch&) = delete;
 
     const cell::Cell& cell() const { return cell_; }
+    /// When that time is used up segments are looked at no longer. Null: never.
+    void end_by(os::CpuLimit* cpu) { watch_.end_by(cpu); }
     const CellUse& use() const { return use_; }
     tl::expected<rrs::CartPos, motion::PlanError> frame(std::string_view name, double time_s) const override;
     motion::Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) override;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,8 @@ namespace gsim::simulation {
 class ProgramObserver {
   public:
     virtual ~ProgramObserver() = default;
+    /// About the memory that it holds of what it has been told.
+    virtual std::size_t held_bytes() const { return 0; }
     /// `rotary_alone`: the feed is that of rotary axes.
     virtual void line(const AxisVector& /*from*/, const LineMove& /*move*/, bool /*rotary_alone*/) {}
     virtual void arc(const AxisVector& /*from*/, const ArcMove& /*move*/) {}

@@ -106,7 +106,7 @@ std::uint32_t Simulator::add_file(const std::string& name) {
 }
 
 bool Simulator::count_block(const Place& place) {
-    if (++blocks_ <= limits_.max_blocks) return true;
+    if (++blocks_ <= limits_.max_blocks) return has_cpu_time(place);
     --blocks_;
     return stop(DiagnosticKind::run_limit,
                 fmt::format("the limit of {} executed blocks is reached (--max-blocks)", limits_.max_blocks),

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "os/cpu_limit.h"
 #include "runtime/machine/machine.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/planner_setup.h"
@@ -37,10 +38,14 @@ namespace gsim::simulation {
 struct RunLimits {
     double max_time_s = 10'000'000;         ///< Of the machine.
     std::uint64_t max_blocks = 20'000'000;  ///< Executed blocks.
+    os::CpuLimit* cpu = nullptr;            ///< Of the whole run; null: none. It outlives the simulator.
     /// The first violation of a range or a zone is an alarm, which ends the run; else it goes on, and all are
     /// listed.
     bool stop_at_first = false;
 };
+
+/// What a run says that ends at that limit.
+std::string cpu_limit_reached(const os::CpuLimit& limit);
 
 /// A run of one machine: takes moves, dwells and events in the order of the program, plans them through the
 /// services of its controller, and records what happens. Knows nothing of the language they came from.
@@ -85,6 +90,8 @@ class Simulator {
     const std::vector<std::string>& files() const { return files_; }
     /// Counts a block; false past the limit (status stopped).
     bool count_block(const Place& place);
+    /// False where the run has used up its processor time (status stopped).
+    bool has_cpu_time(const Place& place);
 
     bool move(const LineMove& move);
     bool move(const ArcMove& move);
@@ -181,6 +188,8 @@ class Simulator {
     /// Warns where the tool has lost a direction to move in at these axis values: some joints line up.
     void warn_if_singular(const AxisVector& axes, const Place& place);
 
+    /// About the memory that the observer holds of the run so far.
+    std::size_t observed_bytes() const { return observer_ == nullptr ? 0 : observer_->held_bytes(); }
     const std::optional<Alarm>& alarm() const { return alarm_; }
 
     /// The controller's services, for clients that call them by themselves: with the modes that services have

@@ -56,6 +56,16 @@ std::string text_of(const ZoneHit& hit) {
 
 }  // namespace
 
+std::string cpu_limit_reached(const os::CpuLimit& limit) {
+    return fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
+                       limit.seconds());
+}
+
+bool Simulator::has_cpu_time(const Place& place) {
+    if (limits_.cpu == nullptr || !limits_.cpu->reached()) return true;
+    return stop(DiagnosticKind::run_limit, cpu_limit_reached(*limits_.cpu), place);
+}
+
 bool Simulator::stop_for_time(const Place& place) {
     return stop(
         DiagnosticKind::run_limit,

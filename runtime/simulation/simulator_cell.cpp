@@ -9,6 +9,7 @@ namespace gsim::simulation {
 
 void Simulator::set_cell(CellWatch& cell) {
     cell_ = &cell;
+    cell.end_by(limits_.cpu);
     controller_has_cell_ = motion_->set_cell(cell);
     if (cell.use().watched) recorder_.add_output(cell);
 }

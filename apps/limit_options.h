@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+#include "apps/command_line.h"
+
+namespace gsim::apps {
+
+/// The default of --max-cpu-seconds: a day, which no run needs.
+inline constexpr double kMaxCpu_s = 86'400;
+/// That of --memory.
+inline constexpr std::uint64_t kMemory_mb = 2048;
+
+/// --max-cpu-seconds, which several programs have; in the group begun last.
+void add_cpu_option(CommandLine& line, double& seconds);
+/// --memory, the same.
+void add_memory_option(CommandLine& line, std::uint64_t& megabytes);
+
+}  // namespace gsim::apps

@@ -1,0 +1,29 @@
+#include "os/cpu_limit.h"
+
+#include <gtest/gtest.h>
+
+namespace gsim::os {
+namespace {
+
+TEST(CpuLimit, IsReachedByWorkAndStaysSo) {
+    CpuLimit limit(0.02);
+    EXPECT_EQ(limit.seconds(), 0.02);
+    while (!limit.reached()) {
+    }
+    EXPECT_TRUE(limit.reached());
+}
+
+TEST(CpuLimit, OneThatIsUsedUpAtOnceIsReachedAtTheFirstLook) {
+    CpuLimit limit(1e-9);
+    EXPECT_TRUE(limit.reached());
+}
+
+TEST(CpuLimit, AGenerousOneIsNotReached) {
+    for (const double seconds : {1e3, 1e9, 1e300}) {
+        CpuLimit limit(seconds);
+        for (int i = 0; i < 1000; ++i) EXPECT_FALSE(limit.reached());
+    }
+}
+
+}  // namespace
+}  // namespace gsim::os
