@@ -14,7 +14,8 @@ namespace gsim::import {
 namespace {
 
 constexpr std::string_view kInclude = "#INCLUDE";
-constexpr int kMostIncludes = 16;
+constexpr int kMostIncludes = 16;         // within each other
+constexpr std::size_t kMostFiles = 1000;  // in all: a few files that include each other often are many
 
 bool same_name(std::string_view a, std::string_view b) {
     return text::upper(a) == text::upper(b);
@@ -129,6 +130,8 @@ IniFile::Done IniFile::add_included(std::string_view name, const std::filesystem
                                     std::string& section, int depth) {
     if (depth > kMostIncludes)
         return tl::unexpected(fmt::format("files are included more than {} deep", kMostIncludes));
+    if (++included_ > kMostFiles)
+        return tl::unexpected(fmt::format("more than {} files are included", kMostFiles));
     const std::filesystem::path path = folder / name;
     return machine::read_text_file(path).and_then(
         [&](const std::string& text) { return add(text, path, section, depth); });

@@ -48,6 +48,7 @@ class IniFile {
 
     std::string file_name_;
     std::vector<IniEntry> entries_;
+    std::size_t included_ = 0;  ///< Files, counted as often as they are.
 };
 
 /// A number of such a file, whole: nothing where `text` is none.

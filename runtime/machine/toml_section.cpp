@@ -1,6 +1,8 @@
 #define TOML_IMPLEMENTATION
 #include "runtime/machine/toml_section.h"
 
+#include "runtime/machine/toml_bounds.h"
+
 namespace gsim::machine {
 
 namespace {
@@ -12,6 +14,12 @@ constexpr double kGreatestCount = 1e5;       // blocks; a few hundred bytes each
 }  // namespace
 
 toml::table parse_toml(FirstError& error, std::string_view toml_text) {
+    if (const auto excess = find_toml_excess(toml_text)) {
+        error.report(
+            {static_cast<toml::source_index>(excess->line), static_cast<toml::source_index>(excess->column)},
+            excess->sentence);
+        return {};
+    }
     toml::parse_result parsed = toml::parse(toml_text);
     if (parsed) return std::move(parsed).table();
     error.report(parsed.error().source().begin, parsed.error().description());

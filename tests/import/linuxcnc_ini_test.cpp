@@ -206,6 +206,20 @@ TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
     EXPECT_THAT(machine_data_text(*imported).value(), HasSubstr("TOOL\n2  31.75  12.7\n"));
 }
 
+// Four files that name the next one forty times each are 2.5 million.
+TEST_F(LinuxcncFiles, FilesThatIncludeEachOtherOftenAreAnError) {
+    constexpr int kFiles = 4;
+    for (int i = 0; i < kFiles; ++i) {
+        std::string text;
+        for (int line = 0; line < 40; ++line) text += fmt::format("#INCLUDE {}.inc\n", i + 1);
+        write(fmt::format("{}.inc", i), text);
+    }
+    write(fmt::format("{}.inc", kFiles), "");
+    const auto imported = import_machine(write("mill.ini", mill() + "#INCLUDE 0.inc\n"));
+    ASSERT_FALSE(imported);
+    EXPECT_THAT(imported.error(), testing::EndsWith("more than 1000 files are included"));
+}
+
 // The machine file reads back as the machine, and says where it is from.
 TEST_F(LinuxcncFiles, TheMachineFileIsTheMachine) {
     const auto path = write("mill.ini", mill() + "[HAL]\nHALFILE = a.hal\n");
