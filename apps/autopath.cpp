@@ -144,7 +144,7 @@ tl::expected<solid::Plate, std::string> read_input(const AutopathArguments& argu
         return tl::unexpected(std::string("--up and --flip are for STEP and IGES files"));
     drawing::ReadOptions read = arguments.read;
     if (!arguments.units.empty()) read.unit_mm = arguments.units == "inch" ? 25.4 : 1;
-    auto drawing = drawing::read_drawing(file, read);
+    auto drawing = drawing::read_drawing(file, read, os::NamedBy::command_line);
     if (!drawing) return tl::unexpected(drawing.error());
     return solid::Plate{*std::move(drawing), 0};
 }
@@ -165,7 +165,9 @@ void take_thickness(solid::Plate& plate, waterjet::CuttingRequest& cut) {
 tl::expected<waterjet::Materials, std::string> materials_of(const AutopathArguments& arguments) {
     if (!arguments.materials.empty()) {
         return apps::find_file(apps::InstalledKind::sample, arguments.materials)
-            .and_then([](const std::string& file) { return waterjet::load_materials(file); });
+            .and_then([](const std::string& file) {
+                return waterjet::load_materials(file, os::NamedBy::command_line);
+            });
     }
     return waterjet::read_materials(waterjet::built_in_materials_toml(), "materials.toml");
 }

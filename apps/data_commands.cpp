@@ -90,7 +90,7 @@ class Command {
 
     Done open() {
         if (arguments_.create && !std::filesystem::exists(arguments_.file)) return {};
-        auto document = open_machine_data(arguments_.file, axes());
+        auto document = open_machine_data(arguments_.file, axes(), os::NamedBy::command_line);
         if (!document) return Sentence(std::move(document.error().front()));
         document_ = *std::move(document);
         return {};
@@ -175,14 +175,15 @@ class Command {
     }
 
     Status check() const {
-        return machine::read_text_file(arguments_.file).map([this](const std::string& text) {
-            const auto document = MachineDataDocument::read(text, arguments_.file, axes());
-            const std::vector<std::string> found =
-                document ? check_data(*document, arguments_.file, machine_) : document.error();
-            for (const std::string& sentence : found)
-                findings_.take(text::diagnostic_of(text::DiagnosticKind::input_file, sentence));
-            return document ? kDone : kProgramFault;
-        });
+        return machine::read_text_file(arguments_.file, os::NamedBy::command_line)
+            .map([this](const std::string& text) {
+                const auto document = MachineDataDocument::read(text, arguments_.file, axes());
+                const std::vector<std::string> found =
+                    document ? check_data(*document, arguments_.file, machine_) : document.error();
+                for (const std::string& sentence : found)
+                    findings_.take(text::diagnostic_of(text::DiagnosticKind::input_file, sentence));
+                return document ? kDone : kProgramFault;
+            });
     }
 
     Status convert() {
@@ -195,7 +196,7 @@ class Command {
     }
 
     Status from_json() {
-        return machine::read_text_file(arguments_.from_json)
+        return machine::read_text_file(arguments_.from_json, os::NamedBy::command_line)
             .and_then([this](const std::string& text) {
                 return data_from_json(text, arguments_.from_json, axes());
             })
@@ -228,7 +229,7 @@ class Command {
 Status run_data_command(const DataArguments& arguments, Findings& findings) {
     std::optional<machine::Machine> machine;
     if (!arguments.machine.empty()) {
-        auto loaded = read_machine_input(arguments.machine);
+        auto loaded = read_machine_input(arguments.machine, os::NamedBy::command_line);
         if (!loaded) return Sentence(std::move(loaded.error()));
         machine = std::move(loaded->machine);
     }

@@ -37,8 +37,9 @@ void tell(Findings& findings, const std::string& file, const import::Imported& i
         tell(findings, text::Severity::note, file, "not taken over: " + name);
 }
 
-Written write_machine(const DataArguments& arguments, const std::string& source, Findings& findings) {
-    const auto imported = import::import_machine(source);
+Written write_machine(const DataArguments& arguments, const std::string& source, const std::string& text,
+                      Findings& findings) {
+    const auto imported = import::import_machine(text, source);
     if (!imported) return tl::unexpected(imported.error());
     const auto toml = import::machine_toml(*imported, source);
     if (!toml) return tl::unexpected(toml.error());
@@ -49,7 +50,7 @@ Written write_machine(const DataArguments& arguments, const std::string& source,
     }
     if (Written written = write_text(arguments, *toml); !written || arguments.data.empty()) return written;
     return import::machine_data_text(*imported).and_then(
-        [&](const std::string& text) { return replace_text(arguments.data, text, arguments.wait_s); });
+        [&](const std::string& data) { return replace_text(arguments.data, data, arguments.wait_s); });
 }
 
 // X, Y and Z, which need nothing but letters here.
@@ -59,10 +60,9 @@ std::vector<machine::Axis> plain_axes() {
     return axes;
 }
 
-Written write_table(const DataArguments& arguments, const std::string& source, bool tools,
+Written write_table(const DataArguments& arguments, const std::string& source, const std::string& text,
                     const std::optional<machine::Machine>& machine, Findings& findings) {
-    const auto text = machine::read_text_file(source);
-    if (!text) return tl::unexpected(text.error());
+    const bool tools = text::lower(std::filesystem::path(source).extension().string()) == ".tbl";
     import::Imported imported;
     imported.machine.axes = machine ? machine->axes : plain_axes();
     std::string letters;
@@ -70,7 +70,7 @@ Written write_table(const DataArguments& arguments, const std::string& source, b
     import::TableNotes notes;
     const auto take = tools ? import::take_tools : import::take_parameters;
     const double unit_mm = arguments.inch ? kMmPerInch : 1;
-    if (Written taken = take(*text, source, unit_mm, letters, imported.data, notes); !taken) return taken;
+    if (Written taken = take(text, source, unit_mm, letters, imported.data, notes); !taken) return taken;
     imported.left_out = std::move(notes.left_out);
     tell(findings, source, imported);
     return import::machine_data_text(imported).and_then(
@@ -86,15 +86,15 @@ tl::expected<int, std::string> import_settings(const DataArguments& arguments,
     if (source.empty()) return tl::unexpected(std::string("import needs a file: gsim-data import mill.ini"));
     const std::string ending = text::lower(std::filesystem::path(source).extension().string());
     const bool is_table = ending == ".tbl" || ending == ".var";
-    const auto text = machine::read_text_file(source);
+    const auto text = machine::read_text_file(source, os::NamedBy::command_line);
     if (!text) return tl::unexpected(text.error());
-    if (!is_table && !import::is_control_file(source)) {
+    if (!is_table && !import::is_control_file(*text, source)) {
         return tl::unexpected(fmt::format(
             "'{}' is no LinuxCNC .ini, .tbl or .var, and has no lines as grbl answers to $$ ($110=500.000)",
             source));
     }
-    const Written written = is_table ? write_table(arguments, source, ending == ".tbl", machine, findings)
-                                     : write_machine(arguments, source, findings);
+    const Written written = is_table ? write_table(arguments, source, *text, machine, findings)
+                                     : write_machine(arguments, source, *text, findings);
     return written.map([] { return kDone; });
 }
 

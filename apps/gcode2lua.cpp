@@ -72,7 +72,8 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
 tl::expected<lexer::Source, std::string> open_source(const TranslateArguments& arguments) {
     if (arguments.input == "-") return lexer::Source::spool(stdin, "stdin");
     return apps::find_file(apps::InstalledKind::sample, arguments.input)
-        .and_then([](const std::string& file) { return lexer::Source::open(file); });
+        .and_then(
+            [](const std::string& file) { return lexer::Source::open(file, os::NamedBy::command_line); });
 }
 
 tl::expected<void, std::string> write_spool(const codegen::LuaSpool& spool, const std::string& path) {
@@ -96,7 +97,8 @@ int translate_program(const TranslateArguments& arguments, apps::Findings& findi
     options.annotate = arguments.annotate;
     options.max_errors = arguments.max_errors;
     tl::expected<machine::MachineData, std::string> data;
-    if (!arguments.machine_data.empty()) data = machine::load_machine_data(arguments.machine_data);
+    if (!arguments.machine_data.empty())
+        data = machine::load_machine_data(arguments.machine_data, {}, os::NamedBy::command_line);
     if (!data) return findings.fail(Kind::input_file, data.error(), arguments.machine_data);
     tl::expected<machine::ProgramTable, std::string> program;
     if (!arguments.machine.empty()) program = apps::read_program_input(arguments.machine);

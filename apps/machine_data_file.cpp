@@ -17,8 +17,8 @@ void add_wait_option(CommandLine& line, double& wait_s) {
 }
 
 tl::expected<machine::MachineDataDocument, std::vector<std::string>> open_machine_data(
-    const std::string& path, std::span<const machine::Axis> axes) {
-    const auto text = machine::read_text_file(path);
+    const std::string& path, std::span<const machine::Axis> axes, os::NamedBy named_by) {
+    const auto text = machine::read_text_file(path, named_by);
     if (!text) return tl::unexpected(std::vector{text.error()});
     return machine::MachineDataDocument::read(*text, path, axes);
 }

@@ -9,6 +9,7 @@
 
 #include "apps/command_line.h"
 #include "os/file_lock.h"
+#include "os/input_file.h"
 #include "runtime/machine/machine_data_document.h"
 
 namespace gsim::apps {
@@ -22,7 +23,7 @@ void add_wait_option(CommandLine& line, double& wait_s);
 /// Reads a file of machine data. The errors are sentences: what is wrong with its lines, each with its place,
 /// or why there is no such file.
 tl::expected<machine::MachineDataDocument, std::vector<std::string>> open_machine_data(
-    const std::string& path, std::span<const machine::Axis> axes);
+    const std::string& path, std::span<const machine::Axis> axes, os::NamedBy named_by);
 
 /// For who reads a file, changes it and writes it back: from before the reading until it is written nobody
 /// else does so. The error is a sentence.

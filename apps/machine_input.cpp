@@ -6,6 +6,7 @@
 #include "apps/process_words.h"
 #include "runtime/import/import_machine.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/machine/text_file.h"
 
 namespace gsim::apps {
 
@@ -25,8 +26,9 @@ MachineInput from_control(import::Imported imported, const std::string& file) {
 }
 
 // What switches the process of a machine are words that a dialect has.
-tl::expected<machine::Machine, std::string> load_machine_file(const std::string& file) {
-    auto machine = machine::load_machine(file);
+tl::expected<machine::Machine, std::string> read_machine_file(const std::string& text,
+                                                              const std::string& file) {
+    auto machine = machine::read_machine(text, file);
     if (!machine || !machine->process) return machine;
     if (const auto fault = fault_of_process(*machine->process))
         return tl::unexpected(fmt::format("{}: {}", file, *fault));
@@ -35,22 +37,28 @@ tl::expected<machine::Machine, std::string> load_machine_file(const std::string&
 
 }  // namespace
 
-tl::expected<MachineInput, std::string> read_machine_input(const std::string& name) {
+tl::expected<MachineInput, std::string> read_machine_input(const std::string& name, os::NamedBy named_by) {
     const auto plain = [](machine::Machine machine) { return MachineInput{std::move(machine), {}, {}}; };
     if (name.empty())
         return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").map(plain);
-    return find_file(InstalledKind::machine, name).and_then([&](const std::string& file) {
-        if (!import::is_control_file(file)) return load_machine_file(file).map(plain);
-        return import::import_machine(file).map(
-            [&](import::Imported imported) { return from_control(std::move(imported), file); });
+    const auto file = find_file(InstalledKind::machine, name);
+    if (!file) return tl::unexpected(file.error());
+    const auto text = machine::read_text_file(*file, named_by);  // once: it may be a pipe
+    if (!text) return tl::unexpected(text.error());
+    if (!import::is_control_file(*text, *file)) return read_machine_file(*text, *file).map(plain);
+    return import::import_machine(*text, *file).map([&](import::Imported imported) {
+        return from_control(std::move(imported), *file);
     });
 }
 
 tl::expected<machine::ProgramTable, std::string> read_program_input(const std::string& name) {
-    return find_file(InstalledKind::machine, name).and_then([](const std::string& file) {
-        if (!import::is_control_file(file)) return machine::load_program_table(file);
-        return import::import_machine(file).map(
-            [](const import::Imported& imported) { return imported.machine.program; });
+    const auto file = find_file(InstalledKind::machine, name);
+    if (!file) return tl::unexpected(file.error());
+    const auto text = machine::read_text_file(*file, os::NamedBy::command_line);
+    if (!text) return tl::unexpected(text.error());
+    if (!import::is_control_file(*text, *file)) return machine::read_program_table(*text, *file);
+    return import::import_machine(*text, *file).map([](const import::Imported& imported) {
+        return imported.machine.program;
     });
 }
 

@@ -6,13 +6,14 @@
 
 #include <tl/expected.hpp>
 
+#include "os/input_file.h"
 #include "runtime/machine/machine.h"
 #include "runtime/machine/machine_data.h"
 
 namespace gsim::apps {
 
-/// A machine as the command line names it: a machine file, a sample by its name, or the settings of a control
-/// (LinuxCNC's .ini, what grbl answers to $$).
+/// A machine as the command line, or a file of robots or a cell names it: a machine file, a sample by its
+/// name, or the settings of a control (LinuxCNC's .ini, what grbl answers to $$).
 struct MachineInput {
     machine::Machine machine;
     std::optional<machine::MachineData> data;  ///< Offsets and tools that the settings name.
@@ -20,7 +21,7 @@ struct MachineInput {
 };
 
 /// Reads it; an empty name is the machine that is built in. The error is a sentence.
-tl::expected<MachineInput, std::string> read_machine_input(const std::string& name);
+tl::expected<MachineInput, std::string> read_machine_input(const std::string& name, os::NamedBy named_by);
 
 /// Of that only what it says of programs: a machine file is not read any further.
 tl::expected<machine::ProgramTable, std::string> read_program_input(const std::string& name);

@@ -163,7 +163,7 @@ tl::expected<OverrideSchedule, std::string> read_overrides(const OverrideOptions
         first.*kind.share = *percent / 100;
     }
     if (!options.file.empty()) {
-        const auto text = machine::read_text_file(options.file);
+        const auto text = machine::read_text_file(options.file, os::NamedBy::command_line);
         if (!text) return tl::unexpected(text.error());
         return read_override_changes(*text, options.file, first, controller);
     }

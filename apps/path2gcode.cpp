@@ -136,7 +136,7 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
         return findings.fail(Kind::usage, "--separate-files needs --output");
     const auto post = apps::find_post_file(a.post).and_then(codegen::find_post);
     if (!post) return findings.fail(Kind::input_file, post.error());
-    const auto input = apps::read_machine_input(a.machine);
+    const auto input = apps::read_machine_input(a.machine, os::NamedBy::command_line);
     if (!input) return findings.fail(Kind::input_file, input.error());
     const machine::Machine* machine = &input->machine;
     os::CpuLimit cpu(a.max_cpu_s);

@@ -16,8 +16,9 @@ tl::expected<path::PathFile, std::string> read_path(const std::string& name,
         return path::read_json(
             [](char* buffer, std::size_t size) { return std::fread(buffer, 1, size, stdin); }, "stdin");
     }
-    if (std::filesystem::path(name).extension() != ".lua") return path::load_json(name);
-    const auto text = machine::read_text_file(name);
+    if (std::filesystem::path(name).extension() != ".lua")
+        return path::load_json(name, os::NamedBy::command_line);
+    const auto text = machine::read_text_file(name, os::NamedBy::command_line);
     if (!text) return tl::unexpected(text.error());
     return script::run_path_script(*text, name, limits, cpu);
 }

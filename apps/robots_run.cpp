@@ -11,6 +11,7 @@
 #include "apps/run_inputs.h"
 #include "os/file_identity.h"
 #include "os/output_file.h"
+#include "runtime/machine/text_file.h"
 #include "runtime/process/robots_file.h"
 
 namespace gsim::apps {
@@ -40,10 +41,21 @@ OutputNames own_files(const OutputNames& names, const std::string& robot) {
     return own;
 }
 
+tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_robots_cell(
+    const process::RobotEntry& entry, const machine::Machine& machine,
+    const std::vector<std::string>& conveyors, bool collisions) {
+    CellChoice choice{.file = entry.cell.string(), .text = {}, .collisions = collisions};
+    if (choice.file.empty()) return read_run_cell(choice, machine, conveyors);
+    return machine::read_text_file(choice.file).and_then([&](const std::string& text) {
+        choice.text = text;
+        return read_run_cell(choice, machine, conveyors);
+    });
+}
+
 tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
                                                const std::vector<std::string>& conveyors,
                                                const RobotsRun& run) {
-    auto input = read_machine_input(entry.machine.string());
+    auto input = read_machine_input(entry.machine.string(), os::NamedBy::a_file);
     if (!input) return usage(input.error());
     machine::Machine* machine = &input->machine;
     Station station;
@@ -68,8 +80,7 @@ tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
     }
     auto overrides = read_overrides(run.overrides, machine->controller);
     if (!overrides) return usage(fmt::format("robot {}: {}", entry.name, overrides.error()));
-    auto cell =
-        read_run_cell({.file = entry.cell.string(), .collisions = run.collisions}, *machine, conveyors);
+    auto cell = read_robots_cell(entry, *machine, conveyors, run.collisions);
     if (!cell) return usage(cell.error());
     station.cell = *std::move(cell);
     station.simulator = std::make_unique<simulation::Simulator>(std::move(*machine), run.limits);
@@ -141,7 +152,7 @@ std::string robots_own_file(const std::string& name, const std::string& robot) {
 }
 
 tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
-    auto file = process::load_robots(run.robots);
+    auto file = process::load_robots(run.robots, os::NamedBy::command_line);
     if (!file) return usage(file.error());
     std::vector<std::string> conveyors;
     conveyors.reserve(file->conveyors.size());

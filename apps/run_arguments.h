@@ -12,6 +12,7 @@
 #include "apps/outputs.h"
 #include "apps/override_options.h"
 #include "apps/run_cell.h"
+#include "os/input_file.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/simulation/simulator.h"
 
@@ -24,6 +25,9 @@ struct RunArguments {
     std::string machine_data;
     std::string save_machine_data;
     std::string cell;
+    std::string cell_text;  ///< Of that file, which is read once: it may be a pipe.
+    os::NamedBy machine_named_by = os::NamedBy::command_line;  ///< Or by the cell file.
+    os::NamedBy machine_data_named_by = os::NamedBy::command_line;
     std::string probe;
     LanguageNames language;
     std::string setup;

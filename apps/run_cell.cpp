@@ -17,7 +17,8 @@ cell::Cell frames_alone(const machine::Machine& machine) {
 
 tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine) {
     if (!choice.collisions) return frames_alone(machine);
-    return choice.file.empty() ? cell::cell_of_machine(machine) : cell::load_cell(choice.file, machine);
+    return choice.file.empty() ? cell::cell_of_machine(machine)
+                               : cell::read_cell(choice.text, choice.file, machine);
 }
 
 tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
@@ -28,7 +29,7 @@ tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
         return std::make_unique<simulation::CellWatch>(
             std::move(cell), machine, simulation::CellUse{.of_file = of_file, .watched = watched});
     };
-    if (of_file) return cell::load_cell(choice.file, machine, conveyors).map(watch);
+    if (of_file) return cell::read_cell(choice.text, choice.file, machine, conveyors).map(watch);
     if (watched) return cell::cell_of_machine(machine).map(watch);
     return watch(frames_alone(machine));
 }

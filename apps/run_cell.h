@@ -13,6 +13,7 @@ namespace gsim::apps {
 /// What a run or a study of a machine is to look at.
 struct CellChoice {
     std::string file;        ///< The cell file; empty: none, the machine's own bodies alone.
+    std::string text;        ///< What stands in it.
     bool collisions = true;  ///< Else bodies are not looked at.
 };
 

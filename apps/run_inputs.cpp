@@ -11,6 +11,7 @@
 #include "apps/variables_file.h"
 #include "os/file_identity.h"
 #include "runtime/cell/cell_file.h"
+#include "runtime/machine/text_file.h"
 #include "runtime/rcs/rcs_machine.h"
 
 namespace gsim::apps {
@@ -25,9 +26,8 @@ tl::expected<machine::MachineDataDocument, std::string> read_data(const RunArgum
         if (!input.data) return document;
         return document.update(*input.data).map([&] { return document; });
     }
-    return open_machine_data(arguments.machine_data, machine.axes).map_error([](const auto& errors) {
-        return errors.front();
-    });
+    return open_machine_data(arguments.machine_data, machine.axes, arguments.machine_data_named_by)
+        .map_error([](const auto& errors) { return errors.front(); });
 }
 
 tl::expected<machine::MachineData, std::string> with_variables(const RunArguments& arguments,
@@ -85,6 +85,19 @@ std::optional<std::string> conflict_with_cell(const RunArguments& arguments, con
     return std::nullopt;
 }
 
+// What the command line does not say itself.
+RunArguments with_files_of_cell(RunArguments arguments, const cell::CellFiles& files) {
+    if (arguments.machine.empty()) {
+        arguments.machine = files.machine.string();
+        arguments.machine_named_by = os::NamedBy::a_file;
+    }
+    if (arguments.machine_data.empty()) {
+        arguments.machine_data = files.machine_data.string();
+        arguments.machine_data_named_by = os::NamedBy::a_file;
+    }
+    return arguments;
+}
+
 }  // namespace
 
 tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments) {
@@ -101,16 +114,19 @@ tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments)
         *name = *std::move(found);
     }
     if (arguments.cell.empty()) return arguments;
-    const auto files = cell::load_cell_files(arguments.cell);
+    auto text = machine::read_text_file(arguments.cell, os::NamedBy::command_line);
+    if (!text) return tl::unexpected(text.error());
+    arguments.cell_text = *std::move(text);
+    const auto files = cell::read_cell_files(arguments.cell_text, arguments.cell);
     if (!files) return tl::unexpected(files.error());
     if (auto conflict = conflict_with_cell(arguments, *files)) return tl::unexpected(*std::move(conflict));
-    if (arguments.machine.empty()) arguments.machine = files->machine.string();
-    if (arguments.machine_data.empty()) arguments.machine_data = files->machine_data.string();
-    return arguments;
+    return with_files_of_cell(std::move(arguments), *files);
 }
 
 tl::expected<MachineInput, std::string> read_machine(const RunArguments& arguments) {
-    return read_machine_input(arguments.studies.check.empty() ? arguments.machine : arguments.studies.check);
+    if (!arguments.studies.check.empty())
+        return read_machine_input(arguments.studies.check, os::NamedBy::command_line);
+    return read_machine_input(arguments.machine, arguments.machine_named_by);
 }
 
 tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& arguments, MachineInput input,

@@ -144,6 +144,23 @@ bool is_number(std::string_view name) {
            name.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// The folder of the main program, in which all lie that it calls.
+fs::path folder_of(const std::string& main_path) {
+    const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
+    return parent.empty() ? fs::path(".") : parent;
+}
+
+/// Why a file there must not be read: links lead out of the folder. Nothing where it may.
+std::optional<std::string> find_way_out(const fs::path& folder, const fs::path& name) {
+    std::error_code no_folder;
+    std::error_code no_file;
+    const fs::path inside = fs::canonical(folder, no_folder);
+    const fs::path file = fs::canonical(folder / name, no_file);
+    const auto [end, unused] = std::mismatch(inside.begin(), inside.end(), file.begin(), file.end());
+    if (!no_folder && !no_file && end == inside.end()) return std::nullopt;
+    return fmt::format("{} is a link that leads out of the folder of the script", name.string());
+}
+
 /// Files that may hold the program with this number or, in RS274/NGC, the subroutine with this name.
 std::vector<std::string> candidate_names(const fs::path& main_path, const std::string& wanted) {
     std::vector<std::string> names;
@@ -175,7 +192,8 @@ std::vector<std::string> candidate_names(const fs::path& main_path, const std::s
 tl::expected<Script, InputError> read_script(const std::string& path, const Language& language,
                                              const TellDiagnostic& tell) {
     tl::expected<lexer::Source, std::string> source =
-        path == "-" ? lexer::Source::spool(stdin, "stdin") : lexer::Source::open(path);
+        path == "-" ? lexer::Source::spool(stdin, "stdin")
+                    : lexer::Source::open(path, os::NamedBy::command_line);
     if (!source) return tl::unexpected(InputError{.message = source.error(), .file = path});
     const bool lua = has_extension(path, ".lua") || (path == "-" && looks_like_lua(*source));
     return script_of(*source, lua, language, tell);
@@ -190,6 +208,8 @@ script::FindProgram program_finder(const std::string& main_path, const Language&
             const fs::path path = main.parent_path() / name;
             std::error_code ignored;
             if (!fs::is_regular_file(path, ignored) || fs::equivalent(path, main, ignored)) continue;
+            if (auto way_out = find_way_out(folder_of(main.string()), name))
+                return tl::unexpected(*std::move(way_out));
             tl::expected<lexer::Source, std::string> source = lexer::Source::open(path.string());
             if (!source) return tl::unexpected(source.error());
             tl::expected<Script, InputError> script =
@@ -225,18 +245,11 @@ std::optional<fs::path> module_file(const std::string& name) {
     return path += ".lua";
 }
 
-bool is_inside(const fs::path& file, const fs::path& folder) {
-    const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-    return end == folder.end();
-}
-
 }  // namespace
 
 script::FindProgram module_finder(const std::string& main_path, std::uint64_t memory_bytes) {
-    const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
-    const fs::path folder = parent.empty() ? fs::path(".") : parent;
     return
-        [folder, memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
+        [folder = folder_of(main_path), memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
             const std::optional<fs::path> file = module_file(name);
             if (!file) {
                 return tl::unexpected(std::string(
@@ -248,10 +261,7 @@ script::FindProgram module_finder(const std::string& main_path, std::uint64_t me
             if (!fs::is_regular_file(path, ignored))
                 return tl::unexpected(
                     fmt::format("there is no file {} in the folder of the script", file->string()));
-            if (!is_inside(fs::canonical(path, ignored), fs::canonical(folder, ignored))) {
-                return tl::unexpected(
-                    fmt::format("{} is a link that leads out of the folder of the script", file->string()));
-            }
+            if (auto way_out = find_way_out(folder, *file)) return tl::unexpected(*std::move(way_out));
             tl::expected<lexer::Source, std::string> source =
                 lexer::Source::open(path.lexically_normal().string());
             if (!source) return tl::unexpected(source.error());

@@ -15,9 +15,9 @@ tl::expected<std::map<int, double>, std::string> read_variables(const std::strin
     std::map<int, double> values;
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) return values;
-    auto text = machine::read_text_file(path);
-    if (!text) return tl::unexpected(std::move(text.error()));
-    std::istringstream lines(*std::move(text));
+    const auto text = machine::read_text_file(path, os::NamedBy::command_line);
+    if (!text) return tl::unexpected(text.error());
+    std::istringstream lines(*text);
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         std::istringstream words(line);

@@ -303,7 +303,8 @@ std::vector<std::string_view> built_in_posts() {
 
 tl::expected<Post, std::string> find_post(const std::string& name) {
     if (name.ends_with(kExtension)) {
-        const tl::expected<std::string, std::string> text = machine::read_text_file(name);
+        const tl::expected<std::string, std::string> text =
+            machine::read_text_file(name, os::NamedBy::command_line);
         if (!text) return tl::unexpected(text.error());
         return read_post(*text, name);
     }

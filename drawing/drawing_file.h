@@ -6,11 +6,12 @@
 #include <tl/expected.hpp>
 
 #include "drawing/drawing.h"
+#include "os/input_file.h"
 
 namespace gsim::drawing {
 
 /// Reads a drawing by the ending of its name, .dxf or .svg. The error names the file.
-tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path,
-                                                const ReadOptions& options);
+tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
+                                                os::NamedBy named_by = os::NamedBy::a_file);
 
 }  // namespace gsim::drawing

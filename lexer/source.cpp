@@ -15,14 +15,14 @@ std::string file_error(const std::string& path, int error_number) {
     return fmt::format("{}: {}", path, std::strerror(error_number));
 }
 
-tl::expected<Source, std::string> Source::open(const std::string& path) {
+tl::expected<Source, std::string> Source::open(const std::string& path, os::NamedBy named_by) {
     Source source;
     source.name_ = path;
-    source.file_.reset(std::fopen(path.c_str(), "rb"));
-    if (!source.file_) return tl::unexpected(file_error(path, errno));
+    auto file = os::open_input(path, named_by);
+    if (!file) return tl::unexpected(fmt::format("{}: {}", path, file.error()));
+    source.file_ = *std::move(file);
     struct stat info {};
     if (::fstat(::fileno(source.file_.get()), &info) != 0) return tl::unexpected(file_error(path, errno));
-    if (S_ISDIR(info.st_mode)) return tl::unexpected(file_error(path, EISDIR));
     if (!S_ISREG(info.st_mode)) return spool(source.file_.get(), path);
     source.size_ = static_cast<std::uint64_t>(info.st_size);
     return source;

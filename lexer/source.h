@@ -9,6 +9,8 @@
 
 #include <tl/expected.hpp>
 
+#include "os/input_file.h"
+
 namespace gsim::lexer {
 
 /// The longest line that is read, in bytes; what is longer is cut and reported. It bounds the scanner's
@@ -19,8 +21,10 @@ inline constexpr std::size_t kMaxLineBytes = 65536;
 /// messages. A file is never held in memory as a whole, so that its length does not matter.
 class Source {
   public:
-    /// Opens a regular file. The error is a sentence for the user.
-    static tl::expected<Source, std::string> open(const std::string& path);
+    /// Opens a regular file, or copies the data of a pipe as spool() does. The error is a sentence for the
+    /// user.
+    static tl::expected<Source, std::string> open(const std::string& path,
+                                                  os::NamedBy named_by = os::NamedBy::a_file);
     /// Copies a stream that cannot be read twice (standard input) to an anonymous temporary file.
     static tl::expected<Source, std::string> spool(std::FILE* stream, std::string name);
     /// Takes a text in memory.
@@ -45,13 +49,10 @@ class Source {
     bool failed() const { return failed_; }
 
   private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t capacity) const;
 
     std::string name_;
-    std::unique_ptr<std::FILE, Close> file_;  // null: text_ holds it all
+    os::InputFile file_;  // null: text_ holds it all
     std::string text_;
     std::uint64_t size_ = 0;
     std::uint64_t position_ = 0;

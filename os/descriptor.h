@@ -15,6 +15,8 @@ class Descriptor {
     ~Descriptor() { close(); }
 
     int number() const { return number_; }
+    /// Somebody else closes it from now on.
+    void release() { number_ = -1; }
     void close() {
         if (number_ >= 0) ::close(std::exchange(number_, -1));
     }

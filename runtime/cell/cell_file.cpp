@@ -1,12 +1,14 @@
 #include "runtime/cell/cell_file.h"
 
 #include <array>
+#include <functional>
+#include <map>
 
 #include "runtime/cell/machine_shapes.h"
+#include "runtime/cell/meeting_pairs.h"
 #include "runtime/machine/frame_pose.h"
 #include "runtime/machine/frame_section.h"
 #include "runtime/machine/shape_section.h"
-#include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_section.h"
 
 namespace gsim::cell {
@@ -38,7 +40,9 @@ class CellReader {
         : error_(error),
           folder_(std::move(folder)),
           machine_items_(cell.items.size()),
-          cell_(std::move(cell)) {}
+          cell_(std::move(cell)) {
+        for (std::size_t i = 0; i < cell_.items.size(); ++i) items_by_name_.emplace(cell_.items[i].name, i);
+    }
 
     void add_conveyor(const std::string& name, const toml::table& root) {
         if (cell_.frames.find(name)) {
@@ -59,6 +63,7 @@ class CellReader {
         const auto ignored = machine::read_ignored(error_, file, root,
                                                    [this](std::string_view name) { return find_item(name); });
         cell_.ignored.insert(cell_.ignored.end(), ignored.begin(), ignored.end());
+        if (const auto fault = find_too_many(cell_.items, cell_.frames)) file.fail("object", *fault);
         return std::move(cell_);
     }
 
@@ -141,20 +146,21 @@ class CellReader {
         if (!form) return;
         auto shape = make_shape(*form);
         if (!shape) return section.fail("shape", shape.error());
+        items_by_name_.emplace(name, cell_.items.size());
         cell_.items.push_back({std::move(name), role, *std::move(shape), frame});
     }
 
     std::optional<std::size_t> find_item(std::string_view name) const {
-        for (std::size_t i = 0; i < cell_.items.size(); ++i) {
-            if (cell_.items[i].name == name) return i;
-        }
-        return std::nullopt;
+        const auto found = items_by_name_.find(name);
+        if (found == items_by_name_.end()) return std::nullopt;
+        return found->second;
     }
 
     FirstError& error_;
     std::filesystem::path folder_;
     std::size_t machine_items_;  ///< The first so many items are the machine's.
     Cell cell_;
+    std::map<std::string, std::size_t, std::less<>> items_by_name_;  ///< The first of a name.
 };
 
 }  // namespace
@@ -186,17 +192,6 @@ tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::strin
     Cell cell = reader.read(root);
     if (error.text()) return tl::unexpected(*error.text());
     return cell;
-}
-
-tl::expected<CellFiles, std::string> load_cell_files(const std::filesystem::path& path) {
-    return machine::read_text_file(path).and_then(
-        [&](const std::string& text) { return read_cell_files(text, path.string()); });
-}
-
-tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path, const machine::Machine& machine,
-                                          std::span<const std::string> conveyors) {
-    return machine::read_text_file(path).and_then(
-        [&](const std::string& text) { return read_cell(text, path.string(), machine, conveyors); });
 }
 
 }  // namespace gsim::cell

@@ -28,9 +28,4 @@ tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::strin
                                           const machine::Machine& machine,
                                           std::span<const std::string> conveyors = {});
 
-/// The same of a file on disk.
-tl::expected<CellFiles, std::string> load_cell_files(const std::filesystem::path& path);
-tl::expected<Cell, std::string> load_cell(const std::filesystem::path& path, const machine::Machine& machine,
-                                          std::span<const std::string> conveyors = {});
-
 }  // namespace gsim::cell

@@ -1,6 +1,9 @@
 #include "runtime/cell/clearance_watch.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "runtime/cell/placed_kinematics.h"
@@ -30,6 +33,60 @@ void ClearanceWatch::make_pairs() {
         const bool feels = by_probe && !pair.with_jet;
         pairs_.push_back({std::move(pair), feels});
     }
+    make_crowds();
+}
+
+// Each pair goes where more are: many bodies that stand may meet one that moves, or many that move one that
+// stands.
+void ClearanceWatch::make_crowds() {
+    using Key = std::tuple<std::size_t, int, bool>;  // an item, a link, with the jet
+    const auto by_first = [](const Watched& pair) {
+        return Key{pair.items.first, pair.bodies.second.link, pair.with_jet};
+    };
+    const auto by_second = [](const Watched& pair) {
+        return Key{pair.items.second, pair.bodies.first.link, pair.with_jet};
+    };
+    std::map<Key, std::size_t> sizes;
+    for (const Watched& pair : pairs_) {
+        ++sizes[by_first(pair)];
+        ++sizes[by_second(pair)];
+    }
+    std::map<Key, std::size_t> crowds;
+    crowds_.clear();
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        Watched& pair = pairs_[i];
+        const bool second = sizes[by_second(pair)] > sizes[by_first(pair)];
+        const auto [crowd, is_new] =
+            crowds.try_emplace(second ? by_second(pair) : by_first(pair), crowds_.size());
+        if (is_new) {
+            std::vector<int> between = pair.bodies.between;
+            if (second) std::reverse(between.begin(), between.end());
+            crowds_.push_back(
+                {second ? pair.bodies.second : pair.bodies.first, std::move(between), pair.with_jet});
+        }
+        pair.crowd = crowd->second;
+        crowds_[pair.crowd].pairs.push_back(i);
+    }
+    for (Crowd& crowd : crowds_) forget_distances(crowd);
+}
+
+/// How far what is from what is not known any more.
+void ClearanceWatch::forget_distances(Crowd& crowd) {
+    crowd.gone_mm = 0;
+    std::vector<Due> all;
+    all.reserve(crowd.pairs.size());
+    for (const std::size_t i : crowd.pairs) {
+        pairs_[i].at_least_mm = 0;
+        all.push_back({0, i});
+    }
+    crowd.due = std::priority_queue<Due, std::vector<Due>, std::greater<>>(std::greater<>(), std::move(all));
+}
+
+void ClearanceWatch::switch_off(Crowd& crowd) {
+    if (crowd.is_off) return;
+    crowd.is_off = true;
+    for (const std::size_t i : crowd.pairs) pairs_[i].contact.reset();
+    forget_distances(crowd);
 }
 
 void ClearanceWatch::frames_changed() {
@@ -38,10 +95,10 @@ void ClearanceWatch::frames_changed() {
     for (Watched& pair : pairs_) {
         pair.bodies.first = body_of(cell_, pair.items.first);
         pair.bodies.second = body_of(cell_, pair.items.second);
-        pair.at_least_mm = 0;
         pair.contact.reset();
         pair.touched.reset();
     }
+    make_crowds();
 }
 
 void ClearanceWatch::take(const motion::Segment& segment, bool jet_on, bool probing) {
@@ -53,17 +110,53 @@ void ClearanceWatch::take(const motion::Segment& segment, bool jet_on, bool prob
         to_s = stretch_end_s(segment, from_s);
         const std::vector<DriftingLink> links = drifting(segment.start_s + from_s + (to_s - from_s) / 2);
         const SegmentMotion motion(*kinematics_, segment, links);
-        const MotionPart stretch = motion.between(from_s, to_s);
-        for (Watched& pair : pairs_) {
-            if (pair.with_jet && !jet_on) {
-                pair.at_least_mm = 0;
-                pair.contact.reset();
-            } else {
-                watch(motion, stretch, pair);
-            }
-        }
+        take_stretch(motion, motion.between(from_s, to_s), jet_on);
         from_s = to_s;
     } while (to_s < segment.duration_s);
+}
+
+void ClearanceWatch::take_stretch(const SegmentMotion& motion, const MotionPart& stretch, bool jet_on) {
+    ++stretch_;
+    collect_due(stretch, jet_on);
+    for (const std::size_t i : due_) {
+        Watched& pair = pairs_[i];
+        Crowd& crowd = crowds_[pair.crowd];
+        if (pair.looked + 1 != stretch_) pair.probed = false;  // it was far meanwhile
+        pair.looked = stretch_;
+        watch(motion, stretch, pair);
+        crowd.due.push({crowd.gone_mm + pair.at_least_mm, i});
+    }
+}
+
+/// Takes the pairs that may come near in a stretch out of their crowds.
+void ClearanceWatch::collect_due(const MotionPart& stretch, bool jet_on) {
+    due_.clear();
+    for (Crowd& crowd : crowds_) {
+        if (crowd.with_jet && !jet_on) {
+            switch_off(crowd);
+        } else {
+            crowd.is_off = false;
+            collect_due(stretch, crowd);
+        }
+    }
+    std::sort(due_.begin(), due_.end());
+}
+
+void ClearanceWatch::collect_due(const MotionPart& stretch, Crowd& crowd) {
+    crowd.way_mm = stretch.chain.bound(crowd.body.ball(stretch.from), crowd.between).way_mm;
+    const double before_mm = crowd.gone_mm;
+    crowd.gone_mm += crowd.way_mm;
+    const double near_mm = cutoff_mm();
+    for (; !crowd.due.empty() && crowd.due.top().at_mm - crowd.gone_mm <= near_mm; crowd.due.pop()) {
+        const Due& due = crowd.due.top();
+        pairs_[due.pair].at_least_mm = due.at_mm - before_mm;
+        due_.push_back(due.pair);
+    }
+}
+
+/// As near as something has to be to count.
+double ClearanceWatch::cutoff_mm() const {
+    return std::max(nearest_ ? nearest_->distance_mm : cell_.clearance_mm, kLeastCutoff_mm);
 }
 
 /// Where links that go by themselves next go otherwise, or the segment ends.
@@ -90,7 +183,7 @@ std::vector<DriftingLink> ClearanceWatch::drifting(double time_s) {
         since_s.push_back(links.back().drift.from_s);
     }
     if (since_s != drifts_since_s_) {
-        for (Watched& pair : pairs_) pair.at_least_mm = 0;
+        for (Crowd& crowd : crowds_) forget_distances(crowd);
         drifts_since_s_ = std::move(since_s);
     }
     return links;
@@ -99,16 +192,15 @@ std::vector<DriftingLink> ClearanceWatch::drifting(double time_s) {
 void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
     if (pair.contact) return go_on_in_contact(motion, whole, pair, 0);
     if (pair.touched) return go_on_touched(motion, whole, pair);
-    const double least_mm = nearest_ ? nearest_->distance_mm : cell_.clearance_mm;
-    const double cutoff_mm = std::max(least_mm, kLeastCutoff_mm);
-    const double way_mm = pair.bodies.bound(whole).way_mm;
-    if (pair.at_least_mm - way_mm > cutoff_mm) {
+    const double near_mm = cutoff_mm();
+    const double way_mm = crowds_[pair.crowd].way_mm;
+    if (pair.at_least_mm - way_mm > near_mm) {
         pair.at_least_mm -= way_mm;
         pair.probed = false;
         return;
     }
     if (has_ended()) return;
-    const Nearness nearness = pair.bodies.nearest(motion, whole, cutoff_mm);
+    const Nearness nearness = pair.bodies.nearest(motion, whole, near_mm);
     pair.at_least_mm = nearness.lower_mm;
     const bool let_near = is_let_near(whole, pair);
     if (nearness.lower_mm <= kContact_mm) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <queue>
 #include <vector>
 
 #include "os/cpu_limit.h"
@@ -68,13 +70,41 @@ class ClearanceWatch {
         std::optional<Eigen::Vector3d> normal = std::nullopt;
         std::optional<Touched> touched = std::nullopt;  ///< By a probe, until they part.
         bool probed = false;                            ///< And until they are far from each other.
+        std::size_t crowd = 0;                          ///< In crowds_.
+        std::size_t looked = 0;                         ///< The stretch in which it was last looked at.
+    };
+    /// A distance and a pair that comes no nearer before its crowd has gone so far.
+    struct Due {
+        double at_mm;
+        std::size_t pair;
+
+        bool operator>(const Due& other) const { return at_mm > other.at_mm; }
+    };
+    /// Pairs of one body with all on one link: how far they go against each other has one bound, so that
+    /// those that are far are not touched from segment to segment.
+    struct Crowd {
+        Body body;
+        std::vector<int> between;  ///< From the body's link on.
+        bool with_jet;             ///< All of them, or none.
+        bool is_off = false;       ///< They wait for the jet.
+        std::vector<std::size_t> pairs = {};
+        double gone_mm = 0;
+        double way_mm = 0;  ///< Of that, in the stretch that is looked at.
+        std::priority_queue<Due, std::vector<Due>, std::greater<>> due = {};
     };
 
     void make_pairs();
     bool has_ended() const { return cpu_ != nullptr && cpu_->reached(); }
+    void make_crowds();
+    void forget_distances(Crowd& crowd);
+    void switch_off(Crowd& crowd);
+    void take_stretch(const SegmentMotion& motion, const MotionPart& stretch, bool jet_on);
+    void collect_due(const MotionPart& stretch, bool jet_on);
+    void collect_due(const MotionPart& stretch, Crowd& crowd);
     double stretch_end_s(const motion::Segment& segment, double from_s) const;
     std::vector<DriftingLink> drifting(double time_s);
     void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
+    double cutoff_mm() const;
     void note(const Nearness& nearness, const Watched& pair);
     bool is_let_near(const MotionPart& whole, Watched& pair) const;
     void begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
@@ -89,6 +119,9 @@ class ClearanceWatch {
     std::vector<int> parents_;                                  ///< Of links that go by themselves.
     std::vector<double> drifts_since_s_;                        ///< Of those, in the stretch before.
     std::vector<Watched> pairs_;
+    std::vector<Crowd> crowds_;
+    std::vector<std::size_t> due_;  ///< The pairs to look at in a stretch, in their order.
+    std::size_t stretch_ = 0;       ///< Counted from 1.
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;
     os::CpuLimit* cpu_ = nullptr;

@@ -1,6 +1,5 @@
 #include "runtime/cell/frame_tree.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "runtime/kinematics/chain.h"
@@ -11,13 +10,13 @@ FrameTree::FrameTree(const machine::Machine& machine) {
     const auto kinematics = machine::make_kinematics(machine);
     const kinematics::Chain& chain = kinematics->chain();
     frames_.reserve(machine.axes.size() + 4);
-    frames_.push_back({"world", 0, rrs::CartPos::Identity(), 0, true});
+    put({"world", 0, rrs::CartPos::Identity(), 0, true});
     base_ = add("base", 0, chain.tool_side().base);
     const std::size_t before_axes = frames_.size();
     for (const machine::Axis& axis : machine.axes) {
         const std::size_t frame = frames_.size();
         const int link = static_cast<int>(frame - before_axes) + 1;
-        frames_.push_back({std::string(1, axis.letter), frame, rrs::CartPos::Identity(), link, true});
+        put({std::string(1, axis.letter), frame, rrs::CartPos::Identity(), link, true});
     }
     const auto link_frame = [&](const kinematics::Branch& branch) {
         return before_axes + static_cast<std::size_t>(branch.links.back().joint);
@@ -35,14 +34,18 @@ FrameTree::FrameTree(const machine::Machine& machine) {
 }
 
 std::optional<std::size_t> FrameTree::find(std::string_view name) const {
-    const auto frame =
-        std::find_if(frames_.begin(), frames_.end(), [name](const Frame& f) { return f.name == name; });
-    if (frame == frames_.end()) return std::nullopt;
-    return static_cast<std::size_t>(frame - frames_.begin());
+    const auto found = by_name_.find(name);
+    if (found == by_name_.end()) return std::nullopt;
+    return found->second;
+}
+
+void FrameTree::put(Frame frame) {
+    by_name_.emplace(frame.name, frames_.size());
+    frames_.push_back(std::move(frame));
 }
 
 std::size_t FrameTree::add(std::string name, std::size_t parent, const rrs::CartPos& in_parent) {
-    frames_.push_back({std::move(name), parent, in_parent, frames_[parent].link});
+    put({std::move(name), parent, in_parent, frames_[parent].link});
     return frames_.size() - 1;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "runtime/cell/link_frames.h"
@@ -55,7 +57,17 @@ class FrameTree {
         bool is_link = false;  ///< The frame is where its link is.
     };
 
+    // Lets names be looked up without making strings of them.
+    struct NameHash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>()(name); }
+    };
+
+    void put(Frame frame);
+
     std::vector<Frame> frames_;
+    std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>>
+        by_name_;  ///< The first of a name.
     std::size_t base_ = 0;
     int machine_links_ = 0;
     std::size_t machine_frames_ = 0;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "runtime/cell/body_pair.h"
@@ -19,6 +22,13 @@ struct MeetingPair {
     bool with_jet;
     BodyPair bodies;
 };
+
+/// The most pairs of bodies that are watched, some 500 bytes each.
+inline constexpr std::size_t kMostMeetingPairs = 400'000;
+
+/// Why these are too many items, as a sentence: the pairs that stand on different links may meet. Nothing
+/// where they are not.
+std::optional<std::string> find_too_many(std::span<const Item> items, const FrameTree& frames);
 
 /// An item of a cell as a body on its link. The cell must outlive it.
 Body body_of(const Cell& cell, std::size_t item);

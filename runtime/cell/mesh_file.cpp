@@ -1,9 +1,8 @@
 #include "runtime/cell/mesh_file.h"
 
-#include <fstream>
-
 #include <fmt/format.h>
 
+#include "os/input_file.h"
 #include "runtime/cell/mesh_text.h"
 #include "solid/mesh.h"
 #include "text/letter_case.h"
@@ -12,7 +11,7 @@ namespace gsim::cell {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 512ULL << 20U;
+constexpr std::size_t kMaxBytes = std::size_t{512} << 20U;
 
 bool is_obj(std::string_view file_name) {
     return text::lower(file_name).ends_with(".obj");
@@ -70,16 +69,9 @@ tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const s
         if (!mesh) return tl::unexpected(mesh.error());
         return make_mesh(soup_of(*mesh), name, scale);
     }
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error) return tl::unexpected(fmt::format("{}: {}", name, error.message()));
-    if (size > kMaxBytes) return tl::unexpected(fmt::format("{}: meshes of up to 512 MiB are read", name));
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!file || file.gcount() != static_cast<std::streamsize>(size))
-        return tl::unexpected(fmt::format("{}: it cannot be read", name));
-    return read_mesh(bytes, name, scale);
+    const auto bytes = os::read_input(path, os::NamedBy::a_file, kMaxBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return read_mesh(*bytes, name, scale);
 }
 
 }  // namespace gsim::cell

@@ -6,7 +6,6 @@
 #include "runtime/import/linuxcnc_ini.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/machine/text_file.h"
 #include "runtime/machine/toml_text.h"
 #include "text/letter_case.h"
 
@@ -27,17 +26,13 @@ std::string remark(std::string_view text) {
 
 }  // namespace
 
-bool is_control_file(const std::filesystem::path& path) {
+bool is_control_file(std::string_view text, const std::filesystem::path& path) {
     if (is_ini(path)) return true;
-    if (text::lower(path.extension().string()) == ".toml") return false;
-    const auto text = machine::read_text_file(path);
-    return text && is_grbl_dump(*text);
+    return text::lower(path.extension().string()) != ".toml" && is_grbl_dump(text);
 }
 
-tl::expected<Imported, std::string> import_machine(const std::filesystem::path& path) {
-    return machine::read_text_file(path).and_then([&](const std::string& text) {
-        return is_ini(path) ? import_linuxcnc(text, path) : import_grbl(text, path.string());
-    });
+tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path) {
+    return is_ini(path) ? import_linuxcnc(text, path) : import_grbl(text, path.string());
 }
 
 tl::expected<std::string, std::string> machine_toml(const Imported& imported,

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -11,11 +12,11 @@ namespace gsim::import {
 
 /// Whether a machine file is the settings of a control: its name ends in .ini (LinuxCNC), or it has lines as
 /// grbl answers `$$` with.
-bool is_control_file(const std::filesystem::path& path);
+bool is_control_file(std::string_view text, const std::filesystem::path& path);
 
-/// Reads the settings of a control, with the files of offsets and tools that they name. The error is a
-/// sentence with its place.
-tl::expected<Imported, std::string> import_machine(const std::filesystem::path& path);
+/// Reads the settings of a control, with the files of offsets and tools that they name, which are looked for
+/// in the folder of `path`. The error is a sentence with its place.
+tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path);
 
 /// A machine file of it, which says in remarks where it is from and what is not taken over. The error is a
 /// sentence: values that no machine file can hold.

@@ -16,9 +16,10 @@ tl::expected<MachineData, std::string> read_machine_data(std::string_view text, 
 }
 
 tl::expected<MachineData, std::string> load_machine_data(const std::filesystem::path& path,
-                                                         std::span<const Axis> axes) {
-    return read_text_file(path).and_then(
-        [&](const std::string& text) { return read_machine_data(text, path.string(), axes); });
+                                                         std::span<const Axis> axes, os::NamedBy named_by) {
+    return read_text_file(path, named_by).and_then([&](const std::string& text) {
+        return read_machine_data(text, path.string(), axes);
+    });
 }
 
 std::string write_machine_data(const MachineData& data, std::span<const Axis> axes) {

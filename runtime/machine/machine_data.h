@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "os/input_file.h"
 #include "runtime/machine/machine.h"
 #include "runtime/machine/zone.h"
 
@@ -59,7 +60,8 @@ tl::expected<MachineData, std::string> read_machine_data(std::string_view text, 
 
 /// read_machine_data() of a file on disk.
 tl::expected<MachineData, std::string> load_machine_data(const std::filesystem::path& path,
-                                                         std::span<const Axis> axes = {});
+                                                         std::span<const Axis> axes = {},
+                                                         os::NamedBy named_by = os::NamedBy::a_file);
 
 /// The data as a file of their own, in mm: sections in the order of the documentation, entries by number.
 /// read_machine_data() gives the same data back, as long as further axes have values from the first one of

@@ -260,9 +260,10 @@ tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std:
     return machine;
 }
 
-tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path) {
-    return read_text_file(path).and_then(
-        [&](const std::string& text) { return read_machine(text, path.string()); });
+tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NamedBy named_by) {
+    return read_text_file(path, named_by).and_then([&](const std::string& text) {
+        return read_machine(text, path.string());
+    });
 }
 
 std::string_view built_in_machine_toml() {

@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "os/input_file.h"
 #include "runtime/machine/machine.h"
 
 namespace gsim::machine {
@@ -17,7 +18,8 @@ namespace gsim::machine {
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name);
 
 /// read_machine() of a file on disk.
-tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path);
+tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path,
+                                                os::NamedBy named_by = os::NamedBy::a_file);
 
 /// A machine file that read_machine() reads back as an equal machine, if it accepts this one at all. Meshes
 /// have their whole path in it, so that it may lie in any folder.

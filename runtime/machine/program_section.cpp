@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "runtime/machine/text_file.h"
-
 namespace gsim::machine {
 
 using std::string_view_literals::operator""sv;
@@ -49,11 +47,6 @@ tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml
     const ProgramTable program = read_program_section(error, node == nullptr ? nullptr : node->as_table());
     if (error.text()) return tl::unexpected(*error.text());
     return program;
-}
-
-tl::expected<ProgramTable, std::string> load_program_table(const std::filesystem::path& path) {
-    return read_text_file(path).and_then(
-        [&](const std::string& text) { return read_program_table(text, path.string()); });
 }
 
 }  // namespace gsim::machine

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +27,5 @@ struct ProgramTable {
 /// sentence".
 tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
                                                            std::string_view file_name);
-/// The same of a file on disk.
-tl::expected<ProgramTable, std::string> load_program_table(const std::filesystem::path& path);
 
 }  // namespace gsim::machine

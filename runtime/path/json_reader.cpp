@@ -56,19 +56,15 @@ tl::expected<PathFile, std::string> read_json(std::string_view text, std::string
     return read_json(read, std::move(file_name));
 }
 
-tl::expected<PathFile, std::string> load_json(const std::filesystem::path& path) {
-    struct CloseFile {
-        void operator()(std::FILE* file) const { std::fclose(file); }
+tl::expected<PathFile, std::string> load_json(const std::filesystem::path& path, os::NamedBy named_by) {
+    const auto cannot_read = [&path](const std::string& why) {
+        return tl::unexpected(fmt::format("cannot read '{}': {}", path.string(), why));
     };
-    const auto cannot_read = [&path](int error) {
-        return tl::unexpected(
-            fmt::format("cannot read '{}': {}", path.string(), std::generic_category().message(error)));
-    };
-    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-    if (!file) return cannot_read(errno);
-    auto read = [&file](char* buffer, std::size_t size) { return std::fread(buffer, 1, size, file.get()); };
+    const auto file = os::open_input(path, named_by);
+    if (!file) return cannot_read(file.error());
+    auto read = [&file](char* buffer, std::size_t size) { return std::fread(buffer, 1, size, file->get()); };
     tl::expected<PathFile, std::string> result = read_json(read, path.string());
-    if (std::ferror(file.get()) != 0) return cannot_read(errno);
+    if (std::ferror(file->get()) != 0) return cannot_read(std::generic_category().message(errno));
     return result;
 }
 

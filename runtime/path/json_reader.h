@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "os/input_file.h"
 #include "runtime/path/place.h"
 
 namespace gsim::path {
@@ -23,6 +24,7 @@ tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, s
                                               std::string file_name);
 
 /// The same of a file on disk.
-tl::expected<PathFile, std::string> load_json(const std::filesystem::path& path);
+tl::expected<PathFile, std::string> load_json(const std::filesystem::path& path,
+                                              os::NamedBy named_by = os::NamedBy::a_file);
 
 }  // namespace gsim::path

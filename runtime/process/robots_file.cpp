@@ -109,9 +109,10 @@ tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, st
     return file;
 }
 
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path) {
-    return machine::read_text_file(path).and_then(
-        [&](const std::string& text) { return read_robots(text, path.string()); });
+tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path, os::NamedBy named_by) {
+    return machine::read_text_file(path, named_by).and_then([&](const std::string& text) {
+        return read_robots(text, path.string());
+    });
 }
 
 }  // namespace gsim::process

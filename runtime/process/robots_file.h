@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "os/input_file.h"
 #include "runtime/process/conveyor.h"
 #include "runtime/rrs/types.h"
 
@@ -33,6 +34,7 @@ struct RobotsFile {
 tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name);
 
 /// The same of a file on disk.
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path);
+tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
+                                                  os::NamedBy named_by = os::NamedBy::a_file);
 
 }  // namespace gsim::process

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/cell/meeting_pairs.h"
 #include "runtime/kinematics/pose.h"
 #include "text/nearest_name.h"
 
@@ -106,6 +107,11 @@ Planned CellWatch::carry_frame(std::string_view name) {
     const auto found = find_movable(name);
     if (!found) return tl::unexpected(found.error());
     if (carrier_of(*found)) return {};
+    cell::FrameTree frames = cell_.frames;
+    frames.carry(*found);
+    if (const auto fault = cell::find_too_many(cell_.items, frames))
+        return motion::refused(Status::RRS_INVALID_PARAMETER,
+                               fmt::format("The frame '{}' cannot go by itself: {}.", name, *fault));
     cell_.carry(*found, false);
     set_frames_.carry(*found);
     for (const FrameMove& move : frame_moves_) {

@@ -260,9 +260,10 @@ tl::expected<Materials, std::string> read_materials(std::string_view toml_text, 
     return materials;
 }
 
-tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path) {
-    return machine::read_text_file(path).and_then(
-        [&](const std::string& text) { return read_materials(text, path.string()); });
+tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path, os::NamedBy named_by) {
+    return machine::read_text_file(path, named_by).and_then([&](const std::string& text) {
+        return read_materials(text, path.string());
+    });
 }
 
 std::string_view built_in_materials_toml() {

@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "os/input_file.h"
 #include "runtime/waterjet/materials.h"
 
 namespace gsim::waterjet {
@@ -15,7 +16,8 @@ namespace gsim::waterjet {
 tl::expected<Materials, std::string> read_materials(std::string_view toml_text, std::string_view file_name);
 
 /// read_materials() of a file on disk.
-tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path);
+tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
+                                                    os::NamedBy named_by = os::NamedBy::a_file);
 
 /// The text of samples/materials.toml, which is compiled in.
 std::string_view built_in_materials_toml();

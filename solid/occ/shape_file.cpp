@@ -11,11 +11,10 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "os/input_file.h"
 #include "solid/occ/file_frame.h"
 
 namespace gsim::solid {
@@ -24,12 +23,7 @@ namespace {
 
 using Fault = tl::unexpected<std::string>;
 
-std::string text_of(const std::string& name) {
-    std::ifstream file(name, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return std::move(text).str();
-}
+constexpr std::size_t kMaxSolidBytes = std::size_t{256} << 20U;  // as who asks says
 
 // What OpenCASCADE found wrong with an entity; it goes on without it, so that a part of the body is missing.
 tl::expected<void, std::string> check(const Interface_CheckIterator& list,
@@ -54,7 +48,9 @@ tl::expected<void, std::string> check(const Interface_CheckIterator& list,
 
 tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
     const FileFormat format = format_by_name(name);
-    if (auto fault = find_frame_fault(text_of(name), format)) return Fault(std::move(*fault));
+    const auto text = os::read_input(name, os::NamedBy::a_file, kMaxSolidBytes);
+    if (!text) return Fault(text.error());
+    if (auto fault = find_frame_fault(*text, format)) return Fault(std::move(*fault));
     ShapeFile file;
     if (format == FileFormat::step) {
         file.reader_ = std::make_unique<STEPControl_Reader>();

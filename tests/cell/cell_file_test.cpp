@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/cell/meeting_pairs.h"
 #include "tests/cell/segments.h"
 
 namespace gsim::cell::cell_file_test {
@@ -149,7 +150,27 @@ TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {
     machine.shapes[1].form = machine::MeshShape{"none.stl"};
     const auto cell = read_cell(kWhole, "c.toml", machine);
     ASSERT_FALSE(cell);
-    EXPECT_THAT(cell.error(), HasSubstr("the shape 'bed' of the machine cannot be read: none.stl: No such"));
+    EXPECT_THAT(cell.error(),
+                HasSubstr("the shape 'bed' of the machine cannot be read: cannot read 'none.stl': No such"));
+}
+
+// Names were compared with all before them, and each body with each, for minutes.
+TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
+    std::string text = "[cell]\nname = \"c\"\n";
+    for (int i = 0; i < 40'000; ++i)
+        text += fmt::format("[[object]]\nname=\"o{}\"\nshape={{sphere_mm=1}}\nframe={{x_mm={}}}\n", i, i);
+    const std::string heads = "[[shape]]\nname=\"h{}\"\non=\"tool\"\nshape={{sphere_mm=1}}\n";
+    const machine::Machine machine = af5();
+    for (int i = 0; i < 2; ++i) text += fmt::format(fmt::runtime(heads), i);
+    const auto cell = read_cell(text, "c.toml", machine);
+    ASSERT_TRUE(cell) << cell.error();
+    EXPECT_EQ(meeting_pairs(*cell, *machine::make_kinematics(machine)).size(), 80'000U);
+    for (int i = 2; i < 11; ++i) text += fmt::format(fmt::runtime(heads), i);
+    const auto too_many = read_cell(text, "c.toml", machine);
+    ASSERT_FALSE(too_many);
+    EXPECT_THAT(
+        too_many.error(),
+        HasSubstr("40011 bodies are 440000 pairs on parts that move against each other; up to 400000"));
 }
 
 // Whatever is done to a file, it is read, or refused with a place.

@@ -12,6 +12,7 @@
 
 #include "runtime/import/import_machine.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/machine/text_file.h"
 
 namespace gsim::import::linuxcnc_ini_test {
 namespace {
@@ -45,6 +46,11 @@ Imported import_text(const std::string& ini) {
     const auto imported = import_linuxcnc(ini, "mill.ini");
     EXPECT_TRUE(imported) << imported.error();
     return imported.value_or(Imported{});
+}
+
+tl::expected<Imported, std::string> import_file(const std::filesystem::path& path) {
+    return machine::read_text_file(path).and_then(
+        [&](const std::string& text) { return import_machine(text, path); });
 }
 
 std::string error_of(const std::string& ini) {
@@ -191,8 +197,8 @@ TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
     const auto path = write("mill.ini", std::string(kMill) +
                                             "#INCLUDE limits.inc\n[RS274NGC]\nPARAMETER_FILE = mill.var\n"
                                             "[EMCIO]\nTOOL_TABLE = mill.tbl\n");
-    ASSERT_TRUE(is_control_file(path));
-    const auto imported = import_machine(path);
+    ASSERT_TRUE(is_control_file("", path));
+    const auto imported = import_file(path);
     ASSERT_TRUE(imported) << imported.error();
     EXPECT_EQ(imported->machine.axes.size(), 3U);
     EXPECT_TRUE(imported->has_data);
@@ -215,7 +221,7 @@ TEST_F(LinuxcncFiles, FilesThatIncludeEachOtherOftenAreAnError) {
         write(fmt::format("{}.inc", i), text);
     }
     write(fmt::format("{}.inc", kFiles), "");
-    const auto imported = import_machine(write("mill.ini", mill() + "#INCLUDE 0.inc\n"));
+    const auto imported = import_file(write("mill.ini", mill() + "#INCLUDE 0.inc\n"));
     ASSERT_FALSE(imported);
     EXPECT_THAT(imported.error(), testing::EndsWith("more than 1000 files are included"));
 }
@@ -223,7 +229,7 @@ TEST_F(LinuxcncFiles, FilesThatIncludeEachOtherOftenAreAnError) {
 // The machine file reads back as the machine, and says where it is from.
 TEST_F(LinuxcncFiles, TheMachineFileIsTheMachine) {
     const auto path = write("mill.ini", mill() + "[HAL]\nHALFILE = a.hal\n");
-    const auto imported = import_machine(path);
+    const auto imported = import_file(path);
     ASSERT_TRUE(imported) << imported.error();
     const auto toml = machine_toml(*imported, path);
     ASSERT_TRUE(toml) << toml.error();
