@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/confine_run.h"
 #include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
@@ -71,12 +72,20 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
     if (!machine) return findings.fail(Kind::input_file, machine.error(), found->machine);
     for (const std::string& note : machine->notes)
         findings.take({.severity = text::Severity::note, .kind = Kind::machine, .text = note});
+    std::vector<std::string> programs;
+    for (const std::string& program : arguments.programs)
+        programs.push_back(find_file(InstalledKind::sample, program).value_or(program));
+    // Each program reads the cell and what it names, wherever that is, anew.
+    if (found->cell.empty()) {
+        if (auto confined = confine_run(*found, programs); !confined)
+            return findings.fail(Kind::usage, confined.error());
+    }
     int status = kDone;
-    for (const std::string& program : arguments.programs) {
+    for (const std::string& program : programs) {
         RunArguments one = *found;
         os::CpuLimit cpu(one.max_cpu_s);  // each program on its own
         one.limits.cpu = &cpu;
-        one.input = find_file(InstalledKind::sample, program).value_or(program);
+        one.input = program;
         status = std::max(status, check_program(one, *machine, findings));
     }
     return status;

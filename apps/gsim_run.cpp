@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "apps/confine_run.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/machine_data_file.h"
@@ -179,6 +180,8 @@ class Run {
             apps::Outputs::open(arguments_.outputs, run.simulator());
         if (!outputs) return fail(Kind::output, outputs.error());
         if (auto kept = check_kept(arguments_); !kept) return fail(Kind::output, kept.error());
+        if (auto confined = apps::confine_run(arguments_, {&arguments_.input, 1}); !confined)
+            return fail(Kind::usage, confined.error());
         simulation::Report report = run.run();
         report.diagnostics = findings_.all();
         outputs->explain(report);
@@ -208,6 +211,7 @@ class Run {
         run.limits = arguments_.limits;
         run.overrides = arguments_.overrides;
         run.collisions = !arguments_.no_collisions;
+        run.confine = [this] { return apps::confine_run(arguments_, {&arguments_.input, 1}); };
         run.tell = tell_;
         run.options = apps::engine_options(arguments_, {}, {}, progress, tell_);
         tl::expected<simulation::RobotsReport, apps::InputError> report = apps::run_robots(std::move(run));

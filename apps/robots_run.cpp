@@ -192,6 +192,7 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
     }
     const std::string program = input->file_name;
     script::Engine engine(std::move(robots), std::move(file->conveyors), std::move(run.options));
+    if (auto confined = run.confine(); !confined) return usage(confined.error());
     engine.run(*std::move(input));
     auto report = finish(program, stations, engine);
     if (!report) return report;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -24,6 +25,8 @@ struct RobotsRun {
     OverrideOptions overrides;  ///< Of each robot.
     bool collisions = true;     ///< Bodies of machines and cells are looked at.
     script::Engine::Options options;
+    /// Called when all is read, before the programs run; the error is a sentence.
+    std::function<tl::expected<void, std::string>()> confine;
     TellDiagnostic tell;  ///< Gets what is wrong with programs' texts.
 };
 

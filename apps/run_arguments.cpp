@@ -97,6 +97,9 @@ void add_limit_options(CommandLine& line, RunArguments& a) {
         .shows_default();
     add_cpu_option(line, a.max_cpu_s);
     add_memory_option(line, a.memory_mb);
+    line.add("--no-confine", &a.no_confine,
+             "do not take from the run, before it begins, what it does not need: all files but those in the "
+             "folders of its programs and outputs, other programs, the network (Linux, landlock)");
 }
 
 namespace {

@@ -50,6 +50,7 @@ struct RunArguments {
     bool block_delete = false;
     bool optional_stop = false;
     bool no_collisions = false;
+    bool no_confine = false;
 };
 
 /// What the options say to look at.

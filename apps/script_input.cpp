@@ -248,27 +248,27 @@ std::optional<fs::path> module_file(const std::string& name) {
 }  // namespace
 
 script::FindProgram module_finder(const std::string& main_path, std::uint64_t memory_bytes) {
-    return
-        [folder = folder_of(main_path), memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
-            const std::optional<fs::path> file = module_file(name);
-            if (!file) {
-                return tl::unexpected(std::string(
-                    "a module's name has letters, digits, _ and -, and dots for folders within that "
-                    "of the script: \"lib.shapes\" is lib/shapes.lua there"));
-            }
-            const fs::path path = folder / *file;
-            std::error_code ignored;
-            if (!fs::is_regular_file(path, ignored))
-                return tl::unexpected(
-                    fmt::format("there is no file {} in the folder of the script", file->string()));
-            if (auto way_out = find_way_out(folder, *file)) return tl::unexpected(*std::move(way_out));
-            tl::expected<lexer::Source, std::string> source =
-                lexer::Source::open(path.lexically_normal().string());
-            if (!source) return tl::unexpected(source.error());
-            return lua_script(*source, memory_bytes).map([](Script script) {
-                return std::optional<Script>(std::move(script));
-            });
-        };
+    return [folder = folder_of(main_path),
+            memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
+        const std::optional<fs::path> file = module_file(name);
+        if (!file) {
+            return tl::unexpected(
+                std::string("a module's name has letters, digits, _ and -, and dots for folders within that "
+                            "of the script: \"lib.shapes\" is lib/shapes.lua there"));
+        }
+        const fs::path path = folder / *file;
+        std::error_code ignored;
+        if (!fs::is_regular_file(path, ignored))
+            return tl::unexpected(
+                fmt::format("there is no file {} in the folder of the script", file->string()));
+        if (auto way_out = find_way_out(folder, *file)) return tl::unexpected(*std::move(way_out));
+        tl::expected<lexer::Source, std::string> source =
+            lexer::Source::open(path.lexically_normal().string());
+        if (!source) return tl::unexpected(source.error());
+        return lua_script(*source, memory_bytes).map([](Script script) {
+            return std::optional<Script>(std::move(script));
+        });
+    };
 }
 
 }  // namespace gsim::apps

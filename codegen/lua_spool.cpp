@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+#include "os/memory_file.h"
+
 namespace gsim::codegen {
 
 namespace {
@@ -38,6 +40,8 @@ void LuaSpool::flush() {
     hash_.update(std::string_view(buffer_).substr(hashed_));
     hashed_ = 0;
     if (!file_ && !failed_) file_.reset(std::tmpfile());
+    // A run that calls another program may reach no folder for temporary files.
+    if (!file_ && !failed_) file_ = os::file_in_memory("spool");
     failed_ |= !file_ || std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();
     buffer_.clear();
 }

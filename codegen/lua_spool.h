@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "codegen/text_hash.h"
+#include "os/file_handle.h"
 
 namespace gsim::codegen {
 
@@ -30,12 +31,9 @@ class LuaSpool {
     bool copy_to(const std::function<void(std::string_view)>& sink) const;
 
   private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     void flush();
 
-    std::unique_ptr<std::FILE, Close> file_;  ///< Null while all is in buffer_.
+    os::FileHandle file_;  ///< Null while all is in buffer_.
     std::string buffer_;
     std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
     TextHash hash_;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "os/file_handle.h"
+#include "os/memory_file.h"
 #include "os/spawn.h"
 
 namespace gsim::simulation {
@@ -32,8 +33,8 @@ std::string first_line(std::FILE* file) {
 
 tl::expected<void, std::string> run_child(const std::vector<std::string>& command, std::FILE* input,
                                           std::FILE* output) {
-    const os::FileHandle errors(std::tmpfile());
-    if (!errors) return tl::unexpected("cannot make a temporary file: " + message(errno));
+    const os::FileHandle errors = os::file_in_memory("errors");
+    if (!errors) return tl::unexpected("cannot make a file in memory: " + message(errno));
     os::SpawnActions actions;
     actions.redirect(::fileno(input), STDIN_FILENO);
     actions.redirect(::fileno(output), STDOUT_FILENO);

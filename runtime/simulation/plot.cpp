@@ -7,10 +7,9 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "os/file_handle.h"
+#include "os/memory_file.h"
 #include "os/output_file.h"
 #include "runtime/simulation/child_process.h"
 #include "runtime/simulation/plot_script.h"
@@ -28,22 +27,13 @@ std::optional<PictureFormat> format_of(const std::filesystem::path& path) {
     return std::nullopt;
 }
 
-// A nameless file that holds `text`, to be read from its beginning; null with errno where that fails.
+// A file in memory that holds `text`, to be read from its beginning; null with errno where that fails.
 FileHandle temporary_file(const std::string& text) {
-    FileHandle file(std::tmpfile());
+    FileHandle file = os::file_in_memory("plot");
     if (!file) return nullptr;
     const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
     if (!written || std::fflush(file.get()) != 0) return nullptr;
     std::rewind(file.get());
-    return file;
-}
-
-// What gnuplot draws goes to memory first: of a full disk it says nothing.
-FileHandle file_in_memory() {
-    const int descriptor = ::memfd_create("picture", MFD_CLOEXEC);
-    if (descriptor < 0) return nullptr;
-    FileHandle file(::fdopen(descriptor, "w+"));
-    if (!file) ::close(descriptor);
     return file;
 }
 
@@ -85,10 +75,10 @@ tl::expected<void, std::string> Picture::draw(const PlotData& data, std::string_
     auto picture = OutputFile::open(path_);
     if (!picture) return tl::unexpected(picture.error());
     const FileHandle script = temporary_file(plot_script(data, format_, title));
-    const FileHandle drawing = file_in_memory();
+    const FileHandle drawing = os::file_in_memory("picture");  // gnuplot says nothing of a full disk
     if (!script || !drawing) {
         return tl::unexpected(
-            fmt::format("cannot make a temporary file: {}", std::generic_category().message(errno)));
+            fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
     }
     // -d keeps the user's settings out.
     const auto drawn = run_child({"gnuplot", "-d"}, script.get(), drawing.get());

@@ -1,0 +1,74 @@
+#include "apps/confine_run.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "os/output_file.h"
+
+namespace gsim::apps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path folder_of(const fs::path& file) {
+    const fs::path parent = file.parent_path();
+    return parent.empty() ? fs::path(".") : parent;
+}
+
+/// A file is made beside the one whose name it gets, which may be behind a link.
+void add_output(const std::string& name, os::Allowed& allowed) {
+    if (name.empty() || name == os::kStandardStream) return;
+    std::error_code ignored;
+    if (fs::exists(name, ignored) && !fs::is_regular_file(name, ignored)) {
+        allowed.written.emplace_back(name);
+        return;
+    }
+    allowed.changed.push_back(folder_of(fs::weakly_canonical(name, ignored)));
+}
+
+/// What gnuplot needs: itself, its libraries, fonts and their settings.
+void add_programs_of_system(os::Allowed& allowed) {
+    for (const char* folder : {"/usr", "/bin", "/lib", "/lib64", "/etc", "/opt", "/var/cache/fontconfig"})
+        allowed.run.emplace_back(folder);
+    allowed.written.emplace_back("/dev/null");
+    allowed.read.emplace_back("/dev/null");
+    const char* const path = std::getenv("PATH");
+    std::string_view rest = path == nullptr ? "" : path;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(':'), rest.size());
+        if (end > 0) allowed.run.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+}
+
+}  // namespace
+
+os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::string> programs) {
+    os::Allowed allowed;
+    for (const std::string& program : programs)
+        allowed.read.push_back(program == os::kStandardStream ? fs::path(".") : folder_of(program));
+    for (const std::string* name : {&arguments.lua_lib, &arguments.machine_data, &arguments.setup,
+                                    &arguments.overrides.file, &arguments.probe, &arguments.variables}) {
+        if (!name->empty()) allowed.read.emplace_back(*name);
+    }
+    const OutputNames& outputs = arguments.outputs;
+    for (const std::string* name :
+         {&outputs.report, &outputs.moves, &outputs.trajectory, &outputs.plot, &outputs.record,
+          &arguments.findings.sarif, &arguments.variables, &arguments.save_machine_data})
+        add_output(*name, allowed);
+    if (!outputs.plot.empty()) add_programs_of_system(allowed);
+    return allowed;
+}
+
+tl::expected<void, std::string> confine_run(const RunArguments& arguments,
+                                            std::span<const std::string> programs) {
+    if (arguments.no_confine || !arguments.rcs.empty()) return {};
+    return os::confine(allowed_to(arguments, programs)).map([](bool) {}).map_error([](std::string sentence) {
+        return sentence + "; --no-confine runs without";
+    });
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,86 @@
+// What a run can reach of the system once its programs run, tried by a library that stands for a hole in Lua.
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "os/confinement.h"
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps::confined_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Confined : public Apps {
+  protected:
+    Confined() {
+        fs::create_directory(folder_ / "here");
+        fs::create_directory(folder_ / "out");
+        fs::create_directory(folder_ / "elsewhere");
+        write("here/part.nc", "G0 X10\nM98 P7\nM30\n");
+        write("here/O0007.nc", "G1 X20 F600\nM99\n");
+        write("elsewhere/secret", "secret");
+    }
+
+    /// Tries names while a program runs.
+    Ended escape(const std::string& names, std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {fmt::format("LD_PRELOAD={}", GSIM_ESCAPE_LIBRARY),
+                                             "GSIM_ESCAPE=" + names, GSIM_RUN});
+        return run_program("/usr/bin/env", arguments, folder_);
+    }
+    std::string path(const char* name) const { return (folder_ / name).string(); }
+};
+
+#ifdef GSIM_SANITIZED
+#define GSIM_SKIP_WITH_SANITIZER GTEST_SKIP() << "a sanitizer wants to be loaded first"
+#else
+#define GSIM_SKIP_WITH_SANITIZER
+#endif
+
+TEST_F(Confined, AHoleInLuaReachesNoOtherFile) {
+    GSIM_SKIP_WITH_SANITIZER;
+    const std::string names = fmt::format("r:{} w:{} r:/etc/passwd r:{} w:{}", path("elsewhere/secret"),
+                                          path("elsewhere/new"), path("here/part.nc"), path("here/part.nc"));
+    const Ended open = escape(names, {"--no-confine", "--moves", "out/m.jsonl", "here/part.nc"});
+    EXPECT_EQ(open.status, 0) << open.err;
+    EXPECT_TRUE(holds(open.err, path("elsewhere/secret") + ": reached")) << open.err;
+    fs::remove(folder_ / "elsewhere" / "new");
+
+    const Ended confined = escape(names, {"--moves", "out/m.jsonl", "here/part.nc"});
+    EXPECT_EQ(confined.status, 0) << confined.err;
+    if (holds(confined.err, path("elsewhere/secret") + ": reached"))
+        GTEST_SKIP() << "this system confines no process";
+    EXPECT_TRUE(holds(confined.err, "r:" + path("elsewhere/secret") + ": Permission denied"));
+    EXPECT_TRUE(holds(confined.err, "w:" + path("elsewhere/new") + ": Permission denied"));
+    EXPECT_TRUE(holds(confined.err, "r:/etc/passwd: Permission denied")) << confined.err;
+    EXPECT_TRUE(holds(confined.err, "r:" + path("here/part.nc") + ": reached"))
+        << "programs are looked up there";
+    EXPECT_TRUE(holds(confined.err, "w:" + path("here/part.nc") + ": Permission denied")) << confined.err;
+    EXPECT_FALSE(exists("elsewhere/new"));
+    EXPECT_TRUE(exists("out/m.jsonl")) << "what was asked for is written";
+}
+
+TEST_F(Confined, ProgramsThatAreCalledAndAllOutputsAreFound) {
+    const Ended ended =
+        gsim_run({"--moves", "out/m.jsonl", "--trajectory", "out/t.csv", "--report", "out/r.json", "--record",
+                  "out/p.json", "--sarif", "out/s.sarif", "--variables", "out/v.txt", "--save-machine-data",
+                  "out/d.txt", "here/part.nc"});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    for (const char* name :
+         {"out/m.jsonl", "out/t.csv", "out/r.json", "out/p.json", "out/s.sarif", "out/v.txt", "out/d.txt"})
+        EXPECT_TRUE(exists(name)) << name;
+    EXPECT_TRUE(holds(read("out/r.json"), "O0007.nc"));
+}
+
+TEST_F(Confined, DevicesAndLinksAreWritten) {
+    fs::create_symlink("../elsewhere/target.json", folder_ / "out" / "link.json");
+    write("elsewhere/target.json", "old");
+    EXPECT_EQ(gsim_run({"--moves", "/dev/null", "--report", "out/link.json", "here/part.nc"}).status, 0);
+    EXPECT_TRUE(holds(read("elsewhere/target.json"), "cycle_time_s"));
+    EXPECT_EQ(gsim_run({"--report", "/dev/full", "here/part.nc"}).status, 2);
+}
+
+}  // namespace
+}  // namespace gsim::apps::confined_test
