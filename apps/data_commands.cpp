@@ -13,6 +13,7 @@
 #include "apps/machine_input.h"
 #include "apps/print.h"
 #include "runtime/machine/text_file.h"
+#include "text/printable.h"
 
 namespace gsim::apps {
 
@@ -28,7 +29,7 @@ using Status = tl::expected<int, std::string>;
 using Sentence = tl::unexpected<std::string>;
 
 Status printed(const std::string& text) {
-    print(text);
+    print(text::printable(text));
     return kDone;
 }
 

@@ -7,6 +7,7 @@
 #include "apps/exit_status.h"
 #include "apps/print.h"
 #include "os/output_file.h"
+#include "text/printable.h"
 
 namespace gsim::apps {
 
@@ -51,9 +52,9 @@ void add_finding_options(CommandLine& line, FindingOptions& options) {
 void Findings::say(const std::string& text) const {
     if (options_.json) return;
     if (text_to_ == Stream::standard_output && options_.sarif != os::kStandardStream) {
-        apps::print(text);
+        apps::print(text::printable(text));
     } else {
-        print_error(text);
+        print_error(text::printable(text));
     }
 }
 
@@ -70,7 +71,7 @@ int Findings::fail(text::DiagnosticKind kind, std::string_view sentence, std::st
         if (diagnostic.text.starts_with(head)) diagnostic.text.erase(0, head.size());
     }
     all_.push_back(std::move(diagnostic));
-    if (!options_.json) print_error(fmt::format("{}: {}\n", program_, sentence));
+    if (!options_.json) print_error(text::printable(fmt::format("{}: {}\n", program_, sentence)));
     return kUsage;
 }
 

@@ -27,6 +27,7 @@
 #include "runtime/simulation/progress.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/report_diagnostics.h"
+#include "text/printable.h"
 
 namespace {
 
@@ -265,9 +266,9 @@ class Run {
         const bool make_way = !arguments_.findings.json &&
                               (arguments_.outputs.on_standard_output() || arguments_.findings.sarif == "-");
         if (make_way) {
-            std::fputs(text.c_str(), stderr);
+            std::fputs(text::printable(text).c_str(), stderr);
         } else {
-            apps::print(text);
+            apps::print(text::printable(text));
         }
         return status;
     }

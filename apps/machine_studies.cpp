@@ -13,6 +13,7 @@
 #include "runtime/envelope/stl.h"
 #include "runtime/envelope/volume.h"
 #include "text/letter_case.h"
+#include "text/printable.h"
 
 namespace gsim::apps {
 
@@ -26,7 +27,7 @@ tl::expected<int, std::string> print_check(const machine::Machine& machine, cons
     if (output.json) {
         print(check::to_json(found));
     } else if (!output.quiet) {
-        print(check::to_text(found));
+        print(text::printable(check::to_text(found)));
     }
     return found.is_clean() ? kDone : kProgramFault;
 }

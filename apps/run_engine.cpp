@@ -1,9 +1,10 @@
 #include "apps/run_engine.h"
 
-#include <cinttypes>
 #include <cstdio>
 
 #include <fmt/format.h>
+
+#include "text/printable.h"
 
 namespace gsim::apps {
 
@@ -73,17 +74,16 @@ void print_faults(const simulation::Report& report) {
     const auto text_of = [&](const simulation::Place& place) {
         return place.line > 0 ? fmt::format("{}:{}: ", report.files[place.file], place.line) : std::string();
     };
+    const auto tell = [](const std::string& line) { std::fputs(text::printable(line).c_str(), stderr); };
     for (const simulation::Violation& violation : report.violations.list)
-        std::fprintf(stderr, "%s%s\n", text_of(violation.place).c_str(), violation.message.c_str());
+        tell(fmt::format("{}{}\n", text_of(violation.place), violation.message));
     if (report.violations.count > report.violations.list.size())
-        std::fprintf(stderr, "violations in all: %" PRIu64 "\n", report.violations.count);
+        tell(fmt::format("violations in all: {}\n", report.violations.count));
     if (!report.alarm) return;
-    const std::string where = text_of(report.alarm->place);
-    std::fprintf(stderr, "%s%s: %s\n", where.c_str(), std::string(name(report.status)).c_str(),
-                 report.alarm->message.c_str());
+    tell(fmt::format("{}{}: {}\n", text_of(report.alarm->place), name(report.status), report.alarm->message));
     for (const simulation::OpenCall& call : report.alarm->calls) {
-        std::fprintf(stderr, "  in %s, called at %s:%u\n", call.program.c_str(),
-                     report.files[call.place.file].c_str(), call.place.line);
+        tell(fmt::format("  in {}, called at {}:{}\n", call.program, report.files[call.place.file],
+                         call.place.line));
     }
 }
 

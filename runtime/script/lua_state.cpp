@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -193,6 +194,14 @@ void LuaState::count_steps(lua_State* state) {
 void LuaState::check_limits(lua_State* state) {
     if (steps_ > limits_.steps) end_for(Ended::steps, state);
     if (cpu_ != nullptr && cpu_->reached()) end_for(Ended::cpu, state);
+}
+
+std::string LuaState::printed(std::string line) {
+    if (printed_bytes_ > kMostPrinted_bytes) return {};
+    printed_bytes_ += line.size();
+    if (printed_bytes_ <= kMostPrinted_bytes) return line;
+    return fmt::format("the script has printed {} MB; what it prints from here on is left out\n",
+                       kMostPrinted_bytes >> 20U);
 }
 
 void LuaState::end_for(Ended reason, lua_State* state) {

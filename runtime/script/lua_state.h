@@ -27,6 +27,9 @@ class LuaState {
     /// What one value costs to copy, of the many that a call may have.
     static constexpr std::uint64_t kBytesOfValue = 4;
 
+    /// What scripts may print: more is left out, and said so once.
+    static constexpr std::size_t kMostPrinted_bytes = std::size_t{4} << 20U;
+
     explicit LuaState(Limits limits);
     ~LuaState();
     LuaState(const LuaState&) = delete;
@@ -76,6 +79,9 @@ class LuaState {
     /// To be called on a caught error: an error that no script may catch is raised again.
     static void pass_on(lua_State* state, int status);
 
+    /// What is to be written of a line that a script prints.
+    std::string printed(std::string line);
+
   private:
     /// A request for memory that was not fulfilled.
     struct Refusal {
@@ -100,6 +106,7 @@ class LuaState {
     Limits limits_;
     os::CpuLimit* cpu_ = nullptr;
     SmallBlocks small_blocks_;
+    std::size_t printed_bytes_ = 0;
     std::size_t bytes_ = 0;
     std::size_t peak_bytes_ = 0;
     std::uint64_t steps_ = 0;

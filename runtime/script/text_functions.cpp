@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "runtime/script/lua_state.h"
 #include "runtime/script/object_names.h"
 #include "text/number.h"
+#include "text/printable.h"
 
 namespace gsim::script {
 
@@ -19,20 +22,22 @@ int to_text(lua_State* state) {
     return 1;
 }
 
-/// print(..), to standard error.
+/// print(..), to standard error, as far as a run may.
 int print_to_error(lua_State* state) {
     const int count = lua_gettop(state);
+    std::string line;
     for (int i = 1; i <= count; ++i) {
         if (lua_type(state, i) == LUA_TNUMBER && lua_isinteger(state, i) == 0) {
             lua_pushnumber(state, text::unsigned_zero(lua_tonumber(state, i)));
             lua_replace(state, i);
         }
         const std::string_view text = push_text(state, i);
-        if (i > 1) std::fputc('\t', stderr);
-        std::fwrite(text.data(), 1, text.size(), stderr);
+        if (i > 1) line += '\t';
+        line += text::printable(text);
         lua_pop(state, 1);
     }
-    std::fputc('\n', stderr);
+    line += '\n';
+    std::fputs(LuaState::of(state).printed(std::move(line)).c_str(), stderr);
     return 0;
 }
 

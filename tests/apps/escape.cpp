@@ -30,7 +30,8 @@ void try_to_escape() {
 
 }  // namespace
 
-extern "C" [[gnu::visibility("default")]] int lua_resume(lua_State* state, lua_State* from, int arguments, int* results) {
+extern "C" [[gnu::visibility("default")]] int lua_resume(lua_State* state, lua_State* from, int arguments,
+                                                         int* results) {
     using Resume = int (*)(lua_State*, lua_State*, int, int*);
     const auto resume = reinterpret_cast<Resume>(::dlsym(RTLD_NEXT, "lua_resume"));
     try_to_escape();
