@@ -66,9 +66,9 @@ os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::strin
 tl::expected<void, std::string> confine_run(const RunArguments& arguments,
                                             std::span<const std::string> programs) {
     if (arguments.no_confine || !arguments.rcs.empty()) return {};
-    return os::confine(allowed_to(arguments, programs)).map([](bool) {}).map_error([](std::string sentence) {
-        return sentence + "; --no-confine runs without";
-    });
+    return os::confine(allowed_to(arguments, programs))
+        .map([](bool) {})
+        .map_error([](const std::string& sentence) { return sentence + "; --no-confine runs without"; });
 }
 
 }  // namespace gsim::apps

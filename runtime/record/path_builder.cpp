@@ -69,7 +69,7 @@ void PathBuilder::end_call() {
 
 std::size_t PathBuilder::held_bytes() const {
     // Vectors grow to twice what they held; rotary axes stand in a map of two, say.
-    constexpr std::size_t kBytesOfTarget = sizeof(Target) * 3 / 2 + 2 * 64;
+    constexpr std::size_t kBytesOfTarget = sizeof(Target) * 3 / 2 + std::size_t{2} * 64;
     return targets_ * kBytesOfTarget;
 }
 

@@ -57,7 +57,7 @@ const Handle* handle_at(lua_State* state, int index) {
 std::size_t bytes_of(const path::Point& point) {
     constexpr std::size_t kBytesOfLetter = 64;  // a node of a map
     std::size_t bytes = sizeof(path::Target) + sizeof(path::Place) + point.name.size();
-    for (const std::string& action : point.actions) bytes += sizeof action + action.size();
+    for (const std::string& action : point.actions) bytes += sizeof(std::string) + action.size();
     if (point.orientation) {
         if (const auto* axes = std::get_if<path::RotaryAxes>(&*point.orientation))
             bytes += axes->size() * kBytesOfLetter;
