@@ -18,6 +18,13 @@ fs::path folder_of(const fs::path& file) {
     return parent.empty() ? fs::path(".") : parent;
 }
 
+/// The search for leaks at the end of a program that is built with sanitizers reads of its own process.
+#ifdef GSIM_SANITIZED
+constexpr bool kLooksAtItself = true;
+#else
+constexpr bool kLooksAtItself = false;
+#endif
+
 /// A file is made beside the one whose name it gets, which may be behind a link.
 void add_output(const std::string& name, os::Allowed& allowed) {
     if (name.empty() || name == os::kStandardStream) return;
@@ -60,6 +67,7 @@ os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::strin
           &arguments.findings.sarif, &arguments.variables, &arguments.save_machine_data})
         add_output(*name, allowed);
     if (!outputs.plot.empty()) add_programs_of_system(allowed);
+    if (kLooksAtItself) allowed.read.emplace_back("/proc/self");
     return allowed;
 }
 
