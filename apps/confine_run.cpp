@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/script_input.h"
 #include "os/output_file.h"
 
 namespace gsim::apps {
@@ -12,11 +13,6 @@ namespace gsim::apps {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path folder_of(const fs::path& file) {
-    const fs::path parent = file.parent_path();
-    return parent.empty() ? fs::path(".") : parent;
-}
 
 /// The search for leaks at the end of a program that is built with sanitizers reads of its own process.
 #ifdef GSIM_SANITIZED
@@ -33,7 +29,7 @@ void add_output(const std::string& name, os::Allowed& allowed) {
         allowed.written.emplace_back(name);
         return;
     }
-    allowed.changed.push_back(folder_of(fs::weakly_canonical(name, ignored)));
+    allowed.changed.push_back(fs::weakly_canonical(fs::absolute(name), ignored).parent_path());
 }
 
 /// What gnuplot needs: itself, its libraries, fonts and their settings.
@@ -55,8 +51,7 @@ void add_programs_of_system(os::Allowed& allowed) {
 
 os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::string> programs) {
     os::Allowed allowed;
-    for (const std::string& program : programs)
-        allowed.read.push_back(program == os::kStandardStream ? fs::path(".") : folder_of(program));
+    for (const std::string& program : programs) allowed.read.push_back(folder_of_program(program));
     for (const std::string* name : {&arguments.lua_lib, &arguments.machine_data, &arguments.setup,
                                     &arguments.overrides.file, &arguments.probe, &arguments.variables}) {
         if (!name->empty()) allowed.read.emplace_back(*name);

@@ -144,12 +144,6 @@ bool is_number(std::string_view name) {
            name.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// The folder of the main program, in which all lie that it calls.
-fs::path folder_of(const std::string& main_path) {
-    const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
-    return parent.empty() ? fs::path(".") : parent;
-}
-
 /// Why a file there must not be read: links lead out of the folder. Nothing where it may.
 std::optional<std::string> find_way_out(const fs::path& folder, const fs::path& name) {
     std::error_code no_folder;
@@ -189,6 +183,11 @@ std::vector<std::string> candidate_names(const fs::path& main_path, const std::s
 
 }  // namespace
 
+fs::path folder_of_program(const std::string& main_path) {
+    const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
+    return parent.empty() ? fs::path(".") : parent;
+}
+
 tl::expected<Script, InputError> read_script(const std::string& path, const Language& language,
                                              const TellDiagnostic& tell) {
     tl::expected<lexer::Source, std::string> source =
@@ -208,7 +207,7 @@ script::FindProgram program_finder(const std::string& main_path, const Language&
             const fs::path path = main.parent_path() / name;
             std::error_code ignored;
             if (!fs::is_regular_file(path, ignored) || fs::equivalent(path, main, ignored)) continue;
-            if (auto way_out = find_way_out(folder_of(main.string()), name))
+            if (auto way_out = find_way_out(folder_of_program(main.string()), name))
                 return tl::unexpected(*std::move(way_out));
             tl::expected<lexer::Source, std::string> source = lexer::Source::open(path.string());
             if (!source) return tl::unexpected(source.error());
@@ -248,7 +247,7 @@ std::optional<fs::path> module_file(const std::string& name) {
 }  // namespace
 
 script::FindProgram module_finder(const std::string& main_path, std::uint64_t memory_bytes) {
-    return [folder = folder_of(main_path),
+    return [folder = folder_of_program(main_path),
             memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
         const std::optional<fs::path> file = module_file(name);
         if (!file) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -44,6 +45,9 @@ struct Language {
 /// G-code is translated first.
 tl::expected<script::Script, InputError> read_script(const std::string& path, const Language& language,
                                                      const TellDiagnostic& tell);
+
+/// The folder of a main program ("-": standard input), in which all lie that it calls.
+std::filesystem::path folder_of_program(const std::string& main_path);
 
 /// Finds the file of a program that is called but not in the script: O0002.nc and the like, or
 /// NAME_O0002.ppg, or sub.ngc by its name, in the folder of the main file.
