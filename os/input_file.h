@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include <tl/expected.hpp>
+
+#include "os/file_handle.h"
 
 namespace gsim::os {
 
@@ -17,12 +17,8 @@ enum class NamedBy {
                    ///< for.
 };
 
-struct CloseInput {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 /// A file that is open for reading bytes.
-using InputFile = std::unique_ptr<std::FILE, CloseInput>;
+using InputFile = FileHandle;
 
 /// Opens a file for reading, all that the programs read but standard input. What is opened is what is looked
 /// at, so that nothing can take its place in between. The error says why not, without the name: "No such file
