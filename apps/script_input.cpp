@@ -21,8 +21,6 @@ using script::Script;
 
 namespace {
 
-/// Scripts with more lines than this are run in pieces.
-constexpr std::uint32_t kLinesInOnePiece = 50'000;
 constexpr std::size_t kLookedAtBytes = 4096;
 constexpr double kMegabyte = 1U << 20U;
 
@@ -109,10 +107,8 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
     script.line_difference = -1;
     script.size = spool->size();
     script.held_bytes = spool->held_bytes();
-    if (translation.lua_lines > kLinesInOnePiece) {
-        for (const codegen::ProgramPart& part : translation.programs)
-            script.functions.push_back({part.head, chunks_of(part)});
-    }
+    for (const codegen::ProgramPart& part : translation.programs)
+        script.functions.push_back({part.head, chunks_of(part)});
     script.read = [spool](std::uint64_t begin, std::uint64_t end) { return spool->read(begin, end); };
     return script;
 }

@@ -70,7 +70,12 @@ void LuaWriter::begin_file(std::string_view source_name) {
     }
     head += fmt::format("-- from {}; line n there is line n+1 here", lexer::printable(source_name));
     spool_.write_head(head);
-    parts_.end_line(spool_.size(), false);
+    parts_.end_line(spool_.size(), false, true);
+}
+
+/// Whether there will be nothing but calls with numbers for it.
+bool LuaWriter::is_plain(const Block& block) {
+    return block.kind == BlockKind::words && block.nodes.empty() && block.skip_level == 0;
 }
 
 void LuaWriter::take(const Block& block) {
@@ -79,6 +84,7 @@ void LuaWriter::take(const Block& block) {
     } else {
         write_block(block);
     }
+    plain_line_ = plain_line_ && is_plain(block);
     add_comment(block);
     if (block.text->end == lexer::BlockEnd::line && block.kind != BlockKind::tape) end_line();
 }
@@ -302,7 +308,8 @@ void LuaWriter::end_line() {
     }
     code_ += '\n';
     spool_.write(code_);
-    parts_.end_line(code_.size(), !flow_.in_loop() && !oword_flow_.open());
+    parts_.end_line(code_.size(), !flow_.in_loop() && !oword_flow_.open(), plain_line_);
+    plain_line_ = true;
     code_.clear();
 }
 

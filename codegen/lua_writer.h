@@ -43,6 +43,7 @@ class LuaWriter : public grammar::BlockSink {
     std::uint32_t lua_lines() const { return parts_.line_number() - 1; }
 
   private:
+    static bool is_plain(const grammar::Block& block);
     void write_block(const grammar::Block& block);
     void note_bad_block(const grammar::Block& block);
     void write_statements(const grammar::Block& block);
@@ -89,6 +90,7 @@ class LuaWriter : public grammar::BlockSink {
     PartWriter parts_;
     std::string code_;
     std::string comment_;
+    bool plain_line_ = true;  ///< Of the blocks of the line that is being put together.
     std::size_t next_ordinal_ = 0;
     bool main_ended_ = false;  ///< By M2 or M30: subroutines may follow, and nothing else.
     int bare_labels_ = 0;      ///< Labels since the last statement.

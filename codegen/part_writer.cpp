@@ -9,6 +9,7 @@ namespace gsim::codegen {
 namespace {
 
 constexpr std::uint32_t kLinesBetweenCuts = 5000;
+constexpr std::uint32_t kLeastLinesBetweenCuts = 256;  // so that the map stays small
 
 }  // namespace
 
@@ -47,10 +48,12 @@ void PartWriter::end(std::string& line) {
     open_ = false;
 }
 
-void PartWriter::end_line(std::uint64_t bytes, bool may_cut) {
+void PartWriter::end_line(std::uint64_t bytes, bool may_cut, bool plain) {
     written_ += bytes;
     ++line_number_;
-    if (!open_ || !may_cut || line_number_ - last_cut_line_ < kLinesBetweenCuts) return;
+    if (!open_ || !may_cut ||
+        line_number_ - last_cut_line_ < (plain ? kLinesBetweenCuts : kLeastLinesBetweenCuts))
+        return;
     map_.back().cuts.push_back({written_, line_number_});
     last_cut_line_ = line_number_;
 }

@@ -25,8 +25,9 @@ class PartWriter {
     /// The open function cannot be taken apart.
     void forbid_cuts() { map_.back().cuts.clear(); }
     /// A line has been written, the end of line included; `may_cut`: the function may be taken apart behind
-    /// it.
-    void end_line(std::uint64_t bytes, bool may_cut);
+    /// it; `plain`: it has calls with numbers only, which run faster in a piece that has nothing else in
+    /// front.
+    void end_line(std::uint64_t bytes, bool may_cut, bool plain);
 
     /// Number of the line that is being put together, from 1.
     std::uint32_t line_number() const { return line_number_; }

@@ -1,6 +1,7 @@
 #include "codegen/translate.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -69,11 +70,12 @@ TextTranslation translate_text(std::string_view gcode, const TranslateOptions& o
     lexer::Source source = lexer::Source::from_text(std::string(gcode), options.source_name);
     LuaSpool spool;
     TextTranslation result;
-    const Translation translation = translate(source, spool, options, [&](const text::Diagnostic& told) {
+    Translation translation = translate(source, spool, options, [&](const text::Diagnostic& told) {
         result.diagnostics += text::to_text(told);
     });
     result.ok = translation.ok;
     if (result.ok) result.lua = spool.read(0, spool.size());
+    result.programs = std::move(translation.programs);
     return result;
 }
 

@@ -51,6 +51,7 @@ struct TextTranslation {
     bool ok = false;
     std::string lua;          ///< Empty unless ok.
     std::string diagnostics;  ///< As people read them.
+    ProgramMap programs;      ///< Of `lua`.
 };
 TextTranslation translate_text(std::string_view gcode, const TranslateOptions& options);
 

@@ -61,12 +61,15 @@ class Engine {
     double idle_s(std::size_t robot) const { return controls_[robot]->idle_s(); }
 
   private:
+    static constexpr const char* kTextOfScript = "the text of the script";
+
+    struct BodyWalk;
     struct Loaded {
         Script script;
         Control* control = nullptr;  ///< Whose words it has.
         std::uint32_t file = 0;
-        std::map<std::uint64_t, std::string> chunk_names;  ///< By where the chunk begins, once compiled.
-        std::map<std::size_t, int> compiled;               ///< By function: what its only chunk became.
+        std::map<std::uint64_t, std::uint32_t> texts;  ///< Numbers for places, by where the text begins.
+        std::map<std::size_t, int> compiled;           ///< By function: what its only chunk became.
     };
 
     int call_protected(void (*work)(Engine&));
@@ -81,15 +84,17 @@ class Engine {
     Loaded& keep_script(lua_State* state, Script script, Control& control);
     void push_script(lua_State* state, Loaded& loaded);
     void compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk);
+    std::uint32_t text_at(Loaded& loaded, std::uint64_t begin, std::uint32_t line);
     void note_error(lua_State* state, int index, int level);
-    int run_chunks(lua_State* state, std::size_t next);
+    int run_body(lua_State* state, BodyWalk& walk);
+    void run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk);
 
     static int do_work(lua_State* state);
     static int handle_error(lua_State* state);
     static int next_script(lua_State* state);
     static int register_functions(lua_State* state);
     static int function_body(lua_State* state);
-    static int go_on_with_body(lua_State* state, int status, lua_KContext next);
+    static int go_on_with_body(lua_State* state, int status, lua_KContext);
     static int load_program(lua_State* state);
     static int load_module(lua_State* state);
     static int run_to_end(lua_State* state);

@@ -1,4 +1,4 @@
-// How an Engine loads scripts, and runs long ones in pieces.
+// How an Engine loads scripts.
 
 #include <fmt/format.h>
 
@@ -7,12 +7,6 @@
 namespace gsim::script {
 
 using text::DiagnosticKind;
-
-namespace {
-
-constexpr const char* kText = "the text of the script";
-
-}  // namespace
 
 Script Script::from_text(std::string text, std::string file_name, std::int64_t line_difference) {
     Script script;
@@ -30,7 +24,7 @@ Script Script::from_text(std::string text, std::string file_name, std::int64_t l
 
 /// The place of a file is the same for all robots.
 Engine::Loaded& Engine::keep_script(lua_State* state, Script script, Control& control) {
-    lua_.hold(state, script.held_bytes, kText);
+    lua_.hold(state, script.held_bytes, kTextOfScript);
     loaded_.push_back(std::make_unique<Loaded>());
     Loaded& loaded = *loaded_.back();
     loaded.script = std::move(script);
@@ -57,7 +51,8 @@ int Engine::register_functions(lua_State* state) {
         const ScriptFunction& function = loaded.script.functions[i];
         const std::int64_t line = loaded.script.line_difference + function.chunks.front().line;
         loaded.control->push_environment(state);
-        load_text(state, function.head + "...)", engine.places_.add({loaded.file, line - 1}).c_str());
+        const std::uint32_t text = engine.places_.add({loaded.file, line - 1});
+        load_text(state, function.head + "...)", PlaceFinder::chunk_name(text).c_str());
         lua_pushlightuserdata(state, &engine);
         lua_pushlightuserdata(state, &loaded);
         lua_pushinteger(state, static_cast<lua_Integer>(i));
@@ -67,57 +62,19 @@ int Engine::register_functions(lua_State* state) {
     return 0;
 }
 
+/// The number of the text that begins here, for places.
+std::uint32_t Engine::text_at(Loaded& loaded, std::uint64_t begin, std::uint32_t line) {
+    const auto [found, is_new] = loaded.texts.try_emplace(begin, 0);
+    if (is_new) found->second = places_.add({loaded.file, loaded.script.line_difference + line - 1});
+    return found->second;
+}
+
 /// Compiles one stretch of a script; the function is left on the stack.
 void Engine::compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk) {
-    std::string& name = loaded.chunk_names[chunk.begin];
-    if (name.empty()) name = places_.add({loaded.file, loaded.script.line_difference + chunk.line - 1});
+    const std::uint32_t text = text_at(loaded, chunk.begin, chunk.line);
     loaded.control->push_environment(state);
-    const HeldMemory copy(state, chunk.end - chunk.begin, kText);
-    load_text(state, loaded.script.read(chunk.begin, chunk.end), name.c_str());
-}
-
-/// The body of a function that runs in pieces; upvalues: engine, script, number of the function in it.
-int Engine::function_body(lua_State* state) {
-    Engine& engine = bound<Engine>(state);
-    auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
-    const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
-    const std::vector<ScriptChunk>& chunks = loaded.script.functions[index].chunks;
-    if (chunks.size() > 1) return engine.run_chunks(state, 0);
-    const auto [place, is_new] = loaded.compiled.try_emplace(index, LUA_NOREF);
-    if (is_new) {  // a subprogram, likely called again: compiled once
-        engine.compile(state, loaded, chunks.front());
-        place->second = luaL_ref(state, LUA_REGISTRYINDEX);
-    }
-    lua_rawgeti(state, LUA_REGISTRYINDEX, place->second);
-    lua_callk(state, 0, 1, static_cast<lua_KContext>(chunks.size()), go_on_with_body);
-    return 1;
-}
-
-/// Goes on with piece `next` of function_body(), whose upvalues the state has.
-int Engine::run_chunks(lua_State* state, std::size_t next) {
-    auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
-    const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
-    const std::vector<ScriptChunk>& chunks = loaded.script.functions[index].chunks;
-    for (; next < chunks.size(); ++next) {
-        compile(state, loaded, chunks[next]);
-        lua_callk(state, 0, 1, static_cast<lua_KContext>(next + 1), go_on_with_body);
-        if (!lua_isnil(state, -1)) return 1;
-        lua_pop(state, 1);
-        if (options_.progress) options_.progress(chunks[next].end, loaded.script.size);
-    }
-    return 0;
-}
-
-/// Behind a piece that has waited for other processes; its result is on top of the stack.
-int Engine::go_on_with_body(lua_State* state, int, lua_KContext next) {
-    if (!lua_isnil(state, -1)) return 1;
-    lua_pop(state, 1);
-    try {
-        return bound<Engine>(state).run_chunks(state, static_cast<std::size_t>(next));
-    } catch (const std::exception& error) {
-        lua_pushstring(state, error.what());
-    }
-    return lua_error(state);
+    const HeldMemory copy(state, chunk.end - chunk.begin, kTextOfScript);
+    load_text(state, loaded.script.read(chunk.begin, chunk.end), PlaceFinder::chunk_name(text).c_str());
 }
 
 /// core.load_program(number or name): what loads the file of that program, or nil. A file is read once.

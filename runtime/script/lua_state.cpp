@@ -12,7 +12,6 @@ namespace gsim::script {
 
 namespace {
 
-constexpr int kStepsBetweenCounts = 10'000;
 constexpr std::size_t kBytesPerStep = 64;
 /// Of the longest string: what an instruction may look at and still count as one.
 constexpr std::uint64_t kBytesOfOneStep = std::uint64_t{64} << 10U;
@@ -192,6 +191,7 @@ void LuaState::count_steps(lua_State* state) {
 }
 
 void LuaState::check_limits(lua_State* state) {
+    unchecked_ = 0;
     if (steps_ > limits_.steps) end_for(Ended::steps, state);
     if (cpu_ != nullptr && cpu_->reached()) end_for(Ended::cpu, state);
 }

@@ -46,6 +46,12 @@ class LuaState {
     void count_work(std::uint64_t bytes);
     /// The same from a function that Lua calls, which ends the run here where that is too much.
     void charge(lua_State* state, std::uint64_t bytes);
+    /// Instructions that are carried out without Lua counting them; ends the run where that is too much.
+    void count_instructions(lua_State* state, std::uint64_t count) {
+        steps_ += count * weight_;
+        unchecked_ += count;
+        if (unchecked_ >= kStepsBetweenCounts || steps_ > limits_.steps) check_limits(state);
+    }
     /// There is a string, or a list of values, that any instruction may take so many bytes of to look at:
     /// from here on each counts as that much work.
     void note_large(std::uint64_t bytes);
@@ -83,6 +89,8 @@ class LuaState {
     std::string printed(std::string line);
 
   private:
+    static constexpr int kStepsBetweenCounts = 10'000;
+
     /// A request for memory that was not fulfilled.
     struct Refusal {
         const char* what = "the script";
@@ -110,8 +118,9 @@ class LuaState {
     std::size_t bytes_ = 0;
     std::size_t peak_bytes_ = 0;
     std::uint64_t steps_ = 0;
-    std::uint64_t weight_ = 1;  ///< What an instruction counts as.
-    std::uint64_t tables_ = 0;  ///< That were made.
+    std::uint64_t unchecked_ = 0;  ///< Instructions since the limits were last looked at.
+    std::uint64_t weight_ = 1;     ///< What an instruction counts as.
+    std::uint64_t tables_ = 0;     ///< That were made.
     std::size_t table_bytes_ = 0;
     Ended ended_ = Ended::no;
     bool refused_ = false;  ///< The last request for more memory was.

@@ -8,9 +8,13 @@ namespace gsim::script {
 
 using simulation::Place;
 
-std::string PlaceFinder::add(Text text) {
+std::uint32_t PlaceFinder::add(Text text) {
     texts_.push_back(text);
-    return "=#" + std::to_string(texts_.size() - 1);
+    return static_cast<std::uint32_t>(texts_.size() - 1);
+}
+
+std::string PlaceFinder::chunk_name(std::uint32_t text) {
+    return "=#" + std::to_string(text);
 }
 
 Place PlaceFinder::place(std::uint32_t text, std::int64_t chunk_line) const {
@@ -23,12 +27,22 @@ Place PlaceFinder::current(lua_State* state, int level) const {
     lua_Debug frame;
     for (; lua_getstack(state, level, &frame) != 0; ++level) {
         lua_getinfo(state, "Sl", &frame);
+        if (const LinePosition* at = position(state, frame)) return place(at->text, at->line);
         if (frame.source[0] != '=' || frame.source[1] != '#') continue;
         std::uint32_t text = 0;
         std::from_chars(frame.source + 2, frame.source + std::strlen(frame.source), text);
         return place(text, frame.currentline);
     }
     return {};
+}
+
+/// Of a C function that runs lines itself; null for others.
+const LinePosition* PlaceFinder::position(lua_State* state, const lua_Debug& frame) {
+    if (frame.what[0] != 'C' || lua_getlocal(state, &frame, 1) == nullptr) return nullptr;
+    const bool may_be = lua_type(state, -1) == LUA_TUSERDATA && lua_rawlen(state, -1) >= sizeof(LinePosition);
+    const auto* const found = static_cast<const LinePosition*>(may_be ? lua_touserdata(state, -1) : nullptr);
+    lua_pop(state, 1);
+    return found != nullptr && found->mark == &kMark ? found : nullptr;
 }
 
 Place PlaceFinder::strip(std::string& message) const {

@@ -121,6 +121,15 @@ TEST(ProgramMap, BigProgramsHaveCuts) {
     expect_sound_map(whole);
 }
 
+TEST(ProgramMap, ACutBehindALineThatIsMoreThanCalls) {
+    const Mapped whole = mapped(big_program(2000, "#1=5 (changed)\nX[#1]\n"));
+    const std::vector<Cut>& cuts = whole.translation.programs[0].cuts;
+    ASSERT_EQ(cuts.size(), 1U);  // not behind each of two
+    EXPECT_NE(whole.lua.substr(0, cuts[0].offset).find("changed"), std::string::npos);
+    EXPECT_EQ(whole.lua.substr(cuts[0].offset).find("changed"), std::string::npos);
+    expect_sound_map(whole);
+}
+
 TEST(ProgramMap, NoCutInALoopAndNoneWhereJumpsLead) {
     std::string loop = "WHILE[#1 LT 5]DO1\n";
     for (int i = 0; i < 30000; ++i) loop += "X1\n";

@@ -27,6 +27,24 @@ codegen::TranslateOptions in_dialect(std::string_view dialect) {
     return options;
 }
 
+/// As gsim-run has it: function by function.
+Script in_functions(const codegen::TextTranslation& translation) {
+    Script script = Script::from_text(translation.lua, "part.nc", -1);
+    for (const codegen::ProgramPart& part : translation.programs)
+        script.functions.push_back({part.head, {{part.body_begin, part.body_end, part.first_line}}});
+    return script;
+}
+
+void expect_same(const Outcome& whole, const Outcome& in_functions) {
+    EXPECT_EQ(simulation::to_json(whole.report), simulation::to_json(in_functions.report)) << whole.lua;
+    ASSERT_EQ(whole.moves.size(), in_functions.moves.size()) << whole.lua;
+    for (std::size_t i = 0; i < whole.moves.size(); ++i) {
+        EXPECT_EQ(whole.moves[i].end, in_functions.moves[i].end);
+        EXPECT_EQ(whole.moves[i].end_s, in_functions.moves[i].end_s);
+        EXPECT_EQ(whole.moves[i].info.place.line, in_functions.moves[i].info.place.line);
+    }
+}
+
 }  // namespace
 
 double Outcome::to(std::size_t n, char letter) const {
@@ -79,8 +97,9 @@ Outcome run(std::string_view gcode, Conditions setup) {
         codegen::translate_text(gcode, in_dialect(setup.options.dialect));
     EXPECT_TRUE(translation.ok) << translation.diagnostics;
     if (!translation.ok) return {};
-    Outcome result = run_script(Script::from_text(translation.lua, "part.nc", -1), std::move(setup));
+    Outcome result = run_script(Script::from_text(translation.lua, "part.nc", -1), setup);
     result.lua = translation.lua;
+    expect_same(result, run_script(in_functions(translation), std::move(setup)));
     return result;
 }
 

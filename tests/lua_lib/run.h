@@ -51,7 +51,8 @@ struct Outcome {
     std::string events() const;
 };
 
-/// Translates a program, which must have no errors, and runs it; its file is "part.nc".
+/// Translates a program, which must have no errors, and runs it, as a whole and function by function, which
+/// must come to the same; its file is "part.nc".
 Outcome run(std::string_view gcode, Conditions setup = {});
 /// Runs a script; its file is "part.lua".
 Outcome run_lua(std::string_view lua, Conditions setup = {});

@@ -84,6 +84,68 @@ TEST(Chunks, SubprogramsAreCalledAgain) {
     EXPECT_EQ(r.moves[0].info.place.line, 3U);
 }
 
+TEST(Chunks, LinesThatAreRunWithoutLuaCountAsSteps) {
+    std::string gcode;
+    for (int i = 0; i < 50'000; ++i) gcode += "G21 G90\n";
+    Conditions conditions;
+    conditions.options.limits.steps = 200'000;
+    const Outcome r = run_script(in_pieces(gcode, 50'000), conditions);
+    expect_stopped(r, "200000 steps");
+    EXPECT_GT(r.line(), 1000U);
+    EXPECT_LT(r.line(), 40'000U);  // at 3 for a call
+}
+
+TEST(Chunks, AWordThatThePieceItselfMakesIsFound) {
+    const std::string first = "G0{x=10.0}\n";
+    const std::string second = "function twice() G0{x=20.0} G0{x=30.0} end\n";
+    const std::string third = "G0{x=35.0} twice() G0{x=40.0}\n";
+    const std::string fourth = "G0{x=50.0} G0{x=60.0}\ntwice()\n";
+    Script script = Script::from_text(first + second + third + fourth, "part.nc", 0);
+    ScriptFunction program{"program(1, ", {}};
+    std::uint64_t at = 0;
+    std::uint32_t line = 1;
+    for (const std::string& piece : {first, second, third, fourth}) {
+        program.chunks.push_back({at, at + piece.size(), line++});
+        at += piece.size();
+    }
+    script.functions.push_back(std::move(program));
+    const Outcome r = run_script(std::move(script), {});
+    expect_end(r, 30, 0, 0);
+    std::vector<double> to;
+    std::vector<std::uint32_t> lines;
+    for (std::size_t i = 0; i < r.moves.size(); ++i) {
+        to.push_back(r.to(i, 'X'));
+        lines.push_back(r.moves[i].info.place.line);
+    }
+    EXPECT_EQ(to, (std::vector<double>{10, 35, 20, 30, 40, 50, 60, 20, 30}));
+    EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 3, 2, 2, 3, 4, 4, 2, 2}));
+}
+
+TEST(Chunks, AnUnknownWordIsBlamedWhereItStands) {
+    const std::string text = "G0{x=10.0}\nG0{x=20.0} G77{x=1}\n";
+    Script script = Script::from_text(text, "part.nc", 0);
+    script.functions.push_back({"program(1, ", {{0, script.size, 1}}});
+    const Outcome r = run_script(std::move(script), {});
+    expect_alarm(r, 2, {"G77"});
+    EXPECT_EQ(r.moves.size(), 2U);
+}
+
+TEST(Chunks, OthersRunBetweenLines) {
+    Conditions conditions;
+    conditions.options.setup = Script::from_text(
+        "process('a', function() for i = 1, 5 do wait(0.5) signal('x') end end)", "setup.lua", 0);
+    std::string gcode = "G21 G90 F3000\n";
+    for (int i = 1; i <= 40; ++i) gcode += "G1 X" + std::to_string(5 * i) + "\nG4 P.1\n";
+    const Outcome whole = run(gcode, conditions);
+    ASSERT_TRUE(whole.completed()) << whole.message();
+    for (const std::size_t lines : {1U, 7U, 81U}) {
+        const Outcome pieces = run_script(in_pieces(gcode, lines), conditions);
+        expect_same(whole, pieces);
+        EXPECT_EQ(whole.report.processes.size(), pieces.report.processes.size());
+        EXPECT_EQ(whole.report.signals.size(), pieces.report.signals.size());
+    }
+}
+
 TEST(Chunks, ProgressIsTold) {
     Conditions conditions;
     std::vector<std::uint64_t> told;
