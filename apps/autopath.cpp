@@ -2,6 +2,7 @@
 
 #include "cutting/autopath.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -9,9 +10,11 @@
 
 #include <fmt/format.h>
 
+#include "apps/confine_run.h"
 #include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
+#include "apps/limit_options.h"
 #include "apps/programs.h"
 #include "drawing/drawing_file.h"
 #include "os/output_file.h"
@@ -36,6 +39,8 @@ struct AutopathArguments {
     std::string units;
     solid::PlateOptions plate;
     bool report = false;
+    double max_cpu_s = apps::kMaxCpu_s;
+    bool no_confine = false;
     apps::FindingOptions findings;
 };
 
@@ -122,6 +127,9 @@ void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments)
     add_material_options(line, arguments);
     add_path_options(line, arguments);
     add_reading_options(line, arguments);
+    line.begin_group("Limits");
+    apps::add_cpu_option(line, arguments.max_cpu_s);
+    apps::add_confine_option(line, arguments.no_confine);
     line.begin_group("Diagnostics");
     apps::add_finding_options(line, arguments.findings);
     line.add_example("autopath plate.svg --material aluminum --thickness 12 -o plate.path.json",
@@ -211,8 +219,17 @@ void tell_summary(const cutting::CutSummary& summary, apps::Findings& findings) 
     }
 }
 
+/// From here on nothing is needed but the drawing and the outputs. Solids are read by a program of their own,
+/// which needs its libraries.
+tl::expected<void, std::string> confine_reading(const AutopathArguments& arguments,
+                                                const std::string& drawing) {
+    if (arguments.no_confine || solid::is_solid_file(drawing)) return {};
+    return apps::confine_to(std::array{drawing}, std::array{arguments.output, arguments.findings.sarif});
+}
+
 /// Makes the path as the arguments say, and tells what is wrong; the exit status.
 int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
+    const apps::CpuBackstop cpu(arguments.max_cpu_s);
     if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))
         return findings.fail(Kind::usage, *conflict);
     waterjet::Materials materials;
@@ -221,14 +238,18 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     const bool has_material = !arguments.cut.material.empty();
     const auto drawing = apps::find_file(apps::InstalledKind::sample, arguments.input);
     if (!drawing) return findings.fail(Kind::input_file, drawing.error());
+    if (has_material) {
+        auto loaded = materials_of(arguments);
+        if (!loaded) return findings.fail(Kind::input_file, loaded.error(), arguments.materials);
+        materials = std::move(*loaded);
+    }
+    if (auto confined = confine_reading(arguments, *drawing); !confined)
+        return findings.fail(Kind::usage, confined.error());
     auto plate = read_input(arguments, *drawing);
     if (!plate) return findings.fail(Kind::input_file, plate.error(), arguments.input);
     waterjet::CuttingRequest cut = arguments.cut;
     take_thickness(*plate, cut);
     if (has_material) {
-        auto loaded = materials_of(arguments);
-        if (!loaded) return findings.fail(Kind::input_file, loaded.error(), arguments.materials);
-        materials = std::move(*loaded);
         auto planned = waterjet::plan_cutting(materials, cut);
         if (!planned) return findings.fail(Kind::usage, planned.error());
         plan = std::move(*planned);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "apps/script_input.h"
 #include "os/output_file.h"
@@ -47,6 +48,13 @@ void add_programs_of_system(os::Allowed& allowed) {
     }
 }
 
+tl::expected<void, std::string> give_up_all_but(os::Allowed allowed) {
+    if (kLooksAtItself) allowed.read.emplace_back("/proc/self");
+    return os::confine(allowed).map([](bool) {}).map_error([](const std::string& sentence) {
+        return sentence + "; --no-confine runs without";
+    });
+}
+
 }  // namespace
 
 os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::string> programs) {
@@ -62,16 +70,30 @@ os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::strin
           &arguments.findings.sarif, &arguments.variables, &arguments.save_machine_data})
         add_output(*name, allowed);
     if (!outputs.plot.empty()) add_programs_of_system(allowed);
-    if (kLooksAtItself) allowed.read.emplace_back("/proc/self");
     return allowed;
 }
 
 tl::expected<void, std::string> confine_run(const RunArguments& arguments,
                                             std::span<const std::string> programs) {
     if (arguments.no_confine || !arguments.rcs.empty()) return {};
-    return os::confine(allowed_to(arguments, programs))
-        .map([](bool) {})
-        .map_error([](const std::string& sentence) { return sentence + "; --no-confine runs without"; });
+    return give_up_all_but(allowed_to(arguments, programs));
+}
+
+tl::expected<void, std::string> confine_to(std::span<const std::string> files,
+                                           std::span<const std::string> outputs) {
+    os::Allowed allowed;
+    for (const std::string& file : files) {
+        if (!file.empty() && file != os::kStandardStream) allowed.read.emplace_back(file);
+    }
+    for (const std::string& output : outputs) add_output(output, allowed);
+    return give_up_all_but(std::move(allowed));
+}
+
+void add_confine_option(CommandLine& line, bool& no_confine) {
+    line.add(
+        "--no-confine", &no_confine,
+        "do not take from the program, before it reads its input, what it does not need: all other files but "
+        "those in the folders of its outputs, other programs, the network (Linux, landlock)");
 }
 
 }  // namespace gsim::apps

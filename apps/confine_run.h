@@ -5,6 +5,7 @@
 
 #include <tl/expected.hpp>
 
+#include "apps/command_line.h"
 #include "apps/run_arguments.h"
 #include "os/confinement.h"
 
@@ -19,5 +20,13 @@ os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::strin
 /// may reach what it likes. The error is a sentence.
 tl::expected<void, std::string> confine_run(const RunArguments& arguments,
                                             std::span<const std::string> programs);
+
+/// Confines the process to these files, which may be read, and to the folders of `outputs`. For programs that
+/// have read all else that their options name. The error is a sentence.
+tl::expected<void, std::string> confine_to(std::span<const std::string> files,
+                                           std::span<const std::string> outputs);
+
+/// --no-confine of such programs; in the group begun last.
+void add_confine_option(CommandLine& line, bool& no_confine);
 
 }  // namespace gsim::apps

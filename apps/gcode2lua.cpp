@@ -1,10 +1,12 @@
 // gcode2lua: translates a CNC part program into a Lua script.
 
+#include <array>
 #include <cstdio>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "apps/confine_run.h"
 #include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
@@ -33,6 +35,7 @@ struct TranslateArguments {
     bool print_language = false;
     std::uint64_t max_errors = 100;
     double max_cpu_s = apps::kMaxCpu_s;
+    bool no_confine = false;
     apps::FindingOptions findings;
 };
 
@@ -64,13 +67,15 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
         .within(1, 1'000'000)
         .shows_default();
     apps::add_cpu_option(line, arguments.max_cpu_s);
+    apps::add_confine_option(line, arguments.no_confine);
     line.add_example("gcode2lua part.nc -o part.lua", "line n of the program is line n+1 of the script");
     line.add_example("gcode2lua --check part.nc", "all errors with line and column");
     line.add_example("gcode2lua --dialect rs274ngc part.ngc | gsim-run -", "translate and run");
 }
 
 tl::expected<lexer::Source, std::string> open_source(const TranslateArguments& arguments) {
-    if (arguments.input == "-") return lexer::Source::spool(stdin, "stdin");
+    if (arguments.input == "-")
+        return lexer::Source::spool(stdin, std::string(lexer::Source::kStandardInput));
     return apps::find_file(apps::InstalledKind::sample, arguments.input)
         .and_then(
             [](const std::string& file) { return lexer::Source::open(file, os::NamedBy::command_line); });
@@ -82,6 +87,14 @@ tl::expected<void, std::string> write_spool(const codegen::LuaSpool& spool, cons
     if (!spool.copy_to([&](std::string_view part) { file->write(part); }))
         return tl::unexpected(fmt::format("cannot write '{}': its temporary file cannot be read", path));
     return file->commit();
+}
+
+/// From here on nothing but the outputs is needed; the program is open.
+tl::expected<void, std::string> confine_translation(const TranslateArguments& arguments,
+                                                    codegen::LuaSpool& spool) {
+    if (arguments.no_confine) return {};
+    spool.reserve_file();
+    return apps::confine_to({}, std::array{arguments.output, arguments.findings.sarif});
 }
 
 /// Translates as the arguments say, and tells what is wrong; the exit status.
@@ -109,6 +122,8 @@ int translate_program(const TranslateArguments& arguments, apps::Findings& findi
     if (!source) return findings.fail(Kind::file, source.error(), arguments.input);
     language->cpu = &cpu;
     codegen::LuaSpool spool;
+    if (auto confined = confine_translation(arguments, spool); !confined)
+        return findings.fail(Kind::usage, confined.error());
     const codegen::Translation translation = apps::translate_source(
         *source, spool, *language, options, [&](const auto& told) { findings.take(told); });
     if (!translation.ok) return apps::kProgramFault;

@@ -1,7 +1,9 @@
 // gsim-check: what is wrong with programs on a machine, in a line for each finding.
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -66,7 +68,8 @@ int check_program(const RunArguments& arguments, const MachineInput& machine, Fi
 // The worst of what was found in all programs: a file that cannot be read does not keep the others from being
 // checked.
 int check_programs(const CheckArguments& arguments, Findings& findings) {
-    const tl::expected<RunArguments, std::string> found = with_files_found(arguments.run);
+    std::optional<CpuBackstop> backstop(std::in_place, behind_own_limit_s(arguments.run.max_cpu_s));
+    tl::expected<RunArguments, std::string> found = with_files_found(arguments.run);
     if (!found) return findings.fail(Kind::input_file, found.error(), arguments.run.cell);
     const tl::expected<MachineInput, std::string> machine = read_machine(*found);
     if (!machine) return findings.fail(Kind::input_file, machine.error(), found->machine);
@@ -75,15 +78,18 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
     std::vector<std::string> programs;
     for (const std::string& program : arguments.programs)
         programs.push_back(find_file(InstalledKind::sample, program).value_or(program));
-    // Each program reads the cell and what it names, wherever that is, anew.
-    if (found->cell.empty()) {
-        if (auto confined = confine_run(*found, programs); !confined)
-            return findings.fail(Kind::usage, confined.error());
-    }
+    // Read once, before the confinement: what it names may lie anywhere.
+    auto cell = read_cell_of_run(cell_choice(*found), machine->machine);
+    if (!cell) return findings.fail(Kind::input_file, cell.error(), found->cell);
+    found->cell_read = std::make_shared<const cell::Cell>(*std::move(cell));
+    if (auto confined = confine_run(*found, programs); !confined)
+        return findings.fail(Kind::usage, confined.error());
+    backstop.reset();
     int status = kDone;
     for (const std::string& program : programs) {
         RunArguments one = *found;
         os::CpuLimit cpu(one.max_cpu_s);  // each program on its own
+        const CpuBackstop where_nothing_asks(behind_own_limit_s(one.max_cpu_s));
         one.limits.cpu = &cpu;
         one.input = program;
         status = std::max(status, check_program(one, *machine, findings));

@@ -108,6 +108,9 @@ class Run {
     }
 
     int run() {
+        const bool asks = !arguments_.studies.any();
+        const apps::CpuBackstop cpu(asks ? apps::behind_own_limit_s(arguments_.max_cpu_s)
+                                         : arguments_.max_cpu_s);
         const int status = run_as_asked();
         // A report has told it all.
         return told_ ? findings_.finish_told(status)

@@ -1,5 +1,7 @@
 #include "apps/limit_options.h"
 
+#include "apps/exit_status.h"
+
 namespace gsim::apps {
 
 void add_cpu_option(CommandLine& line, double& seconds) {
@@ -7,6 +9,16 @@ void add_cpu_option(CommandLine& line, double& seconds) {
         .called("SECONDS")
         .above_zero()
         .shows_default();
+}
+
+CpuBackstop::CpuBackstop(double seconds)
+    : limit_(seconds, "error: the processor time that --max-cpu-seconds allows is used up\n", kProgramFault) {
+}
+
+double behind_own_limit_s(double seconds) {
+    constexpr double kShare = 1.25;
+    constexpr double kAtLeast_s = 2;
+    return kShare * seconds + kAtLeast_s;
 }
 
 void add_memory_option(CommandLine& line, std::uint64_t& megabytes) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "apps/command_line.h"
+#include "os/cpu_limit.h"
 
 namespace gsim::apps {
 
@@ -13,6 +14,18 @@ inline constexpr std::uint64_t kMemory_mb = 2048;
 
 /// --max-cpu-seconds, which several programs have; in the group begun last.
 void add_cpu_option(CommandLine& line, double& seconds);
+/// What holds --max-cpu-seconds where nothing asks for the place; see os::ProcessCpuLimit.
+class CpuBackstop {
+  public:
+    explicit CpuBackstop(double seconds);
+
+  private:
+    os::ProcessCpuLimit limit_;
+};
+
+/// Seconds for a CpuBackstop of a run that asks by itself, and tells the place, if it can.
+double behind_own_limit_s(double seconds);
+
 /// --memory, the same.
 void add_memory_option(CommandLine& line, std::uint64_t& megabytes);
 

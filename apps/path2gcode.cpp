@@ -8,6 +8,7 @@
 
 #include <fmt/ranges.h>
 
+#include "apps/confine_run.h"
 #include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
@@ -41,6 +42,7 @@ struct WriteArguments {
     bool overwrite = false;
     bool go_on = false;
     bool quiet = false;
+    bool no_confine = false;
     double max_cpu_s = apps::kMaxCpu_s;
     std::uint64_t memory_mb = apps::kMemory_mb;
     apps::FindingOptions findings;
@@ -93,9 +95,10 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     line.add("--inch", &a.inch, "the program is in inches");
     line.add("--verbose-words", &a.verbose_words, "write words though they have not changed");
     line.add("--quiet", &a.quiet, "no notes on standard error");
-    line.begin_group("Limits of scripts");
+    line.begin_group("Limits");
     apps::add_cpu_option(line, a.max_cpu_s);
     apps::add_memory_option(line, a.memory_mb);
+    apps::add_confine_option(line, a.no_confine);
     line.begin_group("Diagnostics");
     apps::add_finding_options(line, a.findings);
     line.add_example("path2gcode plate.path.json -o plate.nc", "a path for the built-in machine");
@@ -125,6 +128,12 @@ int path_fault(apps::Findings& findings, const std::string& message) {
     return apps::kProgramFault;
 }
 
+/// From here on nothing is needed but the path and the outputs, those beside the main one too.
+tl::expected<void, std::string> confine_writing(const WriteArguments& a, const std::string& path) {
+    if (a.no_confine) return {};
+    return apps::confine_to(std::array{path}, std::array{a.output, a.findings.sarif});
+}
+
 int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     const bool to_standard_output = apps::product_name(a.output) == os::kStandardStream;
     if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(a.output)))
@@ -139,12 +148,14 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     const auto input = apps::read_machine_input(a.machine, os::NamedBy::command_line);
     if (!input) return findings.fail(Kind::input_file, input.error());
     const machine::Machine* machine = &input->machine;
+    const auto input_file = apps::find_file(apps::InstalledKind::sample, a.input);
+    if (!input_file) return path_fault(findings, input_file.error());
+    if (auto confined = confine_writing(a, *input_file); !confined)
+        return findings.fail(Kind::usage, confined.error());
     os::CpuLimit cpu(a.max_cpu_s);
-    const auto file =
-        apps::find_file(apps::InstalledKind::sample, a.input).and_then([&](const std::string& name) {
-            return apps::read_path(name, {.memory_bytes = a.memory_mb << 20U}, &cpu);
-        });
+    const auto file = apps::read_path(*input_file, {.memory_bytes = a.memory_mb << 20U}, &cpu);
     if (!file) return path_fault(findings, file.error());
+    const apps::CpuBackstop of_planning(cpu.left_s());
 
     apps::PathProgramOptions options;
     options.words.inch = a.inch;

@@ -47,7 +47,10 @@ std::string contradiction_of_robots(const RunArguments& arguments) {
 }  // namespace
 
 CellChoice cell_choice(const RunArguments& arguments) {
-    return {.file = arguments.cell, .text = arguments.cell_text, .collisions = !arguments.no_collisions};
+    return {.file = arguments.cell,
+            .text = arguments.cell_text,
+            .collisions = !arguments.no_collisions,
+            .read = arguments.cell_read};
 }
 
 void add_machine_options(CommandLine& line, RunArguments& a) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "apps/command_line.h"
@@ -25,7 +26,8 @@ struct RunArguments {
     std::string machine_data;
     std::string save_machine_data;
     std::string cell;
-    std::string cell_text;  ///< Of that file, which is read once: it may be a pipe.
+    std::shared_ptr<const cell::Cell> cell_read;  ///< As in CellChoice.
+    std::string cell_text;                        ///< Of that file, which is read once: it may be a pipe.
     os::NamedBy machine_named_by = os::NamedBy::command_line;  ///< Or by the cell file.
     os::NamedBy machine_data_named_by = os::NamedBy::command_line;
     std::string probe;

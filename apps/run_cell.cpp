@@ -17,8 +17,14 @@ cell::Cell frames_alone(const machine::Machine& machine) {
 
 tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine) {
     if (!choice.collisions) return frames_alone(machine);
-    return choice.file.empty() ? cell::cell_of_machine(machine)
-                               : cell::read_cell(choice.text, choice.file, machine);
+    return read_cell_of_run(choice, machine);
+}
+
+tl::expected<cell::Cell, std::string> read_cell_of_run(const CellChoice& choice,
+                                                       const machine::Machine& machine,
+                                                       std::span<const std::string> conveyors) {
+    if (!choice.file.empty()) return cell::read_cell(choice.text, choice.file, machine, conveyors);
+    return choice.collisions ? cell::cell_of_machine(machine) : frames_alone(machine);
 }
 
 tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
@@ -29,9 +35,8 @@ tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
         return std::make_unique<simulation::CellWatch>(
             std::move(cell), machine, simulation::CellUse{.of_file = of_file, .watched = watched});
     };
-    if (of_file) return cell::read_cell(choice.text, choice.file, machine, conveyors).map(watch);
-    if (watched) return cell::cell_of_machine(machine).map(watch);
-    return watch(frames_alone(machine));
+    if (choice.read) return watch(*choice.read);
+    return read_cell_of_run(choice, machine, conveyors).map(watch);
 }
 
 }  // namespace gsim::apps

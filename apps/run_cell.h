@@ -15,13 +15,19 @@ struct CellChoice {
     std::string file;        ///< The cell file; empty: none, the machine's own bodies alone.
     std::string text;        ///< What stands in it.
     bool collisions = true;  ///< Else bodies are not looked at.
+    /// The cell of a run as it was read before, by read_cell_of_run(); null: it is to be read.
+    std::shared_ptr<const cell::Cell> read = nullptr;
 };
 
 /// The bodies to look at. Meshes of the machine are read here; the error is a sentence.
 tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine);
 
-/// The cell of a run, which has the frames of the machine at least. `conveyors` as in cell::load_cell(). The
-/// error is a sentence.
+/// What the cell of a run consists of. `conveyors` as in cell::load_cell(). The error is a sentence.
+tl::expected<cell::Cell, std::string> read_cell_of_run(const CellChoice& choice,
+                                                       const machine::Machine& machine,
+                                                       std::span<const std::string> conveyors = {});
+
+/// The cell of a run, which has the frames of the machine at least. The error is a sentence.
 tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
     const CellChoice& choice, const machine::Machine& machine, std::span<const std::string> conveyors = {});
 

@@ -73,7 +73,12 @@ tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_
     const bool ngc_inch = requires_name("gsim.rs274ngc.inch");
     const bool rs274ngc = ngc_inch || requires_name("gsim.rs274ngc");
     const bool inch = ngc_inch || requires_name("gsim.inch");
-    Script script = origin.unedited ? Script::from_text(std::move(text), origin.source_name, -1)
+    // Where it comes from is what its first line says, which anybody may have written: a file that was opened
+    // is named too.
+    const bool is_file = source.name() != lexer::Source::kStandardInput;
+    const std::string from =
+        is_file ? fmt::format("{}: {}", source.name(), origin.source_name) : origin.source_name;
+    Script script = origin.unedited ? Script::from_text(std::move(text), from, -1)
                                     : Script::from_text(std::move(text), source.name(), 0);
     if (rs274ngc) script.dialect = "rs274ngc";
     script.inch = inch;
@@ -187,7 +192,7 @@ fs::path folder_of_program(const std::string& main_path) {
 tl::expected<Script, InputError> read_script(const std::string& path, const Language& language,
                                              const TellDiagnostic& tell) {
     tl::expected<lexer::Source, std::string> source =
-        path == "-" ? lexer::Source::spool(stdin, "stdin")
+        path == "-" ? lexer::Source::spool(stdin, std::string(lexer::Source::kStandardInput))
                     : lexer::Source::open(path, os::NamedBy::command_line);
     if (!source) return tl::unexpected(InputError{.message = source.error(), .file = path});
     const bool lua = has_extension(path, ".lua") || (path == "-" && looks_like_lua(*source));
@@ -196,7 +201,7 @@ tl::expected<Script, InputError> read_script(const std::string& path, const Lang
 
 script::FindProgram program_finder(const std::string& main_path, const Language& language,
                                    const TellDiagnostic& tell) {
-    const fs::path main = main_path == "-" ? fs::path("stdin") : fs::path(main_path);
+    const fs::path main = main_path == "-" ? fs::path(lexer::Source::kStandardInput) : fs::path(main_path);
     return [main, language,
             tell](const std::string& wanted) -> tl::expected<std::optional<Script>, std::string> {
         for (const std::string& name : candidate_names(main, wanted)) {

@@ -36,10 +36,14 @@ void LuaSpool::write(std::string_view text) {
 }
 
 /// Moves the buffer to the file; what the file cannot take shows in finish().
+void LuaSpool::reserve_file() {
+    reserve_.reset(std::tmpfile());
+}
+
 void LuaSpool::flush() {
     hash_.update(std::string_view(buffer_).substr(hashed_));
     hashed_ = 0;
-    if (!file_ && !failed_) file_.reset(std::tmpfile());
+    if (!file_ && !failed_) file_ = reserve_ ? std::move(reserve_) : os::FileHandle(std::tmpfile());
     // A run that calls another program may reach no folder for temporary files.
     if (!file_ && !failed_) file_ = os::file_in_memory("spool");
     failed_ |= !file_ || std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size();

@@ -16,6 +16,8 @@ namespace gsim::codegen {
 /// anonymous temporary file, so that memory stays flat. Its first line ends in the hash of all that follows.
 class LuaSpool {
   public:
+    /// Makes the temporary file now: later the process may reach no folder for it.
+    void reserve_file();
     /// Writes the first line, to which the hash is appended by finish().
     void write_head(std::string_view head);
     void write(std::string_view text);
@@ -33,7 +35,8 @@ class LuaSpool {
   private:
     void flush();
 
-    os::FileHandle file_;  ///< Null while all is in buffer_.
+    os::FileHandle reserve_;  ///< What becomes file_; null: it is made then.
+    os::FileHandle file_;     ///< Null while all is in buffer_.
     std::string buffer_;
     std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
     TextHash hash_;

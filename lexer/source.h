@@ -21,6 +21,9 @@ inline constexpr std::size_t kMaxLineBytes = 65536;
 /// messages. A file is never held in memory as a whole, so that its length does not matter.
 class Source {
   public:
+    /// The name of a source that is standard input.
+    static constexpr std::string_view kStandardInput = "stdin";
+
     /// Opens a regular file, or copies the data of a pipe as spool() does. The error is a sentence for the
     /// user.
     static tl::expected<Source, std::string> open(const std::string& path,

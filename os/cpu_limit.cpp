@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+
+#include "os/temporary_name.h"
 
 namespace gsim::os {
 
@@ -50,6 +53,28 @@ bool CpuLimit::reached() {
     reached_ = left_s <= 0;
     not_before_ = later(now, std::clamp(left_s, kLeastWait_s, kMostWait_s));
     return reached_;
+}
+
+double CpuLimit::left_s() const {
+    return end_s_ - thread_time_s();
+}
+
+ProcessCpuLimit::ProcessCpuLimit(double seconds, const char* sentence, int status) {
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = SIGXCPU;
+    running_ = ::timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer_) == 0;
+    if (!running_) return;
+    end_at_cpu_signal(sentence, status);
+    itimerspec when{};
+    when.it_value = later({}, std::clamp(seconds, kLeastWait_s, kMostWait_s));
+    ::timer_settime(timer_, 0, &when, nullptr);
+}
+
+ProcessCpuLimit::~ProcessCpuLimit() {
+    if (!running_) return;
+    ::timer_delete(timer_);
+    end_at_cpu_signal(nullptr, 0);
 }
 
 }  // namespace gsim::os

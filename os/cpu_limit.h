@@ -15,12 +15,30 @@ class CpuLimit {
     /// than has passed, so its clock, a call of the system, is read only when that might be enough.
     bool reached();
     double seconds() const { return seconds_; }
+    /// What is left of them, or less than 0.
+    double left_s() const;
 
   private:
     double seconds_;
     double end_s_;                ///< On the thread's clock.
     std::timespec not_before_{};  ///< On the coarse clock: nothing to look at until then.
     bool reached_ = false;
+};
+
+/// A bound of the processor time of the whole process, for work that does not ask: where it is used up, a
+/// sentence goes to standard error, temporary files are removed as at any signal that ends the program, and
+/// the process ends with `status`. One at a time; from where this is made to where it ends.
+class ProcessCpuLimit {
+  public:
+    /// `sentence`, which must outlive this, ends in a newline.
+    ProcessCpuLimit(double seconds, const char* sentence, int status);
+    ProcessCpuLimit(const ProcessCpuLimit&) = delete;
+    ProcessCpuLimit& operator=(const ProcessCpuLimit&) = delete;
+    ~ProcessCpuLimit();
+
+  private:
+    timer_t timer_{};
+    bool running_ = false;
 };
 
 }  // namespace gsim::os

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 
 #include <unistd.h>
 
@@ -12,12 +13,15 @@ namespace gsim::os {
 namespace {
 
 constexpr std::array kEnding = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
+constexpr int kNotTold = 2;               // as where any output cannot be written
 constexpr std::size_t kMostNames = 4096;  // more than a process may have files open, as a rule
 
 // The only state of the program that no object holds: a signal handler is given nothing but a number, and may
 // look at nothing but lock-free atomics. A name beyond kMostNames is not removed at a signal.
 std::array<std::atomic<const char*>, kMostNames> registered_names{};
 std::atomic<pid_t> registering_process = 0;
+std::atomic<const char*> words_at_cpu_signal = nullptr;
+std::atomic<int> status_at_cpu_signal = 0;
 static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 extern "C" void remove_and_end(int signal) {
@@ -27,6 +31,11 @@ extern "C" void remove_and_end(int signal) {
         for (const auto& slot : registered_names) {
             if (const char* name = slot.load()) ::unlink(name);
         }
+    }
+    const char* const words = signal == SIGXCPU ? words_at_cpu_signal.load() : nullptr;
+    if (words != nullptr) {
+        const bool told = ::write(STDERR_FILENO, words, std::strlen(words)) > 0;
+        ::_exit(told ? status_at_cpu_signal.load() : kNotTold);
     }
     std::signal(signal, SIG_DFL);
     static_cast<void>(::raise(signal));  // comes when the handler returns
@@ -51,6 +60,14 @@ void remove_temporaries_at_signals() {
     registering_process = ::getpid();
     for (const int signal : kEnding) handle(signal, remove_and_end);
     handle(SIGXFSZ, do_nothing);  // not SIG_IGN, which the programs that we run would inherit
+}
+
+void end_at_cpu_signal(const char* last_words, int status) {
+    status_at_cpu_signal = status;
+    words_at_cpu_signal = last_words;
+    if (last_words == nullptr) return;
+    std::signal(SIGXCPU, SIG_DFL);  // also where it was ignored
+    handle(SIGXCPU, remove_and_end);
 }
 
 SignalsHeld::SignalsHeld() : before_() {

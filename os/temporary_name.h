@@ -14,6 +14,10 @@ namespace gsim::os {
 /// so. A file that outgrows `ulimit -f` becomes an error of writing. For main() alone, once.
 void remove_temporaries_at_signals();
 
+/// What SIGXCPU means from here on: null, what it always does; else this is written to standard error, and
+/// the program ends with `status`. The text must stay.
+void end_at_cpu_signal(const char* last_words, int status);
+
 /// Keeps those signals back as long as it lives, in this thread.
 class SignalsHeld {
   public:

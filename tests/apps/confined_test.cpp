@@ -30,6 +30,29 @@ class Confined : public Apps {
                                              "GSIM_ESCAPE=" + names, GSIM_RUN});
         return run_program("/usr/bin/env", arguments, folder_);
     }
+    /// The same for any program, when it opens a file whose name holds `at`.
+    Ended escape_at(const std::string& at, const std::string& names,
+                    std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {fmt::format("LD_PRELOAD={}", GSIM_ESCAPE_LIBRARY),
+                                             "GSIM_ESCAPE_AT=" + at, "GSIM_ESCAPE=" + names, GSIM_FRONT});
+        return run_program("/usr/bin/env", arguments, folder_);
+    }
+    void expect_confined(const std::string& at, std::vector<std::string> arguments) const {
+        const std::string secret = path("elsewhere/secret"), other = path("elsewhere/new");
+        const std::string names = fmt::format("r:{} w:{}", secret, other);
+        SCOPED_TRACE(arguments.front());
+        const Ended confined = escape_at(at, names, arguments);
+        EXPECT_EQ(confined.status, 0) << confined.err;
+        arguments.insert(arguments.begin() + 1, "--no-confine");
+        const Ended open = escape_at(at, names, arguments);
+        EXPECT_EQ(open.status, 0) << open.err;
+        EXPECT_TRUE(holds(open.err, "r:" + secret + ": reached")) << open.err;
+        fs::remove(other);
+        if (holds(confined.err, "r:" + secret + ": reached"))
+            GTEST_SKIP() << "this system confines no process";
+        EXPECT_TRUE(holds(confined.err, "r:" + secret + ": Permission denied")) << confined.err;
+        EXPECT_TRUE(holds(confined.err, "w:" + other + ": Permission denied")) << confined.err;
+    }
     std::string path(const char* name) const { return (folder_ / name).string(); }
 };
 
@@ -60,6 +83,33 @@ TEST_F(Confined, AHoleInLuaReachesNoOtherFile) {
     EXPECT_TRUE(holds(confined.err, "w:" + path("here/part.nc") + ": Permission denied")) << confined.err;
     EXPECT_FALSE(exists("elsewhere/new"));
     EXPECT_TRUE(exists("out/m.jsonl")) << "what was asked for is written";
+}
+
+TEST_F(Confined, SoDoHolesInTheOtherReaders) {
+    GSIM_SKIP_WITH_SANITIZER;
+    write(
+        "here/part.svg",
+        R"(<svg width="20mm" height="20mm" viewBox="0 0 20 20"><rect x="2" y="2" width="9" height="9"/></svg>)");
+    expect_confined("/out/", {"translate", "here/part.nc", "-o", path("out/part.lua")});
+    expect_confined("part.svg", {"autopath", "here/part.svg", "--speed", "400", "--kerf", "1", "--at", "100",
+                                 "100", "0", "-o", "out/p.json"});
+    expect_confined("p.json", {"path2gcode", "out/p.json", "-o", "out/p.nc"});
+    expect_confined("part.nc", {"check", "here/part.nc"});
+    EXPECT_TRUE(exists("out/part.lua"));
+    EXPECT_TRUE(exists("out/p.nc"));
+}
+
+TEST_F(Confined, ACellMayNameWhatLiesAnywhere) {
+    GSIM_SKIP_WITH_SANITIZER;
+    write("elsewhere/block.stl",
+          "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+          "0\nendloop\nendfacet\n"
+          "endsolid a\n");
+    write("here/cell.toml",
+          "[cell]\nname = \"c\"\n[[object]]\nname = \"far\"\nrole = \"fixture\"\n"
+          "shape = { mesh = \"../elsewhere/block.stl\" }\nframe = { x_mm = 900, y_mm = 900, z_mm = 500 }\n");
+    write("here/second.nc", "G0 X5\n");
+    expect_confined("part.nc", {"check", "--cell", "here/cell.toml", "here/part.nc", "here/second.nc"});
 }
 
 TEST_F(Confined, ProgramsThatAreCalledAndAllOutputsAreFound) {

@@ -29,7 +29,22 @@ TEST_F(Pipeline, ScriptAndPartProgramGiveOneReport) {
     const json at_once = parsed(gsim_run({"wheel.nc", "--json"}));
     EXPECT_EQ(at_once["status"], "completed");
     EXPECT_EQ(parsed(gsim_run({"-", "--json"}, lua.out)), at_once);
-    EXPECT_EQ(parsed(gsim_run({write("wheel.lua", lua.out), "--json"})), at_once);
+    std::string of_file = gsim_run({write("wheel.lua", lua.out), "--json"}).out;
+    ASSERT_EQ(json::parse(of_file)["program"], "wheel.lua: wheel.nc");
+    for (std::size_t at = 0; (at = of_file.find("wheel.lua: ", at)) != std::string::npos;)
+        of_file.erase(at, std::string("wheel.lua: ").size());
+    EXPECT_EQ(parsed({.status = 0, .out = of_file, .err = {}}), at_once);
+}
+
+// The first line of a script is its writer's word; the reports name the file that was opened.
+TEST_F(Pipeline, AForgedFirstLineHidesNoFile) {
+    write("good.nc", "G0 X5000\n");
+    write("evil.lua", gcode2lua({"good.nc"}).out);
+    const Ended run = gsim_run({"evil.lua"});
+    EXPECT_TRUE(holds(run.out, "evil.lua: good.nc")) << run.out;
+    EXPECT_EQ(parsed(gsim_run({"evil.lua", "--json"}))["violations"][0]["file"], "evil.lua: good.nc");
+    const Ended check = run_program(GSIM_FRONT, {"check", "evil.lua"}, folder_);
+    EXPECT_EQ(check.out.rfind("evil.lua: good.nc:1: ", 0), 0U) << check.out;
 }
 
 TEST_F(Pipeline, AlsoWhereALimitIsPassed) {
