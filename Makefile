@@ -3,7 +3,7 @@
 
 JOBS         ?= $(shell scripts/jobs.sh)
 PREFIX       ?= /usr/local
-FUZZ_SECONDS ?= 900
+FUZZ_SECONDS ?= 10
 MAKEFLAGS    += --no-print-directory
 
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
@@ -18,7 +18,7 @@ help:
 	@echo 'make build    build the programs into build/bin'
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
 	@echo 'make accuracy GSIM_REFERENCE=FOLDER  compare cycle times and positions with recorded controllers'
-	@echo 'make fuzz     fuzz the translator for FUZZ_SECONDS=$(FUZZ_SECONDS)'
+	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS), or the one TARGET=NAME; RECORD=1 counts it in tests/fuzz/RESULTS.md'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
 	@echo 'make docs     renew docs/language.md from the tables'
 	@echo 'make pictures renew the pictures of the documentation'
@@ -77,8 +77,8 @@ site:
 
 fuzz:
 	@scripts/setup.sh test clang
-	@$(call build_into,fuzz) --target translate_fuzz
-	@tests/fuzz/run.sh build-fuzz $(FUZZ_SECONDS)
+	@$(call build_into,sanitize) --target gsim-fuzz
+	@JOBS='$(JOBS)' RECORD='$(RECORD)' tests/fuzz/run.sh build-sanitize '$(FUZZ_SECONDS)' '$(TARGET)'
 
 format:
 	@scripts/setup.sh lint
@@ -102,4 +102,4 @@ package:
 	@scripts/package.sh build
 
 clean:
-	@rm -rf build build-debug build-sanitize build-fuzz build-lint build-alone
+	@rm -rf build build-debug build-sanitize build-lint build-alone

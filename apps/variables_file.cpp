@@ -12,12 +12,17 @@
 namespace gsim::apps {
 
 tl::expected<std::map<int, double>, std::string> read_variables(const std::string& path) {
-    std::map<int, double> values;
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return values;
-    const auto text = machine::read_text_file(path, os::NamedBy::command_line);
-    if (!text) return tl::unexpected(text.error());
-    std::istringstream lines(*text);
+    if (!std::filesystem::exists(path, ignored)) return std::map<int, double>();
+    return machine::read_text_file(path, os::NamedBy::command_line).and_then([&](const std::string& text) {
+        return variables_of(text, path);
+    });
+}
+
+tl::expected<std::map<int, double>, std::string> variables_of(std::string_view text,
+                                                              std::string_view file_name) {
+    std::map<int, double> values;
+    std::istringstream lines{std::string(text)};
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         std::istringstream words(line);
@@ -27,17 +32,21 @@ tl::expected<std::map<int, double>, std::string> read_variables(const std::strin
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         if (!(words >> variable >> value) || words >> rest)
             return tl::unexpected(
-                fmt::format("{}:{}: a line is the number of a variable and its value", path, number));
+                fmt::format("{}:{}: a line is the number of a variable and its value", file_name, number));
         values[variable] = value;
     }
     return values;
 }
 
-tl::expected<void, std::string> write_variables(const std::string& path,
-                                                const std::map<int, double>& values) {
+std::string variables_text(const std::map<int, double>& values) {
     std::string text;
     for (const auto& [number, value] : values) text += fmt::format("{}\t{}\n", number, value);
-    return os::write_file(path, text, os::Reach::disk);
+    return text;
+}
+
+tl::expected<void, std::string> write_variables(const std::string& path,
+                                                const std::map<int, double>& values) {
+    return os::write_file(path, variables_text(values), os::Reach::disk);
 }
 
 }  // namespace gsim::apps

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -11,6 +12,13 @@ namespace gsim::apps {
 /// with `number value` in each line, as LinuxCNC's .var files are. Without such a file there are none. The
 /// error is a sentence with file and line.
 tl::expected<std::map<int, double>, std::string> read_variables(const std::string& path);
+
+/// The same of such a file's text.
+tl::expected<std::map<int, double>, std::string> variables_of(std::string_view text,
+                                                              std::string_view file_name);
+
+/// What such a file holds: variables_of() gives the same values back.
+std::string variables_text(const std::map<int, double>& values);
 
 /// Writes them; the file appears when it is complete. The error is a sentence.
 tl::expected<void, std::string> write_variables(const std::string& path, const std::map<int, double>& values);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "drawing/svg_path.h"
+#include "drawing/svg_style.h"
 #include "drawing/svg_values.h"
 
 namespace gsim::drawing {
@@ -75,7 +76,7 @@ ShapeFault draw_rect(const pugi::xml_node& node, Pen& pen) {
 
 ShapeFault draw_ellipse_element(const pugi::xml_node& node, Pen& pen) {
     Lengths lengths(node);
-    const bool circle = std::string_view(node.name()) == "circle";
+    const bool circle = local_name(node) == "circle";
     const Point center{lengths("cx"), lengths("cy")};
     const double rx = lengths(circle ? "r" : "rx");
     const double ry = lengths(circle ? "r" : "ry");
@@ -111,7 +112,7 @@ ShapeFault draw_points(const pugi::xml_node& node, Pen& pen) {
         }
     }
     if (count < 2) return fmt::format("has {} points; 2 are the least", count);
-    if (std::string_view(node.name()) == "polygon") pen.close();
+    if (local_name(node) == "polygon") pen.close();
     return {};
 }
 
@@ -141,7 +142,7 @@ bool is_svg_shape(std::string_view name) {
 }
 
 std::optional<std::string> draw_svg_shape(const pugi::xml_node& node, Pen& pen) {
-    ShapeFault fault = svg_shape_of(node.name())->draw(node, pen);
+    ShapeFault fault = svg_shape_of(local_name(node))->draw(node, pen);
     if (!fault) fault = pen.fault();
     pen.lift();
     return fault;

@@ -9,18 +9,23 @@
 
 namespace gsim::solid {
 
+/// What any bytes are a value of; a bool is 0 or 1 alone (put_flag()).
+template <typename T>
+concept PacketValue = std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool>;
+
 /// Values one behind the other as bytes, between two programs of one build on one machine.
 class PacketWriter {
   public:
-    template <typename T>
-    requires std::is_trivially_copyable_v<T>
-    void put(const T& value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
-    template <typename T>
-    requires std::is_trivially_copyable_v<T>
+    template <PacketValue T>
+    void put(const T& value) {
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    template <PacketValue T>
     void put_all(const std::vector<T>& values) {
         put(static_cast<std::uint64_t>(values.size()));
         bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     }
+    void put_flag(bool flag) { put(static_cast<std::uint8_t>(flag ? 1 : 0)); }
     void put_text(std::string_view text) {
         put(static_cast<std::uint64_t>(text.size()));
         bytes_.append(text);
@@ -38,14 +43,14 @@ class PacketReader {
   public:
     explicit PacketReader(std::string_view bytes) : rest_(bytes) {}
 
-    template <typename T>
-    requires std::is_trivially_copyable_v<T> T get() {
+    template <PacketValue T>
+    T get() {
         T value{};
         if (const char* from = take(sizeof value)) std::memcpy(&value, from, sizeof value);
         return value;
     }
-    template <typename T>
-    requires std::is_trivially_copyable_v<T> std::vector<T> get_all() {
+    template <PacketValue T>
+    std::vector<T> get_all() {
         const std::size_t count = get_count(sizeof(T));
         std::vector<T> values(count);
         const char* from = take(count * sizeof(T));
@@ -53,6 +58,7 @@ class PacketReader {
             std::memcpy(static_cast<void*>(values.data()), from, count * sizeof(T));
         return values;
     }
+    bool get_flag() { return get<std::uint8_t>() != 0; }
     std::string get_text() {
         const std::size_t count = get_count(1);
         const char* from = take(count);

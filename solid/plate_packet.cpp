@@ -13,7 +13,7 @@ void put_plate(PacketWriter& packet, const Plate& plate) {
     }
     packet.put(static_cast<std::uint64_t>(drawing.pieces.size()));
     for (const geometry::Contour& piece : drawing.pieces) {
-        packet.put(piece.closed);
+        packet.put_flag(piece.closed);
         packet.put_all(piece.vertices);
     }
     packet.put(static_cast<std::uint64_t>(drawing.notes.size()));
@@ -31,7 +31,7 @@ Plate take_plate(PacketReader& packet) {
     }
     plate.drawing.pieces.resize(packet.get_count(1));
     for (geometry::Contour& piece : plate.drawing.pieces) {
-        piece.closed = packet.get<bool>();
+        piece.closed = packet.get_flag();
         piece.vertices = packet.get_all<geometry::Vertex>();
     }
     plate.drawing.notes.resize(packet.get_count(1));

@@ -109,7 +109,7 @@ tl::expected<std::string, std::string> ask_reader(const std::string& question,
     if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0 || answer.empty())
         return Fault(fmt::format("'{}' cannot be read: {}", file.string(), end_of(*status)));
     PacketReader packet(answer);
-    if (packet.get<bool>()) return answer.substr(sizeof(bool));
+    if (packet.get_flag()) return answer.substr(1);
     return Fault(fmt::format("{}: {}", file.string(), packet.get_text()));
 }
 

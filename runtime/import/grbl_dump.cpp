@@ -37,7 +37,14 @@ constexpr int kTravel = 130;
 struct Setting {
     double value = 0;
     std::string line;
+    int line_number = 1;
     bool taken = false;
+};
+
+/// A line in brackets.
+struct Point {
+    std::string line;
+    int line_number = 1;
 };
 
 /// A point of `$#` by its parameters here.
@@ -73,9 +80,10 @@ class Dump {
             if (line.empty() || line == "ok" || line.starts_with("Grbl") || line == "$$" || line == "$#")
                 continue;
             if (const auto setting = setting_of(line)) {
-                settings_[setting->first] = {.value = setting->second, .line = std::string(line)};
+                settings_[setting->first] = {
+                    .value = setting->second, .line = std::string(line), .line_number = number};
             } else if (line.starts_with('[')) {
-                points_.emplace_back(line);
+                points_.push_back({std::string(line), number});
             } else {
                 return tl::unexpected(fmt::format("{}:{}: '{}' is no line of what grbl answers to $$ and $#",
                                                   file_name_, number, line));
@@ -92,8 +100,8 @@ class Dump {
         if (result_.machine.axes.size() > kLeastAxes) result_.machine.inverse = machine::InverseKind::none;
         take_planner();
         report_unit_mm_ = value(kReportInches).value_or(0) != 0 ? kInch_mm : 1;
-        for (const std::string& line : points_) {
-            if (Done done = take_point(line); !done) return tl::unexpected(done.error());
+        for (const Point& point : points_) {
+            if (Done done = take_point(point); !done) return tl::unexpected(done.error());
         }
         for (const auto& [number, setting] : settings_) {
             if (!setting.taken) result_.left_out.push_back(setting.line);
@@ -134,10 +142,7 @@ class Dump {
         axis.direction = static_cast<machine::AxisDirection>(index % kLeastAxes);
         for (const int base : {kSteps, kSpeed, kAcceleration}) {
             const auto of = value(base + number);
-            if (!of || *of <= 0) {
-                return tl::unexpected(fmt::format("{}: ${}, which axis {} needs, is not there or not above 0",
-                                                  file_name_, base + number, axis.letter));
-            }
+            if (!of || *of <= 0) return lacking(base + number, axis.letter);
             if (base == kSteps) axis.step = 1 / *of;
             if (base == kSpeed) axis.max_speed = *of / kSecondsPerMinute;
             if (base == kAcceleration) axis.max_acceleration = *of;
@@ -145,6 +150,15 @@ class Dump {
         take_range(number, axis);
         result_.machine.axes.push_back(axis);
         return {};
+    }
+
+    Done lacking(int number, char letter) const {
+        const auto found = settings_.find(number);
+        if (found == settings_.end())
+            return tl::unexpected(
+                fmt::format("{}: ${}, which axis {} needs, is not there", file_name_, number, letter));
+        return tl::unexpected(fmt::format("{}:{}: ${}, which axis {} needs, is not above 0", file_name_,
+                                          found->second.line_number, number, letter));
     }
 
     // After homing machine coordinates go from minus the travel to 0, whichever end the switch is at.
@@ -169,7 +183,8 @@ class Dump {
     }
 
     // "[G54:4.000,0.000,0.000]"
-    Done take_point(const std::string& line) {
+    Done take_point(const Point& given) {
+        const std::string& line = given.line;
         const std::size_t colon = line.find(':');
         const std::string name = line.substr(1, std::min(colon, line.size()) - 1);
         const auto stored = std::find_if(kStoredPoints.begin(), kStoredPoints.end(),
@@ -181,8 +196,8 @@ class Dump {
         }
         const auto values = point_values(std::string_view(line).substr(colon + 1));
         if (!values) {
-            return tl::unexpected(
-                fmt::format("{}: '{}' has no numbers for its axes, parted by commas", file_name_, line));
+            return tl::unexpected(fmt::format("{}:{}: '{}' has no numbers for its axes, parted by commas",
+                                              file_name_, given.line_number, line));
         }
         result_.has_data = true;
         if (system) {
@@ -215,7 +230,7 @@ class Dump {
 
     std::string_view file_name_;
     std::map<int, Setting> settings_;
-    std::vector<std::string> points_;
+    std::vector<Point> points_;
     double report_unit_mm_ = 1;
     Imported result_;
 };

@@ -243,6 +243,7 @@ void ModuleMotion::end_program() {
 motion::PlanError ModuleMotion::last_error() {
     motion::PlanError error;
     GetMessage(error.message);
+    if (error.message.empty()) error.message = "the module does not say why";
     if (!RcsShell::fault() && error.message.find(name()) != 0)
         error.message = fmt::format("{}: {}", name(), error.message);
     return error;

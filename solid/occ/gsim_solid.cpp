@@ -59,7 +59,7 @@ Answer mesh_answer(const std::string& file, double tolerance_mm) {
     const auto mesh = tessellate(shapes->shape(), tolerance_mm);
     if (!mesh) return tl::unexpected(mesh.error());
     PacketWriter packet;
-    packet.put(true);
+    packet.put_flag(true);
     put_mesh(packet, *mesh);
     return packet;
 }
@@ -70,7 +70,7 @@ Answer plate_answer(const std::string& file, const PlateOptions& options) {
     const auto plate = plate_of(*shapes, options);
     if (!plate) return tl::unexpected(plate.error());
     PacketWriter packet;
-    packet.put(true);
+    packet.put_flag(true);
     put_plate(packet, *plate);
     return packet;
 }
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
     const Answer said = safe_answer({argv, static_cast<std::size_t>(argc)});
     PacketWriter fault;
     if (!said) {
-        fault.put(false);
+        fault.put_flag(false);
         fault.put_text(said.error());
     }
     const bool written = write_all(output, said ? said->bytes() : fault.bytes());

@@ -44,6 +44,15 @@ TEST(Svg, BasicShapes) {
                 ElementsAre(DoubleNear(50, 1e-6)));
 }
 
+// As older Inkscapes and CAD programs write them.
+TEST(Svg, ShapesWithThePrefixOfTheirNamespace) {
+    EXPECT_THAT(areas_in("<svg:rect width='30' height='20'/>"), ElementsAre(DoubleNear(600, 1e-6)));
+    EXPECT_THAT(areas_in("<svg:g><svg:circle cx='10' cy='20' r='5'/></svg:g>"),
+                ElementsAre(DoubleNear(25 * kPi, 1e-6)));
+    EXPECT_THAT(areas_in("<svg:path d='M0 0H10V10H0Z'/>"), ElementsAre(DoubleNear(100, 1e-6)));
+    EXPECT_THAT(areas_in("<svg:polygon points='0,0 10,0 0,8'/>"), ElementsAre(DoubleNear(40, 1e-6)));
+}
+
 TEST(Svg, YPointsUpAndThePageIsInMm) {
     const Drawing drawing = svg_drawing(svg_of("<circle cx='10' cy='20' r='5'/>"));
     const geometry::Box box = box_of(drawing.pieces[0]);

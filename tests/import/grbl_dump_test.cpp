@@ -81,7 +81,11 @@ TEST(GrblDump, FaultsAreSentences) {
     EXPECT_EQ(import_grbl("$100=80\nhello\n", "router.txt").error(),
               "router.txt:2: 'hello' is no line of what grbl answers to $$ and $#");
     EXPECT_EQ(import_grbl("$100=80\n$110=500\n", "router.txt").error(),
-              "router.txt: $120, which axis X needs, is not there or not above 0");
+              "router.txt: $120, which axis X needs, is not there");
+    EXPECT_EQ(import_grbl("$100=80\n$110=0\n", "router.txt").error(),
+              "router.txt:2: $110, which axis X needs, is not above 0");
+    EXPECT_EQ(import_grbl(std::string(kRouter) + "[G54:1.000]\n", "router.txt").error(),
+              "router.txt:17: '[G54:1.000]' has no numbers for its axes, parted by commas");
 }
 
 }  // namespace

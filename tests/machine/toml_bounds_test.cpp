@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
@@ -70,6 +71,20 @@ TEST(TomlBounds, BehindAnyStringCountingGoesOn) {
         const auto excess = find_toml_excess("a = {a = " + value + deep);
         ASSERT_TRUE(excess) << value;
         EXPECT_EQ(excess->sentence, "more than 32 names joined by dots") << value;
+    }
+}
+
+// toml++ asks whether such letters are blanks: behind a backslash at the end of a line, and where no letter
+// may be.
+TEST(TomlBounds, LettersOfAllAlphabetsAreNoBlanks) {
+    for (const std::string letter : {"\u00e9", "\u03c9", "\u044d", "\u0499", "\u20ac", "\u4e2d"}) {
+        const auto machine = read_machine("[machine]\nname = \"\"\"\\\n  " + letter +
+                                              "\"\"\"\n[[axis]]\nletter = \"X\"\nkind = \"linear\"\n"
+                                              "direction = \"x\"\n",
+                                          "f.toml");
+        ASSERT_TRUE(machine) << machine.error();
+        EXPECT_EQ(machine->name, letter);
+        EXPECT_THAT(error_of(letter + " = 1\n"), testing::StartsWith("f.toml:1:"));
     }
 }
 

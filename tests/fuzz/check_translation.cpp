@@ -1,5 +1,3 @@
-#include "tests/fuzz/translation_check.h"
-
 #include <algorithm>
 #include <memory>
 
@@ -7,6 +5,7 @@
 #include <lua.hpp>
 
 #include "codegen/translate.h"
+#include "tests/fuzz/checks.h"
 
 namespace gsim::fuzz {
 namespace {
@@ -36,33 +35,33 @@ std::optional<std::string> lua_error(const std::string& script) {
     return lua_tostring(lua.get(), -1);
 }
 
-std::optional<std::string> broken_promise_in(const grammar::Dialect& dialect, std::string_view gcode) {
+Outcome check_in(const grammar::Dialect& dialect, std::string_view gcode) {
     const TextTranslation first = translate(gcode, dialect);
     const TextTranslation second = translate(gcode, dialect);
     if (first.ok != second.ok || first.lua != second.lua || first.diagnostics != second.diagnostics)
-        return "two translations of one program differ";
+        return broken("two translations of one program differ");
     if (!first.ok) {
-        if (first.diagnostics.empty()) return "the translation failed without a diagnostic";
-        return {};
+        if (first.diagnostics.empty()) return broken("the translation failed without a diagnostic");
+        return refused();
     }
     const std::ptrdiff_t expected = line_count(gcode) + 2;
     const bool may_end_early = dialect.rules().style == lexer::Style::rs274ngc;  // behind a second %
     const std::ptrdiff_t lines = line_count(first.lua);
     if (lines > expected || (lines < expected && !may_end_early))
-        return fmt::format("{} lines of Lua where {} belong:\n{}", lines, expected, first.lua);
+        return broken(fmt::format("{} lines of Lua where {} belong:\n{}", lines, expected, first.lua));
     if (const auto error = lua_error(first.lua))
-        return fmt::format("Lua does not compile it: {}\n{}", *error, first.lua);
-    return {};
+        return broken(fmt::format("Lua does not compile it: {}\n{}", *error, first.lua));
+    return accepted();
 }
 
 }  // namespace
 
-std::optional<std::string> broken_promise(std::string_view gcode) {
-    for (const grammar::Dialect* dialect : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()}) {
-        if (const auto broken = broken_promise_in(*dialect, gcode))
-            return fmt::format("{}: {}", dialect->name(), *broken);
-    }
-    return {};
+Outcome check_translate_ab9(std::string_view gcode) {
+    return check_in(grammar::dialect_ab9(), gcode);
+}
+
+Outcome check_translate_rs274ngc(std::string_view gcode) {
+    return check_in(grammar::dialect_rs274ngc(), gcode);
 }
 
 }  // namespace gsim::fuzz

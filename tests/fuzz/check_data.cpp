@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include "apps/aliases.h"
+#include "apps/data_json.h"
+#include "apps/variables_file.h"
+#include "runtime/machine/machine_data_document.h"
+#include "runtime/machine/machine_file.h"
+#include "tests/fuzz/checks.h"
+#include "tests/fuzz/promises.h"
+
+namespace gsim::fuzz {
+namespace {
+
+using machine::MachineDataDocument;
+
+std::vector<machine::Axis> data_axes() {
+    return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value().axes;
+}
+
+/// Data that are written anew mean the same.
+std::optional<std::string> fault_of_data(const machine::MachineData& data,
+                                         const std::vector<machine::Axis>& axes) {
+    const std::string text = machine::write_machine_data(data, axes);
+    const auto again = machine::read_machine_data(text, "again", axes);
+    if (!again) return fmt::format("what is written is refused: {}\n{}", again.error(), text);
+    if (*again != data) return fmt::format("what is written means other data:\n{}", text);
+    if (const auto aliases = apps::aliases_of(data); !aliases) return fault_of_sentence(aliases.error());
+    return std::nullopt;
+}
+
+/// In inches and back; values that are too large for it may be refused.
+std::optional<std::string> fault_of_conversion(MachineDataDocument document) {
+    const std::string before = document.text();
+    for (const auto unit : {machine::LengthUnit::inch, machine::LengthUnit::metric}) {
+        const std::string text = document.text();
+        if (const auto done = document.convert(unit); !done) {
+            if (document.text() != text) return "a conversion that is refused has changed the file";
+            return fault_of_sentence(done.error());
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Outcome check_machine_data(std::string_view text) {
+    const std::string file = name_beside(".txt");
+    const std::vector<machine::Axis> axes = data_axes();
+    auto document = MachineDataDocument::read(text, file, axes);
+    const auto data = machine::read_machine_data(text, file, axes);
+    if (document.has_value() != data.has_value())
+        return broken("document and data do not agree on what is right");
+    if (!document) {
+        if (document.error().empty()) return broken("a refusal without an error");
+        for (const std::string& error : document.error()) {
+            if (auto fault = fault_of_error(error, file)) return broken(*std::move(fault));
+        }
+        if (document.error().front() != data.error())
+            return broken("document and data name other first errors");
+        return refused();
+    }
+    if (document->text() != text) return broken("the file does not come back byte for byte");
+    if (document->data() != *data) return broken("document and data mean other things");
+    if (auto fault = fault_of_data(*data, axes)) return broken(*std::move(fault));
+    if (const auto updated = document->update(*data); !updated)
+        return broken("its own data cannot be written: " + updated.error());
+    if (document->text() != text) return broken("its own data change the file");
+    if (auto fault = fault_of_conversion(*std::move(document))) return broken(*std::move(fault));
+    return accepted();
+}
+
+Outcome check_machine_data_json(std::string_view json) {
+    const std::string file = name_beside(".json");
+    const std::vector<machine::Axis> axes = data_axes();
+    const auto document = apps::data_from_json(json, file, axes);
+    if (!document) {
+        if (auto fault = fault_of_sentence(document.error())) return broken(*std::move(fault));
+        if (!document.error().starts_with(file))
+            return broken("an error without its file: " + document.error());
+        return refused();
+    }
+    const std::string written = apps::data_to_json(*document).dump();
+    const auto again = apps::data_from_json(written, file, axes);
+    if (!again) return broken(fmt::format("what is written is refused: {}\n{}", again.error(), written));
+    if (again->data() != document->data()) return broken("what is written means other data:\n" + written);
+    if (auto fault = fault_of_data(document->data(), axes)) return broken(*std::move(fault));
+    return accepted();
+}
+
+Outcome check_variables(std::string_view text) {
+    const std::string file = name_beside(".var");
+    const auto values = apps::variables_of(text, file);
+    if (!values) return refused_with(values.error(), file);
+    const std::string written = apps::variables_text(*values);
+    const auto again = apps::variables_of(written, file);
+    if (!again) return broken(fmt::format("what is written is refused: {}\n{}", again.error(), written));
+    if (*again != *values) return broken("what is written means other values:\n" + written);
+    return accepted();
+}
+
+}  // namespace gsim::fuzz

@@ -1,0 +1,105 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cutting/autopath.h"
+#include "drawing/dxf_reader.h"
+#include "drawing/svg_reader.h"
+#include "geometry/chain.h"
+#include "runtime/path/validate.h"
+#include "tests/fuzz/checks.h"
+#include "tests/fuzz/promises.h"
+
+namespace gsim::fuzz {
+namespace {
+
+using drawing::Drawing;
+
+constexpr double kRounding = 1e-9;
+/// A path round so many edges takes milliseconds.
+constexpr std::size_t kMostEdges = 200;
+
+constexpr double kKerf_mm = 1;
+constexpr double kSpeed_mm_min = 600;
+
+std::size_t edges_of(const Drawing& drawing) {
+    std::size_t edges = 0;
+    for (const geometry::Contour& piece : drawing.pieces) edges += piece.edges();
+    return edges;
+}
+
+std::optional<std::string> fault_of_vertex(const Drawing& drawing, const geometry::Vertex& vertex) {
+    if (!finite(vertex.position)) return "a corner is nowhere";
+    const double farthest_mm = std::max(std::abs(vertex.position.x), std::abs(vertex.position.y));
+    if (farthest_mm > 2 * drawing::kMaxCoordinate_mm)
+        return fmt::format("a corner is {} mm away", farthest_mm);
+    if (!(std::abs(vertex.bulge) <= 1 + kRounding))
+        return fmt::format("an arc has a bulge of {}", vertex.bulge);
+    if (vertex.source >= drawing.entities.size()) return "an edge comes from no entity";
+    return std::nullopt;
+}
+
+std::optional<std::string> fault_of_drawing(const Drawing& drawing) {
+    if (edges_of(drawing) > drawing::kMaxEdges) return "more edges than a drawing can have";
+    for (const geometry::Contour& piece : drawing.pieces) {
+        for (const geometry::Vertex& vertex : piece.vertices) {
+            if (auto fault = fault_of_vertex(drawing, vertex)) return fault;
+        }
+    }
+    return std::nullopt;
+}
+
+/// An error begins with its line.
+Outcome refused_drawing(const std::string& error) {
+    if (auto fault = fault_of_sentence(error)) return broken(*std::move(fault));
+    if (!error.starts_with("line ")) return broken("an error without its line: " + error);
+    return refused();
+}
+
+/// Accepted are drawings with a closed contour.
+Outcome outcome_of_drawing(const tl::expected<Drawing, std::string>& drawing) {
+    if (!drawing) return refused_drawing(drawing.error());
+    if (auto fault = fault_of_drawing(*drawing)) return broken(*std::move(fault));
+    constexpr double kGap_mm = 0.01;
+    const geometry::Chained chained = geometry::chain(drawing->pieces, kGap_mm);
+    return chained.closed.empty() ? refused() : accepted();
+}
+
+/// Of sentences one below the other.
+std::optional<std::string> fault_of_list(std::string_view error) {
+    while (true) {
+        const std::size_t end = std::min(error.find('\n'), error.size());
+        if (auto fault = fault_of_sentence(error.substr(0, end))) return fault;
+        if (end == error.size()) return std::nullopt;
+        error.remove_prefix(end + 1);
+    }
+}
+
+}  // namespace
+
+Outcome check_dxf(std::string_view text) {
+    return outcome_of_drawing(drawing::read_dxf(text, {}));
+}
+
+Outcome check_svg(std::string_view text) {
+    return outcome_of_drawing(drawing::read_svg(text, {}));
+}
+
+Outcome check_autopath(std::string_view svg) {
+    auto drawing = drawing::read_svg(svg, {});
+    if (!drawing || edges_of(*drawing) > kMostEdges) return refused();
+    cutting::CutRules rules;
+    rules.kerf_mm = kKerf_mm;
+    rules.speed_mm_min = kSpeed_mm_min;
+    rules.pierce_s = 1;
+    const auto path = cutting::autopath(*std::move(drawing), rules, {});
+    if (!path) return {.accepted = false, .broken = fault_of_list(path.error())};
+    if (const auto fault = path::validate(path->program)) return broken(fault->sentence);
+    const cutting::CutSummary& summary = path->summary;
+    if (!std::isfinite(summary.cut_mm) || !std::isfinite(summary.travel_mm) || !std::isfinite(summary.cut_s))
+        return broken("a length of the cut is not finite");
+    if (summary.pierces == 0) return broken("a path that cuts nothing");
+    return accepted();
+}
+
+}  // namespace gsim::fuzz

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include "runtime/import/grbl_dump.h"
+#include "runtime/import/import_machine.h"
+#include "runtime/import/linuxcnc_ini.h"
+#include "runtime/import/linuxcnc_tables.h"
+#include "runtime/machine/machine_data_document.h"
+#include "runtime/machine/machine_file.h"
+#include "tests/fuzz/checks.h"
+#include "tests/fuzz/promises.h"
+
+namespace gsim::fuzz {
+namespace {
+
+using import::Imported;
+
+constexpr std::string_view kLetters = "XYZBC";
+constexpr double kMmPerInch = 25.4;
+
+/// What is taken over can be written, or a sentence says what no file can hold; what is written is right.
+std::optional<std::string> fault_of_files(const Imported& imported, const std::string& file) {
+    for (const auto* told : {&imported.warnings, &imported.left_out}) {
+        for (const std::string& sentence : *told) {
+            if (auto fault = fault_of_sentence(sentence)) return fault;
+        }
+    }
+    const auto data = import::machine_data_text(imported);
+    if (!data) return fault_of_sentence(data.error());
+    const auto read = machine::read_machine_data(*data, file, imported.machine.axes);
+    if (!read) return fmt::format("the machine data are refused: {}\n{}", read.error(), *data);
+    return std::nullopt;
+}
+
+std::optional<std::string> fault_of_machine(const Imported& imported, const std::string& file) {
+    const auto toml = import::machine_toml(imported, file);
+    if (!toml) return fault_of_sentence(toml.error());
+    const auto machine = machine::read_machine(*toml, file);
+    if (!machine) return fmt::format("the machine file is refused: {}\n{}", machine.error(), *toml);
+    if (machine->axes.size() != imported.machine.axes.size()) return "the machine file lacks axes";
+    return std::nullopt;
+}
+
+/// What is missing has no line.
+std::optional<std::string> fault_of_import(const std::string& error, const std::string& file) {
+    for (const std::string_view missing : {"is not there", "there is neither", "names no axes", "no range"}) {
+        if (error.find(missing) != std::string::npos) return fault_of_sentence(error);
+    }
+    return fault_of_error(error, file);
+}
+
+Outcome outcome_of_import(const tl::expected<Imported, std::string>& imported, const std::string& file) {
+    if (!imported) {
+        if (auto fault = fault_of_import(imported.error(), file)) return broken(*std::move(fault));
+        return refused();
+    }
+    if (auto fault = fault_of_files(*imported, file)) return broken(*std::move(fault));
+    if (auto fault = fault_of_machine(*imported, file)) return broken(*std::move(fault));
+    return accepted();
+}
+
+template <typename Take>
+Outcome check_table(Take take, std::string_view text, const std::string& file, double unit_mm) {
+    Imported imported;
+    for (const char letter : kLetters) {
+        imported.machine.axes.push_back(
+            {.letter = letter, .kind = letter < 'U' ? machine::AxisKind::rotary : machine::AxisKind::linear});
+    }
+    import::TableNotes notes;
+    if (const auto taken = take(text, file, unit_mm, kLetters, imported.data, notes); !taken)
+        return refused_with(taken.error(), file);
+    imported.left_out = std::move(notes.left_out);
+    if (auto fault = fault_of_files(imported, file)) return broken(*std::move(fault));
+    return accepted();
+}
+
+}  // namespace
+
+Outcome check_tool_table(std::string_view text) {
+    return check_table(import::take_tools, text, name_beside(".tbl"), kMmPerInch);
+}
+
+Outcome check_parameters(std::string_view text) {
+    return check_table(import::take_parameters, text, name_beside(".var"), 1);
+}
+
+Outcome check_linuxcnc_ini(std::string_view text) {
+    const std::string file = name_beside(".ini");
+    return outcome_of_import(import::import_linuxcnc(text, file), file);
+}
+
+Outcome check_grbl_settings(std::string_view text) {
+    const std::string file = name_beside(".txt");
+    const auto imported = import::import_grbl(text, file);
+    if (imported && !import::is_grbl_dump(text))
+        return broken("settings are read that are not known as such");
+    return outcome_of_import(imported, file);
+}
+
+}  // namespace gsim::fuzz

@@ -1,0 +1,61 @@
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "runtime/machine/controller_file.h"
+#include "runtime/machine/machine_file.h"
+#include "runtime/machine/toml_text.h"
+#include "tests/fuzz/checks.h"
+#include "tests/fuzz/promises.h"
+#include "tests/fuzz/small_run.h"
+
+namespace gsim::fuzz {
+namespace {
+
+/// What is read can be planned for: its short program comes to an end, an alarm among these.
+Outcome run_short_program(machine::Machine machine) {
+    const std::string lua = short_program(machine);
+    Outcome outcome = outcome_of(run_once({.machine = std::move(machine), .lua = lua}));
+    outcome.accepted = true;  // the machine was read, whether or not it can make these moves
+    return outcome;
+}
+
+/// With ranges and limits that the rules have to deal with.
+machine::Machine machine_with(rrs::ControllerRules rules) {
+    machine::Machine machine =
+        machine::read_machine(machine::built_in_machine_toml(), "built-in machine").value();
+    machine.controller = std::move(rules);
+    return machine;
+}
+
+}  // namespace
+
+Outcome check_machine(std::string_view toml) {
+    const std::string file = name_beside(".toml");
+    auto machine = machine::read_machine(toml, file);
+    if (!machine) return refused_with(machine.error(), file);
+    const std::string printed = machine::print_machine(*machine);
+    const auto again = machine::read_machine(printed, file);
+    if (!again) return broken(fmt::format("what is printed is refused: {}\n{}", again.error(), printed));
+    if (*again != *machine)
+        return broken(fmt::format("what is printed reads as another machine:\n{}", printed));
+    return run_short_program(*std::move(machine));
+}
+
+Outcome check_controller(std::string_view toml) {
+    const std::string file = name_beside(".toml");
+    const auto rules = machine::read_controller(toml, file, "fuzz");
+    if (!rules) return refused_with(rules.error(), file);
+    machine::TomlText out;
+    machine::print_controller(out, *rules);
+    const std::string printed = out.take();
+    if (printed.empty()) return accepted();  // as a machine without such a table
+    const auto again = machine::read_controller(printed, file, "fuzz");
+    if (!again) return broken(fmt::format("what is printed is refused: {}\n{}", again.error(), printed));
+    if (*again != *rules) return broken(fmt::format("what is printed reads as other rules:\n{}", printed));
+    machine::Machine machine = machine_with(*rules);
+    if (machine::find_controller_fault(machine)) return accepted();
+    return run_short_program(std::move(machine));
+}
+
+}  // namespace gsim::fuzz

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include "runtime/cell/mesh_file.h"
+#include "solid/mesh_packet.h"
+#include "solid/plate_packet.h"
+#include "tests/fuzz/checks.h"
+#include "tests/fuzz/promises.h"
+
+namespace gsim::fuzz {
+namespace {
+
+constexpr double kScale = 2;
+constexpr double kMeshReach_mm = 1e6;
+
+/// Errors of a binary file have no line.
+Outcome check_mesh(std::string_view bytes, const std::string& file) {
+    const auto mesh = cell::read_mesh(bytes, file, kScale);
+    if (!mesh) {
+        if (auto fault = fault_of_sentence(mesh.error())) return broken(*std::move(fault));
+        if (!mesh.error().starts_with(file)) return broken("an error without its file: " + mesh.error());
+        return refused();
+    }
+    if ((*mesh)->triangle_count() == 0 || (*mesh)->nodes().empty()) return broken("a mesh without triangles");
+    for (const Eigen::Vector3d& vertex : (*mesh)->vertices_mm()) {
+        if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kMeshReach_mm)
+            return broken(fmt::format("a corner at {} {} {}", vertex.x(), vertex.y(), vertex.z()));
+    }
+    return accepted();
+}
+
+}  // namespace
+
+Outcome check_mesh_stl(std::string_view bytes) {
+    return check_mesh(bytes, name_beside(".stl"));
+}
+
+Outcome check_mesh_obj(std::string_view text) {
+    return check_mesh(text, name_beside(".obj"));
+}
+
+Outcome check_solid_packet(std::string_view bytes) {
+    solid::PacketReader plate(bytes);
+    solid::take_plate(plate);
+    solid::PacketReader mesh(bytes);
+    const solid::Mesh triangles = solid::take_mesh(mesh);
+    if (!mesh.is_whole() && !plate.is_whole()) return refused();
+    if (!mesh.is_whole()) return accepted();
+    solid::PacketWriter again;
+    solid::put_mesh(again, triangles);
+    if (!bytes.starts_with(again.bytes())) return broken("a mesh is written in another way");
+    return accepted();
+}
+
+}  // namespace gsim::fuzz

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string_view>
+
+#include "tests/fuzz/target.h"
+
+namespace gsim::fuzz {
+
+// The checks of the targets. Whatever is read, reading it again gives the same, and an error is one line that
+// says where. What each promises beyond that stands with it.
+
+/// Part programs become Lua, or there is a diagnostic. The Lua has the source's lines one further down and
+/// one line after them, and Lua compiles it.
+Outcome check_translate_ab9(std::string_view gcode);
+Outcome check_translate_rs274ngc(std::string_view gcode);
+
+/// Part programs that are translated, and scripts, run to an end within small limits, and again to the same
+/// report (fault_of_report() tells what holds for one).
+Outcome check_simulate_ab9(std::string_view gcode);
+Outcome check_simulate_rs274ngc(std::string_view gcode);
+Outcome check_lua_script(std::string_view lua);
+
+/// A machine, or the rules of a controller, that is printed reads as the same; moves can be planned for it.
+Outcome check_machine(std::string_view toml);
+Outcome check_controller(std::string_view toml);
+/// A machine can move in a cell that was read.
+Outcome check_cell(std::string_view toml);
+Outcome check_robots(std::string_view toml);
+/// A program runs to its end whatever the operator turns.
+Outcome check_overrides(std::string_view toml);
+/// A path is written by a post, or refused.
+Outcome check_post(std::string_view toml);
+/// Plans by a table of materials have finite figures.
+Outcome check_materials(std::string_view toml);
+
+/// Paths are written and read back the same. By the posts that are built in they become programs that the
+/// posts' dialects read.
+Outcome check_path_json(std::string_view json);
+Outcome check_path_script(std::string_view lua);
+
+/// Machine data come back byte for byte, and mean the same when they are written anew.
+Outcome check_machine_data(std::string_view text);
+Outcome check_machine_data_json(std::string_view json);
+/// Permanent variables are written and read back the same.
+Outcome check_variables(std::string_view text);
+
+/// What is taken over of a control's settings can be written as machine data and machine files.
+Outcome check_tool_table(std::string_view text);
+Outcome check_parameters(std::string_view text);
+Outcome check_linuxcnc_ini(std::string_view text);
+Outcome check_grbl_settings(std::string_view text);
+
+/// Contours are finite and within bounds, and come from entities.
+Outcome check_dxf(std::string_view text);
+Outcome check_svg(std::string_view text);
+/// The path that cuts a drawing is a well-formed one.
+Outcome check_autopath(std::string_view svg);
+/// Meshes have triangles of finite corners.
+Outcome check_mesh_stl(std::string_view bytes);
+Outcome check_mesh_obj(std::string_view text);
+/// What the program that reads STEP and IGES files answers.
+Outcome check_solid_packet(std::string_view bytes);
+
+/// Whatever a controller module answers, what comes through is finite and of the right size, a fault is for
+/// good, and the run ends.
+Outcome check_rcs_values(std::string_view bytes);
+
+}  // namespace gsim::fuzz

@@ -1,0 +1,1 @@
+return path{name="p", point{name="a", motion="rapid", position_mm={1,2,3}, rpy_deg={0,0,0}, actions={"x"}}, point{motion="circular", position_mm={5,2,3}, via_mm={3,4,3}, feed_mm_min=10, feed_deg_min=5, dwell_s=1}, point{position_mm={6,2,3}, rotary_deg={B=1,C=2}, duration_s=1, acceleration_mm_s2=5}}

@@ -1,0 +1,1 @@
+return point{position_mm = {1, 2, 3}}

@@ -1,0 +1,86 @@
+// libFuzzer's program for all targets: the name that it is called by says which one is meant. Under another
+// name it lists them, with the family of each.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "os/confinement.h"
+#include "tests/fuzz/target.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using gsim::fuzz::Target;
+
+/// Set once, before the first input; libFuzzer's functions take no argument that it could come by.
+const Target*& chosen_target() {
+    static const Target* target = nullptr;
+    return target;
+}
+
+[[noreturn]] void list_targets() {
+    for (const Target& target : gsim::fuzz::targets()) fmt::print("{} {}\n", target.name, target.family);
+    std::exit(0);
+}
+
+/// The value of the first of these options that an argument is; nothing where it is none of them.
+std::optional<std::string_view> value_of(std::string_view argument,
+                                         std::initializer_list<std::string_view> options) {
+    for (const std::string_view option : options) {
+        if (argument.starts_with(option)) return argument.substr(option.size());
+    }
+    return std::nullopt;
+}
+
+/// What is read and written is what the arguments name: folders of inputs and single ones, of which the first
+/// may be added to, the dictionary, and where findings go. Whatever an input asks for beyond that and the
+/// files beside it cannot be opened.
+gsim::os::Allowed allowed_to(int argc, char** argv) {
+    gsim::os::Allowed allowed;
+    for (const char* path : {GSIM_FUZZ_BESIDE, "/proc/self", "/dev/null"}) allowed.read.emplace_back(path);
+    // The symbolizer of the sanitizers, and what it reads.
+    for (const char* folder : {GSIM_FUZZ_MODULES, "/usr", "/lib", "/lib64"}) allowed.run.emplace_back(folder);
+    std::error_code ignored;
+    allowed.read.push_back(fs::read_symlink("/proc/self/exe", ignored));
+    bool is_first = true;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view argument = argv[i];
+        if (const auto dictionary = value_of(argument, {"-dict="})) {
+            allowed.read.emplace_back(*dictionary);
+        } else if (const auto output = value_of(argument, {"-artifact_prefix=", "-exact_artifact_path="})) {
+            allowed.changed.push_back(fs::absolute(*output).parent_path());
+        } else if (!argument.starts_with('-')) {
+            (std::exchange(is_first, false) ? allowed.changed : allowed.read).emplace_back(argument);
+        }
+    }
+    return allowed;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+    chosen_target() = gsim::fuzz::find_target(fs::path((*argv)[0]).filename().string());
+    if (chosen_target() == nullptr) list_targets();
+    if (const auto confined = gsim::os::confine(allowed_to(*argc, *argv)); !confined) {
+        fmt::print(stderr, "{}\n", confined.error());
+        std::exit(1);
+    }
+    return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view input(reinterpret_cast<const char*>(data), size);
+    if (const auto broken = chosen_target()->check(input).broken) {
+        fmt::print(stderr, "{}: {}\n", chosen_target()->name, *broken);
+        std::abort();
+    }
+    return 0;
+}

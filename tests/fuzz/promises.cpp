@@ -1,0 +1,52 @@
+#include "tests/fuzz/promises.h"
+
+#include <cctype>
+
+#include <fmt/format.h>
+
+namespace gsim::fuzz {
+namespace {
+
+bool is_digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// What is behind the first ":NUMBER:" of a text, and further numbers; nothing where there is none.
+std::optional<std::string_view> behind_line_number(std::string_view text) {
+    for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
+         colon = text.find(':', colon + 1)) {
+        std::size_t end = colon + 1;
+        while (end < text.size() && is_digit(text[end])) ++end;
+        if (end > colon + 1 && end < text.size() && text[end] == ':') return text.substr(end + 1);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string name_beside(std::string_view ending) {
+    return fmt::format("{}/fuzz{}", GSIM_FUZZ_BESIDE, ending);
+}
+
+std::optional<std::string> fault_of_sentence(std::string_view error) {
+    if (error.find_first_not_of(' ') == std::string_view::npos) return "an error without a sentence";
+    if (error.find('\n') != std::string_view::npos)
+        return fmt::format("an error of several lines: {}", error);
+    return std::nullopt;
+}
+
+std::optional<std::string> fault_of_error(std::string_view error, std::string_view file) {
+    if (auto fault = fault_of_sentence(error)) return fault;
+    const std::string_view folder = file.substr(0, file.rfind('/') + 1);
+    if (!error.starts_with(folder) || error.size() == folder.size())
+        return fmt::format("an error that does not begin with its file: {}", error);
+    const auto sentence = behind_line_number(error.substr(folder.size()));
+    if (!sentence) return fmt::format("an error without a line: {}", error);
+    return fault_of_sentence(*sentence);
+}
+
+Outcome refused_with(std::string_view error, std::string_view file) {
+    return {.accepted = false, .broken = fault_of_error(error, file)};
+}
+
+}  // namespace gsim::fuzz

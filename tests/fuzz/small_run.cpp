@@ -1,0 +1,164 @@
+#include "tests/fuzz/small_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/script/engine.h"
+#include "runtime/simulation/cell_watch.h"
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::fuzz {
+namespace {
+
+using simulation::Report;
+using simulation::RunStatus;
+
+constexpr std::size_t kMemory_bytes = std::size_t{48} << 20U;
+constexpr std::uint64_t kSteps = 200'000;
+constexpr simulation::RunLimits kLimits{.max_time_s = 600, .max_blocks = 300};
+/// Of so many programs one is run twice, by its text: loading the library again takes most of the time.
+constexpr std::size_t kRunTwice = 8;
+/// Of joint values: the end of a segment is stored, not computed from its law.
+constexpr double kJoin = 1e-6;
+constexpr double kTimeSlack = 1e-9;
+
+/// Looks at what a run hands on: nothing jumps, and time goes on.
+class Continuity final : public simulation::RunOutput {
+  public:
+    /// `sampled`: the controller is a module, which may have its own idea of where motion begins.
+    explicit Continuity(bool sampled) : sampled_(sampled) {}
+
+    const std::optional<std::string>& broken() const { return broken_; }
+
+    using RunOutput::take;
+    void begin(const rrs::JointPos& start) override { at_ = start; }
+    void take(const motion::Segment& segment, const simulation::MoveInfo& /*info*/) override {
+        if (broken_) return;
+        if (!(segment.duration_s >= 0) || !(std::abs(segment.start_s - end_s_) <= slack_s()))
+            note(segment, fmt::format("begins at {} s, lasts {} s and follows on {} s", segment.start_s,
+                                      segment.duration_s, end_s_));
+        if (!segment.end.allFinite()) note(segment, "ends nowhere");
+        if (!sampled_ && (segment.start - at_).cwiseAbs().maxCoeff() > kJoin)
+            note(segment, "begins where none ended");
+        end_s_ = segment.end_s();
+        at_ = segment.end_position();
+    }
+
+  private:
+    double slack_s() const { return kTimeSlack * (1 + end_s_); }
+    void note(const motion::Segment& segment, std::string_view what) {
+        if (!broken_) broken_ = fmt::format("a segment of target {} {}", segment.target_id, what);
+    }
+
+    bool sampled_;
+    rrs::JointPos at_;
+    double end_s_ = 0;
+    std::optional<std::string> broken_;
+};
+
+script::Script script_of(const SmallRun& run) {
+    script::Script script = script::Script::from_text(run.lua, run.file_name, run.line_difference);
+    script.dialect = run.dialect;
+    return script;
+}
+
+bool all_finite(const Report& report) {
+    const std::array figures{report.cycle_time_s, report.rapid_s,  report.feed_s,  report.dwell_s,
+                             report.words_s,      report.rapid_mm, report.feed_mm, report.jet_on_mm};
+    return std::all_of(figures.begin(), figures.end(), [](double f) { return std::isfinite(f) && f >= 0; });
+}
+
+std::optional<std::string> fault_of_bounds(const Report& report) {
+    for (const simulation::AxisBounds& axis : report.bounds) {
+        if (!(axis.min <= axis.max))
+            return fmt::format("axis {} goes from {} to {}", axis.letter, axis.min, axis.max);
+        const bool within = axis.min >= axis.limit_min - kJoin && axis.max <= axis.limit_max + kJoin;
+        if (!within && report.status == RunStatus::completed)
+            return fmt::format("the run completed, and axis {} went from {} to {}, beyond {} to {}",
+                               axis.letter, axis.min, axis.max, axis.limit_min, axis.limit_max);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+RunResult run_once(const SmallRun& run, std::optional<rrs::RcsModule> module) {
+    Continuity continuity(module.has_value());
+    simulation::Simulator simulator(run.machine, kLimits, std::move(module));
+    simulator.add_output(continuity);
+    std::optional<simulation::CellWatch> cell;
+    if (run.cell) simulator.set_cell(cell.emplace(*run.cell, run.machine));
+    if (!run.overrides.changes().empty()) simulator.set_overrides(run.overrides);
+    script::Engine::Options options;
+    options.limits.memory_bytes = kMemory_bytes;
+    options.limits.steps = kSteps;
+    options.dialect = run.dialect;
+    script::Engine engine(simulator, options);
+    engine.run(script_of(run));
+    RunResult result{.report = simulator.finish(run.file_name), .broken = {}};
+    engine.report(result.report);
+    result.broken = continuity.broken();
+    return result;
+}
+
+std::optional<std::string> fault_of_report(const Report& report) {
+    if (!nlohmann::json::accept(simulation::to_json(report))) return "the report is no JSON";
+    if (simulation::to_text(report).empty()) return "the report for people is empty";
+    if (!all_finite(report)) return "a figure of the report is not finite, or below 0";
+    const double parts_s = report.rapid_s + report.feed_s + report.dwell_s;
+    if (!(std::abs(parts_s - report.cycle_time_s) <= kTimeSlack * (1 + report.cycle_time_s)))
+        return fmt::format("the cycle time is {} s, its parts are {} s", report.cycle_time_s, parts_s);
+    const bool ended = report.status == RunStatus::alarm || report.status == RunStatus::stopped;
+    if (ended != report.alarm.has_value()) return "the status does not go with the alarm";
+    if (report.alarm && report.alarm->message.empty()) return "an alarm without a sentence";
+    if (report.alarm && report.alarm->place.file >= std::max<std::size_t>(report.files.size(), 1))
+        return "the place of the alarm is in no file";
+    return fault_of_bounds(report);
+}
+
+Outcome outcome_of(const RunResult& result) {
+    if (result.broken) return broken(*result.broken);
+    if (auto fault = fault_of_report(result.report)) return broken(*std::move(fault));
+    const RunStatus status = result.report.status;
+    return status == RunStatus::completed || status == RunStatus::violations ? accepted() : refused();
+}
+
+Outcome check_run(const SmallRun& run) {
+    const RunResult first = run_once(run);
+    const bool again = std::hash<std::string>()(run.lua) % kRunTwice == 0;
+    if (again && simulation::to_json(first.report) != simulation::to_json(run_once(run).report))
+        return broken("two runs of one program differ");
+    return outcome_of(first);
+}
+
+std::string short_program(const machine::Machine& machine) {
+    std::string program = "local _ENV = require 'gsim'\nG64() F(3000)\n";
+    const auto has = [&](char letter) {
+        const auto axis = machine.find(letter);
+        return axis && machine.axes[*axis].kind == machine::AxisKind::linear;
+    };
+    const auto move = [&](std::string_view word, double x, double y, double z) {
+        program += word;
+        program += '{';
+        for (const auto& [letter, value] : {std::pair{'X', x}, {'Y', y}, {'Z', z}}) {
+            if (has(letter)) program += fmt::format("{}={},", static_cast<char>(letter - 'A' + 'a'), value);
+        }
+        program += "}\n";
+    };
+    move("G0", 10, 10, 5);
+    move("G1", 50, 10, 5);
+    move("G1", 50, 20, 5);
+    move("G1", 51, 20.5, 5.5);
+    move("G1", 52, 22, 5);
+    if (has('X') && has('Y')) program += "G3{x=52,y=42,i=0,j=10} G2{x=62,y=52,i=10,j=0}\n";
+    program += "G4{p=0.1}\n";
+    move("G0", 0, 0, 0);
+    return program;
+}
+
+}  // namespace gsim::fuzz

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "runtime/cell/cell.h"
+#include "runtime/machine/machine.h"
+#include "runtime/motion/override_schedule.h"
+#include "runtime/rrs/rcs_host.h"
+#include "runtime/simulation/report.h"
+#include "tests/fuzz/target.h"
+
+namespace gsim::fuzz {
+
+/// What a run is made of, which is over in some milliseconds whatever the script does: it may take some
+/// blocks, steps and memory, and some minutes of the machine's time.
+struct SmallRun {
+    machine::Machine machine;
+    std::string lua;
+    std::string dialect = "ab9";
+    std::string file_name = "fuzz.lua";
+    std::int64_t line_difference = 0;  ///< As script::Script has it.
+    motion::OverrideSchedule overrides = {};
+    std::optional<cell::Cell> cell = {};  ///< That the machine stands in.
+};
+
+/// Where a run ended, and what was found while it went.
+struct RunResult {
+    simulation::Report report;
+    std::optional<std::string> broken;  ///< Moves or segments that do not join.
+};
+
+/// Runs it once. `module` is its controller in place of our own.
+RunResult run_once(const SmallRun& run, std::optional<rrs::RcsModule> module = {});
+
+/// What does not hold of a report: it is JSON, its figures are finite and add up, it has an alarm where the
+/// run did not complete, and where it did all axes stayed within their ranges.
+std::optional<std::string> fault_of_report(const simulation::Report& report);
+
+/// The outcome of a run: accepted where it completed or was past limits.
+Outcome outcome_of(const RunResult& result);
+
+/// Runs it, and some programs twice, which must give the same report.
+Outcome check_run(const SmallRun& run);
+
+/// A short program with lines, arcs, a dwell, rapids and corners, within 100 mm of the home of a machine with
+/// axes X, Y and Z; the names of the axes that it lacks are left out.
+std::string short_program(const machine::Machine& machine);
+
+}  // namespace gsim::fuzz
