@@ -170,8 +170,9 @@ class Dump {
         axis.min = -travel;
         axis.max = 0;
         const double pull_off = std::min(value(kPullOff).value_or(0), travel);
-        const auto homed_low =
-            static_cast<unsigned>(value(kHomingDirection).value_or(0)) >> static_cast<unsigned>(number);
+        constexpr double kAllAxes = 255;  // the greatest mask of grbl
+        const double mask = std::clamp(value(kHomingDirection).value_or(0), 0.0, kAllAxes);
+        const auto homed_low = static_cast<unsigned>(mask) >> static_cast<unsigned>(number);
         axis.home = (homed_low & 1U) != 0 ? pull_off - travel : -pull_off;
     }
 

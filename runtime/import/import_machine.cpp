@@ -32,7 +32,11 @@ bool is_control_file(std::string_view text, const std::filesystem::path& path) {
 }
 
 tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path) {
-    return is_ini(path) ? import_linuxcnc(text, path) : import_grbl(text, path.string());
+    auto imported = is_ini(path) ? import_linuxcnc(text, path) : import_grbl(text, path.string());
+    if (!imported) return imported;
+    // What a machine file may not say no planner can do either.
+    if (const auto toml = machine_toml(*imported, path); !toml) return tl::unexpected(toml.error());
+    return imported;
 }
 
 tl::expected<std::string, std::string> machine_toml(const Imported& imported,
@@ -43,7 +47,12 @@ tl::expected<std::string, std::string> machine_toml(const Imported& imported,
     if (!imported.left_out.empty()) toml += "#\n# Not taken over:\n";
     for (const std::string& name : imported.left_out) toml += remark("  " + name);
     toml += '\n' + machine::print_machine(imported.machine);
-    return machine::read_machine(toml, path.string()).map([&](const machine::Machine&) { return toml; });
+    constexpr std::string_view kName = "machine";
+    const auto machine = machine::read_machine(toml, kName);
+    if (machine) return toml;
+    // Its lines are those of a file that nobody has seen.
+    const std::string sentence = machine.error().substr(machine.error().find(": ") + 2);
+    return tl::unexpected(fmt::format("{}: its settings make no machine: {}", path.string(), sentence));
 }
 
 tl::expected<std::string, std::string> machine_data_text(const Imported& imported) {

@@ -15,7 +15,8 @@ namespace gsim::import {
 bool is_control_file(std::string_view text, const std::filesystem::path& path);
 
 /// Reads the settings of a control, with the files of offsets and tools that they name, which are looked for
-/// in the folder of `path`. The error is a sentence with its place.
+/// in the folder of `path`. The error is a sentence with its place; settings that no machine file can hold
+/// are one, too.
 tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path);
 
 /// A machine file of it, which says in remarks where it is from and what is not taken over. The error is a

@@ -157,11 +157,11 @@ class AxisReader {
         limits.speed = number(section, "MAX_VELOCITY").value_or(silent_speed) * unit_;
         limits.acceleration = number(section, "MAX_ACCELERATION").value_or(silent_speed) * unit_;
         limits.home = without_noise(number(section, "HOME").value_or(0) * unit_);
-        for (const double value : {limits.speed, limits.acceleration}) {
-            if (value <= 0 && !fault_) {
-                fault_ = fmt::format("{}: MAX_VELOCITY and MAX_ACCELERATION of [{}] must be greater than 0",
-                                     ini_.file_name(), section);
-            }
+        for (const std::string_view key : {"MAX_VELOCITY", "MAX_ACCELERATION"}) {
+            const std::optional<double> value = number(section, key);
+            if (!value || *value > 0 || fault_) continue;
+            fault_ = ini_.at(*ini_.find(section, key),
+                             fmt::format("{} of [{}] must be greater than 0", key, section));
         }
     }
 
@@ -230,10 +230,9 @@ Read<std::vector<machine::Axis>> read_axes(IniFile& ini, const IniUnits& units,
         return tl::unexpected(fmt::format("{}: [TRAJ] COORDINATES names no axes", ini.file_name()));
     const auto joint_count = ini.number("KINS", "JOINTS");
     if (!joint_count) return tl::unexpected(joint_count.error());
-    const std::size_t count =
-        std::min<std::size_t>(of_joints->size(), joint_count->has_value() && **joint_count >= 0
-                                                     ? static_cast<std::size_t>(**joint_count)
-                                                     : of_joints->size());
+    const auto most = static_cast<double>(of_joints->size());
+    const double told = joint_count->value_or(most);
+    const auto count = static_cast<std::size_t>(told >= 0 ? std::min(told, most) : most);
     std::map<char, std::vector<std::size_t>> joints;
     for (std::size_t joint = 0; joint < count; ++joint) joints[(*of_joints)[joint]].push_back(joint);
     std::vector<machine::Axis> axes;

@@ -149,7 +149,9 @@ class Importer {
         if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
         const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
         if (!depth) return tl::unexpected(depth.error());
-        if (*depth && **depth >= 1) rules.look_ahead_blocks = static_cast<std::size_t>(**depth);
+        constexpr double kMostBlocks = 1e6;  // beyond what a machine file may say, and within a whole number
+        if (*depth && **depth >= 1)
+            rules.look_ahead_blocks = static_cast<std::size_t>(std::min(**depth, kMostBlocks));
         if (auto taken = take_overrides(rules.overrides); !taken) return taken;
         for (const FixedValue& fixed : kFixedValues) {
             const auto value = ini_.number(fixed.section, fixed.key);

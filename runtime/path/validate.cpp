@@ -9,6 +9,7 @@
 
 #include "runtime/path/arc_shape.h"
 #include "runtime/path/keys.h"
+#include "text/utf8.h"
 
 namespace gsim::path {
 
@@ -28,6 +29,7 @@ Sentence name_fault(std::string_view what, std::string_view name) {
         return byte < 0x20 || byte == 0x7f;
     });
     if (control) return fmt::format("{} holds control characters", what);
+    if (!text::is_utf8(name)) return fmt::format("{} is not in UTF-8", what);
     return std::nullopt;
 }
 

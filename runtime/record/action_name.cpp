@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "text/utf8.h"
+
 namespace gsim::record {
 
 namespace {
@@ -34,16 +36,24 @@ std::string number_text(double value) {
     return text == "-0" ? "0" : text;
 }
 
-std::string plain_name(std::string name) {
-    if (name.size() > kLongest) name.resize(kLongest);
-    std::replace_if(
-        name.begin(), name.end(),
-        [](char c) {
-            const auto byte = static_cast<unsigned char>(c);
-            return byte < 0x20 || byte == 0x7f;
-        },
-        ' ');
-    return name;
+std::string plain_name(std::string_view name) {
+    constexpr std::uint32_t kFirstPrintable = 0x20;
+    constexpr std::uint32_t kDelete = 0x7f;
+    std::string plain;
+    while (!name.empty()) {
+        const text::Character first = text::first_character(name);
+        const std::size_t bytes = std::max<std::size_t>(first.bytes, 1);
+        if (plain.size() + bytes > kLongest) break;
+        if (first.bytes == 0) {
+            plain += '?';
+        } else if (first.code < kFirstPrintable || first.code == kDelete) {
+            plain += ' ';
+        } else {
+            plain += name.substr(0, bytes);
+        }
+        name.remove_prefix(bytes);
+    }
+    return plain;
 }
 
 std::optional<std::string> action_name(const simulation::Event& event) {

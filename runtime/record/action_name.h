@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "runtime/simulation/report.h"
 
@@ -15,7 +16,8 @@ std::optional<std::string> action_name(const simulation::Event& event);
 /// A number of an action's name: in digits without an exponent, to 1e-9.
 std::string number_text(double value);
 
-/// A name as paths may have it: without control characters, at most 200 bytes.
-std::string plain_name(std::string name);
+/// A name as paths may have it: UTF-8 without control characters, at most 200 bytes. A byte that is no UTF-8,
+/// as of programs in other encodings, becomes a question mark.
+std::string plain_name(std::string_view name);
 
 }  // namespace gsim::record

@@ -38,8 +38,7 @@ Outcome check_cell(std::string_view toml) {
             return broken("a pair to be ignored names no body");
     }
     if (cell->items.size() > kMostItems) return accepted();
-    SmallRun run{.machine = machine, .lua = short_program(machine), .cell = *std::move(cell)};
-    Outcome outcome = outcome_of(run_once(run));
+    Outcome outcome = outcome_of(run_moves({.machine = machine, .cell = *std::move(cell)}));
     outcome.accepted = true;
     return outcome;
 }
@@ -61,8 +60,7 @@ Outcome check_overrides(std::string_view toml) {
     machine::Machine machine = cell_machine();
     const auto schedule = apps::read_override_changes(toml, file, {}, machine.controller);
     if (!schedule) return refused_with(schedule.error(), file);
-    const std::string lua = short_program(machine);
-    return outcome_of(run_once({.machine = std::move(machine), .lua = lua, .overrides = *schedule}));
+    return outcome_of(run_moves({.machine = std::move(machine), .overrides = *schedule}));
 }
 
 }  // namespace gsim::fuzz

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include <fmt/format.h>
 
 #include "runtime/machine/controller_file.h"
@@ -12,10 +10,9 @@
 namespace gsim::fuzz {
 namespace {
 
-/// What is read can be planned for: its short program comes to an end, an alarm among these.
-Outcome run_short_program(machine::Machine machine) {
-    const std::string lua = short_program(machine);
-    Outcome outcome = outcome_of(run_once({.machine = std::move(machine), .lua = lua}));
+/// What is read can be planned for: moves come to an end, an alarm among these.
+Outcome move_it(machine::Machine machine) {
+    Outcome outcome = outcome_of(run_moves({.machine = std::move(machine)}));
     outcome.accepted = true;  // the machine was read, whether or not it can make these moves
     return outcome;
 }
@@ -39,7 +36,7 @@ Outcome check_machine(std::string_view toml) {
     if (!again) return broken(fmt::format("what is printed is refused: {}\n{}", again.error(), printed));
     if (*again != *machine)
         return broken(fmt::format("what is printed reads as another machine:\n{}", printed));
-    return run_short_program(*std::move(machine));
+    return move_it(*std::move(machine));
 }
 
 Outcome check_controller(std::string_view toml) {
@@ -55,7 +52,7 @@ Outcome check_controller(std::string_view toml) {
     if (*again != *rules) return broken(fmt::format("what is printed reads as other rules:\n{}", printed));
     machine::Machine machine = machine_with(*rules);
     if (machine::find_controller_fault(machine)) return accepted();
-    return run_short_program(std::move(machine));
+    return move_it(std::move(machine));
 }
 
 }  // namespace gsim::fuzz

@@ -10,7 +10,6 @@
 #include "runtime/rrs/rcs_shell.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/fuzz/checks.h"
-#include "tests/fuzz/promises.h"
 #include "tests/fuzz/small_run.h"
 
 namespace gsim::fuzz {
@@ -150,12 +149,7 @@ Outcome check_rcs_values(std::string_view bytes) {
     const Description description(machine, bytes);
     Caller caller(module_with(description), static_cast<int>(machine.axes.size()));
     if (auto fault = caller.call_all()) return broken(*std::move(fault));
-    try {
-        return outcome_of(
-            run_once({.machine = machine, .lua = short_program(machine)}, module_with(description)));
-    } catch (const std::runtime_error& refusal) {  // of what the library asks for when it is loaded
-        return {.accepted = false, .broken = fault_of_sentence(refusal.what())};
-    }
+    return outcome_of(run_moves({.machine = machine, .module = module_with(description)}));
 }
 
 }  // namespace gsim::fuzz

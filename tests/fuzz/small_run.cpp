@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,15 +86,77 @@ std::optional<std::string> fault_of_bounds(const Report& report) {
     return std::nullopt;
 }
 
+/// Moves of a simulator from where it stands, until one of them is refused.
+class ShortMoves {
+  public:
+    explicit ShortMoves(simulation::Simulator& simulator)
+        : simulator_(simulator), home_(simulator.position()) {}
+
+    void make() {
+        using simulation::MoveKind;
+        simulator_.set_path_mode(rrs::PathMode::continuous, 0, 0);
+        line(MoveKind::rapid, {10, 10, 5});
+        line(MoveKind::linear, {50, 10, 5});
+        line(MoveKind::linear, {50, 20, 5});
+        line(MoveKind::linear, {51, 20.5, 5.5});
+        line(MoveKind::linear, {52, 22, 5});
+        arc({52, 32, 5}, {52, 42, 5});
+        goes_on_ = goes_on_ && simulator_.dwell(kDwell_s, {});
+        line(MoveKind::rapid, {0, 0, 0});
+    }
+
+  private:
+    static constexpr double kFeed_mm_min = 3000;
+    static constexpr double kDwell_s = 0.1;
+
+    std::optional<Eigen::Index> linear_axis(char letter) const {
+        const machine::Machine& machine = simulator_.machine();
+        const auto axis = machine.find(letter);
+        if (!axis || machine.axes[*axis].kind != machine::AxisKind::linear) return std::nullopt;
+        return static_cast<Eigen::Index>(*axis);
+    }
+
+    simulation::AxisVector at(const Eigen::Vector3d& offset_mm) const {
+        simulation::AxisVector target = home_;
+        for (const int i : {0, 1, 2}) {
+            if (const auto axis = linear_axis(static_cast<char>('X' + i))) target[*axis] += offset_mm[i];
+        }
+        return target;
+    }
+
+    void line(simulation::MoveKind kind, const Eigen::Vector3d& to_mm) {
+        simulation::LineMove move;
+        move.kind = kind;
+        move.target = at(to_mm);
+        move.feed.linear_mm_min = kFeed_mm_min;
+        goes_on_ = goes_on_ && simulator_.move(move);
+    }
+
+    void arc(const Eigen::Vector3d& center_mm, const Eigen::Vector3d& to_mm) {
+        const auto x = linear_axis('X');
+        const auto y = linear_axis('Y');
+        if (!x || !y) return;
+        simulation::ArcMove move;
+        move.kind = simulation::MoveKind::arc_ccw;
+        move.target = at(to_mm);
+        const simulation::AxisVector center = at(center_mm);
+        move.center_mm = {center[*x], center[*y], 0};
+        move.sweep_rad = std::numbers::pi;
+        move.feed.linear_mm_min = kFeed_mm_min;
+        goes_on_ = goes_on_ && simulator_.move(move);
+    }
+
+    simulation::Simulator& simulator_;
+    simulation::AxisVector home_;
+    bool goes_on_ = true;
+};
+
 }  // namespace
 
-RunResult run_once(const SmallRun& run, std::optional<rrs::RcsModule> module) {
-    Continuity continuity(module.has_value());
-    simulation::Simulator simulator(run.machine, kLimits, std::move(module));
+RunResult run_once(const SmallRun& run) {
+    Continuity continuity(false);
+    simulation::Simulator simulator(run.machine, kLimits);
     simulator.add_output(continuity);
-    std::optional<simulation::CellWatch> cell;
-    if (run.cell) simulator.set_cell(cell.emplace(*run.cell, run.machine));
-    if (!run.overrides.changes().empty()) simulator.set_overrides(run.overrides);
     script::Engine::Options options;
     options.limits.memory_bytes = kMemory_bytes;
     options.limits.steps = kSteps;
@@ -104,6 +167,17 @@ RunResult run_once(const SmallRun& run, std::optional<rrs::RcsModule> module) {
     engine.report(result.report);
     result.broken = continuity.broken();
     return result;
+}
+
+RunResult run_moves(MovesRun run) {
+    Continuity continuity(run.module.has_value());
+    simulation::Simulator simulator(run.machine, kLimits, std::move(run.module));
+    simulator.add_output(continuity);
+    std::optional<simulation::CellWatch> cell;
+    if (run.cell) simulator.set_cell(cell.emplace(*std::move(run.cell), run.machine));
+    if (!run.overrides.changes().empty()) simulator.set_overrides(run.overrides);
+    ShortMoves(simulator).make();
+    return {.report = simulator.finish("moves"), .broken = continuity.broken()};
 }
 
 std::optional<std::string> fault_of_report(const Report& report) {
@@ -134,31 +208,6 @@ Outcome check_run(const SmallRun& run) {
     if (again && simulation::to_json(first.report) != simulation::to_json(run_once(run).report))
         return broken("two runs of one program differ");
     return outcome_of(first);
-}
-
-std::string short_program(const machine::Machine& machine) {
-    std::string program = "local _ENV = require 'gsim'\nG64() F(3000)\n";
-    const auto has = [&](char letter) {
-        const auto axis = machine.find(letter);
-        return axis && machine.axes[*axis].kind == machine::AxisKind::linear;
-    };
-    const auto move = [&](std::string_view word, double x, double y, double z) {
-        program += word;
-        program += '{';
-        for (const auto& [letter, value] : {std::pair{'X', x}, {'Y', y}, {'Z', z}}) {
-            if (has(letter)) program += fmt::format("{}={},", static_cast<char>(letter - 'A' + 'a'), value);
-        }
-        program += "}\n";
-    };
-    move("G0", 10, 10, 5);
-    move("G1", 50, 10, 5);
-    move("G1", 50, 20, 5);
-    move("G1", 51, 20.5, 5.5);
-    move("G1", 52, 22, 5);
-    if (has('X') && has('Y')) program += "G3{x=52,y=42,i=0,j=10} G2{x=62,y=52,i=10,j=0}\n";
-    program += "G4{p=0.1}\n";
-    move("G0", 0, 0, 0);
-    return program;
 }
 
 }  // namespace gsim::fuzz

@@ -13,7 +13,7 @@
 
 namespace gsim::fuzz {
 
-/// What a run is made of, which is over in some milliseconds whatever the script does: it may take some
+/// A script on a machine. The run is over in some milliseconds whatever the script does: it may take some
 /// blocks, steps and memory, and some minutes of the machine's time.
 struct SmallRun {
     machine::Machine machine;
@@ -21,8 +21,14 @@ struct SmallRun {
     std::string dialect = "ab9";
     std::string file_name = "fuzz.lua";
     std::int64_t line_difference = 0;  ///< As script::Script has it.
+};
+
+/// What some moves are made with.
+struct MovesRun {
+    machine::Machine machine;
     motion::OverrideSchedule overrides = {};
-    std::optional<cell::Cell> cell = {};  ///< That the machine stands in.
+    std::optional<cell::Cell> cell = {};        ///< That the machine stands in.
+    std::optional<rrs::RcsModule> module = {};  ///< Its controller in place of our own.
 };
 
 /// Where a run ended, and what was found while it went.
@@ -31,8 +37,12 @@ struct RunResult {
     std::optional<std::string> broken;  ///< Moves or segments that do not join.
 };
 
-/// Runs it once. `module` is its controller in place of our own.
-RunResult run_once(const SmallRun& run, std::optional<rrs::RcsModule> module = {});
+/// Runs a script once.
+RunResult run_once(const SmallRun& run);
+
+/// Makes rapids, lines, an arc, a dwell and corners within 60 mm of the machine's home, with what it has of
+/// X, Y and Z, without any script.
+RunResult run_moves(MovesRun run);
 
 /// What does not hold of a report: it is JSON, its figures are finite and add up, it has an alarm where the
 /// run did not complete, and where it did all axes stayed within their ranges.
@@ -43,9 +53,5 @@ Outcome outcome_of(const RunResult& result);
 
 /// Runs it, and some programs twice, which must give the same report.
 Outcome check_run(const SmallRun& run);
-
-/// A short program with lines, arcs, a dwell, rapids and corners, within 100 mm of the home of a machine with
-/// axes X, Y and Z; the names of the axes that it lacks are left out.
-std::string short_program(const machine::Machine& machine);
 
 }  // namespace gsim::fuzz

@@ -113,6 +113,21 @@ TEST(LinuxcncIni, JointsOfOldFilesAreAxesByNumber) {
     EXPECT_EQ(import_text(ini).machine.axes.at(2).max, 25.4);
 }
 
+TEST(LinuxcncIni, LimitsOfNothingAndNumbersOfJointsBeyondAnyAreTold) {
+    std::string ini = mill();
+    ini.replace(ini.find("MAX_VELOCITY = 2"), 16, "MAX_VELOCITY = 0");
+    EXPECT_EQ(error_of(ini), "mill.ini:12: MAX_VELOCITY of [AXIS_X] must be greater than 0");
+    ini = mill();
+    ini.replace(ini.find("JOINTS = 3"), 10, "JOINTS = 1e300");
+    EXPECT_EQ(import_text(ini).machine.axes.size(), 3U);
+    for (const std::string_view setting :
+         {"[TRAJ]\nARC_BLEND_OPTIMIZATION_DEPTH = 1e300\n", "[EMCMOT]\nSERVO_PERIOD = -5\n"}) {
+        const auto imported = import_machine(mill() + std::string(setting), "mill.ini");
+        ASSERT_FALSE(imported) << setting;
+        EXPECT_THAT(imported.error(), testing::StartsWith("mill.ini: its settings make no machine: "));
+    }
+}
+
 TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
     const auto overrides_of = [](const std::string& display) {
         return import_text("[DISPLAY]\n" + display + mill()).machine.controller.overrides;

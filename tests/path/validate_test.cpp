@@ -116,6 +116,12 @@ TEST(ValidatePath, Values) {
     expect_fault(with([](Point& p) { p.orientation = ToolAxis{{0, 0, 0}}; }), {0, 0}, "'tool_axis'");
     expect_fault(with([](Point& p) { p.actions = {""}; }), {0, 0}, "action");
     expect_fault(with([](Point& p) { p.actions = {"a\nb"}; }), {0, 0}, "control characters");
+    expect_fault(with([](Point& p) {
+                     p.actions = {
+                         "Stra\xdf"
+                         "e"};
+                 }),
+                 {0, 0}, "is not in UTF-8");
     expect_fault(of({SubPath{7, 1}}), {0, 0}, "no such sub-path");
     expect_fault(of({}), {0, std::nullopt}, "has no targets");
     Program program = of({at(1, 2, 3)});
