@@ -50,6 +50,7 @@ class SvgReader {
             throw SvgFault{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
         }
         collect_ids_and_styles();
+        viewport_ = inside(root, {length_or_none(root, "width"), length_or_none(root, "height")});
         read_children(root, page(root), 0);
         for (const auto& [name, count] : left_out_) {
             drawing_.notes.push_back(fmt::format("not cut: {} {}", count, name));
@@ -162,7 +163,7 @@ class SvgReader {
         if (is_one_of(name, {"g", "a", "switch"})) {
             read_children(node, own, depth + 1);
         } else if (name == "svg") {
-            read_inner(node, own * moved({length(node, "x"), length(node, "y")}), depth);
+            read_inner(node, node, own * moved({length(node, "x"), length(node, "y")}), depth);
         } else if (name == "use") {
             read_use(node, own, depth);
         } else if (hidden_) {
@@ -191,16 +192,45 @@ class SvgReader {
         return *value;
     }
 
-    // An svg or symbol within the drawing.
-    void read_inner(const pugi::xml_node& node, const Affine& map, int depth) {
+    static double length_or_none(const pugi::xml_node& node, const char* name) {
+        return svg_length_px(node.attribute(name).value()).value_or(0);
+    }
+
+    // A side of what is within the drawing: a use may say it in place of the element; else all of what is
+    // around it.
+    double side(const pugi::xml_node& placed_by, const pugi::xml_node& node, const char* name,
+                double around) const {
+        for (const pugi::xml_node* says : {&placed_by, &node}) {
+            const std::string_view text = says->attribute(name).value();
+            if (!text.empty() && text != "auto") return text == "100%" ? around : length(*says, name);
+        }
+        return around;
+    }
+
+    // The size that is all of the width and height for what is inside of a node.
+    Point inside(const pugi::xml_node& node, Point size) const {
         const std::optional<ViewBox> box = view_box(node);
-        if (!box) return read_children(node, map, depth + 1);
-        const double width = node.attribute("width") ? length(node, "width") : box->size.x;
-        const double height = node.attribute("height") ? length(node, "height") : box->size.y;
-        const Point scale = fitted(node, width / box->size.x, height / box->size.y);
-        const Point spare{(width - scale.x * box->size.x) / 2, (height - scale.y * box->size.y) / 2};
-        read_children(node, map * moved(spare) * scaled(scale.x, scale.y) * moved(-1.0 * box->low),
-                      depth + 1);
+        return box ? box->size : size;
+    }
+
+    // An svg or symbol within the drawing. Where nothing says how large the page is, it keeps its size.
+    void read_inner(const pugi::xml_node& node, const pugi::xml_node& placed_by, const Affine& map,
+                    int depth) {
+        const std::optional<ViewBox> box = view_box(node);
+        const Point around = viewport_;
+        const Point own = box ? box->size : Point{};
+        const Point size{side(placed_by, node, "width", around.x > 0 ? around.x : own.x),
+                         side(placed_by, node, "height", around.y > 0 ? around.y : own.y)};
+        viewport_ = inside(node, size);
+        read_children(node, box ? map * fitting(node, *box, size) : map, depth + 1);
+        viewport_ = around;
+    }
+
+    // From a view box to the size that it gets.
+    static Affine fitting(const pugi::xml_node& node, const ViewBox& box, Point size) {
+        const Point scale = fitted(node, size.x / box.size.x, size.y / box.size.y);
+        const Point spare{(size.x - scale.x * box.size.x) / 2, (size.y - scale.y * box.size.y) / 2};
+        return moved(spare) * scaled(scale.x, scale.y) * moved(-1.0 * box.low);
     }
 
     void read_use(const pugi::xml_node& node, const Affine& map, int depth) {
@@ -211,7 +241,7 @@ class SvgReader {
         const auto found = target.starts_with('#') ? ids_.find(target.substr(1)) : ids_.end();
         if (found == ids_.end()) fail(node, fmt::format("uses '{:.60}', which is not in the file", target));
         const Affine there = map * moved({length(node, "x"), length(node, "y")});
-        if (local_name(found->second) == "symbol") return read_inner(found->second, there, depth + 1);
+        if (local_name(found->second) == "symbol") return read_inner(found->second, node, there, depth + 1);
         read_node_used(found->second, there, depth + 1);
     }
 
@@ -238,6 +268,7 @@ class SvgReader {
     std::map<std::string, pugi::xml_node, std::less<>> ids_;
     std::map<std::string, std::size_t> left_out_;
     SvgStyles styles_;
+    Point viewport_;  // in units of where an element stands; 0: unknown
     bool hidden_ = false;
     std::size_t elements_ = 0;
     mutable std::size_t counted_to_ = 0;
