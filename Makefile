@@ -9,7 +9,7 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test setup build bench accuracy docs pictures site fuzz golden format lint install uninstall package clean
+.PHONY: help run test setup build bench accuracy coverage docs pictures site fuzz golden format lint install uninstall package clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
@@ -19,6 +19,7 @@ help:
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
 	@echo 'make accuracy GSIM_REFERENCE=FOLDER  compare cycle times and positions with recorded controllers'
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS), or the one TARGET=NAME; RECORD=1 counts it in tests/fuzz/RESULTS.md'
+	@echo 'make coverage what of the sources the tests run, by room; the report in build-coverage/report'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
 	@echo 'make docs     renew docs/language.md from the tables'
 	@echo 'make pictures renew the pictures of the documentation'
@@ -64,6 +65,12 @@ accuracy:
 	@build/bin/gsim-accuracy --gsim-run build/bin/gsim-run --machines samples/machines --positions '$(GSIM_REFERENCE)'
 endif
 
+coverage:
+	@scripts/setup.sh test coverage
+	@$(call build_into,coverage)
+	@scripts/coverage.sh test build-coverage --parallel $(JOBS)
+	@scripts/coverage.sh report build-coverage
+
 docs: setup
 	@$(call build_into,release) --target gsim
 	@build/bin/gcode2lua --print-language > docs/language.md
@@ -102,4 +109,4 @@ package:
 	@scripts/package.sh build
 
 clean:
-	@rm -rf build build-debug build-sanitize build-lint build-alone
+	@rm -rf build build-debug build-sanitize build-coverage build-lint build-alone

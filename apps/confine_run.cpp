@@ -22,6 +22,13 @@ constexpr bool kLooksAtItself = true;
 constexpr bool kLooksAtItself = false;
 #endif
 
+/// Where a program that is built for measuring coverage adds up what it ran, when it ends.
+#ifdef GSIM_COUNTS_FOLDER
+constexpr const char* kCountsFolder = GSIM_COUNTS_FOLDER;
+#else
+constexpr const char* kCountsFolder = nullptr;
+#endif
+
 /// A file is made beside the one whose name it gets, which may be behind a link.
 void add_output(const std::string& name, os::Allowed& allowed) {
     if (name.empty() || name == os::kStandardStream) return;
@@ -50,6 +57,7 @@ void add_programs_of_system(os::Allowed& allowed) {
 
 tl::expected<void, std::string> give_up_all_but(os::Allowed allowed) {
     if (kLooksAtItself) allowed.read.emplace_back("/proc/self");
+    if (kCountsFolder != nullptr) allowed.changed.emplace_back(kCountsFolder);
     return os::confine(allowed).map([](bool) {}).map_error([](const std::string& sentence) {
         return sentence + "; --no-confine runs without";
     });

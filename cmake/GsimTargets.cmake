@@ -24,6 +24,14 @@ if(GSIM_SANITIZE)
     add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
+if(GSIM_COVERAGE)
+    if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        message(FATAL_ERROR "GSIM_COVERAGE is for g++ and its gcov; the compiler is ${CMAKE_CXX_COMPILER_ID}")
+    endif()
+    add_compile_options(--coverage -fprofile-abs-path)
+    add_link_options(--coverage)
+endif()
+
 # gsim_generated(TARGET HEADERS...): headers that a library makes; the target `generated` makes those of all libraries, and is all that
 # looking at sources (scripts/lint.sh) needs of a build.
 add_custom_target(generated)

@@ -1,14 +1,15 @@
 #!/bin/bash
-# Installs the Debian packages that are missing, if any is. Groups: build (programs; always), test, lint, clang
-# (compiles for sanitizers and fuzzing), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
+# Installs the Debian packages that are missing, if any is. Groups: build (programs; always), test, coverage, lint,
+# clang (compiles for sanitizers and fuzzing), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
 # without it, too), site (the documentation as pages), package (makes packages and tries them).
-# Usage: scripts/setup.sh [test] [lint] [clang] [step] [site] [package]
+# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [site] [package]
 set -euo pipefail
 
 declare -A packages=(
     [build]="g++ cmake make bison flex pkg-config liblua5.4-dev libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
              libtomlplusplus-dev libexpected-dev libfcl-dev libpugixml-dev"
     [test]="libgtest-dev libgmock-dev liborocos-kdl-dev libpolyclipping-dev lua5.4 gnuplot-nox python3 jq"
+    [coverage]="gcovr"
     [lint]="clang-format clang-tidy"
     [clang]="clang libclang-rt-14-dev llvm"
     [step]="libocct-data-exchange-dev"

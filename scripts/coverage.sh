@@ -1,0 +1,39 @@
+#!/bin/bash
+# Which lines and branches of the product the tests run, by room: runs the tests of a folder that the preset `coverage` built and
+# reads what they counted. Prints a table, writes BUILD-FOLDER/report/index.html, and fails below 95 % of lines.
+# Usage: scripts/coverage.sh test BUILD-FOLDER [ctest options]   forgets earlier counts, then runs the tests
+#        scripts/coverage.sh report BUILD-FOLDER                 the table of what has been run since
+set -euo pipefail
+
+cd "$(dirname "$0")/.."
+readonly least_percent=95
+readonly rooms='text|os|lexer|grammar|codegen|geometry|drawing|solid|cutting|runtime|apps'
+
+# Recordings that are not part of the project would count for what its own tests do not do.
+run_tests() {
+    local build=$1
+    shift
+    find "$build" -name '*.gcda' -delete
+    rm -f "$build/lua_lines"
+    env -u GSIM_CORPUS -u GSIM_REFERENCE GSIM_LUA_LINES="$PWD/$build/lua_lines" LD_PRELOAD="$PWD/$build/lib/libgsim_lua_lines.so" \
+        scripts/test.sh "$build" "$@"
+}
+
+# Generated code counts by the lines of gcode.l and gcode.y that are in it; files that are embedded do not.
+report() {
+    local build=$1
+    mkdir -p "$build/report"
+    gcovr --root . --filter "($rooms)/" --exclude '.*/Unity/' --exclude-throw-branches --exclude-unreachable-branches \
+        -j "$(scripts/jobs.sh)" --json-summary "$build/coverage.json" --txt "$build/report/files.txt" --html-details "$build/report/index.html" "$build" >"$build/gcovr.log" 2>&1 ||
+        { cat "$build/gcovr.log" >&2; return 1; }
+    python3 scripts/coverage_table.py --least "$least_percent" "$build/coverage.json" "$build/lua_lines"
+}
+
+case ${1:-} in
+test) run_tests "${2:?which build folder}" "${@:3}" ;;
+report) report "${2:?which build folder}" ;;
+*)
+    echo "usage: $0 test | report BUILD-FOLDER" >&2
+    exit 2
+    ;;
+esac
