@@ -18,7 +18,7 @@
 
 namespace {
 
-constexpr const char* kFolder = "@lua_lib/";
+constexpr const char* kFolder = "=lua_lib/";
 
 /// The lines of one process.
 class Lines {
