@@ -9,11 +9,12 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test setup build bench accuracy coverage docs pictures site fuzz golden format lint install uninstall package clean
+.PHONY: help run test test-all setup build bench accuracy coverage docs pictures site fuzz golden format lint install uninstall package clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
 	@echo 'make test     build everything and run all tests'
+	@echo 'make test-all the same, and faults at every place instead of a sample of them'
 	@echo 'make setup    install the Debian packages that building the programs takes'
 	@echo 'make build    build the programs into build/bin'
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
@@ -44,6 +45,11 @@ test:
 	@scripts/setup.sh test
 	@$(call build_into,release)
 	@scripts/test.sh build --parallel $(JOBS)
+
+test-all:
+	@scripts/setup.sh test
+	@$(call build_into,release)
+	@GSIM_TEST_ALL=1 scripts/test.sh build --parallel $(JOBS)
 
 golden:
 	@scripts/setup.sh test

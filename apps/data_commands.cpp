@@ -90,7 +90,8 @@ class Command {
     }
 
     Done open() {
-        if (arguments_.create && !std::filesystem::exists(arguments_.file)) return {};
+        std::error_code error;
+        if (arguments_.create && !std::filesystem::exists(arguments_.file, error) && !error) return {};
         auto document = open_machine_data(arguments_.file, axes(), os::NamedBy::command_line);
         if (!document) return Sentence(std::move(document.error().front()));
         document_ = *std::move(document);

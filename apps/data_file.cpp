@@ -17,9 +17,10 @@ namespace {
 
 constexpr std::string_view kMachineEnding = ".toml";
 
+// What cannot be looked at counts as there: opening it tells why.
 bool is_there(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored);
+    std::error_code error;
+    return fs::exists(path, error) || error;
 }
 
 bool has_folder(const std::string& name) {

@@ -84,9 +84,9 @@ tl::expected<lexer::Source, std::string> open_source(const TranslateArguments& a
 tl::expected<void, std::string> write_spool(const codegen::LuaSpool& spool, const std::string& path) {
     tl::expected<os::OutputFile, std::string> file = os::OutputFile::open(path);
     if (!file) return tl::unexpected(file.error());
-    if (!spool.copy_to([&](std::string_view part) { file->write(part); }))
-        return tl::unexpected(fmt::format("cannot write '{}': its temporary file cannot be read", path));
-    return file->commit();
+    return spool.copy_to([&](std::string_view part) { file->write(part); }).and_then([&] {
+        return file->commit();
+    });
 }
 
 /// From here on nothing but the outputs is needed; the program is open.
@@ -126,6 +126,7 @@ int translate_program(const TranslateArguments& arguments, apps::Findings& findi
         return findings.fail(Kind::usage, confined.error());
     const codegen::Translation translation = apps::translate_source(
         *source, spool, *language, options, [&](const auto& told) { findings.take(told); });
+    if (const auto fault = source->fault()) return findings.fail(Kind::file, *fault);
     if (!translation.ok) return apps::kProgramFault;
     if (arguments.check) return apps::kDone;
     const auto written = write_spool(spool, apps::product_name(arguments.output));

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "apps/front.h"
+#include "apps/out_of_memory.h"
 #include "apps/print.h"
 #include "os/standard_streams.h"
 #include "os/temporary_name.h"
 
 int main(int argc, char** argv) {
+    gsim::apps::end_where_memory_lacks();
     gsim::os::hold_standard_streams();
     gsim::os::remove_temporaries_at_signals();
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);

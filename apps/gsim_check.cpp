@@ -60,6 +60,7 @@ int check_program(const RunArguments& arguments, const MachineInput& machine, Fi
     const simulation::Report report = ProgramRun(arguments, *std::move(inputs), false, tell).run();
     for (const text::Diagnostic& found : diagnostics_of(report)) findings.take(found);
     findings.checked({report.program, std::string(name(report.status)), report.cycle_time_s});
+    if (lacks_text(report)) return kUsage;
     if (!is_clean(report)) return kProgramFault;
     findings.say(fmt::format("{}: nothing wrong, {:.3f} s\n", report.program, report.cycle_time_s));
     return kDone;

@@ -52,8 +52,9 @@ tl::expected<void, std::string> check_kept(const RunArguments& arguments) {
     return {};
 }
 
-/// What the control keeps, in the files that are asked for.
-tl::expected<void, std::string> keep(const RunArguments& arguments, script::Engine& engine,
+/// What the control keeps, in the files that are asked for; `in_place`: the run has the lock of the machine
+/// data.
+tl::expected<void, std::string> keep(const RunArguments& arguments, bool in_place, script::Engine& engine,
                                      machine::MachineDataDocument& document) {
     tl::expected<void, std::string> kept;
     if (!arguments.variables.empty()) {
@@ -69,9 +70,8 @@ tl::expected<void, std::string> keep(const RunArguments& arguments, script::Engi
         })
         .and_then([&] {
             const std::string& file = arguments.save_machine_data;
-            return saves_what_it_reads(arguments)
-                       ? apps::save_text(file, document.text())
-                       : apps::replace_text(file, document.text(), arguments.wait_s);
+            return in_place ? apps::save_text(file, document.text())
+                            : apps::replace_text(file, document.text(), arguments.wait_s);
         });
 }
 
@@ -94,6 +94,12 @@ simulation::Report failed_report(const RunArguments& arguments, const machine::M
     }
     report.diagnostics = findings.all();
     return report;
+}
+
+int status_of(const simulation::Report& report) {
+    if (apps::lacks_text(report)) return apps::kUsage;
+    const bool clean = report.status == simulation::RunStatus::completed && !apps::has_collisions(report);
+    return clean ? apps::kDone : apps::kProgramFault;
 }
 
 /// A run with what it was asked for and what it has to tell.
@@ -154,7 +160,8 @@ class Run {
     tl::expected<void, std::string> lock_kept() {
         std::set<std::string> files;
         if (!arguments_.variables.empty()) files.insert(arguments_.variables);
-        if (saves_what_it_reads(arguments_)) files.insert(arguments_.save_machine_data);
+        in_place_ = saves_what_it_reads(arguments_);
+        if (in_place_) files.insert(arguments_.save_machine_data);
         for (const std::string& file : files) {
             auto lock = apps::lock_to_change(file, arguments_.wait_s);
             if (!lock) return tl::unexpected(lock.error());
@@ -191,14 +198,18 @@ class Run {
         outputs->explain(report);
         const tl::expected<void, std::string> path = outputs->make_path(run.program());
         tl::expected<void, std::string> written = outputs->commit(report);
-        if (written) written = keep(arguments_, run.engine(), run.document());
-        const bool clean = report.status == simulation::RunStatus::completed && !apps::has_collisions(report);
-        int status = ended(report, clean ? apps::kDone : apps::kProgramFault);
-        if (!written) return fail(Kind::output, written.error());
-        if (!path) {
-            fail(Kind::path, path.error());
-            return std::max<int>(status, apps::kProgramFault);
-        }
+        if (written) written = keep(arguments_, in_place_, run.engine(), run.document());
+        if (!written) return failed_late(report, Kind::output, written.error(), apps::kUsage);
+        if (!path) return failed_late(report, Kind::path, path.error(), apps::kProgramFault);
+        return ended(report, status_of(report));
+    }
+
+    /// The report of a run whose outputs lack something. As JSON it says so itself, being all that is
+    /// printed.
+    int failed_late(simulation::Report& report, Kind kind, const std::string& sentence, int least_status) {
+        if (arguments_.findings.json) report.diagnostics.push_back(text::diagnostic_of(kind, sentence));
+        const int status = std::max(ended(report, status_of(report)), least_status);
+        if (!arguments_.findings.json) fail(kind, sentence);
         return status;
     }
 
@@ -227,6 +238,7 @@ class Run {
             report->robots.begin(), report->robots.end(),
             [](const simulation::RobotReport& robot) { return apps::has_collisions(robot.report); });
         const bool completed = report->whole.status == simulation::RunStatus::completed;
+        if (apps::lacks_text(report->whole)) return ended(*report, apps::kUsage);
         return ended(*report, completed && !collided ? apps::kDone : apps::kProgramFault);
     }
 
@@ -282,6 +294,7 @@ class Run {
     apps::TellDiagnostic tell_;
     std::vector<os::FileLock> locks_;
     bool told_ = false;
+    bool in_place_ = false;  // machine data are written back to where they were read
 };
 
 int run_simulation(const RunArguments& given) {

@@ -149,12 +149,13 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     if (!input) return findings.fail(Kind::input_file, input.error());
     const machine::Machine* machine = &input->machine;
     const auto input_file = apps::find_file(apps::InstalledKind::sample, a.input);
-    if (!input_file) return path_fault(findings, input_file.error());
+    if (!input_file) return findings.fail(Kind::file, input_file.error());
     if (auto confined = confine_writing(a, *input_file); !confined)
         return findings.fail(Kind::usage, confined.error());
     os::CpuLimit cpu(a.max_cpu_s);
     const auto file = apps::read_path(*input_file, {.memory_bytes = a.memory_mb << 20U}, &cpu);
-    if (!file) return path_fault(findings, file.error());
+    if (!file && !file.error().in_path) return findings.fail(Kind::file, file.error().message);
+    if (!file) return path_fault(findings, file.error().message);
     const apps::CpuBackstop of_planning(cpu.left_s());
 
     apps::PathProgramOptions options;

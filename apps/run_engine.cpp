@@ -12,6 +12,10 @@ bool has_collisions(const simulation::Report& report) {
     return report.cell && !report.cell->collisions.empty();
 }
 
+bool lacks_text(const simulation::Report& report) {
+    return report.alarm && report.alarm->kind == text::DiagnosticKind::file;
+}
+
 script::Engine::Options engine_options(const RunArguments& arguments, machine::MachineData data,
                                        const Language& language, simulation::Progress& progress,
                                        const TellDiagnostic& tell) {

@@ -47,6 +47,9 @@ class ProgramRun {
 /// Whether bodies of the cell met in a run.
 bool has_collisions(const simulation::Report& report);
 
+/// Whether a text that the run was to go on with could not be read: no fault of the program.
+bool lacks_text(const simulation::Report& report);
+
 /// What must be said even where no report is wanted, on standard error: collisions, and why the run did not
 /// complete.
 void print_faults(const simulation::Report& report);

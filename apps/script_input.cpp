@@ -66,6 +66,7 @@ tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_
                         source.name(), static_cast<double>(source.size()) / kMegabyte, memory_bytes >> 20U));
     }
     std::string text = read_all(source);
+    if (auto fault = source.fault()) return tl::unexpected(*std::move(fault));
     const codegen::ScriptOrigin origin = codegen::script_origin(text);
     const auto requires_name = [head = text.substr(0, kLookedAtBytes)](std::string_view name) {
         return head.find(fmt::format("\"{}\"", name)) != std::string::npos;
@@ -99,6 +100,7 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
                                                    const TellDiagnostic& tell) {
     auto spool = std::make_shared<codegen::LuaSpool>();
     const codegen::Translation translation = translate_source(source, *spool, language, {}, tell);
+    if (auto fault = source.fault()) return tl::unexpected(InputError{.message = *std::move(fault)});
     if (!translation.ok) {
         const text::Diagnostic& first = *translation.first_error;
         return tl::unexpected(InputError{.in_program = true,

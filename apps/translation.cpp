@@ -34,7 +34,7 @@ codegen::Translation translate_source(lexer::Source& source, codegen::LuaSpool& 
         options.end_reason = cpu_limit_reached(*language.cpu);
     }
     codegen::Translation made = codegen::translate(source, spool, options, tell);
-    if (!made.ok && source.was_ended()) return made;
+    if (!made.ok && (source.was_ended() || source.error() != 0)) return made;
     if (!made.ok) {
         if (const auto hint = codegen::find_dialect_hint(source, *language.dialect)) {
             tell(*hint);

@@ -12,8 +12,9 @@
 namespace gsim::apps {
 
 tl::expected<std::map<int, double>, std::string> read_variables(const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) return std::map<int, double>();
+    // What cannot be looked at is no new file: reading it tells why.
+    std::error_code error;
+    if (!std::filesystem::exists(path, error) && !error) return std::map<int, double>();
     return machine::read_text_file(path, os::NamedBy::command_line).and_then([&](const std::string& text) {
         return variables_of(text, path);
     });

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <tl/expected.hpp>
+
 #include "codegen/text_hash.h"
 #include "os/file_handle.h"
 
@@ -21,19 +23,21 @@ class LuaSpool {
     /// Writes the first line, to which the hash is appended by finish().
     void write_head(std::string_view head);
     void write(std::string_view text);
-    /// Completes the file. False when it could not be written (disk full).
-    bool finish();
+    /// Completes the file. The error is a sentence with the reason, such as a full disk.
+    tl::expected<void, std::string> finish();
 
     std::uint64_t size() const { return size_; }
     /// Of memory.
     std::size_t held_bytes() const { return buffer_.capacity(); }
-    /// Bytes [begin, end) of the finished text.
-    std::string read(std::uint64_t begin, std::uint64_t end) const;
-    /// Gives the finished text to `sink`, in pieces; false where it cannot be read back.
-    bool copy_to(const std::function<void(std::string_view)>& sink) const;
+    /// Bytes [begin, end) of the finished text, all of them. The error is a sentence with the reason.
+    tl::expected<std::string, std::string> read(std::uint64_t begin, std::uint64_t end) const;
+    /// Gives the finished text to `sink`, in pieces. The error is that of read().
+    tl::expected<void, std::string> copy_to(const std::function<void(std::string_view)>& sink) const;
 
   private:
     void flush();
+    int write_buffer();
+    int write_hash(std::string_view digits);
 
     os::FileHandle reserve_;  ///< What becomes file_; null: it is made then.
     os::FileHandle file_;     ///< Null while all is in buffer_.
@@ -42,7 +46,7 @@ class LuaSpool {
     TextHash hash_;
     std::uint64_t head_size_ = 0;  ///< Up to where the hash goes.
     std::uint64_t size_ = 0;
-    bool failed_ = false;
+    int error_ = 0;  ///< errno of the first failure to write.
 };
 
 /// What the first line of a script says of its origin.

@@ -25,7 +25,7 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
     source.end_where(options.ends);
     // What is wrong with a program that was read in part says nothing.
     const auto take = [&](const text::Diagnostic& told) {
-        if (!source.was_ended()) take_all(told);
+        if (!source.was_ended() && source.error() == 0) take_all(told);
     };
     const lexer::Style style = options.dialect->rules().style;
     const FileScan scan = scan_file(source, options.aliases, style);
@@ -44,12 +44,9 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
     Translation result;
     result.ok = diagnostics.error_count() == 0;
     result.first_error = diagnostics.first_error();
-    if (source.failed()) {
+    if (source.error() != 0) {
         result.ok = false;
-        result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::file,
-                                              .file = options.source_name,
-                                              .text = "cannot be read to its end"};
-        take(*result.first_error);
+        result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::file, .text = *source.fault()};
     }
     if (source.was_ended()) {
         result.ok = false;
@@ -59,8 +56,9 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
                                               .text = options.end_reason};
         take_all(*result.first_error);
     }
-    if (result.ok && !spool.finish())
-        throw std::runtime_error("the temporary file for the Lua cannot be written; is the disk full?");
+    if (result.ok) {
+        if (const auto finished = spool.finish(); !finished) throw std::runtime_error(finished.error());
+    }
     result.programs = writer.map();
     result.lua_lines = writer.lua_lines();
     return result;
@@ -74,7 +72,10 @@ TextTranslation translate_text(std::string_view gcode, const TranslateOptions& o
         result.diagnostics += text::to_text(told);
     });
     result.ok = translation.ok;
-    if (result.ok) result.lua = spool.read(0, spool.size());
+    if (!result.ok) return result;
+    auto lua = spool.read(0, spool.size());
+    if (!lua) throw std::runtime_error(lua.error());
+    result.lua = *std::move(lua);
     result.programs = std::move(translation.programs);
     return result;
 }

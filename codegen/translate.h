@@ -42,7 +42,8 @@ struct Translation {
     std::uint32_t lua_lines = 0;
 };
 
-/// Translates one source to Lua in `spool`. Each diagnostic goes to `take` as soon as it is known.
+/// Translates one source to Lua in `spool`. Each diagnostic goes to `take` as soon as it is known; that the
+/// source cannot be read to its end (Source::error()) is left to the caller.
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
                       const std::function<void(const text::Diagnostic&)>& take);
 

@@ -30,6 +30,7 @@ namespace gsim::grammar { class Parser; }
 }
 %code {
 #include "grammar/parser.h"
+#include "lexer/checked_memory.h"
 
 using gsim::grammar::BlockKind;
 using gsim::grammar::NodeKind;
@@ -38,6 +39,8 @@ using gsim::lexer::Role;
 
 // Token values are trivially copyable, so the parser's stack may grow (up to what the scanner's bounds need).
 #define YYSTACKEXPANDABLE 1
+#define YYMALLOC gsim::lexer::checked_malloc
+#define YYREALLOC gsim::lexer::checked_realloc
 #define YYMAXDEPTH 100000
 
 static int gcode_lex(gsim::lexer::Value* value, gsim::grammar::Parser& parser) { return parser.scan(*value); }

@@ -41,7 +41,7 @@ tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string n
         }
         source.size_ += count;
     }
-    if (std::ferror(stream) != 0) return tl::unexpected(source.name_ + ": cannot be read");
+    if (std::ferror(stream) != 0) return tl::unexpected(file_error(source.name_, errno));
     if (std::fflush(source.file_.get()) != 0) {
         return tl::unexpected("temporary file: " + std::string(std::strerror(errno)));
     }
@@ -67,20 +67,27 @@ std::size_t Source::read_at(std::uint64_t offset, char* buffer, std::size_t capa
     do {
         count = ::pread(::fileno(file_.get()), buffer, capacity, static_cast<off_t>(offset));
     } while (count < 0 && errno == EINTR);
-    if (count < 0) failed_ = true;
+    if (count < 0 && error_ == 0) error_ = errno;
     return count < 0 ? 0 : static_cast<std::size_t>(count);
 }
 
 std::size_t Source::read(char* buffer, std::size_t capacity) {
     was_ended_ = was_ended_ || (ends_ && ends_());
-    if (was_ended_) return 0;
+    if (was_ended_ || at_end_) return 0;
     const std::size_t count = read_at(position_, buffer, capacity);
+    at_end_ = count == 0;
     position_ += count;
     return count;
 }
 
+std::optional<std::string> Source::fault() const {
+    if (error_ == 0) return std::nullopt;
+    return fmt::format("{}: cannot be read to its end: {}", name_, std::strerror(error_));
+}
+
 void Source::rewind() {
     position_ = 0;
+    at_end_ = false;
 }
 
 std::string Source::line_at(std::uint64_t line_begin, std::size_t max_bytes) const {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -42,14 +43,18 @@ class Source {
     void end_where(std::function<bool()> ends) { ends_ = std::move(ends); }
     /// Whether that has happened: what was read is not the whole file.
     bool was_ended() const { return was_ended_; }
-    /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end.
+    /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end, and from then on: what reads a
+    /// file that grows, or that can be read again after an error, does not find more behind what it took for
+    /// the end.
     std::size_t read(char* buffer, std::size_t capacity);
     /// Starts over.
     void rewind();
     /// The line that starts at byte `line_begin`, without its end, at most `max_bytes` of it.
     std::string line_at(std::uint64_t line_begin, std::size_t max_bytes = kMaxLineBytes) const;
-    /// True once reading failed; what was read before counts as the whole file then.
-    bool failed() const { return failed_; }
+    /// errno of the first reading that failed, else 0; what was read before counts as the whole file then.
+    int error() const { return error_; }
+    /// The same as a sentence with the name; nothing where nothing failed.
+    std::optional<std::string> fault() const;
 
   private:
     std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t capacity) const;
@@ -59,9 +64,10 @@ class Source {
     std::string text_;
     std::uint64_t size_ = 0;
     std::uint64_t position_ = 0;
-    mutable bool failed_ = false;
+    mutable int error_ = 0;
     std::function<bool()> ends_;
     bool was_ended_ = false;
+    bool at_end_ = false;
 };
 
 /// The rule for any two files: `path` as an error wants it named, with the reason of errno.

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -41,12 +42,14 @@ int open_lock(const fs::path& lock) {
     return descriptor < 0 && errno == EACCES ? ::open(lock.c_str(), O_RDONLY | kFlags, 0666) : descriptor;
 }
 
-// Its owner removes the file before others get the lock: what they have got then has no name.
-bool still_named(int descriptor, const fs::path& lock) {
+// Its owner removes the file before others get the lock: what they have got then has no name, and is not the
+// lock (EWOULDBLOCK). As errno; 0: it is.
+int look_for_name(int descriptor, const fs::path& lock) {
     struct stat open {};
     struct stat named {};
-    return ::fstat(descriptor, &open) == 0 && ::lstat(lock.c_str(), &named) == 0 &&
-           open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+    if (::fstat(descriptor, &open) != 0) return errno;
+    if (::lstat(lock.c_str(), &named) != 0) return errno == ENOENT ? EWOULDBLOCK : errno;
+    return open.st_dev == named.st_dev && open.st_ino == named.st_ino ? 0 : EWOULDBLOCK;
 }
 
 }  // namespace
@@ -54,11 +57,12 @@ bool still_named(int descriptor, const fs::path& lock) {
 // The error is that of errno; EWOULDBLOCK: another one has it.
 tl::expected<FileLock, int> FileLock::try_once(const fs::path& path) {
     const SignalsHeld held;
+    auto kept = TemporaryName::kept(path);
     FileLock lock(open_lock(path));
     const int descriptor = lock.descriptor_.number();
     if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return tl::unexpected(errno);
-    if (!still_named(descriptor, path)) return tl::unexpected(EWOULDBLOCK);
-    lock.name_.take(TemporaryName(path));
+    if (const int error = look_for_name(descriptor, path); error != 0) return tl::unexpected(error);
+    lock.name_.take(TemporaryName(std::move(kept)));
     return lock;
 }
 

@@ -65,6 +65,7 @@ tl::expected<std::string, std::string> read_input(const std::filesystem::path& p
     std::string text;
     std::array<char, kInputChunk> chunk;
     while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file->get())) {
+        if (std::ferror(file->get()) != 0) break;
         text.append(chunk.data(), count);
         if (text.size() > max_bytes) {
             return tl::unexpected("'" + path.string() + "' is larger than " +

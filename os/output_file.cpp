@@ -30,8 +30,9 @@ Created create_beside(const fs::path& path) {
     for (int i = 0; i < kMaxTries; ++i) {
         fs::path name = path;
         name += fmt::format(".{}-{}.tmp", ::getpid(), i);
+        auto kept = TemporaryName::kept(name);
         const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0) return {descriptor, TemporaryName(name)};
+        if (descriptor >= 0) return {descriptor, TemporaryName(std::move(kept))};
         if (errno != EEXIST) break;
     }
     return {};
@@ -98,6 +99,7 @@ tl::expected<void, std::string> OutputFile::open_standard_output() {
 tl::expected<void, std::string> OutputFile::open_beside() {
     struct stat existing {};
     const bool exists = ::stat(path_.c_str(), &existing) == 0;
+    if (!exists && errno != ENOENT) return cannot_write(errno);
     // A rename would replace a file that is write-protected.
     if (exists && ::access(path_.c_str(), W_OK) != 0) return cannot_write(errno);
     Created created = create_beside(path_);

@@ -26,12 +26,7 @@ static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<pid_t
 
 extern "C" void remove_and_end(int signal) {
     const int error = errno;
-    // A child that was forked has the same list, of files that are its parent's.
-    if (registering_process.load() == ::getpid()) {
-        for (const auto& slot : registered_names) {
-            if (const char* name = slot.load()) ::unlink(name);
-        }
-    }
+    gsim::os::remove_temporaries();
     const char* const words = signal == SIGXCPU ? words_at_cpu_signal.load() : nullptr;
     if (words != nullptr) {
         const bool told = ::write(STDERR_FILENO, words, std::strlen(words)) > 0;
@@ -55,6 +50,14 @@ void handle(int signal, void (*handler)(int)) {
 }
 
 }  // namespace
+
+void remove_temporaries() {
+    // A child that was forked has the same list, of files that are its parent's.
+    if (registering_process.load() != ::getpid()) return;
+    for (const auto& slot : registered_names) {
+        if (const char* name = slot.load()) ::unlink(name);
+    }
+}
 
 void remove_temporaries_at_signals() {
     registering_process = ::getpid();
@@ -81,8 +84,11 @@ SignalsHeld::~SignalsHeld() {
     ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
-TemporaryName::TemporaryName(const std::filesystem::path& file)
-    : name_(std::make_unique<const std::string>(file.string())) {
+TemporaryName::Kept TemporaryName::kept(const std::filesystem::path& file) {
+    return std::make_unique<const std::string>(file.string());
+}
+
+TemporaryName::TemporaryName(Kept name) noexcept : name_(std::move(name)) {
     for (auto& slot : registered_names) {
         const char* none = nullptr;
         if (slot.compare_exchange_strong(none, name_->c_str())) return;

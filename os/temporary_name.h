@@ -14,6 +14,10 @@ namespace gsim::os {
 /// so. A file that outgrows `ulimit -f` becomes an error of writing. For main() alone, once.
 void remove_temporaries_at_signals();
 
+/// Removes the files of all TemporaryNames that there are after remove_temporaries_at_signals(), for who ends
+/// the program without leaving its functions. May be called where a signal is handled.
+void remove_temporaries();
+
 /// What SIGXCPU means from here on: null, what it always does; else this is written to standard error, and
 /// the program ends with `status`. The text must stay.
 void end_at_cpu_signal(const char* last_words, int status);
@@ -31,11 +35,14 @@ class SignalsHeld {
 };
 
 /// A file that is to be gone when this is, however the program ends but by SIGKILL or a crash. Create the
-/// file and this one under one SignalsHeld.
+/// file and this one under one SignalsHeld; its name is made before, so that nothing can fail in between.
 class TemporaryName {
   public:
+    using Kept = std::unique_ptr<const std::string>;
+    static Kept kept(const std::filesystem::path& file);
+
     TemporaryName() = default;
-    explicit TemporaryName(const std::filesystem::path& file);
+    explicit TemporaryName(Kept name) noexcept;
     TemporaryName(TemporaryName&&) noexcept = default;
     TemporaryName& operator=(TemporaryName&&) = delete;
     ~TemporaryName();
@@ -49,7 +56,7 @@ class TemporaryName {
     void release();
 
   private:
-    std::unique_ptr<const std::string> name_;  // a handler reads it where it lies
+    Kept name_;  // a handler reads it where it lies
 };
 
 }  // namespace gsim::os

@@ -1,11 +1,7 @@
 #include "runtime/path/json_reader.h"
 
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
 #include <memory>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -54,18 +50,6 @@ tl::expected<PathFile, std::string> read_json(std::string_view text, std::string
         return count;
     };
     return read_json(read, std::move(file_name));
-}
-
-tl::expected<PathFile, std::string> load_json(const std::filesystem::path& path, os::NamedBy named_by) {
-    const auto cannot_read = [&path](const std::string& why) {
-        return tl::unexpected(fmt::format("cannot read '{}': {}", path.string(), why));
-    };
-    const auto file = os::open_input(path, named_by);
-    if (!file) return cannot_read(file.error());
-    auto read = [&file](char* buffer, std::size_t size) { return std::fread(buffer, 1, size, file->get()); };
-    tl::expected<PathFile, std::string> result = read_json(read, path.string());
-    if (std::ferror(file->get()) != 0) return cannot_read(std::generic_category().message(errno));
-    return result;
 }
 
 }  // namespace gsim::path

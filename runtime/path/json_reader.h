@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 
 #include <tl/expected.hpp>
 
-#include "os/input_file.h"
 #include "runtime/path/place.h"
 
 namespace gsim::path {
@@ -22,9 +20,5 @@ tl::expected<PathFile, std::string> read_json(std::string_view text, std::string
 /// at the end. The text is not kept.
 tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, std::size_t)> read,
                                               std::string file_name);
-
-/// The same of a file on disk.
-tl::expected<PathFile, std::string> load_json(const std::filesystem::path& path,
-                                              os::NamedBy named_by = os::NamedBy::a_file);
 
 }  // namespace gsim::path

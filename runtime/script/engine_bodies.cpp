@@ -133,7 +133,9 @@ int Engine::run_body(lua_State* state, BodyWalk& walk) {
 /// walk is then.
 void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk) {
     const HeldMemory copy(state, chunk.end - walk.offset, kTextOfScript);
-    const std::string text = loaded.script.read(walk.offset, chunk.end);
+    const auto read = loaded.script.read(walk.offset, chunk.end);
+    if (!read) loaded.control->controller().alarm(state, text::DiagnosticKind::file, read.error());
+    const std::string& text = *read;
     walk.position.text = text_at(loaded, walk.offset, walk.line);
     walk.position.line = 1;
     PlainLine line;

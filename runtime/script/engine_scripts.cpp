@@ -74,7 +74,9 @@ void Engine::compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk)
     const std::uint32_t text = text_at(loaded, chunk.begin, chunk.line);
     loaded.control->push_environment(state);
     const HeldMemory copy(state, chunk.end - chunk.begin, kTextOfScript);
-    load_text(state, loaded.script.read(chunk.begin, chunk.end), PlaceFinder::chunk_name(text).c_str());
+    const auto lua = loaded.script.read(chunk.begin, chunk.end);
+    if (!lua) loaded.control->controller().alarm(state, DiagnosticKind::file, lua.error());
+    load_text(state, *lua, PlaceFinder::chunk_name(text).c_str());
 }
 
 /// core.load_program(number or name): what loads the file of that program, or nil. A file is read once.

@@ -24,7 +24,7 @@ struct ScriptFunction {
 };
 
 /// The Lua that is run, as a whole or, where `functions` is not empty, in pieces, so that memory does not
-/// grow with it. `read` gives bytes [begin, end) of it.
+/// grow with it. `read` gives bytes [begin, end) of it, or a sentence that says why it cannot.
 struct Script {
     std::string dialect = "ab9";  ///< Whose words it calls: "ab9" or "rs274ngc".
     bool inch = false;            ///< It begins in inches, whatever the run has.
@@ -33,7 +33,7 @@ struct Script {
         0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
     std::uint64_t size = 0;
     std::size_t held_bytes = 0;  ///< Of memory, as long as it is kept.
-    std::function<std::string(std::uint64_t begin, std::uint64_t end)> read;
+    std::function<tl::expected<std::string, std::string>(std::uint64_t begin, std::uint64_t end)> read;
     std::vector<ScriptFunction> functions;
 
     static Script from_text(std::string text, std::string file_name, std::int64_t line_difference);

@@ -218,7 +218,7 @@ TEST_F(Path2Gcode, OptionsThatMakeNoSenseAreUsageErrors) {
     EXPECT_EQ(path2gcode({"--machine", "no.toml", kWheel}).status, 2);
     EXPECT_EQ(path2gcode({"--separate-files", kWheel}).status, 2);
     EXPECT_EQ(path2gcode({"-o", "no/such/folder.nc", kWheel}).status, 2);
-    EXPECT_EQ(path2gcode({"no.path.json"}).status, 1);
+    EXPECT_EQ(path2gcode({"no.path.json"}).status, 2);
 }
 
 TEST_F(Path2Gcode, StandardInputAndScripts) {

@@ -23,7 +23,7 @@ Mapped mapped(const std::string& gcode, const TranslateOptions& options = {}) {
     Mapped result;
     result.translation = translate(source, spool, options, [](const text::Diagnostic&) {});
     EXPECT_TRUE(result.translation.ok) << result.translation.first_error.value_or(text::Diagnostic{}).text;
-    result.lua = spool.read(0, spool.size());
+    result.lua = spool.read(0, spool.size()).value();
     return result;
 }
 

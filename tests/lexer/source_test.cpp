@@ -1,5 +1,6 @@
 #include "lexer/source.h"
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -29,7 +30,22 @@ void expect_reads(Source& source) {
     EXPECT_EQ(source.line_at(11), "last");
     EXPECT_EQ(source.line_at(0, 2), "G1");
     EXPECT_EQ(source.line_at(1000), "") << "behind the end there is nothing";
-    EXPECT_FALSE(source.failed());
+    EXPECT_EQ(source.error(), 0);
+}
+
+TEST(Source, AFileThatGrowsWhileItIsReadEndsWhereItEnded) {
+    const std::string file = testing::TempDir() + "gsim_growing.nc";
+    std::ofstream(file) << "G0 X1 (a\n";
+    auto source = Source::open(file);
+    ASSERT_TRUE(source);
+    std::array<char, 64> buffer{};
+    EXPECT_GT(source->read(buffer.data(), buffer.size()), 0U);
+    EXPECT_EQ(source->read(buffer.data(), buffer.size()), 0U);
+    std::ofstream(file, std::ios::app) << "remark)\nM2\n";
+    EXPECT_EQ(source->read(buffer.data(), buffer.size()), 0U);
+    source->rewind();
+    EXPECT_GT(source->read(buffer.data(), buffer.size()), 0U);
+    std::filesystem::remove(file);
 }
 
 TEST(Source, Text) {

@@ -1,0 +1,47 @@
+// Memory that is refused: each allocation of a program once, and all from one on.
+
+#include <cerrno>
+
+#include <gtest/gtest.h>
+
+#include "tests/faults/jobs.h"
+#include "tests/faults/sweep.h"
+
+namespace gsim::faults::allocations_test {
+namespace {
+
+class Allocations : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (kSanitized) GTEST_SKIP() << "a program with sanitizers does not ask malloc()";
+    }
+    static void refuse(bool repeated) {
+        for (const Job& job : jobs()) {
+            const Count count = sweep(job, {.kind = Kind::allocation, .error = ENOMEM, .repeated = repeated});
+            print_row(repeated ? "no memory from an allocation on" : "an allocation fails", job.name, count);
+            EXPECT_GT(count.of, 100U) << job.name;
+            // The number of a process is in names of files, so that the last ones may not come.
+            EXPECT_GE(count.struck + 2, count.tried) << job.name;
+            for (const std::string& wrong : count.wrong) ADD_FAILURE() << job.name << ", " << wrong;
+        }
+    }
+};
+
+TEST_F(Allocations, EachFailsOnce) {
+    refuse(false);
+}
+
+TEST_F(Allocations, AllFailFromOneOn) {
+    refuse(true);
+}
+
+TEST_F(Allocations, TheSentenceNamesTheProgramAndTheReason) {
+    const Outcome found =
+        run(job_named("gcode2lua"), {.kind = Kind::allocation, .which = 100, .error = ENOMEM});
+    EXPECT_EQ(found.status, 2);
+    EXPECT_EQ(found.err, "gcode2lua: out of memory\n");
+    EXPECT_EQ(found.files, job_named("gcode2lua").files);
+}
+
+}  // namespace
+}  // namespace gsim::faults::allocations_test

@@ -1,0 +1,132 @@
+// System calls that fail: each call of a program once, with each error that it may have, and in part.
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/faults/jobs.h"
+#include "tests/faults/sweep.h"
+
+namespace gsim::faults::calls_test {
+namespace {
+
+struct Fault {
+    Kind kind;
+    int error;
+    std::string_view name;
+};
+
+// Who may not open or look at a file on the way may find another reason in what comes of it.
+std::string reason_of(const Fault& fault) {
+    return fault.kind == Kind::open || fault.kind == Kind::look ? "" : std::strerror(fault.error);
+}
+
+void expect_told(const std::vector<Fault>& faults) {
+    for (const Fault& fault : faults) {
+        for (const Job& job : jobs()) {
+            const Count count =
+                sweep(job, {.kind = fault.kind, .error = fault.error, .reason = reason_of(fault)});
+            print_row(fmt::format("{}, {}", fault.name,
+                                  fault.error == kShort ? "in part" : std::strerror(fault.error)),
+                      job.name, count);
+            EXPECT_EQ(count.struck, count.tried) << job.name << ", " << fault.name;
+            const bool every_job_does = fault.kind == Kind::write || fault.kind == Kind::read;
+            EXPECT_TRUE(count.of > 0 || !every_job_does) << job.name << ", " << fault.name;
+            for (const std::string& wrong : count.wrong)
+                ADD_FAILURE() << job.name << ", " << fault.name << ", " << std::strerror(fault.error) << ": "
+                              << wrong;
+        }
+    }
+}
+
+class Calls : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (kSanitized) GTEST_SKIP() << "a program with sanitizers makes system calls of its own";
+    }
+};
+
+TEST_F(Calls, EachWriteFails) {
+    expect_told({{Kind::write, ENOSPC, "a write"},
+                 {Kind::write, EIO, "a write"},
+                 {Kind::write, EPIPE, "a write"},
+                 {Kind::write, EINTR, "a write"}});
+}
+
+TEST_F(Calls, EachReadFails) {
+    expect_told({{Kind::read, EIO, "a read"}, {Kind::read, EINTR, "a read"}});
+}
+
+TEST_F(Calls, EachFileIsRefused) {
+    expect_told({{Kind::open, EMFILE, "opening"}, {Kind::look, EACCES, "looking at a file"}});
+}
+
+TEST_F(Calls, WhatMakesAFileWholeFails) {
+    expect_told({{Kind::close, EIO, "closing"},
+                 {Kind::fsync, EIO, "fsync"},
+                 {Kind::rename, EIO, "renaming"},
+                 {Kind::mode, EPERM, "taking over the mode"},
+                 {Kind::copy, EMFILE, "a second descriptor"}});
+}
+
+// Half of it is done, and the rest in another call: nothing is lost, and nothing is told.
+TEST_F(Calls, WritingAndReadingInPartLosesNothing) {
+    for (const Kind kind : {Kind::write, Kind::read}) {
+        for (const Job& job : jobs()) {
+            const Count count = sweep(job, {.kind = kind, .error = kShort});
+            print_row(kind == Kind::write ? "a write, in part" : "a read, in part", job.name, count);
+            EXPECT_GT(count.struck, 0U) << job.name;
+            EXPECT_EQ(count.struck, count.tried) << job.name;
+            EXPECT_EQ(count.done, count.tried) << job.name;
+            for (const std::string& wrong : count.wrong) ADD_FAILURE() << job.name << ": " << wrong;
+        }
+    }
+}
+
+TEST_F(Calls, AFullDiskIsNamed) {
+    const Job job = job_named("gcode2lua");
+    const Outcome found = run(job, {.kind = Kind::write, .which = 1, .error = ENOSPC});
+    EXPECT_EQ(found.err, "gcode2lua: cannot write 'wheel.lua': No space left on device\n");
+    EXPECT_EQ(found.files, job.files);
+}
+
+const Job kTranslation{"translation", {"gcode2lua", "long.nc"}, {{"long.nc", long_program()}}};
+
+TEST_F(Calls, AFullDiskOfTheTemporaryFileIsNamed) {
+    const Outcome found = run(kTranslation, {.kind = Kind::write, .which = 1, .error = ENOSPC});
+    EXPECT_EQ(found.status, 2);
+    EXPECT_EQ(found.err,
+              "gcode2lua: the temporary file for the Lua cannot be written: No space left on device\n");
+}
+
+// The program is read more than once; whichever reading fails, it is not taken for the end of the program.
+TEST_F(Calls, AProgramThatCannotBeReadIsNotTakenForAShorterOne) {
+    const Outcome found = run(kTranslation, {.kind = Kind::read, .which = 5, .error = EIO});
+    EXPECT_EQ(found.status, 2);
+    EXPECT_EQ(found.out, "");
+    EXPECT_EQ(found.err, "gcode2lua: long.nc: cannot be read to its end: Input/output error\n");
+}
+
+TEST_F(Calls, AScriptThatCannotBeReadDoesNotRunAsAnEmptyOne) {
+    const Job job{"script", {"gsim-run", "script.lua"}, {{"script.lua", "print(1)\n"}}};
+    const Outcome found = run(job, {.kind = Kind::read, .which = 1, .error = EIO});
+    EXPECT_EQ(found.status, 2);
+    EXPECT_EQ(found.err, "gsim-run: script.lua: cannot be read to its end: Input/output error\n");
+}
+
+// The text of a long script lies in a temporary file while it runs.
+TEST_F(Calls, AScriptWhoseTextIsLostStopsWithTheReason) {
+    const Job job = job_named("gsim-run, a long program");
+    const Outcome clean = run(job, {.kind = Kind::read});
+    const std::uint64_t reads = clean.calls[static_cast<std::size_t>(Kind::read)];
+    const Outcome found = run(job, {.kind = Kind::read, .which = reads, .error = EIO});
+    EXPECT_EQ(found.status, 2) << found.out;
+    EXPECT_NE(found.out.find("the temporary file for the Lua cannot be read: Input/output error"),
+              std::string::npos)
+        << found.out;
+}
+
+}  // namespace
+}  // namespace gsim::faults::calls_test

@@ -1,0 +1,135 @@
+#include "tests/faults/sweep.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <random>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace gsim::faults {
+
+namespace {
+
+constexpr std::uint64_t kMany = 50;
+constexpr std::uint64_t kFew = 10;
+constexpr unsigned kSeed = 14;
+constexpr int kRefused = 2;
+constexpr std::size_t kShown = 5;
+
+// A run that was made to fail tells why; with --json on standard output.
+bool tells(const Outcome& clean, const Outcome& found) {
+    return (!found.err.empty() && found.err != clean.err) || (!found.out.empty() && found.out != clean.out);
+}
+
+// Where it cannot be told whose lock it is, it stays; it holds nobody up.
+bool is_lock(const std::string& name) {
+    return name.ends_with(".lock");
+}
+
+std::string file_fault(const Job& job, const Outcome& clean, const Outcome& found) {
+    for (const auto& [name, text] : found.files) {
+        if (is_lock(name)) continue;
+        const auto before = job.files.find(name);
+        const auto after = clean.files.find(name);
+        const bool is_old = before != job.files.end() && before->second == text;
+        const bool is_new = after != clean.files.end() && after->second == text;
+        if (!is_old && !is_new)
+            return fmt::format("'{}' is {}", name,
+                               after == clean.files.end() ? "left over" : "neither old nor new");
+    }
+    for (const auto& [name, text] : job.files) {
+        if (found.files.count(name) == 0) return fmt::format("'{}' is gone", name);
+    }
+    return {};
+}
+
+// What is wrong with a run under this fault; empty: nothing.
+std::string find_wrong_with(const Job& job, const Conditions& fault, const Outcome& clean,
+                            const Outcome& found) {
+    std::string wrong = find_wrong(job, clean, found);
+    if (!wrong.empty() || found.status == clean.status || fault.reason.empty()) return wrong;
+    const bool named = (found.err + found.out).find(fault.reason) != std::string::npos;
+    return named ? "" : fmt::format("the reason, '{}', is not named", fault.reason);
+}
+
+void take(Count& count, const Job& job, const Conditions& fault, const Outcome& clean, const Outcome& found) {
+    if (found.struck > 0) ++count.struck;
+    ++(found.status == clean.status ? count.done : count.told);
+    const std::string wrong = find_wrong_with(job, fault, clean, found);
+    if (!wrong.empty() && count.wrong.size() < kShown)
+        count.wrong.push_back(fmt::format("call {}: {}; it said: {}", fault.which, wrong, found.err));
+}
+
+}  // namespace
+
+bool tries_all() {
+    const char* const wanted = std::getenv("GSIM_TEST_ALL");
+    return wanted != nullptr && std::string_view(wanted) == "1";
+}
+
+std::vector<std::uint64_t> chosen(std::uint64_t count, std::uint64_t at_each_end) {
+    std::set<std::uint64_t> which;
+    if (tries_all() || count <= 3 * at_each_end) {
+        for (std::uint64_t i = 1; i <= count; ++i) which.insert(i);
+        return {which.begin(), which.end()};
+    }
+    for (std::uint64_t i = 1; i <= at_each_end; ++i) {
+        which.insert(i);
+        which.insert(count + 1 - i);
+    }
+    std::mt19937 random(kSeed);
+    std::uniform_int_distribution<std::uint64_t> between(at_each_end + 1, count - at_each_end);
+    while (which.size() < 3 * at_each_end) which.insert(between(random));
+    return {which.begin(), which.end()};
+}
+
+std::string find_wrong(const Job& job, const Outcome& clean, const Outcome& found) {
+    if (!found.ended_by.empty()) return fmt::format("ended by {}", found.ended_by);
+    if (found.status == clean.status) {
+        if (found.out != clean.out) return "another standard output with the same status";
+        return found.files == clean.files ? "" : "other files with the same status";
+    }
+    if (found.status != kRefused) return fmt::format("status {}", found.status);
+    if (!tells(clean, found)) return "status 2 without a word";
+    return file_fault(job, clean, found);
+}
+
+Count sweep(const Job& job, const Conditions& fault) {
+    Conditions none = fault;
+    none.which = 0;
+    const Outcome clean = run(job, none);
+    Count count;
+    count.of = clean.calls[static_cast<std::size_t>(fault.kind)];
+    const std::vector<std::uint64_t> all = chosen(count.of, fault.repeated ? kFew : kMany);
+    count.tried = all.size();
+    std::atomic<std::size_t> next = 0;
+    std::mutex counting;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < all.size(); i = next++) {
+            Conditions one = fault;
+            one.which = all[i];
+            const Outcome found = run(job, one);
+            const std::lock_guard lock(counting);
+            take(count, job, one, clean, found);
+        }
+    };
+    std::thread other(work);
+    work();
+    other.join();
+    return count;
+}
+
+void print_row(const std::string& fault, const std::string& job, const Count& count) {
+    if (std::getenv("GSIM_FAULT_TABLE") == nullptr) return;
+    std::fputs(fmt::format("| {} | {} | {} | {} | {} | {} |\n", fault, job, count.of, count.tried, count.told,
+                           count.done)
+                   .c_str(),
+               stdout);
+}
+
+}  // namespace gsim::faults
