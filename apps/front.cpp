@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <vector>
 
 #include <fmt/format.h>
@@ -161,11 +162,16 @@ int run_command(Arguments arguments) {
 int run_front(const std::string& called, std::span<const std::string> arguments) {
     const std::string name = std::filesystem::path(called).filename().string();
     const ProgramEntry* entry = find_named(name);
+    const auto failed = [&](const char* why) {
+        if (entry == nullptr) return usage_error(kFront, why);
+        return refuse(*entry, arguments, text::DiagnosticKind::internal, why);
+    };
     try {
         return entry == nullptr ? run_command(arguments) : run_program(*entry, arguments);
+    } catch (const std::bad_alloc&) {
+        return failed("out of memory");
     } catch (const std::exception& error) {
-        if (entry == nullptr) return usage_error(kFront, error.what());
-        return refuse(*entry, arguments, text::DiagnosticKind::internal, error.what());
+        return failed(error.what());
     }
 }
 
