@@ -3,6 +3,7 @@
 // does, such as the writes of stdio, has no name that could be caught: there a filter of system calls sends a
 // signal, and its handler does the call, or does not.
 
+#include <bit>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -129,7 +130,7 @@ long half(long size) {
 long done_in_part(long number, Arguments given) {
     long* const values = given.values;
     if (number == SYS_writev || number == SYS_readv) {
-        const iovec* piece = reinterpret_cast<const iovec*>(values[1]);
+        const auto* piece = std::bit_cast<const iovec*>(values[1]);
         for (long left = values[2]; left > 1 && piece->iov_len == 0; --left) ++piece;
         values[1] = reinterpret_cast<long>(piece->iov_base);
         values[2] = static_cast<long>(piece->iov_len);
