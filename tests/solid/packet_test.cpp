@@ -12,7 +12,7 @@ std::string packet() {
     writer.put_text(std::string_view("a\0b", 3));
     writer.put_all(std::vector<int>{1, 2, 3});
     writer.put_all(std::vector<int>{});
-    writer.put(true);
+    writer.put_flag(true);
     return writer.bytes();
 }
 
@@ -23,7 +23,7 @@ TEST(Packet, GivesBackWhatWasPutIn) {
     EXPECT_EQ(reader.get_text(), std::string_view("a\0b", 3));
     EXPECT_EQ(reader.get_all<int>(), (std::vector<int>{1, 2, 3}));
     EXPECT_TRUE(reader.get_all<int>().empty());
-    EXPECT_TRUE(reader.get<bool>());
+    EXPECT_TRUE(reader.get_flag());
     EXPECT_TRUE(reader.is_whole());
 }
 
@@ -35,7 +35,7 @@ TEST(Packet, KnowsWhenItWasCutOff) {
         reader.get_text();
         reader.get_all<int>();
         reader.get_all<int>();
-        reader.get<bool>();
+        reader.get_flag();
         EXPECT_FALSE(reader.is_whole()) << length;
     }
     PacketWriter writer;
@@ -43,6 +43,16 @@ TEST(Packet, KnowsWhenItWasCutOff) {
     PacketReader endless(writer.bytes());
     EXPECT_TRUE(endless.get_all<double>().empty());
     EXPECT_FALSE(endless.is_whole());
+}
+
+// Any other byte in a bool would be undefined behaviour.
+TEST(Packet, AnyByteIsAFlag) {
+    PacketWriter writer;
+    for (const int byte : {0, 1, 0xf0}) writer.put(static_cast<std::uint8_t>(byte));
+    PacketReader reader(writer.bytes());
+    EXPECT_FALSE(reader.get_flag());
+    EXPECT_TRUE(reader.get_flag());
+    EXPECT_TRUE(reader.get_flag());
 }
 
 }  // namespace
