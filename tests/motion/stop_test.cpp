@@ -182,6 +182,7 @@ TEST(Stop, KeepsLimitsWithFollowersAndJerks) {
     for (int round = 0; round < 120; ++round) {
         PlannerSetup setup = odd_setup(random);
         set_ramps(setup, random, round % 2 == 0);
+        setup.controller.own_ramps = round % 4 < 3;
         stop_and_go(random, setup, round % 3 == 0);
         if (testing::Test::HasFatalFailure()) FAIL() << "round " << round;
     }
@@ -221,6 +222,7 @@ TEST(Stop, ATurningJointBesideAnArc) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 150; ++run) {
         PlannerSetup setup = gantry_setup();
+        setup.controller.own_ramps = true;
         for (JointSetup& joint : setup.joints) {
             joint.min = -kUnlimited;
             joint.max = kUnlimited;
