@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <lua.hpp>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace {
@@ -28,7 +29,7 @@ class Lines {
     Lines& operator=(const Lines&) = delete;
     ~Lines() {
         const char* const name = std::getenv("GSIM_LUA_LINES");
-        if (name == nullptr || run_.empty()) return;
+        if (name == nullptr || run_.empty() || may_write_little()) return;
         const int locked = ::open(name, O_RDWR | O_CREAT | O_CLOEXEC, 0600);
         if (locked < 0) return;
         if (::flock(locked, LOCK_EX) == 0) add_to(name);
@@ -42,6 +43,12 @@ class Lines {
     }
 
   private:
+    /// A test of full disks: what is half written would spoil the lines of others.
+    static bool may_write_little() {
+        rlimit size{};
+        return ::getrlimit(RLIMIT_FSIZE, &size) != 0 || size.rlim_cur != RLIM_INFINITY;
+    }
+
     void add_to(const char* name) {
         std::ifstream before(name);
         for (std::string line; std::getline(before, line);) {
