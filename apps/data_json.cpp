@@ -153,6 +153,8 @@ tl::expected<MachineDataDocument, std::string> data_from_json(std::string_view t
         return JsonReader(file_name, axes).read(ordered_json::parse(text));
     } catch (const ordered_json::parse_error& error) {
         return Sentence(fmt::format("{}: byte {}: this is no JSON", file_name, error.byte));
+    } catch (const ordered_json::out_of_range&) {
+        return Sentence(fmt::format("{}: a number in it is too large: 1e308 is about the most", file_name));
     }
 }
 

@@ -172,6 +172,7 @@ TEST_F(GsimData, JsonThatIsNoMachineData) {
         return e.err;
     };
     EXPECT_EQ(error("{"), "gsim-data: j.json: byte 2: this is no JSON\n");
+    EXPECT_EQ(error("[1e400]"), "gsim-data: j.json: a number in it is too large: 1e308 is about the most\n");
     EXPECT_EQ(error("[]"), "gsim-data: j.json: this is no JSON object with a list for each section\n");
     EXPECT_EQ(error(R"({"OFSET":[]})"), "gsim-data: j.json: 'OFSET' is no section\n");
     EXPECT_EQ(error(R"({"OFFSET":[{"X":1}]})"),

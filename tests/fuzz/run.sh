@@ -1,7 +1,8 @@
 #!/bin/bash
 # Fuzzes the targets, one or all of them; what breaks a promise is left in tests/fuzz/findings/TARGET, where fuzz_regressions looks too.
 # Usage: tests/fuzz/run.sh BUILD-FOLDER SECONDS [TARGET]
-# In the environment: JOBS (how many targets at once), RECORD=1 (adds the figures of the run to tests/fuzz/RESULTS.md).
+# In the environment: JOBS (how many targets at once), RECORD=1 (adds the figures of the run to tests/fuzz/RESULTS.md), SEED (that of
+# the mutations: 0, the default, is another one each time).
 # A run goes on with the inputs that the ones before have left in BUILD-FOLDER/fuzz-corpus.
 set -uo pipefail
 
@@ -19,7 +20,7 @@ fuzz_one() {
     ln -sf ../gsim-fuzz "$build/bin/fuzz/$target"
     local TIMEFORMAT='cpu_s %U %S'
     { time "$build/bin/fuzz/$target" "$inputs" "$here/corpus/$family" "$findings" -dict="$here/dictionaries/$family.dict" \
-        -max_len=4096 -timeout=10 -rss_limit_mb=2048 -max_total_time="$seconds" -print_final_stats=1 -print_funcs=0 -close_fd_mask=1 \
+        -seed="${SEED:-0}" -max_len=4096 -timeout=10 -rss_limit_mb=2048 -max_total_time="$seconds" -print_final_stats=1 -print_funcs=0 -close_fd_mask=1 \
         -artifact_prefix="$findings/" >"$log" 2>&1; } 2>>"$log.time"
     status=$?
     cat "$log.time" >>"$log"
