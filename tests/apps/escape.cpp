@@ -54,7 +54,8 @@ extern "C" [[gnu::visibility("default")]] int open(const char* name, int flags, 
 }
 
 // What open() is in programs that are compiled with _FORTIFY_SOURCE.
-extern "C" [[gnu::visibility("default")]] int open_of_fortified(const char* name, int flags) __asm__("__open_2");
+extern "C" [[gnu::visibility("default")]] int open_of_fortified(const char* name,
+                                                                int flags) __asm__("__open_2");
 int open_of_fortified(const char* name, int flags) {
     return open(name, flags, 0);
 }
