@@ -43,6 +43,10 @@ void Pen::check(Point point) {
 void Pen::add(const Edge& edge) {
     check(edge.start);
     check(edge.end);
+    if (std::abs(edge.bulge) > 1) {  // more than half around: it leads out of its chord's neighbourhood
+        const Point middle = geometry::center(edge);
+        check(middle + (middle - edge.start));
+    }
     if (fault_ || distance(edge.start, edge.end) <= geometry::kSamePoint_mm) return;
     const std::size_t before = contour_.edges();
     append_edge(contour_, edge, source_);

@@ -16,6 +16,7 @@ namespace gsim::rrs {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFarthest = 1e9;  // mm or rad: what no machine reaches; sums and squares of it stay finite
 constexpr double kStepRounding = 1 + 1e-6;
 constexpr double kClockRounding = 1e-12;  // a step is a difference of two instants
 
@@ -117,7 +118,7 @@ Status RcsShell::checked(const Service& service, const gsim_rcs_joints& answer, 
     }
     for (int joint = 0; joint < joint_count_; ++joint) {
         const double value = answer.values[joint];
-        if (!std::isfinite(value)) {
+        if (!(std::abs(value) <= kFarthest)) {
             return blame(
                 fmt::format("answered {} with the value {} for joint {}", service.name, value, joint));
         }
