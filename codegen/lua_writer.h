@@ -39,8 +39,6 @@ class LuaWriter : public grammar::BlockSink {
     void end_file();
 
     const ProgramMap& map() const { return parts_.map(); }
-    /// Lines written so far.
-    std::uint32_t lua_lines() const { return parts_.line_number() - 1; }
 
   private:
     static bool is_plain(const grammar::Block& block);

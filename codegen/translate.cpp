@@ -60,7 +60,6 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
         if (const auto finished = spool.finish(); !finished) throw std::runtime_error(finished.error());
     }
     result.programs = writer.map();
-    result.lua_lines = writer.lua_lines();
     return result;
 }
 

@@ -39,7 +39,6 @@ struct Translation {
     bool ok = false;  ///< No error; only then the Lua is of use.
     std::optional<text::Diagnostic> first_error;
     ProgramMap programs;
-    std::uint32_t lua_lines = 0;
 };
 
 /// Translates one source to Lua in `spool`. Each diagnostic goes to `take` as soon as it is known; that the

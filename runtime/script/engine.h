@@ -86,6 +86,7 @@ class Engine {
     void compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk);
     std::uint32_t text_at(Loaded& loaded, std::uint64_t begin, std::uint32_t line);
     void note_error(lua_State* state, int index, int level);
+    int run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk, int& compiled);
     int run_body(lua_State* state, BodyWalk& walk);
     void run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk);
 

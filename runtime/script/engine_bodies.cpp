@@ -63,17 +63,27 @@ bool lines_are_watched(lua_State* state) {
     return (lua_gethookmask(state) & LUA_MASKLINE) != 0;
 }
 
+/// Behind a function that has waited for other processes, whose result is the caller's.
+int return_result(lua_State*, int, lua_KContext) {
+    return 1;
+}
+
 }  // namespace
 
 /// How far the run of a body has come; the first value on its stack.
 struct Engine::BodyWalk {
-    LinePosition position;    ///< Of the line that runs now, for places.
+    LinePosition position;    ///< Of the line that runs now, in the script.
     std::size_t chunk;        ///< The one that runs.
     std::uint64_t offset;     ///< Of the text: the line that runs.
-    std::uint32_t line;       ///< Its number.
     std::size_t calls_begun;  ///< Of that line.
     bool waited;              ///< It has given way to other processes in this chunk.
     bool compiled;            ///< The rest of the chunk runs as Lua compiled it.
+
+    void begin(const ScriptChunk& chunk_begun) {
+        offset = chunk_begun.begin;
+        position.line = chunk_begun.line;
+        compiled = waited = false;
+    }
 };
 
 /// The body of a function that runs in pieces; upvalues: engine, script, number of the function in it.
@@ -82,25 +92,29 @@ int Engine::function_body(lua_State* state) {
     auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
     const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
     const std::vector<ScriptChunk>& chunks = loaded.script.functions[index].chunks;
+    if (chunks.size() == 1) {
+        const auto [again, is_new] = loaded.compiled.try_emplace(index, LUA_NOREF);
+        if (!is_new) return engine.run_again(state, loaded, chunks.front(), again->second);
+    }
     lua_settop(state, 0);
     luaL_checkstack(state, kFirstKey + kLetters + kStackForCall, nullptr);
     static_assert(std::is_trivially_destructible_v<BodyWalk>);
     auto& walk = *new (lua_newuserdatauv(state, sizeof(BodyWalk), 0)) BodyWalk();
-    walk.position = PlaceFinder::begin();
-    walk.offset = chunks.front().begin;
-    walk.line = chunks.front().line;
+    walk.position = PlaceFinder::begin(engine.text_at(loaded, 0, 1));
+    walk.begin(chunks.front());
     loaded.control->push_environment(state);
     for (char letter = 'a'; letter <= 'z'; ++letter) lua_pushlstring(state, &letter, 1);
-    if (chunks.size() > 1) return engine.run_body(state, walk);
-    const auto [place, is_new] = loaded.compiled.try_emplace(index, LUA_NOREF);
-    if (is_new) return engine.run_body(state, walk);
-    if (place->second == LUA_NOREF) {  // a subprogram that is called again
-        engine.compile(state, loaded, chunks.front());
-        place->second = luaL_ref(state, LUA_REGISTRYINDEX);
+    return engine.run_body(state, walk);
+}
+
+/// A subprogram that is called again, which is worth compiling.
+int Engine::run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk, int& compiled) {
+    if (compiled == LUA_NOREF) {
+        compile(state, loaded, chunk);
+        compiled = luaL_ref(state, LUA_REGISTRYINDEX);
     }
-    walk.compiled = true;
-    lua_rawgeti(state, LUA_REGISTRYINDEX, place->second);
-    lua_callk(state, 0, 1, 0, go_on_with_body);
+    lua_rawgeti(state, LUA_REGISTRYINDEX, compiled);
+    lua_callk(state, 0, 1, 0, return_result);
     return 1;
 }
 
@@ -115,7 +129,8 @@ int Engine::run_body(lua_State* state, BodyWalk& walk) {
             run_plain_lines(state, loaded, walk, chunk);
             if (walk.offset < chunk.end) {
                 walk.compiled = true;
-                compile(state, loaded, {walk.offset, chunk.end, walk.line});
+                const auto line = static_cast<std::uint32_t>(walk.position.line);
+                compile(state, loaded, {walk.offset, chunk.end, line});
                 lua_callk(state, 0, 1, 0, go_on_with_body);
                 if (!lua_isnil(state, -1)) return 1;
                 lua_pop(state, 1);
@@ -123,9 +138,7 @@ int Engine::run_body(lua_State* state, BodyWalk& walk) {
         }
         if (options_.progress && chunks.size() > 1) options_.progress(chunk.end, loaded.script.size);
         if (++walk.chunk == chunks.size()) return 0;
-        walk.compiled = walk.waited = false;
-        walk.offset = chunks[walk.chunk].begin;
-        walk.line = chunks[walk.chunk].line;
+        walk.begin(chunks[walk.chunk]);
     }
 }
 
@@ -136,8 +149,6 @@ void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, c
     const auto read = loaded.script.read(walk.offset, chunk.end);
     if (!read) loaded.control->controller().alarm(state, text::DiagnosticKind::file, read.error());
     const std::string& text = *read;
-    walk.position.text = text_at(loaded, walk.offset, walk.line);
-    walk.position.line = 1;
     PlainLine line;
     std::size_t begin = 0;
     while (begin < text.size()) {
@@ -159,7 +170,6 @@ void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, c
         }
         walk.calls_begun = 0;
         walk.offset += end + 1 - begin;
-        ++walk.line;
         ++walk.position.line;
         begin = end + 1;
     }

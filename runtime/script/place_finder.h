@@ -31,8 +31,8 @@ class PlaceFinder {
     std::uint32_t add(Text text);
     /// The name of a chunk of Lua that has the text.
     static std::string chunk_name(std::uint32_t text);
-    /// A position that current() knows.
-    static LinePosition begin() { return {&kMark, 0, 0}; }
+    /// A position in a text that current() knows.
+    static LinePosition begin(std::uint32_t text) { return {&kMark, text, 0}; }
     /// Where the script is: the innermost function of a text, from stack level `level` on.
     simulation::Place current(lua_State* state, int level = 1) const;
     /// Takes "#3:12: " off the front of a message of Lua and returns that place; line 0 if there is none.

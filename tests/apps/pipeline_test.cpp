@@ -76,7 +76,7 @@ TEST_F(Pipeline, AScriptByHandNeedsNoHead) {
     EXPECT_EQ(r["moves"], 4);
 }
 
-// Longer than what is run in one piece: the pieces are the whole.
+// It runs in pieces, and as a script in one: the pieces are the whole.
 TEST_F(Pipeline, ALongProgramIsOneProgram) {
     std::string program = "G21 G90 F6000\n";
     for (int i = 1; i <= 60'000; ++i) program += "G1 X" + std::to_string(100 + i % 7) + "\n";

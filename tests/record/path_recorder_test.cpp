@@ -11,7 +11,6 @@
 
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/arc_shape.h"
-#include "runtime/record/action_name.h"
 #include "runtime/simulation/run_output.h"
 #include "runtime/simulation/simulator.h"
 #include "tests/simulation/random_program.h"
@@ -390,18 +389,6 @@ TEST(PathRecorder, NothingMakesNoPath) {
     const machine::Machine machine = sample("af5");
     PathRecorder recorder(machine);
     EXPECT_THAT(recorder.finish("p").error(), testing::HasSubstr("neither moves nor switches"));
-}
-
-// Programs are written in many encodings; a path file is UTF-8, and no character of it is cut.
-TEST(PathRecorder, NamesAreUtf8) {
-    EXPECT_EQ(plain_name("Stra\xdf"
-                         "e 5\t\xc3\x9f"),
-              "Stra?e 5 \xc3\x9f");
-    const std::string cut = plain_name("a" + std::string(300, 'b') + "\xc3\x9f");
-    EXPECT_EQ(cut.size(), 200U);
-    std::string letters = "a";
-    for (int i = 0; i < 150; ++i) letters += "\xc3\x9f";
-    EXPECT_EQ(plain_name(letters).size(), 199U);
 }
 
 }  // namespace
