@@ -16,7 +16,8 @@ namespace gsim::rrs {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFarthest = 1e9;  // mm or rad: what no machine reaches; sums and squares of it stay finite
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kLargestOfStep = 1e15;  // mm or rad: beyond any target; sums over a run stay finite
 constexpr double kStepRounding = 1 + 1e-6;
 constexpr double kClockRounding = 1e-12;  // a step is a difference of two instants
 
@@ -111,14 +112,15 @@ Status RcsShell::checked(const Service& service, const gsim_rcs_pose& answer, Ca
     return Status::RRS_SUCCESS;
 }
 
-Status RcsShell::checked(const Service& service, const gsim_rcs_joints& answer, JointPos& joints) {
+Status RcsShell::checked(const Service& service, const gsim_rcs_joints& answer, double largest,
+                         JointPos& joints) {
     if (answer.count != joint_count_) {
         return blame(fmt::format("answered {} with {} joint values; the machine has {} joints", service.name,
                                  answer.count, joint_count_));
     }
     for (int joint = 0; joint < joint_count_; ++joint) {
         const double value = answer.values[joint];
-        if (!(std::abs(value) <= kFarthest)) {
+        if (!(std::abs(value) <= largest)) {
             return blame(
                 fmt::format("answered {} with the value {} for joint {}", service.name, value, joint));
         }
@@ -177,7 +179,7 @@ Status RcsShell::GetInverseKinematics(const CartPos& pose, const JointPos& near,
     const gsim_rcs_pose_and_joints input{to_rcs(pose), to_rcs(near)};
     gsim_rcs_joints output = no_joints();
     const Status status = ask(service, &input, &output);
-    return status == Status::RRS_SUCCESS ? checked(service, output, joints) : status;
+    return status == Status::RRS_SUCCESS ? checked(service, output, kLargest, joints) : status;
 }
 
 Status RcsShell::GetForwardKinematics(const JointPos& joints, CartPos& pose) {
@@ -256,8 +258,8 @@ Status RcsShell::GetNextStep(JointPos& joints, CartPos& pose, double& elapsed_s)
     const Status status = ask(service, nullptr, &output, Extra::step);
     if (static_cast<int>(status) < 0) return status;
     for (const Status check :
-         {checked_elapsed(service, output.elapsed_s, elapsed_s), checked(service, output.joints, joints),
-          checked(service, output.pose, pose)}) {
+         {checked_elapsed(service, output.elapsed_s, elapsed_s),
+          checked(service, output.joints, kLargestOfStep, joints), checked(service, output.pose, pose)}) {
         if (check != Status::RRS_SUCCESS) return check;
     }
     clock_s_ += elapsed_s;

@@ -121,7 +121,7 @@ class RcsShell : public Shell {
     Status refuse(std::string message);
     Status started(Status status);
     Status checked(const Service& service, const gsim_rcs_pose& answer, CartPos& pose);
-    Status checked(const Service& service, const gsim_rcs_joints& answer, JointPos& joints);
+    Status checked(const Service& service, const gsim_rcs_joints& answer, double largest, JointPos& joints);
     Status checked_elapsed(const Service& service, double answer_s, double& elapsed_s);
 
     RcsModule module_;
