@@ -1,6 +1,6 @@
 // autopath: from a drawing or a solid to the path that a jet cuts it out by.
 
-#include "cutting/autopath.h"
+#include "cam/cutting/autopath.h"
 
 #include <array>
 #include <cmath>
@@ -16,14 +16,15 @@
 #include "apps/findings.h"
 #include "apps/limit_options.h"
 #include "apps/programs.h"
-#include "drawing/drawing_file.h"
-#include "os/output_file.h"
+#include "base/os/output_file.h"
+#include "base/units.h"
+#include "cam/drawing/drawing_file.h"
+#include "cam/solid/mesh.h"
+#include "cam/solid/plate.h"
+#include "cam/waterjet/cutting_plan.h"
+#include "cam/waterjet/job_report.h"
+#include "cam/waterjet/materials_file.h"
 #include "runtime/path/json_writer.h"
-#include "runtime/waterjet/cutting_plan.h"
-#include "runtime/waterjet/job_report.h"
-#include "runtime/waterjet/materials_file.h"
-#include "solid/mesh.h"
-#include "solid/plate.h"
 
 namespace {
 
@@ -151,7 +152,7 @@ tl::expected<solid::Plate, std::string> read_input(const AutopathArguments& argu
     if (arguments.plate.flip || !arguments.plate.along.empty())
         return tl::unexpected(std::string("--up and --flip are for STEP and IGES files"));
     drawing::ReadOptions read = arguments.read;
-    if (!arguments.units.empty()) read.unit_mm = arguments.units == "inch" ? 25.4 : 1;
+    if (!arguments.units.empty()) read.unit_mm = arguments.units == "inch" ? kMmPerInch : 1;
     auto drawing = drawing::read_drawing(file, read, os::NamedBy::command_line);
     if (!drawing) return tl::unexpected(drawing.error());
     return solid::Plate{*std::move(drawing), 0};

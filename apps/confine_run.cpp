@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "apps/script_input.h"
-#include "os/output_file.h"
+#include "base/os/output_file.h"
 
 namespace gsim::apps {
 

@@ -7,7 +7,7 @@
 
 #include "apps/command_line.h"
 #include "apps/run_arguments.h"
-#include "os/confinement.h"
+#include "base/os/confinement.h"
 
 namespace gsim::apps {
 

@@ -12,8 +12,8 @@
 #include "apps/machine_data_file.h"
 #include "apps/machine_input.h"
 #include "apps/print.h"
-#include "runtime/machine/text_file.h"
-#include "text/printable.h"
+#include "base/os/input_file.h"
+#include "base/text/printable.h"
 
 namespace gsim::apps {
 
@@ -177,7 +177,7 @@ class Command {
     }
 
     Status check() const {
-        return machine::read_text_file(arguments_.file, os::NamedBy::command_line)
+        return os::read_text_file(arguments_.file, os::NamedBy::command_line)
             .map([this](const std::string& text) {
                 const auto document = MachineDataDocument::read(text, arguments_.file, axes());
                 const std::vector<std::string> found =
@@ -198,7 +198,7 @@ class Command {
     }
 
     Status from_json() {
-        return machine::read_text_file(arguments_.from_json, os::NamedBy::command_line)
+        return os::read_text_file(arguments_.from_json, os::NamedBy::command_line)
             .and_then([this](const std::string& text) {
                 return data_from_json(text, arguments_.from_json, axes());
             })

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "os/installation.h"
-#include "text/nearest_name.h"
+#include "base/os/installation.h"
+#include "base/text/nearest_name.h"
 
 namespace gsim::apps {
 

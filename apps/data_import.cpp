@@ -7,18 +7,17 @@
 #include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
 #include "apps/print.h"
+#include "base/os/input_file.h"
+#include "base/text/letter_case.h"
+#include "base/units.h"
 #include "runtime/import/import_machine.h"
 #include "runtime/import/linuxcnc_tables.h"
-#include "runtime/machine/text_file.h"
-#include "text/letter_case.h"
 
 namespace gsim::apps {
 
 namespace {
 
 using Written = tl::expected<void, std::string>;
-
-constexpr double kMmPerInch = 25.4;
 
 Written write_text(const DataArguments& arguments, const std::string& text) {
     if (!arguments.output.empty()) return replace_text(arguments.output, text, arguments.wait_s);
@@ -86,7 +85,7 @@ tl::expected<int, std::string> import_settings(const DataArguments& arguments,
     if (source.empty()) return tl::unexpected(std::string("import needs a file: gsim-data import mill.ini"));
     const std::string ending = text::lower(std::filesystem::path(source).extension().string());
     const bool is_table = ending == ".tbl" || ending == ".var";
-    const auto text = machine::read_text_file(source, os::NamedBy::command_line);
+    const auto text = os::read_text_file(source, os::NamedBy::command_line);
     if (!text) return tl::unexpected(text.error());
     if (!is_table && !import::is_control_file(*text, source)) {
         return tl::unexpected(fmt::format(

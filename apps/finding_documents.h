@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "text/diagnostic.h"
+#include "base/text/diagnostic.h"
 
 namespace gsim::apps {
 

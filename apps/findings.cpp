@@ -6,8 +6,8 @@
 
 #include "apps/exit_status.h"
 #include "apps/print.h"
-#include "os/output_file.h"
-#include "text/printable.h"
+#include "base/os/output_file.h"
+#include "base/text/printable.h"
 
 namespace gsim::apps {
 

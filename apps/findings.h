@@ -7,7 +7,7 @@
 
 #include "apps/command_line.h"
 #include "apps/finding_documents.h"
-#include "text/diagnostic.h"
+#include "base/text/diagnostic.h"
 
 namespace gsim::apps {
 

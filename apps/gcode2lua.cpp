@@ -16,9 +16,9 @@
 #include "apps/print.h"
 #include "apps/programs.h"
 #include "apps/translation.h"
+#include "base/os/output_file.h"
 #include "codegen/language_page.h"
 #include "codegen/translate.h"
-#include "os/output_file.h"
 
 namespace {
 

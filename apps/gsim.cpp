@@ -7,8 +7,8 @@
 #include "apps/front.h"
 #include "apps/out_of_memory.h"
 #include "apps/print.h"
-#include "os/standard_streams.h"
-#include "os/temporary_name.h"
+#include "base/os/standard_streams.h"
+#include "base/os/temporary_name.h"
 
 int main(int argc, char** argv) {
     gsim::apps::end_where_memory_lacks();

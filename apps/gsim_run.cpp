@@ -20,14 +20,14 @@
 #include "apps/run_engine.h"
 #include "apps/run_inputs.h"
 #include "apps/variables_file.h"
-#include "os/file_identity.h"
-#include "os/file_lock.h"
-#include "os/output_file.h"
+#include "base/os/file_identity.h"
+#include "base/os/file_lock.h"
+#include "base/os/output_file.h"
+#include "base/text/printable.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/simulation/progress.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/report_diagnostics.h"
-#include "text/printable.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "text/letter_case.h"
+#include "base/text/letter_case.h"
 
 namespace gsim::apps {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "apps/command_line.h"
-#include "os/cpu_limit.h"
+#include "base/os/cpu_limit.h"
 
 namespace gsim::apps {
 

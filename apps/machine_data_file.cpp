@@ -2,8 +2,8 @@
 
 #include <chrono>
 
-#include "os/output_file.h"
-#include "runtime/machine/text_file.h"
+#include "base/os/input_file.h"
+#include "base/os/output_file.h"
 
 namespace gsim::apps {
 
@@ -18,7 +18,7 @@ void add_wait_option(CommandLine& line, double& wait_s) {
 
 tl::expected<machine::MachineDataDocument, std::vector<std::string>> open_machine_data(
     const std::string& path, std::span<const machine::Axis> axes, os::NamedBy named_by) {
-    const auto text = machine::read_text_file(path, named_by);
+    const auto text = os::read_text_file(path, named_by);
     if (!text) return tl::unexpected(std::vector{text.error()});
     return machine::MachineDataDocument::read(*text, path, axes);
 }

@@ -8,8 +8,8 @@
 #include <tl/expected.hpp>
 
 #include "apps/command_line.h"
-#include "os/file_lock.h"
-#include "os/input_file.h"
+#include "base/os/file_lock.h"
+#include "base/os/input_file.h"
 #include "runtime/machine/machine_data_document.h"
 
 namespace gsim::apps {

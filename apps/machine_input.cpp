@@ -4,9 +4,9 @@
 
 #include "apps/data_file.h"
 #include "apps/process_words.h"
+#include "base/os/input_file.h"
 #include "runtime/import/import_machine.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/machine/text_file.h"
 
 namespace gsim::apps {
 
@@ -43,7 +43,7 @@ tl::expected<MachineInput, std::string> read_machine_input(const std::string& na
         return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").map(plain);
     const auto file = find_file(InstalledKind::machine, name);
     if (!file) return tl::unexpected(file.error());
-    const auto text = machine::read_text_file(*file, named_by);  // once: it may be a pipe
+    const auto text = os::read_text_file(*file, named_by);  // once: it may be a pipe
     if (!text) return tl::unexpected(text.error());
     if (!import::is_control_file(*text, *file)) return read_machine_file(*text, *file).map(plain);
     return import::import_machine(*text, *file).map([&](import::Imported imported) {
@@ -54,7 +54,7 @@ tl::expected<MachineInput, std::string> read_machine_input(const std::string& na
 tl::expected<machine::ProgramTable, std::string> read_program_input(const std::string& name) {
     const auto file = find_file(InstalledKind::machine, name);
     if (!file) return tl::unexpected(file.error());
-    const auto text = machine::read_text_file(*file, os::NamedBy::command_line);
+    const auto text = os::read_text_file(*file, os::NamedBy::command_line);
     if (!text) return tl::unexpected(text.error());
     if (!import::is_control_file(*text, *file)) return machine::read_program_table(*text, *file);
     return import::import_machine(*text, *file).map([](const import::Imported& imported) {

@@ -7,13 +7,13 @@
 
 #include "apps/exit_status.h"
 #include "apps/print.h"
-#include "os/output_file.h"
+#include "base/os/output_file.h"
+#include "base/text/letter_case.h"
+#include "base/text/printable.h"
 #include "runtime/check/machine_check.h"
 #include "runtime/envelope/outline_files.h"
 #include "runtime/envelope/stl.h"
 #include "runtime/envelope/volume.h"
-#include "text/letter_case.h"
-#include "text/printable.h"
 
 namespace gsim::apps {
 

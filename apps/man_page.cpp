@@ -6,7 +6,7 @@
 
 #include "apps/help_text.h"
 #include "apps/version.h"
-#include "text/letter_case.h"
+#include "base/text/letter_case.h"
 
 namespace gsim::apps {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "os/file_identity.h"
-#include "os/output_file.h"
+#include "base/os/file_identity.h"
+#include "base/os/output_file.h"
 
 namespace gsim::apps {
 

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "apps/exit_status.h"
-#include "os/temporary_name.h"
+#include "base/os/temporary_name.h"
 
 namespace gsim::apps {
 

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "os/output_file.h"
+#include "base/os/output_file.h"
 #include "runtime/record/path_recorder.h"
 #include "runtime/simulation/moves_writer.h"
 #include "runtime/simulation/path_bound.h"

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 
-#include "runtime/machine/text_file.h"
-#include "runtime/machine/toml_section.h"
+#include "base/os/input_file.h"
+#include "base/toml/toml_section.h"
 
 namespace gsim::apps {
 
 namespace {
 
-using machine::NumberRule;
+using base::NumberRule;
 using motion::OverrideChange;
 using motion::Overrides;
 using motion::OverrideSchedule;
@@ -72,11 +72,11 @@ std::string fault_of(const Kind& kind, double percent, const rrs::ControllerRule
 
 class ChangesReader {
   public:
-    ChangesReader(machine::FirstError& error, const Overrides& first, const rrs::ControllerRules& controller)
+    ChangesReader(base::FirstError& error, const Overrides& first, const rrs::ControllerRules& controller)
         : error_(error), controller_(controller), changes_{{0, first}} {}
 
     std::vector<OverrideChange> read(const toml::table& root) {
-        machine::TomlSection file(error_, root, "a file of overrides", kOverrideFileKeys);
+        base::TomlSection file(error_, root, "a file of overrides", kOverrideFileKeys);
         for (const toml::table* table : file.tables("override")) read_change(*table);
         if (changes_.size() > 1 && changes_.front() == OverrideChange{}) changes_.erase(changes_.begin());
         return std::move(changes_);
@@ -84,7 +84,7 @@ class ChangesReader {
 
   private:
     void read_change(const toml::table& table) {
-        machine::TomlSection section(error_, table, "[[override]]", kChangeKeys);
+        base::TomlSection section(error_, table, "[[override]]", kChangeKeys);
         section.require("at_s");
         OverrideChange change = changes_.back();
         change.at_s = section.number("at_s", 0, NumberRule::not_negative);
@@ -105,7 +105,7 @@ class ChangesReader {
         is_first_ = false;
     }
 
-    bool read_share(machine::TomlSection& section, const Kind& kind, Overrides& to) {
+    bool read_share(base::TomlSection& section, const Kind& kind, Overrides& to) {
         if (!section.has(kind.key)) return false;
         const double percent = section.number(kind.key, 100, NumberRule::not_negative);
         if (const std::string fault = fault_of(kind, percent, controller_); !fault.empty())
@@ -114,7 +114,7 @@ class ChangesReader {
         return true;
     }
 
-    machine::FirstError& error_;
+    base::FirstError& error_;
     const rrs::ControllerRules& controller_;
     std::vector<OverrideChange> changes_;
     bool is_first_ = true;
@@ -133,8 +133,8 @@ tl::expected<OverrideSchedule, std::string> read_override_changes(std::string_vi
                                                                   std::string_view file_name,
                                                                   const Overrides& first,
                                                                   const rrs::ControllerRules& controller) {
-    machine::FirstError error(file_name);
-    const toml::table root = machine::parse_toml(error, toml_text);
+    base::FirstError error(file_name);
+    const toml::table root = base::parse_toml(error, toml_text);
     std::vector<OverrideChange> changes = ChangesReader(error, first, controller).read(root);
     const Overrides& last = changes.back().to;
     if (last.feed <= 0 || last.rapid <= 0) {
@@ -163,7 +163,7 @@ tl::expected<OverrideSchedule, std::string> read_overrides(const OverrideOptions
         first.*kind.share = *percent / 100;
     }
     if (!options.file.empty()) {
-        const auto text = machine::read_text_file(options.file, os::NamedBy::command_line);
+        const auto text = os::read_text_file(options.file, os::NamedBy::command_line);
         if (!text) return tl::unexpected(text.error());
         return read_override_changes(*text, options.file, first, controller);
     }

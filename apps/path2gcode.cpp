@@ -18,8 +18,8 @@
 #include "apps/path_program.h"
 #include "apps/program_files.h"
 #include "apps/programs.h"
-#include "codegen/post_file.h"
-#include "os/output_file.h"
+#include "base/os/output_file.h"
+#include "codegen/post/post_file.h"
 
 namespace {
 

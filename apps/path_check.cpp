@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "codegen/gcode_writer.h"
+#include "codegen/post/gcode_writer.h"
 
 namespace gsim::apps {
 

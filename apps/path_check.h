@@ -7,8 +7,8 @@
 
 #include <tl/expected.hpp>
 
-#include "codegen/action_words.h"
-#include "codegen/post.h"
+#include "codegen/post/action_words.h"
+#include "codegen/post/post.h"
 #include "runtime/path/axis_moves.h"
 
 namespace gsim::apps {

@@ -8,8 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "os/input_file.h"
-#include "runtime/machine/text_file.h"
+#include "base/os/input_file.h"
 #include "runtime/path/json_reader.h"
 #include "runtime/script/path_script.h"
 
@@ -53,7 +52,7 @@ Read read_file(const std::string& name) {
 Read read_path(const std::string& name, const script::LuaState::Limits& limits, os::CpuLimit* cpu) {
     if (name == "-") return read_stream(stdin, "stdin");
     if (std::filesystem::path(name).extension() != ".lua") return read_file(name);
-    const auto text = machine::read_text_file(name, os::NamedBy::command_line);
+    const auto text = os::read_text_file(name, os::NamedBy::command_line);
     if (!text) return tl::unexpected(unreadable(text.error()));
     return judged(script::run_path_script(*text, name, limits, cpu));
 }

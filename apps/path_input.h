@@ -4,7 +4,7 @@
 
 #include <tl/expected.hpp>
 
-#include "os/cpu_limit.h"
+#include "base/os/cpu_limit.h"
 #include "runtime/path/place.h"
 #include "runtime/script/lua_state.h"
 

@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 
 #include "apps/path_check.h"
+#include "base/text/letter_case.h"
+#include "base/units.h"
 #include "runtime/path/merged_lines.h"
-#include "text/letter_case.h"
 
 namespace gsim::apps {
 
@@ -218,7 +219,7 @@ std::optional<double> PathProgram::thread_lead(const path::AxisMove& move) const
 
 path::MoveOptions PathProgram::move_options() const {
     const double digit_mm = options_.words.inch
-                                ? 25.4 * std::pow(10.0, -post_->decimals_inch)
+                                ? kMmPerInch * std::pow(10.0, -post_->decimals_inch)
                                 : std::pow(10.0, -options_.words.decimals_mm.value_or(post_->decimals_mm));
     const auto oblique = post_->through_point          ? path::ObliqueArcs::through_points
                          : post_->refuses_oblique_arcs ? path::ObliqueArcs::refused

@@ -8,8 +8,8 @@
 
 #include <tl/expected.hpp>
 
-#include "codegen/gcode_writer.h"
-#include "codegen/post.h"
+#include "codegen/post/gcode_writer.h"
+#include "codegen/post/post.h"
 #include "runtime/machine/machine.h"
 #include "runtime/path/axis_moves.h"
 #include "runtime/path/place.h"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/letter_case.h"
 #include "runtime/machine/machine_data_words.h"
-#include "text/letter_case.h"
 
 namespace gsim::apps {
 

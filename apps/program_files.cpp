@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "os/file_identity.h"
+#include "base/os/file_identity.h"
 
 namespace gsim::apps {
 

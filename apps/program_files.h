@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include "os/output_file.h"
+#include "base/os/output_file.h"
 
 namespace gsim::apps {
 

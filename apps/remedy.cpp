@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "apps/run_engine.h"
+#include "base/units.h"
 #include "runtime/simulation/progress.h"
 
 namespace gsim::apps {
@@ -17,7 +18,7 @@ using simulation::OffsetShift;
 // Where RS274/NGC keeps its work offsets, in inches: #5221 is X of G54.
 constexpr int kFirstOffset = 5221;
 constexpr int kVariablesOfOffset = 20;
-constexpr double kMmOfVariable = 25.4;
+constexpr double kMmOfVariable = kMmPerInch;
 constexpr std::array<std::string_view, 9> kOffsetNames{"54", "55",   "56",   "57",  "58",
                                                        "59", "59.1", "59.2", "59.3"};
 

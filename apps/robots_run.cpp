@@ -9,9 +9,9 @@
 #include "apps/process_words.h"
 #include "apps/run_cell.h"
 #include "apps/run_inputs.h"
-#include "os/file_identity.h"
-#include "os/output_file.h"
-#include "runtime/machine/text_file.h"
+#include "base/os/file_identity.h"
+#include "base/os/input_file.h"
+#include "base/os/output_file.h"
 #include "runtime/process/robots_file.h"
 
 namespace gsim::apps {
@@ -46,7 +46,7 @@ tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_robots_ce
     const std::vector<std::string>& conveyors, bool collisions) {
     CellChoice choice{.file = entry.cell.string(), .text = {}, .collisions = collisions};
     if (choice.file.empty()) return read_run_cell(choice, machine, conveyors);
-    return machine::read_text_file(choice.file).and_then([&](const std::string& text) {
+    return os::read_text_file(choice.file).and_then([&](const std::string& text) {
         choice.text = text;
         return read_run_cell(choice, machine, conveyors);
     });

@@ -13,7 +13,7 @@
 #include "apps/outputs.h"
 #include "apps/override_options.h"
 #include "apps/run_cell.h"
-#include "os/input_file.h"
+#include "base/os/input_file.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/simulation/simulator.h"
 

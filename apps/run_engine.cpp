@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "text/printable.h"
+#include "base/text/printable.h"
 
 namespace gsim::apps {
 

@@ -9,9 +9,9 @@
 #include "apps/probe_option.h"
 #include "apps/process_words.h"
 #include "apps/variables_file.h"
-#include "os/file_identity.h"
+#include "base/os/file_identity.h"
+#include "base/os/input_file.h"
 #include "runtime/cell/cell_file.h"
-#include "runtime/machine/text_file.h"
 #include "runtime/rcs/rcs_machine.h"
 
 namespace gsim::apps {
@@ -114,7 +114,7 @@ tl::expected<RunArguments, std::string> with_files_found(RunArguments arguments)
         *name = *std::move(found);
     }
     if (arguments.cell.empty()) return arguments;
-    auto text = machine::read_text_file(arguments.cell, os::NamedBy::command_line);
+    auto text = os::read_text_file(arguments.cell, os::NamedBy::command_line);
     if (!text) return tl::unexpected(text.error());
     arguments.cell_text = *std::move(text);
     const auto files = cell::read_cell_files(arguments.cell_text, arguments.cell);

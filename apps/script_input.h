@@ -9,8 +9,8 @@
 #include <tl/expected.hpp>
 
 #include "apps/limit_options.h"
+#include "base/os/cpu_limit.h"
 #include "codegen/translate.h"
-#include "os/cpu_limit.h"
 #include "runtime/machine/program_table.h"
 #include "runtime/script/engine.h"
 

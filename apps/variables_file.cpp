@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "os/output_file.h"
-#include "runtime/machine/text_file.h"
+#include "base/os/input_file.h"
+#include "base/os/output_file.h"
 
 namespace gsim::apps {
 
@@ -15,7 +15,7 @@ tl::expected<std::map<int, double>, std::string> read_variables(const std::strin
     // What cannot be looked at is no new file: reading it tells why.
     std::error_code error;
     if (!std::filesystem::exists(path, error) && !error) return std::map<int, double>();
-    return machine::read_text_file(path, os::NamedBy::command_line).and_then([&](const std::string& text) {
+    return os::read_text_file(path, os::NamedBy::command_line).and_then([&](const std::string& text) {
         return variables_of(text, path);
     });
 }

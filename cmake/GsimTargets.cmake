@@ -57,7 +57,7 @@ if(GSIM_PRECOMPILE)
     file(CONFIGURE OUTPUT precompiled.cpp CONTENT "int main() {}\n" @ONLY)
     add_library(gsim_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
     target_link_libraries(gsim_precompiled PRIVATE gsim_options)
-    target_precompile_headers(gsim_precompiled PRIVATE ${headers} ${CMAKE_SOURCE_DIR}/runtime/machine/toml_library.h)
+    target_precompile_headers(gsim_precompiled PRIVATE ${headers} ${CMAKE_SOURCE_DIR}/base/toml/toml_library.h)
 endif()
 
 # gsim_library(NAME SOURCES... [LINK LIBS...]): a static library of one room.

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "base/text/digits.h"
+#include "base/text/letter_case.h"
 #include "codegen/lua_text.h"
 #include "codegen/word_writer.h"
-#include "text/digits.h"
-#include "text/letter_case.h"
 
 namespace gsim::codegen {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number.h"
 #include "codegen/lua_text.h"
-#include "text/number.h"
 
 namespace gsim::codegen {
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "base/text/letter_case.h"
 #include "grammar/control_name.h"
 #include "grammar/dialect.h"
 #include "lexer/names.h"
-#include "text/letter_case.h"
 
 namespace gsim::codegen {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "os/memory_file.h"
+#include "base/os/memory_file.h"
 
 namespace gsim::codegen {
 

@@ -9,8 +9,8 @@
 
 #include <tl/expected.hpp>
 
+#include "base/os/file_handle.h"
 #include "codegen/text_hash.h"
-#include "os/file_handle.h"
 
 namespace gsim::codegen {
 

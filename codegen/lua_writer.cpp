@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "base/text/trimmed.h"
 #include "codegen/active_comment.h"
 #include "codegen/block_values.h"
 #include "codegen/expression_writer.h"
 #include "codegen/lua_text.h"
 #include "codegen/print_writer.h"
 #include "codegen/word_writer.h"
-#include "text/trimmed.h"
 
 namespace gsim::codegen {
 

@@ -2,8 +2,8 @@
 
 #include <charconv>
 
-#include "text/digits.h"
-#include "text/letter_case.h"
+#include "base/text/digits.h"
+#include "base/text/letter_case.h"
 
 namespace gsim::codegen {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/digits.h"
 #include "codegen/lua_text.h"
-#include "text/digits.h"
 
 namespace gsim::codegen {
 

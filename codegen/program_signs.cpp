@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/digits.h"
 #include "codegen/plain_lines.h"
-#include "text/digits.h"
 
 namespace gsim::codegen {
 

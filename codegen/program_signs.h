@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "base/text/diagnostic.h"
 #include "grammar/dialect.h"
 #include "lexer/source.h"
-#include "text/diagnostic.h"
 
 namespace gsim::codegen {
 

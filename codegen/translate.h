@@ -5,12 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/diagnostic.h"
 #include "codegen/lua_spool.h"
 #include "codegen/program_map.h"
 #include "grammar/dialect.h"
 #include "lexer/alias.h"
 #include "lexer/source.h"
-#include "text/diagnostic.h"
 
 namespace gsim::codegen {
 

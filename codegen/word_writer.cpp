@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number.h"
 #include "codegen/call_codes.h"
 #include "codegen/expression_writer.h"
-#include "text/number.h"
 
 namespace gsim::codegen {
 

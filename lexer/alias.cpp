@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "text/digits.h"
-#include "text/letter_case.h"
+#include "base/text/digits.h"
+#include "base/text/letter_case.h"
 
 namespace gsim::lexer {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "text/edit_distance.h"
+#include "base/text/edit_distance.h"
 
 namespace gsim::lexer {
 

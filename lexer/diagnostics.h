@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/diagnostic.h"
 #include "lexer/source.h"
-#include "text/diagnostic.h"
 
 namespace gsim::lexer {
 

@@ -53,9 +53,8 @@ class Lexer {
     bool at_block_start() const { return tokens_ == 0; }
     bool dropping() const { return dropping_; }
     bool is_ngc() const { return style_ == Style::rs274ngc; }
-    /// Column and length of the token that next() gave last.
+    /// Column of the token that next() gave last.
     std::uint32_t token_column() const { return token_column_; }
-    std::uint32_t token_size() const { return token_size_; }
     Token last_token() const { return last_; }
     /// The token before the last one.
     Token previous_token() const { return previous_; }

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "base/text/digits.h"
+#include "base/text/letter_case.h"
 #include "lexer/blanks.h"
 #include "lexer/lexer.h"
 #include "lexer/names.h"
-#include "text/digits.h"
-#include "text/letter_case.h"
 
 namespace gsim::lexer {
 

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "base/text/letter_case.h"
 #include "lexer/alias.h"
 #include "lexer/blanks.h"
 #include "lexer/lexer.h"
 #include "lexer/names.h"
-#include "text/letter_case.h"
 
 namespace gsim::lexer {
 

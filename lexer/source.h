@@ -10,7 +10,7 @@
 
 #include <tl/expected.hpp>
 
-#include "os/input_file.h"
+#include "base/os/input_file.h"
 
 namespace gsim::lexer {
 

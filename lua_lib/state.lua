@@ -106,7 +106,7 @@ function word(name, meaning)
   env[name] = core.word(word_id(), with_known_keys(name, by_stop_rule(name, meaning)))
 end
 
--- Ends the run. `kind` is the code of a kind of diagnostic (text/diagnostic_kind.cpp); the text and its values are as
+-- Ends the run. `kind` is the code of a kind of diagnostic (base/text/diagnostic_kind.cpp); the text and its values are as
 -- for string.format.
 function alarm(kind, text, ...)
   core.alarm(kind, text:format(...))

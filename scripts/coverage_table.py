@@ -14,7 +14,7 @@ from pathlib import Path
 
 def room_of(name):
     folders = name.split("/")[:-1]
-    return "/".join(folders[:2] if folders[0] == "runtime" else folders[:1])
+    return "/".join(folders[:2] if folders[0] in ("base", "cam", "runtime") else folders[:1])
 
 
 def rooms_of(summary):

@@ -4,18 +4,18 @@
 #include <functional>
 #include <map>
 
+#include "base/toml/toml_section.h"
 #include "runtime/cell/machine_shapes.h"
 #include "runtime/cell/meeting_pairs.h"
 #include "runtime/machine/frame_pose.h"
 #include "runtime/machine/frame_section.h"
 #include "runtime/machine/shape_section.h"
-#include "runtime/machine/toml_section.h"
 
 namespace gsim::cell {
 
-using machine::FirstError;
-using machine::NumberRule;
-using machine::TomlSection;
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
 using std::string_view_literals::operator""sv;
 
 namespace {
@@ -167,7 +167,7 @@ class CellReader {
 
 tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
-    const toml::table root = machine::parse_toml(error, toml_text);
+    const toml::table root = base::parse_toml(error, toml_text);
     const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
     CellFiles files;
     const toml::table* head = root.get_as<toml::table>("cell");
@@ -184,7 +184,7 @@ tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::strin
                                           const machine::Machine& machine,
                                           std::span<const std::string> conveyors) {
     FirstError error(file_name);
-    const toml::table root = machine::parse_toml(error, toml_text);
+    const toml::table root = base::parse_toml(error, toml_text);
     auto bare = cell_of_machine(machine);
     if (!bare) return bare;
     CellReader reader(error, std::filesystem::path(file_name).parent_path(), *std::move(bare));

@@ -6,7 +6,7 @@
 #include <queue>
 #include <vector>
 
-#include "os/cpu_limit.h"
+#include "base/os/cpu_limit.h"
 #include "runtime/cell/cell.h"
 #include "runtime/cell/meeting_pairs.h"
 

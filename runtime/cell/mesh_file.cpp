@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "os/input_file.h"
+#include "base/os/input_file.h"
+#include "base/text/letter_case.h"
+#include "cam/solid/mesh.h"
 #include "runtime/cell/mesh_text.h"
-#include "solid/mesh.h"
-#include "text/letter_case.h"
 
 namespace gsim::cell {
 

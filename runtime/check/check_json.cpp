@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text/json_text.h"
+#include "base/units.h"
 #include "runtime/check/machine_check.h"
-#include "runtime/kinematics/angle_units.h"
-#include "runtime/simulation/json_text.h"
 
 namespace gsim::check {
 
@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 using cell::Verdict;
 
 Json number(double value) {
-    return std::isfinite(value) ? Json(simulation::rounded(value)) : Json(nullptr);
+    return std::isfinite(value) ? Json(text::rounded(value)) : Json(nullptr);
 }
 
 std::string letter(const machine::Machine& machine, int joint) {
@@ -66,7 +66,7 @@ Json inverse(const MachineCheck& check) {
             {"out_of_range", of.out_of_range},
             {"off", of.off},
             {"worst_mm", number(of.worst_mm)},
-            {"worst_deg", number(of.worst_rad * kinematics::kDegPerRad)},
+            {"worst_deg", number(of.worst_rad * kDegPerRad)},
             {"first_bad", of.closes() ? Json(nullptr) : values(check.machine, of.first_bad)}};
 }
 

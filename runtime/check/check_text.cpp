@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/text/number.h"
+#include "base/units.h"
 #include "runtime/check/machine_check.h"
-#include "runtime/kinematics/angle_units.h"
-#include "text/number.h"
 
 namespace gsim::check {
 
@@ -95,7 +95,7 @@ class Text {
         const InverseCheck& inverse = check_.inverse;
         if (inverse.poses == 0) return;
         add("inverse    {} random poses, to {:.1e} mm and {:.1e} deg: ", inverse.poses, inverse.worst_mm,
-            inverse.worst_rad * kinematics::kDegPerRad);
+            inverse.worst_rad * kDegPerRad);
         if (inverse.closes()) return add("all come back\n");
         add("{} without a solution, {} out of range, {} elsewhere\n", inverse.unsolved, inverse.out_of_range,
             inverse.off);

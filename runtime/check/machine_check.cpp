@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/simulation/json_text.h"
+#include "base/text/json_text.h"
 
 namespace gsim::check {
 
@@ -79,7 +79,7 @@ std::string axis_values(const machine::Machine& machine, const rrs::JointPos& jo
     Eigen::Index joint = 0;
     for (const machine::Axis& axis : machine.axes) {
         const double value = std::round(machine::axis_value(axis, joints[joint++]) * 1e3) / 1e3;
-        text += fmt::format("{}{} {}", text.empty() ? "" : " ", axis.letter, simulation::rounded(value));
+        text += fmt::format("{}{} {}", text.empty() ? "" : " ", axis.letter, text::rounded(value));
     }
     return text;
 }

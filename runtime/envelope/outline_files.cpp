@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number.h"
 #include "runtime/envelope/region.h"
-#include "text/number.h"
 
 namespace gsim::envelope {
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "runtime/import/ini_file.h"
 #include "runtime/machine/controller_file.h"
 
@@ -19,7 +20,6 @@ using Done = tl::expected<void, std::string>;
 constexpr std::string_view kGrblModel = "grbl-1.1";
 constexpr std::string_view kLetters = "XYZABC";
 constexpr std::size_t kLeastAxes = 3;
-constexpr double kInch_mm = 25.4;
 constexpr double kSecondsPerMinute = 60;
 
 // Numbers of settings; those of axes are for X, the others follow.
@@ -99,7 +99,7 @@ class Dump {
         if (Done done = take_axes(); !done) return tl::unexpected(done.error());
         if (result_.machine.axes.size() > kLeastAxes) result_.machine.inverse = machine::InverseKind::none;
         take_planner();
-        report_unit_mm_ = value(kReportInches).value_or(0) != 0 ? kInch_mm : 1;
+        report_unit_mm_ = value(kReportInches).value_or(0) != 0 ? kMmPerInch : 1;
         for (const Point& point : points_) {
             if (Done done = take_point(point); !done) return tl::unexpected(done.error());
         }
@@ -209,7 +209,7 @@ class Dump {
             if (of == 0) continue;
             const int number = stored->first + static_cast<int>(kLetters.find(letter));
             const bool rotary = kLetters.find(letter) >= kLeastAxes;
-            result_.data.variables[number] = rotary ? of : of / kInch_mm;  // parameters hold inches
+            result_.data.variables[number] = rotary ? of : of / kMmPerInch;  // parameters hold inches
             if (name == "G92") result_.data.variables[kGrblG92InForce] = 1;
         }
         return {};

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "base/text/letter_case.h"
+#include "base/text/printable.h"
+#include "base/toml/toml_text.h"
 #include "runtime/import/grbl_dump.h"
 #include "runtime/import/linuxcnc_ini.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/machine/toml_text.h"
-#include "text/letter_case.h"
 
 namespace gsim::import {
 
@@ -20,7 +21,7 @@ bool is_ini(const std::filesystem::path& path) {
 // A remark that nothing in it can end.
 std::string remark(std::string_view text) {
     std::string line = "# ";
-    for (const char c : text) line += machine::is_printable({&c, 1}) ? c : ' ';
+    for (const char c : text) line += text::is_printable({&c, 1}) ? c : ' ';
     return line + '\n';
 }
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/machine/text_file.h"
-#include "text/letter_case.h"
+#include "base/os/input_file.h"
+#include "base/text/letter_case.h"
 
 namespace gsim::import {
 
@@ -133,7 +133,7 @@ IniFile::Done IniFile::add_included(std::string_view name, const std::filesystem
     if (++included_ > kMostFiles)
         return tl::unexpected(fmt::format("more than {} files are included", kMostFiles));
     const std::filesystem::path path = folder / name;
-    return machine::read_text_file(path).and_then(
+    return os::read_text_file(path).and_then(
         [&](const std::string& text) { return add(text, path, section, depth); });
 }
 

@@ -9,7 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "text/letter_case.h"
+#include "base/text/letter_case.h"
+#include "base/units.h"
 
 namespace gsim::import {
 
@@ -203,11 +204,14 @@ class AxisReader {
 }  // namespace
 
 Read<IniUnits> read_units(IniFile& ini) {
-    const auto linear =
-        unit_of(ini, "LINEAR_UNITS",
-                {{"mm", 1}, {"metric", 1}, {"inch", 25.4}, {"in", 25.4}, {"imperial", 25.4}, {"cm", 10}});
+    const auto linear = unit_of(ini, "LINEAR_UNITS",
+                                {{"mm", 1},
+                                 {"metric", 1},
+                                 {"inch", kMmPerInch},
+                                 {"in", kMmPerInch},
+                                 {"imperial", kMmPerInch},
+                                 {"cm", 10}});
     if (!linear) return tl::unexpected(linear.error());
-    constexpr double kDegPerRad = 180 / std::numbers::pi;
     const auto angular = unit_of(ini, "ANGULAR_UNITS",
                                  {{"degree", 1},
                                   {"deg", 1},

@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "base/os/input_file.h"
+#include "base/text/letter_case.h"
+#include "base/units.h"
 #include "runtime/import/ini_file.h"
 #include "runtime/import/linuxcnc_axes.h"
 #include "runtime/import/linuxcnc_tables.h"
 #include "runtime/machine/controller_file.h"
-#include "runtime/machine/text_file.h"
-#include "text/letter_case.h"
 
 namespace gsim::import {
 
@@ -86,7 +87,7 @@ class Importer {
     // RS274NGC_STARTUP_CODE runs before each program; of it the units are known here.
     void take_units() {
         result_.machine.program.dialect = "linuxcnc";
-        if (units_.linear_mm == 25.4) result_.machine.program.units = machine::ProgramUnits::inch;
+        if (units_.linear_mm == kMmPerInch) result_.machine.program.units = machine::ProgramUnits::inch;
         const auto startup = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
         if (!startup) return;
         const std::string code = text::upper(*startup);
@@ -170,7 +171,7 @@ class Importer {
         const auto name = ini_.text(section, key);
         if (!name || name->empty()) return std::nullopt;
         const std::filesystem::path path = folder_ / *name;
-        auto text = machine::read_text_file(path);
+        auto text = os::read_text_file(path);
         if (text) return std::pair(path.string(), *std::move(text));
         result_.warnings.push_back(
             fmt::format("[{}] {} = {} is not taken over: {}", section, key, *name, text.error()));

@@ -7,16 +7,17 @@
 
 #include <fmt/format.h>
 
+#include "base/text/digits.h"
+#include "base/text/letter_case.h"
+#include "base/units.h"
 #include "runtime/import/ini_file.h"
-#include "text/digits.h"
-#include "text/letter_case.h"
 
 namespace gsim::import {
 
 namespace {
 
 constexpr std::string_view kLettersInOrder = "XYZABCUVW";  // of parameters
-constexpr double kStoredMm = 25.4;  // parameters of this project's RS274/NGC hold lengths in inches
+constexpr double kStoredMm = kMmPerInch;  // parameters of this project's RS274/NGC hold lengths in inches
 constexpr int kFirstHome = 5161;
 constexpr int kSecondHome = 5181;
 constexpr int kG92InForce = 5210;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "runtime/kinematics/angle_units.h"
+#include "base/units.h"
 #include "runtime/kinematics/dense.h"
 #include "runtime/kinematics/solution.h"
 

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "runtime/kinematics/angle_units.h"
+#include "base/text/number.h"
+#include "base/units.h"
 #include "runtime/kinematics/screws.h"
-#include "text/number.h"
 
 namespace gsim::kinematics {
 

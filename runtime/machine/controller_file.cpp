@@ -2,15 +2,20 @@
 
 #include <array>
 
+#include "base/os/input_file.h"
+#include "base/text/printable.h"
+#include "base/toml/toml_section.h"
+#include "base/toml/toml_text.h"
 #include "runtime/machine/controller_keys.h"
 #include "runtime/machine/embedded_controllers.h"
-#include "runtime/machine/text_file.h"
-#include "runtime/machine/toml_section.h"
-#include "runtime/machine/toml_text.h"
 
 namespace gsim::machine {
 
 namespace {
+
+using base::FirstError;
+using base::TomlSection;
+using base::TomlText;
 
 using std::string_view_literals::operator""sv;
 
@@ -22,18 +27,19 @@ std::string unknown_model(std::string_view model) {
     const auto nearest = text::nearest_name(model, known);
     return fmt::format(
         "unknown controller {}; {}built in are {}; the name of a file of one's own ends in .toml",
-        toml_string(model), nearest ? fmt::format("did you mean {}? ", toml_string(*nearest)) : std::string(),
+        base::toml_string(model),
+        nearest ? fmt::format("did you mean {}? ", base::toml_string(*nearest)) : std::string(),
         fmt::join(known, ", "));
 }
 
 rrs::ControllerRules read_own_file(TomlSection& section, const std::string& model,
                                    const std::filesystem::path& folder) {
-    if (!is_printable(model)) {
+    if (!text::is_printable(model)) {
         section.fail(kModelKey, "'model' must not hold control characters");
         return {};
     }
     const std::filesystem::path path = folder / model;
-    const auto text = read_text_file(path);
+    const auto text = os::read_text_file(path);
     if (!text) {
         section.fail(kModelKey, text.error());
         return {};
@@ -65,7 +71,7 @@ tl::expected<rrs::ControllerRules, std::string> read_controller(std::string_view
                                                                 std::string_view file_name,
                                                                 std::string model) {
     FirstError error(file_name);
-    const toml::table root = parse_toml(error, toml_text);
+    const toml::table root = base::parse_toml(error, toml_text);
     TomlSection file(error, root, "a controller file", kControllerFileKeys);
     rrs::ControllerRules rules;
     file.require("controller");
@@ -106,7 +112,7 @@ void print_controller(TomlText& out, const rrs::ControllerRules& rules) {
     if (rules == rrs::ControllerRules{}) return;
     const rrs::ControllerRules base = built_in_controller(rules.model).value_or(rrs::ControllerRules{});
     out.section("[controller]");
-    out.line(kModelKey, toml_string(base.model));
+    out.line(kModelKey, base::toml_string(base.model));
     print_controller_keys(out, rules, base);
 }
 

@@ -10,10 +10,12 @@
 
 #include "runtime/rrs/controller_rules.h"
 
-namespace gsim::machine {
-
+namespace gsim::base {
 class TomlSection;
 class TomlText;
+}  // namespace gsim::base
+
+namespace gsim::machine {
 
 /// Reads a controller file (docs/machine-file.md) as strictly as machine files are read. The error is
 /// "file:line:column: sentence"; `file_name` is only for that. `model` is the name of the rules where the
@@ -33,10 +35,10 @@ std::optional<rrs::ControllerRules> built_in_controller(std::string_view model);
 
 /// The rules of a machine file's table [controller]. `folder` is where the machine file lies; a controller
 /// file of one's own is looked for from there.
-rrs::ControllerRules read_controller_section(TomlSection& section, const std::filesystem::path& folder);
+rrs::ControllerRules read_controller_section(base::TomlSection& section, const std::filesystem::path& folder);
 
 /// Writes a table [controller] that stands for itself: it gives equal rules wherever it is read. Nothing
 /// where the rules are those of a machine without such a table.
-void print_controller(TomlText& out, const rrs::ControllerRules& rules);
+void print_controller(base::TomlText& out, const rrs::ControllerRules& rules);
 
 }  // namespace gsim::machine

@@ -2,14 +2,18 @@
 
 #include <array>
 
+#include "base/toml/toml_section.h"
+#include "base/toml/toml_text.h"
 #include "runtime/machine/override_keys.h"
 #include "runtime/machine/stop_keys.h"
-#include "runtime/machine/toml_section.h"
-#include "runtime/machine/toml_text.h"
 
 namespace gsim::machine {
 
 namespace {
+
+using base::NumberRule;
+using base::TomlSection;
+using base::TomlText;
 
 using Rules = rrs::ControllerRules;
 
@@ -97,7 +101,7 @@ Kind read_kind(TomlSection& section, std::string_view key, Kind fallback,
 
 template <typename Kind>
 void print_kind(TomlText& out, std::string_view key, Kind kind, std::span<const std::string_view> names) {
-    out.line(key, toml_string(names[static_cast<std::size_t>(kind)]));
+    out.line(key, base::toml_string(names[static_cast<std::size_t>(kind)]));
 }
 
 }  // namespace
@@ -121,7 +125,7 @@ void read_controller_keys(TomlSection& section, Rules& rules) {
 }
 
 void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base) {
-    if (rules.model != base.model) out.line(kName, toml_string(rules.model));
+    if (rules.model != base.model) out.line(kName, base::toml_string(rules.model));
     if (rules.planner != base.planner) print_kind(out, kPlanner, rules.planner, kPlanners);
     if (rules.look_ahead_blocks != base.look_ahead_blocks)
         out.line(kLookAhead, fmt::format("{}", rules.look_ahead_blocks));

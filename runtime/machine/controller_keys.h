@@ -5,10 +5,12 @@
 
 #include "runtime/rrs/controller_rules.h"
 
-namespace gsim::machine {
-
+namespace gsim::base {
 class TomlSection;
 class TomlText;
+}  // namespace gsim::base
+
+namespace gsim::machine {
 
 /// Where the values come from that the other keys change.
 inline constexpr std::string_view kModelKey = "model";
@@ -20,10 +22,10 @@ inline constexpr std::string_view kOrientationKey = "orientation";
 std::span<const std::string_view> controller_keys();
 
 /// Sets what `section` gives, but for the model.
-void read_controller_keys(TomlSection& section, rrs::ControllerRules& rules);
+void read_controller_keys(base::TomlSection& section, rrs::ControllerRules& rules);
 
 /// Writes what is another value in `rules` than in `base`, but for the model.
-void print_controller_keys(TomlText& out, const rrs::ControllerRules& rules,
+void print_controller_keys(base::TomlText& out, const rrs::ControllerRules& rules,
                            const rrs::ControllerRules& base);
 
 }  // namespace gsim::machine

@@ -2,12 +2,12 @@
 
 #include <numbers>
 
+#include "base/units.h"
 #include "runtime/kinematics/pose.h"
 
 namespace gsim::machine {
 
 rrs::CartPos frame_pose(const Frame& frame) {
-    constexpr double kRadPerDeg = std::numbers::pi / 180;
     return kinematics::pose_from_rpy({.x_mm = frame.x_mm,
                                       .y_mm = frame.y_mm,
                                       .z_mm = frame.z_mm,

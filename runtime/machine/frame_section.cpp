@@ -5,6 +5,10 @@
 
 namespace gsim::machine {
 
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
+
 using std::string_view_literals::operator""sv;
 
 namespace {
@@ -23,6 +27,15 @@ Frame read_frame(FirstError& error, const toml::table* table, std::string title)
             .roll_deg = number("roll_deg"),
             .pitch_deg = number("pitch_deg"),
             .yaw_deg = number("yaw_deg")};
+}
+
+std::string inline_frame(const Frame& frame) {
+    return fmt::format(
+        "{{ x_mm = {}, y_mm = {}, z_mm = {}, roll_deg = {}, pitch_deg = {}, "
+        "yaw_deg = {} }}",
+        base::toml_number(frame.x_mm), base::toml_number(frame.y_mm), base::toml_number(frame.z_mm),
+        base::toml_number(frame.roll_deg), base::toml_number(frame.pitch_deg),
+        base::toml_number(frame.yaw_deg));
 }
 
 }  // namespace gsim::machine

@@ -11,6 +11,9 @@ namespace gsim::machine {
 
 namespace {
 
+using base::FirstError;
+using base::TomlSection;
+
 using std::string_view_literals::operator""sv;
 
 constexpr std::array kLinkShapeKeys{"name"sv, "on"sv, "shape"sv, "frame"sv};

@@ -2,14 +2,14 @@
 
 #include <filesystem>
 
+#include "base/toml/toml_section.h"
 #include "runtime/machine/machine.h"
-#include "runtime/machine/toml_section.h"
 
 namespace gsim::machine {
 
 /// Reads the shapes of a machine file, [[shape]], and the pairs of them under 'ignore'. The machine has its
 /// axes already. Meshes are looked for in `folder`.
-void read_link_shapes(FirstError& error, TomlSection& file, const toml::table& root,
+void read_link_shapes(base::FirstError& error, base::TomlSection& file, const toml::table& root,
                       const std::filesystem::path& folder, Machine& machine);
 
 }  // namespace gsim::machine

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/units.h"
 #include "runtime/kinematics/chain_kinematics.h"
 #include "runtime/kinematics/gantry.h"
 #include "runtime/kinematics/numeric.h"
@@ -14,8 +15,6 @@
 namespace gsim::machine {
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kTurn_deg = 360;
 constexpr double kTurnTolerance = 1e-9;  // of a turn
 

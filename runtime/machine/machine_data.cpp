@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/os/input_file.h"
 #include "runtime/machine/machine_data_reader.h"
 #include "runtime/machine/machine_data_values.h"
-#include "runtime/machine/text_file.h"
 
 namespace gsim::machine {
 
@@ -17,7 +17,7 @@ tl::expected<MachineData, std::string> read_machine_data(std::string_view text, 
 
 tl::expected<MachineData, std::string> load_machine_data(const std::filesystem::path& path,
                                                          std::span<const Axis> axes, os::NamedBy named_by) {
-    return read_text_file(path, named_by).and_then([&](const std::string& text) {
+    return os::read_text_file(path, named_by).and_then([&](const std::string& text) {
         return read_machine_data(text, path.string(), axes);
     });
 }

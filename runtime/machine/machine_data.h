@@ -9,7 +9,7 @@
 
 #include <tl/expected.hpp>
 
-#include "os/input_file.h"
+#include "base/os/input_file.h"
 #include "runtime/machine/machine.h"
 #include "runtime/machine/zone.h"
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/machine/machine_data_line.h"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/nearest_name.h"
 #include "runtime/machine/machine_data_values.h"
-#include "text/nearest_name.h"
 
 namespace gsim::machine {
 

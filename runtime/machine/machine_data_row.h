@@ -13,8 +13,6 @@
 
 namespace gsim::machine {
 
-inline constexpr double kMmPerInch = 25.4;
-
 /// Stands for a value that may be open (DataField::may_be_open).
 inline constexpr std::string_view kNoLimit = "-";
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/units.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/machine/machine_data_values.h"
 

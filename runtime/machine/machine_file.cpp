@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "base/os/input_file.h"
+#include "base/toml/toml_section.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
 #include "runtime/machine/embedded_machines.h"
@@ -9,13 +11,15 @@
 #include "runtime/machine/link_shapes.h"
 #include "runtime/machine/process_section.h"
 #include "runtime/machine/program_section.h"
-#include "runtime/machine/text_file.h"
 #include "runtime/machine/times_section.h"
-#include "runtime/machine/toml_section.h"
 
 namespace gsim::machine {
 
 namespace {
+
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
 
 using std::string_view_literals::operator""sv;
 
@@ -254,14 +258,14 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
 
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
-    const toml::table root = parse_toml(error, toml_text);
+    const toml::table root = base::parse_toml(error, toml_text);
     Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path());
     if (error.text()) return tl::unexpected(*error.text());
     return machine;
 }
 
 tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NamedBy named_by) {
-    return read_text_file(path, named_by).and_then([&](const std::string& text) {
+    return os::read_text_file(path, named_by).and_then([&](const std::string& text) {
         return read_machine(text, path.string());
     });
 }

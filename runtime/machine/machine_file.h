@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "os/input_file.h"
+#include "base/os/input_file.h"
 #include "runtime/machine/machine.h"
 
 namespace gsim::machine {

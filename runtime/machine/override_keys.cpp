@@ -8,11 +8,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "runtime/machine/toml_section.h"
+#include "base/toml/toml_section.h"
 
 namespace gsim::machine {
 
 namespace {
+
+using base::NumberRule;
+using base::TomlSection;
+using base::TomlText;
 
 using rrs::OverrideRules;
 
@@ -88,11 +92,11 @@ void print_overrides(TomlText& out, const rrs::ControllerRules& rules, const rrs
     std::vector<std::string> entries;
     for (const auto& [key, value, rule] : kOverrideNumbers) {
         if (now.*value != base.overrides.*value)
-            entries.push_back(fmt::format("{} = {}", key, toml_number(now.*value)));
+            entries.push_back(fmt::format("{} = {}", key, base::toml_number(now.*value)));
     }
     if (now.rapid_percents != base.overrides.rapid_percents) {
         std::vector<std::string> percents;
-        for (const double percent : now.rapid_percents) percents.push_back(toml_number(percent));
+        for (const double percent : now.rapid_percents) percents.push_back(base::toml_number(percent));
         entries.push_back(fmt::format("{} = [{}]", kRapidPercents, fmt::join(percents, ", ")));
     }
     if (now.feed_of_probes != base.overrides.feed_of_probes)

@@ -1,16 +1,19 @@
 #include <fmt/format.h>
 
+#include "base/toml/toml_text.h"
 #include "runtime/machine/controller_file.h"
+#include "runtime/machine/frame_section.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/machine/print_shapes.h"
 #include "runtime/machine/process_section.h"
 #include "runtime/machine/program_section.h"
 #include "runtime/machine/times_section.h"
-#include "runtime/machine/toml_text.h"
 
 namespace gsim::machine {
 
 namespace {
+
+using base::TomlText;
 
 void print_path_limits(TomlText& out, const PathLimits& path) {
     if (path == PathLimits{}) return;
@@ -50,11 +53,11 @@ std::string_view name(Turning turning) {
 }
 
 void print_joint(TomlText& out, const Axis& axis) {
-    if (axis.direction) out.line("direction", toml_string(name(*axis.direction)));
+    if (axis.direction) out.line("direction", base::toml_string(name(*axis.direction)));
     if (!axis.frame && !axis.direction) {
         out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
-                                   toml_number(axis.dh.theta_deg), toml_number(axis.dh.d_mm),
-                                   toml_number(axis.dh.a_mm), toml_number(axis.dh.alpha_deg)));
+                                   base::toml_number(axis.dh.theta_deg), base::toml_number(axis.dh.d_mm),
+                                   base::toml_number(axis.dh.a_mm), base::toml_number(axis.dh.alpha_deg)));
         return;
     }
     if (axis.frame) out.line("frame", inline_frame(*axis.frame));
@@ -66,7 +69,7 @@ void print_axis(TomlText& out, const Axis& axis) {
         return fmt::format("{}_{}{}", name, unit, per);
     };
     out.section("[[axis]]");
-    out.line("letter", toml_string({&axis.letter, 1}));
+    out.line("letter", base::toml_string({&axis.letter, 1}));
     out.line("kind", linear ? "\"linear\"" : "\"rotary\"");
     out.limit(key("min"), axis.min);
     out.limit(key("max"), axis.max);
@@ -92,7 +95,7 @@ std::string print_machine(const Machine& machine) {
     TomlText out;
     print_ignored(out, machine);
     out.section("[machine]");
-    out.line("name", toml_string(machine.name));
+    out.line("name", base::toml_string(machine.name));
     out.line("inverse", name(machine.inverse));
     print_program_section(out, machine.program);
     print_path_limits(out, machine.path);

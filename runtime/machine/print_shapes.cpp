@@ -8,37 +8,40 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "solid/mesh.h"
+#include "cam/solid/mesh.h"
+#include "runtime/machine/frame_section.h"
 
 namespace gsim::machine {
 
 namespace {
 
+using base::TomlText;
+
 std::string inline_form(const BoxShape& box) {
-    return fmt::format("box_mm = [{}, {}, {}]", toml_number(box.x_mm), toml_number(box.y_mm),
-                       toml_number(box.z_mm));
+    return fmt::format("box_mm = [{}, {}, {}]", base::toml_number(box.x_mm), base::toml_number(box.y_mm),
+                       base::toml_number(box.z_mm));
 }
 
 std::string inline_form(const CylinderShape& cylinder) {
-    return fmt::format("cylinder_mm = [{}, {}]", toml_number(cylinder.diameter_mm),
-                       toml_number(cylinder.height_mm));
+    return fmt::format("cylinder_mm = [{}, {}]", base::toml_number(cylinder.diameter_mm),
+                       base::toml_number(cylinder.height_mm));
 }
 
 std::string inline_form(const CapsuleShape& capsule) {
-    return fmt::format("capsule_mm = [{}, {}]", toml_number(capsule.diameter_mm),
-                       toml_number(capsule.height_mm));
+    return fmt::format("capsule_mm = [{}, {}]", base::toml_number(capsule.diameter_mm),
+                       base::toml_number(capsule.height_mm));
 }
 
 std::string inline_form(const SphereShape& sphere) {
-    return fmt::format("sphere_mm = {}", toml_number(sphere.diameter_mm));
+    return fmt::format("sphere_mm = {}", base::toml_number(sphere.diameter_mm));
 }
 
 std::string inline_form(const MeshShape& mesh) {
     std::string text =
-        fmt::format("mesh = {}, scale = {}", toml_string(std::filesystem::absolute(mesh.file).string()),
-                    toml_number(mesh.scale));
+        fmt::format("mesh = {}, scale = {}", base::toml_string(std::filesystem::absolute(mesh.file).string()),
+                    base::toml_number(mesh.scale));
     if (solid::is_solid_file(mesh.file))
-        text += fmt::format(", tolerance_mm = {}", toml_number(mesh.tolerance_mm));
+        text += fmt::format(", tolerance_mm = {}", base::toml_number(mesh.tolerance_mm));
     return text;
 }
 
@@ -53,8 +56,8 @@ void print_ignored(TomlText& out, const Machine& machine) {
     std::vector<std::string> pairs;
     pairs.reserve(machine.ignored.size());
     for (const auto& [first, second] : machine.ignored) {
-        pairs.push_back(fmt::format("[{}, {}]", toml_string(machine.shapes[first].name),
-                                    toml_string(machine.shapes[second].name)));
+        pairs.push_back(fmt::format("[{}, {}]", base::toml_string(machine.shapes[first].name),
+                                    base::toml_string(machine.shapes[second].name)));
     }
     out.line("ignore", fmt::format("[{}]", fmt::join(pairs, ", ")));
 }
@@ -62,8 +65,8 @@ void print_ignored(TomlText& out, const Machine& machine) {
 void print_link_shapes(TomlText& out, const Machine& machine) {
     for (const LinkShape& shape : machine.shapes) {
         out.section("[[shape]]");
-        out.line("name", toml_string(shape.name));
-        out.line("on", toml_string(shape.on));
+        out.line("name", base::toml_string(shape.name));
+        out.line("on", base::toml_string(shape.on));
         out.line("shape", inline_shape(shape.form));
         if (shape.frame != Frame{}) out.line("frame", inline_frame(shape.frame));
     }

@@ -6,11 +6,16 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/machine/toml_text.h"
+#include "base/toml/toml_text.h"
 
 namespace gsim::machine {
 
 namespace {
+
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
+using base::TomlText;
 
 using std::string_view_literals::operator""sv;
 
@@ -119,7 +124,7 @@ void read_checks(FirstError& error, const toml::table* table, ProcessChecks& che
 
 std::string list_of(const std::vector<SwitchWord>& words) {
     std::string list;
-    for (const SwitchWord& word : words) list += (list.empty() ? "" : ", ") + toml_string(word.text());
+    for (const SwitchWord& word : words) list += (list.empty() ? "" : ", ") + base::toml_string(word.text());
     return fmt::format("[{}]", list);
 }
 
@@ -158,7 +163,7 @@ std::optional<Process> read_process(FirstError& error, TomlSection& file) {
 
 void print_process(TomlText& out, const Process& process) {
     out.section("[process]");
-    out.line("kind", toml_string(name(process.kind)));
+    out.line("kind", base::toml_string(name(process.kind)));
     out.line("on", list_of(process.on));
     out.line("off", list_of(process.off));
     out.section("[checks]");

@@ -2,7 +2,13 @@
 
 #include <array>
 
+#include "base/units.h"
+
 namespace gsim::machine {
+
+using base::FirstError;
+using base::TomlSection;
+using base::TomlText;
 
 using std::string_view_literals::operator""sv;
 
@@ -10,7 +16,6 @@ namespace {
 
 constexpr std::array kProgramKeys{"dialect"sv, "units"sv};
 constexpr std::array kUnitNames{"mm"sv, "inch"sv};  // in the order of ProgramUnits
-constexpr double kMmPerInch = 25.4;
 
 }  // namespace
 
@@ -33,14 +38,15 @@ ProgramTable read_program_section(FirstError& error, const toml::table* table) {
 void print_program_section(TomlText& out, const ProgramTable& program) {
     if (program == ProgramTable{}) return;
     out.section("[program]");
-    if (!program.dialect.empty()) out.line("dialect", toml_string(program.dialect));
-    if (program.units) out.line("units", toml_string(kUnitNames[static_cast<std::size_t>(*program.units)]));
+    if (!program.dialect.empty()) out.line("dialect", base::toml_string(program.dialect));
+    if (program.units)
+        out.line("units", base::toml_string(kUnitNames[static_cast<std::size_t>(*program.units)]));
 }
 
 tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
                                                            std::string_view file_name) {
     FirstError error(file_name);
-    const toml::table root = parse_toml(error, toml_text);
+    const toml::table root = base::parse_toml(error, toml_text);
     const toml::node* node = root.get("program");
     if (node != nullptr && !node->is_table())
         error.report(node->source().begin, "'program' must be a table, under [program]");

@@ -3,10 +3,15 @@
 #include <array>
 #include <system_error>
 
-#include "runtime/machine/toml_text.h"
-#include "solid/mesh.h"
+#include "base/text/printable.h"
+#include "base/toml/toml_text.h"
+#include "cam/solid/mesh.h"
 
 namespace gsim::machine {
+
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
 
 using std::string_view_literals::operator""sv;
 
@@ -39,7 +44,7 @@ std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const to
 std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesystem::path& folder) {
     const std::string name = section.text("mesh");
     const double scale = section.number("scale", 1, NumberRule::positive);
-    if (name.empty() || !is_printable(name)) {
+    if (name.empty() || !text::is_printable(name)) {
         section.fail("mesh", "'mesh' must name a file, without control characters");
         return std::nullopt;
     }

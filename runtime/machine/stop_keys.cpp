@@ -2,11 +2,14 @@
 
 #include <array>
 
-#include "runtime/machine/toml_section.h"
+#include "base/toml/toml_section.h"
 
 namespace gsim::machine {
 
 namespace {
+
+using base::TomlSection;
+using base::TomlText;
 
 using rrs::StopRule;
 
@@ -41,7 +44,7 @@ void print_stops(TomlText& out, const rrs::ControllerRules& rules, const rrs::Co
     for (const auto& [word, rule] : rules.stops) {
         const auto before = base.stops.find(word);
         if (before != base.stops.end() && before->second == rule) continue;
-        entries.push_back(fmt::format("{} = {}", toml_string(word), toml_string(name_of(rule))));
+        entries.push_back(fmt::format("{} = {}", base::toml_string(word), base::toml_string(name_of(rule))));
     }
     if (!entries.empty()) out.line(kStopsKey, fmt::format("{{ {} }}", fmt::join(entries, ", ")));
 }

@@ -1,18 +1,20 @@
 #pragma once
 
-#include "runtime/machine/toml_text.h"
+#include "base/toml/toml_text.h"
 #include "runtime/rrs/controller_rules.h"
 
-namespace gsim::machine {
-
+namespace gsim::base {
 class TomlSection;
+}
+
+namespace gsim::machine {
 
 /// The table of a controller section that says which words stop the control.
 inline constexpr std::string_view kStopsKey = "stops";
 
 /// Reads it over what `rules` have.
-void read_stops(TomlSection& controller, rrs::ControllerRules& rules);
+void read_stops(base::TomlSection& controller, rrs::ControllerRules& rules);
 /// Prints, as one line, in what `rules` differ from `base`.
-void print_stops(TomlText& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base);
+void print_stops(base::TomlText& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base);
 
 }  // namespace gsim::machine

@@ -7,6 +7,11 @@ namespace gsim::machine {
 
 namespace {
 
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
+using base::TomlText;
+
 struct TimeKey {
     std::string_view name;
     double WordTimes::*time_s;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/motion/units.h"
+#include "base/units.h"
 
 namespace gsim::motion {
 

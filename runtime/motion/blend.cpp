@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/units.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/ramp.h"
-#include "runtime/motion/units.h"
 
 namespace gsim::motion {
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "runtime/motion/arc_limits.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/joint_changes.h"
@@ -182,8 +183,7 @@ void set_slopes(const Move& move, const PlannerSetup& setup, const JointChanges&
 
 Settling settling_of(const rrs::ControllerRules& controller) {
     if (controller.position_gain_1_s <= 0) return {controller.settle_s, kUnlimited, kUnlimited};
-    return {controller.settle_s, controller.in_position_mm,
-            controller.in_position_deg * std::numbers::pi / 180};
+    return {controller.settle_s, controller.in_position_mm, controller.in_position_deg * kRadPerDeg};
 }
 
 /// No less than the time from rest to rest.

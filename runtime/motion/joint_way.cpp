@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "runtime/motion/units.h"
+#include "base/units.h"
 
 namespace gsim::motion {
 

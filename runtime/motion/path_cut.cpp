@@ -6,9 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number.h"
+#include "base/units.h"
 #include "runtime/motion/range_check.h"
 #include "runtime/motion/tool_path.h"
-#include "text/number.h"
 
 namespace gsim::motion {
 
@@ -124,7 +125,6 @@ class Cutter {
         Eigen::Index joint = 0;
         (end - from_).cwiseAbs().maxCoeff(&joint);
         const bool rotary = setup_.role(static_cast<int>(joint)) == JointRole::rotary;
-        constexpr double kDegPerRad = 57.29577951308232;
         return refused(
             rrs::Status::RRS_NO_SOLUTION,
             fmt::format("The way of the tool passes a singular place {}, where joint {} (counted from 0) "

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
+
 namespace gsim::path {
 
 namespace {
@@ -14,7 +16,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kLeastArc_mm = 1e-6;
-constexpr double kTurn_rad = 2 * std::numbers::pi;
 constexpr double kGreatestArcTurn_deg = 360e3;
 
 // The angle from one radius to another about `normal`, in [0, 2 pi).
@@ -65,7 +66,7 @@ tl::expected<ArcShape, std::string> about(const Vector3d& start, const CenterArc
     arc.rise_mm = arc.normal.dot(end - arc.center);
     const Vector3d last = end - arc.center - arc.normal * arc.rise_mm;
     arc.end_radius_mm = last.norm();
-    arc.turn_rad = given.turn_deg * std::numbers::pi / 180;
+    arc.turn_rad = given.turn_deg * kRadPerDeg;
     if (arc.radius_mm() < kLeastArc_mm) return tl::unexpected<std::string>("the arc starts at its centre");
     if (std::abs(arc.end_radius_mm - arc.radius_mm()) > kArcTolerance_mm) {
         return tl::unexpected<std::string>(
@@ -74,7 +75,7 @@ tl::expected<ArcShape, std::string> about(const Vector3d& start, const CenterArc
     }
     const double off = std::remainder(arc.turn_rad - angle_between(arc.first, last, arc.normal), kTurn_rad);
     if (std::abs(off) * arc.radius_mm() > kArcTolerance_mm) {
-        const double right = (arc.turn_rad - off) * 180 / std::numbers::pi;
+        const double right = (arc.turn_rad - off) * kDegPerRad;
         return tl::unexpected<std::string>(fmt::format("'turn_deg' {} does not lead to the end; {:.6g} would",
                                                        given.turn_deg, right > 0 ? right : right + 360));
     }

@@ -6,9 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number.h"
+#include "base/units.h"
 #include "runtime/kinematics/pose.h"
 #include "runtime/path/arc_shape.h"
-#include "text/number.h"
 
 namespace gsim::path {
 
@@ -20,7 +21,6 @@ using machine::AxisKind;
 
 constexpr double kUncoupled_mm = 1e-9;
 constexpr double kSlack = 1e-6;  // mm or deg that an axis may be beyond its range by rounding
-constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 // What rounding leaves of zero would show as -0.000.
 double cleaned(double value) {

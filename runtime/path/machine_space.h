@@ -24,8 +24,6 @@ class MachineSpace {
     const machine::Machine& machine() const { return *machine_; }
     std::size_t rotary_count() const { return rotary_.size(); }
     const machine::Axis& rotary_axis(std::size_t i) const { return machine_->axes[rotary_[i]]; }
-    /// The index of X, Y or Z among the axes.
-    std::size_t linear_axis(std::size_t direction) const { return linear_[direction]; }
     AxisValues home_rotary() const;
     AxisValues home() const;
 

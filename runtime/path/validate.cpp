@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text/utf8.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/path/keys.h"
-#include "text/utf8.h"
 
 namespace gsim::path {
 

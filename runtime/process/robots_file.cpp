@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 
+#include "base/os/input_file.h"
+#include "base/toml/toml_section.h"
 #include "runtime/machine/frame_pose.h"
 #include "runtime/machine/frame_section.h"
-#include "runtime/machine/text_file.h"
-#include "runtime/machine/toml_section.h"
 
 namespace gsim::process {
 
-using machine::FirstError;
-using machine::NumberRule;
-using machine::TomlSection;
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
 using std::string_view_literals::operator""sv;
 
 namespace {
@@ -102,7 +102,7 @@ class RobotsReader {
 
 tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
-    const toml::table root = machine::parse_toml(error, toml_text);
+    const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
     RobotsFile file = RobotsReader(error, std::filesystem::path(file_name).parent_path()).read(root);
     if (error.text()) return tl::unexpected(*error.text());
@@ -110,7 +110,7 @@ tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, st
 }
 
 tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path, os::NamedBy named_by) {
-    return machine::read_text_file(path, named_by).and_then([&](const std::string& text) {
+    return os::read_text_file(path, named_by).and_then([&](const std::string& text) {
         return read_robots(text, path.string());
     });
 }

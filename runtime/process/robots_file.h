@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "os/input_file.h"
+#include "base/os/input_file.h"
 #include "runtime/process/conveyor.h"
 #include "runtime/rrs/types.h"
 

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "base/toml/toml_text.h"
 #include "runtime/kinematics/chain_kinematics.h"
 #include "runtime/kinematics/gantry.h"
 #include "runtime/kinematics/numeric.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
-#include "runtime/machine/toml_text.h"
 #include "runtime/rrs/rcs_values.h"
 
 namespace gsim::rcs {
@@ -123,7 +123,7 @@ RcsMachine::RcsMachine(const motion::PlannerSetup& setup) {
 
 void RcsMachine::add_parameters(const rrs::ControllerRules& rules) {
     constexpr std::string_view kBetween = " = ";
-    machine::TomlText toml;
+    base::TomlText toml;
     machine::print_controller_keys(toml, rules, rrs::ControllerRules{});
     std::istringstream lines(toml.take());
     for (std::string line; std::getline(lines, line);) {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "text/utf8.h"
+#include "base/text/utf8.h"
 
 namespace gsim::record {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/kinematics/angle_units.h"
+#include "base/units.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/record/path_recorder.h"
 
@@ -99,7 +99,7 @@ bool PathRecorder::arcs(const AxisVector& from, const ArcMove& move, const Way& 
         Point point = point_at(way(i / pieces), MotionType::circular);
         const Vector3d sense = move.kind == MoveKind::arc_ccw ? up : Vector3d(-up);
         point.arc = path::CenterArc{to_path(tip_center), to_path(sense),
-                                    rounded(move.sweep_rad / pieces * kinematics::kDegPerRad)};
+                                    rounded(move.sweep_rad / pieces * kDegPerRad)};
         Feed feed = move.feed;
         if (feed.motion_s) *feed.motion_s /= pieces;
         set_feed(point, feed, false);

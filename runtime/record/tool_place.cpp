@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/kinematics/angle_units.h"
+#include "base/units.h"
 #include "runtime/kinematics/pose.h"
 
 namespace gsim::record {
@@ -58,9 +58,8 @@ std::optional<path::Orientation> ToolPlace::orientation(const AxisVector& axes) 
     if (!has_rotary_) return std::nullopt;
     if (!has_xyz_) {
         const kinematics::Rpy rpy = kinematics::rpy_from_pose(pose(axes));
-        return path::RollPitchYaw{rounded(rpy.roll_rad * kinematics::kDegPerRad),
-                                  rounded(rpy.pitch_rad * kinematics::kDegPerRad),
-                                  rounded(rpy.yaw_rad * kinematics::kDegPerRad)};
+        return path::RollPitchYaw{rounded(rpy.roll_rad * kDegPerRad), rounded(rpy.pitch_rad * kDegPerRad),
+                                  rounded(rpy.yaw_rad * kDegPerRad)};
     }
     path::RotaryAxes rotary;
     for (std::size_t i = 0; i < machine_.axes.size(); ++i) {

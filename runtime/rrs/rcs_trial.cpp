@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "os/descriptor.h"
+#include "base/os/descriptor.h"
 
 namespace gsim::rrs {
 

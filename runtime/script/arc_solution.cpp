@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/motion/units.h"
+#include "base/units.h"
 
 namespace gsim::script {
 
@@ -44,8 +44,8 @@ double swept_rad(const ArcEnds& ends, const Vector2d& center) {
     const double to_y = ends.end.y() - center.y();
     const double left = x * to_y - y * to_x;
     const double angle = std::atan2(ends.ccw ? left : -left, x * to_x + y * to_y);
-    const double positive = angle < 0 ? angle + motion::kTurn_rad : angle;
-    return positive > 0 ? positive : motion::kTurn_rad;
+    const double positive = angle < 0 ? angle + kTurn_rad : angle;
+    return positive > 0 ? positive : kTurn_rad;
 }
 
 tl::expected<ArcSolution, std::string> arc_by_center(const ArcEnds& ends, const Vector2d& center,
@@ -60,7 +60,7 @@ tl::expected<ArcSolution, std::string> arc_by_center(const ArcEnds& ends, const 
     if (at_start < kSamePoint_mm)
         return tl::unexpected<std::string>("the arc has no radius: its centre is the start");
     const bool closed = distance(ends.start, ends.end) < kSamePoint_mm;
-    return ArcSolution{center, closed ? motion::kTurn_rad : swept_rad(ends, center)};
+    return ArcSolution{center, closed ? kTurn_rad : swept_rad(ends, center)};
 }
 
 tl::expected<ArcSolution, std::string> arc_by_radius(const ArcEnds& ends, double radius_mm,
@@ -78,7 +78,7 @@ tl::expected<ArcSolution, std::string> arc_by_radius(const ArcEnds& ends, double
     const double angle = 2 * std::asin(std::min(half / radius, 1.0));
     const bool left = ends.ccw == (radius_mm > 0);
     return ArcSolution{beside_chord(ends, left ? height : -height),
-                       radius_mm > 0 ? angle : motion::kTurn_rad - angle};
+                       radius_mm > 0 ? angle : kTurn_rad - angle};
 }
 
 tl::expected<ArcSolution, std::string> arc_by_angle(const ArcEnds& ends, double angle_rad) {
@@ -87,7 +87,7 @@ tl::expected<ArcSolution, std::string> arc_by_angle(const ArcEnds& ends, double 
         return tl::unexpected<std::string>(
             "an arc by its angle needs an end other than its start, or its centre");
     }
-    if (angle_rad >= motion::kTurn_rad)
+    if (angle_rad >= kTurn_rad)
         return tl::unexpected<std::string>("AR= of an arc with an end is below 360 degrees");
     const double left = half / std::tan(angle_rad / 2);
     return ArcSolution{beside_chord(ends, ends.ccw ? left : -left), angle_rad};
@@ -104,7 +104,7 @@ Vector2d end_by_angle(const ArcEnds& ends, const Vector2d& center, double angle_
 tl::expected<double, std::string> arc_angle_rad(double degrees) {
     if (!(degrees > 0 && degrees <= 360))
         return tl::unexpected<std::string>("AR= is an angle above 0 and up to 360 degrees");
-    return degrees * motion::kRadPerDeg;
+    return degrees * kRadPerDeg;
 }
 
 tl::expected<double, std::string> further_turns_rad(double turns, const ArcRules& rules) {
@@ -112,7 +112,7 @@ tl::expected<double, std::string> further_turns_rad(double turns, const ArcRules
     if (!(std::abs(turns - whole) <= rules.turns_tolerance) || whole < 1) {
         return tl::unexpected<std::string>("P of an arc is its number of turns, a whole number from 1 on");
     }
-    return (whole - 1) * motion::kTurn_rad;
+    return (whole - 1) * kTurn_rad;
 }
 
 }  // namespace gsim::script

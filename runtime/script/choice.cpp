@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "text/nearest_name.h"
+#include "base/text/nearest_name.h"
 
 namespace gsim::script {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/motion/units.h"
+#include "base/units.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/script/word_advice.h"
 
@@ -93,8 +93,8 @@ Feed Controller::feed(lua_State* state, std::optional<double> sweep_rad) {
         if (!is_new)
             alarm(state, DiagnosticKind::feed, "inverse time feed (G93) needs an F in each block that moves");
         Feed feed;
-        feed.motion_s = (modal_.inverse_time_by_angle ? sweep_rad.value_or(1.0) : 1.0) *
-                        motion::kSecondsPerMinute / modal_.feed;
+        feed.motion_s =
+            (modal_.inverse_time_by_angle ? sweep_rad.value_or(1.0) : 1.0) * kSecondsPerMinute / modal_.feed;
         return feed;
     }
     if (modal_.feed <= 0)

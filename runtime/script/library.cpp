@@ -1,7 +1,7 @@
 #include "runtime/script/library.h"
 
+#include "base/os/input_file.h"
 #include "lua_lib/embedded_lua.h"
-#include "runtime/machine/text_file.h"
 
 namespace gsim::script {
 
@@ -18,7 +18,7 @@ tl::expected<std::string, std::string> Library::read(std::string_view file_name)
             return tl::unexpected("the library has no file " + std::string(file_name));
         return std::string(text);
     }
-    return machine::read_text_file(*folder_ / file_name);
+    return os::read_text_file(*folder_ / file_name);
 }
 
 }  // namespace gsim::script

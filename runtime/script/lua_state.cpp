@@ -90,7 +90,6 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
     if (block == nullptr && old_size == LUA_TTABLE) state.number_table(grown, new_size);
     if (one_string && new_size > kBytesOfOneStep) state.note_large(new_size);
     state.bytes_ += new_size - held;
-    if (state.bytes_ > state.peak_bytes_) state.peak_bytes_ = state.bytes_;
     return grown;
 }
 
@@ -126,7 +125,6 @@ void LuaState::hold(lua_State* state, std::size_t bytes, const char* what) {
         raise_stop(state);
     }
     bytes_ += bytes;
-    peak_bytes_ = std::max(peak_bytes_, bytes_);
 }
 
 std::string LuaState::memory_refusal() const {

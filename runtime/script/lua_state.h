@@ -8,7 +8,7 @@
 
 #include <lua.hpp>
 
-#include "os/cpu_limit.h"
+#include "base/os/cpu_limit.h"
 #include "runtime/script/small_blocks.h"
 
 namespace gsim::script {
@@ -65,7 +65,6 @@ class LuaState {
     /// The how many-th table of this state it is; 0 where that is not known. Lua's order of tables as keys is
     /// that of their addresses, which differ from run to run.
     std::uint64_t serial_of_table(const void* table) const;
-    std::size_t peak_memory_bytes() const { return peak_bytes_; }
     const Limits& limits() const { return limits_; }
     /// Called before the run ends for its steps or its processor time, while the script's stack still stands.
     void on_last_step(std::function<void(lua_State*)> call) { on_last_step_ = std::move(call); }
@@ -116,7 +115,6 @@ class LuaState {
     SmallBlocks small_blocks_;
     std::size_t printed_bytes_ = 0;
     std::size_t bytes_ = 0;
-    std::size_t peak_bytes_ = 0;
     std::uint64_t steps_ = 0;
     std::uint64_t unchecked_ = 0;  ///< Instructions since the limits were last looked at.
     std::uint64_t weight_ = 1;     ///< What an instruction counts as.

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "text/digits.h"
+#include "base/text/digits.h"
 
 namespace gsim::script {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "runtime/kinematics/pose.h"
-#include "runtime/motion/units.h"
 #include "runtime/script/axis_table.h"
 #include "runtime/script/bindings.h"
 #include "runtime/script/lua_state.h"
@@ -19,9 +19,9 @@ rrs::CartPos check_rpy_pose(lua_State* state, int index) {
     pose.x_mm = number_field(state, index, "x");
     pose.y_mm = number_field(state, index, "y");
     pose.z_mm = number_field(state, index, "z");
-    pose.roll_rad = number_field(state, index, "roll") * motion::kRadPerDeg;
-    pose.pitch_rad = number_field(state, index, "pitch") * motion::kRadPerDeg;
-    pose.yaw_rad = number_field(state, index, "yaw") * motion::kRadPerDeg;
+    pose.roll_rad = number_field(state, index, "roll") * kRadPerDeg;
+    pose.pitch_rad = number_field(state, index, "pitch") * kRadPerDeg;
+    pose.yaw_rad = number_field(state, index, "yaw") * kRadPerDeg;
     return kinematics::pose_from_rpy(pose);
 }
 

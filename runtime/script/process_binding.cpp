@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/text/nearest_name.h"
 #include "runtime/script/choice.h"
 #include "runtime/script/processes.h"
-#include "text/nearest_name.h"
 
 // Functions of processes for the library in Lua. Those that wait for other processes yield: their last act is
 // to return what Processes returns.

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text/number.h"
+#include "base/text/printable.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/script/object_names.h"
-#include "text/number.h"
-#include "text/printable.h"
 
 namespace gsim::script {
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "text/letter_case.h"
-#include "text/nearest_name.h"
+#include "base/text/letter_case.h"
+#include "base/text/nearest_name.h"
 
 namespace gsim::script {
 

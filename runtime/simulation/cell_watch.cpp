@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text/nearest_name.h"
 #include "runtime/cell/meeting_pairs.h"
 #include "runtime/kinematics/pose.h"
-#include "text/nearest_name.h"
 
 namespace gsim::simulation {
 

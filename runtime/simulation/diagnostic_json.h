@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "text/diagnostic.h"
+#include "base/text/diagnostic.h"
 
 namespace gsim::simulation {
 

@@ -2,12 +2,16 @@
 
 #include <iterator>
 
-#include "runtime/simulation/json_text.h"
+#include "base/text/json_text.h"
 #include "runtime/simulation/limit_name.h"
 
 namespace gsim::simulation {
 
 namespace {
+
+using text::append_json_string;
+using text::append_number;
+using text::append_text;
 
 void append_key(fmt::memory_buffer& out, char letter) {
     out.push_back('"');

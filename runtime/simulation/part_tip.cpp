@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kNoSlope = 1e-9;
 
 }  // namespace
 
@@ -28,13 +28,13 @@ PartTip::PartTip(const motion::PlannerSetup& setup, const Vector3d& tip_mm)
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint >= 0) axes.col(axis) = slopes_.col(joint);
     }
-    keeps_distances_ = (axes.transpose() * axes).isIdentity(kRounding) && moved_by_position_alone(setup);
+    keeps_distances_ = (axes.transpose() * axes).isIdentity(kNoSlope) && moved_by_position_alone(setup);
 }
 
 /// Whether the joints beside X, Y and Z leave the tip where it is.
 bool PartTip::moved_by_position_alone(const motion::PlannerSetup& setup) const {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        if (setup.role(joint) != motion::JointRole::position && !slopes_.col(joint).isZero(kRounding))
+        if (setup.role(joint) != motion::JointRole::position && !slopes_.col(joint).isZero(kNoSlope))
             return false;
     }
     return true;

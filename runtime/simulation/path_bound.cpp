@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "runtime/motion/units.h"
+#include "base/units.h"
 
 namespace gsim::simulation {
 
@@ -23,7 +23,7 @@ motion::JointLimits limits_of(const machine::Machine& machine) {
     motion::JointLimits limits{JointPos(count), JointPos(count)};
     for (Eigen::Index joint = 0; joint < count; ++joint) {
         const machine::Axis& axis = machine.axes[static_cast<std::size_t>(joint)];
-        const double unit = axis.kind == machine::AxisKind::rotary ? motion::kRadPerDeg : 1;
+        const double unit = axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1;
         limits.max_speed[joint] = axis.max_speed * unit;
         limits.max_acceleration[joint] = std::max(axis.max_acceleration, axis.deceleration()) * unit;
     }
@@ -184,8 +184,8 @@ PathCaps PathBound::caps_of(const Segment& segment, const MoveInfo& info, const 
         caps.max_speed = machine_.path.max_feed_mm_s;
         caps.max_acceleration = caps.max_deceleration = machine_.path.max_acceleration_mm_s2;
     }
-    const double unit = along_tool ? 1 : motion::kRadPerDeg;
-    if (!info.timed) lower(caps.max_speed, info.feed_per_min / motion::kSecondsPerMinute * unit);
+    const double unit = along_tool ? 1 : kRadPerDeg;
+    if (!info.timed) lower(caps.max_speed, info.feed_per_min / kSecondsPerMinute * unit);
     return caps;
 }
 

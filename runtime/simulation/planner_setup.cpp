@@ -1,4 +1,4 @@
-#include "runtime/motion/units.h"
+#include "base/units.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -16,7 +16,7 @@ motion::PlannerSetup planner_setup(const machine::Machine& machine) {
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         const machine::Axis& axis = machine.axes[i];
         const bool rotary = axis.kind == machine::AxisKind::rotary;
-        const double unit = rotary ? motion::kRadPerDeg : 1.0;
+        const double unit = rotary ? kRadPerDeg : 1.0;
         motion::JointSetup joint;
         joint.kind = rotary ? rrs::JointKind::revolute : rrs::JointKind::prismatic;
         joint.min = (axis.min - axis.zero) * unit;

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "os/file_handle.h"
-#include "os/memory_file.h"
-#include "os/output_file.h"
-#include "runtime/simulation/child_process.h"
+#include "base/os/child_process.h"
+#include "base/os/file_handle.h"
+#include "base/os/memory_file.h"
+#include "base/os/output_file.h"
 #include "runtime/simulation/plot_script.h"
 
 namespace gsim::simulation {
@@ -54,7 +54,7 @@ tl::expected<void, std::string> find_gnuplot() {
     const FileHandle input(std::fopen("/dev/null", "re"));
     const FileHandle output(std::fopen("/dev/null", "we"));
     if (!input || !output) return {};
-    return run_child({"gnuplot", "--version"}, input.get(), output.get());
+    return os::run_child({"gnuplot", "--version"}, input.get(), output.get());
 }
 
 std::string cannot_draw(const std::filesystem::path& path, const std::string& why) {
@@ -81,7 +81,7 @@ tl::expected<void, std::string> Picture::draw(const PlotData& data, std::string_
             fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
     }
     // -d keeps the user's settings out.
-    const auto drawn = run_child({"gnuplot", "-d"}, script.get(), drawing.get());
+    const auto drawn = os::run_child({"gnuplot", "-d"}, script.get(), drawing.get());
     if (!drawn) return tl::unexpected(cannot_draw(path_, drawn.error()));
     if (!copy(drawing.get(), *picture))
         return tl::unexpected(cannot_draw(path_, "gnuplot has drawn nothing"));

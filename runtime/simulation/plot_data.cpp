@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/motion/units.h"
+#include "base/units.h"
 
 namespace gsim::simulation {
 
@@ -15,7 +15,7 @@ using motion::SegmentKind;
 
 namespace {
 
-constexpr double kArcStep_rad = 2 * std::numbers::pi / 180;
+constexpr double kArcStep_rad = 2 * kRadPerDeg;
 constexpr int kMaxArcSteps = 3600;
 constexpr int kJointSteps = 8;  // a joint motion need not be straight
 constexpr int kMinSpeedSteps = 8;
@@ -179,7 +179,7 @@ void PlotData::add_feed(const Segment& segment, const MoveInfo& info) {
     const bool programmed = info.kind != MoveKind::rapid && !info.timed && info.feed_per_min > 0;
     if (!programmed || !(segment.length_mm > 0)) return;
     for (const double t_s : {segment.start_s, segment.end_s()})
-        feed_.add({t_s, info.feed_per_min / motion::kSecondsPerMinute});
+        feed_.add({t_s, info.feed_per_min / kSecondsPerMinute});
 }
 
 }  // namespace gsim::simulation

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "text/number.h"
+#include "base/text/number.h"
 
 namespace gsim::simulation {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "base/text/diagnostic.h"
 #include "runtime/motion/override_schedule.h"
 #include "runtime/rrs/types.h"
 #include "runtime/simulation/move.h"
-#include "text/diagnostic.h"
 
 namespace gsim::simulation {
 

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text/json_text.h"
 #include "runtime/simulation/diagnostic_json.h"
-#include "runtime/simulation/json_text.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/report_diagnostics.h"
 #include "runtime/simulation/robots_report.h"
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number(double value) {
-    return std::isfinite(value) ? Json(rounded(value)) : Json(nullptr);
+    return std::isfinite(value) ? Json(text::rounded(value)) : Json(nullptr);
 }
 
 Json number(const std::optional<double>& value) {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/number.h"
 #include "runtime/simulation/report.h"
-#include "text/number.h"
 
 namespace gsim::simulation {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "runtime/motion/axis_space.h"
-#include "runtime/motion/units.h"
 #include "runtime/simulation/module_motion.h"
 #include "runtime/simulation/planner_motion.h"
 
@@ -163,9 +163,9 @@ bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
         orientation_rad_s_ = motion::kUnlimited;
         return shell_.SetMotionTime(*feed.motion_s) == Status::RRS_SUCCESS || refused(place);
     }
-    const double speed_mm_s = rotary ? motion::kUnlimited : feed.linear_mm_min / motion::kSecondsPerMinute;
+    const double speed_mm_s = rotary ? motion::kUnlimited : feed.linear_mm_min / kSecondsPerMinute;
     const double orientation_rad_s =
-        rotary ? feed.rotary_deg_min / motion::kSecondsPerMinute * motion::kRadPerDeg : motion::kUnlimited;
+        rotary ? feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg : motion::kUnlimited;
     if (speed_mm_s != feed_mm_s_) {
         if (shell_.SetCartesianPositionSpeed(speed_mm_s) != Status::RRS_SUCCESS) return refused(place);
         feed_mm_s_ = speed_mm_s;
@@ -173,8 +173,7 @@ bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
             warn(
                 fmt::format("F of {:.10g} mm/min is above the machine's contour speed limit of {:.10g} "
                             "mm/min, which holds",
-                            speed_mm_s * motion::kSecondsPerMinute,
-                            machine_.path.max_feed_mm_s * motion::kSecondsPerMinute));
+                            speed_mm_s * kSecondsPerMinute, machine_.path.max_feed_mm_s * kSecondsPerMinute));
         }
     }
     if (orientation_rad_s != orientation_rad_s_) {
@@ -229,13 +228,13 @@ double Simulator::feed_per_min(const LineMove& move, bool rotary) const {
     if (!move.feed.motion_s) return rotary ? move.feed.rotary_deg_min : move.feed.linear_mm_min;
     const double length = rotary ? (move.target - position_).norm()
                                  : (space_point(move.target) - space_point(position_)).norm();
-    return length / *move.feed.motion_s * motion::kSecondsPerMinute;
+    return length / *move.feed.motion_s * kSecondsPerMinute;
 }
 
 double Simulator::feed_per_min(const ArcMove& move) const {
     if (!move.feed.motion_s) return move.feed.linear_mm_min;
     const double length = move.length_mm(space_point(position_), space_point(move.target));
-    return length / *move.feed.motion_s * motion::kSecondsPerMinute;
+    return length / *move.feed.motion_s * kSecondsPerMinute;
 }
 
 bool Simulator::move(const LineMove& move) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "os/cpu_limit.h"
+#include "base/os/cpu_limit.h"
 #include "runtime/machine/machine.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/planner_setup.h"

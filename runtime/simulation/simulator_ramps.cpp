@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/units.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -32,7 +33,7 @@ void Simulator::set_ramps(rrs::RampMode mode) {
 
 void Simulator::set_ramp_limit(rrs::RampLimit limit, int axis, double value) {
     const bool rotary = machine_.axes[static_cast<std::size_t>(axis)].kind == machine::AxisKind::rotary;
-    const double in_joint_units = value * (rotary ? std::numbers::pi / 180.0 : 1.0);
+    const double in_joint_units = value * (rotary ? kRadPerDeg : 1.0);
     if (observer_ != nullptr)
         observer_->ramp_limit(position_, limit, machine_.axes[static_cast<std::size_t>(axis)], value);
     warn_if_refused(shell_.SetJointRampLimits(limit, {&axis, 1}, {&in_joint_units, 1}));

@@ -4,11 +4,13 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "runtime/simulation/json_text.h"
+#include "base/text/json_text.h"
 
 namespace gsim::simulation {
 
 namespace {
+
+using text::append_number;
 
 // Instants closer than this show as equal; the later one, the start of the next segment, is written.
 constexpr double kSameInstant_s = 0.5e-9;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "runtime/simulation/child_process.h"
+#include "base/os/child_process.h"
 
 namespace gsim::accuracy {
 
@@ -39,7 +39,7 @@ tl::expected<std::string, std::string> output_of(const std::vector<std::string>&
     if (!in) return tl::unexpected(fmt::format("cannot read {}", input.string()));
     const File out(std::tmpfile());
     if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
-    if (const auto ran = simulation::run_child(command, in.get(), out.get()); !ran)
+    if (const auto ran = os::run_child(command, in.get(), out.get()); !ran)
         return tl::unexpected(ran.error());
     return read_all(out.get());
 }

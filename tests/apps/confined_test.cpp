@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "os/confinement.h"
+#include "base/os/confinement.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::confined_test {

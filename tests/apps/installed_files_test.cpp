@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/data_file.h"
-#include "os/installation.h"
+#include "base/os/installation.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::installed_files_test {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "os/file_lock.h"
+#include "base/os/file_lock.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::kept_files_test {

@@ -1,5 +1,5 @@
 // What of an action's name comes back in the block of a post.
-#include "codegen/action_words.h"
+#include "codegen/post/action_words.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "codegen/gcode_writer.h"
+#include "codegen/post/gcode_writer.h"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
-#include "codegen/post_file.h"
+#include "codegen/post/post_file.h"
 
 namespace gsim::codegen::gcode_writer_test {
 namespace {

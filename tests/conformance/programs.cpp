@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/simulation/child_process.h"
+#include "base/os/child_process.h"
 #include "tests/conformance/moves_reader.h"
 
 namespace gsim::conformance {
@@ -38,7 +38,7 @@ tl::expected<std::string, std::string> output_of(const std::vector<std::string>&
     if (!in) return tl::unexpected("cannot read " + input.string());
     const File out(std::tmpfile());
     if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
-    if (const auto ran = simulation::run_child(command, in.get(), out.get()); !ran)
+    if (const auto ran = os::run_child(command, in.get(), out.get()); !ran)
         return tl::unexpected(ran.error());
     return read_all(out.get());
 }

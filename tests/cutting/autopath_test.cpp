@@ -1,10 +1,10 @@
-#include "cutting/autopath.h"
+#include "cam/cutting/autopath.h"
 
 #include <gtest/gtest.h>
 
-#include "cutting/lead.h"
-#include "geometry/meet.h"
-#include "geometry/nesting.h"
+#include "cam/cutting/lead.h"
+#include "cam/geometry/meet.h"
+#include "cam/geometry/nesting.h"
 #include "runtime/path/validate.h"
 #include "tests/cutting/cut_path.h"
 #include "tests/geometry/shapes.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "drawing/drawing.h"
+#include "cam/drawing/drawing.h"
 #include "runtime/path/path.h"
 
 namespace gsim::cutting {

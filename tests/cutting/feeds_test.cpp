@@ -1,4 +1,4 @@
-#include "cutting/feeds.h"
+#include "cam/cutting/feeds.h"
 
 #include <gtest/gtest.h>
 

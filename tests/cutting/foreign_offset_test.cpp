@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "drawing/drawing_file.h"
-#include "geometry/chain.h"
-#include "geometry/crossing.h"
-#include "geometry/offset.h"
+#include "cam/drawing/drawing_file.h"
+#include "cam/geometry/chain.h"
+#include "cam/geometry/crossing.h"
+#include "cam/geometry/offset.h"
 #include "tests/geometry/clipper_area.h"
 
 namespace gsim::cutting::foreign_offset_test {

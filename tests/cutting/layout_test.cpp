@@ -1,4 +1,4 @@
-#include "cutting/layout.h"
+#include "cam/cutting/layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

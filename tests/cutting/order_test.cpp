@@ -1,4 +1,4 @@
-#include "cutting/order.h"
+#include "cam/cutting/order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cutting/tour.h"
+#include "cam/cutting/tour.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "drawing/dxf_reader.h"
-#include "drawing/svg_reader.h"
-#include "geometry/chain.h"
+#include "cam/drawing/dxf_reader.h"
+#include "cam/drawing/svg_reader.h"
+#include "cam/geometry/chain.h"
 
 namespace gsim::drawing {
 

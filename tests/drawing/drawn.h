@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "drawing/drawing.h"
+#include "cam/drawing/drawing.h"
 
 namespace gsim::drawing {
 

@@ -1,4 +1,4 @@
-#include "drawing/dxf_reader.h"
+#include "cam/drawing/dxf_reader.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

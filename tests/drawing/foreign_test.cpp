@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "drawing/drawing_file.h"
+#include "cam/drawing/drawing_file.h"
 #include "tests/drawing/drawn.h"
 
 namespace gsim::drawing::foreign_test {

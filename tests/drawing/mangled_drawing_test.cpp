@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "drawing/dxf_reader.h"
-#include "drawing/svg_reader.h"
-#include "geometry/chain.h"
+#include "cam/drawing/dxf_reader.h"
+#include "cam/drawing/svg_reader.h"
+#include "cam/geometry/chain.h"
 #include "tests/drawing/drawn.h"
 
 namespace gsim::drawing::mangled_drawing_test {

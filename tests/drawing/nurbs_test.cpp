@@ -1,4 +1,4 @@
-#include "drawing/nurbs.h"
+#include "cam/drawing/nurbs.h"
 
 #include <random>
 

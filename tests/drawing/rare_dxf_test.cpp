@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "drawing/dxf_reader.h"
-#include "drawing/nurbs.h"
+#include "cam/drawing/dxf_reader.h"
+#include "cam/drawing/nurbs.h"
 #include "tests/drawing/drawn.h"
 
 namespace gsim::drawing::rare_dxf_test {

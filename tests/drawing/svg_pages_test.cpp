@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "drawing/svg_reader.h"
+#include "cam/drawing/svg_reader.h"
 #include "tests/drawing/drawn.h"
 
 namespace gsim::drawing::svg_pages_test {

@@ -1,4 +1,4 @@
-#include "drawing/svg_reader.h"
+#include "cam/drawing/svg_reader.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "cutting/autopath.h"
-#include "drawing/dxf_reader.h"
-#include "drawing/svg_reader.h"
-#include "geometry/chain.h"
+#include "cam/cutting/autopath.h"
+#include "cam/drawing/dxf_reader.h"
+#include "cam/drawing/svg_reader.h"
+#include "cam/geometry/chain.h"
 #include "runtime/path/validate.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"

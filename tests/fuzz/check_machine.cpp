@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "base/toml/toml_text.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/machine/toml_text.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/small_run.h"
@@ -43,7 +43,7 @@ Outcome check_controller(std::string_view toml) {
     const std::string file = name_beside(".toml");
     const auto rules = machine::read_controller(toml, file, "fuzz");
     if (!rules) return refused_with(rules.error(), file);
-    machine::TomlText out;
+    base::TomlText out;
     machine::print_controller(out, *rules);
     const std::string printed = out.take();
     if (printed.empty()) return accepted();  // as a machine without such a table

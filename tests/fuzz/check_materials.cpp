@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/waterjet/cutting_plan.h"
-#include "runtime/waterjet/materials_file.h"
+#include "cam/waterjet/cutting_plan.h"
+#include "cam/waterjet/materials_file.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "cam/solid/mesh_packet.h"
+#include "cam/solid/plate_packet.h"
 #include "runtime/cell/mesh_file.h"
-#include "solid/mesh_packet.h"
-#include "solid/plate_packet.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/path_program.h"
-#include "codegen/post_file.h"
+#include "codegen/post/post_file.h"
 #include "codegen/translate.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/json_reader.h"

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "os/confinement.h"
+#include "base/os/confinement.h"
 #include "tests/fuzz/target.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/chain.h"
+#include "cam/geometry/chain.h"
 
 #include <gtest/gtest.h>
 

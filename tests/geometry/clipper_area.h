@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/contour.h"
+#include "cam/geometry/contour.h"
 
 namespace gsim::geometry {
 

@@ -1,4 +1,4 @@
-#include "geometry/contour.h"
+#include "cam/geometry/contour.h"
 
 #include <gtest/gtest.h>
 

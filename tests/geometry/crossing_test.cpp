@@ -1,4 +1,4 @@
-#include "geometry/crossing.h"
+#include "cam/geometry/crossing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/fit.h"
+#include "cam/geometry/fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/nesting.h"
+#include "cam/geometry/nesting.h"
 
 #include <gtest/gtest.h>
 

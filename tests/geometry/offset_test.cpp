@@ -1,9 +1,9 @@
-#include "geometry/offset.h"
+#include "cam/geometry/offset.h"
 
 #include <gtest/gtest.h>
 
-#include "geometry/box_tree.h"
-#include "geometry/crossing.h"
+#include "cam/geometry/box_tree.h"
+#include "cam/geometry/crossing.h"
 #include "tests/geometry/clipper_area.h"
 #include "tests/geometry/shapes.h"
 

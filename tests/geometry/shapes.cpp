@@ -1,6 +1,6 @@
 #include "tests/geometry/shapes.h"
 
-#include "geometry/crossing.h"
+#include "cam/geometry/crossing.h"
 
 namespace gsim::geometry {
 

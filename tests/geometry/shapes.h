@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/contour.h"
+#include "cam/geometry/contour.h"
 
 namespace gsim::geometry {
 

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/os/input_file.h"
 #include "runtime/import/import_machine.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/machine/text_file.h"
 
 namespace gsim::import::linuxcnc_ini_test {
 namespace {
@@ -49,7 +49,7 @@ Imported import_text(const std::string& ini) {
 }
 
 tl::expected<Imported, std::string> import_file(const std::filesystem::path& path) {
-    return machine::read_text_file(path).and_then(
+    return os::read_text_file(path).and_then(
         [&](const std::string& text) { return import_machine(text, path); });
 }
 

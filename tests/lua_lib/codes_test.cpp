@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text/diagnostic_kind.h"
 #include "grammar/dialect.h"
 #include "tests/lua_lib/run.h"
-#include "text/diagnostic_kind.h"
 
 namespace gsim::script::codes_test {
 namespace {

@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/os/input_file.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/machine/text_file.h"
 
 namespace gsim::machine::controller_samples_test {
 namespace {
@@ -26,7 +26,7 @@ TEST(BuiltInControllers, AreThoseOfTheSamples) {
     EXPECT_THAT(built_in_controllers(),
                 testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1", "blend"));
     for (const std::string_view name : built_in_controllers()) {
-        const auto file = read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
+        const auto file = os::read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
         ASSERT_TRUE(file) << file.error();
         EXPECT_EQ(built_in_controller_toml(name), *file);
         EXPECT_EQ(built_in_controller(name).value().model, name);

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/os/input_file.h"
 #include "runtime/machine/machine_data.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/machine/text_file.h"
 #include "tests/support/mangled_text.h"
 
 namespace gsim::machine::mangled_file_test {
@@ -33,7 +33,7 @@ TEST(MangledFile, MachineFile) {
 // Joints by frames on both sides.
 TEST(MangledFile, MillFile) {
     Random random(4);
-    const std::string whole = read_text_file(GSIM_SAMPLES "/machines/mill-table-table.toml").value();
+    const std::string whole = os::read_text_file(GSIM_SAMPLES "/machines/mill-table-table.toml").value();
     for (int i = 0; i < 3000; ++i) {
         const std::string text = mangled(random, whole);
         const auto machine = read_machine(text, "f");

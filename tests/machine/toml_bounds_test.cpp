@@ -1,4 +1,4 @@
-#include "runtime/machine/toml_bounds.h"
+#include "base/toml/toml_bounds.h"
 
 #include <string>
 #include <string_view>
@@ -39,11 +39,11 @@ TEST(TomlBounds, DeepTextsAreErrorsWithTheirPlace) {
 
 TEST(TomlBounds, AsDeepAsAllowedIsParsed) {
     // Both bounds at once: the deepest table there is.
-    const std::string key = repeated("a.", kMaxTomlKeyParts - 1) + "a";
+    const std::string key = repeated("a.", base::kMaxTomlKeyParts - 1) + "a";
     const std::string deepest =
-        repeated("{" + key + "=", kMaxTomlBrackets) + "1" + repeated("}", kMaxTomlBrackets);
+        repeated("{" + key + "=", base::kMaxTomlBrackets) + "1" + repeated("}", base::kMaxTomlBrackets);
     const std::string text = "[" + key + "]\n" + key + " = " + deepest;
-    EXPECT_FALSE(find_toml_excess(text));
+    EXPECT_FALSE(base::find_toml_excess(text));
     EXPECT_EQ(error_of(text).substr(0, 30), "f.toml:1:2: unknown key 'a' in");
 }
 
@@ -59,7 +59,7 @@ TEST(TomlBounds, StringsAndRemarksDoNotCount) {
         repeated("a = 1.5 \n", 100) + "b = [" + repeated("1.5,", 100) + "]\n",
         repeated("[[a.b]]\nc.d = {e.f = [1.5]}\n", 100),
     };
-    for (const std::string& text : harmless) EXPECT_FALSE(find_toml_excess(text)) << text;
+    for (const std::string& text : harmless) EXPECT_FALSE(base::find_toml_excess(text)) << text;
 }
 
 // What looks like the end of a string must be where the parser has it, or the rest would not be looked at.
@@ -68,7 +68,7 @@ TEST(TomlBounds, BehindAnyStringCountingGoesOn) {
     for (const std::string value :
          {"''", "\"\"", "'\\'", "\"\\\\\"", "'''a'''", "'''a''''", "'''a'''''", "''''''", "\"\"\"a\"\"\"\"",
           "\"\"\"a\"\"\"\"\"", "\"\"\"\\\"\"\"\"", "\"\"\"\\\\\"\"\""}) {
-        const auto excess = find_toml_excess("a = {a = " + value + deep);
+        const auto excess = base::find_toml_excess("a = {a = " + value + deep);
         ASSERT_TRUE(excess) << value;
         EXPECT_EQ(excess->sentence, "more than 32 names joined by dots") << value;
     }
@@ -89,7 +89,8 @@ TEST(TomlBounds, LettersOfAllAlphabetsAreNoBlanks) {
 }
 
 TEST(TomlBounds, LongTextsAreErrors) {
-    EXPECT_EQ(error_of(std::string(kMaxTomlBytes + 1, '\n')), "f.toml:1:1: files of up to 4 MiB are read");
+    EXPECT_EQ(error_of(std::string(base::kMaxTomlBytes + 1, '\n')),
+              "f.toml:1:1: files of up to 4 MiB are read");
 }
 
 }  // namespace

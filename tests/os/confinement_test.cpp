@@ -1,4 +1,4 @@
-#include "os/confinement.h"
+#include "base/os/confinement.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "os/descriptor.h"
+#include "base/os/descriptor.h"
 
 namespace gsim::os {
 namespace {

@@ -1,4 +1,4 @@
-#include "os/cpu_limit.h"
+#include "base/os/cpu_limit.h"
 
 #include <gtest/gtest.h>
 

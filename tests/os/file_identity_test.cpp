@@ -1,4 +1,4 @@
-#include "os/file_identity.h"
+#include "base/os/file_identity.h"
 
 #include <fstream>
 
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "os/descriptor.h"
+#include "base/os/descriptor.h"
 
 namespace gsim::os::file_identity_test {
 namespace {

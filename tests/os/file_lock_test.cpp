@@ -1,4 +1,4 @@
-#include "os/file_lock.h"
+#include "base/os/file_lock.h"
 
 #include <fstream>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "os/output_file.h"
+#include "base/os/output_file.h"
 
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "os/temporary_name.h"
+#include "base/os/temporary_name.h"
 
 #include <csignal>
 #include <fstream>
@@ -9,8 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "os/file_lock.h"
-#include "os/output_file.h"
+#include "base/os/file_lock.h"
+#include "base/os/output_file.h"
 
 namespace gsim::os::temporary_name_test {
 namespace {

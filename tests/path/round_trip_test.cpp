@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/path_program.h"
-#include "codegen/post_file.h"
+#include "codegen/post/post_file.h"
 #include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 #include "tests/path/random_path.h"

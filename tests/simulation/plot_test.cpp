@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "runtime/simulation/child_process.h"
+#include "base/os/child_process.h"
 #include "runtime/simulation/plot_script.h"
 #include "tests/simulation/test_segments.h"
 
@@ -43,7 +43,7 @@ class PlotTest : public testing::Test {
     }
     bool has_gnuplot() const {
         std::FILE* null = std::fopen("/dev/null", "r+");
-        const bool has = run_child({"gnuplot", "--version"}, null, null).has_value();
+        const bool has = os::run_child({"gnuplot", "--version"}, null, null).has_value();
         std::fclose(null);
         return has;
     }
@@ -166,10 +166,11 @@ TEST_F(PlotTest, PiercesCollisionsAndTheAlarmAreMarked) {
 
 TEST(ChildProcess, ErrorsAreSentences) {
     std::FILE* null = std::fopen("/dev/null", "r+");
-    EXPECT_EQ(run_child({"no-such-program"}, null, null).error(),
+    EXPECT_EQ(os::run_child({"no-such-program"}, null, null).error(),
               "cannot run no-such-program: No such file or directory");
-    EXPECT_EQ(run_child({"sh", "-c", "echo; echo why >&2; exit 3"}, null, null).error(), "sh failed: why");
-    EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, null, null).error(), "sh was ended by signal 9");
+    EXPECT_EQ(os::run_child({"sh", "-c", "echo; echo why >&2; exit 3"}, null, null).error(),
+              "sh failed: why");
+    EXPECT_EQ(os::run_child({"sh", "-c", "kill -9 $$"}, null, null).error(), "sh was ended by signal 9");
     std::fclose(null);
 }
 

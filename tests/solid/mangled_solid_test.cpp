@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solid/mesh.h"
-#include "solid/plate.h"
+#include "cam/solid/mesh.h"
+#include "cam/solid/plate.h"
 #include "tests/solid/solids.h"
 
 namespace gsim::solid::mangled_solid_test {

@@ -1,4 +1,4 @@
-#include "solid/mesh.h"
+#include "cam/solid/mesh.h"
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include "solid/packet.h"
+#include "cam/solid/packet.h"
 
 #include <gtest/gtest.h>
 

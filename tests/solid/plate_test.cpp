@@ -1,4 +1,4 @@
-#include "solid/plate.h"
+#include "cam/solid/plate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cutting/layout.h"
-#include "geometry/chain.h"
+#include "cam/cutting/layout.h"
+#include "cam/geometry/chain.h"
 #include "tests/solid/solids.h"
 
 namespace gsim::solid::plate_test {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solid/mesh.h"
+#include "cam/solid/mesh.h"
 
 namespace gsim::solid::without_reader_test {
 

@@ -1,4 +1,4 @@
-#include "text/diagnostic.h"
+#include "base/text/diagnostic.h"
 
 #include <fstream>
 #include <set>

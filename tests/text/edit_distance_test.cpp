@@ -1,4 +1,4 @@
-#include "text/edit_distance.h"
+#include "base/text/edit_distance.h"
 
 #include <gtest/gtest.h>
 

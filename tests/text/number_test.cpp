@@ -1,4 +1,4 @@
-#include "text/number.h"
+#include "base/text/number.h"
 
 #include <cmath>
 

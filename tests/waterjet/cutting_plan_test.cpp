@@ -1,4 +1,4 @@
-#include "runtime/waterjet/cutting_plan.h"
+#include "cam/waterjet/cutting_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runtime/waterjet/water_flow.h"
+#include "cam/waterjet/water_flow.h"
 #include "sample.h"
 
 namespace gsim::waterjet::cutting_plan_test {

@@ -1,11 +1,11 @@
-#include "runtime/waterjet/cutting_speed.h"
+#include "cam/waterjet/cutting_speed.h"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "runtime/waterjet/water_flow.h"
+#include "cam/waterjet/water_flow.h"
 
 namespace gsim::waterjet::cutting_speed_test {
 namespace {

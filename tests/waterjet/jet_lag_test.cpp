@@ -1,4 +1,4 @@
-#include "runtime/waterjet/jet_lag.h"
+#include "cam/waterjet/jet_lag.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "runtime/waterjet/job_price.h"
+#include "cam/waterjet/job_price.h"
 
 #include <random>
 

@@ -1,11 +1,10 @@
-#include "runtime/waterjet/job_report.h"
+#include "cam/waterjet/job_report.h"
 
 #include <cmath>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "sample.h"
 
@@ -31,21 +30,6 @@ TEST(JobReport, TextSaysFromWhatAValueIs) {
     EXPECT_THAT(text, HasSubstr("EUR\n"));
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110U) << line;
-}
-
-TEST(JobReport, JsonHasEveryValueAndItsItemsAddUp) {
-    const Reported job;
-    const auto json = nlohmann::json::parse(job_report_json(job.report()));
-    EXPECT_EQ(json["values"].size(), job.plan.values.size());
-    for (const auto& value : json["values"]) {
-        const bool is_inferred = value["origin"] == "inferred";
-        EXPECT_TRUE(!is_inferred || !value["basis"].get<std::string>().empty()) << value["name"];
-    }
-    double sum = 0;
-    for (const auto& item : json["price"]["items"]) sum += item["cost"].get<double>();
-    EXPECT_NEAR(json["price"]["total"].get<double>(), sum, 1e-6);
-    EXPECT_EQ(json["job"]["pierces"], 3);
-    EXPECT_NEAR(json["job"]["cut_length_mm"].get<double>(), 1234.5, 1e-9);
 }
 
 }  // namespace

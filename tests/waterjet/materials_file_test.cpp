@@ -1,4 +1,4 @@
-#include "runtime/waterjet/materials_file.h"
+#include "cam/waterjet/materials_file.h"
 
 #include <filesystem>
 #include <random>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "runtime/waterjet/cutting_plan.h"
-#include "runtime/waterjet/materials_file.h"
+#include "cam/waterjet/cutting_plan.h"
+#include "cam/waterjet/materials_file.h"
 
 namespace gsim::waterjet {
 

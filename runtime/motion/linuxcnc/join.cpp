@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/units.h"
 #include "runtime/motion/linuxcnc/corner.h"
 #include "runtime/motion/linuxcnc/parabola.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 // A kink that takes less than this share of an axis' acceleration in a period is passed at full speed.
 constexpr double kKinkShare = 0.1;
-constexpr double kReversal_rad = 2 * std::numbers::pi / 180;
+constexpr double kReversal_rad = 2 * kRadPerDeg;
 
 void end_by(Piece& before, Piece& after, Term term) {
     before.term = term;

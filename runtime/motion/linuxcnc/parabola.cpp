@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/motion/units.h"
+#include "base/units.h"
 
 namespace gsim::motion::linuxcnc {
 

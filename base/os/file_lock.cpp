@@ -1,0 +1,90 @@
+#include "base/os/file_lock.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include "base/os/output_file.h"
+
+namespace gsim::os {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPause(5);
+
+bool needs_lock(const fs::path& file) {
+    std::error_code ignored;
+    return file != kStandardStream && (!fs::exists(file, ignored) || fs::is_regular_file(file, ignored));
+}
+
+fs::path lock_name(const fs::path& file) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(fs::absolute(file), error);
+    const fs::path& found = error ? file : target;
+    return found.parent_path() / fmt::format(".{}.lock", found.filename().string());
+}
+
+// Of another user's it may be that it can only be read, which is enough but on some network file systems.
+int open_lock(const fs::path& lock) {
+    constexpr int kFlags = O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+    const int descriptor = ::open(lock.c_str(), O_RDWR | kFlags, 0666);
+    return descriptor < 0 && errno == EACCES ? ::open(lock.c_str(), O_RDONLY | kFlags, 0666) : descriptor;
+}
+
+// Its owner removes the file before others get the lock: what they have got then has no name, and is not the
+// lock (EWOULDBLOCK). As errno; 0: it is.
+int look_for_name(int descriptor, const fs::path& lock) {
+    struct stat open {};
+    struct stat named {};
+    if (::fstat(descriptor, &open) != 0) return errno;
+    if (::lstat(lock.c_str(), &named) != 0) return errno == ENOENT ? EWOULDBLOCK : errno;
+    return open.st_dev == named.st_dev && open.st_ino == named.st_ino ? 0 : EWOULDBLOCK;
+}
+
+}  // namespace
+
+// The error is that of errno; EWOULDBLOCK: another one has it.
+tl::expected<FileLock, int> FileLock::try_once(const fs::path& path) {
+    const SignalsHeld held;
+    auto kept = TemporaryName::kept(path);
+    FileLock lock(open_lock(path));
+    const int descriptor = lock.descriptor_.number();
+    if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return tl::unexpected(errno);
+    if (const int error = look_for_name(descriptor, path); error != 0) return tl::unexpected(error);
+    lock.name_.take(TemporaryName(std::move(kept)));
+    return lock;
+}
+
+tl::expected<FileLock, std::string> FileLock::get(const fs::path& file,
+                                                  std::chrono::milliseconds longest_wait) {
+    if (!needs_lock(file)) return FileLock(-1);
+    const fs::path path = lock_name(file);
+    const Clock::time_point end = Clock::now() + longest_wait;
+    while (true) {
+        auto lock = try_once(path);
+        if (lock) return *std::move(lock);
+        if (lock.error() != EWOULDBLOCK && lock.error() != EINTR) {
+            return tl::unexpected(fmt::format("cannot write '{}': {}", file.string(),
+                                              std::generic_category().message(lock.error())));
+        }
+        if (Clock::now() >= end) break;
+        std::this_thread::sleep_for(kPause);
+    }
+    return tl::unexpected(
+        fmt::format("cannot change '{}': another program is changing it, and has not ended within {:.6g} s "
+                    "(its lock is '{}')",
+                    file.string(), std::chrono::duration<double>(longest_wait).count(), path.string()));
+}
+
+}  // namespace gsim::os

@@ -1,0 +1,25 @@
+#include "base/os/installation.h"
+
+#include <system_error>
+
+namespace gsim::os {
+
+namespace fs = std::filesystem;
+
+fs::path program_folder() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    return error ? fs::path() : program.parent_path();
+}
+
+std::vector<fs::path> data_folders(const fs::path& bin_folder) {
+    if (bin_folder.empty()) return {};
+    return {bin_folder.parent_path() / GSIM_DATA_FOLDER};
+}
+
+std::vector<fs::path> module_folders(const fs::path& bin_folder) {
+    if (bin_folder.empty()) return {};
+    return {bin_folder.parent_path() / GSIM_MODULE_FOLDER, bin_folder.parent_path() / "lib"};
+}
+
+}  // namespace gsim::os

@@ -1,0 +1,16 @@
+#include "base/os/memory_file.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace gsim::os {
+
+FileHandle file_in_memory(const char* name) {
+    const int descriptor = ::memfd_create(name, MFD_CLOEXEC);
+    if (descriptor < 0) return nullptr;
+    FileHandle file(::fdopen(descriptor, "w+"));
+    if (!file) ::close(descriptor);
+    return file;
+}
+
+}  // namespace gsim::os

@@ -1,0 +1,113 @@
+#include "base/os/temporary_name.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace gsim::os {
+
+namespace {
+
+constexpr std::array kEnding = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
+constexpr int kNotTold = 2;               // as where any output cannot be written
+constexpr std::size_t kMostNames = 4096;  // more than a process may have files open, as a rule
+
+// The only state of the program that no object holds: a signal handler is given nothing but a number, and may
+// look at nothing but lock-free atomics. A name beyond kMostNames is not removed at a signal.
+std::array<std::atomic<const char*>, kMostNames> registered_names{};
+std::atomic<pid_t> registering_process = 0;
+std::atomic<const char*> words_at_cpu_signal = nullptr;
+std::atomic<int> status_at_cpu_signal = 0;
+static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+
+extern "C" void remove_and_end(int signal) {
+    const int error = errno;
+    gsim::os::remove_temporaries();
+    const char* const words = signal == SIGXCPU ? words_at_cpu_signal.load() : nullptr;
+    if (words != nullptr) {
+        const bool told = ::write(STDERR_FILENO, words, std::strlen(words)) > 0;
+        ::_exit(told ? status_at_cpu_signal.load() : kNotTold);
+    }
+    std::signal(signal, SIG_DFL);
+    static_cast<void>(::raise(signal));  // comes when the handler returns
+    errno = error;
+}
+
+extern "C" void do_nothing(int) {}
+
+void handle(int signal, void (*handler)(int)) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) return;
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (const int other : kEnding) sigaddset(&action.sa_mask, other);
+    ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+void remove_temporaries() {
+    // A child that was forked has the same list, of files that are its parent's.
+    if (registering_process.load() != ::getpid()) return;
+    for (const auto& slot : registered_names) {
+        if (const char* name = slot.load()) ::unlink(name);
+    }
+}
+
+void remove_temporaries_at_signals() {
+    registering_process = ::getpid();
+    for (const int signal : kEnding) handle(signal, remove_and_end);
+    handle(SIGXFSZ, do_nothing);  // not SIG_IGN, which the programs that we run would inherit
+}
+
+void end_at_cpu_signal(const char* last_words, int status) {
+    status_at_cpu_signal = status;
+    words_at_cpu_signal = last_words;
+    if (last_words == nullptr) return;
+    std::signal(SIGXCPU, SIG_DFL);  // also where it was ignored
+    handle(SIGXCPU, remove_and_end);
+}
+
+SignalsHeld::SignalsHeld() : before_() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : kEnding) sigaddset(&held, signal);
+    ::pthread_sigmask(SIG_BLOCK, &held, &before_);
+}
+
+SignalsHeld::~SignalsHeld() {
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+TemporaryName::Kept TemporaryName::kept(const std::filesystem::path& file) {
+    return std::make_unique<const std::string>(file.string());
+}
+
+TemporaryName::TemporaryName(Kept name) noexcept : name_(std::move(name)) {
+    for (auto& slot : registered_names) {
+        const char* none = nullptr;
+        if (slot.compare_exchange_strong(none, name_->c_str())) return;
+    }
+}
+
+TemporaryName::~TemporaryName() {
+    if (empty()) return;
+    const SignalsHeld held;  // what has this name afterwards may be another program's
+    ::unlink(name_->c_str());
+    release();
+}
+
+void TemporaryName::release() {
+    for (auto& slot : registered_names) {
+        const char* name = name_->c_str();
+        if (slot.compare_exchange_strong(name, nullptr)) break;
+    }
+    name_.reset();
+}
+
+}  // namespace gsim::os

@@ -1,0 +1,69 @@
+#include "base/text/json_text.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+#include "base/text/utf8.h"
+
+namespace gsim::text {
+
+namespace {
+
+constexpr double kUnits = 1e9;  // of the last digit shown
+
+// `units` billionths with at most 15 digits, for which cutting off zeros gives the shortest form.
+void append_billionths(fmt::memory_buffer& out, std::int64_t units) {
+    constexpr std::uint32_t kPerOne = 1'000'000'000;
+    if (units < 0) {
+        out.push_back('-');
+        units = -units;
+    }
+    const fmt::format_int whole(units / kPerOne);
+    append_text(out, {whole.data(), whole.size()});
+    auto fraction = static_cast<std::uint32_t>(units % kPerOne);
+    if (fraction == 0) return;
+    std::array<char, 10> text{'.'};
+    for (std::size_t i = text.size() - 1; i > 0; --i, fraction /= 10) {
+        text[i] = static_cast<char>('0' + fraction % 10);
+    }
+    std::string_view digits(text.data(), text.size());
+    append_text(out, digits.substr(0, digits.find_last_not_of('0') + 1));
+}
+
+}  // namespace
+
+double rounded(double value) {
+    // Beyond 1e6 a double has no more than nine digits behind the point anyway.
+    if (!std::isfinite(value) || std::abs(value) >= 1e6) return value;
+    return std::round(value * kUnits) / kUnits + 0.0;
+}
+
+void append_number(fmt::memory_buffer& out, double value) {
+    if (!std::isfinite(value)) return append_text(out, "null");
+    if (std::abs(value) < 1e6) return append_billionths(out, std::llround(value * kUnits));
+    fmt::format_to(std::back_inserter(out), "{}", value);
+}
+
+void append_json_string(fmt::memory_buffer& out, std::string_view text) {
+    out.push_back('"');
+    while (!text.empty()) {
+        const std::size_t length = first_character(text).bytes;
+        const char c = text[0];
+        if (length == 0) {
+            append_text(out, "\\ufffd");
+        } else if (c == '"' || c == '\\') {
+            out.push_back('\\');
+            out.push_back(c);
+        } else if (static_cast<unsigned char>(c) < 0x20) {
+            fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            append_text(out, text.substr(0, length));
+        }
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    out.push_back('"');
+}
+
+}  // namespace gsim::text

@@ -1,0 +1,99 @@
+#include "base/toml/toml_bounds.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace gsim::base {
+
+namespace {
+
+constexpr std::size_t kMostBytesInMiB = kMaxTomlBytes >> 20U;
+
+/// Goes over a text of TOML up to the first place that is too deep. Where the text is no TOML it may take
+/// what follows for something else: the parser stops there.
+class TomlScan {
+  public:
+    explicit TomlScan(std::string_view text) : text_(text) {}
+
+    std::optional<TomlExcess> find() {
+        while (at_ < text_.size()) {
+            const std::size_t begin = at_;
+            if (const auto sentence = step(); !sentence.empty()) return excess(begin, sentence);
+        }
+        return std::nullopt;
+    }
+
+  private:
+    // Past one character, remark or string; a sentence where that is one too deep.
+    std::string step() {
+        switch (const char c = text_[at_]) {
+            case '#': at_ = std::min(text_.find('\n', at_), text_.size()); return {};
+            case '"':
+            case '\'': skip_string(c); return {};
+            default: ++at_; return count(c);
+        }
+    }
+
+    std::string count(char c) {
+        switch (c) {
+            case '.':
+                if (++parts_ <= kMaxTomlKeyParts) return {};
+                return fmt::format("more than {} names joined by dots", kMaxTomlKeyParts);
+            case '[':
+            case '{':
+                parts_ = 1;
+                if (++brackets_ <= kMaxTomlBrackets) return {};
+                return fmt::format("arrays and tables are nested deeper than {}", kMaxTomlBrackets);
+            case ']':
+            case '}':
+                parts_ = 1;
+                if (brackets_ > 0) --brackets_;
+                return {};
+            case '=':
+            case ',':
+            case '\n': parts_ = 1; return {};
+            default: return {};
+        }
+    }
+
+    void skip_string(char quote) {
+        const std::string fence(3, quote);
+        const bool many_lines = text_.substr(at_).starts_with(fence);
+        at_ += many_lines ? fence.size() : 1;
+        while (at_ < text_.size()) {
+            if (many_lines ? text_.substr(at_).starts_with(fence) : text_[at_] == quote) break;
+            if (!many_lines && text_[at_] == '\n') return;  // no string: the parser stops here
+            at_ += quote == '"' && text_[at_] == '\\' ? 2 : 1;
+        }
+        at_ += many_lines ? fence.size() : 1;
+        // Up to two quotes before the fence belong to the string.
+        for (int more = 0; many_lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
+    }
+
+    TomlExcess excess(std::size_t at, std::string sentence) const {
+        const std::string_view before = text_.substr(0, at);
+        const std::size_t line_begin = before.rfind('\n') + 1;  // 0 in the first line
+        const std::string_view head = before.substr(line_begin);
+        const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+        return {1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
+                1 + static_cast<std::size_t>(std::count_if(head.begin(), head.end(), starts_character)),
+                std::move(sentence)};
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t brackets_ = 0;
+    std::size_t parts_ = 1;
+};
+
+}  // namespace
+
+std::optional<TomlExcess> find_toml_excess(std::string_view toml_text) {
+    if (toml_text.size() > kMaxTomlBytes)
+        return TomlExcess{.sentence = fmt::format("files of up to {} MiB are read", kMostBytesInMiB)};
+    return TomlScan(toml_text).find();
+}
+
+}  // namespace gsim::base

@@ -1,0 +1,62 @@
+#define TOML_IMPLEMENTATION
+#include "base/toml/toml_section.h"
+
+#include "base/toml/toml_bounds.h"
+
+namespace gsim::base {
+
+namespace {
+
+constexpr double kGreatestTomlNumber = 1e9;  // mm or deg; far beyond any machine, far from overflow
+constexpr double kLeastStep = 1e-6;          // a nanometre, a microsecond
+constexpr double kGreatestCount = 1e5;       // blocks; a few hundred bytes each
+
+}  // namespace
+
+toml::table parse_toml(FirstError& error, std::string_view toml_text) {
+    if (const auto excess = find_toml_excess(toml_text)) {
+        error.report(
+            {static_cast<toml::source_index>(excess->line), static_cast<toml::source_index>(excess->column)},
+            excess->sentence);
+        return {};
+    }
+    toml::parse_result parsed = toml::parse(toml_text);
+    if (parsed) return std::move(parsed).table();
+    error.report(parsed.error().source().begin, parsed.error().description());
+    return {};
+}
+
+std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule rule) {
+    if (std::isnan(value)) return "a number";
+    const bool may_be_infinite =
+        rule == NumberRule::any || rule == NumberRule::positive || rule == NumberRule::share;
+    if (std::isinf(value) && !may_be_infinite) return "finite";
+    if (std::isfinite(value) && std::abs(value) > kGreatestTomlNumber) return "between -1e9 and 1e9";
+    switch (rule) {
+        case NumberRule::finite:
+        case NumberRule::any: return std::nullopt;
+        case NumberRule::positive:
+            if (value <= 0) return "greater than 0";
+            return std::nullopt;
+        case NumberRule::not_negative:
+            if (value < 0) return "0 or greater";
+            return std::nullopt;
+        case NumberRule::step:
+            if (value != 0 && value < kLeastStep) return "0, or 1e-6 or greater";
+            return std::nullopt;
+        case NumberRule::share:
+            if (value <= 0 || (value >= 1 && std::isfinite(value)))
+                return "greater than 0 and less than 1, or inf";
+            return std::nullopt;
+        case NumberRule::percent:
+            if (value <= 0 || value > 100) return "greater than 0 and at most 100";
+            return std::nullopt;
+        case NumberRule::count:
+            if (value < 1 || value > kGreatestCount || value != std::floor(value))
+                return "a whole number between 1 and 100000";
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace gsim::base

@@ -1,0 +1,210 @@
+#pragma once
+
+// For the readers of TOML files alone: toml++ is slow to compile. Its parser is in toml_section.cpp.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text/nearest_name.h"
+#include "base/toml/toml_library.h"
+
+namespace gsim::base {
+
+/// Keeps the first error of a file, as "file:line:column: sentence". Reading goes on with fall-back values,
+/// and whoever started it looks here at the end.
+class FirstError {
+  public:
+    explicit FirstError(std::string_view file_name) : file_name_(file_name) {}
+
+    void report(const toml::source_position& where, std::string_view sentence) {
+        if (text_) return;
+        text_ = fmt::format("{}:{}:{}: {}", file_name_, std::max<unsigned>(1, where.line),
+                            std::max<unsigned>(1, where.column), in_one_line(sentence));
+    }
+
+    /// Takes over the error of another file, which says where it is itself.
+    void adopt(std::string text) {
+        if (!text_) text_ = std::move(text);
+    }
+
+    const std::optional<std::string>& text() const { return text_; }
+
+  private:
+    // What is quoted from a file may hold line breaks.
+    static std::string in_one_line(std::string_view sentence) {
+        std::string line(sentence);
+        std::replace_if(
+            line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+        return line;
+    }
+
+    std::string_view file_name_;
+    std::optional<std::string> text_;
+};
+
+/// The tables of a file; where it is no TOML, none and an error.
+toml::table parse_toml(FirstError& error, std::string_view toml_text);
+
+/// What a number may be.
+enum class NumberRule {
+    finite,
+    any,
+    positive,      ///< Or infinite.
+    not_negative,  ///< And finite.
+    step,          ///< 0 (none), or not so small that its multiples get out of hand.
+    share,         ///< Of something that must not be used up; or infinite.
+    percent,       ///< Greater than 0, and at most 100.
+    count,         ///< A whole number of things to keep in memory.
+};
+
+/// One table of the file with the keys that it may hold.
+class TomlSection {
+  public:
+    TomlSection(FirstError& error, const toml::table& table, std::string title,
+                std::span<const std::string_view> known_keys)
+        : error_(error), table_(table), title_(std::move(title)) {
+        for (const auto& [key, value] : table) check_known(key, known_keys);
+    }
+
+    const std::string& title() const { return title_; }
+    bool has(std::string_view key) const { return table_.contains(key); }
+    /// The position of the value of `key`, or of the section where it has no such key.
+    toml::source_position where(std::string_view key) const {
+        const toml::node* node = table_.get(key);
+        return node ? node->source().begin : table_.source().begin;
+    }
+    void fail(std::string_view key, std::string_view sentence) { error_.report(where(key), sentence); }
+    /// Takes over the error of a file that this section names.
+    void adopt_error(std::string text) { error_.adopt(std::move(text)); }
+
+    /// The value of `key`, or null; it is an error if there is none.
+    const toml::node* require(std::string_view key) {
+        const toml::node* node = table_.get(key);
+        if (!node) fail(key, fmt::format("{} lacks the key '{}'", title_, key));
+        return node;
+    }
+
+    std::string text(std::string_view key) {
+        const toml::node* node = require(key);
+        if (!node) return {};
+        if (const auto* value = node->as_string()) return value->get();
+        fail_type(key, "a string", *node);
+        return {};
+    }
+
+    double number(std::string_view key, double fallback, NumberRule rule) {
+        const toml::node* node = table_.get(key);
+        if (!node) return fallback;
+        if (!node->is_number()) {
+            fail_type(key, "a number", *node);
+            return fallback;
+        }
+        const double value = *node->value<double>();
+        if (const auto fault = find_fault(value, rule)) {
+            fail(key, fmt::format("'{}' must be {}; it is {}", key, *fault, value));
+            return fallback;
+        }
+        return value;
+    }
+
+    bool flag(std::string_view key, bool fallback) {
+        const toml::node* node = table_.get(key);
+        if (!node) return fallback;
+        if (const auto* value = node->as_boolean()) return value->get();
+        fail_type(key, "true or false", *node);
+        return fallback;
+    }
+
+    /// Which of `names` stands under `key`, as an index.
+    std::size_t choice(std::string_view key, std::size_t fallback, std::span<const std::string_view> names) {
+        const toml::node* node = table_.get(key);
+        if (!node) return fallback;
+        const auto value = node->value<std::string_view>();
+        const auto found = value ? std::find(names.begin(), names.end(), *value) : names.end();
+        if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+        fail(key, fmt::format("'{}' must be \"{}\" or \"{}\"", key,
+                              fmt::join(names.first(names.size() - 1), "\", \""), names.back()));
+        return fallback;
+    }
+
+    /// The table under `key`, or null where there is none.
+    const toml::table* table(std::string_view key) {
+        const toml::node* node = table_.get(key);
+        if (!node) return nullptr;
+        if (!node->is_table()) fail_type(key, "a table", *node);
+        return node->as_table();
+    }
+
+    /// The table under `key` as a section of its own, if there is one.
+    std::optional<TomlSection> section(std::string_view key, std::string title,
+                                       std::span<const std::string_view> known_keys) {
+        const toml::table* inner = table(key);
+        if (inner == nullptr) return std::nullopt;
+        return TomlSection(error_, *inner, std::move(title), known_keys);
+    }
+
+    /// The tables of the array under `key`.
+    std::vector<const toml::table*> tables(std::string_view key) {
+        std::vector<const toml::table*> found;
+        const toml::node* node = require(key);
+        if (!node) return found;
+        const toml::array* array = node->as_array();
+        if (!array) {
+            fail_type(key, fmt::format("an array of tables, each under [[{}]]", key), *node);
+            return found;
+        }
+        for (const toml::node& element : *array) {
+            if (!element.is_table()) {
+                error_.report(element.source().begin,
+                              fmt::format("'{}' must hold tables only, each under [[{}]]", key, key));
+            } else {
+                found.push_back(element.as_table());
+            }
+        }
+        return found;
+    }
+
+  private:
+    static std::optional<std::string_view> find_fault(double value, NumberRule rule);
+
+    void check_known(const toml::key& key, std::span<const std::string_view> known_keys) {
+        const std::string_view name = key.str();
+        if (std::find(known_keys.begin(), known_keys.end(), name) != known_keys.end()) return;
+        const auto nearest = text::nearest_name(name, known_keys);
+        const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
+                                         : fmt::format("it may hold: {}", fmt::join(known_keys, ", "));
+        error_.report(key.source().begin, fmt::format("unknown key '{}' in {}; {}", name, title_, hint));
+    }
+
+    void fail_type(std::string_view key, std::string_view wanted, const toml::node& node) {
+        fail(key, fmt::format("'{}' must be {}, not {}", key, wanted, type_name(node.type())));
+    }
+
+    static std::string_view type_name(toml::node_type type) {
+        switch (type) {
+            case toml::node_type::table: return "a table";
+            case toml::node_type::array: return "an array";
+            case toml::node_type::string: return "a string";
+            case toml::node_type::integer:
+            case toml::node_type::floating_point: return "a number";
+            case toml::node_type::boolean: return "true or false";
+            default: return "a date or time";
+        }
+    }
+
+    FirstError& error_;
+    const toml::table& table_;
+    std::string title_;
+};
+
+}  // namespace gsim::base

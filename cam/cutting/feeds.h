@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "cam/cutting/cut_rules.h"
+#include "cam/geometry/contour.h"
+
+namespace gsim::cutting {
+
+/// A part of a cut at one feed.
+struct FedEdge {
+    geometry::Edge edge;
+    double feed_mm_min = 0;
+    std::uint32_t source = 0;  ///< geometry::Vertex::source
+};
+
+/// The edges of a closed loop in order, each with its feed: slower on arcs, and before and behind corners,
+/// where edges are divided for that.
+std::vector<FedEdge> with_feeds(const geometry::Contour& loop, const CutRules& rules);
+
+/// The feed on a single edge.
+double feed_on_mm_min(const geometry::Edge& edge, const CutRules& rules);
+
+}  // namespace gsim::cutting

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cam/geometry/point.h"
+
+namespace gsim::cutting {
+
+/// Points from which the nearest one is taken again and again.
+class NearestGrid {
+  public:
+    explicit NearestGrid(std::vector<geometry::Point> points);
+
+    std::size_t left() const { return left_; }
+    /// Removes the nearest point that is left and returns its number; there has to be one.
+    std::size_t take_nearest(geometry::Point to);
+
+  private:
+    struct Found {
+        double mm;
+        std::size_t cell, slot;
+    };
+
+    std::size_t column_of(double x) const;
+    std::size_t row_of(double y) const;
+    void look_in(std::size_t column, std::size_t row, geometry::Point to, Found& best) const;
+    void look_around(std::size_t column, std::size_t row, std::size_t ring, geometry::Point to,
+                     Found& best) const;
+
+    std::vector<geometry::Point> points_;
+    geometry::Box box_;
+    double cell_mm_ = 1;
+    std::size_t columns_ = 1, rows_ = 1;
+    std::size_t left_ = 0;
+    std::vector<std::vector<std::size_t>> cells_;
+};
+
+}  // namespace gsim::cutting

@@ -1,0 +1,79 @@
+#include "cam/cutting/order.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "cam/cutting/tour.h"
+
+namespace gsim::cutting {
+
+using geometry::Point;
+
+namespace {
+
+// An outline's cuts with all that lies within it: a sequence that is kept together.
+struct Group {
+    std::vector<std::size_t> cuts;
+    Stop stop;
+};
+
+class Grouping {
+  public:
+    Grouping(const Layout& layout, const std::vector<Cut>& cuts)
+        : cuts_(cuts), own_(layout.outlines.size()), within_(layout.outlines.size()) {
+        for (std::size_t i = 0; i < cuts.size(); ++i) own_[cuts[i].outline].push_back(i);
+        // The innermost first, so that each finds its children grouped.
+        std::vector<std::size_t> inward(layout.outlines.size());
+        std::iota(inward.begin(), inward.end(), 0U);
+        std::stable_sort(inward.begin(), inward.end(), [&](std::size_t a, std::size_t b) {
+            return layout.outlines[a].depth > layout.outlines[b].depth;
+        });
+        for (const std::size_t outline : inward) {
+            Group group = grouped(outline);
+            const auto& parent = layout.outlines[outline].parent;
+            (parent ? within_[*parent] : outermost_).push_back(std::move(group));
+        }
+    }
+
+    std::vector<std::size_t> from(Point start) { return joined(std::move(outermost_), start, {}); }
+
+  private:
+    static std::vector<std::size_t> joined(std::vector<Group> groups, Point start, std::optional<Point> end) {
+        std::vector<Stop> stops;
+        stops.reserve(groups.size());
+        for (const Group& group : groups) stops.push_back(group.stop);
+        std::vector<std::size_t> cuts;
+        for (const std::size_t i : short_tour(stops, start, end)) {
+            cuts.insert(cuts.end(), groups[i].cuts.begin(), groups[i].cuts.end());
+        }
+        return cuts;
+    }
+
+    Group grouped(std::size_t outline) {
+        std::vector<Group> inner = std::move(within_[outline]);
+        // Smaller loops of the outline itself count as within.
+        const std::vector<std::size_t>& own = own_[outline];
+        for (std::size_t i = 0; i + 1 < own.size(); ++i) inner.push_back({{own[i]}, stop_of(own[i])});
+        const Stop last = stop_of(own.back());
+        // The way begins as far off as it ends: near the outline's own pierce.
+        Group group{joined(std::move(inner), last.entry, last.entry), {}};
+        group.cuts.push_back(own.back());
+        group.stop = {cuts_[group.cuts.front()].pierce(), last.exit};
+        return group;
+    }
+
+    Stop stop_of(std::size_t cut) const { return {cuts_[cut].pierce(), cuts_[cut].end()}; }
+
+    const std::vector<Cut>& cuts_;
+    std::vector<std::vector<std::size_t>> own_;  // cuts of an outline, the largest last
+    std::vector<std::vector<Group>> within_;
+    std::vector<Group> outermost_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> cutting_order(const Layout& layout, const std::vector<Cut>& cuts, Point start) {
+    return Grouping(layout, cuts).from(start);
+}
+
+}  // namespace gsim::cutting

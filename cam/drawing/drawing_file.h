@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "base/os/input_file.h"
+#include "cam/drawing/drawing.h"
+
+namespace gsim::drawing {
+
+/// Reads a drawing by the ending of its name, .dxf or .svg. The error names the file.
+tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
+                                                os::NamedBy named_by = os::NamedBy::a_file);
+
+}  // namespace gsim::drawing

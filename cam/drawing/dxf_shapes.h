@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "cam/drawing/dxf_groups.h"
+#include "cam/drawing/pen.h"
+
+namespace gsim::drawing {
+
+/// Whether an entity of this kind can be drawn by draw_shape().
+bool is_shape(std::string_view kind);
+
+/// Draws a LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE or SPLINE; the pen has been given where. Throws
+/// DrawingFault.
+void draw_shape(const GroupList& entity, const Affine& map, std::uint32_t source, Pen& pen);
+
+/// Draws a POLYLINE with its vertices.
+void draw_polyline(const GroupList& entity, const std::vector<GroupList>& vertices, const Affine& map,
+                   std::uint32_t source, Pen& pen);
+
+/// The map from an entity's own coordinates into those of the drawing, by its extrusion direction, which
+/// has to be up or down. Throws DrawingFault.
+Affine entity_plane(const GroupList& entity);
+
+}  // namespace gsim::drawing

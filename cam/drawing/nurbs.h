@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cam/geometry/fit.h"
+
+namespace gsim::drawing {
+
+/// A rational B-spline curve.
+struct Nurbs {
+    std::size_t degree = 3;
+    std::vector<double> knots;  ///< points.size() + degree + 1, never falling.
+    std::vector<geometry::Point> points;
+    std::vector<double> weights;  ///< One for each point, or none at all.
+};
+
+/// What is wrong with a curve, as the end of a sentence that begins with its name.
+std::optional<std::string> fault_of(const Nurbs& curve);
+
+/// The curve in the span of knots[span] to knots[span + 1], of a curve without fault (de Boor's algorithm;
+/// Piegl and Tiller, "The NURBS Book", 1997, ch. 4).
+geometry::CurvePoint point_of(const Nurbs& curve, std::size_t span, double parameter);
+
+/// A cubic of Bezier.
+Nurbs bezier(geometry::Point a, geometry::Point b, geometry::Point c, geometry::Point d);
+
+}  // namespace gsim::drawing

@@ -1,0 +1,157 @@
+#include "cam/drawing/svg_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "cam/drawing/svg_path.h"
+#include "cam/drawing/svg_style.h"
+#include "cam/drawing/svg_values.h"
+
+namespace gsim::drawing {
+
+using geometry::Point;
+
+namespace {
+
+using ShapeFault = std::optional<std::string>;
+
+// Lengths of an element; keeps the first that cannot be read.
+class Lengths {
+  public:
+    explicit Lengths(const pugi::xml_node& node) : node_(node) {}
+
+    double operator()(const char* name, double otherwise = 0) {
+        const std::optional<double> value = length_attribute_px(node_, name, otherwise);
+        if (!value && !fault_) {
+            fault_ = fmt::format("has {}=\"{}\", which is no length in px, mm, cm, in, pt or pc", name,
+                                 node_.attribute(name).value());
+        }
+        return value.value_or(otherwise);
+    }
+    const ShapeFault& fault() const { return fault_; }
+
+  private:
+    const pugi::xml_node& node_;
+    ShapeFault fault_;
+};
+
+ShapeFault draw_path(const pugi::xml_node& node, Pen& pen) {
+    return draw_path_data(node.attribute("d").value(), pen);
+}
+
+ShapeFault draw_rect(const pugi::xml_node& node, Pen& pen) {
+    Lengths lengths(node);
+    const Point low{lengths("x"), lengths("y")};
+    const Point size{lengths("width"), lengths("height")};
+    const bool has_rx = node.attribute("rx");
+    const bool has_ry = node.attribute("ry");
+    double rx = lengths(has_rx ? "rx" : "ry");
+    double ry = lengths(has_ry ? "ry" : "rx");
+    if (lengths.fault()) return lengths.fault();
+    if (!(size.x > 0 && size.y > 0))
+        return fmt::format("has the size {} x {}; both must be above 0", size.x, size.y);
+    rx = std::clamp(rx, 0.0, size.x / 2);
+    ry = std::clamp(ry, 0.0, size.y / 2);
+    const bool rounded = rx > 0 && ry > 0;
+    if (!rounded) rx = ry = 0;
+    const Point high = low + size;
+    const auto corner = [&](Point center, double from_rad) {
+        if (rounded) pen.arc({center, {rx, 0}, {0, ry}, from_rad, std::numbers::pi / 2});
+    };
+    pen.move_to({low.x + rx, low.y});
+    pen.line_to({high.x - rx, low.y});
+    corner({high.x - rx, low.y + ry}, -std::numbers::pi / 2);
+    pen.line_to({high.x, high.y - ry});
+    corner({high.x - rx, high.y - ry}, 0);
+    pen.line_to({low.x + rx, high.y});
+    corner({low.x + rx, high.y - ry}, std::numbers::pi / 2);
+    pen.line_to({low.x, low.y + ry});
+    corner({low.x + rx, low.y + ry}, std::numbers::pi);
+    pen.close();
+    return {};
+}
+
+ShapeFault draw_ellipse_element(const pugi::xml_node& node, Pen& pen) {
+    Lengths lengths(node);
+    const bool circle = local_name(node) == "circle";
+    const Point center{lengths("cx"), lengths("cy")};
+    const double rx = lengths(circle ? "r" : "rx");
+    const double ry = lengths(circle ? "r" : "ry");
+    if (lengths.fault()) return lengths.fault();
+    if (!(rx > 0 && ry > 0)) return fmt::format("has the radii {} and {}; both must be above 0", rx, ry);
+    pen.arc({center, {rx, 0}, {0, ry}, 0, 2 * std::numbers::pi});
+    return {};
+}
+
+ShapeFault draw_line_element(const pugi::xml_node& node, Pen& pen) {
+    Lengths lengths(node);
+    const Point from{lengths("x1"), lengths("y1")};
+    const Point to{lengths("x2"), lengths("y2")};
+    if (lengths.fault()) return lengths.fault();
+    if (from == to) return fmt::format("at ({}, {}) has no length", from.x, from.y);
+    pen.move_to(from);
+    pen.line_to(to);
+    return {};
+}
+
+ShapeFault draw_points(const pugi::xml_node& node, Pen& pen) {
+    SvgScanner scanner(node.attribute("points").value());
+    std::size_t count = 0;
+    while (!scanner.at_end()) {
+        const std::optional<double> x = scanner.number();
+        const std::optional<double> y = scanner.number();
+        if (!x || !y)
+            return fmt::format("has points that cannot be read at character {}", scanner.offset() + 1);
+        if (count++ == 0) {
+            pen.move_to({*x, *y});
+        } else {
+            pen.line_to({*x, *y});
+        }
+    }
+    if (count < 2) return fmt::format("has {} points; 2 are the least", count);
+    if (local_name(node) == "polygon") pen.close();
+    return {};
+}
+
+struct SvgShape {
+    std::string_view name;
+    ShapeFault (*draw)(const pugi::xml_node&, Pen&);
+};
+
+constexpr std::array<SvgShape, 7> kSvgShapes{{{"path", draw_path},
+                                              {"rect", draw_rect},
+                                              {"circle", draw_ellipse_element},
+                                              {"ellipse", draw_ellipse_element},
+                                              {"line", draw_line_element},
+                                              {"polyline", draw_points},
+                                              {"polygon", draw_points}}};
+
+const SvgShape* svg_shape_of(std::string_view name) {
+    const auto* const found = std::find_if(kSvgShapes.begin(), kSvgShapes.end(),
+                                           [&](const SvgShape& shape) { return shape.name == name; });
+    return found == kSvgShapes.end() ? nullptr : found;
+}
+
+}  // namespace
+
+bool is_svg_shape(std::string_view name) {
+    return svg_shape_of(name) != nullptr;
+}
+
+std::optional<std::string> draw_svg_shape(const pugi::xml_node& node, Pen& pen) {
+    ShapeFault fault = svg_shape_of(local_name(node))->draw(node, pen);
+    if (!fault) fault = pen.fault();
+    pen.lift();
+    return fault;
+}
+
+std::optional<double> length_attribute_px(const pugi::xml_node& node, const char* name, double otherwise) {
+    const pugi::xml_attribute attribute = node.attribute(name);
+    if (!attribute) return otherwise;
+    return svg_length_px(attribute.value());
+}
+
+}  // namespace gsim::drawing

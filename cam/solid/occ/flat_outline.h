@@ -1,0 +1,23 @@
+#pragma once
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <span>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "cam/solid/occ/shape_file.h"
+#include "cam/solid/plate.h"
+
+namespace gsim::solid {
+
+/// The outlines of surfaces that lie in one plane. The error is a sentence.
+tl::expected<Plate, std::string> plate_of_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
+                                                const PlateOptions& options);
+
+/// Curves that lie in one plane. The error is a sentence.
+tl::expected<Plate, std::string> plate_of_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
+                                                 const PlateOptions& options);
+
+}  // namespace gsim::solid

@@ -1,0 +1,127 @@
+// gsim-solid: reads a STEP or IGES file for the other programs and answers with a packet.
+//
+//     gsim-solid mesh FILE TOLERANCE-MM
+//     gsim-solid plate FILE TOLERANCE-MM flip|as-it-lies AXIS
+//
+// A packet begins with whether all went well; if not, a sentence follows.
+
+#include <Standard_Failure.hxx>
+#include <cstdlib>
+#include <exception>
+#include <span>
+#include <string_view>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "cam/solid/mesh_packet.h"
+#include "cam/solid/occ/plate_reader.h"
+#include "cam/solid/occ/shape_file.h"
+#include "cam/solid/occ/tessellation.h"
+#include "cam/solid/plate_packet.h"
+
+namespace {
+
+using namespace gsim::solid;
+
+using Answer = tl::expected<PacketWriter, std::string>;
+
+constexpr rlim_t kMaxCpu_s = 600;
+constexpr rlim_t kMaxMemory_bytes = rlim_t{12} << 30U;
+
+// Damaged files can make OpenCASCADE go round in circles, or ask for any amount of memory.
+void limit_resources() {
+    const rlimit cpu{kMaxCpu_s, kMaxCpu_s};
+    ::setrlimit(RLIMIT_CPU, &cpu);
+    const rlimit core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &core);
+#ifndef GSIM_SANITIZES_ADDRESSES  // that takes all addresses that there are
+    const rlimit memory{kMaxMemory_bytes, kMaxMemory_bytes};
+    ::setrlimit(RLIMIT_DATA, &memory);
+#endif
+}
+
+// Only the packet shall go to standard output: OpenCASCADE prints there what it thinks of a file. Gives the
+// descriptor for the packet.
+int silence() {
+    const int output = ::dup(STDOUT_FILENO);
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    return output;
+}
+
+Answer mesh_answer(const std::string& file, double tolerance_mm) {
+    const auto shapes = ShapeFile::read(file);
+    if (!shapes) return tl::unexpected(shapes.error());
+    const auto mesh = tessellate(shapes->shape(), tolerance_mm);
+    if (!mesh) return tl::unexpected(mesh.error());
+    PacketWriter packet;
+    packet.put_flag(true);
+    put_mesh(packet, *mesh);
+    return packet;
+}
+
+Answer plate_answer(const std::string& file, const PlateOptions& options) {
+    const auto shapes = ShapeFile::read(file);
+    if (!shapes) return tl::unexpected(shapes.error());
+    const auto plate = plate_of(*shapes, options);
+    if (!plate) return tl::unexpected(plate.error());
+    PacketWriter packet;
+    packet.put_flag(true);
+    put_plate(packet, *plate);
+    return packet;
+}
+
+Answer answer(std::span<char* const> arguments) {
+    const std::string_view question = arguments[1];
+    const double tolerance_mm = std::strtod(arguments[3], nullptr);
+    if (question == "mesh") return mesh_answer(arguments[2], tolerance_mm);
+    if (question == "plate" && arguments.size() > 5)
+        return plate_answer(arguments[2],
+                            {tolerance_mm, arguments[4] == std::string_view("flip"), arguments[5]});
+    return tl::unexpected(std::string("gsim-solid is of another version than the program that runs it"));
+}
+
+Answer safe_answer(std::span<char* const> arguments) {
+    try {
+        return answer(arguments);
+    } catch (const Standard_Failure& failure) {
+        return tl::unexpected(fmt::format("OpenCASCADE cannot read it: {}", failure.GetMessageString()));
+    } catch (const std::exception& failure) {
+        return tl::unexpected(fmt::format("it cannot be read: {}", failure.what()));
+    }
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 4 || ::isatty(STDOUT_FILENO) != 0) {
+        constexpr std::string_view kUsage =
+            "gsim-solid reads STEP and IGES files for gsim-run and autopath; it is not made to be called\n";
+        write_all(STDERR_FILENO, kUsage);
+        return 2;
+    }
+    limit_resources();
+    const int output = silence();
+    const Answer said = safe_answer({argv, static_cast<std::size_t>(argc)});
+    PacketWriter fault;
+    if (!said) {
+        fault.put_flag(false);
+        fault.put_text(said.error());
+    }
+    const bool written = write_all(output, said ? said->bytes() : fault.bytes());
+    // The answer is given; taking OpenCASCADE down would take time and could still fail.
+    std::_Exit(written ? 0 : 1);
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Solid.hxx>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "cam/solid/occ/outline_pen.h"
+#include "cam/solid/occ/plate_frame.h"
+#include "cam/solid/occ/shape_file.h"
+#include "cam/solid/plate.h"
+
+namespace gsim::solid {
+
+/// The upper side of plates: the plane of the largest plane face among them, as the options have it. Of
+/// several of one size it is the one that looks along Z, then Y, then X the most. The error is a sentence.
+tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids,
+                                                 const PlateOptions& options);
+
+/// Adds the outlines of bodies to a plate; all lie in one plane and have one thickness.
+class SolidOutline {
+  public:
+    SolidOutline(const ShapeFile& file, const PlateFrame& frame, double tolerance_mm, Plate& plate)
+        : file_(file), frame_(frame), plate_(plate), pen_(frame, tolerance_mm, plate.drawing) {}
+
+    /// The error is a sentence.
+    tl::expected<void, std::string> add(const TopoDS_Solid& solid);
+
+  private:
+    using Done = tl::expected<void, std::string>;
+    using Neighbours = TopTools_IndexedDataMapOfShapeListOfShape;
+
+    Done sort_faces(const TopoDS_Solid& solid);
+    Done find_thickness();
+    Done draw_face(const TopoDS_Face& face, const Neighbours& faces_at);
+    Done draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side);
+    Done refuse(const TopoDS_Face& face, const std::string& what) const;
+
+    const ShapeFile& file_;
+    const PlateFrame& frame_;
+    Plate& plate_;
+    OutlinePen pen_;
+    std::vector<TopoDS_Face> upper_, lower_, others_;  // of the body at hand
+    std::vector<double> depths_mm_;                    // of lower_, below the upper side
+};
+
+}  // namespace gsim::solid

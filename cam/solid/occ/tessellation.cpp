@@ -1,0 +1,82 @@
+#include "cam/solid/occ/tessellation.h"
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace gsim::solid {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+
+constexpr double kMaxTurn_rad = 0.5;  // between neighbours: small round faces keep their form
+
+// Joins the triangles of faces; vertices of an edge are the same in both faces at it.
+class MeshBuilder {
+  public:
+    tl::expected<void, std::string> add(const TopoDS_Face& face) {
+        TopLoc_Location place;
+        const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, place);
+        if (part.IsNull()) return Fault("a face of it could not be divided into triangles");
+        if (mesh_.triangles.size() + static_cast<std::size_t>(part->NbTriangles()) > kMaxTriangles)
+            return Fault(
+                fmt::format("more than {} triangles; a larger tolerance makes fewer", kMaxTriangles));
+        const gp_Trsf& placed = place.Transformation();
+        std::vector<std::uint32_t> numbers(static_cast<std::size_t>(part->NbNodes()));
+        for (int i = 1; i <= part->NbNodes(); ++i)
+            numbers[static_cast<std::size_t>(i - 1)] = number_of(part->Node(i).Transformed(placed));
+        const bool reversed = (face.Orientation() == TopAbs_REVERSED) != placed.IsNegative();
+        for (int i = 1; i <= part->NbTriangles(); ++i) {
+            int a = 0, b = 0, c = 0;
+            part->Triangle(i).Get(a, b, c);
+            if (reversed) std::swap(b, c);
+            const auto at = [&](int node) { return numbers[static_cast<std::size_t>(node - 1)]; };
+            // An edge without a length, as at the tip of a cone, makes triangles without an area.
+            if (at(a) != at(b) && at(b) != at(c) && at(c) != at(a))
+                mesh_.triangles.push_back({at(a), at(b), at(c)});
+        }
+        return {};
+    }
+
+    Mesh mesh() && { return std::move(mesh_); }
+
+  private:
+    std::uint32_t number_of(const gp_Pnt& point) {
+        const std::array<double, 3> at{point.X(), point.Y(), point.Z()};
+        const auto [found, is_new] =
+            numbers_.try_emplace(at, static_cast<std::uint32_t>(mesh_.vertices_mm.size()));
+        if (is_new) mesh_.vertices_mm.push_back(at);
+        return found->second;
+    }
+
+    Mesh mesh_;
+    std::map<std::array<double, 3>, std::uint32_t> numbers_;
+};
+
+}  // namespace
+
+tl::expected<Mesh, std::string> tessellate(const TopoDS_Shape& shape, double tolerance_mm) {
+    const BRepMesh_IncrementalMesh divided(shape, tolerance_mm, false, kMaxTurn_rad, false);
+    MeshBuilder builder;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        if (auto added = builder.add(TopoDS::Face(faces.Current())); !added) return Fault(added.error());
+    }
+    Mesh mesh = std::move(builder).mesh();
+    for (const auto& vertex : mesh.vertices_mm) {
+        if (!std::all_of(vertex.begin(), vertex.end(), [](double x) { return std::isfinite(x); }))
+            return Fault("it has places that are infinitely far");
+    }
+    if (mesh.triangles.empty()) return Fault("there is no surface in it");
+    return mesh;
+}
+
+}  // namespace gsim::solid

@@ -1,0 +1,182 @@
+#include "cam/waterjet/cutting_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cam/waterjet/value_range.h"
+#include "cam/waterjet/water_flow.h"
+
+namespace gsim::waterjet {
+
+namespace {
+
+// Usual ranges (thesis, 2.5 and 2.5.1); outside of them the equation has not been tried.
+constexpr ValueRange kUsualPressure{"pressure_mpa", 170, 415};
+constexpr ValueRange kUsualOrifice{"orifice_mm", 0.076, 0.89};
+
+using Fault = std::optional<std::string>;
+
+Fault find_fault(const std::optional<double>& value, const ValueRange& range) {
+    return value ? range.find_fault(*value) : std::nullopt;
+}
+
+Fault find_fault(const CuttingRequest& request) {
+    const std::pair<std::optional<double>, ValueRange> all[] = {
+        {request.thickness_mm, range::kThickness},    {request.quality, range::kQuality},
+        {request.pressure_mpa, range::kPressure},     {request.orifice_mm, range::kOrifice},
+        {request.mixing_tube_mm, range::kMixingTube}, {request.abrasive_g_min, range::kAbrasive},
+        {request.speed_mm_min, range::kSpeed},        {request.kerf_mm, range::kKerf},
+        {request.pierce_s, range::kPierce},
+    };
+    for (const auto& [value, range] : all) {
+        if (auto fault = find_fault(value, range)) return fault;
+    }
+    return std::nullopt;
+}
+
+double settle_machinability(Settlement& settlement, const Materials& file, const Material& material) {
+    constexpr std::string_view kName = "machinability";
+    if (material.machinability)
+        return settlement.from_file(kName, {}, *material.machinability, material.source);
+    if (const auto& cut = material.measured) {
+        return settlement.inferred(
+            kName, {},
+            {machinability_of_cut(cut->jet, cut->speed_mm_min, cut->thickness_mm, cut->quality),
+             fmt::format("a measured cut of {} mm at {} mm/min, quality {}", cut->thickness_mm,
+                         cut->speed_mm_min, cut->quality)});
+    }
+    const Material& other = **find_material(file, material.like);  // the reader saw to that
+    const std::string why = material.source.empty() ? std::string() : fmt::format(" ({})", material.source);
+    return settlement.inferred(kName, {},
+                               {other.machinability.value_or(0), fmt::format("{}{}", other.name, why)});
+}
+
+JetSetting settle_jet(Settlement& settlement, const JetRule& rule, const CuttingRequest& request,
+                      CuttingPlan& plan) {
+    const auto none = [] { return Inferred{}; };  // the file always has these
+    JetSetting jet;
+    jet.abrasive_factor = rule.abrasive_factor;
+    jet.pressure_mpa = settlement.settle("pressure", "MPa", request.pressure_mpa, rule.pressure_mpa, none);
+    jet.orifice_mm = settlement.settle("orifice", "mm", request.orifice_mm, rule.orifice_mm, none);
+    jet.mixing_tube_mm =
+        settlement.settle("mixing tube", "mm", request.mixing_tube_mm, rule.mixing_tube_mm, [&] {
+            return Inferred{rule.tube_to_orifice * jet.orifice_mm,
+                            fmt::format("{} times the orifice", rule.tube_to_orifice)};
+        });
+    plan.water_l_min = settlement.inferred(
+        "water", "l/min",
+        {water_flow_l_min(jet.orifice_mm, jet.pressure_mpa, rule.discharge),
+         fmt::format("pressure and orifice, coefficient of discharge {}", rule.discharge)});
+    jet.abrasive_g_min =
+        settlement.settle("abrasive", "g/min", request.abrasive_g_min, rule.abrasive_g_min, [&] {
+            return Inferred{1000 * rule.abrasive_to_water * plan.water_l_min,
+                            fmt::format("{} times the water's mass", rule.abrasive_to_water)};
+        });
+    return jet;
+}
+
+void settle_speeds(Settlement& settlement, const CuttingRequest& request, CuttingPlan& plan) {
+    plan.separation_speed_mm_min = settlement.inferred(
+        "separation speed", "mm/min",
+        {cutting_speed_mm_min(plan.jet, plan.machinability, plan.thickness_mm, kSeparationQuality),
+         "the cutting equation at quality 1"});
+    plan.cutting_speed_mm_min =
+        settlement.settle("cutting speed", "mm/min", request.speed_mm_min, std::nullopt, [&] {
+            return Inferred{
+                cutting_speed_mm_min(plan.jet, plan.machinability, plan.thickness_mm, plan.quality),
+                fmt::format("the cutting equation at quality {}", plan.quality)};
+        });
+}
+
+void settle_shape(Settlement& settlement, const Materials& file, const CuttingRequest& request,
+                  CuttingPlan& plan) {
+    const double share = plan.cutting_speed_mm_min / plan.separation_speed_mm_min;
+    plan.kerf_mm = settlement.settle("kerf", "mm", request.kerf_mm, std::nullopt, [&] {
+        return Inferred{kerf_mm(file.kerf, plan.jet.mixing_tube_mm),
+                        fmt::format("{} times the mixing tube", file.kerf.width_to_tube)};
+    });
+    plan.exit_kerf_mm =
+        settlement.inferred("kerf at the exit", "mm",
+                            {exit_kerf_mm(file.kerf, plan.kerf_mm, share), "kerf, taper and cutting speed"});
+    plan.pierce_s = settlement.settle("pierce", "s", request.pierce_s, std::nullopt, [&] {
+        return Inferred{pierce_s(file.pierce, plan.thickness_mm, plan.separation_speed_mm_min),
+                        fmt::format("thickness and separation speed, factor {}, at least {} s",
+                                    file.pierce.factor, file.pierce.least_s)};
+    });
+    plan.lag_mm = settlement.inferred(
+        "jet lag", "mm",
+        {lag_mm(file.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, plan.cutting_speed_mm_min),
+         "thickness and share of the separation speed"});
+    plan.contour_error_mm = settlement.inferred(
+        "contour error", "mm", {contour_error_mm(file.lag, plan.quality), "the file's errors by quality"});
+}
+
+void add_warnings(CuttingPlan& plan) {
+    const auto watch = [&](double value, const ValueRange& usual) {
+        if (!usual.find_fault(value)) return;
+        plan.warnings.push_back(fmt::format("{} is {}, outside of the usual {} to {}", usual.key, value,
+                                            usual.least, usual.greatest));
+    };
+    watch(plan.jet.pressure_mpa, kUsualPressure);
+    watch(plan.jet.orifice_mm, kUsualOrifice);
+    if (plan.cutting_speed_mm_min > plan.separation_speed_mm_min) {
+        plan.warnings.push_back(
+            fmt::format("at {:.1f} mm/min the jet does not come through; the fastest is {:.1f}",
+                        plan.cutting_speed_mm_min, plan.separation_speed_mm_min));
+    }
+}
+
+double limited_feed(const CuttingPlan& plan, double allowed_lag_mm) {
+    const double speed =
+        speed_of_lag_mm_min(plan.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, allowed_lag_mm);
+    return std::clamp(speed, plan.lag.least_feed_share * plan.cutting_speed_mm_min,
+                      plan.cutting_speed_mm_min);
+}
+
+}  // namespace
+
+tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
+                                                    const CuttingRequest& request) {
+    if (auto fault = find_fault(request)) return tl::unexpected(*std::move(fault));
+    const auto material = find_material(materials, request.material);
+    if (!material) return tl::unexpected(material.error());
+    CuttingPlan plan;
+    Settlement settlement;
+    plan.material = (*material)->name;
+    plan.lag = materials.lag;
+    plan.thickness_mm =
+        request.thickness_basis.empty()
+            ? settlement.given("thickness", "mm", request.thickness_mm)
+            : settlement.inferred("thickness", "mm", {request.thickness_mm, request.thickness_basis});
+    plan.machinability = settle_machinability(settlement, materials, **material);
+    plan.quality =
+        settlement.settle("quality", {}, request.quality, materials.jet.quality, [] { return Inferred{}; });
+    plan.jet = settle_jet(settlement, materials.jet, request, plan);
+    if (plan.jet.mixing_tube_mm <= plan.jet.orifice_mm) {
+        return tl::unexpected(fmt::format("the mixing tube ({} mm) must be wider than the orifice ({} mm)",
+                                          plan.jet.mixing_tube_mm, plan.jet.orifice_mm));
+    }
+    settle_speeds(settlement, request, plan);
+    settle_shape(settlement, materials, request, plan);
+    plan.values = settlement.take();
+    add_warnings(plan);
+    return plan;
+}
+
+double feed_for_radius_mm_min(const CuttingPlan& plan, double radius_mm) {
+    const double radius = radius_mm > 0 ? radius_mm : 0;
+    return limited_feed(plan, lag_allowed_on_arc_mm(radius, plan.contour_error_mm));
+}
+
+double feed_for_corner_mm_min(const CuttingPlan& plan, double turn_rad) {
+    return limited_feed(plan, lag_allowed_in_corner_mm(turn_rad, plan.contour_error_mm));
+}
+
+double corner_zone_mm(const CuttingPlan& plan) {
+    return plan.lag_mm;
+}
+
+}  // namespace gsim::waterjet

@@ -1,0 +1,71 @@
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cam/waterjet/job_report.h"
+
+namespace gsim::waterjet {
+
+namespace {
+
+std::string clock_text(double time_s) {
+    constexpr double kLongest_s = 1e9;
+    if (!(time_s < kLongest_s)) return "-";
+    const auto whole = std::llround(time_s);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string source_text(const SettledValue& value) {
+    switch (value.origin) {
+        case Origin::given: return "given";
+        case Origin::from_file:
+            return value.basis.empty() ? "the file" : fmt::format("the file: {}", value.basis);
+        case Origin::inferred: return fmt::format("inferred from {}", value.basis);
+    }
+    return {};
+}
+
+void append_plan(std::string& out, const CuttingPlan& plan) {
+    auto end = std::back_inserter(out);
+    fmt::format_to(end, "Cutting {}, {} mm\n", plan.material, plan.thickness_mm);
+    for (const SettledValue& value : plan.values) {
+        fmt::format_to(end, "  {:<18}{:>12.5g} {:<7}{}\n", value.name, value.value, value.unit,
+                       source_text(value));
+    }
+    for (const std::string& warning : plan.warnings) fmt::format_to(end, "  warning: {}\n", warning);
+}
+
+void append_quantities(std::string& out, const JobPrice& price) {
+    auto end = std::back_inserter(out);
+    fmt::format_to(end, "\nJob\n  {:<18}{:>12.1f} mm\n", "cut length", price.cut_length_mm);
+    fmt::format_to(end, "  {:<18}{:>12}\n", "pierces", price.pierces);
+    fmt::format_to(end, "  {:<18}{:>12} of it piercing {}\n", "jet time", clock_text(price.jet_time_s),
+                   clock_text(price.pierce_time_s));
+    fmt::format_to(end, "  {:<18}{:>12}\n", "machine time", clock_text(price.machine_time_s));
+    fmt::format_to(end, "  {:<18}{:>12.1f} l\n", "water", price.water_l);
+    fmt::format_to(end, "  {:<18}{:>12.2f} kg, of it recycled {:.2f} kg\n", "abrasive", price.abrasive_kg,
+                   price.recycled_abrasive_kg);
+}
+
+void append_bill(std::string& out, const JobReport& report) {
+    auto end = std::back_inserter(out);
+    fmt::format_to(end, "\nPrice\n");
+    for (const PriceItem& item : report.price.items) {
+        fmt::format_to(end, "  {:<18}{:>12.4f} {:<7}at {:>9.2f}{:>12.2f}\n", item.name, item.quantity,
+                       item.unit, item.unit_price, item.cost());
+    }
+    fmt::format_to(end, "  {:<50}{:>12.2f} {}\n", "total", report.price.total, report.currency);
+}
+
+}  // namespace
+
+std::string job_report_text(const JobReport& report) {
+    std::string out;
+    append_plan(out, report.plan);
+    append_quantities(out, report.price);
+    append_bill(out, report);
+    return out;
+}
+
+}  // namespace gsim::waterjet

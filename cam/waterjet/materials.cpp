@@ -1,0 +1,27 @@
+#include "cam/waterjet/materials.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text/nearest_name.h"
+#include "base/toml/toml_text.h"
+
+namespace gsim::waterjet {
+
+tl::expected<const Material*, std::string> find_material(const Materials& materials, std::string_view name) {
+    const auto& list = materials.materials;
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [&](const Material& material) { return material.name == name; });
+    if (found != list.end()) return &*found;
+    std::vector<std::string_view> known;
+    known.reserve(list.size());
+    for (const Material& material : list) known.emplace_back(material.name);
+    const auto nearest = text::nearest_name(name, known);
+    const std::string hint = nearest ? fmt::format("did you mean {}?", base::toml_string(*nearest))
+                                     : fmt::format("known are {}", fmt::join(known, ", "));
+    return tl::unexpected(fmt::format("unknown material {}; {}", base::toml_string(name), hint));
+}
+
+}  // namespace gsim::waterjet

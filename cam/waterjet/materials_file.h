@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "base/os/input_file.h"
+#include "cam/waterjet/materials.h"
+
+namespace gsim::waterjet {
+
+/// Reads a materials file (docs/cutting.md) strictly: what it does not know, does not understand or cannot
+/// use is an error, "file:line:column: sentence". `file_name` is for that alone.
+tl::expected<Materials, std::string> read_materials(std::string_view toml_text, std::string_view file_name);
+
+/// read_materials() of a file on disk.
+tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
+                                                    os::NamedBy named_by = os::NamedBy::a_file);
+
+/// The text of samples/materials.toml, which is compiled in.
+std::string_view built_in_materials_toml();
+
+}  // namespace gsim::waterjet

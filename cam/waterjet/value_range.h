@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cam/waterjet/cutting_speed.h"
+
+namespace gsim::waterjet {
+
+/// What a value may be. The ranges are far wider than what is used in practice; they keep the sums finite.
+struct ValueRange {
+    std::string_view key;
+    double least = 0;
+    double greatest = 0;
+
+    /// A sentence if the value is out of range, or no number.
+    std::optional<std::string> find_fault(double value) const {
+        if (value >= least && value <= greatest) return std::nullopt;
+        return fmt::format("'{}' must be between {} and {}; it is {}", key, least, greatest, value);
+    }
+};
+
+namespace range {
+
+inline constexpr ValueRange kPressure{"pressure_mpa", 1, 1000};
+inline constexpr ValueRange kOrifice{"orifice_mm", 0.01, 10};
+inline constexpr ValueRange kMixingTube{"mixing_tube_mm", 0.01, 100};
+inline constexpr ValueRange kAbrasive{"abrasive_g_min", 0.01, 1e5};
+inline constexpr ValueRange kQuality{"quality", kSeparationQuality, kFinestQuality};
+inline constexpr ValueRange kThickness{"thickness_mm", 1e-3, 1e4};
+inline constexpr ValueRange kMachinability{"machinability", 1e-3, 1e6};
+inline constexpr ValueRange kSpeed{"speed_mm_min", 1e-3, 1e6};
+inline constexpr ValueRange kKerf{"kerf_mm", 0.001, 1000};
+inline constexpr ValueRange kPierce{"pierce_s", 0, 1e5};
+
+}  // namespace range
+
+}  // namespace gsim::waterjet

@@ -1,0 +1,97 @@
+#include "codegen/post/action_words.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "codegen/post/gcode_numbers.h"
+#include "codegen/post/post.h"
+
+namespace gsim::codegen {
+
+namespace {
+
+constexpr int kLengthDecimals = 6;
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+// How many bytes at the front of a text a place may take at most.
+std::size_t longest(std::string_view place, std::string_view text) {
+    const auto count = [text](auto is_part) {
+        return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_part) - text.begin());
+    };
+    if (place == "digit") return std::min<std::size_t>(count(is_digit), 1);
+    if (place == "two_digits") return count(is_digit) < 2 ? 0 : 2;
+    if (place == "axis") return text.empty() || text[0] < 'A' || text[0] > 'Z' ? 0 : 1;
+    if (place == "text") {
+        return count([](char c) { return std::string_view("()%#;").find(c) == std::string_view::npos; });
+    }
+    return count([](char c) { return is_digit(c) || c == '.' || c == '-'; });
+}
+
+std::string in_unit(const std::string& number, double unit_mm) {
+    double value = 0;
+    std::from_chars(number.data(), number.data() + number.size(), value);
+    return trimmed(value / unit_mm, kLengthDecimals);
+}
+
+}  // namespace
+
+std::vector<std::string> places_in(std::string_view text) {
+    std::vector<std::string> places;
+    for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+        const std::size_t close = text.find('}', open);
+        if (close == std::string_view::npos) break;
+        places.emplace_back(text.substr(open + 1, close - open - 1));
+    }
+    return places;
+}
+
+ActionWords::ActionWords(const Blocks& blocks) : exact_(blocks) {
+    for (const auto& [name, block] : blocks) {
+        Pattern pattern{{}, places_in(name), block};
+        if (pattern.places.empty()) continue;
+        std::string_view rest = name;
+        for (const std::string& place : pattern.places) {
+            const std::size_t open = rest.find('{');
+            pattern.texts.emplace_back(rest.substr(0, open));
+            rest.remove_prefix(open + place.size() + 2);
+        }
+        pattern.texts.emplace_back(rest);
+        patterns_.push_back(std::move(pattern));
+    }
+}
+
+// Each place takes as much as it may, up to the text behind it.
+std::optional<std::vector<std::string>> ActionWords::match(const Pattern& pattern, std::string_view action) {
+    std::vector<std::string> found;
+    for (std::size_t i = 0; i < pattern.places.size(); ++i) {
+        if (!action.starts_with(pattern.texts[i])) return std::nullopt;
+        action.remove_prefix(pattern.texts[i].size());
+        std::size_t size = longest(pattern.places[i], action);
+        if (!pattern.texts[i + 1].empty()) size = std::min(size, action.find(pattern.texts[i + 1]));
+        if (size == 0) return std::nullopt;
+        found.emplace_back(action.substr(0, size));
+        action.remove_prefix(size);
+    }
+    if (action != pattern.texts.back()) return std::nullopt;
+    return found;
+}
+
+std::optional<std::string> ActionWords::block_of(std::string_view action, double unit_mm) const {
+    if (const auto found = exact_.find(action); found != exact_.end()) return found->second;
+    for (const Pattern& pattern : patterns_) {
+        const auto values = match(pattern, action);
+        if (!values) continue;
+        Places places;
+        for (std::size_t i = 0; i < values->size(); ++i) {
+            const std::string& place = pattern.places[i];
+            places[place] = place.ends_with("_mm") ? in_unit((*values)[i], unit_mm) : (*values)[i];
+        }
+        return filled(pattern.block, places);
+    }
+    return std::nullopt;
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "codegen/post/post.h"
+
+namespace gsim::codegen {
+
+/// Writes numbers with so many decimals. What is written is a whole number of units of the last decimal, so
+/// that two values are the same word if their units are equal.
+class DecimalFormat {
+  public:
+    DecimalFormat(int decimals, Zeros zeros) : decimals_(decimals), zeros_(zeros) {
+        for (int i = 0; i < decimals; ++i) per_one_ *= 10;
+    }
+
+    std::int64_t units(double value) const { return std::llround(value * static_cast<double>(per_one_)); }
+    double value(std::int64_t units) const {
+        return static_cast<double>(units) / static_cast<double>(per_one_);
+    }
+    void append(fmt::memory_buffer& out, std::int64_t units) const;
+
+  private:
+    int decimals_;
+    Zeros zeros_;
+    std::int64_t per_one_ = 1;
+};
+
+/// A number with so many decimals at most, without zeros at the end.
+inline std::string trimmed(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (text.find('.') == std::string::npos) return text;
+    text.resize(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+inline void DecimalFormat::append(fmt::memory_buffer& out, std::int64_t units) const {
+    if (units < 0) {
+        out.push_back('-');
+        units = -units;
+    }
+    const fmt::format_int whole(units / per_one_);
+    out.append(whole.data(), whole.data() + whole.size());
+    std::int64_t fraction = units % per_one_;
+    char digits[20];
+    for (int i = decimals_; i > 0; fraction /= 10) digits[--i] = static_cast<char>('0' + fraction % 10);
+    int shown = decimals_;
+    if (zeros_ != Zeros::keep) {
+        while (shown > 0 && digits[shown - 1] == '0') --shown;
+    }
+    if (shown > 0 || zeros_ == Zeros::point) out.push_back('.');
+    out.append(digits, digits + shown);
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,355 @@
+#include "codegen/post/gcode_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace gsim::codegen {
+
+namespace {
+
+constexpr std::size_t kEnough = std::size_t{1} << 16;
+constexpr std::uint64_t kGreatestNumber = 99'999;
+constexpr double kSecondsPerMinute = 60;
+constexpr int kSignificantDigits = 7;
+constexpr int kDecimals = 6;  // of numbers that are no places
+constexpr double kPerUnit = 1e6;
+
+constexpr std::array<std::string_view, 4> kMotions = {"G00", "G01", "G02", "G03"};
+constexpr std::array<std::string_view, 3> kPlanes = {"G17", "G18", "G19"};
+constexpr std::array<char, 3> kCenterLetters = {'I', 'J', 'K'};
+
+// The axes of X, Y, Z that lie in each plane, by index.
+constexpr std::array<std::array<std::size_t, 2>, 3> kInPlane = {{{0, 1}, {0, 2}, {1, 2}}};
+
+bool is_numbered(std::string_view line) {
+    return line.empty() || std::string_view("%Oo(").find(line[0]) == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string comment_text(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    for (const char c : text) {
+        if (c == '(' || c == ')' || c == ';') continue;
+        const auto byte = static_cast<unsigned char>(c);
+        out += byte >= 0x20 && byte < 0x7f ? c : '?';
+    }
+    return out;
+}
+
+GcodeWriter::GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, const WriterOptions& options,
+                         Sink sink)
+    : post_(post),
+      actions_(post.actions),
+      axes_(axes.begin(), axes.end()),
+      options_(options),
+      sink_(std::move(sink)),
+      length_(options.inch ? post.decimals_inch : options.decimals_mm.value_or(post.decimals_mm), post.zeros),
+      deg_(post.decimals_deg, post.zeros),
+      feed_(post.decimals_feed, post.zeros),
+      at_(axes.size(), kUnknown),
+      rest_(axes.size(), 0),
+      feed_mode_(options.feed_modes ? FeedMode::unknown : FeedMode::per_minute) {}
+
+std::int64_t GcodeWriter::units(std::size_t axis, double value) const {
+    return axes_[axis].rotary ? deg_.units(value) : length_.units(in_unit(value));
+}
+
+void GcodeWriter::begin_block() {
+    block_begin_ = text_.size();
+    first_word_ = true;
+    if (post_.number_step == 0) return;
+    number_ += static_cast<std::uint64_t>(post_.number_step);
+    if (number_ > kGreatestNumber) number_ = static_cast<std::uint64_t>(post_.number_step);
+    text_.push_back('N');
+    const fmt::format_int digits(number_);
+    for (auto shown = static_cast<int>(digits.size()); shown < post_.number_digits; ++shown) {
+        text_.push_back('0');
+    }
+    text_.append(digits.data(), digits.data() + digits.size());
+    first_word_ = false;
+}
+
+void GcodeWriter::end_block() {
+    text_.push_back('\n');
+    ++blocks_;
+    if (text_.size() >= kEnough) flush();
+}
+
+void GcodeWriter::flush() {
+    sink_({text_.data(), text_.size()});
+    text_.clear();
+}
+
+void GcodeWriter::code(std::string_view text) {
+    if (!first_word_) text_.push_back(' ');
+    first_word_ = false;
+    text_.append(text.data(), text.data() + text.size());
+}
+
+void GcodeWriter::word(char letter, std::int64_t units, const DecimalFormat& format) {
+    code({&letter, 1});
+    format.append(text_, units);
+}
+
+void GcodeWriter::lines(const std::vector<std::string>& templates) {
+    for (const std::string& each : templates) {
+        const std::string line = filled(each, places_);
+        if (is_numbered(line))
+            begin_block();
+        else
+            first_word_ = true;
+        code(line);
+        end_block();
+    }
+}
+
+void GcodeWriter::forget() {
+    std::fill(at_.begin(), at_.end(), kUnknown);
+    motion_ = kNoMotion;
+    plane_ = -1;
+    feed_units_ = kUnknown;
+    feed_mode_ = options_.feed_modes ? FeedMode::unknown : FeedMode::per_minute;
+    system_.clear();
+    next_words_.clear();
+    acceleration_units_ = kUnknown;
+    std::fill(rest_.begin(), rest_.end(), 0);
+}
+
+void GcodeWriter::here(std::string_view word, std::span<const double> values) {
+    begin_block();
+    code(word);
+    axis_words(values);
+    end_block();
+}
+
+void GcodeWriter::stand(std::span<const double> values) {
+    for (std::size_t i = 0; i < axes_.size(); ++i) at_[i] = stand_at(i, values[i]);
+}
+
+void GcodeWriter::begin_in(const std::string& name) {
+    system_ = name;
+}
+
+void GcodeWriter::work_offset(const std::string& name) {
+    if (system_ == name) return;
+    system_ = name;
+    std::fill(at_.begin(), at_.end(), kUnknown);
+    Places places = places_;
+    places["system"] = name;
+    begin_block();
+    code(filled(post_.offsets.system, places));
+    end_block();
+}
+
+// What has been put off to this block, and that its numbers are those of the machine.
+void GcodeWriter::begin_motion() {
+    begin_block();
+    for (const std::string& word : next_words_) code(word);
+    next_words_.clear();
+}
+
+bool GcodeWriter::motion_word(int motion) {
+    const bool changes = motion_ != motion;
+    motion_ = motion;
+    if (changes || options_.verbose_words) code(kMotions[static_cast<std::size_t>(motion)]);
+    return changes;
+}
+
+// What is printed for a value, whose rest is kept.
+std::int64_t GcodeWriter::stand_at(std::size_t axis, double value) {
+    const std::int64_t printed = units(axis, value);
+    rest_[axis] = (axes_[axis].rotary ? value : in_unit(value)) - format(axis).value(printed);
+    return printed;
+}
+
+bool GcodeWriter::axis_words(std::span<const double> values) {
+    bool changes = false;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::int64_t next = stand_at(i, values[i]);
+        if (next == at_[i] && !options_.verbose_words) continue;
+        changes = changes || next != at_[i];
+        at_[i] = next;
+        word(axes_[i].letter, next, format(i));
+    }
+    return changes;
+}
+
+GcodeWriter::FeedMode GcodeWriter::mode_of(const WrittenFeed& feed) const {
+    if (feed.duration_s && !post_.feed_modes.inverse_time.empty()) return FeedMode::inverse_time;
+    if (feed.per_rev_mm && !post_.feed_modes.per_revolution.empty()) return FeedMode::per_revolution;
+    return FeedMode::per_minute;
+}
+
+// An F of one mode means nothing in another.
+void GcodeWriter::feed_mode_word(FeedMode mode) {
+    if (mode == feed_mode_) return;
+    feed_mode_ = mode;
+    feed_units_ = kUnknown;
+    const FeedModes& words = post_.feed_modes;
+    switch (mode) {
+        case FeedMode::inverse_time: return code(words.inverse_time);
+        case FeedMode::per_revolution: return code(words.per_revolution);
+        default: return code(words.per_minute);
+    }
+}
+
+// In each block, with as many digits as short and long times need.
+void GcodeWriter::inverse_time_word(double per_min) {
+    const int whole_digits = static_cast<int>(std::ceil(std::log10(per_min)));
+    code("F" + trimmed(per_min, std::clamp(kSignificantDigits - whole_digits, 3, 12)));
+}
+
+void GcodeWriter::feed_word(const WrittenFeed& feed, double turn_rad) {
+    const FeedMode mode = mode_of(feed);
+    if (mode == FeedMode::inverse_time) {
+        const bool by_angle = post_.feed_modes.inverse_time_by_angle && turn_rad > 0;
+        return inverse_time_word((by_angle ? turn_rad : 1) * kSecondsPerMinute / *feed.duration_s);
+    }
+    if (mode == FeedMode::per_revolution) {
+        const double per_rev = in_unit(*feed.per_rev_mm);
+        const std::int64_t next = std::llround(per_rev * kPerUnit);
+        if (next != feed_units_) code("F" + trimmed(per_rev, kDecimals));
+        feed_units_ = next;
+        return;
+    }
+    // A feed that rounds to 0 would never arrive.
+    const std::int64_t next =
+        std::max<std::int64_t>(1, feed_.units(feed.rotary ? feed.per_min : in_unit(feed.per_min)));
+    if (next == feed_units_ && !options_.verbose_words) return;
+    feed_units_ = next;
+    word('F', next, feed_);
+}
+
+void GcodeWriter::plane_word(ArcPlane plane) {
+    const int index = static_cast<int>(plane);
+    if (index == plane_ && !options_.verbose_words) return;
+    plane_ = index;
+    code(kPlanes[static_cast<std::size_t>(index)]);
+}
+
+void GcodeWriter::move(std::span<const double> values, const std::optional<WrittenFeed>& feed) {
+    bool changes = false;
+    for (std::size_t i = 0; i < axes_.size(); ++i) changes = stand_at(i, values[i]) != at_[i] || changes;
+    if (!changes) return;
+    if (feed && feed->lead_mm) return thread(values, *feed);
+    begin_motion();
+    if (options_.in_machine) code(post_.offsets.machine);
+    if (feed) feed_mode_word(mode_of(*feed));
+    motion_word(feed ? 1 : 0);
+    axis_words(values);
+    if (feed) feed_word(*feed, 0);
+    end_block();
+}
+
+void GcodeWriter::thread(std::span<const double> values, const WrittenFeed& feed) {
+    begin_motion();
+    code(post_.thread);
+    motion_ = kNoMotion;
+    axis_words(values);
+    if (post_.thread_lead == "F") feed_units_ = kUnknown;
+    code(post_.thread_lead + trimmed(in_unit(*feed.lead_mm), kDecimals));
+    end_block();
+}
+
+void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed) {
+    begin_motion();
+    plane_word(words.plane);
+    feed_mode_word(mode_of(feed));
+    motion_word(words.clockwise ? 2 : 3);
+    const std::array<std::size_t, 2>& in_plane = kInPlane[static_cast<std::size_t>(words.plane)];
+    const auto axis_of = [this](std::size_t direction) {
+        const char letter = static_cast<char>('X' + direction);
+        const auto found = std::find_if(axes_.begin(), axes_.end(),
+                                        [letter](const WrittenAxis& axis) { return axis.letter == letter; });
+        return static_cast<std::size_t>(found - axes_.begin());
+    };
+    const bool full_circle = std::all_of(in_plane.begin(), in_plane.end(), [&](std::size_t direction) {
+        const std::size_t axis = axis_of(direction);
+        return units(axis, values[axis]) == at_[axis];
+    });
+    // Some controls want a word of the plane to take the block for an arc.
+    if (full_circle) {
+        for (const std::size_t direction : in_plane) at_[axis_of(direction)] = kUnknown;
+    }
+    std::array<std::int64_t, 3> offsets{};
+    for (const std::size_t direction : in_plane) {
+        // Counted from the printed start, so that the centre is off by its own rounding alone.
+        offsets[direction] =
+            length_.units(in_unit(words.center_offset_mm[direction]) + rest_[axis_of(direction)]);
+    }
+    axis_words(values);
+    for (const std::size_t direction : in_plane) word(kCenterLetters[direction], offsets[direction], length_);
+    if (words.turns > 1) code(fmt::format("{}{}", post_.turns_of_arcs, words.turns));
+    feed_word(feed, words.turn_rad);
+    end_block();
+}
+
+// The point is written in full: it is where the circle differs from all others through the ends.
+void GcodeWriter::arc_through(std::span<const double> values, const std::array<double, 3>& via_mm,
+                              const WrittenFeed& feed, double turn_rad) {
+    const ThroughPoint& words = *post_.through_point;
+    begin_motion();
+    feed_mode_word(mode_of(feed));
+    motion_ = kNoMotion;
+    code(words.code);
+    axis_words(values);
+    for (std::size_t i = 0; i < via_mm.size(); ++i) {
+        code(words.letters[i]);
+        length_.append(text_, length_.units(in_unit(via_mm[i])));
+    }
+    feed_word(feed, turn_rad);
+    end_block();
+}
+
+// A time is written to the thousandth; as exactly as it is given where lengths have digits of their own.
+void GcodeWriter::dwell(double seconds) {
+    const bool is_short = std::abs(seconds * 1000 - std::round(seconds * 1000)) < 1e-6;
+    const bool is_exact = options_.decimals_mm && !is_short;
+    if (!is_exact && seconds > 0) seconds = std::max(seconds, 0.001);
+    Places places = places_;
+    places["seconds"] = fmt::format("{:.{}f}", seconds, is_exact ? 6 : 3);
+    places["milliseconds"] = fmt::format("{:.{}f}", seconds * 1000, is_exact ? 3 : 0);
+    begin_block();
+    code(filled(post_.dwell, places));
+    end_block();
+}
+
+void GcodeWriter::acceleration(double mm_s2) {
+    if (post_.acceleration.empty()) return;
+    const std::int64_t next = std::max<std::int64_t>(1, feed_.units(in_unit(mm_s2)));
+    if (next == acceleration_units_ && !options_.verbose_words) return;
+    acceleration_units_ = next;
+    fmt::memory_buffer number;
+    feed_.append(number, next);
+    places_["acceleration"] = fmt::to_string(number);
+    lines(post_.acceleration);
+}
+
+void GcodeWriter::action(std::string_view name) {
+    if (name == kRest) return dwell(0);
+    const auto block = actions_.block_of(name, options_.inch ? kMmPerInch : 1);
+    if (!block) return comment(fmt::format("action: {}", name));
+    if (block->empty()) return;
+    if (block->ends_with(kInNextBlock)) {
+        next_words_.push_back(block->substr(0, block->size() - kInNextBlock.size()));
+        return;
+    }
+    const bool is_comment = block->front() == '(';
+    if (is_comment) {
+        first_word_ = true;
+    } else {
+        begin_block();
+    }
+    code(*block);
+    end_block();
+}
+
+void GcodeWriter::comment(std::string_view text) {
+    fmt::format_to(std::back_inserter(text_), "({})", comment_text(text));
+    end_block();
+}
+
+}  // namespace gsim::codegen

@@ -1,0 +1,317 @@
+#include "codegen/post/post_file.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/os/input_file.h"
+#include "base/toml/toml_section.h"
+#include "codegen/post/action_words.h"
+#include "codegen/post/embedded_posts.h"
+
+namespace gsim::codegen {
+
+namespace {
+
+using base::FirstError;
+using base::NumberRule;
+using base::TomlSection;
+using Names = std::span<const std::string_view>;
+
+constexpr std::string_view kExtension = ".toml";
+constexpr int kMostDecimals = 6;
+constexpr int kMostDigits = 9;
+
+constexpr std::array<std::string_view, 12> kPostKeys = {
+    "name",       "reads_as", "numbers",      "blocks",     "arcs",    "program",
+    "subprogram", "actions",  "acceleration", "feed_modes", "offsets", "tool_change"};
+constexpr std::array<std::string_view, 3> kArcKeys = {"through_point", "oblique", "turns"};
+constexpr std::array<std::string_view, 2> kOblique = {"lines", "refuse"};
+constexpr std::array<std::string_view, 6> kNumberKeys = {
+    "decimals_mm", "decimals_inch", "decimals_deg", "decimals_feed", "decimals_recorded_mm", "zeros"};
+constexpr std::array<std::string_view, 7> kBlockKeys = {
+    "number_step", "number_digits", "axes", "dwell", "start_position", "thread", "thread_lead"};
+constexpr std::array<std::string_view, 4> kFeedModeKeys = {"per_minute", "inverse_time", "per_revolution",
+                                                           "inverse_time_of_arcs"};
+constexpr std::array<std::string_view, 6> kOffsetKeys = {"system", "systems", "machine",
+                                                         "here",   "begin",   "end"};
+constexpr std::array<std::string_view, 1> kToolChangeKeys = {"stops"};
+constexpr std::array<std::string_view, 2> kStopped = {"spindle", "coolant"};
+constexpr std::array<std::string_view, 2> kTimesOfArcs = {"move", "radian"};
+constexpr std::array<std::string_view, 1> kSystemPlaces = {"system"};
+constexpr std::array<std::string_view, 2> kProgramKeys = {"begin", "end"};
+constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",         "end",
+                                                             "call",  "call_repeated", "file"};
+constexpr std::array<std::string_view, 2> kAccelerationKeys = {"set", "end"};
+constexpr std::array<std::string_view, 2> kOrders = {"after", "before"};
+constexpr std::array<std::string_view, 3> kZeros = {"keep", "point", "cut"};
+constexpr std::array<std::string_view, 2> kDialects = {"ab9", "rs274ngc"};
+
+constexpr std::array<std::string_view, 5> kProgramPlaces = {"number", "title", "program", "lower", "unit"};
+constexpr std::array<std::string_view, 5> kCallPlaces = {"number", "program", "lower", "repeats", "label"};
+constexpr std::array<std::string_view, 3> kFilePlaces = {"number", "program", "lower"};
+constexpr std::string_view kFileCharacters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+constexpr std::size_t kLongestFileName = 100;
+constexpr std::array<std::string_view, 2> kDwellPlaces = {"seconds", "milliseconds"};
+constexpr std::array<std::string_view, 1> kAccelerationPlaces = {"acceleration"};
+
+class PostReader {
+  public:
+    explicit PostReader(std::string_view file_name) : error_(file_name) {}
+
+    tl::expected<Post, std::string> read(std::string_view text) {
+        const toml::table table = base::parse_toml(error_, text);
+        if (!error_.text()) read_post(table);
+        if (error_.text()) return tl::unexpected(*error_.text());
+        return std::move(post_);
+    }
+
+  private:
+    void read_post(const toml::table& table) {
+        TomlSection section(error_, table, "the post", kPostKeys);
+        post_.name = section.text("name");
+        section.require("reads_as");
+        post_.reads_as = kDialects[section.choice("reads_as", 0, kDialects)];
+        if (const auto* numbers = section_table(section, "numbers")) read_numbers(*numbers);
+        if (const auto* blocks = section_table(section, "blocks")) read_blocks(*blocks);
+        if (const auto* arcs = section.table("arcs")) read_arcs(*arcs);
+        if (const auto* program = section_table(section, "program")) {
+            TomlSection of(error_, *program, "[program]", kProgramKeys);
+            post_.begin = lines(of, "begin", kProgramPlaces);
+            post_.end = lines(of, "end", kProgramPlaces);
+        }
+        if (const auto* subprogram = section.table("subprogram")) read_subprogram(*subprogram);
+        if (const auto* acceleration = section.table("acceleration")) {
+            TomlSection of(error_, *acceleration, "[acceleration]", kAccelerationKeys);
+            post_.acceleration = lines(of, "set", kAccelerationPlaces);
+            post_.end_acceleration = lines(of, "end", {});
+        }
+        if (const auto* modes = section.table("feed_modes")) read_feed_modes(*modes);
+        if (const auto* offsets = section.table("offsets")) read_offsets(*offsets);
+        if (const auto* change = section.table("tool_change")) read_tool_change(*change);
+        if (const auto* actions = section.table("actions")) read_actions(*actions);
+    }
+
+    const toml::table* section_table(TomlSection& section, std::string_view key) {
+        section.require(key);
+        return section.table(key);
+    }
+
+    int whole(TomlSection& section, std::string_view key, int most) {
+        if (section.require(key) == nullptr) return 0;
+        const double value = section.number(key, 0, NumberRule::not_negative);
+        if (value <= most && value == std::floor(value)) return static_cast<int>(value);
+        section.fail(key, fmt::format("'{}' must be a whole number from 0 to {}", key, most));
+        return 0;
+    }
+
+    void read_numbers(const toml::table& table) {
+        TomlSection section(error_, table, "[numbers]", kNumberKeys);
+        post_.decimals_mm = whole(section, "decimals_mm", kMostDecimals);
+        post_.decimals_inch = whole(section, "decimals_inch", kMostDecimals);
+        post_.decimals_deg = whole(section, "decimals_deg", kMostDecimals);
+        post_.decimals_feed = whole(section, "decimals_feed", kMostDecimals);
+        if (section.has("decimals_recorded_mm"))
+            post_.decimals_recorded_mm = whole(section, "decimals_recorded_mm", kMostDecimals);
+        section.require("zeros");
+        post_.zeros = static_cast<Zeros>(section.choice("zeros", 0, kZeros));
+    }
+
+    void read_blocks(const toml::table& table) {
+        TomlSection section(error_, table, "[blocks]", kBlockKeys);
+        post_.number_step = whole(section, "number_step", 1000);
+        post_.number_digits = whole(section, "number_digits", kMostDigits);
+        if (section.has("axes")) post_.axes = section.text("axes");
+        post_.dwell = section.text("dwell");
+        check_line(section, "dwell", post_.dwell, kDwellPlaces);
+        post_.start_position = word(section, "start_position");
+        post_.thread = word(section, "thread");
+        post_.thread_lead = word(section, "thread_lead");
+        if (post_.thread.empty() != post_.thread_lead.empty())
+            section.fail("thread", "'thread' and 'thread_lead' go together");
+    }
+
+    // A word that may be left out.
+    std::string word(TomlSection& section, std::string_view key, Names places = {}) {
+        if (!section.has(key)) return {};
+        std::string text = section.text(key);
+        check_line(section, key, text, places);
+        return text;
+    }
+
+    void read_feed_modes(const toml::table& table) {
+        TomlSection section(error_, table, "[feed_modes]", kFeedModeKeys);
+        section.require("per_minute");
+        post_.feed_modes.per_minute = word(section, "per_minute");
+        post_.feed_modes.inverse_time = word(section, "inverse_time");
+        post_.feed_modes.per_revolution = word(section, "per_revolution");
+        post_.feed_modes.inverse_time_by_angle = section.choice("inverse_time_of_arcs", 0, kTimesOfArcs) == 1;
+    }
+
+    void read_offsets(const toml::table& table) {
+        TomlSection section(error_, table, "[offsets]", kOffsetKeys);
+        OffsetWords& words = post_.offsets;
+        words.system = word(section, "system", kSystemPlaces);
+        if (section.has("systems")) words.systems = lines(section, "systems", {});
+        words.machine = word(section, "machine");
+        words.here = word(section, "here");
+        if (section.has("begin")) words.begin = lines(section, "begin", {});
+        if (section.has("end")) words.end = lines(section, "end", {});
+        if (words.system.empty() != words.systems.empty())
+            section.fail("system", "'system' and 'systems' go together");
+    }
+
+    void read_tool_change(const toml::table& table) {
+        TomlSection section(error_, table, "[tool_change]", kToolChangeKeys);
+        for (const std::string& stopped : lines(section, "stops", {})) {
+            const auto at = std::find(kStopped.begin(), kStopped.end(), stopped);
+            if (at == kStopped.end())
+                section.fail("stops", fmt::format("'stops' holds {}, not \"{}\"",
+                                                  fmt::join(kStopped, " and "), stopped));
+            (at == kStopped.begin() ? post_.tool_change.stops_spindle : post_.tool_change.stops_coolant) =
+                true;
+        }
+    }
+
+    void read_arcs(const toml::table& table) {
+        TomlSection section(error_, table, "[arcs]", kArcKeys);
+        post_.refuses_oblique_arcs = section.choice("oblique", 0, kOblique) == 1;
+        post_.turns_of_arcs = word(section, "turns");
+        if (!section.has("through_point")) return;
+        std::vector<std::string> words = lines(section, "through_point", {});
+        if (words.size() != 4) {
+            section.fail("through_point",
+                         "'through_point' takes four strings: the code, and the letters of X, Y and Z of the "
+                         "point");
+            return;
+        }
+        post_.through_point = {std::move(words[0]),
+                               {std::move(words[1]), std::move(words[2]), std::move(words[3])}};
+    }
+
+    void read_subprogram(const toml::table& table) {
+        TomlSection section(error_, table, "[subprogram]", kSubprogramKeys);
+        SubprogramLines& lines_of = post_.subprogram.emplace();
+        section.require("order");
+        lines_of.before_program = section.choice("order", 0, kOrders) == 1;
+        lines_of.begin = lines(section, "begin", kProgramPlaces);
+        lines_of.end = lines(section, "end", kProgramPlaces);
+        lines_of.call = lines(section, "call", kCallPlaces);
+        lines_of.call_repeated = lines(section, "call_repeated", kCallPlaces);
+        lines_of.file = section.text("file");
+        check_line(section, "file", lines_of.file, kFilePlaces);
+        check_file_name(section, lines_of.file);
+    }
+
+    // Programs of others bring posts along: no name may be one that means something elsewhere, and each
+    // subprogram must get one of its own. What the places stand for is made of letters, digits and '_' alone.
+    static void check_file_name(TomlSection& section, std::string_view file) {
+        std::string plain(file);
+        for (const std::string_view place : kFilePlaces) {
+            const std::string written = fmt::format("{{{}}}", place);
+            for (std::size_t at = plain.find(written); at != std::string::npos; at = plain.find(written))
+                plain.replace(at, written.size(), "0");
+        }
+        const bool known = plain.find_first_not_of(kFileCharacters) == std::string::npos &&
+                           plain.find("..") == std::string::npos;
+        if (!known || plain.empty() || plain.size() > kLongestFileName || plain[0] == '.' ||
+            plain[0] == '-') {
+            section.fail("file",
+                         fmt::format("'file' must be a name of letters, digits, '_', '-' and '.', of {} at "
+                                     "most, that begins with a letter, a digit, '_' or a place, such as "
+                                     "\"{{program}}_O{{number}}.nc\"",
+                                     kLongestFileName));
+        } else if (file.find("{number}") == std::string_view::npos) {
+            section.fail("file", "'file' must hold {number}, so that each subprogram has a file of its own");
+        }
+    }
+
+    void read_actions(const toml::table& table) {
+        for (const auto& [key, node] : table) {
+            const auto* text = node.as_string();
+            if (text == nullptr) {
+                error_.report(node.source().begin, fmt::format("'{}' must be a string", key.str()));
+            } else {
+                const std::vector<std::string> places = places_in(key.str());
+                const std::vector<std::string_view> known(places.begin(), places.end());
+                check_text(node.source().begin, key.str(), text->get(), known);
+                post_.actions.emplace(key.str(), text->get());
+            }
+        }
+    }
+
+    std::vector<std::string> lines(TomlSection& section, std::string_view key, Names places) {
+        std::vector<std::string> found;
+        const toml::node* node = section.require(key);
+        if (node == nullptr) return found;
+        const toml::array* array = node->as_array();
+        if (array == nullptr) {
+            section.fail(key, fmt::format("'{}' must be an array of strings, one for each line", key));
+            return found;
+        }
+        found.reserve(array->size());
+        for (const toml::node& element : *array) {
+            const auto* text = element.as_string();
+            if (text == nullptr) {
+                error_.report(element.source().begin, fmt::format("'{}' must hold strings only", key));
+            } else {
+                check_text(element.source().begin, key, text->get(), places);
+                found.push_back(text->get());
+            }
+        }
+        return found;
+    }
+
+    void check_line(TomlSection& section, std::string_view key, std::string_view line, Names places) {
+        check_text(section.where(key), key, line, places);
+    }
+
+    // A line is one line, and holds no places but these.
+    void check_text(const toml::source_position& where, std::string_view key, std::string_view line,
+                    Names places) {
+        const bool control = std::any_of(line.begin(), line.end(),
+                                         [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+        if (control) error_.report(where, fmt::format("'{}' must not hold line breaks or the like", key));
+        for (std::size_t open = line.find('{'); open != std::string_view::npos;
+             open = line.find('{', open + 1)) {
+            const std::string_view name = line.substr(open + 1, line.find('}', open) - open - 1);
+            if (std::find(places.begin(), places.end(), name) != places.end()) continue;
+            const std::string hint =
+                places.empty() ? std::string("nothing") : fmt::format("{{{}}}", fmt::join(places, "}, {"));
+            error_.report(where, fmt::format("'{}' knows no {{{}}}; it may hold {}", key, name, hint));
+        }
+    }
+
+    FirstError error_;
+    Post post_;
+};
+
+}  // namespace
+
+tl::expected<Post, std::string> read_post(std::string_view toml_text, std::string_view file_name) {
+    return PostReader(file_name).read(toml_text);
+}
+
+std::vector<std::string_view> built_in_posts() {
+    std::vector<std::string_view> names;
+    names.reserve(embedded::embedded_posts().size());
+    for (const auto& [file_name, text] : embedded::embedded_posts()) {
+        names.push_back(file_name.substr(0, file_name.size() - kExtension.size()));
+    }
+    return names;
+}
+
+tl::expected<Post, std::string> find_post(const std::string& name) {
+    if (name.ends_with(kExtension)) {
+        const tl::expected<std::string, std::string> text =
+            os::read_text_file(name, os::NamedBy::command_line);
+        if (!text) return tl::unexpected(text.error());
+        return read_post(*text, name);
+    }
+    const std::string_view text = embedded::embedded_posts(name + std::string(kExtension));
+    if (text.data() != nullptr) return read_post(text, name);
+    return tl::unexpected(fmt::format("there is no post '{}'; there are {}, or name a file that ends in {}",
+                                      name, fmt::join(built_in_posts(), ", "), kExtension));
+}
+
+}  // namespace gsim::codegen

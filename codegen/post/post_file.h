@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "codegen/post/post.h"
+
+namespace gsim::codegen {
+
+/// Reads a description of a post-processor (docs/paths.md) strictly. The error is "file:line:column:
+/// sentence".
+tl::expected<Post, std::string> read_post(std::string_view toml_text, std::string_view file_name);
+
+/// Names of the posts that are compiled in, those of samples/posts.
+std::vector<std::string_view> built_in_posts();
+
+/// One of them by its name or, where `name` ends in .toml, that file. The error is a sentence.
+tl::expected<Post, std::string> find_post(const std::string& name);
+
+}  // namespace gsim::codegen

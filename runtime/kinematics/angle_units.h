@@ -1,9 +1,0 @@
-#pragma once
-
-#include <numbers>
-
-namespace gsim::kinematics {
-
-inline constexpr double kDegPerRad = 180 / std::numbers::pi;
-
-}  // namespace gsim::kinematics

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Holds each #include against the table of rooms in docs/architecture.md: what a room includes stands in its row, and what stands there is
+included somewhere. Rooms are in the order in which the table has them, from the ground up: a room uses none below its own row.
+Usage: rooms.py [--print] (--print: the rows as the sources have them)"""
+
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent.parent
+PAGE = "docs/architecture.md"
+HEADING = "## Rooms"
+FREE = ("tests/", "bench/", "samples/", "docs/")  # may look into every room
+EVERYBODYS = ("base/units.h",)
+
+# Who makes a header that is no file of ours, by how its name begins or ends.
+EXTERNAL = (
+    (r"fmt/.*", "fmt"), (r"Eigen/.*", "Eigen"), (r"tl/.*", "tl-expected"), (r"toml\+\+/.*", "toml++"), (r"nlohmann/.*", "nlohmann-json"),
+    (r"lua\.hpp", "Lua"), (r"fcl/.*", "FCL"), (r"pugixml\.hpp", "pugixml"), (r"CLI/.*", "CLI11"), (r".*\.hxx", "OpenCASCADE"),
+    (r"std(int|def)\.h", ""), (r"[a-z_/]+\.h", "POSIX"), (r"[a-z_]+", ""))
+
+
+def rows(page):
+    """The rooms and what they may use, as the table has them."""
+    text = page.split(HEADING + "\n", 1)[1].split("\n## ", 1)[0]
+    table = {}
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) == 3 and (name := re.fullmatch(r"`([a-z0-9_/]+)/`", cells[0])):
+            table[name[1]] = [use.strip().strip("`").rstrip("/") for use in cells[2].split(",") if use.strip()]
+    return table
+
+
+def room_of(file, rooms):
+    inside = [room for room in rooms if file.startswith(room + "/")]
+    return max(inside, key=len, default=None)
+
+
+def maker_of(header):
+    return next((maker for pattern, maker in EXTERNAL if re.fullmatch(pattern, header)), header)
+
+
+def sources(root):
+    for folder in sorted(root.iterdir()):
+        if folder.is_dir() and not folder.name.startswith((".", "build")) and folder.name + "/" not in FREE:
+            yield from sorted(file for file in folder.rglob("*") if file.suffix in (".cpp", ".h", ".l", ".y"))
+
+
+def uses(root, rooms):
+    """For each room what it includes, with the first place where it does; and sources that are in no room."""
+    used, homeless = defaultdict(dict), []
+    for path in sources(root):
+        file = path.relative_to(root).as_posix()
+        room = room_of(file, rooms)
+        if room is None:
+            if file not in EVERYBODYS:
+                homeless.append(file)
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if not (include := re.match(r'\s*#\s*include\s*([<"])([^>"]+)', line)):
+                continue
+            ours = include[1] == '"'
+            use = room_of(include[2], rooms) if ours else maker_of(include[2])
+            if use and use != room:
+                used[room].setdefault(use, f"{file}:{number}")
+    return used, homeless
+
+
+def faults(table, used, homeless):
+    order = list(table)
+    for file in homeless:
+        yield f"{file}: its folder has no row in the table of rooms"
+    for room, allowed in table.items():
+        for use, where in used[room].items():
+            if use not in allowed:
+                yield f"{where}: {room}/ uses {use}, which its row does not say"
+            elif use in table and order.index(use) > order.index(room):
+                yield f"{where}: {room}/ uses {use}/, which stands below it in the table"
+        for use in allowed:
+            if use not in used[room]:
+                yield f"{PAGE}: {room}/ may use {use}, and nothing there does"
+
+
+def main():
+    table = rows((HERE / PAGE).read_text(encoding="utf-8"))
+    used, homeless = uses(HERE, table)
+    if "--print" in sys.argv:
+        for room in table:
+            ours = [f"`{use}/`" for use in table if use in used[room]]
+            others = sorted((use for use in used[room] if use not in table), key=str.lower)
+            print(f"{room}: {', '.join(ours + others)}")
+    found = list(faults(table, used, homeless))
+    print("\n".join(found) if found else f"{len(table)} rooms use what the table says")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Includes are held against the table of rooms. Usage: rooms_test.py SCRIPTS-FOLDER"""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, sys.argv.pop(1))
+import rooms
+
+PAGE = """# Architecture
+
+## Rooms
+
+| room | holds | includes |
+| --- | --- | --- |
+| `low/` | words | fmt |
+| `low/deep/` | more of it | `low/` |
+| `high/` | all | `low/`, `low/deep/`, POSIX |
+
+## More
+
+| `other/` | is no room | fmt |
+"""
+SOURCES = {
+    "low/a.h": "#include <vector>\n#include <fmt/format.h>\n",
+    "low/deep/a.cpp": '#include "low/deep/a.h"\n#include "low/a.h"\n',
+    "high/a.cpp": '#include <unistd.h>\n\n  #  include "low/a.h"\n#include "low/deep/a.h"\n',
+    "tests/a.cpp": '#include "high/a.h"\n',
+}
+
+
+def faults(changed):
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name, text in {**SOURCES, **changed}.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text, encoding="utf-8")
+        table = rooms.rows(PAGE)
+        return list(rooms.faults(table, *rooms.uses(root, table)))
+
+
+class Rooms(unittest.TestCase):
+    def test_what_the_table_says_is_no_fault(self):
+        self.assertEqual([], faults({}))
+
+    def test_what_a_row_does_not_say_is_one(self):
+        self.assertEqual(["low/b.cpp:2: low/ uses POSIX, which its row does not say"], faults({"low/b.cpp": "\n#include <unistd.h>\n"}))
+        self.assertEqual(["low/b.cpp:1: low/ uses high, which its row does not say"], faults({"low/b.cpp": '#include "high/a.h"\n'}))
+        self.assertEqual(["low/b.cpp:1: low/ uses boost/any.hpp, which its row does not say"],
+                         faults({"low/b.cpp": "#include <boost/any.hpp>\n"}))
+
+    def test_what_nothing_includes_is_one(self):
+        self.assertEqual(["docs/architecture.md: high/ may use POSIX, and nothing there does"],
+                         faults({"high/a.cpp": '#include "low/a.h"\n#include "low/deep/a.h"\n'}))
+
+    def test_a_room_uses_none_below_its_row(self):
+        upwards = PAGE.replace("| words | fmt |", "| words | fmt, `high/` |")
+        table = rooms.rows(upwards)
+        self.assertIn("low/a.h:1: low/ uses high/, which stands below it in the table",
+                      list(rooms.faults(table, {**{room: {} for room in table}, "low": {"high": "low/a.h:1"}}, [])))
+
+    def test_each_folder_of_sources_is_a_room(self):
+        self.assertEqual(["shed/a.cpp: its folder has no row in the table of rooms"], faults({"shed/a.cpp": "int i;\n"}))
+
+
+if __name__ == "__main__":
+    unittest.main()
