@@ -40,8 +40,9 @@ std::string in_unit(const std::string& number, double unit_mm) {
 
 std::vector<std::string> places_in(std::string_view text) {
     std::vector<std::string> places;
-    for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
-        const std::size_t close = text.find('}', open);
+    std::size_t close = 0;
+    for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', close)) {
+        close = text.find('}', open);
         if (close == std::string_view::npos) break;
         places.emplace_back(text.substr(open + 1, close - open - 1));
     }

@@ -39,6 +39,12 @@ TEST(ActionWords, PlacesTakeWhatTheirNamesSay) {
     EXPECT_EQ(block("turn round"), std::nullopt);
 }
 
+// What is behind the inner brace was taken for a place of its own, and the name left by its end.
+TEST(ActionWords, ABraceWithinAPlaceIsPartOfItsName) {
+    const ActionWords::Blocks blocks{{"turn {{angle} degrees", "M19 R{{angle}"}};
+    EXPECT_EQ(ActionWords(blocks).block_of("turn 90 degrees", 1), "M19 R90");
+}
+
 TEST(ActionWords, TextsEndWhereWhatIsBehindThemBegins) {
     EXPECT_EQ(block("say hello there (so)"), "(MSG,hello there)");
     EXPECT_EQ(block("say hello"), "(PRINT,hello)");
