@@ -34,10 +34,8 @@ bool leaves_the_machine(const PlannerSetup& setup, const Arc& arc) {
 
 }  // namespace
 
-Planned shape_arc(const PlannerSetup& setup, Segment& segment) {
-    segment.kind = SegmentKind::circular;
-    segment.length_mm = segment.arc.length_mm();
-    if (leaves_the_machine(setup, segment.arc)) {
+Planned check_arc(const PlannerSetup& setup, const Arc& arc) {
+    if (leaves_the_machine(setup, arc)) {
         return refused(rrs::Status::RRS_INVALID_PARAMETER,
                        "The arc needs a direction in which the machine has no joint.");
     }
@@ -45,7 +43,9 @@ Planned shape_arc(const PlannerSetup& setup, Segment& segment) {
 }
 
 Planned plan_arc(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
-    if (Planned shaped = shape_arc(setup, segment); !shaped) return shaped;
+    if (Planned checked = check_arc(setup, segment.arc); !checked) return checked;
+    segment.kind = SegmentKind::circular;
+    segment.length_mm = segment.arc.length_mm();
     const JointChanges changes(setup, segment.start, segment.end);
     const MoveRules resolved = rules.resolved(changes.norm(JointRole::rotary) > 0);
     if (resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();

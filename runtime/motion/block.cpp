@@ -19,7 +19,7 @@ namespace gsim::motion {
 namespace {
 
 /// Greatest change of each joint by length of way, all along it; 0 for those of an orientation arc.
-rrs::JointPos shares_of(const Move& move, const PlannerSetup& setup, const Block& block) {
+rrs::JointPos shares_of(const PathMove& move, const PlannerSetup& setup, const Block& block) {
     rrs::JointPos shares = block.slope_in.cwiseAbs();
     if (move.orientation) shares[move.orientation->turn_joint()] = shares[move.orientation->tilt_joint()] = 0;
     if (move.kind != SegmentKind::circular) return shares;
@@ -53,7 +53,7 @@ void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Blo
 }
 
 /// The programmed speed along the lead: of the tool, or of orientation where rotary joints alone move.
-double programmed_speed(const Move& move, const MoveRules& rules, const Block& block,
+double programmed_speed(const PathMove& move, const MoveRules& rules, const Block& block,
                         const rrs::ControllerRules& controller) {
     if (rules.least_duration_s > 0) return block.lead.length / rules.least_duration_s;
     if (block.lead.role == JointRole::rotary) return rules.orientation_speed_rad_s;
@@ -61,7 +61,7 @@ double programmed_speed(const Move& move, const MoveRules& rules, const Block& b
     return std::max(rules.programmed_speed_mm_s, controller.least_feed_mm_min / 60);
 }
 
-void limit_by_program(const Move& move, const MoveRules& asked, const PlannerSetup& setup, double turn,
+void limit_by_program(const PathMove& move, const MoveRules& asked, const PlannerSetup& setup, double turn,
                       Block& block) {
     const MoveRules rules = asked.resolved(turn > 0 && block.lead.role != JointRole::rotary);
     limit(block.max_speed, block.speed_limit, programmed_speed(move, asked, block, setup.controller),
@@ -111,7 +111,7 @@ void limit_lead(Block& block, const Limit& limit) {
 
 /// On a curve the acceleration of a joint is shared: one part keeps to the curve, the other one changes the
 /// speed, at right angles to each other.
-void limit_by_curvature(const Move& move, const PlannerSetup& setup, Block& block) {
+void limit_by_curvature(const PathMove& move, const PlannerSetup& setup, Block& block) {
     const double share = setup.controller.centripetal_share;
     if (!std::isfinite(share)) return;
     const double curvature = move.arc.max_curvature();
@@ -147,11 +147,11 @@ void limit_by_bend(const PlannerSetup& setup, const ToolPiece& piece, const rrs:
 }
 
 /// How far the tool turns: along the great circle, or by the norm of the rotary joints.
-double turn_of(const Move& move, const JointChanges& changes) {
+double turn_of(const PathMove& move, const JointChanges& changes) {
     return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
 }
 
-Lead lead_of(const Move& move, const JointChanges& changes) {
+Lead lead_of(const PathMove& move, const JointChanges& changes) {
     if (move.piece) return {move.piece->role, move.piece->length};
     if (move.kind == SegmentKind::circular) return {JointRole::position, move.arc.length_mm()};
     for (const JointRole role : {JointRole::position, JointRole::secondary}) {
@@ -170,7 +170,7 @@ void set_head_slopes(const OrientationArc& arc, Block& block) {
     block.slope_out[arc.tilt_joint()] = out.tilt * rate;
 }
 
-void set_slopes(const Move& move, const PlannerSetup& setup, const JointChanges& changes, Block& block) {
+void set_slopes(const PathMove& move, const PlannerSetup& setup, const JointChanges& changes, Block& block) {
     block.slope_in.resize(setup.joint_count());
     for (int joint = 0; joint < setup.joint_count(); ++joint)
         block.slope_in[joint] = changes.of(joint) / block.lead.length;
@@ -215,7 +215,7 @@ rrs::JointPos Block::line_at(double length) const {
     return move.start + length / lead.length * (move.end - move.start);
 }
 
-tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup,
+tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, const PlannerSetup& setup,
                                                        const Overrides& overrides) {
     const JointChanges changes(setup, move.start, move.end);
     Block block;

@@ -35,7 +35,7 @@ struct Settling {
 /// A move in a look-ahead window: its way, the limits along it, and what is planned for its ends. All along
 /// the way by the measure of the lead joints (mm or rad).
 struct Block {
-    Move move;
+    PathMove move;
     Lead lead;
     rrs::JointPos slope_in;   ///< Change of the joints by length of way at the start
     rrs::JointPos slope_out;  ///< and at the end.
@@ -64,7 +64,7 @@ struct Block {
 /// The way of a move and its limits under the operator's overrides; no value where it goes nowhere (changes
 /// below 1e-9 mm or rad are none). All joints go in proportion, so the slowest sets the pace.
 /// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
-tl::expected<std::optional<Block>, PlanError> block_of(const Move& move, const PlannerSetup& setup,
+tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, const PlannerSetup& setup,
                                                        const Overrides& overrides = {});
 
 }  // namespace gsim::motion

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kMostChords = 1e7;
 
-void set_chord_speed(const Move& move, const rrs::ControllerRules& controller, int chords, Move& line) {
+void set_chord_speed(const PathMove& move, const rrs::ControllerRules& controller, int chords,
+                     PathMove& line) {
     const double asked_s = move.rules.least_duration_s;
     if (asked_s <= 0) return;
     line.rules.least_duration_s = 0;
@@ -29,10 +30,10 @@ int chord_count(const Arc& arc, double tolerance_mm) {
     return static_cast<int>(std::clamp(count, 1.0, kMostChords));
 }
 
-void for_each_chord(const Move& move, const PlannerSetup& setup,
-                    const std::function<void(const Move&)>& take) {
+void for_each_chord(const PathMove& move, const PlannerSetup& setup,
+                    const std::function<void(const PathMove&)>& take) {
     const int count = chord_count(move.arc, setup.controller.arc_chord_tolerance_mm);
-    Move line = move;
+    PathMove line = move;
     line.kind = SegmentKind::linear;
     set_chord_speed(move, setup.controller, count, line);
     for (int i = 1; i <= count; ++i) {

@@ -14,7 +14,7 @@ int chord_count(const Arc& arc, double tolerance_mm);
 /// The lines that a circular move becomes, in their order, each a move of its own with the same target; what
 /// it has beside the position joints is shared out. An inverse time feed becomes a speed: the whole arc takes
 /// the time, or, where the controller counts it once for each chord, what that makes.
-void for_each_chord(const Move& move, const PlannerSetup& setup,
-                    const std::function<void(const Move&)>& take);
+void for_each_chord(const PathMove& move, const PlannerSetup& setup,
+                    const std::function<void(const PathMove&)>& take);
 
 }  // namespace gsim::motion

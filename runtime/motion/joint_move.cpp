@@ -8,7 +8,7 @@
 
 namespace gsim::motion {
 
-Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed, double speed_share,
+Planned plan_joint_move(const PlannerSetup& setup, const MoveTerms& terms, double speed_share,
                         Segment& segment) {
     const JointChanges changes(setup, segment.start, segment.end);
     segment.kind = SegmentKind::joint;
@@ -17,14 +17,14 @@ Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed,
         const double change = std::abs(changes.of(joint));
         if (change == 0) continue;
         lead.length = 1;
-        lead.limit_by_joint(joint, programmed.joint_limits(setup, joint, speed_share), change);
+        lead.limit_by_joint(joint, terms.joint_limits(setup, joint, speed_share), change);
     }
     if (lead.length == 0) {
         plan_stay(segment, 0);
         return {};
     }
     segment.length_mm = changes.norm(JointRole::position);
-    return set_timing(segment, lead, nullptr, programmed.motion_time_s / speed_share);
+    return set_timing(segment, lead, nullptr, terms.motion_time_s / speed_share);
 }
 
 }  // namespace gsim::motion

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "runtime/motion/move_terms.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
-#include "runtime/motion/programmed.h"
 #include "runtime/motion/segment.h"
 
 namespace gsim::motion {
@@ -10,7 +10,7 @@ namespace gsim::motion {
 /// Plans joint motion from segment.start to segment.end: all joints in proportion, by one law, with the
 /// leading joint at its limit, or at a share of its speed. A move that goes nowhere becomes a segment of no
 /// duration. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
-Planned plan_joint_move(const PlannerSetup& setup, const Programmed& programmed, double speed_share,
+Planned plan_joint_move(const PlannerSetup& setup, const MoveTerms& terms, double speed_share,
                         Segment& segment);
 
 }  // namespace gsim::motion

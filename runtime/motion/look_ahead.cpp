@@ -33,11 +33,11 @@ rrs::JointPos on_grid(const PlannerSetup& setup, rrs::JointPos position) {
 
 }  // namespace
 
-Planned LookAhead::add(const Move& move) {
+Planned LookAhead::add(const PathMove& move) {
     const bool chords = move.kind == SegmentKind::circular && setup_.controller.arc_chord_tolerance_mm > 0;
     if (!chords) return add_line(move);
     Planned planned;
-    for_each_chord(move, setup_, [&](const Move& line) {
+    for_each_chord(move, setup_, [&](const PathMove& line) {
         if (planned) planned = add_line(line);
     });
     return planned;
@@ -45,9 +45,9 @@ Planned LookAhead::add(const Move& move) {
 
 /// Controllers that know lines alone count steps: they plan from step to step, so that short blocks have ends
 /// off their line.
-Planned LookAhead::add_line(const Move& move) {
+Planned LookAhead::add_line(const PathMove& move) {
     if (setup_.controller.arc_chord_tolerance_mm <= 0) return add_block(move);
-    Move line = move;
+    PathMove line = move;
     if (has_rounded_) line.start = rounded_;
     line.end = on_grid(setup_, move.end);
     Planned planned = add_block(line);
@@ -58,7 +58,7 @@ Planned LookAhead::add_line(const Move& move) {
     return planned;
 }
 
-Planned LookAhead::add_block(const Move& move) {
+Planned LookAhead::add_block(const PathMove& move) {
     if (setup_.overrides && window_.empty()) take_overrides(output_.time_s());
     auto block = block_of(move, setup_, overrides_);
     if (!block) return tl::unexpected(std::move(block.error()));
@@ -76,7 +76,7 @@ Planned LookAhead::add_block(const Move& move) {
 }
 
 /// The last chord of an arc may be rounded away.
-void LookAhead::reach_with_last(const Move& move) {
+void LookAhead::reach_with_last(const PathMove& move) {
     if (window_.empty() || window_.back().move.target_id != move.target_id) return;
     window_.back().move.reaches_target = move.reaches_target;
 }

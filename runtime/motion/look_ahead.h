@@ -33,14 +33,14 @@ class LookAhead final : public MotionModel {
     LookAhead(const PlannerSetup& setup, SegmentOutput& output)
         : setup_(setup), output_(setup.controller, output) {}
 
-    Planned add(const Move& move) override;
+    Planned add(const PathMove& move) override;
     void come_to_rest() override;
     void clear() override;
     rrs::JointPos standing_at(const rrs::JointPos& position) const override;
 
   private:
-    Planned add_line(const Move& move);
-    Planned add_block(const Move& move);
+    Planned add_line(const PathMove& move);
+    Planned add_block(const PathMove& move);
     void join(std::size_t count, Block& to);
     bool window_is_full() const;
     void plan_back(double held_back);
@@ -60,7 +60,7 @@ class LookAhead final : public MotionModel {
     void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
     void drop_slow_blend();
     void fit_blend(double speed);
-    void reach_with_last(const Move& move);
+    void reach_with_last(const PathMove& move);
     bool knows_exit() const;
     double front_exit_speed() const;
     double reachable_exit() const;

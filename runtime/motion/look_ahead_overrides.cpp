@@ -111,7 +111,7 @@ void LookAhead::limit_again(Block& block) const {
 
 /// Whether the operator keeps the oldest block from going on.
 bool LookAhead::is_held() const {
-    const Move& move = window_.front().move;
+    const PathMove& move = window_.front().move;
     return move.obeyed.share(overrides_, move.rapid) <= 0;
 }
 
@@ -161,7 +161,7 @@ void LookAhead::put_out_part(const TimeLaw& law, double t_s) {
 
 /// The machine stands until the operator lets it go on.
 void LookAhead::put_out_hold(double now_s) {
-    const Move& move = window_.front().move;
+    const PathMove& move = window_.front().move;
     Segment& rest = output_.begin(move.target_id);
     rest.kind = SegmentKind::rest;
     rest.start = rest.end = window_.front().line_at(window_.front().entry_blend.cut);

@@ -21,7 +21,7 @@ struct ToolPiece {
 };
 
 /// A move as a controller's planner gets it: the way, and what the program asks for on it.
-struct Move {
+struct PathMove {
     rrs::TargetId target_id = 0;
     SegmentKind kind = SegmentKind::linear;  ///< linear or circular
     rrs::JointPos start;                     ///< Where the move before ended, mm or rad.
@@ -63,7 +63,7 @@ class MotionModel {
     virtual ~MotionModel() = default;
     /// RRS_ZERO_SPEED, RRS_INVALID_PARAMETER; then nothing has changed, but for chords of an arc before one
     /// that is refused.
-    virtual Planned add(const Move& move) = 0;
+    virtual Planned add(const PathMove& move) = 0;
     /// Plans what is held back to end at rest, and puts it out.
     virtual void come_to_rest() = 0;
     /// Forgets what is held back.

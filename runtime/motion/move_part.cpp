@@ -10,7 +10,7 @@ namespace gsim::motion {
 
 namespace {
 
-rrs::JointPos place_on(const Move& move, double share, const std::array<int, 3>& position_joints) {
+rrs::JointPos place_on(const PathMove& move, double share, const std::array<int, 3>& position_joints) {
     if (share <= 0) return move.start;
     if (share >= 1) return move.end;
     rrs::JointPos place = move.start + share * (move.end - move.start);
@@ -27,10 +27,10 @@ rrs::JointPos place_on(const Move& move, double share, const std::array<int, 3>&
 
 }  // namespace
 
-Move move_part(const Move& move, double length, double from, double to,
-               const std::array<int, 3>& position_joints) {
+PathMove move_part(const PathMove& move, double length, double from, double to,
+                   const std::array<int, 3>& position_joints) {
     const double first = from / length, last = to / length;
-    Move part = move;
+    PathMove part = move;
     part.start = place_on(move, first, position_joints);
     part.end = place_on(move, last, position_joints);
     part.length_mm *= last - first;
@@ -54,11 +54,11 @@ Move move_part(const Move& move, double length, double from, double to,
     return part;
 }
 
-void set_way(const Move& move, Segment& segment) {
+void set_way(const PathMove& move, Segment& segment) {
     segment.kind = move.kind;
     segment.start = move.start;
     segment.end = move.end;
-    segment.arc = move.arc;
+    if (move.kind == SegmentKind::circular) segment.arc = move.arc;
     segment.orientation = move.orientation;
     segment.length_mm = move.length_mm;
     segment.reaches_target = move.reaches_target;

@@ -14,11 +14,11 @@ inline constexpr double kNoSpeed = 1e-9;    ///< mm/s or rad/s: what is as slow 
 
 /// The part of a move between two places of its way, which is `length` long by the measure of its lead (mm or
 /// rad). A time that is programmed for the move is shared out.
-Move move_part(const Move& move, double length, double from, double to,
-               const std::array<int, 3>& position_joints);
+PathMove move_part(const PathMove& move, double length, double from, double to,
+                   const std::array<int, 3>& position_joints);
 
 /// Gives a segment the way of a move; its laws are yet to be set.
-void set_way(const Move& move, Segment& segment);
+void set_way(const PathMove& move, Segment& segment);
 
 /// The first instant of a law from `t_s` on at which another law may go on: any where nothing limits the
 /// jerk, else one without acceleration.

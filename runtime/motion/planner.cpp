@@ -32,67 +32,31 @@ std::unique_ptr<MotionModel> make_model(const PlannerSetup& setup, SegmentOutput
 
 }  // namespace
 
-DefaultPlanner::DefaultPlanner(PlannerSetup setup, SegmentSink* sink)
+Planner::Planner(PlannerSetup setup, SegmentSink* sink)
     : machine_(valid(std::move(setup))),
       setup_(machine_),
       sink_(sink),
       axis_space_(AxisSpace::of(setup_)),
       queue_(setup_.queue_capacity),
-      programmed_(setup_.joint_count()),
       position_(rrs::JointPos::Zero(setup_.joint_count())),
-      tip_turns_(tip_turns(setup_)),
       model_(make_model(setup_, output_)),
       tool_model_(std::make_unique<LookAhead>(setup_, output_)) {}
 
-Status DefaultPlanner::Initialize() {
-    start_over();
-    initialized_ = true;
-    return Status::RRS_SUCCESS;
-}
-
-Status DefaultPlanner::Reset() {
-    if (!initialized_) return not_initialized();
-    start_over();
-    return Status::RRS_SUCCESS;
-}
-
-Status DefaultPlanner::Terminate() {
-    if (!initialized_) return not_initialized();
-    start_over();
-    initialized_ = false;
-    return Status::RRS_SUCCESS;
-}
-
-Status DefaultPlanner::GetMessage(std::string& message) {
-    message = error_.message;
-    return Status::RRS_SUCCESS;
-}
-
-void DefaultPlanner::start_over() {
+void Planner::start_over() {
     queue_.clear();
     if (model_) model_->clear();
     if (ways_ != nullptr) ways_->forget();
-    programmed_ = Programmed(setup_.joint_count());
     setup_ = machine_;
+    machine_in_force_.reset();
+    ramps_in_force_.reset();
     position_.setZero();
-    via_.reset();
-    tip_.reset();
-    work_frames_ = {};
-    selected_.reset();
-    frames_before_.clear();
-    machine_moved_s_ = 0;
-    tip_turns_ = tip_turns(setup_);
-    if (cell_ != nullptr) static_cast<void>(select_frames());
     tool_model_->clear();
     stopped_.reset();
     held_.clear();
     conveyors_.clear();
     tracked_.reset();
     conveyor_until_s_ = 0;
-    object_ = ObjectMotion();
-    object_frame_.reset();
     events_.clear();
-    error_ = {};
     end_s_ = 0;
     step_s_ = 0;
     step_target_ = kNoTarget;
@@ -100,14 +64,23 @@ void DefaultPlanner::start_over() {
     has_position_ = false;
 }
 
+// The models look at setup_; what they hold back keeps the limits that it was given.
+void Planner::use(const MoveTerms& terms) {
+    if (terms.machine == machine_in_force_ && terms.ramps == ramps_in_force_) return;
+    machine_in_force_ = terms.machine;
+    ramps_in_force_ = terms.ramps;
+    setup_ = terms.machine ? *terms.machine : machine_;
+    if (terms.ramps) put_in_force(*terms.ramps, machine_, setup_);
+}
+
 /// What the model leaves out at the end is reached there.
-void DefaultPlanner::end_model() {
+void Planner::end_model() {
     if (!model_) return;
     model_->come_to_rest();
     held_.all_reached([this](rrs::TargetId id) { events_.reach(id, end_s_); });
 }
 
-void DefaultPlanner::come_to_rest(bool waits) {
+void Planner::come_to_rest(bool waits) {
     end_model();
     if (!waits || end_s_ == waited_s_) return;
     const double rest_s = setup_.controller.rest_s;
@@ -115,33 +88,20 @@ void DefaultPlanner::come_to_rest(bool waits) {
     waited_s_ = end_s_;
 }
 
-// At the end: LinuxCNC's position loop delays by a period, and smooths over another one.
-Status DefaultPlanner::ComeToRest(rrs::RestReason reason) {
-    if (!initialized_) return not_initialized();
-    const int number = static_cast<int>(reason);
-    if (number < 0 || number > 2) {
-        return refuse(
-            Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no reason {} to come to rest; 0 is a query, 1 a wait, 2 the end.", number));
-    }
-    come_to_rest(reason == rrs::RestReason::wait);
+// LinuxCNC's position loop delays by a period, and smooths over another one.
+void Planner::come_to_last_rest() {
+    come_to_rest();
     const double delay_s = 2 * setup_.controller.servo_period_s;
-    if (reason == rrs::RestReason::end && end_s_ > 0 && delay_s > 0) append_rest(kNoTarget, delay_s);
-    return Status::RRS_SUCCESS;
+    if (end_s_ > 0 && delay_s > 0) append_rest(kNoTarget, delay_s);
 }
 
-void DefaultPlanner::end_program() {
-    ComeToRest(rrs::RestReason::end);
-    flush();
-}
-
-Segment& DefaultPlanner::Output::begin(rrs::TargetId id) {
-    DefaultPlanner& planner = planner_;
+Segment& Planner::Output::begin(rrs::TargetId id) {
+    Planner& planner = planner_;
     if (planner.queue_.room() == 0 && planner.sink_ != nullptr && !planner.keeps_all_) planner.emit_front();
     return planner.begin_segment(planner.queue_.next(), id);
 }
 
-void DefaultPlanner::Output::finish() {
+void Planner::Output::finish() {
     const Segment& segment = planner_.queue_.next();
     planner_.end_s_ = segment.end_s();
     planner_.queue_.push();
@@ -150,15 +110,15 @@ void DefaultPlanner::Output::finish() {
     planner_.held_.reached(id, [&](rrs::TargetId passed) { planner_.events_.join(passed, id); });
 }
 
-void DefaultPlanner::flush() {
+void Planner::flush() {
     if (stopped_) go_on();
     come_to_rest();
     while (!queue_.empty()) emit_front();
 }
 
-// The segment leaves the queue before the sink sees it: it stays whole in its slot until a target takes the
+// The segment leaves the queue before the sink sees it: it stays whole in its slot until a move takes the
 // slot, and leaves only once even if the sink throws.
-void DefaultPlanner::emit_front() {
+void Planner::emit_front() {
     const Segment& segment = queue_.front();
     events_.leave(queue_);
     queue_.pop();
@@ -166,58 +126,31 @@ void DefaultPlanner::emit_front() {
     if (sink_ != nullptr) sink_->take(segment);
 }
 
-Status DefaultPlanner::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) {
-    if (!initialized_) return not_initialized();
-    if (!has_position_)
-        return refuse(Status::RRS_NO_INITIAL_POSITION, "There is no position to step from yet.");
+Planner::Step Planner::step(double interpolation_s) {
     const double from_s = step_s_;
     const double known_s = events_.known_until_s(held_, queue_, end_s_).value_or(end_s_);
-    if (from_s + programmed_.interpolation_s > known_s) come_to_rest();
-    Status status = queue_.empty() ? Status::RRS_NEED_MORE_DATA : Status::RRS_SUCCESS;
-    step_s_ = std::min(from_s + programmed_.interpolation_s, end_s_);
+    if (from_s + interpolation_s > known_s) come_to_rest();
+    Step step;
+    if (queue_.empty()) step.end = Step::End::at_end;
+    step_s_ = std::min(from_s + interpolation_s, end_s_);
     events_.step(from_s, step_s_, queue_);
-    joints = stopped_ ? stopped_->position : position_at_end();
+    step.joints = stopped_ ? stopped_->position : position_at_end();
     while (!queue_.empty() && queue_.front().end_s() <= step_s_) {
         step_target_ = queue_.front().target_id;
-        if (queue_.front().reaches_target) status = Status::RRS_TARGET_REACHED;
+        if (queue_.front().reaches_target) step.end = Step::End::target_reached;
         emit_front();
     }
     if (!queue_.empty()) {
         const Segment& front = queue_.front();
-        joints = front.position_at(step_s_ - front.start_s);
+        step.joints = front.position_at(step_s_ - front.start_s);
         if (step_s_ > front.start_s) step_target_ = front.target_id;
     }
-    pose = frames_of_step(from_s).target_of(setup_.kinematics->forward(joints));
-    elapsed_s = step_s_ - from_s;
-    return status;
+    step.elapsed_s = step_s_ - from_s;
+    return step;
 }
 
-rrs::JointPos DefaultPlanner::standing() const {
+rrs::JointPos Planner::standing() const {
     return holds_back() ? model_->standing_at(position_) : position_;
-}
-
-Status DefaultPlanner::GetTargetOfLastStep(rrs::TargetId& id) {
-    if (!initialized_) return not_initialized();
-    id = step_target_;
-    return Status::RRS_SUCCESS;
-}
-
-Status DefaultPlanner::tell(PlanError error) {
-    error_ = std::move(error);
-    return error_.status;
-}
-
-Status DefaultPlanner::refuse(Status status, std::string message) {
-    return tell({.status = status, .message = std::move(message)});
-}
-
-Status DefaultPlanner::not_initialized() {
-    return refuse(Status::RRS_NOT_INITIALIZED, "The planner is not initialized; call Initialize first.");
-}
-
-Status DefaultPlanner::not_supported(std::string_view service) {
-    return refuse(Status::RRS_SERVICE_NOT_SUPPORTED,
-                  fmt::format("The default planner does not offer the service {}.", service));
 }
 
 }  // namespace gsim::motion

@@ -1,4 +1,4 @@
-// How DefaultPlanner follows the operator's overrides in motion from rest to rest. Models follow them
+// How Planner follows the operator's overrides in motion from rest to rest. Models follow them
 // themselves.
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace gsim::motion {
 
 /// The rest of a move that is under way, and the law by which it would go on.
-struct DefaultPlanner::OnWay {
-    Move move;
+struct Planner::OnWay {
+    PathMove move;
     double length = 0;  ///< By the measure of its lead.
     TimeLaw law;
     LawLimits limits;
@@ -23,27 +23,20 @@ struct DefaultPlanner::OnWay {
     bool is_held(const Overrides& overrides) const { return move.obeyed.share(overrides, move.rapid) <= 0; }
 };
 
-Overrides DefaultPlanner::overrides_now() const {
+Overrides Planner::overrides_now() const {
     return setup_.overrides ? setup_.overrides->at(end_s_) : Overrides{};
 }
 
-bool DefaultPlanner::goes_rapid() const {
-    return programmed_.rapid && programmed_.motion_type != rrs::MotionType::joint;
-}
-
-MoveRules DefaultPlanner::rules_now() const {
-    return programmed_.rules(setup_.path).overridden(overrides_now(), programmed_.obeyed, programmed_.rapid);
-}
-
-/// Of the programmed speed, which the next target has; a hold has ended before it begins.
-double DefaultPlanner::share_now() const {
-    const double share = programmed_.obeyed.share(overrides_now(), goes_rapid());
+/// Of the programmed speed, which the next move has; a hold has ended before it begins.
+double Planner::share_now(const ObeyedOverrides& obeyed, bool rapid) const {
+    const double share = obeyed.share(overrides_now(), rapid);
     return share > 0 ? share : 1;
 }
 
-void DefaultPlanner::wait_out_hold(rrs::TargetId id, const rrs::JointPos& at) {
+void Planner::wait_out_hold(rrs::TargetId id, const rrs::JointPos& at, const ObeyedOverrides& obeyed,
+                            bool rapid) {
     if (!setup_.overrides) return;
-    const double free_s = setup_.overrides->free_s(end_s_, programmed_.obeyed, goes_rapid());
+    const double free_s = setup_.overrides->free_s(end_s_, obeyed, rapid);
     if (!(free_s > end_s_)) return;
     Segment& rest = output_.begin(id);
     rest.kind = SegmentKind::rest;
@@ -56,25 +49,24 @@ void DefaultPlanner::wait_out_hold(rrs::TargetId id, const rrs::JointPos& at) {
 
 /// A motion from rest to rest goes to the queue, in parts where the operator turns an override on its way.
 /// Where joints have laws of their own, or the whole has a time, the next motion is the first to obey.
-void DefaultPlanner::append_overridden(Segment& segment) {
+void Planner::append_overridden(const PathMove& path, Segment& segment) {
     const bool whole = !setup_.overrides || tracked_ || !segment.followers().empty() ||
-                       segment.kind == SegmentKind::joint || programmed_.motion_time_s > 0 ||
+                       path.rules.least_duration_s > 0 ||
                        setup_.overrides->next_change_s(end_s_) >= segment.end_s();
     if (whole) return append(segment);
-    OnWay on_way{move_of(segment), segment.lead.length(), segment.lead, segment.lead_limits,
-                 segment.limited_by};
+    OnWay on_way{path, segment.lead.length(), segment.lead, segment.lead_limits, segment.limited_by};
     on_way.move.length_mm = segment.length_mm;
     while (put_next_part(on_way)) {
     }
 }
 
 /// Puts what is done until the operator turns an override again, or stops it; false where that was the last.
-bool DefaultPlanner::put_next_part(OnWay& on_way) {
+bool Planner::put_next_part(OnWay& on_way) {
     const Overrides now = overrides_now();
     double start_speed = on_way.law.start_speed();
     const bool held = on_way.is_held(now);
     if (held && start_speed <= kNoSpeed) {
-        wait_out_hold(on_way.move.target_id, on_way.move.start);
+        wait_out_hold(on_way.move.target_id, on_way.move.start, on_way.move.obeyed, on_way.move.rapid);
         plan_rest_of(on_way, 0);
         return true;
     }
@@ -94,7 +86,7 @@ bool DefaultPlanner::put_next_part(OnWay& on_way) {
     return true;
 }
 
-void DefaultPlanner::put_part(OnWay& on_way, const TimeLaw& law, double t_s) {
+void Planner::put_part(OnWay& on_way, const TimeLaw& law, double t_s) {
     const bool last = t_s >= law.duration_s() && law.length() >= on_way.length - kLeastPart;
     const double to = last ? on_way.length : law.at(t_s).s;
     Segment& segment = output_.begin(on_way.move.target_id);
@@ -111,7 +103,7 @@ void DefaultPlanner::put_part(OnWay& on_way, const TimeLaw& law, double t_s) {
 }
 
 /// The rest of the way by the overrides now, from the speed that is reached.
-void DefaultPlanner::plan_rest_of(OnWay& on_way, double start_speed) {
+void Planner::plan_rest_of(OnWay& on_way, double start_speed) {
     Segment rest;
     rest.position_joints = setup_.position_joints;
     set_way(on_way.move, rest);

@@ -1,5 +1,5 @@
-// Targets of DefaultPlanner to which the joints go curved ways, so that the tool's tip goes a straight or
-// circular one: under tool-centre-point control, and Cartesian ones where slides alone do not carry the tip.
+// Moves of Planner in which the joints go curved ways, so that the tool's tip goes a straight or
+// circular one: under tool-centre-point control, and to poses where slides alone do not carry the tip.
 
 #include <algorithm>
 #include <utility>
@@ -35,99 +35,88 @@ void set_speed(const ToolPath& path, MoveRules& rules) {
     }
 }
 
+/// The point that goes the way, in the frame of the tool centre point.
+Eigen::Vector3d tip_of_move(const Move& move) {
+    if (move.tip_mm) return *move.tip_mm;
+    return move.goal.pose ? Eigen::Vector3d(move.goal.pose->tool.translation()) : Eigen::Vector3d::Zero();
+}
+
 }  // namespace
 
-Status DefaultPlanner::SetTipControl(bool on, const Eigen::Vector3d& tip_mm) {
-    if (!initialized_) return not_initialized();
-    if (!tip_mm.allFinite())
-        return refuse(Status::RRS_INVALID_PARAMETER, "The place of the tip is not finite.");
-    if (!on) {
-        tip_.reset();
-        return Status::RRS_SUCCESS;
-    }
-    if (slide_count(setup_) < 3) {
-        return refuse(
-            Status::RRS_MODE_NOT_SUPPORTED,
-            "Tool-centre-point control needs three slides, X, Y and Z, which this machine has not.");
-    }
-    tip_ = tip_mm;
-    return Status::RRS_SUCCESS;
+bool Planner::moves_tool(const Move& move) const {
+    if (move.type == rrs::MotionType::joint) return false;
+    return move.tip_mm || (move.goal.pose && tip_turns(setup_, move.goal.pose->tool.translation()));
 }
 
-bool DefaultPlanner::moves_tool(bool along_path) const {
-    if (!along_path) return false;
-    return tip_ || (tip_turns_ && programmed_.target_type == rrs::TargetType::cartesian);
-}
-
-tl::expected<TipWay, PlanError> DefaultPlanner::tip_way(const Eigen::Vector3d& from,
-                                                        const Eigen::Vector3d& to,
-                                                        const std::optional<Circle>& circle) const {
+tl::expected<TipWay, PlanError> Planner::tip_way(const Move& move, const Eigen::Vector3d& from,
+                                                 const Eigen::Vector3d& to) const {
     TipWay way{.from = from, .to = to};
-    if (!circle && programmed_.motion_type == rrs::MotionType::linear) return way;
+    if (move.type == rrs::MotionType::linear) return way;
     way.kind = SegmentKind::circular;
     Planned planned;
-    if (circle) {
-        const bool by_pose = programmed_.target_type == rrs::TargetType::cartesian;
-        const rrs::CartPos frame = by_pose ? work_frames_.object : rrs::CartPos::Identity();
-        planned = arc_about(from, to, frame * circle->center_mm, frame.linear() * circle->axis,
-                            circle->sweep_rad, setup_.arc_tolerance_mm, way.arc);
-    } else if (via_) {
-        planned = arc_through(from, tip_of(setup_, *via_, tip_mm()), to, way.arc);
+    if (move.circle) {
+        planned = arc_about(from, to, move.circle->center_mm, move.circle->axis, move.circle->sweep_rad,
+                            setup_.arc_tolerance_mm, way.arc);
+    } else if (move.via) {
+        rrs::JointPos via;
+        planned = solve(*move.via, via);
+        if (planned) planned = arc_through(from, tip_of(setup_, via, tip_of_move(move)), to, way.arc);
     } else {
-        planned = refused(Status::RRS_INVALID_PARAMETER,
-                          "Circular motion needs a via point before its target, which tells the circle.");
+        planned = no_via_point();
     }
     if (!planned) return tl::unexpected(std::move(planned.error()));
     return way;
 }
 
 /// Where three slides carry the tip the other joints go in proportion; else the tool turns evenly.
-tl::expected<std::unique_ptr<ToolPath>, PlanError> DefaultPlanner::tool_path(
-    const rrs::CartPos& cartesian, const rrs::JointPos& joints, const std::optional<Circle>& circle) const {
-    rrs::JointPos end;
+tl::expected<std::unique_ptr<ToolPath>, PlanError> Planner::tool_path(const Move& move) const {
     const bool by_pose = slide_count(setup_) < 3;
-    const Planned solved = by_pose ? Planned{} : solve_target(cartesian, joints, end);
-    if (!solved) return tl::unexpected(solved.error());
+    rrs::JointPos end;
     if (by_pose) {
-        if (auto checked = kinematics::check_pose(cartesian); !checked)
+        if (auto checked = kinematics::check_pose(move.goal.pose->pose); !checked)
             return refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+    } else {
+        if (Planned solved = solve(move.goal, end); !solved) return tl::unexpected(std::move(solved.error()));
     }
-    const Eigen::Vector3d tip = tip_mm();
-    const rrs::CartPos target = work_frames_.object * cartesian;
-    const Eigen::Vector3d to = by_pose ? Eigen::Vector3d(target.translation()) : tip_of(setup_, end, tip);
-    auto way = tip_way(tip_of(setup_, position_, tip), to, circle);
+    const Eigen::Vector3d tip = tip_of_move(move);
+    const Eigen::Vector3d to =
+        by_pose ? Eigen::Vector3d(move.goal.pose->pose.translation()) : tip_of(setup_, end, tip);
+    auto way = tip_way(move, tip_of(setup_, position_, tip), to);
     if (!way) return tl::unexpected(std::move(way.error()));
-    if (by_pose) return pose_path(setup_, *std::move(way), work_frames_.tool, position_, target);
+    if (by_pose)
+        return pose_path(setup_, *std::move(way), move.goal.pose->tool, position_, move.goal.pose->pose);
     return tip_path(setup_, *std::move(way), tip, position_, end);
 }
 
-Status DefaultPlanner::put_tool_move(rrs::TargetId id, const rrs::CartPos& cartesian,
-                                     const rrs::JointPos& joints, const std::optional<Circle>& circle) {
-    if (programmed_.rapid && (circle || programmed_.motion_type == rrs::MotionType::circular))
-        return tell(std::move(circular_allowed().error()));
-    auto path = tool_path(cartesian, joints, circle);
-    if (!path) return tell(std::move(path.error()));
+Planned Planner::check_tip_control() const {
+    if (slide_count(setup_) >= 3) return {};
+    return refused(Status::RRS_MODE_NOT_SUPPORTED,
+                   "Tool-centre-point control needs three slides, X, Y and Z, which this machine has not.");
+}
+
+Put Planner::put_tool_move(const Move& move) {
+    if (move.tip_mm) {
+        if (Planned checked = check_tip_control(); !checked)
+            return tl::unexpected(std::move(checked.error()));
+    }
+    if (move.terms.rapid && move.type == rrs::MotionType::circular)
+        return tl::unexpected(std::move(circular_allowed(true).error()));
+    auto path = tool_path(move);
+    if (!path) return tl::unexpected(std::move(path.error()));
     auto pieces = cut(**path, setup_, position_);
-    if (!pieces) return tell(std::move(pieces.error()));
-    Move whole;
-    whole.target_id = id;
-    whole.rules = programmed_.rules(setup_.path);
+    if (!pieces) return tl::unexpected(std::move(pieces.error()));
+    PathMove whole;
+    set_terms(move, whole);
+    whole.merge_tolerance_mm = 0;
     set_speed(**path, whole.rules);
-    whole.obeyed = programmed_.obeyed;
-    whole.rapid = programmed_.rapid;
-    whole.mode = programmed_.path_mode;
-    whole.tolerance_mm = programmed_.tolerance_mm;
-    if (Planned added = add_pieces(whole, **path, *pieces); !added) return tell(std::move(added.error()));
-    programmed_.motion_time_s = 0;
-    via_.reset();
-    if (const double rest_s = std::exchange(programmed_.rest_s, 0); rest_s > 0)
-        append_rest(id, dwell_s(rest_s));
-    return Status::RRS_SUCCESS;
+    if (Planned added = add_pieces(whole, **path, *pieces); !added)
+        return tl::unexpected(std::move(added.error()));
+    return {};
 }
 
 /// The planner's model takes them if it knows what a piece is; else one does that comes to rest at the end.
-Planned DefaultPlanner::add_pieces(const Move& whole, const ToolPath& path,
-                                   const std::vector<PathPiece>& pieces) {
+Planned Planner::add_pieces(const PathMove& whole, const ToolPath& path,
+                            const std::vector<PathPiece>& pieces) {
     const bool own = setup_.controller.planner == rrs::PlannerKind::look_ahead;
     if (!own && model_) {
         end_model();
@@ -139,7 +128,7 @@ Planned DefaultPlanner::add_pieces(const Move& whole, const ToolPath& path,
     }
     MotionModel& model = own ? *model_ : *tool_model_;
     const bool held = own && held_.put(whole.target_id);
-    Move move = whole;
+    PathMove move = whole;
     move.end = position_;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const PathPiece& piece = pieces[i];

@@ -65,14 +65,14 @@ Planned check_way_ranges(const PlannerSetup& setup, const Segment& segment) {
     return checked ? check_target_ranges(setup, most) : checked;
 }
 
-Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment) {
+Planned check_arc_ranges(const PlannerSetup& setup, const Arc& arc) {
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0) continue;
         const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
-        const Range wide = segment.arc.bounds(axis);
+        const Range wide = arc.bounds(axis);
         if (wide.min >= range.min && wide.max <= range.max) continue;
-        Planned checked = check_way(setup, joint, segment.arc.range(axis), "on the way along the arc");
+        Planned checked = check_way(setup, joint, arc.range(axis), "on the way along the arc");
         if (!checked) return checked;
     }
     return {};

@@ -12,8 +12,8 @@ namespace gsim::motion {
 /// Whether joint values lie in the joints' ranges; 1e-9 mm or rad beyond counts as rounding.
 Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints);
 
-/// Whether the position joints stay in their ranges all along the arc of a circular segment.
-Planned check_arc_ranges(const PlannerSetup& setup, const Segment& segment);
+/// Whether the position joints stay in their ranges all along an arc.
+Planned check_arc_ranges(const PlannerSetup& setup, const Arc& arc);
 
 /// Whether the tilting joint stays in its range all along an orientation arc.
 Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc);

@@ -10,7 +10,7 @@ class WaySink {
   public:
     virtual ~WaySink() = default;
     /// A move that the model is about to get.
-    virtual void programmed(const Move& move) = 0;
+    virtual void programmed(const PathMove& move) = 0;
     /// The model has refused the move that was told last.
     virtual void take_back() = 0;
     /// What has not been driven so far will not be.

@@ -1,6 +1,6 @@
 // Our own planner as a controller module.
 
-#include "runtime/motion/planner.h"
+#include "runtime/motion/default_planner.h"
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/rrs/rcs_export.h"
 

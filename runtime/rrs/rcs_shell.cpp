@@ -54,6 +54,7 @@ Status RcsShell::refuse(std::string message) {
 
 Status RcsShell::ask(const Service& service, const void* input, void* output, Extra extra) {
     if (fault_) return Status::RRS_MODULE_FAULT;
+    calling();
     const int answer = module_.call(service.opcode, input, output);
     if (answer == GSIM_RCS_SUCCESS) return Status::RRS_SUCCESS;
     if (answer == GSIM_RCS_FAULT) {

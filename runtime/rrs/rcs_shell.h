@@ -99,6 +99,8 @@ class RcsShell : public Shell {
     /// From now on the module is not called any more; answers RRS_MODULE_FAULT. `what` continues a sentence
     /// that begins with the module's name: "answered SetRapid with 7, which is no status".
     Status blame(std::string_view what);
+    /// The module is about to be called.
+    virtual void calling() {}
 
   private:
     /// A service by its name, for messages.

@@ -146,41 +146,18 @@ int select_work_frames(lua_State* state) {
     return answer(state, shell(state).SelectWorkFrames(text(state, 1), text(state, 2)));
 }
 
-/// A service that selects what moves of the program select, too: what it has selected is kept.
-template <typename Value>
-int select(lua_State* state, Status (Shell::*service)(Value), Value simulation::ServiceModes::*mode,
-           Value value) {
-    const Status status = (shell(state).*service)(value);
-    if (static_cast<int>(status) >= 0) controller_of(state).simulator().service_modes().*mode = value;
-    return answer(state, status);
-}
-
 int select_target_type(lua_State* state) {
     static const char* const kNames[] = {"cartesian", "joint", nullptr};
-    return select(state, &Shell::SelectTargetType, &simulation::ServiceModes::target_type,
-                  static_cast<rrs::TargetType>(check_choice(state, 1, nullptr, kNames)));
-}
-
-int set_position_speed(lua_State* state) {
-    return select(state, &Shell::SetCartesianPositionSpeed, &simulation::ServiceModes::position_speed_mm_s,
-                  luaL_checknumber(state, 1));
-}
-
-int set_orientation_speed(lua_State* state) {
-    return select(state, &Shell::SetCartesianOrientationSpeed,
-                  &simulation::ServiceModes::orientation_speed_rad_s, luaL_checknumber(state, 1));
-}
-
-int set_rapid(lua_State* state) {
-    return select(state, &Shell::SetRapid, &simulation::ServiceModes::rapid, lua_toboolean(state, 1) != 0);
+    return answer(state, shell(state).SelectTargetType(
+                             static_cast<rrs::TargetType>(check_choice(state, 1, nullptr, kNames))));
 }
 
 int select_motion_type(lua_State* state) {
     static const char* const kNames[] = {"joint", "linear", "circular", nullptr};
     static constexpr std::array kTypes = {rrs::MotionType::joint, rrs::MotionType::linear,
                                           rrs::MotionType::circular};
-    return select(state, &Shell::SelectMotionType, &simulation::ServiceModes::motion_type,
-                  kTypes[static_cast<std::size_t>(check_choice(state, 1, nullptr, kNames))]);
+    return answer(state, shell(state).SelectMotionType(
+                             kTypes[static_cast<std::size_t>(check_choice(state, 1, nullptr, kNames))]));
 }
 
 int select_dominant_interpolation(lua_State* state) {
@@ -349,8 +326,8 @@ constexpr luaL_Reg kServices[] = {
     {"SetJointSpeeds", trampoline<with_joints<&Shell::SetJointSpeeds>>},
     {"SetJointAccelerations", trampoline<with_joints<&Shell::SetJointAccelerations>>},
     {"SetJointJerks", trampoline<with_joints<&Shell::SetJointJerks>>},
-    {"SetCartesianPositionSpeed", trampoline<set_position_speed>},
-    {"SetCartesianOrientationSpeed", trampoline<set_orientation_speed>},
+    {"SetCartesianPositionSpeed", trampoline<with_number<&Shell::SetCartesianPositionSpeed>>},
+    {"SetCartesianOrientationSpeed", trampoline<with_number<&Shell::SetCartesianOrientationSpeed>>},
     {"SetCartesianPositionAcceleration", trampoline<with_number<&Shell::SetCartesianPositionAcceleration>>},
     {"SetCartesianOrientationAcceleration",
      trampoline<with_number<&Shell::SetCartesianOrientationAcceleration>>},
@@ -379,7 +356,7 @@ constexpr luaL_Reg kServices[] = {
     {"SetObjectSpeed", trampoline<with_number<&Shell::SetObjectSpeed>>},
     {"SetObjectNextTarget", trampoline<set_object_next_target>},
     {"GetNextObjectStep", trampoline<get_next_object_step>},
-    {"SetRapid", trampoline<set_rapid>},
+    {"SetRapid", trampoline<with_switch<&Shell::SetRapid>>},
     {"SetRampMode", trampoline<set_ramp_mode>},
     {"SetJointRampLimits", trampoline<set_joint_ramp_limits>},
     {"status_name", trampoline<status_name>},

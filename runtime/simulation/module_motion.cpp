@@ -40,7 +40,9 @@ Status ModuleMotion::Initialize() {
 
 Status ModuleMotion::SelectTargetType(rrs::TargetType type) {
     const Status status = RcsShell::SelectTargetType(type);
-    if (!failed(status)) target_type_ = type;
+    if (failed(status)) return status;
+    target_type_ = type;
+    if (!by_program_) client_.target_type = type;
     return status;
 }
 
@@ -63,8 +65,8 @@ Status ModuleMotion::SetInitialPosition(const rrs::CartPos& cartesian, const rrs
 }
 
 /// Calls until the module's queue has room.
-template <typename Put>
-Status ModuleMotion::put(const Put& call) {
+template <typename Call>
+Status ModuleMotion::until_room(const Call& call) {
     Status status = call();
     while (status == Status::RRS_QUEUE_FULL) {
         if (const Status stepped = step_to_target(); failed(stepped)) return stepped;
@@ -84,7 +86,7 @@ Status ModuleMotion::queued(Status status, rrs::TargetId id, rrs::TargetParam pa
 Status ModuleMotion::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
                                    const rrs::JointPos& joints, std::string_view configuration,
                                    double param_value) {
-    const Status status = put(
+    const Status status = until_room(
         [&] { return RcsShell::SetNextTarget(id, param, cartesian, joints, configuration, param_value); });
     return queued(status, id, param, cartesian, joints);
 }
@@ -93,7 +95,7 @@ Status ModuleMotion::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param
                                         const rrs::CartPos& cartesian, const rrs::JointPos& joints,
                                         std::string_view configuration, double param_value,
                                         std::string_view target_name) {
-    const Status status = put([&] {
+    const Status status = until_room([&] {
         return RcsShell::SetNextNamedTarget(id, param, cartesian, joints, configuration, param_value,
                                             target_name);
     });
@@ -103,13 +105,13 @@ Status ModuleMotion::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param
 Status ModuleMotion::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
                                       const Eigen::Vector3d& axis, double sweep_rad,
                                       const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
-    const Status status =
-        put([&] { return RcsShell::SetNextArcTarget(id, center_mm, axis, sweep_rad, cartesian, joints); });
+    const Status status = until_room(
+        [&] { return RcsShell::SetNextArcTarget(id, center_mm, axis, sweep_rad, cartesian, joints); });
     return queued(status, id, rrs::TargetParam::end, cartesian, joints);
 }
 
 Status ModuleMotion::SetNextRest(rrs::TargetId id, double rest_s) {
-    const Status status = put([&] { return RcsShell::SetNextRest(id, rest_s); });
+    const Status status = until_room([&] { return RcsShell::SetNextRest(id, rest_s); });
     if (failed(status)) return status;
     rests_s_ += rest_s;
     waiting_.push_back(id);
@@ -208,21 +210,10 @@ void ModuleMotion::fill_segment(const rrs::JointPos& joints, double elapsed_s) {
 }
 
 void ModuleMotion::come_to_rest(bool waits) {
-    ComeToRest(waits ? rrs::RestReason::wait : rrs::RestReason::query);
-    step_to_end();
-}
-
-Status ModuleMotion::put_until(const std::function<Status()>& put, const motion::StopSearch& search) {
-    come_to_rest(true);
-    const Status status = put();
-    if (failed(status)) return status;
-    for (;;) {
-        const double from_s = time_s_;
-        const Status stepped = step();
-        if (failed(stepped)) return stepped;
-        if (time_s_ > from_s && search(segment_)) return stop_here();
-        if (stepped == Status::RRS_NEED_MORE_DATA) return status;
-    }
+    by_program([&] {
+        ComeToRest(waits ? rrs::RestReason::wait : rrs::RestReason::query);
+        step_to_end();
+    });
 }
 
 Status ModuleMotion::stop_here() {
@@ -236,8 +227,10 @@ Status ModuleMotion::stop_here() {
 }
 
 void ModuleMotion::end_program() {
-    ComeToRest(rrs::RestReason::end);
-    step_to_end();
+    by_program([&] {
+        ComeToRest(rrs::RestReason::end);
+        step_to_end();
+    });
 }
 
 motion::PlanError ModuleMotion::last_error() {

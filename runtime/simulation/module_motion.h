@@ -2,6 +2,10 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/segment.h"
@@ -26,20 +30,25 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
                  motion::SegmentSink& sink);
 
     rrs::Shell& shell() override { return *this; }
+    const motion::Selections& selections() const override { return no_selections_; }
+    motion::PlanError last_error() override;
     bool set_cell(motion::CellFrames& /*cell*/) override { return false; }
     std::optional<motion::WorkFrames> work_frames() const override { return std::nullopt; }
     bool set_overrides(std::shared_ptr<const motion::OverrideSchedule>) override { return false; }
     void set_obeyed(const motion::ObeyedOverrides&) override {}
-    void set_follows_spindle(bool) override {}
-    void forget_position_speed() override {}
-    void come_to_rest(bool waits) override;
+    motion::Planned start_at(const rrs::JointPos& joints) override;
+    motion::Planned check_ramps() const override { return {}; }
+    motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) override;
+    motion::Put put(const motion::Move& move) override;
     /// The module is stepped until `search` answers, and then to its stop: it has to offer StopMotion and
     /// CancelMotion. The stop is at the end of the step, wherever in it the search wants it.
-    rrs::Status put_until(const std::function<rrs::Status()>& put, const motion::StopSearch& search) override;
+    motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override;
+    motion::Planned put_rest(rrs::TargetId id, double rest_s) override;
+    std::vector<std::string> take_remarks() override { return std::exchange(remarks_, {}); }
+    void come_to_rest(bool waits) override;
     void end_program() override;
     double time_s() const override { return time_s_; }
     const rrs::JointPos& position() const override { return target_; }
-    motion::PlanError last_error() override;
     bool sampled() const override { return true; }
     std::optional<std::string> fault() const override { return RcsShell::fault(); }
 
@@ -59,10 +68,51 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::Status SetNextRest(rrs::TargetId id, double rest_s) override;
     rrs::Status SetRestParameter(double rest_s) override;
     rrs::Status GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) override;
+    rrs::Status SelectMotionType(rrs::MotionType type) override;
+    rrs::Status SetRapid(bool on) override;
+    rrs::Status SetCartesianPositionSpeed(double speed_mm_s) override;
+    rrs::Status SetCartesianOrientationSpeed(double speed_rad_s) override;
+
+  protected:
+    void calling() override;
 
   private:
-    template <typename Put>
-    rrs::Status put(const Put& call);
+    /// What moves of a program and clients of the services select, both, of the one module; none: not known.
+    struct Modes {
+        std::optional<rrs::TargetType> target_type;
+        std::optional<rrs::MotionType> motion_type;
+        std::optional<bool> rapid;
+        std::optional<double> position_speed_mm_s;
+        std::optional<double> orientation_speed_rad_s;
+    };
+
+    /// call(), for moves of the program.
+    template <typename Call>
+    auto by_program(const Call& call) {
+        struct Side {
+            explicit Side(bool& flag) : flag_(flag), before_(std::exchange(flag, true)) {}
+            Side(const Side&) = delete;
+            Side& operator=(const Side&) = delete;
+            ~Side() { flag_ = before_; }
+
+          private:
+            bool& flag_;
+            bool before_;
+        };
+        const Side side(by_program_);
+        return call();
+    }
+    motion::PlanError refusal(rrs::Status status);
+    motion::Put answer(rrs::Status status);
+    rrs::Status tell(const motion::Move& move);
+    rrs::Status tell_kind(const motion::Move& move);
+    rrs::Status tell_feed(const motion::MoveTerms& terms);
+    void tell_passing(const motion::MoveTerms& terms);
+    void tell_ramps(const motion::MoveTerms& terms);
+    rrs::Status put_told(const motion::Move& move);
+    rrs::Status put_until_told(const motion::Move& move, const motion::StopSearch& search);
+    template <typename Call>
+    rrs::Status until_room(const Call& call);
     rrs::Status queued(rrs::Status status, rrs::TargetId id, rrs::TargetParam param,
                        const rrs::CartPos& cartesian, const rrs::JointPos& joints);
     rrs::Status step();
@@ -83,6 +133,12 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::JointPos reached_;    ///< Where the last step ended.
     rrs::JointPos target_;     ///< The last target.
     rrs::TargetType target_type_ = rrs::TargetType::joint;
+    Modes told_;                 ///< By moves, since a client has called.
+    motion::Selections client_;  ///< What clients have selected, as far as moves select it, too.
+    motion::Selections no_selections_;
+    bool by_program_ = false;       ///< Who calls the module.
+    motion::MoveTerms told_terms_;  ///< Of those the way in which moves are passed, and their ramps.
+    std::vector<std::string> remarks_;
     std::deque<rrs::TargetId> waiting_;  ///< Targets not reached yet, where the module does not tell.
     bool tells_target_ = true;
     bool has_position_ = false;

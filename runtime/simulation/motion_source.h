@@ -1,23 +1,30 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/motion/cell_frames.h"
 #include "runtime/motion/planner.h"
+#include "runtime/motion/selections.h"
 #include "runtime/rrs/shell.h"
 
 namespace gsim::simulation {
 
-/// The controller of a run: its services, and what a simulator has to know beside them. Segments go to a
-/// sink in the order of time; when is the source's.
+/// The controller of a run, which gets each move whole. Segments go to a sink in the order of time; when is
+/// the source's. Its services are for clients that call them by themselves: what these select holds for
+/// their own targets, and for moves only what the Simulator takes over from selections().
 class MotionSource {
   public:
     virtual ~MotionSource() = default;
 
     virtual rrs::Shell& shell() = 0;
+    /// What clients of shell() have selected; the defaults where the controller does not tell.
+    virtual const motion::Selections& selections() const = 0;
+    /// The last answer of a service other than plain success.
+    virtual motion::PlanError last_error() = 0;
+
     /// Tells the controller of the cell, which must outlive this; false where it has frames of its own.
     virtual bool set_cell(motion::CellFrames& cell) = 0;
     /// The frames of the controller's Cartesian targets; none where it does not tell.
@@ -25,25 +32,31 @@ class MotionSource {
     /// What the operator turns the overrides to, before the first target; false where the controller cannot
     /// be told.
     virtual bool set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) = 0;
-    /// What the targets that follow obey of them.
+    /// What targets of clients that follow obey of them.
     virtual void set_obeyed(const motion::ObeyedOverrides& obeyed) = 0;
-    /// Whether their speeds go by turns of the spindle.
-    virtual void set_follows_spindle(bool follows) = 0;
-    /// No speed of the tool is programmed any more; a module keeps the last one, as no service takes it back.
-    virtual void forget_position_speed() = 0;
-    /// As rrs::Shell::ComeToRest(); a controller that has not that service comes to rest by itself.
+
+    /// Where the machine stands when the run begins. The controller is ready then.
+    virtual motion::Planned start_at(const rrs::JointPos& joints) = 0;
+    /// Whether moves may have other ramps than the machine's, and a tip that is led (none: again as without).
+    /// RRS_MODE_NOT_SUPPORTED, RRS_SERVICE_NOT_SUPPORTED.
+    virtual motion::Planned check_ramps() const = 0;
+    virtual motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) = 0;
+    /// As the functions of motion::Planner.
+    virtual motion::Put put(const motion::Move& move) = 0;
+    virtual motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) = 0;
+    virtual motion::Planned put_rest(rrs::TargetId id, double rest_s) = 0;
+    /// Sentences on what the controller has not taken of the moves since it was asked last, and makes in its
+    /// own way.
+    virtual std::vector<std::string> take_remarks() = 0;
+    /// What is planned ends at rest; `waits`: the controller waits for its program.
     virtual void come_to_rest(bool waits) = 0;
-    /// As motion::DefaultPlanner::put_until().
-    virtual rrs::Status put_until(const std::function<rrs::Status()>& put,
-                                  const motion::StopSearch& search) = 0;
-    /// No more targets will come: all segments go to the sink.
+    /// No more moves will come: all segments go to the sink.
     virtual void end_program() = 0;
+
     /// The end of what is planned; of a module the end of what has been stepped.
     virtual double time_s() const = 0;
     /// Joint values at the last target.
     virtual const rrs::JointPos& position() const = 0;
-    /// The last answer other than plain success.
-    virtual motion::PlanError last_error() = 0;
     /// Whether segments are samples of a motion, not the motion itself.
     virtual bool sampled() const = 0;
     /// What makes the run worthless, as a sentence.

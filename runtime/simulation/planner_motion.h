@@ -1,6 +1,8 @@
 #pragma once
 
-#include "runtime/motion/planner.h"
+#include <utility>
+
+#include "runtime/motion/planner_shell.h"
 #include "runtime/simulation/motion_source.h"
 
 namespace gsim::simulation {
@@ -8,39 +10,57 @@ namespace gsim::simulation {
 /// Our own planner, in process.
 class PlannerMotion final : public MotionSource {
   public:
-    /// `sink` and `ways` must outlive this. Throws std::invalid_argument as DefaultPlanner does.
+    /// `sink` and `ways` must outlive this. Throws std::invalid_argument as motion::Planner does.
     PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink, motion::WaySink& ways)
-        : planner_(std::move(setup), &sink) {
+        : planner_(std::move(setup), &sink), shell_(planner_) {
         planner_.tell_ways(ways);
     }
 
-    rrs::Shell& shell() override { return planner_; }
+    rrs::Shell& shell() override { return shell_; }
+    const motion::Selections& selections() const override { return shell_.selections(); }
+    motion::PlanError last_error() override { return shell_.last_error(); }
+
     bool set_cell(motion::CellFrames& cell) override {
-        planner_.set_cell(cell);
+        shell_.set_cell(cell);
         return true;
     }
-    std::optional<motion::WorkFrames> work_frames() const override { return planner_.work_frames(); }
+    std::optional<motion::WorkFrames> work_frames() const override { return selections().frames; }
     bool set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) override {
         planner_.set_overrides(std::move(overrides));
         return true;
     }
-    void set_obeyed(const motion::ObeyedOverrides& obeyed) override { planner_.set_obeyed(obeyed); }
-    void set_follows_spindle(bool follows) override { planner_.set_follows_spindle(follows); }
-    void forget_position_speed() override { planner_.forget_position_speed(); }
-    void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
-    rrs::Status put_until(const std::function<rrs::Status()>& put,
-                          const motion::StopSearch& search) override {
-        return planner_.put_until(put, search);
+    void set_obeyed(const motion::ObeyedOverrides& obeyed) override { shell_.set_obeyed(obeyed); }
+
+    motion::Planned start_at(const rrs::JointPos& joints) override {
+        shell_.Initialize();
+        return planner_.stand_at({joints, std::nullopt});
     }
-    void end_program() override { planner_.end_program(); }
+    motion::Planned check_ramps() const override { return planner_.check_ramps(); }
+    motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) override {
+        return tip_mm ? planner_.check_tip_control() : motion::Planned();
+    }
+    motion::Put put(const motion::Move& move) override { return planner_.put(move); }
+    motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override {
+        return planner_.put_until(move, search);
+    }
+    motion::Planned put_rest(rrs::TargetId id, double rest_s) override {
+        return planner_.put_rest(id, rest_s);
+    }
+    std::vector<std::string> take_remarks() override { return {}; }
+    void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
+    void end_program() override {
+        planner_.come_to_last_rest();
+        planner_.flush();
+    }
+
     double time_s() const override { return planner_.time_s(); }
     const rrs::JointPos& position() const override { return planner_.position(); }
-    motion::PlanError last_error() override { return planner_.last_error(); }
     bool sampled() const override { return false; }
     std::optional<std::string> fault() const override { return std::nullopt; }
 
   private:
-    motion::DefaultPlanner planner_;
+    motion::Planner planner_;
+    motion::PlannerShell shell_;
 };
 
 }  // namespace gsim::simulation

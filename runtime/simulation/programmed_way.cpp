@@ -56,7 +56,7 @@ std::size_t nearest(const Vector3d& point, std::span<const Vector3d> curve) {
     return near;
 }
 
-double turn_rad(const motion::Move& move, const std::array<int, 3>& position_joints) {
+double turn_rad(const motion::PathMove& move, const std::array<int, 3>& position_joints) {
     double turn = move.kind == SegmentKind::circular ? move.arc.sweep_rad : 0;
     for (int joint = 0; joint < move.start.size(); ++joint) {
         if (std::find(position_joints.begin(), position_joints.end(), joint) == position_joints.end())
@@ -94,7 +94,7 @@ double distance_to_curve(const Vector3d& point, std::span<const Vector3d> curve)
         -1, 1, kThirds, [&](double u) { return (at + u * slope + u * u * bend - point).squaredNorm(); }));
 }
 
-ProgrammedWay::ProgrammedWay(const motion::Move& move, const std::array<int, 3>& position_joints,
+ProgrammedWay::ProgrammedWay(const motion::PathMove& move, const std::array<int, 3>& position_joints,
                              std::shared_ptr<PartTip> tip, const Place& place)
     : id_(move.target_id), rapid_(move.rapid), place_(place), tip_(std::move(tip)) {
     const bool turns = tip_->turns(move.start, move.end);
@@ -105,7 +105,7 @@ ProgrammedWay::ProgrammedWay(const motion::Move& move, const std::array<int, 3>&
 }
 
 Vector3d ProgrammedWay::at(double share) const {
-    const motion::Move& move = curve_->move;
+    const motion::PathMove& move = curve_->move;
     rrs::JointPos joints = move.start + share * (move.end - move.start);
     if (move.kind == SegmentKind::circular) {
         const double phi_rad = move.arc.phi_at(share * move.arc.length_mm());

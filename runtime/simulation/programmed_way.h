@@ -16,7 +16,7 @@ namespace gsim::simulation {
 class ProgrammedWay {
   public:
     /// `position_joints` carry X, Y and Z of an arc (-1: none).
-    ProgrammedWay(const motion::Move& move, const std::array<int, 3>& position_joints,
+    ProgrammedWay(const motion::PathMove& move, const std::array<int, 3>& position_joints,
                   std::shared_ptr<PartTip> tip, const Place& place);
 
     rrs::TargetId id() const { return id_; }
@@ -34,7 +34,7 @@ class ProgrammedWay {
 
   private:
     struct Curve {
-        motion::Move move;
+        motion::PathMove move;
         std::array<int, 3> position_joints;
         std::vector<Eigen::Vector3d> points = {};  ///< Once they are asked for.
     };

@@ -25,17 +25,6 @@ constexpr double kNoTravel = 1e-9;
 
 constexpr std::size_t kMaxWarnings = 1'000;
 
-/// Targets given as joint values have no Cartesian value.
-const rrs::CartPos& no_pose() {
-    static const rrs::CartPos kPose = rrs::CartPos::Identity();
-    return kPose;
-}
-
-/// A controller module without the service, or broken; any other answer leaves the controller as it can be.
-bool is_missing(Status status) {
-    return status == Status::RRS_SERVICE_NOT_SUPPORTED || status == Status::RRS_MODULE_FAULT;
-}
-
 std::array<int, 3> space_axes(const machine::Machine& machine) {
     std::array<int, 3> axes;
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -57,7 +46,6 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       machine_frames_(setup_.kinematics->chain()),
       way_deviation_(setup_),
       motion_(make_motion(std::move(module))),
-      shell_(motion_->shell()),
       space_axes_(space_axes(machine_)),
       position_(static_cast<Eigen::Index>(machine_.axes.size())),
       process_(machine_) {
@@ -78,9 +66,8 @@ std::unique_ptr<MotionSource> Simulator::make_motion(std::optional<rrs::RcsModul
 }
 
 void Simulator::start() {
-    const auto done = [](Status status) { return static_cast<int>(status) >= 0; };
-    if (!done(shell_.Initialize()) || !done(shell_.SetInitialPosition(no_pose(), to_joints(position_), {})))
-        refused({});
+    if (const motion::Planned stands = motion_->start_at(to_joints(position_)); !stands)
+        refused(stands.error(), {});
     warn_of_jerk();
 }
 
@@ -126,62 +113,59 @@ bool Simulator::rotary_alone(const AxisVector& target) const {
 void Simulator::exact_stop_once() {
     exact_stop_once_ = true;
     if (observer_ != nullptr) observer_->exact_stop_once(position_);
-    shell_.SetPathMode(rrs::PathMode::exact_stop, 0, 0);
 }
 
-void Simulator::leave_exact_stop() {
-    if (!exact_stop_once_) return;
-    exact_stop_once_ = false;
-    shell_.SetPathMode(passing_.mode, passing_.tolerance_mm, passing_.merge_tolerance_mm);
+/// The move as the program has it now, over what clients of the services have selected.
+motion::Move Simulator::new_move(const MoveInfo& info) const {
+    motion::Move move;
+    move.target_id = info.target_id;
+    if (tip_frame_) move.tip_mm = tip_frame_->tip_mm();
+    move.terms = motion_->selections().terms;
+    move.terms.rapid = info.kind == MoveKind::rapid;
+    const PathPassing passing = exact_stop_once_ ? PathPassing{} : passing_;
+    move.terms.path_mode = passing.mode;
+    move.terms.tolerance_mm = passing.tolerance_mm;
+    move.terms.merge_tolerance_mm = passing.merge_tolerance_mm;
+    move.terms.motion_time_s = 0;
+    move.terms.obeyed = info.obeyed;
+    move.terms.follows_spindle = info.follows_spindle;
+    if (ramps_) move.terms.ramps = ramps_;
+    return move;
 }
 
-bool Simulator::select_rapid(bool on) {
-    if (rapid_ == static_cast<int>(on)) return true;
-    if (rapid_ < 0) {
-        feed_mm_s_ = -1;
-        orientation_rad_s_ = -1;
-        if (is_missing(shell_.SelectTargetType(rrs::TargetType::joint)) ||
-            is_missing(shell_.SelectMotionType(rrs::MotionType::linear))) {
-            return false;
-        }
-    }
-    rapid_ = static_cast<int>(on);
-    const Status status = shell_.SetRapid(on);
-    if (on && feed_mm_s_ < 0) {
-        feed_mm_s_ = motion::kUnlimited;
-        shell_.SetCartesianPositionSpeed(feed_mm_s_);
-    }
-    return !is_missing(status) || (!on && status == Status::RRS_SERVICE_NOT_SUPPORTED);
-}
-
-bool Simulator::set_feed(const Feed& feed, bool rotary, const Place& place) {
-    if (!select_rapid(false)) return refused(place);
+bool Simulator::check_feed(const Feed& feed, bool rotary, const Place& place) {
     if (feed.motion_s) {
-        shell_.SetCartesianPositionSpeed(motion::kUnlimited);
-        shell_.SetCartesianOrientationSpeed(motion::kUnlimited);
-        feed_mm_s_ = motion::kUnlimited;
-        orientation_rad_s_ = motion::kUnlimited;
-        return shell_.SetMotionTime(*feed.motion_s) == Status::RRS_SUCCESS || refused(place);
+        const motion::Planned checked = motion::check_motion_time(*feed.motion_s);
+        return checked || refused(checked.error(), place);
     }
-    const double speed_mm_s = rotary ? motion::kUnlimited : feed.linear_mm_min / kSecondsPerMinute;
-    const double orientation_rad_s =
-        rotary ? feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg : motion::kUnlimited;
-    if (speed_mm_s != feed_mm_s_) {
-        if (shell_.SetCartesianPositionSpeed(speed_mm_s) != Status::RRS_SUCCESS) return refused(place);
-        feed_mm_s_ = speed_mm_s;
-        if (speed_mm_s > machine_.path.max_feed_mm_s && !rotary) {
-            warn(
-                fmt::format("F of {:.10g} mm/min is above the machine's contour speed limit of {:.10g} "
-                            "mm/min, which holds",
-                            speed_mm_s * kSecondsPerMinute, machine_.path.max_feed_mm_s * kSecondsPerMinute));
-        }
+    const double per_min = rotary ? feed.rotary_deg_min : feed.linear_mm_min;
+    if (per_min > 0) return true;
+    return refused({.status = Status::RRS_INVALID_PARAMETER,
+                    .message = fmt::format("The {} must be greater than 0; {} was asked for.",
+                                           rotary ? "orientation speed" : "speed",
+                                           per_min / kSecondsPerMinute * (rotary ? kRadPerDeg : 1))},
+                   place);
+}
+
+void Simulator::set_time_of(const Feed& feed, bool rotary, motion::Move& move) {
+    motion::MoveTerms& terms = move.terms;
+    terms.position_speed_mm_s = terms.orientation_speed_rad_s = motion::kUnlimited;
+    if (feed.motion_s) {
+        terms.motion_time_s = *feed.motion_s;
+        return;
     }
-    if (orientation_rad_s != orientation_rad_s_) {
-        if (shell_.SetCartesianOrientationSpeed(orientation_rad_s) != Status::RRS_SUCCESS)
-            return refused(place);
-        orientation_rad_s_ = orientation_rad_s;
+    if (rotary) {
+        terms.orientation_speed_rad_s = feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg;
+        return;
     }
-    return true;
+    const double speed_mm_s = feed.linear_mm_min / kSecondsPerMinute;
+    terms.position_speed_mm_s = speed_mm_s;
+    if (speed_mm_s <= machine_.path.max_feed_mm_s || speed_mm_s == warned_feed_mm_s_) return;
+    warned_feed_mm_s_ = speed_mm_s;
+    warn(
+        fmt::format("F of {:.10g} mm/min is above the machine's contour speed limit of {:.10g} "
+                    "mm/min, which holds",
+                    speed_mm_s * kSecondsPerMinute, machine_.path.max_feed_mm_s * kSecondsPerMinute));
 }
 
 MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per_min) {
@@ -200,12 +184,13 @@ MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per
     return info;
 }
 
-bool Simulator::finish_move(Status status, const Place& place) {
-    leave_exact_stop();
+bool Simulator::finish_move(const motion::Put& put, const Place& place) {
+    exact_stop_once_ = false;
+    for (const std::string& remark : motion_->take_remarks()) warn(remark);
     if (zones_.hit()) return fail_in_zone();
-    if (static_cast<int>(status) < 0) return refused(place);
+    if (!put) return refused(put.error(), place);
     add_violations(place);
-    if (status == Status::RRS_MOTION_TIME_RAISED) {
+    if (*put) {
         warn(
             "an inverse time feed (G93) asks for less time than the machine's limits allow; the limits hold");
     }
@@ -215,12 +200,13 @@ bool Simulator::finish_move(Status status, const Place& place) {
 
 /// A target that the controller has accepted is where the program is; `tell` gets where it was before.
 template <typename Tell>
-bool Simulator::finish_move(Status status, const AxisVector& target, const Place& place, const Tell& tell) {
-    if (static_cast<int>(status) >= 0) {
+bool Simulator::finish_move(const motion::Put& put, const AxisVector& target, const Place& place,
+                            const Tell& tell) {
+    if (put) {
         if (observer_ != nullptr) tell(position_);
         position_ = target;
     }
-    return finish_move(status, place);
+    return finish_move(put, place);
 }
 
 /// The feed as reports show it; of a move with a time of its own (inverse time feed) its mean.
@@ -239,11 +225,8 @@ double Simulator::feed_per_min(const ArcMove& move) const {
 
 bool Simulator::move(const LineMove& move) {
     const bool rotary = rotary_alone(move.target);
-    if (move.kind == MoveKind::rapid) {
-        if (!select_rapid(true)) return refused(move.place);
-    } else if (!set_feed(move.feed, rotary, move.place)) {
-        return false;
-    }
+    const bool rapid = move.kind == MoveKind::rapid;
+    if (!rapid && !check_feed(move.feed, rotary, move.place)) return false;
     const auto joints = joints_of(move.target);
     if (!joints) return fail(DiagnosticKind::unreachable, joints.error(), move.place);
     const motion::RangePass pass(begin_move());
@@ -252,14 +235,15 @@ bool Simulator::move(const LineMove& move) {
     info.timed = move.feed.motion_s.has_value();
     obey_overrides(info, move.feed);
     recorder_.expect(info);
-    const Status status =
-        shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), *joints, {}, 0);
-    return finish_move(status, move.target, move.place,
+    motion::Move whole = new_move(info);
+    whole.goal.joints = *joints;
+    if (!rapid) set_time_of(move.feed, rotary, whole);
+    return finish_move(motion_->put(whole), move.target, move.place,
                        [&](const AxisVector& from) { observer_->line(from, move, rotary); });
 }
 
 bool Simulator::move(const ArcMove& move) {
-    if (!set_feed(move.feed, false, move.place)) return false;
+    if (!check_feed(move.feed, false, move.place)) return false;
     const auto joints = joints_of(move.target);
     if (!joints) return fail(DiagnosticKind::unreachable, joints.error(), move.place);
     const motion::RangePass pass(begin_move());
@@ -280,9 +264,12 @@ bool Simulator::move(const ArcMove& move) {
     info.normal = move.normal;
     info.turns = std::max(1, static_cast<int>(std::ceil(move.sweep_rad / (2 * std::numbers::pi) - 1e-9)));
     recorder_.expect(info);
-    const Status status =
-        shell_.SetNextArcTarget(info.target_id, center, axis, move.sweep_rad, no_pose(), *joints);
-    return finish_move(status, move.target, move.place,
+    motion::Move whole = new_move(info);
+    whole.goal.joints = *joints;
+    whole.type = rrs::MotionType::circular;
+    whole.circle = motion::Circle{center, axis, move.sweep_rad};
+    set_time_of(move.feed, false, whole);
+    return finish_move(motion_->put(whole), move.target, move.place,
                        [&](const AxisVector& from) { observer_->arc(from, move); });
 }
 
@@ -297,7 +284,7 @@ Eigen::Vector3d Simulator::space_point(const AxisVector& axes) const {
 }
 
 bool Simulator::move(const ViaMove& move) {
-    if (!set_feed(move.feed, false, move.place)) return false;
+    if (!check_feed(move.feed, false, move.place)) return false;
     const auto via = joints_of(move.via);
     const auto target = joints_of(move.target);
     if (!via || !target)
@@ -310,20 +297,25 @@ bool Simulator::move(const ViaMove& move) {
     info.turns = 1;
     set_axis(info, space_point(position_), space_point(move.via), space_point(move.target));
     recorder_.expect(info);
-    shell_.SelectMotionType(rrs::MotionType::circular);
-    Status status = shell_.SetNextTarget(info.target_id, rrs::TargetParam::via, no_pose(), *via, {}, 0);
-    if (static_cast<int>(status) >= 0)
-        status = shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, no_pose(), *target, {}, 0);
-    shell_.SelectMotionType(rrs::MotionType::linear);
-    return finish_move(status, move.target, move.place,
+    motion::Move whole = new_move(info);
+    whole.goal.joints = *target;
+    whole.type = rrs::MotionType::circular;
+    whole.via = motion::Goal{*via, std::nullopt};
+    set_time_of(move.feed, false, whole);
+    return finish_move(motion_->put(whole), move.target, move.place,
                        [&](const AxisVector& from) { observer_->arc(from, move); });
+}
+
+motion::Put Simulator::put_rest(rrs::TargetId id, double seconds) {
+    const motion::Planned planned = motion_->put_rest(id, seconds);
+    if (!planned) return tl::unexpected(planned.error());
+    return {};
 }
 
 bool Simulator::dwell(double seconds, const Place& place) {
     const MoveInfo info = next_move(MoveKind::dwell, place, 0);
     recorder_.expect(info);
-    const Status status = shell_.SetNextRest(info.target_id, seconds);
-    return finish_move(status, AxisVector(position_), place,
+    return finish_move(put_rest(info.target_id, seconds), AxisVector(position_), place,
                        [&](const AxisVector& at) { observer_->dwell(at, seconds); });
 }
 
@@ -332,7 +324,7 @@ bool Simulator::take_time(double seconds, const Place& place) {
     const MoveInfo info = next_move(MoveKind::dwell, place, 0);
     recorder_.expect(info);
     words_s_ += seconds;
-    return finish_move(shell_.SetNextRest(info.target_id, seconds), place);
+    return finish_move(put_rest(info.target_id, seconds), place);
 }
 
 double Simulator::time_s() {
@@ -343,8 +335,6 @@ double Simulator::time_s() {
 void Simulator::set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) {
     passing_ = {mode, tolerance_mm, merge_tolerance_mm};
     if (observer_ != nullptr) observer_->path_mode(position_, passing_);
-    if (shell_.SetPathMode(mode, tolerance_mm, merge_tolerance_mm) == Status::RRS_SERVICE_NOT_SUPPORTED)
-        warn("the controller has no path modes (G61, G64): it passes the ends of moves in its own way");
 }
 
 void Simulator::warn(const std::string& text) {
@@ -356,7 +346,7 @@ void Simulator::warn(const std::string& text) {
 
 Report Simulator::finish(std::string program) {
     motion_->end_program();
-    if (motion_->fault()) refused(last_place_);
+    if (motion_->fault()) refused(motion_->last_error(), last_place_);
     if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too
     if (zones_.hit()) fail_in_zone();
     if (!alarm_ && process_on_) process_.end_program(next_id_, last_place_);

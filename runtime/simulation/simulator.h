@@ -26,7 +26,6 @@
 #include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
-#include "runtime/simulation/service_modes.h"
 #include "runtime/simulation/tip_frame.h"
 #include "runtime/simulation/violation_log.h"
 #include "runtime/simulation/way_deviation.h"
@@ -192,11 +191,10 @@ class Simulator {
     std::size_t observed_bytes() const { return observer_ == nullptr ? 0 : observer_->held_bytes(); }
     const std::optional<Alarm>& alarm() const { return alarm_; }
 
-    /// The controller's services, for clients that call them by themselves: with the modes that services have
-    /// selected (service_modes()), whatever moves of the program have selected meanwhile.
-    rrs::Shell& controller();
-    /// To be kept by whoever calls the services.
-    ServiceModes& service_modes() { return service_modes_; }
+    /// The controller's services, for clients that call them by themselves. What these select is for their
+    /// own targets; moves of the program take over what no word of a program says: accelerations, the
+    /// overrides of the services, rules for corners, exact stops and orientation.
+    rrs::Shell& controller() { return motion_->shell(); }
     /// Whether segments are samples of a motion, not the motion itself.
     bool sampled() const { return motion_->sampled(); }
     /// Joint values (mm or rad) at the last target.
@@ -225,11 +223,13 @@ class Simulator {
   private:
     std::unique_ptr<MotionSource> make_motion(std::optional<rrs::RcsModule> module);
     void start();
-    bool select_rapid(bool on);
-    void warn_if_refused(rrs::Status status);
+    motion::Move new_move(const MoveInfo& info) const;
+    void set_time_of(const Feed& feed, bool rotary, motion::Move& move);
     void warn_of_jerk();
+    bool takes_ramps();
+    template <typename Change>
+    void change_ramps(const Change& change);
     bool limits_no_jerk() const;
-    void leave_exact_stop();
     rrs::JointPos to_joints(const AxisVector& axes) const;
     AxisVector to_axes(const rrs::JointPos& joints) const;
     tl::expected<rrs::JointPos, std::string> joints_of(const AxisVector& target) const;
@@ -238,9 +238,10 @@ class Simulator {
     bool rotary_alone(const AxisVector& target) const;
     double feed_per_min(const LineMove& move, bool rotary) const;
     double feed_per_min(const ArcMove& move) const;
-    bool set_feed(const Feed& feed, bool rotary_alone, const Place& place);
+    motion::Put put_rest(rrs::TargetId id, double seconds);
+    bool check_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
-    void obey_overrides(MoveInfo& info, const Feed& feed);
+    void obey_overrides(MoveInfo& info, const Feed& feed) const;
     Eigen::Vector3d tool_end(const AxisVector& axes) const;
     bool touches_target(const ProbeMove& move) const;
     bool feels_cell(const ProbeMove& move) const;
@@ -258,9 +259,9 @@ class Simulator {
     std::unique_ptr<ProbeSignal> part_signal(const ProbeMove& move) const;
     bool make_probe_move(const ProbeMove& move, ProbeSignal* signal, ProbeResult& result);
     template <typename Tell>
-    bool finish_move(rrs::Status status, const AxisVector& target, const Place& place, const Tell& tell);
-    bool finish_move(rrs::Status status, const Place& place);
-    bool refused(const Place& place);
+    bool finish_move(const motion::Put& put, const AxisVector& target, const Place& place, const Tell& tell);
+    bool finish_move(const motion::Put& put, const Place& place);
+    bool refused(const motion::PlanError& error, const Place& place);
     bool stop_for_time(const Place& place);
     void add_cell_findings(Report& report);
     bool fail_in_zone();
@@ -285,7 +286,6 @@ class Simulator {
     motion::MachineFrames machine_frames_;  ///< As the program has set them.
     WayDeviation way_deviation_;
     std::unique_ptr<MotionSource> motion_;
-    rrs::Shell& shell_;                  ///< Of motion_.
     std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 where the machine has no such axis.
     std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control, with this offset:
     Eigen::Vector3d tip_offset_mm_ = Eigen::Vector3d::Zero();
@@ -305,13 +305,11 @@ class Simulator {
     RunStatus status_ = RunStatus::completed;
     std::optional<Passes> passes_;
     double words_s_ = 0;  // that take_time() has rested
-    ServiceModes service_modes_;
     rrs::TargetId next_id_ = 1;
     Place last_place_;  ///< Of the last move.
     std::uint64_t blocks_ = 0;
-    double feed_mm_s_ = -1;
-    double orientation_rad_s_ = -1;
-    int rapid_ = -1;  ///< What the planner's selections are at: rapid 1, feed 0, unknown -1.
+    double warned_feed_mm_s_ = 0;                           ///< Above the machine's.
+    std::shared_ptr<const motion::ProgrammedRamps> ramps_;  ///< As the program has set them; null: not.
     bool process_on_ = false;
     std::uint32_t process_switches_ = 0;
     std::optional<bool> process_with_motion_;  ///< What it is from the next move on.

@@ -131,10 +131,9 @@ bool Simulator::fail_in_zone() {
     return false;
 }
 
-/// Turns the planner's last refusal into an alarm in terms of the machine's axes.
-bool Simulator::refused(const Place& place) {
+/// Turns a refusal of the planner into an alarm in terms of the machine's axes.
+bool Simulator::refused(const motion::PlanError& error, const Place& place) {
     if (motion_->time_s() > limits_.max_time_s) return stop_for_time(place);
-    const motion::PlanError error = motion_->last_error();
     if (error.status != Status::RRS_JOINT_LIMIT || error.joint < 0)
         return fail(kind_of(error.status), error.message, place);
     const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];

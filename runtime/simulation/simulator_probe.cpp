@@ -115,7 +115,7 @@ bool Simulator::probe(const ProbeMove& move, ProbeResult& result) {
 bool Simulator::make_probe_move(const ProbeMove& move, ProbeSignal* signal, ProbeResult& result) {
     LineMove line = move.line;
     const bool rotary = rotary_alone(line.target);
-    if (!set_feed(line.feed, rotary, line.place)) return false;
+    if (!check_feed(line.feed, rotary, line.place)) return false;
     const auto joints = joints_of(line.target);
     if (!joints) return fail(text::DiagnosticKind::unreachable, joints.error(), line.place);
     const motion::RangePass pass(begin_move());
@@ -125,10 +125,9 @@ bool Simulator::make_probe_move(const ProbeMove& move, ProbeSignal* signal, Prob
     obey_overrides(info, line.feed);
     info.feels_cell = feels_cell(move);
     recorder_.expect(info);
-    const auto put = [&] {
-        const rrs::CartPos none = rrs::CartPos::Identity();
-        return shell_.SetNextTarget(info.target_id, rrs::TargetParam::end, none, *joints, {}, 0);
-    };
+    motion::Move whole = new_move(info);
+    whole.goal.joints = *joints;
+    set_time_of(line.feed, rotary, whole);
     std::optional<rrs::JointPos> at;
     const auto search = [&](const motion::Segment& segment) -> std::optional<double> {
         const auto comes_s = signal->comes_s(segment);
@@ -136,18 +135,18 @@ bool Simulator::make_probe_move(const ProbeMove& move, ProbeSignal* signal, Prob
         at = segment.position_at(*comes_s);
         return segment.start_s + *comes_s;
     };
-    const Status status = signal != nullptr ? motion_->put_until(put, search) : put();
-    if (at && status == Status::RRS_SERVICE_NOT_SUPPORTED)
+    const motion::Put put = signal != nullptr ? motion_->put_until(whole, search) : motion_->put(whole);
+    if (at && !put && put.error().status == Status::RRS_SERVICE_NOT_SUPPORTED)
         return fail(text::DiagnosticKind::probe,
                     "this controller cannot stop a probe where it touches: it has no StopMotion", line.place);
     result.found = at || (signal == nullptr && touches_target(move));
     result.at = at ? position_at(*at) : line.target;
     if (at) shorten(line, position_, position_at(motion_->position()));
-    if (static_cast<int>(status) >= 0) {
+    if (put) {
         if (observer_ != nullptr) observer_->line(position_, line, rotary);
         position_ = line.target;
     }
-    return finish_move(status, line.place);
+    return finish_move(put, line.place);
 }
 
 }  // namespace gsim::simulation

@@ -28,7 +28,8 @@ void Simulator::set_ramps(rrs::RampMode mode) {
     if (mode == rrs::RampMode::s_curve && limits_no_jerk())
         warn("S-curves: no axis of the machine has a jerk limit; without one its ramps are straight");
     if (observer_ != nullptr) observer_->ramps(position_, mode);
-    warn_if_refused(shell_.SetRampMode(mode));
+    if (mode != rrs::RampMode::machine && !takes_ramps()) return;
+    change_ramps([mode](motion::ProgrammedRamps& ramps) { ramps.mode = mode; });
 }
 
 void Simulator::set_ramp_limit(rrs::RampLimit limit, int axis, double value) {
@@ -36,19 +37,31 @@ void Simulator::set_ramp_limit(rrs::RampLimit limit, int axis, double value) {
     const double in_joint_units = value * (rotary ? kRadPerDeg : 1.0);
     if (observer_ != nullptr)
         observer_->ramp_limit(position_, limit, machine_.axes[static_cast<std::size_t>(axis)], value);
-    warn_if_refused(shell_.SetJointRampLimits(limit, {&axis, 1}, {&in_joint_units, 1}));
+    if (!takes_ramps()) return;
+    change_ramps([&](motion::ProgrammedRamps& ramps) { ramps.of(limit)[axis] = in_joint_units; });
 }
 
 void Simulator::reset_ramp_limits() {
     if (observer_ != nullptr) observer_->no_ramp_limits(position_);
-    const std::vector<double> none(machine_.axes.size(), motion::kUnlimited);
-    for (const auto limit :
-         {rrs::RampLimit::acceleration, rrs::RampLimit::deceleration, rrs::RampLimit::jerk})
-        warn_if_refused(shell_.SetJointRampLimits(limit, {}, none));
+    if (!takes_ramps()) return;
+    change_ramps([this](motion::ProgrammedRamps& ramps) {
+        const rrs::RampMode mode = ramps.mode;
+        ramps = motion::ProgrammedRamps(setup_.joint_count());
+        ramps.mode = mode;
+    });
 }
 
-void Simulator::warn_if_refused(rrs::Status status) {
-    if (static_cast<int>(status) < 0) warn(motion_->last_error().message);
+bool Simulator::takes_ramps() {
+    const motion::Planned checked = motion_->check_ramps();
+    if (!checked) warn(checked.error().message);
+    return checked.has_value();
+}
+
+template <typename Change>
+void Simulator::change_ramps(const Change& change) {
+    motion::ProgrammedRamps ramps = ramps_ ? *ramps_ : motion::ProgrammedRamps(setup_.joint_count());
+    change(ramps);
+    ramps_ = std::make_shared<const motion::ProgrammedRamps>(std::move(ramps));
 }
 
 }  // namespace gsim::simulation

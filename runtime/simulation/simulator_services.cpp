@@ -1,4 +1,4 @@
-// The controller's services beside the moves of a program: both select modes of the one controller.
+// The controller's services beside the moves of a program.
 
 #include "runtime/simulation/simulator.h"
 
@@ -15,24 +15,6 @@ constexpr std::string_view kServiceMotion =
 
 }  // namespace
 
-/// Each side has its own modes: what moves of the program have selected since is taken back.
-rrs::Shell& Simulator::controller() {
-    if (rapid_ >= 0) {
-        leave_exact_stop();
-        shell_.SetRapid(service_modes_.rapid);
-        shell_.SelectTargetType(service_modes_.target_type);
-        shell_.SelectMotionType(service_modes_.motion_type);
-        shell_.SetCartesianOrientationSpeed(service_modes_.orientation_speed_rad_s);
-        if (service_modes_.position_speed_mm_s > 0) {
-            shell_.SetCartesianPositionSpeed(service_modes_.position_speed_mm_s);
-        } else {
-            motion_->forget_position_speed();
-        }
-    }
-    rapid_ = -1;
-    return shell_;
-}
-
 Status Simulator::set_start(const std::function<Status()>& set) {
     if (time_s() > 0) return Status::RRS_INVALID_PARAMETER;
     const Status status = set();
@@ -44,6 +26,7 @@ Status Simulator::queue_target(MoveKind kind, const Place& place,
                                const std::function<Status(rrs::TargetId)>& queue) {
     MoveInfo info = next_move(kind, place, 0);
     obey_overrides(info, {});
+    motion_->set_obeyed(info.obeyed);
     recorder_.expect(info);
     const Status status = queue(info.target_id);
     position_ = position_at(motion_->position());
@@ -61,15 +44,13 @@ bool Simulator::set_overrides(const motion::OverrideSchedule& overrides) {
 }
 
 /// What is in step with the spindle by its position is deaf to the feed override.
-void Simulator::obey_overrides(MoveInfo& info, const Feed& feed) {
+void Simulator::obey_overrides(MoveInfo& info, const Feed& feed) const {
     info.follows_spindle = feed.linear_mm_rev.has_value();
     const bool in_step = info.kind == MoveKind::thread && info.follows_spindle;
     const bool deaf_probe = info.kind == MoveKind::probe && !machine_.controller.overrides.feed_of_probes;
     info.obeyed = {.feed = !locks_.feed && !in_step && !deaf_probe,
                    .rapid = !locks_.rapid,
                    .spindle = info.follows_spindle && !locks_.spindle};
-    motion_->set_obeyed(info.obeyed);
-    motion_->set_follows_spindle(info.follows_spindle);
 }
 
 Status Simulator::cancel_motion() {

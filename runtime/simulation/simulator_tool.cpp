@@ -35,11 +35,11 @@ bool Simulator::set_tip_control(const std::optional<Eigen::Vector3d>& offset_mm,
         if (!made) return fail(DiagnosticKind::machine, made.error(), place);
         frame = *made;
     }
-    const Status status =
-        shell_.SetTipControl(frame.has_value(), frame ? frame->tip_mm() : Eigen::Vector3d(0, 0, 0));
-    if (status == Status::RRS_SERVICE_NOT_SUPPORTED)
+    const motion::Planned taken =
+        motion_->check_tip(frame ? std::optional(frame->tip_mm()) : std::optional<Eigen::Vector3d>());
+    if (!taken && taken.error().status == Status::RRS_SERVICE_NOT_SUPPORTED)
         return fail(DiagnosticKind::mode, "this controller has no tool-centre-point control", place);
-    if (static_cast<int>(status) < 0) return refused(place);
+    if (!taken) return refused(taken.error(), place);
     tip_frame_ = frame;
     tip_offset_mm_ = offset_mm.value_or(Eigen::Vector3d::Zero());
     if (frame && observer_ != nullptr)
@@ -63,7 +63,7 @@ tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pos
 }
 
 bool Simulator::move(const PoseMove& move) {
-    if (!set_feed(move.feed, false, move.place)) return false;
+    if (!check_feed(move.feed, false, move.place)) return false;
     MoveInfo info = next_move(MoveKind::linear, move.place, move.feed.linear_mm_min);
     info.timed = move.feed.motion_s.has_value();
     obey_overrides(info, move.feed);
@@ -75,19 +75,20 @@ bool Simulator::move(const PoseMove& move) {
     }
     const motion::RangePass pass(begin_move());
     recorder_.expect(info);
-    const auto put = [&](rrs::TargetParam param, const rrs::CartPos& pose) {
-        return shell_.SetNextTarget(info.target_id, param, pose, motion_->position(), {}, 0);
+    const motion::WorkFrames frames = motion_->work_frames().value_or(motion::WorkFrames{});
+    const auto goal = [&](const rrs::CartPos& pose) {
+        return motion::Goal{{}, motion::PoseGoal{frames.object * pose, frames.tool}};
     };
-    Status status = shell_.SelectTargetType(rrs::TargetType::cartesian);
-    if (static_cast<int>(status) >= 0)
-        status = shell_.SelectMotionType(move.via ? rrs::MotionType::circular : rrs::MotionType::linear);
-    if (move.via && static_cast<int>(status) >= 0) status = put(rrs::TargetParam::via, *move.via);
-    if (static_cast<int>(status) >= 0) status = put(rrs::TargetParam::end, move.target);
-    const bool refused_here = static_cast<int>(status) < 0;
-    if (refused_here) refused(move.place);  // in its own words, before other services answer
-    shell_.SelectTargetType(rrs::TargetType::joint);
-    shell_.SelectMotionType(rrs::MotionType::linear);  // refused where no slides carry the tool
-    if (refused_here) return false;
+    motion::Move whole = new_move(info);
+    whole.goal = goal(move.target);
+    if (tip_frame_ && motion_->selections().frames_selected) whole.tip_mm = frames.tip_mm();
+    if (move.via) {
+        whole.type = rrs::MotionType::circular;
+        whole.via = goal(*move.via);
+    }
+    set_time_of(move.feed, false, whole);
+    const motion::Put put = motion_->put(whole);
+    if (!put) return refused(put.error(), move.place);
     position_ = position_at(motion_->position());
     if (observer_ != nullptr) {
         observer_->untold_motion(
@@ -95,7 +96,7 @@ bool Simulator::move(const PoseMove& move) {
             "words such as G1, or move");
     }
     warn_if_singular(position_, move.place);
-    return finish_move(status, move.place);
+    return finish_move(put, move.place);
 }
 
 }  // namespace gsim::simulation

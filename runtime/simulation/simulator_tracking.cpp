@@ -28,11 +28,11 @@ bool Simulator::track(const Eigen::Vector3d& direction, double position_mm, doub
     const bool done = shell.DefineConveyor(kConveyor, direction, speed_mm_s) == Status::RRS_SUCCESS &&
                       shell.SetConveyorPosition(kConveyor, position_mm) == Status::RRS_SUCCESS &&
                       select_tracking(kConveyor, true) == Status::RRS_SUCCESS;
-    return done || refused(place);
+    return done || refused(motion_->last_error(), place);
 }
 
 bool Simulator::untrack(const Place& place) {
-    return select_tracking(kConveyor, false) == Status::RRS_SUCCESS || refused(place);
+    return select_tracking(kConveyor, false) == Status::RRS_SUCCESS || refused(motion_->last_error(), place);
 }
 
 }  // namespace gsim::simulation

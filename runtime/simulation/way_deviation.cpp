@@ -50,7 +50,7 @@ void WayDeviation::expect(rrs::TargetId id, const Place& place) {
     place_ = place;
 }
 
-void WayDeviation::programmed(const motion::Move& move) {
+void WayDeviation::programmed(const motion::PathMove& move) {
     ways_.emplace_back(move, setup_.position_joints, tip_, move.target_id == expected_ ? place_ : Place());
 }
 

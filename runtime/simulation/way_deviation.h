@@ -35,7 +35,7 @@ class WayDeviation final : public motion::WaySink, public RunOutput {
     /// The move with this target is about to be put.
     void expect(rrs::TargetId id, const Place& place);
 
-    void programmed(const motion::Move& move) override;
+    void programmed(const motion::PathMove& move) override;
     void take_back() override;
     void forget() override;
 

@@ -74,11 +74,18 @@ bool all_finite(const Report& report) {
     return std::all_of(figures.begin(), figures.end(), [](double f) { return std::isfinite(f) && f >= 0; });
 }
 
-std::optional<std::string> fault_of_bounds(const Report& report) {
+double greatest_step(const machine::Machine& machine) {
+    double step = 0;
+    for (const machine::Axis& axis : machine.axes) step = std::max(step, axis.step);
+    return step;
+}
+
+std::optional<std::string> fault_of_bounds(const Report& report, double step) {
     for (const simulation::AxisBounds& axis : report.bounds) {
         if (!(axis.min <= axis.max))
             return fmt::format("axis {} goes from {} to {}", axis.letter, axis.min, axis.max);
-        const bool within = axis.min >= axis.limit_min - kJoin && axis.max <= axis.limit_max + kJoin;
+        const double slack = kJoin + step / 2;  // a controller goes to the step that is nearest to a target
+        const bool within = axis.min >= axis.limit_min - slack && axis.max <= axis.limit_max + slack;
         if (!within && report.status == RunStatus::completed)
             return fmt::format("the run completed, and axis {} went from {} to {}, beyond {} to {}",
                                axis.letter, axis.min, axis.max, axis.limit_min, axis.limit_max);
@@ -163,7 +170,9 @@ RunResult run_once(const SmallRun& run) {
     options.dialect = run.dialect;
     script::Engine engine(simulator, options);
     engine.run(script_of(run));
-    RunResult result{.report = simulator.finish(run.file_name), .broken = {}};
+    RunResult result{.report = simulator.finish(run.file_name),
+                     .greatest_step = greatest_step(run.machine),
+                     .broken = {}};
     engine.report(result.report);
     result.broken = continuity.broken();
     return result;
@@ -177,10 +186,13 @@ RunResult run_moves(MovesRun run) {
     if (run.cell) simulator.set_cell(cell.emplace(*std::move(run.cell), run.machine));
     if (!run.overrides.changes().empty()) simulator.set_overrides(run.overrides);
     ShortMoves(simulator).make();
-    return {.report = simulator.finish("moves"), .broken = continuity.broken()};
+    return {.report = simulator.finish("moves"),
+            .greatest_step = greatest_step(simulator.machine()),
+            .broken = continuity.broken()};
 }
 
-std::optional<std::string> fault_of_report(const Report& report) {
+std::optional<std::string> fault_of_report(const RunResult& result) {
+    const Report& report = result.report;
     if (!nlohmann::json::accept(simulation::to_json(report))) return "the report is no JSON";
     if (simulation::to_text(report).empty()) return "the report for people is empty";
     if (!all_finite(report)) return "a figure of the report is not finite, or below 0";
@@ -192,12 +204,12 @@ std::optional<std::string> fault_of_report(const Report& report) {
     if (report.alarm && report.alarm->message.empty()) return "an alarm without a sentence";
     if (report.alarm && report.alarm->place.file >= std::max<std::size_t>(report.files.size(), 1))
         return "the place of the alarm is in no file";
-    return fault_of_bounds(report);
+    return fault_of_bounds(report, result.greatest_step);
 }
 
 Outcome outcome_of(const RunResult& result) {
     if (result.broken) return broken(*result.broken);
-    if (auto fault = fault_of_report(result.report)) return broken(*std::move(fault));
+    if (auto fault = fault_of_report(result)) return broken(*std::move(fault));
     const RunStatus status = result.report.status;
     return status == RunStatus::completed || status == RunStatus::violations ? accepted() : refused();
 }

@@ -34,6 +34,7 @@ struct MovesRun {
 /// Where a run ended, and what was found while it went.
 struct RunResult {
     simulation::Report report;
+    double greatest_step = 0;           ///< Of the machine's axes, mm or deg.
     std::optional<std::string> broken;  ///< Moves or segments that do not join.
 };
 
@@ -46,7 +47,7 @@ RunResult run_moves(MovesRun run);
 
 /// What does not hold of a report: it is JSON, its figures are finite and add up, it has an alarm where the
 /// run did not complete, and where it did all axes stayed within their ranges.
-std::optional<std::string> fault_of_report(const simulation::Report& report);
+std::optional<std::string> fault_of_report(const RunResult& result);
 
 /// The outcome of a run: accepted where it completed or was past limits.
 Outcome outcome_of(const RunResult& result);

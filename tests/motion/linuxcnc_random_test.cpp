@@ -36,7 +36,7 @@ class Programs {
     }
 
   private:
-    void change_rules(Move& move) {
+    void change_rules(PathMove& move) {
         constexpr rrs::PathMode kModes[] = {rrs::PathMode::exact_stop, rrs::PathMode::exact_path,
                                             rrs::PathMode::continuous, rrs::PathMode::continuous};
         move.mode = kModes[std::uniform_int_distribution<>(0, 3)(random_)];

@@ -83,7 +83,7 @@ class LinuxcncRun final : public SegmentOutput {
 
     PlannerSetup setup;
     LinuxcncModel model;
-    Move next;
+    PathMove next;
     std::vector<Segment> segments;
     double end_s = 0;
     rrs::TargetId last_id = 0;

@@ -29,7 +29,7 @@ class Path {
         : setup_(std::move(setup)), at_(rrs::JointPos::Zero(setup_.joint_count())) {}
 
     void line(rrs::JointPos end, double speed_mm_s = 100) {
-        Move move = begin(speed_mm_s);
+        PathMove move = begin(speed_mm_s);
         move.end = std::move(end);
         add(move);
     }
@@ -40,7 +40,7 @@ class Path {
         line(end, speed_mm_s);
     }
     void arc(double radius_mm, double from_rad, double sweep_rad, double speed_mm_s, double lift_mm = 0) {
-        Move move = begin(speed_mm_s);
+        PathMove move = begin(speed_mm_s);
         move.kind = SegmentKind::circular;
         move.arc.u = {std::cos(from_rad), std::sin(from_rad), 0};
         move.arc.v = {-std::sin(from_rad), std::cos(from_rad), 0};
@@ -63,8 +63,8 @@ class Path {
     double exit_speed(std::size_t segment) const { return out_.segments.at(segment).lead.end_speed(); }
 
   private:
-    Move begin(double speed_mm_s) {
-        Move move;
+    PathMove begin(double speed_mm_s) {
+        PathMove move;
         move.target_id = ++id_;
         move.start = at_;
         move.rules.programmed_speed_mm_s = speed_mm_s;
@@ -73,7 +73,7 @@ class Path {
         move.tolerance_mm = tolerance_mm;
         return move;
     }
-    void add(const Move& move) {
+    void add(const PathMove& move) {
         const Planned planned = model_.add(move);
         ASSERT_TRUE(planned) << planned.error().message;
         at_ = move.end;

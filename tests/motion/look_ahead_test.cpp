@@ -201,7 +201,7 @@ TEST(LookAhead, InverseTimeIsALineAtThatSpeed) {
     PlannerSetup setup = router_setup();
     Collected out;
     LookAhead model(setup, out);
-    Move move;
+    PathMove move;
     move.start = rrs::JointPos::Zero(3);
     move.end = move.start;
     move.end[0] = 60;
@@ -215,7 +215,7 @@ TEST(LookAhead, WithoutASpeedItRefuses) {
     PlannerSetup setup = router_setup();
     Collected out;
     LookAhead model(setup, out);
-    Move move;
+    PathMove move;
     move.start = move.end = rrs::JointPos::Zero(3);
     move.rules.programmed_speed_mm_s = 0;
     EXPECT_TRUE(model.add(move)) << "no way, no speed needed";

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runtime/kinematics/gantry.h"
-#include "runtime/motion/planner.h"
+#include "runtime/motion/default_planner.h"
 #include "tests/kinematics/chains.h"
 
 namespace gsim::motion {

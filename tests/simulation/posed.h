@@ -8,7 +8,7 @@
 #include "runtime/cell/cell_file.h"
 #include "runtime/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/motion/planner.h"
+#include "runtime/motion/default_planner.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/simulator.h"
 

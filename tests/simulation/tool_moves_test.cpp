@@ -11,7 +11,7 @@
 
 #include "runtime/kinematics/pose.h"
 #include "runtime/machine/machine_file.h"
-#include "runtime/motion/planner.h"
+#include "runtime/motion/default_planner.h"
 #include "runtime/motion/tool_path.h"
 #include "runtime/simulation/simulator.h"
 

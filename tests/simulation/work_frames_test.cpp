@@ -137,7 +137,7 @@ TEST(WorkFramesOfCells, NamesThatCannotBeMeantAreRefused) {
     EXPECT_TRUE(pose.isApprox(robot.setup.kinematics->forward(robot.planner.position()), 1e-12));
     EXPECT_EQ(robot.planner.SelectWorkFrames("tool", "base"), Status::RRS_SUCCESS);
     EXPECT_EQ(robot.planner.Reset(), Status::RRS_SUCCESS);
-    EXPECT_TRUE(robot.planner.work_frames().object.isApprox(CartPos::Identity()));
+    EXPECT_TRUE(robot.planner.selections().frames.object.isApprox(CartPos::Identity()));
 }
 
 // Where a table carries the work, what stands in the world moves against it.

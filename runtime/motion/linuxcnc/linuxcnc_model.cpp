@@ -33,14 +33,14 @@ LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRul
       writer_(axes_, output) {}
 
 /// The way of a move that is too short to be made is made with the next line.
-Planned LinuxcncModel::add(const Move& move) {
+Planned LinuxcncModel::add(const PathMove& move) {
     if (!left_out_ || move.kind == SegmentKind::circular) return add_whole(move);
-    Move line = move;
+    PathMove line = move;
     line.start = *left_out_;
     return add_whole(line);
 }
 
-Planned LinuxcncModel::add_whole(const Move& move) {
+Planned LinuxcncModel::add_whole(const PathMove& move) {
     if (linuxcnc::may_merge(move) && linuxcnc::surely_makes_piece(setup_, move)) {
         left_out_.reset();
         merge(move);
@@ -59,7 +59,7 @@ Planned LinuxcncModel::add_whole(const Move& move) {
         return {};
     }
     if (move.kind == SegmentKind::circular) {
-        const Move first = linuxcnc::line_to_middle(move, axes_);
+        const PathMove first = linuxcnc::line_to_middle(move, axes_);
         merge(first);
         merge(linuxcnc::line_to_end(move, first.end));
     } else {
@@ -86,7 +86,7 @@ void LinuxcncModel::clear() {
     left_out_.reset();
 }
 
-void LinuxcncModel::merge(const Move& line) {
+void LinuxcncModel::merge(const PathMove& line) {
     if (!merged_.empty() && !merged_.accepts(line)) end_merged();
     merged_.add(line);
 }

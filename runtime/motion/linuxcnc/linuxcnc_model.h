@@ -35,14 +35,14 @@ class LinuxcncModel final : public MotionModel {
     LinuxcncModel(const LinuxcncModel&) = delete;
     LinuxcncModel& operator=(const LinuxcncModel&) = delete;
 
-    Planned add(const Move& move) override;
+    Planned add(const PathMove& move) override;
     void come_to_rest() override;
     void clear() override;
     rrs::JointPos standing_at(const rrs::JointPos& position) const override;
 
   private:
-    Planned add_whole(const Move& move);
-    void merge(const Move& line);
+    Planned add_whole(const PathMove& move);
+    void merge(const PathMove& line);
     void end_merged();
     void take(linuxcnc::Piece piece);
     void push(const linuxcnc::Piece& piece);

@@ -16,7 +16,7 @@ constexpr double kOneTurn_rad = 2 * std::numbers::pi + 1e-5;
 
 // The height over the chord tells how far an arc of one turn at most leads away from it. More turns are
 // always driven: LinuxCNC's own test forgets them, and would leave them out wherever what remains is flat.
-bool flat(const Move& move) {
+bool flat(const PathMove& move) {
     const Arc& arc = move.arc;
     if (arc.sweep_rad > kOneTurn_rad) return false;
     const bool level = std::abs(arc.u.z()) < kLevel && std::abs(arc.v.z()) < kLevel;
@@ -30,7 +30,7 @@ bool lies_within(double tolerance_mm, const Vector3d& point, const Vector3d& sta
     return (to_point - share * way).squaredNorm() <= tolerance_mm * tolerance_mm;
 }
 
-bool same_rules(const Move& a, const Move& b) {
+bool same_rules(const PathMove& a, const PathMove& b) {
     return a.rules.programmed_speed_mm_s == b.rules.programmed_speed_mm_s &&
            a.rules.max_path_speed_mm_s == b.rules.max_path_speed_mm_s &&
            a.rules.path_acceleration_mm_s2 == b.rules.path_acceleration_mm_s2 &&
@@ -41,12 +41,12 @@ bool same_rules(const Move& a, const Move& b) {
 
 }  // namespace
 
-bool may_merge(const Move& move) {
+bool may_merge(const PathMove& move) {
     if (move.rapid || move.mode != rrs::PathMode::continuous || !(move.merge_tolerance_mm > 0)) return false;
     return move.kind != SegmentKind::circular || flat(move);
 }
 
-bool MergedLines::accepts(const Move& line) const {
+bool MergedLines::accepts(const PathMove& line) const {
     if (ends_.size() > kMostLines || !same_rules(line, line_)) return false;
     const Vector3d start = axes_.point(line_.start);
     const Vector3d way = axes_.point(line.end) - start;
@@ -56,15 +56,15 @@ bool MergedLines::accepts(const Move& line) const {
     });
 }
 
-void MergedLines::add(const Move& line) {
+void MergedLines::add(const PathMove& line) {
     const rrs::JointPos start = empty() ? line.start : line_.start;
     line_ = line;
     line_.start = start;
     ends_.push_back(axes_.point(line.end));
 }
 
-Move line_to_end(const Move& move, const rrs::JointPos& start) {
-    Move line = move;
+PathMove line_to_end(const PathMove& move, const rrs::JointPos& start) {
+    PathMove line = move;
     line.kind = SegmentKind::linear;
     line.start = start;
     if (move.kind == SegmentKind::circular && move.rules.least_duration_s > 0) {
@@ -74,8 +74,8 @@ Move line_to_end(const Move& move, const rrs::JointPos& start) {
     return line;
 }
 
-Move line_to_middle(const Move& move, const Axes& axes) {
-    Move line = line_to_end(move, move.start);
+PathMove line_to_middle(const PathMove& move, const Axes& axes) {
+    PathMove line = line_to_end(move, move.start);
     line.end = (move.start + move.end) / 2;
     axes.put(move.arc.at(move.arc.sweep_rad / 2), line.end);
     return line;

@@ -84,7 +84,7 @@ void limit_arc(Piece& piece, const Axes& axes, Needs& needs) {
     piece.full_acceleration = needs.acceleration.along(whole_mm);
 }
 
-double asked_speed(const Move& move, const Piece& piece, JointRole role) {
+double asked_speed(const PathMove& move, const Piece& piece, JointRole role) {
     if (move.rapid) return kUnlimited;
     if (move.rules.least_duration_s > 0) return piece.length / move.rules.least_duration_s;
     return role == JointRole::rotary ? move.rules.orientation_speed_rad_s : move.rules.programmed_speed_mm_s;
@@ -94,7 +94,7 @@ LimitedBy joint_limit(LimitKind kind, int joint) {
     return {kind, static_cast<std::int8_t>(joint)};
 }
 
-void set_speeds(Piece& piece, const Move& move, JointRole role, const Needs& needs, double period_s) {
+void set_speeds(Piece& piece, const PathMove& move, JointRole role, const Needs& needs, double period_s) {
     const double asked = asked_speed(move, piece, role);
     if (piece.speed_limit.kind != LimitKind::centripetal || needs.speed.joint >= 0) {
         piece.speed_limit = joint_limit(LimitKind::joint_speed, needs.speed.joint);
@@ -111,7 +111,7 @@ void set_speeds(Piece& piece, const Move& move, JointRole role, const Needs& nee
     piece.max_speed = std::min(piece.max_speed, piece.length / period_s);
 }
 
-void set_acceleration(Piece& piece, const Move& move, JointRole role, const Needs& needs, double period_s) {
+void set_acceleration(Piece& piece, const PathMove& move, JointRole role, const Needs& needs, double period_s) {
     piece.acceleration_limit = joint_limit(LimitKind::acceleration, needs.acceleration.joint);
     const double limit = role == JointRole::rotary ? move.rules.orientation_acceleration_rad_s2
                                                    : move.rules.path_acceleration_mm_s2;
@@ -132,14 +132,14 @@ Term term_of(rrs::PathMode mode) {
     return Term::stop;
 }
 
-bool has_speed(const Move& move, JointRole role) {
+bool has_speed(const PathMove& move, JointRole role) {
     if (move.rapid || move.rules.least_duration_s > 0) return true;
     return role == JointRole::rotary ? move.rules.orientation_speed_rad_s > 0
                                      : move.rules.programmed_speed_mm_s > 0;
 }
 
 // What a piece cannot be made of.
-Planned check_values(const Move& move, const Piece& piece, JointRole role) {
+Planned check_values(const PathMove& move, const Piece& piece, JointRole role) {
     if (!move.start.allFinite() || !move.end.allFinite() || !(piece.length < kUnlimited)) {
         return refused(rrs::Status::RRS_INVALID_PARAMETER, "The move is too long, or leads to no position.");
     }
@@ -156,7 +156,7 @@ Planned check_time(const Piece& piece) {
         fmt::format("The move is too long or too slow: it would take more than {} s.", kLongest_s));
 }
 
-void set_way(Piece& piece, const Axes& axes, const Move& move, const JointChanges& changes, JointRole role) {
+void set_way(Piece& piece, const Axes& axes, const PathMove& move, const JointChanges& changes, JointRole role) {
     piece.target_id = move.target_id;
     piece.curved = move.kind == SegmentKind::circular;
     piece.rapid = move.rapid;
@@ -174,7 +174,7 @@ void set_way(Piece& piece, const Axes& axes, const Move& move, const JointChange
     }
 }
 
-void set_limits(Piece& piece, const PlannerSetup& setup, const Axes& axes, const Move& move,
+void set_limits(Piece& piece, const PlannerSetup& setup, const Axes& axes, const PathMove& move,
                 const JointChanges& changes, JointRole role, double period_s) {
     Needs needs = needs_of(setup, changes);
     if (piece.curved) {
@@ -190,7 +190,7 @@ void set_limits(Piece& piece, const PlannerSetup& setup, const Axes& axes, const
 
 }  // namespace
 
-bool surely_makes_piece(const PlannerSetup& setup, const Move& move) {
+bool surely_makes_piece(const PlannerSetup& setup, const PathMove& move) {
     if (move.kind == SegmentKind::circular || move.rapid || move.rules.least_duration_s > 0) return false;
     if (!move.start.allFinite() || !move.end.allFinite()) return false;
     const JointChanges changes(setup, move.start, move.end, kLeastChange);
@@ -209,7 +209,7 @@ bool surely_makes_piece(const PlannerSetup& setup, const Move& move) {
            length_mm / speed_mm_s + asked_mm_s / acceleration_mm_s2 <= kLongest_s;
 }
 
-tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const Move& move,
+tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const PathMove& move,
                                         double period_s) {
     const JointChanges changes(setup, move.start, move.end, kLeastChange);
     const JointRole role = piece_role(changes, move.kind == SegmentKind::circular);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "runtime/motion/move_terms.h"
+#include "runtime/rrs/types.h"
+
+namespace gsim::motion {
+
+/// A circle about an axis: counter-clockwise about the unit vector `axis` by `sweep_rad` > 0 in all, and
+/// along it as far as the goal asks.
+struct Circle {
+    Eigen::Vector3d center_mm;  ///< Any point of the axis.
+    Eigen::Vector3d axis;
+    double sweep_rad = 0;
+};
+
+/// A frame that the tool carries is to be at a pose.
+struct PoseGoal {
+    rrs::CartPos pose;  ///< In the work frame.
+    rrs::CartPos tool;  ///< The frame, in that of the tool centre point.
+
+    rrs::CartPos tool_centre() const { return pose * tool.inverse(); }
+};
+
+/// A place for the machine: a pose where there is one, else joint values.
+struct Goal {
+    rrs::JointPos joints;  ///< mm or rad
+    std::optional<PoseGoal> pose;
+};
+
+/// A move as a program asks for it, whole: a planner that gets it needs to remember nothing of the ones
+/// before but where they ended.
+struct Move {
+    rrs::TargetId target_id = 0;
+    rrs::MotionType type = rrs::MotionType::linear;
+    Goal goal;
+    std::optional<Goal> via;  ///< A point of a circular move
+    /// or its circle: in the space of the position joints x, y and z, for a pose or a tip in the work frame.
+    std::optional<Circle> circle;
+    /// Tool-centre-point control: the point that goes the way, in the frame of the tool centre point.
+    std::optional<Eigen::Vector3d> tip_mm;
+    MoveTerms terms;
+    double rest_s = 0;  ///< Dwell behind it, by the same id.
+};
+
+}  // namespace gsim::motion
