@@ -2,6 +2,12 @@
 -- with none the line ends where it meets the line of the next block, which has ,A and both coordinates. In Lua:
 -- `line_angle(30) G1{x=10}`.
 
+local alarm, copied, given = use("basics", "alarm", "copied", "given")
+local word = use("words", "word")
+local ab9_corners, ab9_macros, axes, motion, path =
+  use "ab9_corners", use "ab9_macros", use "axes", use "motion", use "path"
+local plane_geometry, plane_view, polar, state = use "ab9_geometry", use "plane_view", use "polar", use "state"
+
 local STRAIGHT = plane_geometry.straight
 
 local angle     -- { degrees, place } of the block being executed, until its motion takes it
@@ -11,7 +17,7 @@ local function direction_of(degrees) return { math.cos(math.rad(degrees)), math.
 
 -- Where the program stands, in program units.
 local function program_point(p)
-  local position = program_position()
+  local position = axes.program_position()
   return { position[p.first] / state.unit_mm, position[p.second] / state.unit_mm }
 end
 
@@ -85,11 +91,11 @@ function guard:act(f) self.next:act(f) end
 function guard:flush() check_nothing_open() end
 
 local function hold_back(words, degrees)
-  if modal_macro_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
+  if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
   local rapid = state.motion == "G0"
   waiting = {
-    degrees = degrees, words = words, start = program_point(planes[state.plane]), plane = state.plane, rapid = rapid,
-    feed = not rapid and core.take_feed() or nil, place = core.place(), corner = exchange_corner(nil),
+    degrees = degrees, words = words, start = program_point(plane_view.planes[state.plane]), plane = state.plane,
+    rapid = rapid, feed = not rapid and core.take_feed() or nil, place = core.place(), corner = ab9_corners.exchange(nil),
   }
 end
 
@@ -98,21 +104,21 @@ local function put_first(words)
   local first = waiting
   waiting = nil
   local target = core.target(words)
-  local second_corner = exchange_corner(first.corner)
+  local second_corner = ab9_corners.exchange(first.corner)
   if first.rapid then
     guard.next:rapid(target, first.place)
   else
     guard.next:line(target, first.feed, nil, first.place)
   end
   core.set_programmed(target)
-  exchange_corner(second_corner)
+  ab9_corners.exchange(second_corner)
 end
 
 local function check_words(words)
   if state.motion ~= "G0" and state.motion ~= "G1" then alarm("corner", ",A belongs to straight moves (G0, G1)") end
   if state.polar then alarm("corner", ",A does not go with polar programming (G16)") end
   for _, letter in ipairs { "u", "v", "w" } do
-    if words[letter] ~= nil and is_rotary[letter] == nil then
+    if words[letter] ~= nil and axes.is_rotary[letter] == nil then
       alarm("corner", ",A goes with X, Y and Z, and not with the increment %s", letter:upper())
     end
   end
@@ -120,7 +126,7 @@ end
 
 -- The words of a move to which ,A belongs; none where it waits for the next one.
 local function resolve(words, degrees)
-  local p = planes[state.plane]
+  local p = plane_view.planes[state.plane]
   if degrees then check_words(words) end
   if waiting then
     if waiting.plane ~= state.plane then
@@ -140,42 +146,21 @@ end
 
 -- A motion without axis words, which elsewhere does nothing, may be a line that is given by its angle alone: for one
 -- call the words of motion get a table.
-local acting
-
-local function give_words_back()
-  for name, meaning in pairs(acting) do env[name] = meaning end
-  acting = nil
-end
-
-local function stand_in()
-  acting = {}
-  for _, name in ipairs { "G0", "G1", "move" } do
-    local meaning = env[name]
-    acting[name] = meaning
-    env[name] = function(words)
-      give_words_back()
-      return meaning(words or {})
-    end
+local stand_ins = {}
+for _, name in ipairs { "G0", "G1", "move" } do
+  stand_ins[name] = function(words)
+    motion.cover("line angle", nil)
+    return env[name](words or {})
   end
 end
 
--- What changes the plain lines does so behind these.
-local set_shape = shape
-function shape(reason, on)
-  local standing_in = acting ~= nil
-  if standing_in then give_words_back() end
-  set_shape(reason, on)
-  if standing_in then stand_in() end
-end
-
-local resolve_others = resolve_words
-function resolve_words(words)
-  if angle == nil and waiting == nil then return resolve_others(words) end
-  if acting then give_words_back() end
+local function resolve_by_angle(words)
+  motion.cover("line angle", nil)
   local degrees = angle and angle.degrees
   if angle and angle.place ~= core.place() then check_nothing_open() end
   angle = nil
   local resolved = resolve(words, degrees)
+  if waiting == nil then polar.resolve_by(nil) end
   guard_path(waiting ~= nil)
   return resolved
 end
@@ -184,7 +169,7 @@ word("line_angle", function(degrees)
   if not given(degrees, ",A") then return end
   if angle then check_nothing_open() end
   angle = { degrees = degrees, place = core.place() }
+  polar.resolve_by(resolve_by_angle)
   guard_path(true)
-  if acting then give_words_back() end
-  stand_in()
+  motion.cover("line angle", stand_ins)
 end)

@@ -1,6 +1,12 @@
 -- Chamfers (,C) and corner radii (,R): a corner stands between the move that carries it and the next one; both lie in
 -- the plane in force. The move is held back until the next one is known. In Lua: `corner(2) G1{x=10}`.
 
+local alarm, copied, given, space_between = use("basics", "alarm", "copied", "given", "space_between")
+local feed_of_part = use("feed", "feed_of_part")
+local word = use("words", "word")
+local axes, path, plane_geometry, plane_view, state =
+  use "axes", use "path", use "ab9_geometry", use "plane_view", use "state"
+
 local geometry = plane_geometry
 local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight
 
@@ -13,13 +19,13 @@ local acts = {}    -- what happens between it and the next one
 -- Values for all axes: those that are not given stay at the start of the move.
 local function all_axes(values, move)
   local all = {}
-  for _, axis in ipairs(axes) do all[axis.letter] = values[axis.letter] or move.start[axis.letter] end
+  for _, axis in ipairs(axes.list) do all[axis.letter] = values[axis.letter] or move.start[axis.letter] end
   return all
 end
 
 -- The piece that a move makes in the plane.
 local function piece_of(move)
-  local view = plane_view(move.plane)
+  local view = plane_view.view(move.plane)
   local piece = { from = view:at(move.start), to = view:at(all_axes(move.target, move)) }
   if move.arc then
     piece.centre, piece.sense, piece.sweep = { move.first, move.second }, move.ccw and 1 or -1, move.sweep
@@ -30,12 +36,12 @@ end
 
 -- What a move does besides going in a plane: the letter of an axis, or that it leaves an oblique plane; nil: nothing.
 local function beside_plane(move, plane)
-  local p, view = planes[plane], plane_view(plane)
+  local p, view = plane_view.planes[plane], plane_view.view(plane)
   local target = all_axes(move.target, move)
   if math.abs(view:height(target) - view:height(move.start)) > SAME_MM then
     return p and "goes along " .. p.third:upper() .. " too" or "leaves it"
   end
-  for _, axis in ipairs(axes) do
+  for _, axis in ipairs(axes.list) do
     local letter = axis.letter
     local in_space = letter == "x" or letter == "y" or letter == "z"
     if not in_space and math.abs(target[letter] - move.start[letter]) > SAME_MM then
@@ -45,10 +51,10 @@ local function beside_plane(move, plane)
 end
 
 local function check_plane(move, other_plane, mark)
-  if move.arc and not same_plane(move.plane, other_plane) then
+  if move.arc and not plane_view.same_plane(move.plane, other_plane) then
     alarm("corner", "%s joins two moves in one plane; the arc is not in the plane of the move before", mark)
   end
-  local besides, p = beside_plane(move, other_plane), planes[other_plane]
+  local besides, p = beside_plane(move, other_plane), plane_view.planes[other_plane]
   if besides == nil then return end
   local where = p and ("the plane of %s and %s"):format(p.first:upper(), p.second:upper()) or "one plane"
   alarm("corner", "%s joins two moves in %s; this move %s", mark, where, besides)
@@ -71,7 +77,7 @@ local function part_of(move, piece, from, to)
   local left = finish - begin
   if left < SAME_MM then return nil end
   from, to = from or piece.from, to or piece.to
-  local view, part = plane_view(move.plane), copied(move)
+  local view, part = plane_view.view(move.plane), copied(move)
   part.start, part.target = all_axes(move.start, move), all_axes(move.target, move)
   view:put(part.start, from)
   view:put(part.target, to)
@@ -83,7 +89,7 @@ end
 -- The corner itself, with the feed of the first move.
 local function corner_move(first, piece, corner)
   local move = { plane = first.plane, target = all_axes(first.target, first) }
-  plane_view(first.plane):put(move.target, corner.to)
+  plane_view.view(first.plane):put(move.target, corner.to)
   local size = geometry.length(geometry.minus(corner.to, corner.from))
   if corner.centre then
     move.arc, move.ccw, move.first, move.second = true, corner.sense > 0, corner.centre[1], corner.centre[2]
@@ -167,7 +173,7 @@ end
 -- A move arrives: with a corner of its own it waits, else it goes on. One without length joins nothing.
 local function take(move)
   local own = own_corner(move)
-  move.corner, move.plane = own, move.plane or machine_plane(state.plane)
+  move.corner, move.plane = own, move.plane or plane_view.machine_plane(state.plane)
   if not goes_anywhere(move) then
     if own then no_move(own) end
     return
@@ -187,14 +193,14 @@ local function take(move)
 end
 
 function filter:line(target, feed, kind, place)
-  take { start = programmed_point(), target = target, feed = feed, kind = kind, place = place }
+  take { start = axes.programmed_point(), target = target, feed = feed, kind = kind, place = place }
   uninstall()
 end
 
 function filter:arc(plane, ccw, first, second, sweep, target, feed, place)
   take {
-    start = programmed_point(), arc = true, plane = plane, ccw = ccw, first = first, second = second, sweep = sweep,
-    target = target, feed = feed, place = place,
+    start = axes.programmed_point(), arc = true, plane = plane, ccw = ccw, first = first, second = second,
+    sweep = sweep, target = target, feed = feed, place = place,
   }
   uninstall()
 end
@@ -231,7 +237,7 @@ end
 
 -- The factor by which scaling changes lengths in a plane.
 local function plane_scale(p, mark)
-  local function factor(letter) return space_between({}, axis_direction(letter)) end
+  local function factor(letter) return space_between({}, axes.direction(letter)) end
   local a, b = factor(p.first), factor(p.second)
   if math.abs(a - b) > 1e-9 * a then
     alarm("corner", "%s needs both axes of the plane scaled alike, and they are scaled by %.10g and %.10g", mark, a, b)
@@ -248,8 +254,9 @@ local function corner_word(key)
     if wanted and wanted.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
     if wanted then no_move(wanted) end
     if size == 0 then return end
-    local scale = plane_scale(planes[state.plane], KEYS[key])
-    wanted = { key = key, size_mm = size * state.unit_mm * scale, plane = machine_plane(state.plane), place = core.place() }
+    local scale = plane_scale(plane_view.planes[state.plane], KEYS[key])
+    local plane = plane_view.machine_plane(state.plane)
+    wanted = { key = key, size_mm = size * state.unit_mm * scale, plane = plane, place = core.place() }
     install()
   end)
 end
@@ -257,9 +264,11 @@ corner_word("chamfer")
 corner_word("corner")
 
 -- Puts another corner in the place of the one that is wanted for the next move (nil: none), which is the result.
-function exchange_corner(other)
+local function exchange_corner(other)
   local before = wanted
   wanted = other
   if wanted then install() end
   return before
 end
+
+return { exchange = exchange_corner }

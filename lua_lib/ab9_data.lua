@@ -1,6 +1,11 @@
 -- Data setting (G10): L2 and L20 work coordinate systems, L10 to L13 the tables of tool offsets. G90: the value itself,
 -- G91: added to what the table holds. A tool offset in force stays as it is until it is called again.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local word = use("words", "word")
+local ab9_frames, ab9_transform, compensation, frames, state, tools =
+  use "ab9_frames", use "ab9_transform", use "compensation", use "frames", use "state", use "tools"
+
 local LAST_TOOL = 999
 local FIRST_SETTABLE, LAST_SETTABLE = 505, 599
 
@@ -27,20 +32,20 @@ end
 local function new_value(old, value) return state.incremental and (old or 0) + value or value end
 
 local function set_axes(words, set)
-  if not each_axis(words, "G10", " l p ", set) then
+  if not frames.each_axis(words, "G10", " l p ", set) then
     alarm("word-missing", "G10 needs the axis words that it is to set")
   end
 end
 
-function set_work_offset(code, letter, value)
+local function set_work_offset(code, letter, value)
   core.offsets[code] = core.offsets[code] or {}
   core.offsets[code][letter] = value
-  apply_offsets()
+  ab9_frames.apply_offsets()
 end
 
 local function set_system(code, words)
   set_axes(words, function(letter, value)
-    set_work_offset(code, letter, new_value(work_offset(code, letter), value))
+    set_work_offset(code, letter, new_value(ab9_frames.work_offset(code, letter), value))
   end)
 end
 
@@ -48,7 +53,7 @@ local function work_system(words)
   local number = whole(words, "p", 0, #systems)
   if number == 0 then
     set_axes(words, function(letter, value)
-      set_external_offset(letter, new_value(external_offset(letter), value))
+      ab9_transform.set_external_offset(letter, new_value(ab9_transform.external_offset(letter), value))
     end)
   else
     set_system(systems[number], words)
@@ -63,18 +68,18 @@ local function settable_frame(words)
 end
 
 -- One part of a tool's length or diameter: "geometry" or "wear", mm.
-function tool_part(number, field, part)
-  local tool = tool_table[number]
+local function tool_part(number, field, part)
+  local tool = tools.by_number[number]
   if tool == nil then return 0 end
-  return part == "wear" and (tool[field .. "_wear"] or 0) or tool_geometry(tool, field)
+  return part == "wear" and (tool[field .. "_wear"] or 0) or tools.geometry(tool, field)
 end
 
 -- The offset in use is the sum of both parts.
-function set_tool_part(number, field, part, value)
-  local tool = tool_table[number]
+local function set_tool_part(number, field, part, value)
+  local tool = tools.by_number[number]
   if tool == nil then
     tool = { length = 0, diameter = 0 }
-    tool_table[number] = tool
+    tools.by_number[number] = tool
   end
   local geometry, wear = tool_part(number, field, "geometry"), tool_part(number, field, "wear")
   if part == "wear" then wear = value else geometry = value end
@@ -101,7 +106,7 @@ word("G10", function(words)
   if words == nil or words.l == nil then
     alarm("word-missing", "G10 needs L: L2 (work coordinate systems), L20 (settable frames), L10 to L13 (tool offsets)")
   end
-  refuse_with_compensation("G10")
+  compensation.refuse("G10")
   local list = whole(words, "l", 0, 99)
   if list == 2 then
     work_system(words)
@@ -119,3 +124,5 @@ word("G11", function() end)
 
 -- In the thesis's grammar beside G10 and G11, without any data of its own.
 word("G12", function() alarm("word-value", "G12 sets nothing on this control; data setting is G10") end)
+
+return { tool_part = tool_part, set_tool_part = set_tool_part, set_work_offset = set_work_offset }

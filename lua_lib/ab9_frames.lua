@@ -1,8 +1,12 @@
 -- Work coordinate systems and offsets.
 -- machine = transform(program value * unit) + frame + G52 + G92 + tool offset
 
+local copied = use("basics", "copied")
+local word = use("words", "word")
+local axes, frames, hooks, path, state = use "axes", use "frames", use "hooks", use "path", use "state"
+
 -- The offset of a work coordinate system by its code, as written in machine data.
-function work_offset(code, letter)
+local function work_offset(code, letter)
   local offsets = core.offsets[code]
   return offsets and offsets[letter] or 0
 end
@@ -10,8 +14,8 @@ end
 local shift = {}   -- of the transform, by letter
 
 -- Hands the sum of all offsets to the C++ side.
-function apply_offsets()
-  for _, axis in ipairs(axes) do
+local function apply_offsets()
+  for _, axis in ipairs(axes.list) do
     local letter = axis.letter
     core.set_offset(letter, work_offset(state.frame, letter) + (state.g52[letter] or 0) + (state.g92[letter] or 0)
       + (state.tool_offset[letter] or 0) + (shift[letter] or 0))
@@ -19,11 +23,12 @@ function apply_offsets()
 end
 
 -- Rotation, scaling and mirror image: p' = m * p + by, before the offsets; m is nine numbers row by row, or nil.
-function set_transform(m, by)
+local function set_transform(m, by)
   core.set_matrix(m)
   state.has_matrix = m ~= nil
   shift = by or {}
   apply_offsets()
+  hooks.tell("transform")
 end
 
 -- The offsets as the machine had them when the run began: G10 changes core.offsets.
@@ -41,18 +46,24 @@ local function select_frame(code)
   end
 end
 
-for code = 54, 59 do word("G" .. code, select_frame(tostring(code))) end
-for part = 1, 3 do word("G59_" .. part, select_frame("59." .. part)) end
-for code = 505, 599 do word("G" .. code, select_frame(tostring(code))) end
+local frame_words = {}
+
+local function frame(name, code)
+  frame_words[#frame_words + 1] = name
+  word(name, select_frame(code))
+end
+for code = 54, 59 do frame("G" .. code, tostring(code)) end
+for part = 1, 3 do frame("G59_" .. part, "59." .. part) end
+for code = 505, 599 do frame("G" .. code, tostring(code)) end
 
 -- G92: where the machine stands gets the given coordinates.
 word("G92", function(words)
-  local program = program_position()
+  local program = axes.program_position()
   local move = {}
-  each_axis(words, "G92", "", function(letter, value) move[letter] = program[letter] - value end)
+  frames.each_axis(words, "G92", "", function(letter, value) move[letter] = program[letter] - value end)
   local space = {}
   space.x, space.y, space.z = core.direction(move.x, move.y, move.z)
-  for letter in pairs(is_rotary) do
+  for letter in pairs(axes.is_rotary) do
     state.g92[letter] = (state.g92[letter] or 0) + (space[letter] or move[letter] or 0)
   end
   apply_offsets()
@@ -65,15 +76,19 @@ end)
 
 -- G52: the zero point moves by the given distances, measured from the work coordinate system.
 word("G52", function(words)
-  each_axis(words, "G52", "", function(letter, value) state.g52[letter] = value end)
+  frames.each_axis(words, "G52", "", function(letter, value) state.g52[letter] = value end)
   apply_offsets()
 end)
 
 -- G53: this block moves in machine coordinates, absolute.
 word("G53", function()
-  refuse_with_tip_control("G53")
+  axes.refuse_with_tip_control("G53")
   core.machine_frame_once()
 end)
 
 apply_offsets()
 tell_frame(state.frame)
+
+return {
+  work_offset = work_offset, apply_offsets = apply_offsets, set_transform = set_transform, frame_words = frame_words,
+}

@@ -1,6 +1,8 @@
 -- Geometry in a plane for chamfers, corner radii and angles of lines. Points are { first, second } in mm; a piece of
 -- path has `from` and `to`, and if it is an arc its centre, radius, sense (1 counterclockwise, -1 clockwise) and sweep.
 
+local comp_geometry = use "comp_geometry"
+
 local SAME_MM = 1e-6
 local STRAIGHT = 1e-9   -- sine of the angle below which two directions are one
 local TURN = 2 * math.pi
@@ -132,7 +134,7 @@ local function chamfer(a, b, distance)
   return { from = from, to = to }
 end
 
-plane_geometry = {
+return {
   same_mm = SAME_MM, straight = STRAIGHT,
   minus = minus, length = length, cross = cross, dot = dot,
   direction_at = direction_at, piece_length = piece_length, along = along, meet = meet,

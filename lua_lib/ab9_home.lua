@@ -2,6 +2,10 @@
 -- skip function G31. The first home is that of the machine file, the second to fourth are in `core.homes`: those of
 -- machine data, else of the machine file.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local word = use("words", "word")
+local axes, compensation, move_until_signal, path = use "axes", use "compensation", use "probe", use "path"
+
 local SAME = 1e-6   -- mm or deg
 
 local way   -- letter -> machine coordinate of the point on the way, for the axes that G28 or G30 named
@@ -15,7 +19,7 @@ end
 local function homes(number)
   if number == 1 then
     local first = {}
-    for _, axis in ipairs(axes) do first[axis.letter] = axis.home end
+    for _, axis in ipairs(axes.list) do first[axis.letter] = axis.home end
     return first
   end
   local stored = core.homes[number]
@@ -29,17 +33,17 @@ end
 
 -- A target for all axes of which these alone change.
 local function with_others(values)
-  local target = programmed_point()
+  local target = axes.programmed_point()
   for letter, value in pairs(values) do target[letter] = value end
   return target
 end
 
 local function go_home(words, number, code)
   check_table(words, code)
-  refuse_with_compensation(code)
-  refuse_with_tip_control(code)
+  compensation.refuse(code)
+  axes.refuse_with_tip_control(code)
   local home, target = homes(number), {}
-  for _, axis in ipairs(axes) do
+  for _, axis in ipairs(axes.list) do
     if is_named(words, axis.letter) then
       target[axis.letter] = home[axis.letter]
       if target[axis.letter] == nil then
@@ -81,8 +85,8 @@ end)
 word("G29", function(words)
   check_table(words, "G29")
   if words == nil then alarm("word-missing", "G29 needs the axis words of its target") end
-  refuse_with_compensation("G29")
-  refuse_with_tip_control("G29")
+  compensation.refuse("G29")
+  axes.refuse_with_tip_control("G29")
   local through = {}
   for letter, value in pairs(way or {}) do
     if is_named(words, letter) then through[letter] = value end
@@ -93,11 +97,11 @@ end)
 
 word("G27", function(words)
   check_table(words, "G27")
-  refuse_with_compensation("G27")
-  refuse_with_tip_control("G27")
+  compensation.refuse("G27")
+  axes.refuse_with_tip_control("G27")
   if words ~= nil then path.rapid(core.target(words)) end
   path.flush()
-  for _, axis in ipairs(axes) do
+  for _, axis in ipairs(axes.list) do
     local position = core.machine_position(axis.letter)
     local home = core.turned(axis.letter, axis.home)
     if is_named(words, axis.letter) and math.abs(position - home) > SAME then
@@ -109,7 +113,7 @@ end)
 local skipped_at   -- machine coordinates by axis letter
 
 -- Where the last skip signal came, machine coordinates; nil before the first G31.
-function skip_position() return skipped_at end
+local function skip_position() return skipped_at end
 
 -- G31: a straight move that a signal cuts short. Without a signal it goes to its end, and that is the skip position;
 -- with one it is where the signal came, a little before the machine stands.
@@ -117,7 +121,9 @@ word("G31", function(words)
   check_table(words, "G31")
   local target, named = core.target(words)
   if not named then alarm("word-missing", "G31 needs the axis words of its target") end
-  refuse_with_compensation("G31")
+  compensation.refuse("G31")
   local _, _, point = move_until_signal(target, false)
   skipped_at = point
 end)
+
+return { skip_position = skip_position }

@@ -1,6 +1,10 @@
 -- Paramacros: a program called with arguments, which become its local variables #1 to #33. G65 calls once, G66 after
 -- each move, G66.1 for each block with the words of the block as arguments; G67 ends the last of them.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local word, word_id = use("words", "word", "id")
+local motion, path, programs = use "motion", use "path", use "programs"
+
 local FIRST_LOCAL, LAST_LOCAL = 1, 33
 local MOST_LEVELS = 4        -- of macro calls inside each other; the main program is level 0
 local MOST_REPEATS = 9999
@@ -85,7 +89,7 @@ local function run(number, times, locals)
   local outer = read_locals()
   level = level + 1
   write_locals(locals)
-  local block = call_program(number, times)
+  local block = programs.call_program(number, times)
   local left = read_locals()
   write_locals(outer)
   level = level - 1
@@ -179,32 +183,10 @@ for _, name in ipairs { "G0", "G1", "G2", "G3", "move" } do
   end)
 end
 
-local acting   -- the words that the collectors stand for
-
-local function collect(on)
-  if on == (acting ~= nil) then return end
-  if on then
-    acting = {}
-    for name, collector in pairs(collectors) do acting[name], env[name] = env[name], collector end
-  else
-    for name, meaning in pairs(acting) do env[name] = meaning end
-    acting = nil
-  end
-end
-
--- What changes the plain lines does so behind the collectors.
-local set_shape = shape
-function shape(reason, on)
-  local collecting = acting ~= nil
-  collect(false)
-  set_shape(reason, on)
-  collect(collecting)
-end
-
 function use_modal(call)
   modal = call
-  each_move(call ~= nil and not call.every_block and behind_move or nil)
-  collect(call ~= nil and call.every_block)
+  path.each_move(call ~= nil and not call.every_block and behind_move or nil)
+  motion.cover("modal macro", call ~= nil and call.every_block and collectors or nil)
 end
 
 local function define_modal(name, code)
@@ -214,7 +196,7 @@ local function define_modal(name, code)
     if call.every_block and next(call.locals) then
       alarm("word-out-of-place", "G66.1 takes no arguments; each block that follows gives its own")
     end
-    find_program(call.number)
+    programs.find_program(call.number)
     call.outer = modal
     use_modal(call)
   end)
@@ -228,7 +210,9 @@ word("G67", function()
 end)
 
 -- The modal call in force, for the system variables: 66, 66.1 or 67.
-function modal_macro_code()
+local function modal_macro_code()
   if modal == nil then return 67 end
   return modal.every_block and 66.1 or 66
 end
+
+return { modal_code = modal_macro_code }

@@ -1,5 +1,8 @@
 -- Remembers for the system variables #4001 to #4120 which code of each modal group, and which word of each letter, came
--- last. Loaded behind all files that define words of this dialect.
+-- last.
+
+local printed = use("basics", "printed")
+local ab9_macros, cycles, state, words = use "ab9_macros", use "cycles", use "state", use "words"
 
 local group_of = {}   -- group -> names of its codes
 local numbers = {}    -- group -> number in force
@@ -25,47 +28,24 @@ group(22, 50.1, { "G50_1", "G51_1" })
 
 local last = {}   -- letter -> value of the last word F, S, T, D, H or M
 
--- A word that is noted before it acts.
-local function noted(name, note)
-  local meaning = rawget(env, name)
-  if meaning == nil then return end
-  env[name] = function(...)
-    note(...)
-    return meaning(...)
-  end
-end
-
-local function code_number(name)
-  local plain = name:sub(2)
-  local mark = plain:find("_", 1, true)
-  if mark then plain = plain:sub(1, mark - 1) .. "." .. plain:sub(mark + 1) end
-  return tonumber(plain)
-end
+local function code_number(name) return tonumber(printed(name:sub(2))) end
 
 for index, names in pairs(group_of) do
   for _, name in ipairs(names) do
     local number = code_number(name)
-    noted(name, function() numbers[index] = number end)
+    words.before(name, "modal codes", function() numbers[index] = number end)
   end
 end
 
 -- Bare, both codes of scaling end it.
 numbers[11] = 14
-for _, name in ipairs { "G14", "G14_1" } do
-  noted(name, function(words) numbers[11] = words ~= nil and next(words) ~= nil and 14.1 or 14 end)
-end
+words.before({ "G14", "G14_1" }, "modal codes", function(_, given)
+  numbers[11] = given ~= nil and next(given) ~= nil and 14.1 or 14
+end)
 
-for _, name in ipairs { "S", "T", "D", "H" } do
-  noted(name, function(value) last[name] = value or last[name] end)
-end
-for number = 0, 99 do
-  noted("M" .. number, function() last.M = number end)
-end
-
-local set_feed = core.set_feed
-function core.set_feed(value)
-  last.F = value
-  set_feed(value)
+words.before({ "F", "S", "T", "D", "H" }, "modal codes", function(name, value) last[name] = value or last[name] end)
+for _, number in ipairs { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 19, 30, 48, 49, 98, 99 } do
+  words.before("M" .. number, "modal codes", function() last.M = number end)
 end
 
 -- Codes whose state is kept elsewhere.
@@ -75,19 +55,19 @@ local kept_elsewhere = {
     return number and number < 70 and number or 0
   end,
   [9] = function()
-    local number = is_cycle(state.motion) and code_number(state.motion)
+    local number = cycles.is_cycle(state.motion) and code_number(state.motion)
     return number or 80
   end,
-  [12] = function() return modal_macro_code() end,
+  [12] = function() return ab9_macros.modal_code() end,
   [14] = function() return tonumber(state.frame) end,
-  [15] = function() return path_mode_code() end,
+  [15] = function() return state.path_mode end,
 }
 
 local letters = { [7] = "D", [9] = "F", [11] = "H", [13] = "M", [19] = "S", [20] = "T" }
 
 -- #4001 to #4022: the code of a group; #4107 .. #4120: the last word of a letter, vacant before the first one. The second
 -- result is nil where the control has no such group or letter.
-function modal_code(variable)
+local function modal_code(variable)
   local index = variable - 4000
   if kept_elsewhere[index] then return kept_elsewhere[index](), true end
   if numbers[index] ~= nil then return numbers[index], true end
@@ -95,3 +75,5 @@ function modal_code(variable)
   if letter then return last[letter], true end
   return nil, nil
 end
+
+return { modal_code = modal_code }

@@ -1,7 +1,9 @@
 -- Modes of the path and the spindle, and switches that only the machine itself knows.
 
--- Path modes. Cutting mode is in force at the start.
-local path_mode = 64
+local alarm, check_table, given = use("basics", "alarm", "check_table", "given")
+local word = use("words", "word")
+local axes, comp_override, overrides, path, spindle, state =
+  use "axes", use "comp_override", use "overrides", use "path", use "spindle", use "state"
 
 local function warn_of_corner_override()
   if comp_override.is_set() then
@@ -14,7 +16,7 @@ end
 
 local function mode(name, number, path_name)
   word(name, function()
-    path_mode = number
+    state.path_mode = number
     path.set_mode(path_name)
     overrides.lock("G63", { feed = number == 63 })
     if number == 64 then path.warn_of_stops("G64 (cutting mode)") end
@@ -25,13 +27,23 @@ mode("G61", 61, "exact_stop")
 mode("G62", 62, "continuous")
 mode("G63", 63, "continuous")   -- tapping mode: the feed override does nothing
 mode("G64", 64, "continuous")
-path.set_mode("continuous")
-
 -- One block that ends in an exact stop.
 word("G9", function() path.act(core.exact_stop_once) end)
 
--- The path mode in force, for the system variables.
-function path_mode_code() return path_mode end
+-- --- Feed ---
+
+word("F", function(value)
+  if given(value, "F") then core.set_feed(value) end
+end)
+
+for name, feed_mode in pairs { G93 = "inverse", G94 = "minute", G95 = "revolution" } do
+  word(name, function()
+    state.feed_mode = feed_mode
+    core.set_feed_mode(feed_mode)
+  end)
+end
+
+-- --- Spindle ---
 
 -- Spindle: G97 S is its speed in rev/min, G96 S the speed of the surface in m/min (ft/min in inch mode) at the radius
 -- X, counted from the zero point of the program. A move has the speed that belongs to the middle of its way along X,
@@ -46,7 +58,7 @@ local is_constant_surface = false
 
 local function turn(rpm)
   state.spindle_rpm = math.min(rpm, limit_rpm)
-  spindle_speed(state.spindle_rpm)
+  spindle.set_speed(state.spindle_rpm)
 end
 
 local function rpm_at(radius_mm)
@@ -59,33 +71,19 @@ end
 -- Before a move to the target: the spindle speed for the middle of it.
 local function adapt(target)
   if surface_mm_min == nil then return end
-  local from, to = program_position().x, core.to_program(target).x
+  local from, to = axes.program_position().x, core.to_program(target).x
   turn(rpm_at(math.abs(from + to) / 2))
 end
-
-local direct_line, direct_arc
 
 local function constant_surface(on)
   if on == is_constant_surface then return end
   is_constant_surface = on
-  if on then
-    direct_line, direct_arc = path.line, path.arc
-    function path.line(target, ...)
-      adapt(target)
-      direct_line(target, ...)
-    end
-    function path.arc(plane, ccw, first, second, sweep, target, ...)
-      adapt(target)
-      direct_arc(plane, ccw, first, second, sweep, target, ...)
-    end
-  else
-    path.line, path.arc, surface_mm_min = direct_line, direct_arc, nil
-  end
-  shape("constant surface speed", on)
+  if not on then surface_mm_min = nil end
+  path.before_feed_moves(on and adapt or nil)
 end
 
 word("G96", function()
-  if is_rotary.x ~= false then alarm("word-missing", "G96 needs the axis X, whose position is the radius") end
+  if axes.is_rotary.x ~= false then alarm("word-missing", "G96 needs the axis X, whose position is the radius") end
   constant_surface(true)
 end)
 
@@ -122,14 +120,36 @@ word("G50", function(words)
   if state.spindle_rpm ~= nil and not is_constant_surface then turn(state.spindle_rpm) end
 end)
 
--- Events of the machine.
-local function switch(name, kind)
-  word(name, function() path.event(kind) end)
-end
+word("M3", function() spindle.turn("cw") end)
+word("M4", function() spindle.turn("ccw") end)
+word("M5", function() spindle.turn(nil) end)
+
+-- --- Events of the machine ---
+
 word("M7", function()
   local changed = not state.mist
   state.mist = true
   path.event("coolant_2_on", nil, nil, changed)
+end)
+
+-- Where the machine file does not say what switches the process ([process]), this is a waterjet.
+local function jet(on)
+  if core.process == nil then return function() core.set_process(on, false) end end
+end
+local jet_on, jet_off = jet(true), jet(false)
+
+word("M8", function()
+  local changed = not state.flood
+  state.flood = true
+  if jet_on then path.act(jet_on) end
+  path.event("jet_on", nil, nil, changed)
+end)
+
+word("M9", function()
+  local changed = state.flood or state.mist or false
+  state.flood, state.mist = false, false
+  if jet_off then path.act(jet_off) end
+  path.event("jet_off", nil, nil, changed)
 end)
 
 -- M49 locks all overrides of the operator, until M48.

@@ -1,5 +1,9 @@
 -- Output of the program to the outside: DPRNT writes a line of text, between POPEN and PCLOS. Each line is an event.
 
+local alarm = use("basics", "alarm")
+local word = use("words", "word")
+local path = use "path"
+
 local open = false
 
 word("POPEN", function()

@@ -1,5 +1,9 @@
 -- How motion speeds up and slows down. When a run begins the machine's controller decides on it.
 
+local alarm = use("basics", "alarm")
+local word = use("words", "word")
+local frames, path = use "frames", use "path"
+
 local function mode(name, ramps)
   word(name, function() path.act(function() core.set_ramps(ramps) end) end)
 end
@@ -17,7 +21,9 @@ local function limits(name, code, limit, unit)
       end
       values[letter] = value
     end
-    if not each_axis(words, code, "", set) then alarm("word-missing", "%s needs the axes whose ramps it sets", code) end
+    if not frames.each_axis(words, code, "", set) then
+      alarm("word-missing", "%s needs the axes whose ramps it sets", code)
+    end
     path.act(function() core.set_ramp_limits(limit, values) end)
   end)
 end

@@ -3,6 +3,11 @@
 -- the mirror, then the scale, then the rotation. Centres are points of the program, always absolute, so that what was
 -- programmed before the centre acts on it too.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local ab9_frames, plane_view, state, words = use "ab9_frames", use "plane_view", use "state", use "words"
+
+local word = words.word
+
 local LETTERS = { "x", "y", "z" }
 local FACTOR = { x = "i", y = "j", z = "k" }
 local LEAST_FACTOR = 1e-6
@@ -60,7 +65,7 @@ end
 local place = { x = 1, y = 2, z = 3 }
 
 local function rotated(map)
-  local p = planes[rotation.plane]
+  local p = plane_view.planes[rotation.plane]
   local first, second = place[p.first], place[p.second]
   local c, s = math.cos(math.rad(rotation.angle_deg)), math.sin(math.rad(rotation.angle_deg))
   local m = identity().m
@@ -76,14 +81,17 @@ local function rotates()
   return rotation ~= nil and rotation.frame == state.frame
 end
 
+local rotating = false   -- whether a rotation acts
+
 local function apply()
+  rotating = rotates()
   local map = identity()
   if next(mirror) then map = mirrored(map) end
   if scale then map = about(map, diagonal(scale.factor), scale.centre) end
   if rotates() then map = rotated(map) end
   for letter, value in pairs(external) do map.shift[letter] = map.shift[letter] + value end
   local plain = not next(mirror) and scale == nil and not rotates() and not next(external)
-  if plain then set_transform(nil, nil) else set_transform(map.m, map.shift) end
+  if plain then ab9_frames.set_transform(nil, nil) else ab9_frames.set_transform(map.m, map.shift) end
 end
 
 local function number(value, code, letter)
@@ -178,7 +186,8 @@ word("G68", function(words)
   local angle = number(words.r, "G68", "r")
   if state.incremental and rotates() and rotation.plane == state.plane then angle = angle + rotation.angle_deg end
   rotation = {
-    plane = state.plane, centre = rotation_centre(words, planes[state.plane]), angle_deg = angle, frame = state.frame,
+    plane = state.plane, centre = rotation_centre(words, plane_view.planes[state.plane]), angle_deg = angle,
+    frame = state.frame,
   }
   apply()
 end)
@@ -189,27 +198,22 @@ word("G69", function()
 end)
 
 -- The axes that are mirrored, by letter.
-function mirrored_axes() return mirror end
+local function mirrored_axes() return mirror end
 
 -- The offset that all work coordinate systems share, mm.
-function external_offset(letter) return external[letter] or 0 end
+local function external_offset(letter) return external[letter] or 0 end
 
-function set_external_offset(letter, value)
+local function set_external_offset(letter, value)
   if not place[letter] then alarm("frame", "the external offset has X, Y and Z, not %s", letter:upper()) end
   external[letter] = value ~= 0 and value or nil
   apply()
 end
 
--- After a change of work coordinate system.
-local function follow_frame(name)
-  local select = rawget(env, name)
-  if select == nil then return end
-  env[name] = function(...)
-    local before = rotates()
-    select(...)
-    if rotates() ~= before then apply() end
-  end
-end
-for code = 54, 59 do follow_frame("G" .. code) end
-for part = 1, 3 do follow_frame("G59_" .. part) end
-for code = 505, 599 do follow_frame("G" .. code) end
+-- A rotation begins or ends to act with a change of work coordinate system.
+words.after(ab9_frames.frame_words, "rotation", function()
+  if rotating ~= rotates() then apply() end
+end)
+
+return {
+  mirrored_axes = mirrored_axes, external_offset = external_offset, set_external_offset = set_external_offset,
+}

@@ -1,253 +1,73 @@
--- System variables: what the program reads and sets of the control by numbers from #1000 on. Lengths are in program
--- units, axes count in the order of the machine file.
+-- Variables #1.. of the 9/Series as v[1].. A vacant variable is nil.
 
-local MOST_AXES = 12
-local LAST_TOOL = 200
-local FIRST_EXTERNAL = 5201
-local HOUR_S = 3600
-local DAY_S = 86400
+local alarm, copied = use("basics", "alarm", "copied")
+local take_remark = use("expressions", "take_remark")
+local system = use "ab9_system"
 
-local ranges = {}   -- { first, last, what, get = function(number, index), set = function(number, value, index) or nil }
+local LAST_LOCAL, FIRST_COMMON, LAST_COMMON, FIRST_PERMANENT, LAST_PERMANENT = 33, 100, 199, 500, 999
 
-local function range(first, last, what, get, set)
-  ranges[#ranges + 1] = { first = first, last = last, what = what, get = get, set = set }
-end
-
--- Lengths and axes ------------------------------------------------------------------------------------------------------
-
-local function letter_of(number, index)
-  local axis = axes[index + 1]
-  if axis == nil then alarm("axis", "#%d: the machine has %d axes", number, #axes) end
-  return axis.letter
-end
-
--- Variables of the axes: get and set take and give mm or deg.
-local function axis_range(first, what, get, set)
-  range(first, first + MOST_AXES - 1, what, function(number, index)
-    local letter = letter_of(number, index)
-    return in_program_units(letter, get(letter))
-  end, set and function(number, value, index)
-    local letter = letter_of(number, index)
-    set(letter, in_mm(letter, value))
-  end)
-end
-
--- Inputs and outputs ----------------------------------------------------------------------------------------------------
-
-local ALL = 32       -- #1032 and #1132: the 32 signals before as one number
-
-local answer
-local outputs = {}   -- number from 0 -> true where it is on
-
--- on_input(f): f("digital", number) answers with the value of input `number`, which the program reads as #1000 + number.
-function env.on_input(f)
-  if f ~= nil and type(f) ~= "function" then alarm("script", "on_input takes a function") end
-  answer = f
-end
-
-local function input_is_on(number)
-  local signal = answer == nil and input_value("DI", number)
-  if answer == nil and signal ~= nil then return signal == true or (signal and signal ~= 0) end
-  if answer == nil then
-    core.warn("inputs (#1000 on) are read as 0; a script answers with on_input(function(kind, number) return 1 end)")
-    return false
+-- The whole number that an index means; expressions may miss it by rounding.
+local function index(number)
+  number = number or 0
+  if type(number) ~= "number" or number ~= number then alarm("script", "the number of a variable is no number") end
+  local whole = math.floor(number + 0.5)
+  if math.abs(number - whole) > 1e-6 then
+    alarm("variable", "there is no variable #%.10g: the number is not whole", number)
   end
-  local value = answer("digital", number)
-  if value == nil or type(value) == "boolean" then return value == true end
-  if type(value) ~= "number" then alarm("script", "on_input's function returns a number, true, false or nil") end
-  return value ~= 0
+  local exists = whole >= 0 and whole <= LAST_LOCAL
+    or whole >= FIRST_COMMON and whole <= LAST_COMMON
+    or whole >= FIRST_PERMANENT and whole <= LAST_PERMANENT
+  return math.tointeger(whole), exists
 end
 
-local function switch_output(number, on)
-  outputs[number] = on or nil
-  path.event("digital_output", ("P%d %s"):format(number, on and "on" or "off"))
-  set_output("DO", number, on)
+local function unknown(number)
+  alarm("variable", "there is no variable #%d; there are #1 to #33, #100 to #199, #500 to #999, and %s", number,
+    system.NUMBERS)
 end
 
-local function signals(first, what, is_on, switch)
-  range(first, first + ALL, what, function(_, index)
-    if index < ALL then return is_on(index) and 1.0 or 0.0 end
-    local bits = 0
-    for number = 0, ALL - 1 do bits = bits | (is_on(number) and 1 << number or 0) end
-    return bits + 0.0
-  end, switch and function(number, value, index)
-    if index < ALL then return switch(index, value ~= 0) end
-    local bits = math.tointeger(value)
-    if bits == nil or bits < 0 or bits >= 1 << ALL then
-      alarm("word-value", "#%d takes the 32 outputs as a whole number", number)
+-- A plain table: what exists is read and written by Lua itself, the rest comes here.
+local variables = {}
+for number, value in pairs(core.variables) do
+  local _, exists = index(number)
+  if exists then variables[number] = value end
+end
+env.v = setmetatable(variables, {
+  __index = function(held, number)
+    local whole, exists = index(number)
+    if exists then return rawget(held, whole) end
+    local known, value = system.get(whole)
+    if not known then unknown(whole) end
+    return value
+  end,
+  __newindex = function(held, number, value)
+    local whole, exists = index(number)
+    if whole == 0 then alarm("variable", "#0 is always vacant; nothing can be put into it") end
+    local remark = take_remark()
+    if exists then
+      rawset(held, whole, value)
+    elseif not system.set(whole, value, remark) then
+      unknown(whole)
     end
-    for signal = 0, ALL - 1 do
-      local on = bits & (1 << signal) ~= 0
-      if on ~= (outputs[signal] == true) then switch(signal, on) end
-    end
-  end)
-end
-signals(1000, "inputs", input_is_on)
-signals(1100, "outputs", function(number) return outputs[number] == true end, switch_output)
+  end,
+})
 
--- Tool offsets ----------------------------------------------------------------------------------------------------------
-
-local function tool_range(first, field, part, what)
-  range(first, first + LAST_TOOL - 1, what, function(_, index)
-    return tool_part(index + 1, field, part) / state.unit_mm
-  end, function(_, value, index)
-    set_tool_part(index + 1, field, part, value * state.unit_mm)
-  end)
-end
-tool_range(2001, "length", "geometry", "lengths of tools")
-tool_range(2201, "length", "wear", "wear of their lengths")
-tool_range(2401, "diameter", "geometry", "diameters of tools")
-tool_range(2601, "diameter", "wear", "wear of their diameters")
-
--- Alarm, timers, messages, clock ----------------------------------------------------------------------------------------
-
-local timer_from = { [3001] = 0, [3002] = 0 }
-local timer_unit_s = { [3001] = 0.001, [3002] = HOUR_S }
-local blocks = { [3003] = 0.0, [3004] = 0.0 }
-
-local function with_text(text) return text and text ~= "" and (" (" .. text .. ")") or "" end
-
-range(3000, 3000, "alarm", nil, function(_, value, _, text)
-  alarm("program-alarm", "the program raises its alarm %.10g%s", value, with_text(text))
-end)
-
-range(3001, 3002, "timers in ms and in hours", function(number)
-  return (core.time() - timer_from[number]) / timer_unit_s[number]
-end, function(number, value)
-  timer_from[number] = core.time() - value * timer_unit_s[number]
-end)
-
-range(3003, 3004, "control of single blocks, feed hold and override", function(number) return blocks[number] end,
-  function(number, value)
-    blocks[number] = value
-    core.warn(("#%d is set; single blocks, feed hold and overrides do not exist here, so that it changes nothing")
-      :format(number))
-  end)
-
-range(3006, 3006, "stop with a message", nil, function(_, value, _, text)
-  path.event("stop", ("#3006=%.10g%s"):format(value, with_text(text)))
-end)
-
-range(3007, 3007, "mirrored axes, 1 for the first, 2 for the second, 4 for the third ..", function()
-  local bits = 0
-  for index, axis in ipairs(axes) do
-    if mirrored_axes()[axis.letter] then bits = bits + (1 << (index - 1)) end
+-- What the control keeps from one run to the next.
+local function permanent_variables()
+  local kept = {}
+  for number = FIRST_PERMANENT, LAST_PERMANENT do
+    local value = rawget(variables, number)
+    if type(value) == "number" then kept[number] = value end
   end
-  return bits + 0.0
-end)
-
--- The clock of a run starts on 1 January 2001 at midnight and goes with the machine's time.
-local MONTHS = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 }
-
-local function is_leap(year) return year % 4 == 0 and (year % 100 ~= 0 or year % 400 == 0) end
-
-local function date_after(days)
-  local year, month = 2001, 1
-  while days >= (is_leap(year) and 366 or 365) do
-    days = days - (is_leap(year) and 366 or 365)
-    year = year + 1
-  end
-  local function length() return MONTHS[month] + (month == 2 and is_leap(year) and 1 or 0) end
-  while days >= length() do
-    days = days - length()
-    month = month + 1
-  end
-  return year * 10000 + month * 100 + days + 1
+  return kept
 end
 
-range(3011, 3012, "date YYYYMMDD and time HHMMSS", function(number)
-  local seconds = math.floor(core.time())
-  if number == 3011 then return date_after(seconds // DAY_S) + 0.0 end
-  local today = seconds % DAY_S
-  return (today // HOUR_S * 10000 + today % HOUR_S // 60 * 100 + today % 60) + 0.0
-end)
-
--- Modal codes -----------------------------------------------------------------------------------------------------------
-
-range(4001, 4120, "modal codes and the last F, S, T, D, H and M", function(number)
-  local value, known = modal_code(number)
-  if not known then
-    alarm("variable",
-      "#%d holds nothing on this control; there are #4001 to #4017 and #4022 (modal groups), #4107 (D), #4109 (F), "
-      .. "#4111 (H), #4113 (M), #4119 (S) and #4120 (T)", number)
-  end
-  return value and value + 0.0
-end)
-
--- Positions and offsets -------------------------------------------------------------------------------------------------
-
-axis_range(5001, "end of the last block", function(letter) return core.to_program(shown((core.target(nil))))[letter] end)
-axis_range(5021, "machine position", function(letter) return shown(machine_point())[letter] end)
-axis_range(5041, "position in the work coordinate system", function(letter)
-  return core.to_program(shown(machine_point()))[letter]
-end)
-axis_range(5061, "position of the last skip (G31)", function(letter)
-  local point = skip_position()
-  if point == nil then alarm("variable", "there is no skip position before the first G31") end
-  return core.to_program(point)[letter]
-end)
-axis_range(5081, "tool offset in force", function(letter) return state.tool_offset[letter] or 0 end)
-axis_range(5101, "following error, which is 0 here", function() return 0 end)
-axis_range(FIRST_EXTERNAL, "offset of all work coordinate systems", external_offset, set_external_offset)
-
-for index, code in ipairs { "54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3" } do
-  axis_range(FIRST_EXTERNAL + 20 * index, "zero point of G" .. code, function(letter) return work_offset(code, letter) end,
-    function(letter, value) set_work_offset(code, letter, value) end)
-end
-
--- Access ----------------------------------------------------------------------------------------------------------------
-
-local function find(number)
-  for _, entry in ipairs(ranges) do
-    if number >= entry.first and number <= entry.last then return entry end
-  end
-end
-
--- What there is, for the alarm of a number that is not there.
-function system_variables()
-  return "the system variables #1000 to #1032 (inputs), #1100 to #1132 (outputs), #2001 to #2800 (tool offsets), #3000 "
-    .. "to #3004, #3006, #3007, #3011 and #3012 (alarm, timers, messages, clock), #4001 to #4120 (modal codes), and by axis "
-    .. "from #5001, #5021, #5041, #5061, #5081 and #5101 (positions) and #5201, #5221 .. #5381 on (zero points)"
-end
-
--- system_variable_get(number) -> true, value; nil where there is none of that number.
-function system_variable_get(number)
-  local entry = find(number)
-  if entry == nil then return nil end
-  if entry.get == nil then alarm("variable", "#%d (%s) can only be set", number, entry.what) end
-  return true, entry.get(number, number - entry.first)
-end
-
--- system_variable_set(number, value, text) -> true; `text` is the remark of the block, for #3000 and #3006.
-function system_variable_set(number, value, text)
-  local entry = find(number)
-  if entry == nil then return nil end
-  if entry.set == nil then alarm("variable", "#%d (%s) can only be read", number, entry.what) end
-  if value == nil then value = 0 end
-  if type(value) ~= "number" then alarm("script", "#%d takes a number", number) end
-  core.note_place()   -- for events; an assignment is no word that would tell its place
-  entry.set(number, value, number - entry.first, text)
-  return true
-end
-
--- The offset of all work coordinate systems is kept too; its place in machine data is that of its variables.
-local function each_external(use)
-  for index, axis in ipairs(axes) do
-    if index <= MOST_AXES and ("xyz"):find(axis.letter, 1, true) then use(FIRST_EXTERNAL + index - 1, axis.letter) end
-  end
-end
-
-each_external(function(number, letter)
-  local value = core.variables[number]
-  if value then set_external_offset(letter, value) end
-end)
-
-local stored_before = stored_variables
-function stored_variables()
-  local stored = stored_before()
-  each_external(function(number, letter)
-    local value = external_offset(letter)
-    if value ~= 0 or stored[number] then stored[number] = value end
-  end)
+-- The variables of the machine data as they are now: only those that the control keeps may have changed for good.
+local function stored_variables()
+  local stored = copied(core.variables)
+  for number = FIRST_PERMANENT, LAST_PERMANENT do stored[number] = nil end
+  for number, value in pairs(permanent_variables()) do stored[number] = value end
+  system.store(stored)
   return stored
 end
+
+return { permanent = permanent_variables, stored = stored_variables }

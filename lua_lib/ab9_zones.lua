@@ -1,6 +1,10 @@
 -- Programmable zone (G22, G23): a box in machine coordinates that the tool must not enter if it stands outside when the
 -- zone is switched on, and must not leave if it stands inside. With P: zones of the machine data. The core watches them.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local word = use("words", "word")
+local axes, path, state = use "axes", use "path", use "state"
+
 local LEAST_EXTENT_MM = 2e-6   -- nearer than half of it is on a wall
 
 local LETTERS = { "x", "y", "z" }
@@ -32,7 +36,9 @@ local function read_box(words)
         letter:upper())
     end
     if words[letter] ~= nil then
-      if is_rotary[letter] ~= false then alarm("axis", "G22: the machine has no linear axis %s", letter:upper()) end
+      if axes.is_rotary[letter] ~= false then
+        alarm("axis", "G22: the machine has no linear axis %s", letter:upper())
+      end
       local a, b = wall(words, letter), wall(words, other)
       if math.abs(a - b) <= LEAST_EXTENT_MM then
         alarm("word-value", "G22: the zone has no extent on axis %s, %s and %s are both %.10g mm", letter:upper(),

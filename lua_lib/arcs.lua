@@ -1,7 +1,9 @@
 -- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. Plain arcs are C++, which
 -- makes them of their words (core.read_arc); what a dialect asks of them stands here.
 
-include "plane_view"
+
+local alarm, check_table, space_between = use("basics", "alarm", "check_table", "space_between")
+local axes, motion, path, polar = use "axes", use "motion", use "path", use "polar"
 
 -- By how much the radii of start and end may differ where the centre is given, and R may be too short. In RS274/NGC as
 -- LinuxCNC 2.9 has it: 0.0283 mm (0.00283 in), or 0.1 % of the radius where that is more, up to a hundred times that;
@@ -19,9 +21,9 @@ local function arc(name, ccw)
   local function arc_in_lua(words)
     check_table(words, name)
     if words == nil then return end
-    path.arc(core.read_arc(ccw, resolve_words(words)))
+    path.arc(core.read_arc(ccw, polar.resolve(words)))
   end
-  plain_word(name, function(id) return core.arc_word(ccw, id, name) end,
+  motion.plain_word(name, function(id) return core.arc_word(ccw, id, name) end,
     function(id) return core.modal_arc_word(ccw, id, name) end, arc_in_lua)
 end
 arc("G2", false)
@@ -52,7 +54,7 @@ local function through_point(words)
   if path.is_filtered() then
     alarm("mode", "CIP is not possible while something watches or shapes the path (compensation, a corner word)")
   end
-  core.arc_via(middle, target, swept_via(programmed_point(), middle, target))
+  core.arc_via(middle, target, swept_via(axes.programmed_point(), middle, target))
 end
 
-modal_word("CIP", through_point)
+motion.modal_word("CIP", through_point)

@@ -8,6 +8,10 @@
 --   radius     after a new D a line goes over to the new radius along its length, an arc in a block before it
 --   exit       the last move ends at right angles to itself, and the exit move goes straight to its programmed end
 
+local alarm, copied = use("basics", "alarm", "copied")
+local comp_filter, comp_geometry, comp_override, state =
+  use "comp_filter", use "comp_geometry", use "comp_override", use "state"
+
 local LOOK_AHEAD = 20            -- actions and moves outside the plane that may lie between two moves in it
 local SMALLEST_BLOCK_MM = 0.001  -- ends no farther apart are joined by one block
 local SAME_POINT_MM = 1e-6
@@ -18,9 +22,9 @@ local g = comp_geometry
 
 local ab9 = comp_filter.derive()
 
-function comp_ab9()
+local function make(radius_in_force)
   return comp_filter.make(ab9, {
-    plane = state.plane, side = 1,
+    plane = state.plane, side = 1, radius_in_force = radius_in_force,
     round = false,        -- G39.1
     before = nil,         -- the last move in the plane
     waiting = false,      -- whether it is still to be put out
@@ -251,7 +255,7 @@ function ab9:take(item)
     self:take_other(item)
     return
   end
-  local radius = comp_radius_in_force()   -- below 0 the sides are swapped
+  local radius = self.radius_in_force()   -- below 0 the sides are swapped
   item.side, item.radius = self.side, math.abs(radius)
   if radius < 0 then item.side = -item.side end
   if not self.same_sense then item.side = -item.side end
@@ -280,3 +284,5 @@ end
 function ab9:act(f) self:take_other({ kind = "act", f = f }) end
 
 function ab9:flush() self:close() end
+
+return make

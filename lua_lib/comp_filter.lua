@@ -5,13 +5,16 @@
 -- `source` and `target`, its programmed ends, name every axis; `segment` (comp_geometry.lua) is nil where nothing moves
 -- in the plane. An action holds its own place.
 
+local alarm, copied, space_between = use("basics", "alarm", "copied", "space_between")
+local axes, comp_geometry, plane_view, state = use "axes", use "comp_geometry", use "plane_view", use "state"
+
 local SAME_POINT_MM = 1e-9
 local LEAST_RADIUS_MM = 1e-6
 local SLOWEST = 0.1   -- program units in a minute
 
 local g = comp_geometry
 
-comp_filter = {}
+local comp_filter = {}
 comp_filter.__index = comp_filter
 
 -- Makes a filter class filter; fields: side, radius (mm), plane.
@@ -23,10 +26,10 @@ end
 
 function comp_filter.make(class, fields)
   local filter = setmetatable(fields, class)
-  filter.lies, filter.same_sense = machine_plane(filter.plane)
-  filter.view = plane_view(filter.lies)
-  filter.programmed = programmed_point()
-  filter.at = filter.view:at(machine_point())
+  filter.lies, filter.same_sense = plane_view.machine_plane(filter.plane)
+  filter.view = plane_view.view(filter.lies)
+  filter.programmed = axes.programmed_point()
+  filter.at = filter.view:at(axes.machine_point())
   return filter
 end
 
@@ -60,7 +63,7 @@ function comp_filter:straight(kind, target, feed, linear_kind, place)
 end
 
 function comp_filter:circular(plane, ccw, first, second, sweep_rad, target, feed, place)
-  if not same_plane(plane, self.lies) then
+  if not plane_view.same_plane(plane, self.lies) then
     alarm("compensation", "an arc in plane %s is not possible while cutter compensation is on in plane %s; G40 first",
       state.plane:upper(), self.plane:upper())
   end
@@ -140,3 +143,5 @@ function comp_filter:check_fits(item, side, radius)
       segment.radius)
   end
 end
+
+return comp_filter

@@ -12,7 +12,6 @@ local CLOSED_RAD = 0.001   -- between the ends of what is a full circle
 local CLOSED_MM = 0.001    -- between ends that count as one point
 
 local g = {}
-comp_geometry = g
 
 function g.plus(p, vector, factor) return { p[1] + vector[1] * factor, p[2] + vector[2] * factor } end
 function g.minus(p, q) return { p[1] - q[1], p[2] - q[2] } end
@@ -168,3 +167,5 @@ end
 
 -- Curvature to the left: 0 of a line.
 function g.curvature(segment) return segment.centre and segment.turn / segment.radius or 0 end
+
+return g

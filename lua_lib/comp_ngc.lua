@@ -2,6 +2,10 @@
 -- beside its programmed end; outside corners by an arc about the corner; inside corners by cutting back the move
 -- before. For that one move in the plane waits in a queue, with what came after it, until the next one is known.
 
+local alarm = use("basics", "alarm")
+local axes, comp_filter, comp_geometry, plane_view, state =
+  use "axes", use "comp_filter", use "comp_geometry", use "plane_view", use "state"
+
 local SMALL_CORNER_RAD = 0.05     -- up to here a corner counts as none
 local MOST_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
 local RADII_TOLERANCE = 0.01      -- of an arc that was cut back, in program units
@@ -19,7 +23,7 @@ local orientation_shift = {
   { 1, -1 }, { -1, -1 }, { -1, 1 }, { 1, 1 }, { 1, 0 }, { 0, -1 }, { -1, 0 }, { 0, 1 },
 }
 
-function comp_ngc(side, radius, orientation)
+local function make(side, radius, orientation)
   local filter = comp_filter.make(ngc, {
     side = side, radius = radius, plane = state.plane,
     queue = {},              -- the move in the plane that waits, and what came after it
@@ -28,8 +32,8 @@ function comp_ngc(side, radius, orientation)
   })
   local shift = orientation_shift[orientation]
   if shift then
-    local p = planes[filter.plane]
-    local first, second = filter.view:at(axis_direction(p.first)), filter.view:at(axis_direction(p.second))
+    local p = plane_view.planes[filter.plane]
+    local first, second = filter.view:at(axes.direction(p.first)), filter.view:at(axes.direction(p.second))
     filter.origin = {
       (shift[1] * first[1] + shift[2] * second[1]) * radius, (shift[1] * first[2] + shift[2] * second[2]) * radius,
     }
@@ -232,3 +236,5 @@ function ngc:flush()
   self:end_at(self.tool)
   self.start = nil
 end
+
+return make

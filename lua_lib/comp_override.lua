@@ -4,10 +4,12 @@
 -- As in Fanuc's manual for the Series 16i (B-63124EN, 5.4.2.1): distances along the tool's own way, not at the corner
 -- behind the entry move, not with a radius of 0, and not in rapid moves.
 
-local g = comp_geometry
+local copied = use("basics", "copied")
+local g, state = use "comp_geometry", use "state"
+
 local rules = core.corner_override
 
-comp_override = {}
+local comp_override = {}
 
 -- The machine's maker has set one.
 function comp_override.is_set()
@@ -17,7 +19,7 @@ end
 -- Whether the feed of the item is to be lowered at the corners at its ends. Where each move ends at rest anyway, parts
 -- of it would too.
 function comp_override.is_on(item)
-  return comp_override.is_set() and path_mode_code() == 62 and item.kind ~= "rapid" and not core.stops_at_each_move
+  return comp_override.is_set() and state.path_mode == 62 and item.kind ~= "rapid" and not core.stops_at_each_move
 end
 
 -- Between two items is an inside corner at which the direction changes by `angle`.
@@ -60,3 +62,5 @@ function comp_override.point_on_arc(from, to, centre, turn, sweep, share)
   local angle = math.atan(a[2], a[1]) + turn * sweep * share
   return { centre[1] + radius * math.cos(angle), centre[2] + radius * math.sin(angle) }
 end
+
+return comp_override

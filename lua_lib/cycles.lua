@@ -2,6 +2,10 @@
 -- the third. Cycles are worked out in program coordinates, so that offsets, rotation and mirror image hold for
 -- each stroke.
 
+local alarm, nearly_whole = use("basics", "alarm", "nearly_whole")
+local word = use("words", "word")
+local compensation, path, state = use "compensation", use "path", use "state"
+
 local SAME_MM = 1e-9    -- a stroke below this length is no move
 local MOST_PECKS = 100000
 local MOST_REPEATS = 9999
@@ -13,41 +17,20 @@ end
 if core.dialect == "rs274ngc" then cycle_names.G76 = nil end  -- there it cuts a thread, and is not modal
 
 -- Whether the modal motion of that name is a canned cycle.
-function is_cycle(name) return cycle_names[name] == true end
+local function is_cycle(name) return cycle_names[name] == true end
 
 -- Where a cycle leaves the tool: "initial" (G98) or "r" (G99).
-state.return_level = core.dialect == "rs274ngc" and "r" or "initial"
 local function return_level(name, level)
   word(name, function()
-    if core.dialect == "rs274ngc" then refuse_with_compensation(name) end
+    if core.dialect == "rs274ngc" then compensation.refuse(name) end
     state.return_level = level
   end)
 end
 return_level("G98", "initial")
 return_level("G99", "r")
 
--- The spindle turns "cw" or "ccw", or stands (nil).
-function turn_spindle(direction)
-  local changed = state.spindle ~= direction
-  state.spindle = direction
-  path.event(direction and "spindle_" .. direction or "spindle_off", nil, nil, changed)
-end
-
--- Its speed in rev/min: for the feeds of the words that follow at once, for the machine behind the moves so far.
-function spindle_speed(rpm)
-  core.set_spindle(rpm)
-  path.act(function() core.set_spindle_speed(rpm) end)
-end
-
--- It stands still at its marked angle, so that the tool can be moved off the wall.
-function orient_spindle()
-  state.spindle = nil
-  path.event("spindle_off")
-  path.event("spindle_orient")
-end
-
 -- A word of a cycle: a number, or nil where it is left out.
-function cycle_word(words, letter, name)
+local function cycle_word(words, letter, name)
   local value = words[letter]
   if value ~= nil and type(value) ~= "number" then
     alarm("script", "%s: the value of %s is no number", name, letter:upper())
@@ -55,7 +38,7 @@ function cycle_word(words, letter, name)
   return value
 end
 
-function cycle_dwell(words, name)
+local function cycle_dwell(words, name)
   local seconds = cycle_word(words, "p", name)
   if seconds ~= nil and seconds < 0 then
     alarm("word-value", "P of %s is a dwell of 0 s or more, not %.10g", name, seconds)
@@ -63,7 +46,7 @@ function cycle_dwell(words, name)
   return seconds
 end
 
-function cycle_repeats(value, letter, name)
+local function cycle_repeats(value, letter, name)
   if value == nil then return 1 end
   value = nearly_whole(value)
   if value % 1 ~= 0 or value < 0 or value > MOST_REPEATS then
@@ -73,7 +56,7 @@ function cycle_repeats(value, letter, name)
 end
 
 -- A tool over a plane, moved by the plane's three axes in program coordinates (mm).
-function cycle_tool(plane, start)
+local function cycle_tool(plane, start)
   local tool = { start[plane.first], start[plane.second], start[plane.third] }
 
   local function target(first, second, third)
@@ -99,7 +82,7 @@ end
 
 -- The depths at which a hole drilled in pecks of `step` is left, above its bottom. What only rounding leaves above the
 -- bottom is no peck.
-function pecks(from, bottom, step, name)
+local function pecks(from, bottom, step, name)
   if not (step > 0) then alarm("word-value", "Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
   if (from - bottom) / step > MOST_PECKS then
     alarm("word-value", "Q %.10g of %s is too small: the hole of %.10g would take more than %d pecks", step, name,
@@ -117,12 +100,15 @@ function pecks(from, bottom, step, name)
 end
 
 -- Levels count in the work coordinate system, time per stroke has no meaning, nor has a path beside the hole.
-function check_cycle_modes(name)
+local function check_cycle_modes(name)
   if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
   if state.feed_mode == "inverse" then
     alarm("mode", "%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
   end
-  refuse_with_compensation(name)
+  compensation.refuse(name)
 end
 
-include(core.dialect == "rs274ngc" and "cycles_ngc" or "cycles_ab9")
+return {
+  is_cycle = is_cycle, word = cycle_word, dwell = cycle_dwell, repeats = cycle_repeats, tool = cycle_tool, pecks = pecks,
+  check_modes = check_cycle_modes,
+}

@@ -2,6 +2,11 @@
 -- are levels of the series: in incremental dimensions R counts from the initial level and the depth from R. They
 -- and P, Q and the shift hold, for all cycles, until G80 or a motion code ends the series.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local word, word_id = use("words", "word", "id")
+local axes, cycles, motion, overrides, path = use "axes", use "cycles", use "motion", use "overrides", use "path"
+local plane_view, polar, spindle, state = use "plane_view", use "polar", use "spindle", use "state"
+
 -- Set by the builder of a machine on the control; these are usual values.
 local CHIP_BREAK_RETRACT_MM = 1   -- G73: how far the tool is drawn back after each peck
 local PECK_CLEARANCE_MM = 1       -- G83: where the rapid move back into the hole ends, above the last depth
@@ -20,7 +25,7 @@ end
 -- may lead to either side.
 local function each_peck(hole, name, retract, reach)
   local up = hole.bottom <= hole.r and 1 or -1
-  for _, depth in ipairs(pecks(up * hole.r, up * hole.bottom, hole.q, name)) do
+  for _, depth in ipairs(cycles.pecks(up * hole.r, up * hole.bottom, hole.q, name)) do
     reach(up * depth, up * math.min(depth + retract, up * hole.r))
   end
 end
@@ -55,16 +60,16 @@ function strokes.G83(tool, hole)
 end
 
 local function tap(tool, hole, forth, back)
-  if state.spindle ~= forth then turn_spindle(forth) end
+  if state.spindle ~= forth then spindle.turn(forth) end
   overrides.without(function()
     tool.feed(hole.bottom)
-    turn_spindle(nil)
+    spindle.turn(nil)
     dwell(hole)
-    turn_spindle(back)
+    spindle.turn(back)
     tool.feed(hole.r)
   end)
-  turn_spindle(nil)
-  turn_spindle(forth)
+  spindle.turn(nil)
+  spindle.turn(forth)
   tool.rapid(hole.clear)
 end
 
@@ -81,20 +86,20 @@ function strokes.G86(tool, hole)
   local direction = state.spindle or "cw"
   tool.feed(hole.bottom)
   dwell(hole)
-  turn_spindle(nil)
+  spindle.turn(nil)
   tool.rapid(hole.clear)
-  turn_spindle(direction)
+  spindle.turn(direction)
 end
 
 -- Along the hole to a level with the tool's point off the wall.
 local function pass_aside(tool, hole, level)
   local direction = state.spindle or "cw"
   local first, second = tool[1], tool[2]
-  orient_spindle()
+  spindle.orient()
   tool.rapid_to(first + hole.shift_first, second + hole.shift_second, tool[3])
   tool.rapid(level)
   tool.rapid_to(first, second, level)
-  turn_spindle(direction)
+  spindle.turn(direction)
 end
 
 -- Fine boring.
@@ -117,11 +122,11 @@ function strokes.G88(tool, hole)
   local direction = state.spindle or "cw"
   tool.feed(hole.bottom)
   dwell(hole)
-  turn_spindle(nil)
+  spindle.turn(nil)
   path.event("stop", "G88: the operator retracts the tool")
   tool.rapid(hole.r)
   tool.rapid(hole.clear)
-  turn_spindle(direction)
+  spindle.turn(direction)
 end
 
 function strokes.G89(tool, hole)
@@ -136,14 +141,14 @@ local increment = { x = "u", y = "v", z = "w" }
 local no_place = { r = true, p = true, q = true, i = true, j = true, k = true, l = true, f = true }
 
 local function length(words, letter, name)
-  local value = cycle_word(words, letter, name)
+  local value = cycles.word(words, letter, name)
   return value and value * state.unit_mm
 end
 
 -- Takes note of the levels that the block gives.
 local function read_levels(words, name, p)
   local r, depth = length(words, "r", name), length(words, p.third, name)
-  local from_r = is_rotary[increment[p.third]] == nil and length(words, increment[p.third], name) or nil
+  local from_r = axes.is_rotary[increment[p.third]] == nil and length(words, increment[p.third], name) or nil
   if r ~= nil then held.r = state.incremental and held.initial + r or r end
   if held.r == nil and (from_r ~= nil or state.incremental and depth ~= nil) then
     alarm("word-missing", "%s needs R, the level from which its depth counts", name)
@@ -164,7 +169,7 @@ end
 
 local function read_words(words, name, p)
   read_levels(words, name, p)
-  held.p = cycle_dwell(words, name) or held.p
+  held.p = cycles.dwell(words, name) or held.p
   if is_shifted[name] then
     read_shift(words, name, p)
   else
@@ -176,7 +181,7 @@ end
 local function split(words, p)
   local place, drills = {}, words.r ~= nil or words[p.third] ~= nil
   for key, value in pairs(words) do
-    local depth = key == p.third or key == increment[p.third] and is_rotary[key] == nil
+    local depth = key == p.third or key == increment[p.third] and axes.is_rotary[key] == nil
     if depth then
       drills = true
     elseif not no_place[key] then
@@ -188,8 +193,8 @@ end
 
 -- Rapid to the hole, at the level at which the tool is; other axes named in the block move along.
 local function move_over(place, p)
-  local over = core.to_program((core.target(resolve_words(place))))
-  over[p.third] = program_position()[p.third]
+  local over = core.to_program((core.target(polar.resolve(place))))
+  over[p.third] = axes.program_position()[p.third]
   path.rapid(core.to_machine(over))
 end
 
@@ -197,8 +202,8 @@ local function repeats_of(words, name)
   if words.l ~= nil and words.k ~= nil and not is_shifted[name] then
     alarm("word-out-of-place", "%s takes its repeats as L or as K, not as both", name)
   end
-  if words.l == nil and not is_shifted[name] then return cycle_repeats(cycle_word(words, "k", name), "K", name) end
-  return cycle_repeats(cycle_word(words, "l", name), "L", name)
+  if words.l == nil and not is_shifted[name] then return cycles.repeats(cycles.word(words, "k", name), "K", name) end
+  return cycles.repeats(cycles.word(words, "l", name), "L", name)
 end
 
 local function check_words(name, p)
@@ -213,14 +218,14 @@ local function check_words(name, p)
 end
 
 local function begin_series(p)
-  held = { initial = program_position()[p.third], plane = state.plane, shift_first = 0, shift_second = 0 }
+  held = { initial = axes.program_position()[p.third], plane = state.plane, shift_first = 0, shift_second = 0 }
 end
 
 local function drill(name, words)
   check_table(words, name)
   words = words or {}
-  check_cycle_modes(name)
-  local p = planes[state.plane]
+  cycles.check_modes(name)
+  local p = plane_view.planes[state.plane]
   if held.plane ~= state.plane then begin_series(p) end
   read_words(words, name, p)
   local place, drills = split(words, p)
@@ -231,7 +236,7 @@ local function drill(name, words)
   hole.clear = state.return_level == "r" and held.r or held.initial
   for _ = 1, repeats do
     move_over(place, p)
-    local tool = cycle_tool(p, program_position())
+    local tool = cycles.tool(p, axes.program_position())
     if name ~= "G87" then tool.rapid(held.r) end
     strokes[name](tool, hole)
   end
@@ -240,22 +245,22 @@ end
 for name in pairs(strokes) do
   local modal = core.word(word_id(), function(words) drill(name, words) end)
   word(name, function(words)
-    if not is_cycle(state.motion) then
+    if not cycles.is_cycle(state.motion) then
       before_series = { name = state.motion, move = env.move }
-      begin_series(planes[state.plane])
+      begin_series(plane_view.planes[state.plane])
     end
-    make_modal(name, modal)
+    motion.make_modal(name, modal)
     drill(name, words)
   end)
 end
 
 -- The end of a series: the motion before it is modal again.
 word("G80", function()
-  if not is_cycle(state.motion) then return end
+  if not cycles.is_cycle(state.motion) then return end
   local name = before_series.name
   if name == "G0" or name == "G1" then
     env[name]()   -- which G0 and G1 are in use may have changed meanwhile
   else
-    make_modal(name, move_in_use(name, before_series.move))
+    motion.make_modal(name, motion.move_in_use(name, before_series.move))
   end
 end)

@@ -2,6 +2,12 @@
 -- they were written, in program units: after a change of units or offsets they mean what the new ones make of them,
 -- as there.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local word, word_id = use("words", "word", "id")
+local axes, cycles, motion, ngc_modes, overrides =
+  use "axes", use "cycles", use "motion", use "ngc_modes", use "overrides"
+local path, plane_view, spindle, state = use "path", use "plane_view", use "spindle", use "state"
+
 local held = {}   -- words of the cycle that is modal, and `initial`, the level at which the series of cycles began
 
 -- Nearest short decimal: the value as it stands in a program, without what unit conversion added.
@@ -11,7 +17,7 @@ local function snapped(value) return math.floor(value * 1e9 + 0.5) / 1e9 end
 local function above(a, b) return a - b > 1e-9 end
 
 local function required(words, letter, name, again)
-  local value = cycle_word(words, letter, name)
+  local value = cycles.word(words, letter, name)
   if value == nil and again then value = held[letter] end
   if value == nil then
     alarm("word-missing", "%s needs %s; it is kept only while the same cycle repeats", name, letter:upper())
@@ -42,7 +48,7 @@ end
 local CHIP_CLEARANCE_MM = 0.254   -- above the last depth: 0.010 in, fixed in LinuxCNC
 
 local function peck(hole, name, retract)
-  for _, depth in ipairs(pecks(hole.r, hole.bottom, hole.q, name)) do
+  for _, depth in ipairs(cycles.pecks(hole.r, hole.bottom, hole.q, name)) do
     hole.feed(depth)
     if retract then hole.rapid(hole.r) end
     hole.rapid(depth + CHIP_CLEARANCE_MM / state.unit_mm)
@@ -72,13 +78,13 @@ local function tap(hole, name, forth, back)
   end
   overrides.without(function()
     feed(hole.bottom)
-    turn_spindle(nil)
-    turn_spindle(back)
+    spindle.turn(nil)
+    spindle.turn(back)
     if hole.p > 0 then path.dwell(hole.p) end
     feed(hole.clear)
   end)
-  turn_spindle(nil)
-  turn_spindle(forth)
+  spindle.turn(nil)
+  spindle.turn(forth)
 end
 
 function strokes.G84(hole) tap(hole, "G84", "cw", "ccw") end
@@ -94,9 +100,9 @@ function strokes.G86(hole)
   local direction = needs_spindle("G86")
   hole.feed(hole.bottom)
   path.dwell(hole.p)
-  turn_spindle(nil)
+  spindle.turn(nil)
   hole.rapid(hole.clear)
-  turn_spindle(direction)
+  spindle.turn(direction)
 end
 
 -- Back boring: through the hole beside its axis, then up from below.
@@ -104,17 +110,17 @@ function strokes.G87(hole)
   local direction = needs_spindle("G87")
   local first, second = hole.first + hole.shift_first, hole.second + hole.shift_second
   hole.rapid_to(first, second, hole.r)
-  orient_spindle()
+  spindle.orient()
   hole.rapid_to(first, second, hole.bottom)
   hole.rapid(hole.bottom)
-  turn_spindle(direction)
+  spindle.turn(direction)
   hole.feed(hole.middle)
   hole.feed(hole.bottom)
-  orient_spindle()
+  spindle.orient()
   hole.rapid_to(first, second, hole.bottom)
   hole.rapid_to(first, second, hole.clear)
   hole.rapid(hole.clear)
-  turn_spindle(direction)
+  spindle.turn(direction)
 end
 
 -- The operator brings the tool out; the program goes on as if from the clearance level.
@@ -122,9 +128,9 @@ function strokes.G88(hole)
   local direction = needs_spindle("G88")
   hole.feed(hole.bottom)
   path.dwell(hole.p)
-  turn_spindle(nil)
+  spindle.turn(nil)
   path.event("stop", "G88: the operator retracts the tool")
-  turn_spindle(direction)
+  spindle.turn(direction)
 end
 
 function strokes.G89(hole)
@@ -138,7 +144,7 @@ local needs_dwell = { G82 = true, G86 = true, G88 = true, G89 = true }
 local needs_peck = { G73 = true, G83 = true }
 
 local function read_words(hole, words, name, p, again)
-  local dwell = cycle_dwell(words, name)
+  local dwell = cycles.dwell(words, name)
   if needs_dwell[name] then
     hole.p = required(words, "p", name, again)
   elseif name == "G74" or name == "G84" then
@@ -156,7 +162,7 @@ end
 
 local function check_axes(words, name, p)
   local named = words.radius ~= nil or words.angle ~= nil
-  for _, axis in ipairs(axes) do
+  for _, axis in ipairs(axes.list) do
     local letter = axis.letter
     if words[letter] ~= nil then
       named = true
@@ -169,10 +175,10 @@ local function check_axes(words, name, p)
   if (words.radius ~= nil or words.angle ~= nil) and (state.plane ~= "xy" or words.x ~= nil or words.y ~= nil) then
     alarm("mode", "%s takes @ and ^ in the XY plane only, and not beside X or Y", name)
   end
-  ngc.check_spindle(words, name)
+  ngc_modes.check_spindle(words, name)
 end
 
-local function number_in(words, letter, name) return cycle_word(words, letter, name) or 0 end
+local function number_in(words, letter, name) return cycles.word(words, letter, name) or 0 end
 
 -- Steps from hole to hole in incremental dimensions.
 local function stepper(words, name, p)
@@ -192,14 +198,14 @@ end
 
 local function absolute_place(hole, words, name, p)
   if words.radius ~= nil or words.angle ~= nil then
-    local reach = cycle_word(words, "radius", name) or math.sqrt(hole.first ^ 2 + hole.second ^ 2)
-    local angle = cycle_word(words, "angle", name)
+    local reach = cycles.word(words, "radius", name) or math.sqrt(hole.first ^ 2 + hole.second ^ 2)
+    local angle = cycles.word(words, "angle", name)
     local turn = angle and math.rad(angle) or math.atan(hole.second, hole.first)
     hole.first, hole.second = reach * math.cos(turn), reach * math.sin(turn)
     return
   end
-  hole.first = cycle_word(words, p.first, name) or hole.first
-  hole.second = cycle_word(words, p.second, name) or hole.second
+  hole.first = cycles.word(words, p.first, name) or hole.first
+  hole.second = cycles.word(words, p.second, name) or hole.second
 end
 
 -- Strokes in program units, from a tool that moves in mm.
@@ -213,7 +219,7 @@ end
 
 local function levels(hole, words, name, p, again, current)
   hole.r = required(words, "r", name, again)
-  local depth = cycle_word(words, p.third, name)
+  local depth = cycles.word(words, p.third, name)
   if depth == nil and again then depth = held.depth end
   if depth == nil then alarm("word-missing", "%s needs %s, the depth of the hole", name, p.third:upper()) end
   held.depth = depth
@@ -247,16 +253,16 @@ local NOWHERE = 0 / 0
 local function drill(name, words, before)
   check_table(words, name)
   words = words or {}
-  check_cycle_modes(name)
-  local p, again = planes[state.plane], before == name
+  cycles.check_modes(name)
+  local p, again = plane_view.planes[state.plane], before == name
   check_axes(words, name, p)
-  local repeats = cycle_repeats(cycle_word(words, "l", name), "L", name)
+  local repeats = cycles.repeats(cycles.word(words, "l", name), "L", name)
   if repeats == 0 then alarm("word-value", "%s cannot be repeated 0 times; L is 1 or more", name) end
-  local here, unit = program_position(), state.unit_mm
+  local here, unit = axes.program_position(), state.unit_mm
   local current = snapped(here[p.third] / unit)
-  if not is_cycle(before) then held.initial = current end
+  if not cycles.is_cycle(before) then held.initial = current end
   local hole = { first = snapped(here[p.first] / unit), second = snapped(here[p.second] / unit) }
-  local tool = cycle_tool(p, here)
+  local tool = cycles.tool(p, here)
   if path.stands_elsewhere() then tool[3] = NOWHERE end   -- whatever the first stroke, it is a move
   add_strokes(hole, tool)
   current = levels(hole, words, name, p, again, current)
@@ -284,9 +290,9 @@ for name in pairs(strokes) do
   local modal = core.word(word_id(), function(words) drill(name, words, name) end)
   word(name, function(words)
     local before = state.motion
-    make_modal(name, modal)
+    motion.make_modal(name, modal)
     drill(name, words, before)
   end)
 end
 
-word("G80", end_motion)
+word("G80", motion.end_motion)

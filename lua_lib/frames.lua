@@ -1,23 +1,37 @@
 -- Units, absolute or incremental dimensions, planes, and what the words of offsets share.
 
+local alarm = use("basics", "alarm")
+local word = use("words", "word")
+local axes, compensation, state = use "axes", use "compensation", use "state"
+
+local is_ngc = core.dialect == "rs274ngc"
+
+local AXES = { a = true, b = true, c = true, u = true, v = true, w = true, x = true, y = true, z = true }
+
+-- Words that are no axis of the machine. In RS274/NGC 0 for an axis that it does not have changes nothing.
+local function no_axis(letter, value, name)
+  local is_axis = not is_ngc or AXES[letter]
+  if is_ngc and is_axis and value == 0 then return end
+  if is_axis then alarm("axis", "%s: the machine has no axis %s", name, tostring(letter):upper()) end
+  alarm("word-out-of-place", "%s takes no word '%s'", name, tostring(letter))
+end
+
 -- Calls set(letter, value in mm or deg) for each axis word; other keys that may stand there are in `others`, each
 -- between blanks. False where no axis is named.
-function each_axis(words, name, others, set)
+local function each_axis(words, name, others, set)
   if type(words) ~= "table" then alarm("word-missing", "%s needs axis words", name) end
   local any = false
   for letter, value in pairs(words) do
     if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, tostring(letter)) end
-    if is_rotary[letter] ~= nil then
+    if axes.is_rotary[letter] ~= nil then
       any = true
-      set(letter, in_mm(letter, value))
+      set(letter, axes.in_mm(letter, value))
     elseif others:find(" " .. tostring(letter) .. " ", 1, true) == nil then
       no_axis(letter, value, name)
     end
   end
   return any
 end
-
-function no_axis(letter, _, name) alarm("axis", "%s: the machine has no axis %s", name, tostring(letter):upper()) end
 
 local function set_unit(millimetres)
   return function()
@@ -38,12 +52,12 @@ end
 word("G90", set_incremental(false))
 word("G91", set_incremental(true))
 
-function set_plane(plane)
-  state.plane = plane
-  core.set_plane(plane)
+for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
+  word(name, function()
+    if is_ngc and plane ~= state.plane then compensation.refuse(name .. ", a change of the plane,") end
+    state.plane = plane
+    core.set_plane(plane)
+  end)
 end
-word("G17", function() set_plane("xy") end)
-word("G18", function() set_plane("zx") end)
-word("G19", function() set_plane("yz") end)
 
-if core.dialect == "ab9" then include "ab9_frames" end   -- compensation watches its words
+return { each_axis = each_axis }

@@ -2,6 +2,10 @@
 -- mm/min; a joint move is as fast as the joints are. A linear move is a line of the tool in the work frame, a circular
 -- one an arc; where the linear axes alone carry the tip these are lines and arcs of the axes.
 
+local alarm = use("basics", "alarm")
+local word = use("words", "word")
+local axes, compensation, path = use "axes", use "compensation", use "path"
+
 local parts = { x = true, y = true, z = true, roll = true, pitch = true, yaw = true }
 
 local function checked(pose, name)
@@ -17,8 +21,8 @@ end
 
 -- Nothing may stand between the poses and the machine.
 local function begin(name)
-  refuse_with_compensation(name)
-  refuse_with_tip_control(name)
+  compensation.refuse(name)
+  axes.refuse_with_tip_control(name)
   path.flush()
 end
 

@@ -1,6 +1,8 @@
 -- RS274/NGC: codes whose number is computed, as in G[#<_plane> / 10]: code("G", 17.0). They take no words and act before
 -- the motion of their block; the axis words of the block go on with the motion that is modal then.
 
+local alarm = use("basics", "alarm")
+
 local TOLERANCE = 1e-3   -- of a number
 
 local codes = {

@@ -1,5 +1,10 @@
--- RS274/NGC: M70 to M73 keep the modal state and bring it back. The words of each modal group are watched as they
--- are called, so this file comes after all others that define words.
+-- RS274/NGC: M70 to M73 keep the modal state and bring it back.
+
+local alarm, copied = use("basics", "alarm", "copied")
+local hooks, state, switches, systems, words =
+  use "hooks", use "state", use "ngc_overrides", use "ngc_frames", use "words"
+
+local word = words.word
 
 local active = {
   units = state.unit_mm == 1 and "G21" or "G20", plane = "G17", distance = "G90", ["arc centre"] = "G91_1",
@@ -7,18 +12,10 @@ local active = {
 }
 local words_of = {}   -- by group, the words with which its code was called
 
-function ngc.active(group) return active[group] end
+local saved_modes          -- of the subroutine
 
 local function watch(group, names)
-  for _, name in ipairs(names) do
-    local meaning = rawget(env, name)
-    if meaning ~= nil then
-      env[name] = function(words)
-        meaning(words)
-        active[group], words_of[group] = name, words
-      end
-    end
-  end
+  words.after(names, "modal state", function(name, given) active[group], words_of[group] = name, given end)
 end
 watch("units", { "G20", "G21" })
 watch("plane", { "G17", "G18", "G19" })
@@ -32,9 +29,9 @@ watch("spindle speed", { "G96", "G97" })
 watch("path", { "G61", "G61_1", "G64" })
 
 local function keep(automatic)
-  ngc.saved_modes = {
+  saved_modes = {
     automatic = automatic,
-    active = copied(active), words_of = copied(words_of), overrides = ngc.keep_overrides(), system = ngc.system,
+    active = copied(active), words_of = copied(words_of), overrides = switches.keep(), system = systems.in_force,
     feed = state.feed, speed = state.spindle_word, spindle = state.spindle,
     mist = state.mist, flood = state.flood,
   }
@@ -81,25 +78,31 @@ local groups = {
 local function restore(saved)
   local written = written_values(saved)
   for _, group in ipairs(groups) do bring_back(saved, group) end
-  if saved.system ~= ngc.system then env[ngc.system_word(saved.system)]() end
+  if saved.system ~= systems.in_force then env[systems.word(saved.system)]() end
   restore_length(saved)
   for name, value in pairs(written) do env[name](value) end
   restore_spindle(saved)
   restore_coolant(saved)
-  ngc.restore_overrides(saved.overrides)
+  switches.restore(saved.overrides)
 end
 
 word("M70", function() keep(false) end)
-word("M71", function() ngc.saved_modes = nil end)
+word("M71", function() saved_modes = nil end)
 word("M73", function() keep(true) end)
 word("M72", function()
-  if ngc.saved_modes == nil then
+  if saved_modes == nil then
     alarm("mode", "M72 brings back what M70 or M73 has kept in the same subroutine, and there is nothing")
   end
-  restore(ngc.saved_modes)
+  restore(saved_modes)
 end)
 
--- The end of a subroutine that M73 has marked.
-function ngc.restore_on_return()
-  if ngc.saved_modes and ngc.saved_modes.automatic then restore(ngc.saved_modes) end
-end
+-- At the end of a subroutine that M73 has marked the state comes back by itself.
+hooks.on("call", "modal state", function(frame)
+  frame.saved, saved_modes = saved_modes, nil
+end)
+hooks.on("return", "modal state", function(frame)
+  if saved_modes and saved_modes.automatic then restore(saved_modes) end
+  saved_modes = frame.saved
+end)
+
+return { active = active }

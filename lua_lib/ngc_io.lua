@@ -4,20 +4,17 @@
 -- off). A nil value says that it did not happen in time. Without a function inputs are
 -- signals where there are processes; else each is 0 at once, as in a dry run of LinuxCNC.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local word = use("words", "word")
+local compensation, inputs, parameters, path = use "compensation", use "inputs", use "ngc_variables", use "path"
+
 local RESULT = 5399
 local TIMED_OUT = -1
 local LAST_WAIT = 4
 local WITH_MOVE = " with the next move"
 
-local answer
-
-function env.on_input(f)
-  if f ~= nil and type(f) ~= "function" then alarm("script", "on_input takes a function") end
-  answer = f
-end
-
 local function number_of(value, name, letter)
-  local whole = ngc.whole(value)
+  local whole = parameters.whole(value)
   if whole == nil or whole < 0 then
     alarm("word-value", "%s needs %s, the number of an input or output from 0 on", name, letter)
   end
@@ -27,11 +24,11 @@ end
 local function digital(name, on, with_move)
   word(name, function(words)
     check_table(words, name)
-    refuse_with_compensation(name)
+    compensation.refuse(name)
     local number = number_of(words and words.p, name, "P")
     path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""),
                with_move and "with_motion" or "at_rest")
-    set_output("DO", number, on)
+    inputs.set_output("DO", number, on)
   end)
 end
 digital("M62", true, true)
@@ -42,12 +39,12 @@ digital("M65", false, false)
 local function analog(name, with_move)
   word(name, function(words)
     check_table(words, name)
-    refuse_with_compensation(name)
+    compensation.refuse(name)
     local number = number_of(words and words.e, name, "E")
     if words.q == nil then alarm("word-missing", "%s needs Q, the value of the output", name) end
     path.event("analog_output", ("E%d %.10g%s"):format(number, words.q + 0.0, with_move and WITH_MOVE or ""),
                with_move and "with_motion" or "at_rest")
-    set_output("AO", number, words.q)
+    inputs.set_output("AO", number, words.q)
   end)
 end
 analog("M67", true)
@@ -58,17 +55,19 @@ local HOW = { "rises", "falls", "on", "off" }
 -- The answer of other processes: the signal of the input. The robot stands idle meanwhile.
 local function ask_signal(kind, number, wait, timeout)
   local name = kind == "digital" and "DI" or "AI"
-  local value = input_value(name, number)
+  local value = inputs.input_value(name, number)
   if value == nil then return 0, 0 end
   if wait > 0 then
-    if not processes.wait_signal(io_signal(name, number), HOW[wait], nil, timeout) then return TIMED_OUT, 0 end
-    value = processes.value(io_signal(name, number))
+    local signal = inputs.io_signal(name, number)
+    if not core.processes.wait_signal(signal, HOW[wait], nil, timeout) then return TIMED_OUT, 0 end
+    value = core.processes.value(signal)
   end
   if kind == "digital" then return (value and value ~= 0) and 1 or 0, 0 end
   return value == true and 1 or value or 0, 0
 end
 
 local function ask(kind, number, wait, timeout)
+  local answer = inputs.answer
   if answer == nil then return ask_signal(kind, number, wait, timeout) end
   local value, waited = answer(kind, number, wait, timeout)
   if value == true then value = 1 elseif value == false then value = 0 end
@@ -90,9 +89,9 @@ end
 
 word("M66", function(words)
   check_table(words, "M66")
-  refuse_with_compensation("M66")
+  compensation.refuse("M66")
   local kind, number = input_of(words or {})
-  local wait, timeout = ngc.whole(words.l or 0), words.q or 0
+  local wait, timeout = parameters.whole(words.l or 0), words.q or 0
   if wait == nil or wait < 0 or wait > LAST_WAIT then
     alarm("word-value", "L of M66 is a way to wait, from 0 to %d", LAST_WAIT)
   end
@@ -103,6 +102,6 @@ word("M66", function(words)
   path.flush()
   local value, waited = ask(kind, number, wait, wait == 0 and 0 or timeout)
   if waited > 0 then path.dwell(waited) end
-  ngc.set_parameter(RESULT, value)
+  parameters.set(RESULT, value)
   path.event("input", ("%s%d: %.10g"):format(kind == "digital" and "P" or "E", number, value))
 end)

@@ -1,6 +1,10 @@
 -- RS274/NGC: comments that do something. Each becomes an event of the run; no file is written.
 --   DEBUG("x is %f, y is %.2f", v[1], parameter("y"))   %f, %.nf and %d take a value, %% is a percent sign
 
+local alarm = use("basics", "alarm")
+local word = use("words", "word")
+local path = use "path"
+
 local DIGIT_0, DIGIT_9 = ("09"):byte(1, 2)
 local UNKNOWN = "######"   -- for a parameter without a value
 local SHOWN_AS_ZERO = 1e-4 -- what is smaller, as LinuxCNC prints it
@@ -41,9 +45,6 @@ local function filled(text, ...)
   end
   return table.concat(parts)
 end
-
--- The value of a named parameter, or nil where it has none.
-function env.parameter(name) return ngc.named(name) end
 
 local function check_text(text, name)
   if type(text) ~= "string" then alarm("script", "%s takes a text", name) end

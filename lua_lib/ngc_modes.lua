@@ -1,17 +1,17 @@
 -- RS274/NGC: feed modes, spindle and coolant, path modes, the centre of arcs.
 
+local alarm, check_table, given = use("basics", "alarm", "check_table", "given")
+local word = use("words", "word")
+local axes, compensation, path, spindle, state = use "axes", use "compensation", use "path", use "spindle", use "state"
+
 local MM_PER_M, MM_PER_FOOT = 1000, 304.8
 local WHOLE_TURN = 360
-
-state.feed_mode = "minute"
-state.feed = 0             -- as F was programmed
-state.spindle_word = 0     -- as S was programmed
 
 core.set_letters_uvw(false)            -- U, V and W are axes or nothing
 core.set_inverse_time_of_arcs(false)   -- 60/F s for a whole arc, as for a line
 
 -- There is one spindle, $0; for words that may be for `all` of them $-1 is another name of it.
-function ngc.check_spindle(words, name, all)
+local function check_spindle(words, name, all)
   check_table(words, name)
   local number = words and words.spindle
   if number ~= nil and number ~= 0 and not (all and number == -1) then
@@ -51,7 +51,7 @@ local surface
 -- The speed at the X where it is programmed; the path does not change it afterwards.
 local function surface_rpm()
   if state.spindle_word == 0 then return 0 end
-  local radius_mm = math.abs(program_position().x or 0)
+  local radius_mm = math.abs(axes.program_position().x or 0)
   local unit_mm = state.unit_mm == 1 and MM_PER_M or MM_PER_FOOT
   return math.min(surface.most_rpm, state.spindle_word * unit_mm / (2 * math.pi * radius_mm))
 end
@@ -63,7 +63,7 @@ local function set_speed()
     rpm = 0
   end
   state.spindle_rpm = rpm
-  spindle_speed(rpm)
+  spindle.set_speed(rpm)
 end
 
 local function speed(value, name)
@@ -82,7 +82,7 @@ word("S", function(value)
 end)
 
 word("G96", function(words)
-  ngc.check_spindle(words, "G96", true)
+  check_spindle(words, "G96", true)
   words = words or {}
   if words.s then
     path.wait_at("S")
@@ -95,7 +95,7 @@ word("G96", function(words)
 end)
 
 word("G97", function(words)
-  ngc.check_spindle(words, "G97", true)
+  check_spindle(words, "G97", true)
   surface = nil
   if words and words.s then
     path.wait_at("S")
@@ -104,20 +104,20 @@ word("G97", function(words)
   set_speed()
 end)
 
-local function spindle(name, direction)
+local function spindle_word(name, direction)
   word(name, function(words)
-    ngc.check_spindle(words, name, true)
-    turn_spindle(direction)
+    check_spindle(words, name, true)
+    spindle.turn(direction)
   end)
 end
-spindle("M3", "cw")
-spindle("M4", "ccw")
-spindle("M5", nil)
+spindle_word("M3", "cw")
+spindle_word("M4", "ccw")
+spindle_word("M5", nil)
 
 local ways = { [0] = "shortest way", [1] = "clockwise", [2] = "counterclockwise" }
 
 word("M19", function(words)
-  ngc.check_spindle(words, "M19", true)
+  check_spindle(words, "M19", true)
   words = words or {}
   local angle, way = words.r or 0, ways[words.p or 0]
   if angle < 0 or angle > WHOLE_TURN then
@@ -152,13 +152,6 @@ end)
 
 -- --- Modes of the path ---
 
-for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
-  word(name, function()
-    if plane ~= state.plane then refuse_with_compensation(name .. ", a change of the plane,") end
-    set_plane(plane)
-  end)
-end
-
 local function set_arc_centres(absolute)
   return function()
     state.arc_absolute = absolute
@@ -168,22 +161,20 @@ end
 word("G90_1", set_arc_centres(true))
 word("G91_1", set_arc_centres(false))
 
-path.set_mode("continuous")
-
 word("G61", function()
-  refuse_with_compensation("G61")
+  compensation.refuse("G61")
   path.set_mode("exact_path")
 end)
 
 word("G61_1", function()
-  refuse_with_compensation("G61.1")
+  compensation.refuse("G61.1")
   path.set_mode("exact_stop")
 end)
 
 -- P: how far corners may be cut; Q: within what lines are merged, like P where it is left out.
 word("G64", function(words)
   check_table(words, "G64")
-  refuse_with_compensation("G64")
+  compensation.refuse("G64")
   for letter, value in pairs(words or {}) do
     if (letter ~= "p" and letter ~= "q") or type(value) ~= "number" then
       alarm("word-out-of-place", "G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'",
@@ -210,4 +201,4 @@ function env.unknown_code(code)
   alarm("code-unknown", "%s is no code of RS274/NGC", code)
 end
 
-end_motion()   -- axis words need a motion of the program's own
+return { check_spindle = check_spindle }

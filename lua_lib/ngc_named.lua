@@ -1,6 +1,11 @@
 -- RS274/NGC: named parameters #<name> as p.name. A name that begins with _ is global, any other belongs to the
 -- subroutine; some global ones are the control's own and read-only.
 
+local alarm = use("basics", "alarm")
+local axes, compensation, hooks, modes, parameters =
+  use "axes", use "compensation", use "hooks", use "ngc_context", use "ngc_variables"
+local state, switches, systems, tools = use "state", use "ngc_overrides", use "ngc_frames", use "tools"
+
 local predefined = {}   -- functions by name
 
 local UNDERSCORE = ("_"):byte()
@@ -25,8 +30,16 @@ local scope = {
   end,
 }
 
-function ngc.new_scope() return setmetatable({}, scope) end
-env.p = ngc.new_scope()
+local function new_scope() return setmetatable({}, scope) end
+env.p = new_scope()
+
+-- Each call has a scope of its own, and leaves no value unless it says one.
+hooks.on("call", "named parameters", function(frame)
+  frame.names, env.p = env.p, new_scope()
+end)
+hooks.on("return", "named parameters", function(frame)
+  env.p, state.call_value = frame.names, nil
+end)
 
 local function defined(name)
   return rawget(env.p, name) ~= nil or rawget(globals, name) ~= nil or predefined[name] ~= nil
@@ -35,32 +48,31 @@ end
 -- exists("depth") of a named parameter; exists(5) of #5: a numbered one exists where its number is one of a parameter.
 function env.exists(name)
   local found
-  if type(name) == "number" then found = ngc.has_number(name) else found = defined(name) end
+  if type(name) == "number" then found = parameters.has_number(name) else found = defined(name) end
   return found and 1.0 or 0.0
 end
 
--- For comments: nil where there is no such parameter.
-function ngc.named(name)
+-- For comments: the value of a named parameter, or nil where it has none.
+function env.parameter(name)
   if defined(name) then return env.p[name] end
 end
 
 -- predefine("_line", function() return number or boolean end)
-function ngc.predefine(name, value)
+local function predefine(name, value)
   predefined[name] = function()
     local now = value()
     if now == true then return 1 end
     return now or 0
   end
 end
-local predefine = ngc.predefine
 
 predefine("_vmajor", function() return 2.9 end)   -- the version of LinuxCNC whose words these are
 predefine("_vminor", function() return 0 end)
 predefine("_task", function() return false end)
 predefine("_remap_level", function() return 0 end)
 predefine("_call_level", function() return state.depth end)
-predefine("_value", function() return ngc.value end)
-predefine("_value_returned", function() return ngc.value ~= nil end)
+predefine("_value", function() return state.call_value end)
+predefine("_value_returned", function() return state.call_value ~= nil end)
 
 predefine("_line", function()
   core.note_place()
@@ -73,12 +85,11 @@ local function ten_times(name)
   if dot then return tonumber(name:sub(2, dot - 1)) * 10 + tonumber(name:sub(dot + 1)) end
   return (tonumber(name:sub(2)) or 80) * 10
 end
-ngc.ten_times = ten_times
 
 predefine("_motion_mode", function() return ten_times(state.motion) end)
 local plane_codes = { xy = 170, zx = 180, yz = 190 }
 predefine("_plane", function() return plane_codes[state.plane] end)
-predefine("_coord_system", function() return ten_times("G" .. ngc.system_name(ngc.system)) end)
+predefine("_coord_system", function() return ten_times("G" .. systems.name(systems.in_force)) end)
 
 predefine("_metric", function() return state.unit_mm == 1 end)
 predefine("_imperial", function() return state.unit_mm ~= 1 end)
@@ -95,25 +106,25 @@ predefine("_feed", function() return state.feed end)
 predefine("_rpm", function() return state.spindle_word end)
 predefine("_spindle_on", function() return state.spindle ~= nil end)
 predefine("_spindle_cw", function() return state.spindle == "cw" end)
-predefine("_spindle_rpm_mode", function() return ngc.active("spindle speed") ~= "G96" end)
-predefine("_spindle_css_mode", function() return ngc.active("spindle speed") == "G96" end)
+predefine("_spindle_rpm_mode", function() return modes.active["spindle speed"] ~= "G96" end)
+predefine("_spindle_css_mode", function() return modes.active["spindle speed"] == "G96" end)
 predefine("_mist", function() return state.mist end)
 predefine("_flood", function() return state.flood end)
 
-predefine("_ccomp", function() return ten_times((state.compensation or "G40"):sub(1, 3)) end)
-predefine("_retract_r_plane", function() return ngc.active("retract") == "G99" end)
-predefine("_retract_old_z", function() return ngc.active("retract") == "G98" end)
-predefine("_speed_override", function() return ngc.override("speed") end)
-predefine("_feed_override", function() return ngc.override("feed") end)
-predefine("_adaptive_feed", function() return ngc.override("adaptive") end)
-predefine("_feed_hold", function() return ngc.override("hold") end)
+predefine("_ccomp", function() return ten_times((compensation.word or "G40"):sub(1, 3)) end)
+predefine("_retract_r_plane", function() return modes.active.retract == "G99" end)
+predefine("_retract_old_z", function() return modes.active.retract == "G98" end)
+predefine("_speed_override", function() return switches.is_enabled("speed") end)
+predefine("_feed_override", function() return switches.is_enabled("feed") end)
+predefine("_adaptive_feed", function() return switches.is_enabled("adaptive") end)
+predefine("_feed_hold", function() return switches.is_enabled("hold") end)
 
-predefine("_current_tool", function() return current_tool() end)
-predefine("_selected_tool", function() return selected_tool() end)
+predefine("_current_tool", function() return tools.loaded() end)
+predefine("_selected_tool", function() return tools.selected() end)
 
 -- The table has no pockets of its own: each tool stands in that of its number, and -1 is none.
-predefine("_current_pocket", function() return current_tool() end)
-predefine("_selected_pocket", function() return selected_tool() > 0 and selected_tool() or -1 end)
+predefine("_current_pocket", function() return tools.loaded() end)
+predefine("_selected_pocket", function() return tools.selected() > 0 and tools.selected() or -1 end)
 
 predefine("_tool_offset", function()
   for _, length in pairs(state.tool_offset) do
@@ -124,19 +135,21 @@ end)
 
 -- Where the tool stands after the moves so far: in coordinates of the program, and in those of the machine.
 local function position(letter)
-  if is_rotary[letter] == nil then return 0 end
-  return in_program_units(letter, core.to_program(shown(tool_beside_path() or programmed_point()))[letter])
+  if axes.is_rotary[letter] == nil then return 0 end
+  local point = axes.shown(compensation.tool_beside_path() or axes.programmed_point())
+  return axes.in_program_units(letter, core.to_program(point)[letter])
 end
 
 local FIRST_POSITION = 5420
-for i, letter in ipairs(ngc.letters) do
+for i, letter in ipairs(parameters.letters) do
   local function here() return position(letter) end
   predefine("_" .. letter, here)
-  ngc.compute(FIRST_POSITION + i - 1, function()
-    refuse_with_compensation(("reading #%d"):format(FIRST_POSITION + i - 1))
+  parameters.compute(FIRST_POSITION + i - 1, function()
+    compensation.refuse(("reading #%d"):format(FIRST_POSITION + i - 1))
     return here()
   end)
   predefine("_abs_" .. letter, function()
-    return is_rotary[letter] ~= nil and in_program_units(letter, shown(programmed_point())[letter]) or 0
+    if axes.is_rotary[letter] == nil then return 0 end
+    return axes.in_program_units(letter, axes.shown(axes.programmed_point())[letter])
   end)
 end

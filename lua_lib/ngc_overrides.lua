@@ -2,9 +2,15 @@
 -- events, and parameters tell which of them may be used. As in LinuxCNC the feed switch is that of rapid moves, too, and
 -- a move keeps what was in force when it was programmed. Adaptive feed and feed hold have no input here.
 
+local copied = use("basics", "copied")
+local word = use("words", "word")
+local compensation, ngc_modes, overrides, path = use "compensation", use "ngc_modes", use "overrides", use "path"
+
+local switches = {}
+
 local enabled = { feed = true, speed = true, adaptive = false, hold = true }
 
-function ngc.override(name) return enabled[name] end
+function switches.is_enabled(name) return enabled[name] end
 
 local function set(names, on)
   for _, name in ipairs(names) do
@@ -16,7 +22,7 @@ end
 
 for name, on in pairs { M48 = true, M49 = false } do
   word(name, function()
-    refuse_with_compensation(name)
+    compensation.refuse(name)
     set({ "feed", "speed" }, on)
   end)
 end
@@ -24,22 +30,24 @@ end
 -- With P0 it is off, with another P or none it is on.
 for name, what in pairs { M50 = "feed", M51 = "speed", M52 = "adaptive", M53 = "hold" } do
   word(name, function(words)
-    ngc.check_spindle(words, name, true)
-    refuse_with_compensation(name)
+    ngc_modes.check_spindle(words, name, true)
+    compensation.refuse(name)
     set({ what }, words == nil or words.p ~= 0)
   end)
 end
 
 word("M60", function()
-  stop_in_compensation()
+  compensation.stop()
   path.event("stop", "change of pallets")
 end)
 
 -- For M70 to M73: the state, and its return.
-function ngc.keep_overrides() return copied(enabled) end
+function switches.keep() return copied(enabled) end
 
-function ngc.restore_overrides(kept)
+function switches.restore(kept)
   for _, name in ipairs { "feed", "speed", "adaptive", "hold" } do
     if enabled[name] ~= kept[name] then set({ name }, kept[name]) end
   end
 end
+
+return switches

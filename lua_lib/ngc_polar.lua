@@ -2,13 +2,16 @@
 -- from the zero point of the program; incremental: both are added to those of the present point. What is not given
 -- stays as it is.
 
+local alarm, copied = use("basics", "alarm", "copied")
+local axes, state = use "axes", use "state"
+
 local SAME_POINT = 1e-9
 
 core.on_polar(function(words)
   if words.x ~= nil or words.y ~= nil then
     alarm("word-value", "a target is given by @ and ^ or by X and Y, not by both")
   end
-  local program = program_position()
+  local program = axes.program_position()
   local x, y = program.x / state.unit_mm, program.y / state.unit_mm
   local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
   if radius < SAME_POINT and (state.incremental or words.angle == nil) then

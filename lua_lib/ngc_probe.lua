@@ -1,24 +1,28 @@
 -- RS274/NGC: G38.2 to G38.5, straight probing. The results are #5061 to #5069 (the point) and #5070 (found or not).
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local axes, compensation, motion, move_until_signal, parameters, path, polar, state =
+  use "axes", use "compensation", use "motion", use "probe", use "ngc_variables", use "path", use "polar", use "state"
+
 local FIRST_RESULT, FOUND = 5061, 5070
 
 local function store_result(point, found)
   local program = core.to_program(point)
-  for i, letter in ipairs(ngc.letters) do
+  for i, letter in ipairs(parameters.letters) do
     local value = program[letter]
-    ngc.set_parameter(FIRST_RESULT + i - 1, value and in_program_units(letter, value) or 0)
+    parameters.set(FIRST_RESULT + i - 1, value and axes.in_program_units(letter, value) or 0)
   end
-  ngc.set_parameter(FOUND, found and 1 or 0)
+  parameters.set(FOUND, found and 1 or 0)
 end
 
 local function check(name, words, must_find)
   check_table(words, name)
-  refuse_with_compensation(name)
+  compensation.refuse(name)
   if state.feed_mode ~= "minute" then alarm("mode", "%s needs a feed per minute (G94)", name) end
   if core.in_machine_frame() then alarm("probe", "G53 is for G0 and G1, not for %s", name) end
-  local target, named = core.target(resolve_words(words or {}))
+  local target, named = core.target(polar.resolve(words or {}))
   if not named then alarm("word-missing", "%s needs the axis words of its end", name) end
-  local from, moves = programmed_point(), false
+  local from, moves = axes.programmed_point(), false
   for letter, value in pairs(target) do moves = moves or value ~= from[letter] end
   if must_find and not moves then alarm("word-missing", "%s begins at its end; it needs a way to go", name) end
   return target
@@ -26,7 +30,7 @@ end
 
 local function define(name, must_find, away)
   local shown = name:sub(1, 3) .. "." .. name:sub(5)
-  modal_word(name, function(words)
+  motion.modal_word(name, function(words)
     local target = check(shown, words, must_find)
     local found, at_start, point = move_until_signal(target, away)
     if at_start and must_find then

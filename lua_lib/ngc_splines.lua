@@ -1,5 +1,11 @@
 -- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), put out as pairs of arcs.
 
+local alarm, check_table, space_between = use("basics", "alarm", "check_table", "space_between")
+local feed_of_part = use("feed", "feed_of_part")
+local word, word_id = use("words", "word", "id")
+local axes, compensation, motion, path, splines, state =
+  use "axes", use "compensation", use "motion", use "path", use "splines", use "state"
+
 local SAME_MM = 1e-9
 local DEFAULT_ORDER = 3
 local MOST_CONTROL_POINTS = 10000
@@ -8,7 +14,7 @@ local AXES = { "x", "y", "z" }
 local function on_machine(point)
   local target = {}
   for _, letter in ipairs(AXES) do
-    if is_rotary[letter] ~= nil then target[letter] = point[letter] end
+    if axes.is_rotary[letter] ~= nil then target[letter] = point[letter] end
   end
   return target
 end
@@ -41,7 +47,7 @@ end
 
 local function here()
   local point = {}
-  for _, letter in ipairs(AXES) do point[letter] = is_rotary[letter] ~= nil and core.position(letter) or 0 end
+  for _, letter in ipairs(AXES) do point[letter] = axes.is_rotary[letter] ~= nil and core.position(letter) or 0 end
   return point
 end
 
@@ -53,7 +59,7 @@ end
 
 local function check(words, name, letters)
   check_table(words, name)
-  refuse_with_compensation(name)
+  compensation.refuse(name)
   if state.plane ~= "xy" then alarm("mode", "%s is a curve in the XY plane (G17)", name) end
   for letter, value in pairs(words) do
     if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
@@ -129,7 +135,7 @@ local next_point = core.word(word_id(), function(words) add_control_point(words 
 word("G5_2", function(words)
   local going_on = nurbs ~= nil and state.motion == "G5.2"
   if not going_on then nurbs = { points = { here() }, weights = { 1 }, order = DEFAULT_ORDER } end
-  make_modal("G5.2", next_point)
+  motion.make_modal("G5.2", next_point)
   add_control_point(words or {}, not going_on)
 end)
 
@@ -139,7 +145,7 @@ word("G5_3", function()
   end
   local curve = nurbs
   nurbs = nil
-  end_motion()
+  motion.end_motion()
   if #curve.points < curve.order then
     alarm("word-missing", "a curve of order %d needs %d control points, the start among them, and has %d",
       curve.order, curve.order,

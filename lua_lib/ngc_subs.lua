@@ -1,14 +1,16 @@
 -- RS274/NGC: O-word subroutines. `sub(100, function() ... end)` defines one when the file is loaded,
 -- `call(100, 1.5, 2)` calls it with #1 = 1.5 and #2 = 2.
 
-local MAX_DEPTH = 9
+local alarm = use("basics", "alarm")
+local calls, parameters, programs, state = use "calls", use "ngc_variables", use "programs", use "state"
+
 local MAX_ARGUMENTS = 30
 
 local subs = {}   -- { body, place } by number or name
 
 local function key_of(name)
   if type(name) == "string" then return name:lower() end
-  return ngc.whole(name) or alarm("word-value", "the number of a subroutine is whole, not %s", tostring(name))
+  return parameters.whole(name) or alarm("word-value", "the number of a subroutine is whole, not %s", tostring(name))
 end
 
 local function shown(key) return type(key) == "string" and ("o<%s>"):format(key) or ("o%d"):format(key) end
@@ -24,33 +26,9 @@ function env.sub(name, body)
 end
 
 local function find(key)
-  if subs[key] == nil then load_file(key) end
+  if subs[key] == nil then programs.load_file(key) end
   return subs[key] or alarm("program-missing",
     "%s call: there is no such subroutine, neither in this file nor in a file beside it", shown(key))
-end
-
--- Begins a call: named parameters are new, and so are #1 to #30 where arguments are given (without them the
--- caller's stay in force, as for M98). The result is for leave_call().
-function enter_call(what, arguments)
-  if state.depth >= MAX_DEPTH then
-    alarm("nesting", "%s call: subroutines are nested more than %d deep", what, MAX_DEPTH)
-  end
-  state.depth = state.depth + 1
-  core.enter_program(what)
-  local frame = { names = env.p, saved = ngc.saved_modes, numbered = arguments and ngc.swap_locals(arguments) }
-  env.p = ngc.new_scope()
-  ngc.saved_modes = nil
-  return frame
-end
-
-function leave_call(frame)
-  ngc.restore_on_return()
-  ngc.saved_modes = frame.saved
-  env.p = frame.names
-  if frame.numbered then ngc.swap_locals(frame.numbered) end
-  ngc.value = nil
-  core.leave_program()
-  state.depth = state.depth - 1
 end
 
 function env.call(name, ...)
@@ -61,11 +39,11 @@ function env.call(name, ...)
   end
   local found = find(key)
   core.note_place()
-  local frame = enter_call(shown(key), { ... })
-  ngc.value = nil
+  local frame = calls.enter(shown(key), { ... })
+  state.call_value = nil
   local value = found.body()
-  leave_call(frame)
-  ngc.value = type(value) == "number" and value or nil
+  calls.leave(frame)
+  state.call_value = type(value) == "number" and value or nil
 end
 
 -- The value with which a subroutine ends: `do return result(5) end`.

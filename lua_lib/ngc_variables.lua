@@ -1,30 +1,34 @@
 -- RS274/NGC: numbered parameters #1 to #5601 as v[1].., and the functions of expressions where they differ from
 -- variables.lua. An unset parameter is 0. #1 to #30 are local to a subroutine (ngc_subs.lua).
 
+local alarm, copied = use("basics", "alarm", "copied")
+local axes, hooks = use "axes", use "hooks"
+
+
 local LAST = 5601
 local INDEX_TOLERANCE = 1e-4   -- of a number that stands for a whole one
 local EQUAL_TOLERANCE = 1e-4   -- of EQ and NE; the other comparisons are exact
 
--- What the files of this dialect share.
-ngc = {
+local STORED_MM = 25.4         -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
+
+local parameters = {
   letters = { "x", "y", "z", "a", "b", "c", "u", "v", "w" },   -- axes in the order of their parameters
-  stored_mm = 25.4,   -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
 }
 
 local rotary = { a = true, b = true, c = true }
 
 -- Whether a letter stands for an angle, also where the machine has no such axis.
-function ngc.is_angle(letter)
-  local known = is_rotary[letter]
+function parameters.is_angle(letter)
+  local known = axes.is_rotary[letter]
   if known == nil then return rotary[letter] or false end
   return known
 end
 
-function ngc.to_stored(letter, value) return ngc.is_angle(letter) and value or value / ngc.stored_mm end
-function ngc.from_stored(letter, value) return ngc.is_angle(letter) and value or value * ngc.stored_mm end
+function parameters.to_stored(letter, value) return parameters.is_angle(letter) and value or value / STORED_MM end
+function parameters.from_stored(letter, value) return parameters.is_angle(letter) and value or value * STORED_MM end
 
 -- The whole number that a value means, or nil.
-function ngc.whole(value)
+function parameters.whole(value)
   if type(value) ~= "number" or value ~= value then return nil end
   local whole = math.tointeger(math.floor(value + 0.5))
   if whole == nil or math.abs(value - whole) > INDEX_TOLERANCE then return nil end
@@ -32,10 +36,10 @@ function ngc.whole(value)
 end
 
 local function whole_number(number)
-  return ngc.whole(number) or alarm("word-value", "the number of a parameter is whole, not %s", tostring(number))
+  return parameters.whole(number) or alarm("word-value", "the number of a parameter is whole, not %s", tostring(number))
 end
 
-function ngc.has_number(number)
+function parameters.has_number(number)
   local whole = whole_number(number)
   return whole >= 1 and whole <= LAST
 end
@@ -51,10 +55,10 @@ end
 -- Parameters that the control works out when they are read; nothing can be put into them.
 local computed = {}
 
-function ngc.compute(number, value) computed[number] = value end
+function parameters.compute(number, value) computed[number] = value end
 
 local values = {}
-env.v = setmetatable(values, {
+parameters.values = setmetatable(values, {
   __index = function(held, number)
     local whole = index(number)
     if computed[whole] then return computed[whole]() + 0.0 end
@@ -66,6 +70,7 @@ env.v = setmetatable(values, {
     rawset(held, whole, value)
   end,
 })
+env.v = values
 
 -- Values from the machine data or the file of permanent variables.
 for number, value in pairs(core.variables) do
@@ -74,7 +79,7 @@ end
 
 -- What LinuxCNC keeps from one run to the next: what was there at the start, home points and offsets.
 local FIRST_KEPT, LAST_KEPT = 5161, 5390
-function permanent_variables()
+function parameters.permanent()
   local kept = {}
   for number in pairs(core.variables) do kept[number] = rawget(values, number) end
   for number = FIRST_KEPT, LAST_KEPT do
@@ -86,39 +91,47 @@ end
 
 -- Parameters as they were when the run began.
 local at_start = {}
-function ngc.note_start()
+hooks.on("begin", "numbered parameters", function()
   for number, value in pairs(values) do at_start[number] = value end
-end
-function ngc.has_changed(number) return rawget(values, number) ~= at_start[number] end
+end)
+function parameters.has_changed(number) return rawget(values, number) ~= at_start[number] end
 
 -- The variables of the machine data as they are now, and what the run has changed of those that are kept. Origins of
 -- the systems are not among them: they are offsets.
-function stored_variables()
+function parameters.stored(is_origin)
   local stored = copied(core.variables)
   for number in pairs(stored) do
     if number > 30 and number <= LAST then stored[number] = rawget(values, number) end
   end
   for number = FIRST_KEPT, LAST_KEPT do
-    if ngc.has_changed(number) and not ngc.is_origin(number) then stored[number] = rawget(values, number) end
+    if parameters.has_changed(number) and not is_origin(number) then stored[number] = rawget(values, number) end
   end
   return stored
 end
 
 -- For the control itself, past the checks.
-function ngc.set_parameter(number, value) rawset(values, number, value + 0.0) end
+function parameters.set(number, value) rawset(values, number, value + 0.0) end
 
 -- #1 to #30 always have values, so that reading and writing them here is plain and fast.
 local LAST_LOCAL = 30
 for i = 1, LAST_LOCAL do values[i] = 0.0 end
 
 -- They get new values, 0 where there is none; the old ones are the result.
-function ngc.swap_locals(new)
+local function swap_locals(new)
   local old = {}
   for i = 1, LAST_LOCAL do
     old[i], values[i] = values[i], new[i] or 0.0
   end
   return old
 end
+
+-- A call with arguments has them as its own; without them those of the caller stay in force, as for M98.
+hooks.on("call", "numbered parameters", function(frame, arguments)
+  frame.numbered = arguments and swap_locals(arguments)
+end)
+hooks.on("return", "numbered parameters", function(frame)
+  if frame.numbered then swap_locals(frame.numbered) end
+end)
 
 values[5599] = 1.0   -- debug messages are shown
 
@@ -176,3 +189,5 @@ local function unknown(name)
   return function() alarm("syntax", "%s is no function of RS274/NGC", name) end
 end
 env.BIN, env.BCD = unknown("BIN"), unknown("BCD")
+
+return parameters

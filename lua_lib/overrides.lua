@@ -1,6 +1,8 @@
 -- What the program locks of the operator's overrides: the moves that follow go as programmed, whatever they are turned to.
 
-overrides = {}
+local path = use "path"
+
+local overrides = {}
 
 local locks = {}   -- by who has set them: { feed = true, rapid = true, spindle = false }
 
@@ -24,3 +26,5 @@ function overrides.without(f)
   f()
   overrides.lock("a tap", {})
 end
+
+return overrides

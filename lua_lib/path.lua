@@ -1,6 +1,8 @@
 -- The way of every move from the words to the machine. Between them stand filters, such as cutter compensation: each
 -- hands on what it lets through to the next one, and may hold moves back until it knows those that follow.
 
+local axes, plane_view, shape = use "axes", use "plane_view", use "shape"
+
 local SHAPE_BY_FILTER = "a filter of the path"
 local SAME_MM = 1e-9
 
@@ -16,9 +18,11 @@ function machine:flush() end
 
 local filters = {}   -- first to last
 local head = machine
-local after_move     -- called behind each programmed move, or nil
+local before_feed_move, after_move   -- called before each programmed feed move and behind each move, or nil
+local told_otherwise                 -- turns events into others, or nil
+local stop_rule                      -- of the word under way, where the control has one of its own for it
 
-path = {}
+local path = {}
 
 local function link()
   local following = machine
@@ -77,8 +81,8 @@ end
 
 -- An arc begins where the program is, as far as its plane goes.
 function elsewhere:arc(plane, ccw, first, second, sweep, target, feed, place)
-  local start, view = programmed_point(), plane_view(plane)
-  local from, at = view:at(start), view:at(machine_point())
+  local start, view = axes.programmed_point(), plane_view.view(plane)
+  local from, at = view:at(start), view:at(axes.machine_point())
   lead_on()
   if math.abs(from[1] - at[1]) > SAME_MM or math.abs(from[2] - at[2]) > SAME_MM then self.next:rapid(start, place) end
   self.next:arc(plane, ccw, first, second, sweep, target, feed, place)
@@ -102,6 +106,7 @@ function path.rapid(target)
 end
 
 function path.line(target, feed, kind)
+  if before_feed_move then before_feed_move(target) end
   if head == machine then
     core.line_to(target, feed, nil, kind)
   else
@@ -115,12 +120,13 @@ function path.probe(target, away, signal)
   path.flush()
   if stands_elsewhere then lead_on() end
   local found, at_start, point = core.probe(target, nil, nil, away, signal)
-  if head ~= machine then core.set_programmed(machine_point()) end
+  if head ~= machine then core.set_programmed(axes.machine_point()) end
   if after_move then after_move() end
   return found, at_start, point
 end
 
 function path.arc(plane, ccw, first, second, sweep, target, feed)
+  if before_feed_move then before_feed_move(target) end
   if head == machine then
     core.arc(plane, ccw, first, second, sweep, target, feed)
     if after_move then after_move() end
@@ -159,8 +165,12 @@ local function when_of(kind, changed)
   return in_passing[kind] and "in_passing" or "at_rest"
 end
 
+-- f(kind, detail) gives the kind and the detail that are told in place of an event's.
+function path.tell_otherwise(f) told_otherwise = f end
+
 -- `when` is "at_rest", "in_passing" (as the next move or dwell begins) or "with_motion" (as the next move begins).
 function path.event(kind, detail, when, changed)
+  if told_otherwise then kind, detail = told_otherwise(kind, detail) end
   when = when or when_of(kind, changed)
   if head == machine then
     core.event(kind, detail, nil, when)
@@ -168,6 +178,16 @@ function path.event(kind, detail, when, changed)
     local place = core.place()
     head:act(function() core.event(kind, detail, place, when) end)
   end
+end
+
+-- meaning(...), at which the control waits by a rule of its own.
+function path.by_rule(rule, meaning, ...)
+  local outer = stop_rule
+  stop_rule = rule
+  if rule == "always" then path.wait() end
+  local result = meaning(...)
+  stop_rule = outer
+  return result
 end
 
 -- The control reads on when all moves so far have been made.
@@ -198,6 +218,7 @@ function path.set_mode(name, tolerance_mm, merge_tolerance_mm)
   mode, tolerance, merging = name, tolerance_mm or 0, merge_tolerance_mm or 0
   set_mode()
 end
+path.set_mode("continuous")
 
 -- f() moves in another mode than that of the program.
 function path.in_mode(name, f)
@@ -221,9 +242,16 @@ end
 
 function path.is_filtered() return head ~= machine end
 
--- f() is called behind each programmed move (modal macro calls); nil: no more.
-local SHAPE_BY_CALLS = "a call behind each move"
-function each_move(f)
-  after_move = f
-  shape(SHAPE_BY_CALLS, f ~= nil)
+-- f(target) is called before each programmed feed move (constant surface speed); nil: no more.
+function path.before_feed_moves(f)
+  before_feed_move = f
+  shape("a call before each feed move", f ~= nil)
 end
+
+-- f() is called behind each programmed move (modal macro calls); nil: no more.
+function path.each_move(f)
+  after_move = f
+  shape("a call behind each move", f ~= nil)
+end
+
+return path

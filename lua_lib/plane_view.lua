@@ -1,8 +1,10 @@
 -- Planes of the program as they lie in the machine. A main plane is its name, an oblique one, which a rotation makes of
 -- it, a table { first = {x=, y=, z=}, second = {...} } of two unit vectors at right angles: as core.arc takes them.
 
+local axes, state = use "axes", use "state"
+
 -- Axes of each plane in the order in which its angles are counted, and the words of the centre.
-planes = {
+local planes = {
   xy = { first = "x", second = "y", third = "z", i = "i", j = "j", k = "k" },
   zx = { first = "z", second = "x", third = "y", i = "k", j = "i", k = "j" },
   yz = { first = "y", second = "z", third = "x", i = "j", j = "k", k = "i" },
@@ -16,10 +18,10 @@ local function cross(a, b)
 end
 
 -- Where a plane of the program lies in the machine, and whether what is counterclockwise in the one is so in the other.
-function machine_plane(name)
+local function machine_plane(name)
   if not state.has_matrix then return name, true end
   local p = planes[name]
-  local normal = cross(axis_direction(p.first), axis_direction(p.second))
+  local normal = cross(axes.direction(p.first), axes.direction(p.second))
   return core.plane_across(normal.x, normal.y, normal.z)
 end
 
@@ -27,7 +29,7 @@ local function same_vector(a, b)
   return math.abs(a.x - b.x) + math.abs(a.y - b.y) + math.abs(a.z - b.z) < SAME
 end
 
-function same_plane(a, b)
+local function same_plane(a, b)
   if type(a) ~= "table" or type(b) ~= "table" then return a == b end
   return same_vector(a.first, b.first) and same_vector(a.second, b.second)
 end
@@ -66,7 +68,7 @@ function oblique:put(point, at)
   end
 end
 
-function plane_view(plane)
+local function plane_view(plane)
   local p = planes[plane]
   if p then
     return setmetatable({ first = p.first, second = p.second, third = p.third, letters = { p.first, p.second } }, main)
@@ -74,3 +76,5 @@ function plane_view(plane)
   local first, second = plane.first, plane.second
   return setmetatable({ first = first, second = second, normal = cross(first, second), letters = LETTERS }, oblique)
 end
+
+return { planes = planes, machine_plane = machine_plane, same_plane = same_plane, view = plane_view }

@@ -2,13 +2,25 @@
 -- point of the work coordinate system. Incremental: the angle adds to the last one, and the radius is the length
 -- of a step in that direction.
 
+local copied = use("basics", "copied")
+local word = use("words", "word")
+local plane_view, shape, state = use "plane_view", use "shape", use "state"
+
+local polar = {}
+
 local angle = { xy = 0, zx = 0, yz = 0 }
 local radius = { xy = 0, zx = 0, yz = 0 }
 
+local by_another   -- gives the words of a move in place of polar programming, or nil
+
+-- f(words) gives the words of moves from here on (lines by their angle); nil: no longer.
+function polar.resolve_by(f) by_another = f end
+
 -- The words of a move with Cartesian values in place of polar ones; the table itself where polar programming is off.
-function resolve_words(words)
+function polar.resolve(words)
+  if by_another then return by_another(words) end
   if not state.polar then return words end
-  local p = planes[state.plane]
+  local p = plane_view.planes[state.plane]
   if words[p.first] == nil and words[p.second] == nil then return words end
   local turn, reach = words[p.second], words[p.first]
   if state.incremental then
@@ -32,6 +44,8 @@ end)
 
 word("G15", function()
   state.polar = false
-  for plane in pairs(planes) do angle[plane], radius[plane] = 0, 0 end
+  for plane in pairs(plane_view.planes) do angle[plane], radius[plane] = 0, 0 end
   shape("polar programming", false)
 end)
+
+return polar

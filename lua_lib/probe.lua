@@ -4,6 +4,9 @@
 -- `from` and `to` hold machine coordinates by axis letter (mm, deg); the answer is a point on the way, or the part of
 -- the way from 0 to 1, or nil where nothing is touched. A function `probe` of the script does the same.
 
+local alarm = use("basics", "alarm")
+local path = use "path"
+
 local OFF_THE_WAY_MM = 0.01   -- how far an answer may lie beside the way
 
 local answer
@@ -54,7 +57,7 @@ end
 -- Moves toward `target` until the probe touches, or with `away` until it comes free. Gives whether it did, whether it
 -- had before the move (which is none then; a script is taken to mean it), and where: machine coordinates by letter. The
 -- machine stops as soon as it can behind that point.
-function move_until_signal(target, away)
+return function(target, away)
   path.flush()
   local from = {}
   for letter in pairs(target) do from[letter] = core.machine_position(letter) end

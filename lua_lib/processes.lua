@@ -1,7 +1,10 @@
 -- Processes: several activities on one simulated clock, and the signals by which they tell each other. What joins
 -- processes brings the robot to rest and goes on when no other process is behind (processes.join).
 
-processes = core.processes
+local alarm = use("basics", "alarm")
+local programs = use "programs"
+
+local processes = core.processes
 
 local function start(background)
   return function(name, f)
@@ -19,19 +22,19 @@ env.process = start(false)
 env.device = start(true)
 
 -- The function of the main process: next_script() gives the functions that load the scripts, one after the other.
-function main_process(next_script)
+local function main_process(next_script)
   return function()
     local script = next_script()
     while script do
       script()
       script = next_script()
     end
-    run_first()
+    programs.run_first()
   end
 end
 
 -- on_signal(name, f): f() runs between two lines of the process that says so.
-function run_interrupt(f)
+local function run_interrupt(f)
   processes.rest()
   f()
 end
@@ -45,29 +48,9 @@ function env.wait(seconds)
   processes.wait(seconds)
 end
 
-local function set(name, value)
-  processes.join()
-  processes.signal(name, value)
-end
-
 function env.signal(name, value)
-  if value == nil then value = true end
-  set(name, value)
-end
-
--- The control's own inputs and outputs are signals where there are processes: DI1, AI1, DO1 and AO1, or left.DI1 where
--- robots have names.
-function io_signal(kind, number) return core.signal_prefix .. kind .. number end
-
-function set_output(kind, number, value)
-  if processes.several() then set(io_signal(kind, number), value) end
-end
-
--- The value of an input now; nil where there are no processes.
-function input_value(kind, number)
-  if not processes.several() then return nil end
   processes.join()
-  return processes.value(io_signal(kind, number))
+  processes.signal(name, value == nil or value)
 end
 
 function env.value(name)
@@ -124,3 +107,5 @@ function env.track(name)
   processes.join()
   processes.track(name)
 end
+
+return { main_process = main_process, run_interrupt = run_interrupt }

@@ -1,6 +1,9 @@
 -- Programs, subprograms, and the end of a run.
 
-local MAX_DEPTH = 8
+local alarm, nearly_whole = use("basics", "alarm", "nearly_whole")
+local word = use("words", "word")
+local calls, path = use "calls", use "path"
+
 local MOST = 2^31 - 1     -- of a program number, and of repeats
 local TO_START = "M99"   -- what a program returns where it ends in M99
 
@@ -51,7 +54,7 @@ function env.last_pass(block)
   return pass_ended(block)
 end
 
-function run_first()
+local function run_first()
   if first ~= nil then
     repeat
       local ended = first()
@@ -62,7 +65,7 @@ function run_first()
 end
 
 -- Loads a file beside this one, for a number or a name: whether there is one, and its first program or nil.
-function load_file(name)
+local function load_file(name)
   local outer, outer_last = first, last
   first, last = nil, nil
   local load = core.load_program(name)
@@ -81,7 +84,7 @@ local function load_beside(number)
 end
 
 -- The body of the program with this number, in this file or beside it.
-function find_program(number)
+local function find_program(number)
   return programs[number] or load_beside(number)
     or alarm("program-missing", "there is no program O%d, neither in this file nor beside it", number)
 end
@@ -94,18 +97,6 @@ local function whole(value, name)
   return math.tointeger(value)
 end
 
--- Around each call; a dialect in which a program has more of its own puts others in their place.
-function enter_call(name)
-  if state.depth == MAX_DEPTH then alarm("nesting", "%s: programs are nested more than %d deep", name, MAX_DEPTH) end
-  state.depth = state.depth + 1
-  core.enter_program(name)
-end
-
-function leave_call()
-  core.leave_program()
-  state.depth = state.depth - 1
-end
-
 -- run(name): the first program of a file beside the script, on this robot. Its end, M30 say, ends it alone.
 function env.run(name)
   if type(name) ~= "string" then
@@ -114,17 +105,17 @@ function env.run(name)
   local found, body = load_file(name)
   if not found then alarm("program-missing", "there is no file '%s' beside the script", name) end
   if body == nil then alarm("program-missing", "the file '%s' has no program", name) end
-  local frame = enter_call(name)
+  local frame = calls.enter(name)
   core.run_to_end(body)
   path.flush()
-  leave_call(frame)
+  calls.leave(frame)
 end
 
 -- Calls a program by its number: `times` passes. The result is the number of the block at which the caller goes on
 -- (M99 P), or nil.
-function call_program(number, times)
+local function call_program(number, times)
   local body = find_program(number)
-  local frame = enter_call(("O%d"):format(number))
+  local frame = calls.enter(("O%d"):format(number))
   local block
   for pass = 1, times do
     if pass > 1 then core.repeat_program() end
@@ -134,7 +125,7 @@ function call_program(number, times)
       break
     end
   end
-  leave_call(frame)
+  calls.leave(frame)
   return block
 end
 
@@ -166,3 +157,5 @@ word("M0", function() path.event("stop") end)
 word("M1", function()
   path.event("optional_stop", core.optional_stop and "" or "off: passed over")
 end)
+
+return { run_first = run_first, load_file = load_file, find_program = find_program, call_program = call_program }

@@ -1,11 +1,13 @@
 -- Curves in the XY plane by control points, as LinuxCNC drives them: four times as many stretches as there are control
 -- points, each a pair of arcs that have its ends and its tangents.
 
+local space_between = use("basics", "space_between")
+
 local STRETCHES_FOR_A_POINT = 4
 local TANGENT_STEP = 1e-5    -- of the parameter: tangents are chords of twice as much
 local STRAIGHT_MM2 = 1e-6    -- twice a triangle's area: an arc with less between chord and tangent is a line
 
-splines = {}
+local splines = {}
 
 -- A control point with weight is {w x, w y, w z, w}: affine sums of such points are those of the curve.
 local function weighted(point, weight)
@@ -118,3 +120,5 @@ function splines.arcs(points, weights, order)
   end
   return pieces
 end
+
+return splines

@@ -1,14 +1,17 @@
 -- What the control holds in its tables as they are now, for gsim-run --save-machine-data: in the form of core.offsets,
 -- core.tools and core.variables.
 
+local copied = use("basics", "copied")
+local tools = use "tools"
+
 local is_ngc = core.dialect == "rs274ngc"
-if is_ngc then ngc.note_start() end   -- behind all that defines the parameters
+local variables, systems = use(is_ngc and "ngc_variables" or "ab9_variables"), is_ngc and use "ngc_frames"
 
 local function stored_tools()
   local stored = {}
-  for number, tool in pairs(tool_table) do
+  for number, tool in pairs(tools.by_number) do
     local entry = copied(tool)
-    for _, field in ipairs { "length", "diameter" } do entry[field] = tool_geometry(tool, field) end
+    for _, field in ipairs { "length", "diameter" } do entry[field] = tools.geometry(tool, field) end
     entry.z = nil   -- the length is along Z
     if tool.z then entry.length = entry.length + tool.z end
     stored[number] = entry
@@ -16,10 +19,12 @@ local function stored_tools()
   return stored
 end
 
-function stored_data()
+local function stored_data()
   return {
-    offsets = is_ngc and ngc.stored_offsets() or core.offsets,
+    offsets = systems and systems.stored_offsets() or core.offsets,
     tools = stored_tools(),
-    variables = stored_variables(),
+    variables = variables.stored(systems and systems.is_origin),
   }
 end
+
+return { stored_data = stored_data, permanent_variables = variables.permanent }

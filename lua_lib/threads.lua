@@ -1,7 +1,10 @@
 -- Moves in step with the spindle: threads and rigid tapping. The feed is the pitch times the speed of the spindle.
 
+local alarm = use("basics", "alarm")
+local state = use "state"
+
 -- The feed that cuts `pitch_mm` a turn at the speed in force.
-function thread_feed(pitch_mm, name)
+local function thread_feed(pitch_mm, name)
   local rpm = state.spindle_rpm
   if not (pitch_mm > 0) then
     alarm("word-value", "the pitch of %s is a length above 0, not %.10g mm", name, pitch_mm)
@@ -14,4 +17,4 @@ function thread_feed(pitch_mm, name)
   return feed
 end
 
-include(core.dialect == "rs274ngc" and "threads_ngc" or "threads_ab9")
+return { thread_feed = thread_feed }

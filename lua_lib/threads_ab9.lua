@@ -1,6 +1,10 @@
 -- G33 of the 9/Series: a thread of constant lead. F is the lead, in the unit of the program per turn; E the number of
 -- threads per inch. The lead holds until another one is programmed.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local thread_feed = use("threads", "thread_feed")
+local cycles, motion, overrides, path, state = use "cycles", use "motion", use "overrides", use "path", use "state"
+
 local MM_PER_INCH = 25.4
 
 local lead_mm
@@ -9,7 +13,7 @@ local function thread(words)
   check_table(words, "G33")
   local target, moved = core.target(words or {}, " e f q ")
   words = words or {}
-  local lead, per_inch = cycle_word(words, "f", "G33"), cycle_word(words, "e", "G33")
+  local lead, per_inch = cycles.word(words, "f", "G33"), cycles.word(words, "e", "G33")
   if lead ~= nil and per_inch ~= nil then alarm("word-out-of-place", "G33 takes its lead as F or as E, not both") end
   if lead ~= nil then lead_mm = lead * state.unit_mm end
   if per_inch ~= nil then
@@ -26,4 +30,4 @@ local function thread(words)
   overrides.without(function() path.line(target, feed, "thread") end)
 end
 
-modal_word("G33", thread)
+motion.modal_word("G33", thread)

@@ -1,7 +1,12 @@
 -- G33, G33.1 and G76 of RS274/NGC, as LinuxCNC 2.9 executes them.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local thread_feed = use("threads", "thread_feed")
+local axes, compensation, cycles, motion, ngc_modes, path, spindle, state =
+  use "axes", use "compensation", use "cycles", use "motion", use "ngc_modes", use "path", use "spindle", use "state"
+
 local function needed(words, letter, name)
-  local value = cycle_word(words, letter, name)
+  local value = cycles.word(words, letter, name)
   if value == nil then alarm("word-missing", "%s needs %s", name, letter:upper()) end
   return value
 end
@@ -12,12 +17,12 @@ local function axis_words(words, name, others)
   if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
   local target, moved = core.target(words or {}, others)
   if not moved then alarm("word-missing", "%s needs axis words", name) end
-  ngc.check_spindle(words, name)
+  ngc_modes.check_spindle(words, name)
   return target
 end
 
 local function refuse_rotary(words, name)
-  for _, axis in ipairs(axes) do
+  for _, axis in ipairs(axes.list) do
     if axis.rotary and words[axis.letter] ~= nil then
       alarm("word-out-of-place", "%s moves linear axes only; %s cannot stand in its block", name, axis.letter:upper())
     end
@@ -26,7 +31,7 @@ end
 
 -- With K0 LinuxCNC lets the spindle be: the move goes at the feed in force.
 local function thread(words)
-  refuse_beside_path("G33")
+  compensation.refuse_beside_path("G33")
   local target = axis_words(words, "G33", " k spindle ")
   local pitch = needed(words, "k", "G33")
   if state.spindle == nil then
@@ -37,17 +42,17 @@ end
 
 -- Down and, with the spindle reversed, back to the start; I is how many times faster the way back is.
 local function rigid_tap(words)
-  refuse_beside_path("G33.1")
+  compensation.refuse_beside_path("G33.1")
   local target = axis_words(words, "G33.1", " i k spindle ")
   refuse_rotary(words, "G33.1")
   local pitch = needed(words, "k", "G33.1") * state.unit_mm
-  local faster = cycle_word(words, "i", "G33.1") or 1
+  local faster = cycles.word(words, "i", "G33.1") or 1
   if not (faster > 0) then alarm("word-value", "I of G33.1 is a factor of speed above 0, not %.10g", faster) end
-  local start, forth = programmed_point(), state.spindle
+  local start, forth = axes.programmed_point(), state.spindle
   path.line(target, thread_feed(pitch, "G33.1"), "thread")
-  turn_spindle(forth == "cw" and "ccw" or "cw")
+  spindle.turn(forth == "cw" and "ccw" or "cw")
   path.line(start, thread_feed(pitch * faster, "G33.1"), "thread")
-  turn_spindle(forth)
+  spindle.turn(forth)
 end
 
 local MOST_PASSES = 10000
@@ -60,11 +65,11 @@ local function thread_words(words)
     peak = needed(words, "i", "G76") * unit,        -- from the drive line to the crest, below 0 for an outside thread
     first_cut = needed(words, "j", "G76") * unit,
     full_depth = needed(words, "k", "G76") * unit,
-    degression = math.max(cycle_word(words, "r", "G76") or 1, 1),
-    slant = math.rad(cycle_word(words, "q", "G76") or 0),
-    spring_passes = cycle_repeats(cycle_word(words, "h", "G76") or 0, "H", "G76"),
-    taper = (cycle_word(words, "e", "G76") or 0) * unit,
-    tapered_ends = cycle_word(words, "l", "G76") or 0,
+    degression = math.max(cycles.word(words, "r", "G76") or 1, 1),
+    slant = math.rad(cycles.word(words, "q", "G76") or 0),
+    spring_passes = cycles.repeats(cycles.word(words, "h", "G76") or 0, "H", "G76"),
+    taper = (cycles.word(words, "e", "G76") or 0) * unit,
+    tapered_ends = cycles.word(words, "l", "G76") or 0,
   }
   if t.peak == 0 then alarm("word-value", "I of G76, from the drive line to the crest of the thread, is not 0") end
   if t.first_cut <= 0 then
@@ -121,10 +126,10 @@ local function pass(tool, t, depth)
 end
 
 local function threading_cycle(words)
-  refuse_with_compensation("G76")
+  compensation.refuse("G76")
   local target = axis_words(words, "G76", " p i j k r q h e l spindle ")
   refuse_rotary(words, "G76")
-  local t, here = thread_words(words), program_position()
+  local t, here = thread_words(words), axes.program_position()
   t.drive, t.from, t.to = here.x, here.z, core.to_program(target).z
   local tool = lathe_tool(here)
   local depth, number = t.first_cut, 1
@@ -143,6 +148,6 @@ local function threading_cycle(words)
 end
 
 -- They are modal, but need their words in each block.
-modal_word("G33", thread)
-modal_word("G33_1", rigid_tap)
-modal_word("G76", threading_cycle)
+motion.modal_word("G33", thread)
+motion.modal_word("G33_1", rigid_tap)
+motion.modal_word("G76", threading_cycle)

@@ -1,5 +1,7 @@
 -- How long words take: [times] of the machine file, in s. core.times is nil where there is no such table, else
--- { tool_change = 8.0, ..., codes = { M100 = 0.5 } }. Loaded behind all files that define words.
+-- { tool_change = 8.0, ..., codes = { M100 = 0.5 } }.
+
+local path, process, words = use "path", use "process", use "words"
 
 local times = core.times
 if times == nil then return end
@@ -17,40 +19,24 @@ else
   tool_tables[12], tool_tables[13] = true, true
 end
 
-local function time_of(code, words)
+local function time_of(code, given)
   if times.codes[code] then return times.codes[code] end
-  if code == "G10" and not tool_tables[words.l] then return 0 end
-  local entry = process_entry(code, words)
+  if code == "G10" and not tool_tables[given.l] then return 0 end
+  local entry = process.entry(code, given)
   local of_process = entry and (entry.on and times.process_on or times.process_off) or 0
   return of_process > 0 and of_process or named[code] or 0
 end
 
--- act(...), and then the time that the word takes.
-local function timed(code, words, act, ...)
-  local result = act(...)
-  local seconds, place = time_of(code, words), core.place()
+local function take_time(code, given)
+  local seconds, place = time_of(code, given), core.place()
   if seconds > 0 then path.act(function() core.take_time(seconds, place) end) end
-  return result
 end
 
-local function watch(code)
-  local meaning = rawget(env, code)
-  if meaning ~= nil then
-    env[code] = function(words, ...) return timed(code, words, meaning, words, ...) end
-  else
-    watch_user_code(tonumber(code:sub(2)), function(words, act) return timed(code, words, act, words) end)
-  end
-end
-
-local watched = {}
+local timed = {}
 for _, codes in ipairs { named, times.codes } do
-  for code in pairs(codes) do watched[code] = rawget(env, code) ~= nil or times.codes[code] ~= nil end
+  for code in pairs(codes) do timed[code] = true end
 end
-if core.process then
-  for _, list in ipairs { core.process.on, core.process.off } do
-    for _, entry in ipairs(list) do watched[entry.code] = true end
-  end
+for _, list in ipairs(core.process and { core.process.on, core.process.off } or {}) do
+  for _, entry in ipairs(list) do timed[entry.code] = true end
 end
-for code, is_word in pairs(watched) do
-  if is_word then watch(code) end
-end
+for code in pairs(timed) do words.after(code, "times", take_time) end

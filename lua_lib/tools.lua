@@ -1,10 +1,16 @@
 -- Tools and the offsets that belong to them: T, M6, D, H, G43, G44, G43.4, G49; M61, G43.1 and G43.2 of RS274/NGC.
 
+local alarm, check_table, copied, given, nearly_whole = use("basics", "alarm", "check_table", "copied", "given", "nearly_whole")
+local apply_offsets = use(core.dialect == "rs274ngc" and "ngc_frames" or "ab9_frames", "apply_offsets")
+local word = use("words", "word")
+local axes, compensation, frames, path, spindle, state =
+  use "axes", use "compensation", use "frames", use "path", use "spindle", use "state"
+
 local is_ngc = core.dialect == "rs274ngc"
 
 -- The tool table by number: { length = mm (along Z), diameter = mm }, and offsets of other axes by their letters.
 -- G10 changes it; an offset in force stays as it is until it is called again.
-tool_table = {}
+local tool_table = {}
 for number, stored in pairs(core.tools) do
   local tool = copied(stored)
   for _, field in ipairs { "length", "diameter" } do
@@ -15,7 +21,7 @@ for number, stored in pairs(core.tools) do
 end
 
 -- A tool's length or diameter without its wear, mm.
-function tool_geometry(tool, field)
+local function tool_geometry(tool, field)
   local geometry, wear = tool[field .. "_geometry"], tool[field .. "_wear"] or 0
   if geometry and geometry + wear == tool[field] then return geometry end   -- a difference would round
   return (tool[field] or 0) - wear
@@ -25,8 +31,8 @@ local selected   -- by T, nil before the first one
 local loaded = 0
 
 -- The number of the tool in the spindle; 0: none.
-function current_tool() return loaded end
-function selected_tool() return selected or 0 end
+local function current_tool() return loaded end
+local function selected_tool() return selected or 0 end
 
 local MOST_NAMED = 10
 
@@ -62,12 +68,12 @@ local function whole(value, name)
   return math.tointeger(value)
 end
 
-function tool_length_mm(number)
+local function tool_length_mm(number)
   local tool = tool_entry(number, "H")
   return tool and tool.length or 0
 end
 
-function tool_diameter_mm(number)
+local function tool_diameter_mm(number)
   local tool = tool_entry(number, "D")
   return tool and tool.diameter or 0
 end
@@ -82,13 +88,13 @@ end)
 
 -- LinuxCNC does not change tool or offset on a compensated path.
 local function check_compensation(name)
-  if is_ngc then refuse_with_compensation(name) end
+  if is_ngc then compensation.refuse(name) end
 end
 
 -- A change is a stop of the spindle, where it turns.
 word("M6", function()
   check_compensation("M6")
-  if is_ngc and state.spindle ~= nil then turn_spindle(nil) end
+  if is_ngc and state.spindle ~= nil then spindle.turn(nil) end
   loaded = selected or loaded
   path.event("tool_change", (is_ngc or selected ~= nil) and ("T%d"):format(loaded) or "")
 end)
@@ -112,7 +118,7 @@ local function offsets_of(number, name)
   local offset = {}
   local tool = tool_entry(number, name)
   if tool == nil then return offset end
-  for letter in pairs(is_rotary) do offset[letter] = tool[letter] end
+  for letter in pairs(axes.is_rotary) do offset[letter] = tool[letter] end
   offset.z = (tool.z or 0) + (tool.length or 0)
   return offset
 end
@@ -139,13 +145,6 @@ local function tip_control(offset)
   core.set_tool_offset(offset.x, offset.y, offset.z)   -- zones are where they are with G43
 end
 
--- What means places of the axes themselves.
-function refuse_with_tip_control(what)
-  if core.tip_control() then
-    alarm("mode", "%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what)
-  end
-end
-
 local function off()
   check_compensation("G49")
   state.length_sign = nil
@@ -170,7 +169,7 @@ end
 
 local function ab9_tip_control()
   word("G43_4", function(words)
-    refuse_with_compensation("G43.4")
+    compensation.refuse("G43.4")
     state.offset_number_h = h_word(words, "G43.4") or state.offset_number_h
     state.length_sign = "tip"
     apply_length()
@@ -200,7 +199,7 @@ local function ngc_words()
     check_table(words, "G43.1")
     check_compensation("G43.1")
     local offset = copied(state.tool_offset)
-    each_axis(words or {}, "G43.1", "", function(letter, value) offset[letter] = value end)
+    frames.each_axis(words or {}, "G43.1", "", function(letter, value) offset[letter] = value end)
     offset_in_force(offset)
   end)
 
@@ -209,7 +208,7 @@ local function ngc_words()
     check_compensation("G43.2")
     local offset = copied(state.tool_offset)
     local function add(letter, value) offset[letter] = (offset[letter] or 0) + value end
-    local named = each_axis(words or {}, "G43.2", " h ", add)
+    local named = frames.each_axis(words or {}, "G43.2", " h ", add)
     if named == (number ~= nil) then
       alarm("tool", "G43.2 adds the offset of a tool (H), or those of its axis words")
     end
@@ -239,3 +238,8 @@ else
   length_offset("G44", -1)
   ab9_tip_control()
 end
+
+return {
+  by_number = tool_table, geometry = tool_geometry, diameter_mm = tool_diameter_mm, loaded = current_tool,
+  selected = selected_tool,
+}

@@ -1,11 +1,13 @@
 -- User M codes: a script, or the machine data, defines `M[101] = function(words) ... end`; a program calls it by its
 -- number.
 
+local alarm, check_table = use("basics", "alarm", "check_table")
+local words = use "words"
+
 local LAST = 999
 
 local defined = {}
 local ids = {}   -- word id by number: a code that is defined anew keeps its id
-local watchers = {}
 
 local function nothing() end
 
@@ -22,7 +24,7 @@ local function check(number, meaning)
   if whole == nil or whole < 0 or whole > LAST then
     alarm("script", "M[%s]: the number of an M code is a whole number from 0 to %d", tostring(number), LAST)
   end
-  if rawget(env, "M" .. whole) ~= nil then
+  if words.is_known("M" .. whole) then
     alarm("script", "M[%d]: M%d is a code of the control itself", whole, whole)
   end
   if meaning ~= nil and type(meaning) ~= "function" then
@@ -32,34 +34,26 @@ local function check(number, meaning)
 end
 
 local function make_word(whole, meaning)
-  ids[whole] = ids[whole] or word_id()
-  defined[whole] = core.word(ids[whole], function(words)
-    check_table(words, ("M[%d]"):format(whole))
-    if watchers[whole] then return watchers[whole](words or {}, meaning) end
-    return meaning(words or {})
+  local hooked = words.with_hooks("M" .. whole, meaning)
+  ids[whole] = ids[whole] or words.id()
+  defined[whole] = core.word(ids[whole], function(given)
+    check_table(given, ("M[%d]"):format(whole))
+    return hooked(given or {})
   end)
+  return defined[whole]
+end
+
+-- Of a code that is not defined, what goes before and after it alone.
+local function of_hooks(number)
+  return words.is_hooked("M" .. tostring(number)) and make_word(number, nothing) or undefined(number)
 end
 
 local function define(number, meaning)
   local whole = check(number, meaning)
-  if meaning == nil and watchers[whole] == nil then
-    defined[whole] = nil
-  else
-    make_word(whole, meaning or nothing)
-  end
-end
-
--- watch(words, meaning) is called in place of the code's meaning, which does nothing until someone defines it. A later
--- watch has an earlier one for the meaning.
-function watch_user_code(number, watch)
-  local inner = watchers[number]
-  watchers[number] = inner == nil and watch or function(words, meaning)
-    return watch(words, function(own_words) return inner(own_words, meaning) end)
-  end
-  make_word(number, nothing)
+  defined[whole] = meaning and make_word(whole, meaning)
 end
 
 env.M = setmetatable({}, {
-  __index = function(_, number) return defined[number] or undefined(number) end,
+  __index = function(_, number) return defined[number] or of_hooks(number) end,
   __newindex = function(_, number, meaning) define(number, meaning) end,
 })

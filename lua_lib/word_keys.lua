@@ -2,6 +2,8 @@
 -- takes is a mistake, which would else be passed over. (Plain G0 to G3 look at theirs in C++; the arguments of macros
 -- are looked at where they are given to variables.)
 
+local alarm = use("basics", "alarm")
+
 local of_ab9 = {
   ["p x u"] = "G4",
   ["axes l p r"] = "G10",
@@ -81,7 +83,7 @@ local function code_name(name)
 end
 
 -- The meaning of a word, behind a look at the keys of its table.
-function with_known_keys(name, meaning)
+return function(name, meaning)
   local list = keys_of[name]
   if list == nil then return meaning end
   local known = {}

@@ -1,5 +1,8 @@
 -- Zones of the machine data with SWITCH=n, for the words of a dialect and for M codes of the user.
 
+local alarm, nearly_whole = use("basics", "alarm", "nearly_whole")
+local path = use "path"
+
 -- switch_zone(n, on): the zones with that number hold from here on, or no more.
 function env.switch_zone(number, on)
   number = nearly_whole(number)

@@ -1,9 +1,11 @@
 #include "runtime/script/control.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runtime/machine/homes.h"
 #include "runtime/script/bindings.h"
@@ -88,6 +90,15 @@ void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "corner_override");
 }
 
+int refuse_unknown_name(lua_State* state) {
+    return luaL_error(state, "the library knows no '%s'", luaL_tolstring(state, 2, nullptr));
+}
+
+int refuse_shared_name(lua_State* state) {
+    return luaL_error(state, "'%s' would be shared by all files of the library; return it, or make it local",
+                      luaL_tolstring(state, 2, nullptr));
+}
+
 /// Errors name a function of the table on top of the stack by this name of the table where the call has none:
 /// a tail call, or one by pcall.
 void name_functions(lua_State* state, const std::string& table) {
@@ -137,6 +148,7 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     add_poses(state, controller_);
     add_zones(state, controller_);
     add_core_functions(state, *this);
+    set_function<loading_module>(state, "loading", this);
     set_options(state, switches);
     robot_.simulator.watch_zones(robot_.data);
     machine::MachineData tables = robot_.data;
@@ -149,12 +161,25 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     lua_setfield(state, library, "core");
     lua_pushvalue(state, environment);
     lua_setfield(state, library, "env");
-    lua_pushvalue(state, library);
-    set_function<include_file>(state, "include", this);
-    lua_pop(state, 1);
+    set_function<use_module>(state, "use", this);
+    seal(state);
     library_ = luaL_ref(state, LUA_REGISTRYINDEX);
     environment_ = luaL_ref(state, LUA_REGISTRYINDEX);
-    include(state, "init.lua");
+    lua_newtable(state);
+    modules_ = luaL_ref(state, LUA_REGISTRYINDEX);
+    push_module(state, "init");
+    lua_pop(state, 1);
+}
+
+/// The library's files share no names of their own: what one gives to others it returns. The table of what
+/// they all see is on top of the stack.
+void Control::seal(lua_State* state) {
+    lua_createtable(state, 0, 2);
+    lua_pushcfunction(state, trampoline<refuse_unknown_name>);
+    lua_setfield(state, -2, "__index");
+    lua_pushcfunction(state, trampoline<refuse_shared_name>);
+    lua_setfield(state, -2, "__newindex");
+    lua_setmetatable(state, -2);
 }
 
 /// In front of names, where there are several robots.
@@ -186,18 +211,57 @@ void Control::set_options(lua_State* state, const Switches& switches) const {
         set_word_times(state, times);
 }
 
-void Control::include(lua_State* state, const std::string& file_name) {
-    const tl::expected<std::string, std::string> text = files_->read(file_name);
-    if (!text) throw std::runtime_error(text.error());
-    lua_rawgeti(state, LUA_REGISTRYINDEX, library_);
-    load_text(state, *text, ("=lua_lib/" + file_name).c_str());
-    lua_call(state, 0, 0);
+/// Pushes what a file of the library returns; it is run when it is needed first.
+void Control::push_module(lua_State* state, const std::string& name) {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, modules_);
+    if (lua_getfield(state, -1, name.c_str()) == LUA_TNIL) {
+        lua_pop(state, 1);
+        load_module(state, name);
+        lua_pushvalue(state, -1);
+        lua_setfield(state, -3, name.c_str());
+    }
+    lua_remove(state, -2);
 }
 
-/// include "file": runs another file of the library.
-int Control::include_file(lua_State* state) {
-    bound<Control>(state).include(state, std::string(luaL_checkstring(state, 1)) + ".lua");
-    return 0;
+void Control::load_module(lua_State* state, const std::string& name) {
+    const auto begun = std::find(loading_.begin(), loading_.end(), name);
+    if (begun != loading_.end()) {
+        const std::string way(fmt::format("{}", fmt::join(begun, loading_.end(), " needs ")));
+        throw std::runtime_error(fmt::format("files of the library need each other: {} needs {}", way, name));
+    }
+    loading_.push_back(name);
+    const tl::expected<std::string, std::string> text = files_->read(name + ".lua");
+    if (!text) throw std::runtime_error(text.error());
+    lua_rawgeti(state, LUA_REGISTRYINDEX, library_);
+    load_text(state, *text, ("=lua_lib/" + name + ".lua").c_str());
+    lua_call(state, 0, 1);
+    if (lua_isnil(state, -1)) {
+        lua_pop(state, 1);
+        lua_pushboolean(state, 1);
+    }
+    loading_.pop_back();
+}
+
+/// use(name, fields ...): what the file of that name returns, or these fields of it.
+int Control::use_module(lua_State* state) {
+    const int fields = lua_gettop(state);
+    const std::string name = luaL_checkstring(state, 1);
+    bound<Control>(state).push_module(state, name);
+    if (fields == 1) return 1;
+    luaL_checkstack(state, fields, nullptr);
+    for (int field = 2; field <= fields; ++field) {
+        lua_pushvalue(state, field);
+        if (lua_gettable(state, fields + 1) == LUA_TNIL)
+            luaL_error(state, "lua_lib/%s.lua gives no '%s'", name.c_str(), luaL_checkstring(state, field));
+    }
+    return fields - 1;
+}
+
+/// core.loading(): the name of the file of the library that is being loaded.
+int Control::loading_module(lua_State* state) {
+    const std::vector<std::string>& loading = bound<Control>(state).loading_;
+    lua_pushstring(state, loading.empty() ? "" : loading.back().c_str());
+    return 1;
 }
 
 void Control::push_environment(lua_State* state) const {
@@ -205,16 +269,16 @@ void Control::push_environment(lua_State* state) const {
 }
 
 void Control::push_library(lua_State* state, const char* name) const {
-    lua_rawgeti(state, LUA_REGISTRYINDEX, library_);
+    lua_rawgeti(state, LUA_REGISTRYINDEX, modules_);
+    lua_getfield(state, -1, "init");
+    lua_remove(state, -2);
     lua_getfield(state, -1, name);
     lua_remove(state, -2);
 }
 
 void Control::flush(lua_State* state) const {
-    push_library(state, "path");
-    lua_getfield(state, -1, "flush");
+    push_library(state, "flush");
     lua_call(state, 0, 0);
-    lua_pop(state, 1);
 }
 
 }  // namespace gsim::script

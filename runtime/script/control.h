@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <lua.hpp>
 #include <tl/expected.hpp>
@@ -59,7 +60,7 @@ class Control {
 
     /// What its scripts see.
     void push_environment(lua_State* state) const;
-    /// A global of the library.
+    /// What the library gives to run programs by, under this name: what lua_lib/init.lua returns.
     void push_library(lua_State* state, const char* name) const;
     /// All that filters of the path hold back goes to the machine.
     void flush(lua_State* state) const;
@@ -67,15 +68,20 @@ class Control {
   private:
     std::string prefix() const;
     void set_options(lua_State* state, const Switches& switches) const;
-    void include(lua_State* state, const std::string& file_name);
-    static int include_file(lua_State* state);
+    void seal(lua_State* state);
+    void push_module(lua_State* state, const std::string& name);
+    void load_module(lua_State* state, const std::string& name);
+    static int use_module(lua_State* state);
+    static int loading_module(lua_State* state);
 
     Robot robot_;
     Controller controller_;
     const Library* files_ = nullptr;
     double idle_s_ = 0;
-    int environment_ = LUA_NOREF;  ///< What scripts see.
-    int library_ = LUA_NOREF;      ///< What the library's files see.
+    int environment_ = LUA_NOREF;       ///< What scripts see.
+    int library_ = LUA_NOREF;           ///< What the library's files see.
+    int modules_ = LUA_NOREF;           ///< What each file of the library has returned, by its name.
+    std::vector<std::string> loading_;  ///< Files that have begun to load, each needed by the one before.
 };
 
 /// Compiles a text and gives it the environment on top of the stack, in whose place the function is left; or

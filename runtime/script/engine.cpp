@@ -83,10 +83,12 @@ void Engine::open_controls() {
     lua_State* state = lua_.get();
     make_nil_vacant(state);
     const Control::Switches switches{options_.block_delete, options_.optional_stop, options_.passes};
+    lua_gc(state, LUA_GCSTOP);  // nearly all that the library makes stays
     for (const std::unique_ptr<Control>& control : controls_) {
         control->open(state, options_.library, switches,
                       [this](lua_State* at, Control& of) { add_core_functions(at, of); });
     }
+    lua_gc(state, LUA_GCRESTART);
 }
 
 /// What the library of a control asks of the engine.

@@ -142,7 +142,8 @@ TEST_F(GsimRun, ReplacesTheLibrary) {
     namespace fs = std::filesystem;
     fs::copy(GSIM_SOURCE "/lua_lib", folder_ / "lib");
     write("lib/switches.lua",
-          read("lib/switches.lua") + "word(\"M8\", function() core.event(\"mine\") end)\n");
+          read("lib/switches.lua") +
+              "use(\"words\", \"before\")(\"M8\", \"times\", function() core.event(\"mine\") end)\n");
     const std::string part = write("part.nc", "M8\n");
     EXPECT_EQ(report({part, "--lua-lib", "lib"})["events"][0]["kind"], "mine");
     write("lib/init.lua", "nonsense\n");

@@ -1,67 +1,30 @@
 // The library in Lua, replaced by a folder that a user has changed.
 
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
-
-#include "lua_lib/embedded_lua.h"
-#include "tests/lua_lib/run.h"
+#include "tests/lua_lib/library_folder.h"
 
 namespace gsim::script::library_test {
 namespace {
 
-namespace fs = std::filesystem;
-
-// A copy of the library in a folder of its own, gone at the end.
-class LibraryFolder : public testing::Test {
-  protected:
-    LibraryFolder() {
-        folder_ = fs::temp_directory_path() / ("gsim_library_" + std::to_string(::getpid()) + "_" +
-                                               testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(folder_);
-        for (const auto& [name, text] : embedded::embedded_lua()) write(std::string(name), std::string(text));
-    }
-    ~LibraryFolder() override { fs::remove_all(folder_); }
-
-    void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
-    std::string read(const std::string& name) { return Library(folder_).read(name).value(); }
-    Outcome run_here(const std::string& lua) {
-        Conditions conditions;
-        conditions.options.library = Library(folder_);
-        conditions.options.limits.steps = 1'000'000;
-        return run_lua(lua, conditions);
-    }
-    // What is said where the library cannot be loaded.
-    std::string trouble() {
-        try {
-            run_here("G0{x=1}");
-        } catch (const std::runtime_error& error) {
-            return error.what();
-        }
-        return "none";
-    }
-
-    fs::path folder_;
-};
+using LibraryFolder = script::LibraryFolder;
 
 TEST_F(LibraryFolder, DoesWhatTheBuiltInOneDoes) {
     expect_end(run_here("G91() G0{x=5.0} G0{x=5.0}"), 10, 0, 0);
 }
 
 TEST_F(LibraryFolder, AUserAddsAWordAndChangesAnother) {
-    write("switches.lua", read("switches.lua") +
-                              "\nword(\"M77\", function() core.event(\"pallet\") end)\n"
-                              "word(\"M9\", function() core.event(\"valve\") end)\n");
+    write("switches.lua", read("switches.lua") + "\nword(\"M77\", function() core.event(\"pallet\") end)\n");
+    insert("ab9_modes.lua", "  if true then return core.event(\"valve\") end\n",
+           "  local changed = state.flood or state.mist");
     const Outcome r = run_here("M77() M8() M9()");
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.events(), "pallet jet_on valve jet_off") << "the machine file says what M9 switches";
 }
 
 TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
+    remove("arcs.lua", "arc(\"G2\", false)");
     write("arcs.lua",
           read("arcs.lua") +
-              "\nmodal_word(\"G2\", function(words) path.event(\"pallet\", tostring(words.x)) end)\n");
+              "\nmotion.modal_word(\"G2\", function(words) path.event(\"pallet\", tostring(words.x)) end)\n");
     const Outcome r = run_here(
         "F(1000) G0{x=50, y=50} G3{x=70, i=10} G2{x=1} move{x=2} G16() G2{x=3} G15() move{x=4} G1{x=5}");
     EXPECT_TRUE(r.completed()) << r.message();
@@ -79,14 +42,14 @@ TEST_F(LibraryFolder, ABrokenOneSaysWhatAndWhere) {
 }
 
 TEST_F(LibraryFolder, AMissingFileIsNamed) {
-    fs::remove(folder_ / "arcs.lua");
+    erase("arcs.lua");
     EXPECT_NE(trouble().find("arcs.lua"), std::string::npos) << trouble();
-    fs::remove(folder_ / "init.lua");
+    erase("init.lua");
     EXPECT_NE(trouble().find("init.lua"), std::string::npos) << trouble();
 }
 
 TEST_F(LibraryFolder, AMistakeInAWordIsAnErrorOfTheRun) {
-    write("feed.lua", read("feed.lua") + "\nword(\"M77\", function() local t = nil; t.x = 1 end)\n");
+    insert("feed.lua", "word(\"M77\", function() local t = nil; t.x = 1 end)\n", "return {");
     const Outcome r = run_here("G0{x=1}\nM77()\n");
     EXPECT_EQ(r.report.status, simulation::RunStatus::alarm);
     EXPECT_NE(r.message().find("lua_lib/feed.lua"), std::string::npos) << r.message();

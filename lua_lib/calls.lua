@@ -1,0 +1,28 @@
+-- Around each call of a subprogram.
+
+local alarm = use("basics", "alarm")
+local hooks, state = use "hooks", use "state"
+
+local is_ngc = core.dialect == "rs274ngc"
+local MAX_DEPTH = is_ngc and 9 or 8
+local TOO_DEEP = (is_ngc and "%s call: subroutines" or "%s: programs") .. " are nested more than %d deep"
+
+local calls = {}
+
+-- Begins a call; `arguments` of an O-word's. The result is for leave().
+function calls.enter(name, arguments)
+  if state.depth >= MAX_DEPTH then alarm("nesting", TOO_DEEP, name, MAX_DEPTH) end
+  state.depth = state.depth + 1
+  core.enter_program(name)
+  local frame = {}
+  hooks.tell("call", frame, arguments)
+  return frame
+end
+
+function calls.leave(frame)
+  hooks.tell("return", frame)
+  core.leave_program()
+  state.depth = state.depth - 1
+end
+
+return calls

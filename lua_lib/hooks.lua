@@ -1,0 +1,41 @@
+-- What happens by the way: hooks of words (words.lua) and of events, each under a name. Of several at one place the order
+-- is that of this list, wherever they are said.
+
+local ORDER = {
+  "compensation", "rotation", "modal codes", "modal state", "named parameters", "numbered parameters", "motions",
+  "process", "times",
+}
+
+local rank = {}
+for place, name in ipairs(ORDER) do rank[name] = place end
+
+local hooks = {}
+
+function hooks.new(name, call, kind)
+  if rank[name] == nil then error(("lua_lib/hooks.lua has no hook '%s' in its order"):format(name), 0) end
+  return { rank = rank[name], call = call, kind = kind }
+end
+
+-- Puts a hook into a list by its rank; of one name the earlier one is first.
+function hooks.insert(list, hook)
+  local place = #list + 1
+  while place > 1 and list[place - 1].rank > hook.rank do place = place - 1 end
+  table.insert(list, place, hook)
+end
+
+-- Events, each with its listeners:
+--   "begin"      all files are loaded
+--   "shape"      plain motions go by Lua from here on, or no longer (shape.lua)
+--   "transform"  the matrix of the program is another one (9/Series)
+--   "call"       a subprogram begins: frame, arguments or nil (calls.lua)
+--   "return"     it ends: frame
+local listeners = { begin = {}, shape = {}, transform = {}, call = {}, ["return"] = {} }
+
+function hooks.on(event, name, f) hooks.insert(listeners[event], hooks.new(name, f)) end
+
+function hooks.tell(event, ...)
+  local list = listeners[event]
+  for i = 1, #list do list[i].call(...) end
+end
+
+return hooks
