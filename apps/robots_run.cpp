@@ -9,6 +9,7 @@
 #include "apps/process_words.h"
 #include "apps/run_cell.h"
 #include "apps/run_inputs.h"
+#include "apps/word_table.h"
 #include "base/os/file_identity.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
@@ -184,6 +185,7 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
         robots.push_back({.name = station.name,
                           .simulator = *station.simulator,
                           .dialect = station.language.dialect->name(),
+                          .codes = word_table(*station.language.dialect),
                           .unit_mm = start_unit_mm(station.language),
                           .data = std::move(station.data),
                           .find_program = program_finder(run.input, station.language, run.tell),

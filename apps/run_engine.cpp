@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/word_table.h"
 #include "base/text/printable.h"
 
 namespace gsim::apps {
@@ -28,6 +29,7 @@ script::Engine::Options engine_options(const RunArguments& arguments, machine::M
     options.find_program = program_finder(arguments.input, language, tell);
     options.find_module = module_finder(arguments.input, arguments.memory_mb << 20U);
     options.dialect = language.dialect->name();
+    options.codes = word_table(*language.dialect);
     options.unit_mm = start_unit_mm(language);
     options.block_delete = arguments.block_delete;
     options.passes = arguments.passes;

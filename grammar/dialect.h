@@ -60,6 +60,11 @@ enum class AxisUse : std::uint8_t { none, motion, data };
 /// cannot be on; with words it is `later`.
 enum class Support : std::uint8_t { full, bare_only, later };
 
+/// What becomes of a code while cutter compensation is on: it acts as ever, or is refused, always or only
+/// while the tool runs beside the path (RS274/NGC lets a radius of 0 pass); the tool is led out before it and
+/// in again behind it (9/Series); or the move before it ends first, whatever corner follows (RS274/NGC).
+enum class Compensation : std::uint8_t { allowed, refused, refused_beside_path, led_out, ends_move };
+
 /// When in its block a code acts, here in the order of the 9/Series; another dialect has its own
 /// (Dialect::rank). Words of one phase act in the order in which they stand.
 enum class Phase : std::uint8_t {
@@ -104,6 +109,7 @@ struct Code {
         words;  ///< Letters it takes besides axis words, '=' for AR=, '1' for I1= J1= K1=, ',' for ,C ,R ,A.
     Support support;
     std::string_view meaning;  ///< As messages and documents say it.
+    Compensation compensation = Compensation::allowed;
 };
 
 /// What a letter, or a longer address, means.

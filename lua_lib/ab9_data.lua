@@ -1,10 +1,10 @@
 -- Data setting (G10): L2 and L20 work coordinate systems, L10 to L13 the tables of tool offsets. G90: the value itself,
 -- G91: added to what the table holds. A tool offset in force stays as it is until it is called again.
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local word = use("words", "word")
-local ab9_frames, ab9_transform, compensation, frames, state, tools =
-  use "ab9_frames", use "ab9_transform", use "compensation", use "frames", use "state", use "tools"
+local ab9_frames, ab9_transform, frames, state, tools =
+  use "ab9_frames", use "ab9_transform", use "frames", use "state", use "tools"
 
 local LAST_TOOL = 999
 local FIRST_SETTABLE, LAST_SETTABLE = 505, 599
@@ -102,11 +102,9 @@ local function tool_offset(words, place)
 end
 
 word("G10", function(words)
-  check_table(words, "G10")
   if words == nil or words.l == nil then
     alarm("word-missing", "G10 needs L: L2 (work coordinate systems), L20 (settable frames), L10 to L13 (tool offsets)")
   end
-  compensation.refuse("G10")
   local list = whole(words, "l", 0, 99)
   if list == 2 then
     work_system(words)

@@ -2,9 +2,9 @@
 -- skip function G31. The first home is that of the machine file, the second to fourth are in `core.homes`: those of
 -- machine data, else of the machine file.
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local word = use("words", "word")
-local axes, compensation, move_until_signal, path = use "axes", use "compensation", use "probe", use "path"
+local axes, move_until_signal, path = use "axes", use "probe", use "path"
 
 local SAME = 1e-6   -- mm or deg
 
@@ -39,8 +39,6 @@ local function with_others(values)
 end
 
 local function go_home(words, number, code)
-  check_table(words, code)
-  compensation.refuse(code)
   axes.refuse_with_tip_control(code)
   local home, target = homes(number), {}
   for _, axis in ipairs(axes.list) do
@@ -65,7 +63,6 @@ end
 word("G28", function(words) go_home(words, 1, "G28") end)
 
 word("G30", function(words)
-  check_table(words, "G30")
   local rest, number = nil, 2
   for key, value in pairs(words or {}) do
     if key == "p" then
@@ -83,9 +80,7 @@ end)
 
 -- G29 moves the axes that it names; an increment counts from the point on the way.
 word("G29", function(words)
-  check_table(words, "G29")
   if words == nil then alarm("word-missing", "G29 needs the axis words of its target") end
-  compensation.refuse("G29")
   axes.refuse_with_tip_control("G29")
   local through = {}
   for letter, value in pairs(way or {}) do
@@ -96,8 +91,6 @@ word("G29", function(words)
 end)
 
 word("G27", function(words)
-  check_table(words, "G27")
-  compensation.refuse("G27")
   axes.refuse_with_tip_control("G27")
   if words ~= nil then path.rapid(core.target(words)) end
   path.flush()
@@ -118,10 +111,8 @@ local function skip_position() return skipped_at end
 -- G31: a straight move that a signal cuts short. Without a signal it goes to its end, and that is the skip position;
 -- with one it is where the signal came, a little before the machine stands.
 word("G31", function(words)
-  check_table(words, "G31")
   local target, named = core.target(words)
   if not named then alarm("word-missing", "G31 needs the axis words of its target") end
-  compensation.refuse("G31")
   local _, _, point = move_until_signal(target, false)
   skipped_at = point
 end)

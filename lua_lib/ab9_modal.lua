@@ -4,50 +4,38 @@
 local printed = use("basics", "printed")
 local ab9_macros, cycles, state, words = use "ab9_macros", use "cycles", use "state", use "words"
 
-local group_of = {}   -- group -> names of its codes
-local numbers = {}    -- group -> number in force
-
-local function group(index, initial, names)
-  group_of[index], numbers[index] = names, initial
-end
-
--- Groups by the last two digits of their variable, with what is in force when a run begins. Group 1 is the modal motion.
-group(2, 17, { "G17", "G18", "G19" })
-group(3, 90, { "G90", "G91" })
-group(4, 23, { "G22", "G23" })
-group(5, 94, { "G93", "G94", "G95" })
-group(6, state.unit_mm == 1 and 21 or 20, { "G20", "G21" })
-group(7, 40, { "G40", "G41", "G42" })
-group(8, 49, { "G43", "G43_4", "G44", "G49" })
-group(9, 80, { "G73", "G74", "G76", "G80", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89" })
-group(10, 98, { "G98", "G99" })
-group(13, 97, { "G96", "G97" })
-group(16, 69, { "G68", "G69" })
-group(17, 15, { "G15", "G16" })
-group(22, 50.1, { "G50_1", "G51_1" })
+-- Groups of the dialect's table by the last two digits of their variable, and the numbers of the codes that came last; at
+-- first those that are in force when a run begins. Group 1 is the modal motion.
+local variable_of = {
+  plane = 2, ["distance mode"] = 3, ["programmable zone"] = 4, ["feed mode"] = 5, units = 6, ["cutter compensation"] = 7,
+  ["tool length"] = 8, ["return level of cycles"] = 10, ["spindle speed mode"] = 13, ["part rotation"] = 16,
+  ["polar programming"] = 17, ["mirror image"] = 22,
+}
+local numbers = {
+  [2] = 17, [3] = 90, [4] = 23, [5] = 94, [6] = state.unit_mm == 1 and 21 or 20, [7] = 40, [8] = 49, [10] = 98, [11] = 14,
+  [13] = 97, [16] = 69, [17] = 15, [22] = 50.1,
+}
 
 local last = {}   -- letter -> value of the last word F, S, T, D, H or M
 
 local function code_number(name) return tonumber(printed(name:sub(2))) end
 
-for index, names in pairs(group_of) do
-  for _, name in ipairs(names) do
-    local number = code_number(name)
+local function note(name, group)
+  local number, index = code_number(name), variable_of[group]
+  if name:sub(1, 1) == "M" then
+    words.before(name, "modal codes", function() last.M = number end)
+  elseif index then
     words.before(name, "modal codes", function() numbers[index] = number end)
   end
 end
+for name, group in pairs(core.codes.group) do note(name, group) end
 
 -- Bare, both codes of scaling end it.
-numbers[11] = 14
 words.before({ "G14", "G14_1" }, "modal codes", function(_, given)
   numbers[11] = given ~= nil and next(given) ~= nil and 14.1 or 14
 end)
 
 words.before({ "F", "S", "T", "D", "H" }, "modal codes", function(name, value) last[name] = value or last[name] end)
-for _, number in ipairs { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 19, 30, 48, 49, 98, 99 } do
-  words.before("M" .. number, "modal codes", function() last.M = number end)
-end
-
 -- Codes whose state is kept elsewhere.
 local kept_elsewhere = {
   [1] = function()

@@ -1,6 +1,6 @@
 -- Modes of the path and the spindle, and switches that only the machine itself knows.
 
-local alarm, check_table, given = use("basics", "alarm", "check_table", "given")
+local alarm, given = use("basics", "alarm", "given")
 local word = use("words", "word")
 local axes, comp_override, overrides, path, spindle, state =
   use "axes", use "comp_override", use "overrides", use "path", use "spindle", use "state"
@@ -108,7 +108,6 @@ word("S", function(value)
 end)
 
 word("G50", function(words)
-  check_table(words, "G50")
   if words == nil or words.s == nil then
     alarm("mode", "G50 sets the limit of the spindle speed: G50 S2000; scaling is G14.1 with P, and bare it ends")
   end

@@ -3,7 +3,7 @@
 -- the mirror, then the scale, then the rotation. Centres are points of the program, always absolute, so that what was
 -- programmed before the centre acts on it too.
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local ab9_frames, plane_view, state, words = use "ab9_frames", use "plane_view", use "state", use "words"
 
 local word = words.word
@@ -107,7 +107,6 @@ local function each_length(words, code, use)
 end
 
 local function only(words, code, allowed)
-  check_table(words, code)
   for key in pairs(words or {}) do
     if not allowed:find(" " .. tostring(key) .. " ", 1, true) then
       alarm("word-out-of-place", "%s takes no word %s; it takes%s", code, tostring(key):upper(),

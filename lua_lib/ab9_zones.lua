@@ -1,7 +1,7 @@
 -- Programmable zone (G22, G23): a box in machine coordinates that the tool must not enter if it stands outside when the
 -- zone is switched on, and must not leave if it stands inside. With P: zones of the machine data. The core watches them.
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local word = use("words", "word")
 local axes, path, state = use "axes", use "path", use "state"
 
@@ -62,7 +62,6 @@ end
 -- G22 X Y Z I J K: two opposite corners, in any order; bare: the zone that was given last. G22 P: zones of the machine
 -- data.
 word("G22", function(words)
-  check_table(words, "G22")
   if is_number_alone(words) then return env.switch_zone(words.p, true) end
   if words ~= nil and next(words) ~= nil then box = read_box(words) end
   if box == nil then
@@ -72,7 +71,6 @@ word("G22", function(words)
 end)
 
 word("G23", function(words)
-  check_table(words, "G23")
   if is_number_alone(words) then return env.switch_zone(words.p, false) end
   if words ~= nil and next(words) ~= nil then
     alarm("word-value", "G23 takes P, the number of zones of the machine data, or nothing")

@@ -1,6 +1,6 @@
 -- Cutter compensation: G40, G41, G42 (both dialects), G39, G39.1 (9/Series), G41.1, G42.1 (rs274ngc).
 
-local alarm, check_table, nearly_whole = use("basics", "alarm", "check_table", "nearly_whole")
+local alarm, nearly_whole = use("basics", "alarm", "nearly_whole")
 local comp_ab9, comp_filter, comp_geometry, comp_ngc, compensation, hooks =
   use "comp_ab9", use "comp_filter", use "comp_geometry", use "comp_ngc", use "compensation", use "hooks"
 local path, plane_view, state, tools, words = use "path", use "plane_view", use "state", use "tools", use "words"
@@ -75,7 +75,6 @@ word("G40", function()
 end)
 
 local function check_words(given, name, allowed)
-  check_table(given, name)
   for key in pairs(given or {}) do
     if not allowed[key] then alarm("compensation", "%s does not take %s", name, tostring(key):upper()) end
   end
@@ -83,6 +82,15 @@ local function check_words(given, name, allowed)
 end
 
 words.before("CIP", "compensation", compensation.refuse)
+
+-- f() before each word of which the dialect's table says so.
+local function hook(what, f)
+  local names = {}
+  for name, said in unordered(core.codes.compensation) do
+    if said == what then names[#names + 1] = name end
+  end
+  words.before(names, "compensation", f)
+end
 
 local function ngc_words()
   -- A radius of 0 counts as compensation and changes no path.
@@ -118,7 +126,7 @@ local function ngc_words()
     end)
   end
 
-  words.before({ "M0", "M1" }, "compensation", compensation.stop)
+  hook("ends the move", compensation.stop)
   -- After a change of tool the program goes on from where the machine stands.
   words.before("M6", "compensation", function()
     if compensation.word == nil then compensation.replace_filter(nil) end
@@ -177,8 +185,7 @@ local function ab9_words()
       if plane ~= compensation.plane then compensation.refuse("a change of plane") end
     end)
   end
-  words.before({ "G52", "G92", "G92_1" }, "compensation", interrupt)
-  words.before(use("ab9_frames", "frame_words"), "compensation", interrupt)
+  hook("led out", interrupt)
 
   define_side("G41", 1)
   define_side("G42", -1)

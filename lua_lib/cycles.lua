@@ -4,7 +4,7 @@
 
 local alarm, nearly_whole = use("basics", "alarm", "nearly_whole")
 local word = use("words", "word")
-local compensation, path, state = use "compensation", use "path", use "state"
+local path, state = use "path", use "state"
 
 local SAME_MM = 1e-9    -- a stroke below this length is no move
 local MOST_PECKS = 100000
@@ -20,14 +20,8 @@ if core.dialect == "rs274ngc" then cycle_names.G76 = nil end  -- there it cuts a
 local function is_cycle(name) return cycle_names[name] == true end
 
 -- Where a cycle leaves the tool: "initial" (G98) or "r" (G99).
-local function return_level(name, level)
-  word(name, function()
-    if core.dialect == "rs274ngc" then compensation.refuse(name) end
-    state.return_level = level
-  end)
-end
-return_level("G98", "initial")
-return_level("G99", "r")
+word("G98", function() state.return_level = "initial" end)
+word("G99", function() state.return_level = "r" end)
 
 -- A word of a cycle: a number, or nil where it is left out.
 local function cycle_word(words, letter, name)
@@ -105,7 +99,6 @@ local function check_cycle_modes(name)
   if state.feed_mode == "inverse" then
     alarm("mode", "%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
   end
-  compensation.refuse(name)
 end
 
 return {

@@ -3,7 +3,7 @@
 -- and P, Q and the shift hold, for all cycles, until G80 or a motion code ends the series.
 
 local alarm, check_table = use("basics", "alarm", "check_table")
-local word, word_id = use("words", "word", "id")
+local if_allowed, word, word_id = use("words", "if_allowed", "word", "id")
 local axes, cycles, motion, overrides, path = use "axes", use "cycles", use "motion", use "overrides", use "path"
 local plane_view, polar, spindle, state = use "plane_view", use "polar", use "spindle", use "state"
 
@@ -243,7 +243,7 @@ local function drill(name, words)
 end
 
 for name in pairs(strokes) do
-  local modal = core.word(word_id(), function(words) drill(name, words) end)
+  local modal = core.word(word_id(), if_allowed(name, function(words) drill(name, words) end))
   word(name, function(words)
     if not cycles.is_cycle(state.motion) then
       before_series = { name = state.motion, move = env.move }

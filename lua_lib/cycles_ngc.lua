@@ -3,7 +3,7 @@
 -- as there.
 
 local alarm, check_table = use("basics", "alarm", "check_table")
-local word, word_id = use("words", "word", "id")
+local if_allowed, word, word_id = use("words", "if_allowed", "word", "id")
 local axes, cycles, motion, ngc_modes, overrides =
   use "axes", use "cycles", use "motion", use "ngc_modes", use "overrides"
 local path, plane_view, spindle, state = use "path", use "plane_view", use "spindle", use "state"
@@ -287,7 +287,7 @@ local function drill(name, words, before)
 end
 
 for name in pairs(strokes) do
-  local modal = core.word(word_id(), function(words) drill(name, words, name) end)
+  local modal = core.word(word_id(), if_allowed(name, function(words) drill(name, words, name) end))
   word(name, function(words)
     local before = state.motion
     motion.make_modal(name, modal)

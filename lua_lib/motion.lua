@@ -26,7 +26,7 @@ end
 
 -- Defines the word of a motion that is modal.
 function motion.modal_word(name, meaning)
-  env[name] = modal_motion(name, word_keys(name, meaning))
+  env[name] = modal_motion(name, word_keys(name, words.if_allowed(name, meaning)))
 end
 
 -- Plain motions are C++ as long as nothing shapes them (shape.lua). By name the word and the `move` where it is modal.

@@ -6,27 +6,21 @@ local hooks, state, switches, systems, words =
 
 local word = words.word
 
+-- By modal group of the dialect's table: the code in force, at first those of a run's beginning.
 local active = {
-  units = state.unit_mm == 1 and "G21" or "G20", plane = "G17", distance = "G90", ["arc centre"] = "G91_1",
-  feed = "G94", compensation = "G40", length = "G49", retract = "G99", ["spindle speed"] = "G97", path = "G64",
+  units = state.unit_mm == 1 and "G21" or "G20", plane = "G17", ["distance mode"] = "G90", ["arc centre mode"] = "G91_1",
+  ["feed mode"] = "G94", ["cutter compensation"] = "G40", ["tool length"] = "G49", ["return level of cycles"] = "G99",
+  ["spindle speed mode"] = "G97", ["path mode"] = "G64",
 }
 local words_of = {}   -- by group, the words with which its code was called
 
 local saved_modes          -- of the subroutine
 
-local function watch(group, names)
-  words.after(names, "modal state", function(name, given) active[group], words_of[group] = name, given end)
+for name, group in pairs(core.codes.group) do
+  if active[group] then
+    words.after(name, "modal state", function(_, given) active[group], words_of[group] = name, given end)
+  end
 end
-watch("units", { "G20", "G21" })
-watch("plane", { "G17", "G18", "G19" })
-watch("distance", { "G90", "G91" })
-watch("arc centre", { "G90_1", "G91_1" })
-watch("feed", { "G93", "G94", "G95" })
-watch("compensation", { "G40", "G41", "G41_1", "G42", "G42_1" })
-watch("length", { "G43", "G43_1", "G43_2", "G43_4", "G49" })
-watch("retract", { "G98", "G99" })
-watch("spindle speed", { "G96", "G97" })
-watch("path", { "G61", "G61_1", "G64" })
 
 local function keep(automatic)
   saved_modes = {
@@ -66,13 +60,14 @@ end
 
 -- A tool's length comes back as the one of the tool that is loaded, as in LinuxCNC.
 local function restore_length(saved)
-  if saved.active.length == active.length then return end
-  local name = saved.active.length
+  if saved.active["tool length"] == active["tool length"] then return end
+  local name = saved.active["tool length"]
   if name == "G49" or name == "G43_4" then env[name]() else env.G43() end
 end
 
 local groups = {
-  "units", "plane", "compensation", "distance", "arc centre", "retract", "path", "spindle speed", "feed",
+  "units", "plane", "cutter compensation", "distance mode", "arc centre mode", "return level of cycles", "path mode",
+  "spindle speed mode", "feed mode",
 }
 
 local function restore(saved)

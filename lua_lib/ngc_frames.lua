@@ -125,7 +125,6 @@ end
 
 for system, name in ipairs(names) do
   word(systems.word(system), function()
-    compensation.refuse("G" .. name)
     if system ~= systems.in_force then
       path.wait()   -- also where both systems are in one place
       systems.load(system)
@@ -144,7 +143,6 @@ end
 
 -- G92: where the program stands gets the given coordinates.
 word("G92", function(words)
-  compensation.refuse("G92")
   local here = axes.program_position()
   local any = frames.each_axis(words, "G92", "", function(letter, value)
     state.g92[letter] = (state.g92[letter] or 0) + here[letter] - value
@@ -155,7 +153,6 @@ end)
 
 -- G52: the same offset, given as itself.
 word("G52", function(words)
-  compensation.refuse("G52")
   if not frames.each_axis(words, "G52", "", function(letter, value) state.g92[letter] = value end) then
     alarm("word-missing", "G52 needs axis words")
   end
@@ -194,7 +191,6 @@ word("G92_3", function()
 end)
 
 word("G53", function()
-  compensation.refuse("G53")
   axes.refuse_with_tip_control("G53")
   if state.incremental then alarm("mode", "G53 moves in machine coordinates, which are absolute: it needs G90") end
   core.machine_frame_once()

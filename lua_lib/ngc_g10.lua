@@ -1,6 +1,6 @@
 -- RS274/NGC: G10 sets the tool table (L1, L10, L11) and the work coordinate systems (L2, L20).
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local word = use("words", "word")
 local axes, compensation, frames, parameters = use "axes", use "compensation", use "frames", use "ngc_variables"
 local path, state, systems, tools = use "path", use "state", use "ngc_frames", use "tools"
@@ -147,7 +147,6 @@ local meanings = {
 }
 
 word("G10", function(words)
-  check_table(words, "G10")
   local meaning = words and meanings[parameters.whole(words.l) or -1]
   if meaning == nil then
     alarm("word-missing", "G10 needs L: 1, 10 or 11 for tools, 2 or 20 for work coordinate systems")

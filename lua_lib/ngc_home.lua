@@ -1,9 +1,7 @@
 -- RS274/NGC: G28 and G30 go to a stored point by a point on the way, G28.1 and G30.1 store where the machine stands.
 
-local check_table = use("basics", "check_table")
 local word = use("words", "word")
-local axes, compensation, parameters, path, polar =
-  use "axes", use "compensation", use "ngc_variables", use "path", use "polar"
+local axes, parameters, path, polar = use "axes", use "ngc_variables", use "path", use "polar"
 
 -- The stored point in machine coordinates, as its parameters have it (inches and degrees).
 local function stored(first)
@@ -47,13 +45,10 @@ local function define(name, first, number_of_home)
     if home and not core.variables[number] then parameters.set(number, parameters.to_stored(letter, home)) end
   end
   word(name, function(words)
-    check_table(words, name)
-    compensation.refuse(name)
     axes.refuse_with_tip_control(name)
     go(words, first)
   end)
   word(name .. "_1", function()
-    compensation.refuse(name .. ".1")
     axes.refuse_with_tip_control(name .. ".1")
     store(first, axes.shown(axes.programmed_point()))
   end)

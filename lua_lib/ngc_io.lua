@@ -4,9 +4,9 @@
 -- off). A nil value says that it did not happen in time. Without a function inputs are
 -- signals where there are processes; else each is 0 at once, as in a dry run of LinuxCNC.
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local word = use("words", "word")
-local compensation, inputs, parameters, path = use "compensation", use "inputs", use "ngc_variables", use "path"
+local inputs, parameters, path = use "inputs", use "ngc_variables", use "path"
 
 local RESULT = 5399
 local TIMED_OUT = -1
@@ -23,8 +23,6 @@ end
 
 local function digital(name, on, with_move)
   word(name, function(words)
-    check_table(words, name)
-    compensation.refuse(name)
     local number = number_of(words and words.p, name, "P")
     path.event("digital_output", ("P%d %s%s"):format(number, on and "on" or "off", with_move and WITH_MOVE or ""),
                with_move and "with_motion" or "at_rest")
@@ -38,8 +36,6 @@ digital("M65", false, false)
 
 local function analog(name, with_move)
   word(name, function(words)
-    check_table(words, name)
-    compensation.refuse(name)
     local number = number_of(words and words.e, name, "E")
     if words.q == nil then alarm("word-missing", "%s needs Q, the value of the output", name) end
     path.event("analog_output", ("E%d %.10g%s"):format(number, words.q + 0.0, with_move and WITH_MOVE or ""),
@@ -88,8 +84,6 @@ local function input_of(words)
 end
 
 word("M66", function(words)
-  check_table(words, "M66")
-  compensation.refuse("M66")
   local kind, number = input_of(words or {})
   local wait, timeout = parameters.whole(words.l or 0), words.q or 0
   if wait == nil or wait < 0 or wait > LAST_WAIT then

@@ -1,8 +1,8 @@
 -- RS274/NGC: feed modes, spindle and coolant, path modes, the centre of arcs.
 
-local alarm, check_table, given = use("basics", "alarm", "check_table", "given")
+local alarm, given = use("basics", "alarm", "given")
 local word = use("words", "word")
-local axes, compensation, path, spindle, state = use "axes", use "compensation", use "path", use "spindle", use "state"
+local axes, path, spindle, state = use "axes", use "path", use "spindle", use "state"
 
 local MM_PER_M, MM_PER_FOOT = 1000, 304.8
 local WHOLE_TURN = 360
@@ -12,7 +12,6 @@ core.set_inverse_time_of_arcs(false)   -- 60/F s for a whole arc, as for a line
 
 -- There is one spindle, $0; for words that may be for `all` of them $-1 is another name of it.
 local function check_spindle(words, name, all)
-  check_table(words, name)
   local number = words and words.spindle
   if number ~= nil and number ~= 0 and not (all and number == -1) then
     alarm("spindle", "%s: there is one spindle, $0, and no $%.10g", name, number)
@@ -162,19 +161,15 @@ word("G90_1", set_arc_centres(true))
 word("G91_1", set_arc_centres(false))
 
 word("G61", function()
-  compensation.refuse("G61")
   path.set_mode("exact_path")
 end)
 
 word("G61_1", function()
-  compensation.refuse("G61.1")
   path.set_mode("exact_stop")
 end)
 
 -- P: how far corners may be cut; Q: within what lines are merged, like P where it is left out.
 word("G64", function(words)
-  check_table(words, "G64")
-  compensation.refuse("G64")
   for letter, value in pairs(words or {}) do
     if (letter ~= "p" and letter ~= "q") or type(value) ~= "number" then
       alarm("word-out-of-place", "G64 takes P and Q, the tolerances of the path and of merging lines, and no '%s'",

@@ -4,7 +4,7 @@
 
 local copied = use("basics", "copied")
 local word = use("words", "word")
-local compensation, ngc_modes, overrides, path = use "compensation", use "ngc_modes", use "overrides", use "path"
+local ngc_modes, overrides, path = use "ngc_modes", use "overrides", use "path"
 
 local switches = {}
 
@@ -22,7 +22,6 @@ end
 
 for name, on in pairs { M48 = true, M49 = false } do
   word(name, function()
-    compensation.refuse(name)
     set({ "feed", "speed" }, on)
   end)
 end
@@ -31,13 +30,11 @@ end
 for name, what in pairs { M50 = "feed", M51 = "speed", M52 = "adaptive", M53 = "hold" } do
   word(name, function(words)
     ngc_modes.check_spindle(words, name, true)
-    compensation.refuse(name)
     set({ what }, words == nil or words.p ~= 0)
   end)
 end
 
 word("M60", function()
-  compensation.stop()
   path.event("stop", "change of pallets")
 end)
 

@@ -2,9 +2,8 @@
 
 local alarm, check_table, space_between = use("basics", "alarm", "check_table", "space_between")
 local feed_of_part = use("feed", "feed_of_part")
-local word, word_id = use("words", "word", "id")
-local axes, compensation, motion, path, splines, state =
-  use "axes", use "compensation", use "motion", use "path", use "splines", use "state"
+local if_allowed, word, word_id = use("words", "if_allowed", "word", "id")
+local axes, motion, path, splines, state = use "axes", use "motion", use "path", use "splines", use "state"
 
 local SAME_MM = 1e-9
 local DEFAULT_ORDER = 3
@@ -59,7 +58,6 @@ end
 
 local function check(words, name, letters)
   check_table(words, name)
-  compensation.refuse(name)
   if state.plane ~= "xy" then alarm("mode", "%s is a curve in the XY plane (G17)", name) end
   for letter, value in pairs(words) do
     if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
@@ -130,7 +128,7 @@ local function add_control_point(words, first)
   nurbs.weights[#nurbs.weights + 1] = words.p or 1
 end
 
-local next_point = core.word(word_id(), function(words) add_control_point(words or {}, false) end)
+local next_point = core.word(word_id(), if_allowed("G5_2", function(words) add_control_point(words or {}, false) end))
 
 word("G5_2", function(words)
   local going_on = nurbs ~= nil and state.motion == "G5.2"

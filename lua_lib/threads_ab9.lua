@@ -1,7 +1,7 @@
 -- G33 of the 9/Series: a thread of constant lead. F is the lead, in the unit of the program per turn; E the number of
 -- threads per inch. The lead holds until another one is programmed.
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local thread_feed = use("threads", "thread_feed")
 local cycles, motion, overrides, path, state = use "cycles", use "motion", use "overrides", use "path", use "state"
 
@@ -10,7 +10,6 @@ local MM_PER_INCH = 25.4
 local lead_mm
 
 local function thread(words)
-  check_table(words, "G33")
   local target, moved = core.target(words or {}, " e f q ")
   words = words or {}
   local lead, per_inch = cycles.word(words, "f", "G33"), cycles.word(words, "e", "G33")

@@ -1,9 +1,9 @@
 -- G33, G33.1 and G76 of RS274/NGC, as LinuxCNC 2.9 executes them.
 
-local alarm, check_table = use("basics", "alarm", "check_table")
+local alarm = use("basics", "alarm")
 local thread_feed = use("threads", "thread_feed")
-local axes, compensation, cycles, motion, ngc_modes, path, spindle, state =
-  use "axes", use "compensation", use "cycles", use "motion", use "ngc_modes", use "path", use "spindle", use "state"
+local axes, cycles, motion, ngc_modes, path, spindle, state =
+  use "axes", use "cycles", use "motion", use "ngc_modes", use "path", use "spindle", use "state"
 
 local function needed(words, letter, name)
   local value = cycles.word(words, letter, name)
@@ -13,7 +13,6 @@ end
 
 -- The target; other words that may stand there are in `others`, each between blanks.
 local function axis_words(words, name, others)
-  check_table(words, name)
   if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
   local target, moved = core.target(words or {}, others)
   if not moved then alarm("word-missing", "%s needs axis words", name) end
@@ -31,7 +30,6 @@ end
 
 -- With K0 LinuxCNC lets the spindle be: the move goes at the feed in force.
 local function thread(words)
-  compensation.refuse_beside_path("G33")
   local target = axis_words(words, "G33", " k spindle ")
   local pitch = needed(words, "k", "G33")
   if state.spindle == nil then
@@ -42,7 +40,6 @@ end
 
 -- Down and, with the spindle reversed, back to the start; I is how many times faster the way back is.
 local function rigid_tap(words)
-  compensation.refuse_beside_path("G33.1")
   local target = axis_words(words, "G33.1", " i k spindle ")
   refuse_rotary(words, "G33.1")
   local pitch = needed(words, "k", "G33.1") * state.unit_mm
@@ -126,7 +123,6 @@ local function pass(tool, t, depth)
 end
 
 local function threading_cycle(words)
-  compensation.refuse("G76")
   local target = axis_words(words, "G76", " p i j k r q h e l spindle ")
   refuse_rotary(words, "G76")
   local t, here = thread_words(words), axes.program_position()

@@ -1,10 +1,9 @@
 -- Tools and the offsets that belong to them: T, M6, D, H, G43, G44, G43.4, G49; M61, G43.1 and G43.2 of RS274/NGC.
 
-local alarm, check_table, copied, given, nearly_whole = use("basics", "alarm", "check_table", "copied", "given", "nearly_whole")
+local alarm, copied, given, nearly_whole = use("basics", "alarm", "copied", "given", "nearly_whole")
 local apply_offsets = use(core.dialect == "rs274ngc" and "ngc_frames" or "ab9_frames", "apply_offsets")
 local word = use("words", "word")
-local axes, compensation, frames, path, spindle, state =
-  use "axes", use "compensation", use "frames", use "path", use "spindle", use "state"
+local axes, frames, path, spindle, state = use "axes", use "frames", use "path", use "spindle", use "state"
 
 local is_ngc = core.dialect == "rs274ngc"
 
@@ -86,14 +85,8 @@ word("T", function(value)
   path.event("tool_select", ("T%d"):format(number))
 end)
 
--- LinuxCNC does not change tool or offset on a compensated path.
-local function check_compensation(name)
-  if is_ngc then compensation.refuse(name) end
-end
-
 -- A change is a stop of the spindle, where it turns.
 word("M6", function()
-  check_compensation("M6")
   if is_ngc and state.spindle ~= nil then spindle.turn(nil) end
   loaded = selected or loaded
   path.event("tool_change", (is_ngc or selected ~= nil) and ("T%d"):format(loaded) or "")
@@ -124,7 +117,6 @@ local function offsets_of(number, name)
 end
 
 local function h_word(words, name)
-  check_table(words, name)
   if words == nil or words.h == nil then return nil end
   local number = whole(words.h, "H")
   if number == 0 and is_ngc then return nil end   -- as without H: the tool in the spindle
@@ -146,7 +138,6 @@ local function tip_control(offset)
 end
 
 local function off()
-  check_compensation("G49")
   state.length_sign = nil
   offset_in_force({})
 end
@@ -169,7 +160,6 @@ end
 
 local function ab9_tip_control()
   word("G43_4", function(words)
-    compensation.refuse("G43.4")
     state.offset_number_h = h_word(words, "G43.4") or state.offset_number_h
     state.length_sign = "tip"
     apply_length()
@@ -185,19 +175,15 @@ end)
 -- RS274/NGC: offsets of any axes, of a tool or as written.
 local function ngc_words()
   word("G43", function(words)
-    check_compensation("G43")
     offset_in_force(offsets_of(h_word(words, "G43") or loaded, "H"))
   end)
 
   word("G43_4", function(words)
-    check_compensation("G43.4")
     tip_control(offsets_of(h_word(words, "G43.4") or loaded, "H"))
   end)
 
   -- Axes that are not named keep their offset.
   word("G43_1", function(words)
-    check_table(words, "G43.1")
-    check_compensation("G43.1")
     local offset = copied(state.tool_offset)
     frames.each_axis(words or {}, "G43.1", "", function(letter, value) offset[letter] = value end)
     offset_in_force(offset)
@@ -205,7 +191,6 @@ local function ngc_words()
 
   word("G43_2", function(words)
     local number = h_word(words, "G43.2")
-    check_compensation("G43.2")
     local offset = copied(state.tool_offset)
     local function add(letter, value) offset[letter] = (offset[letter] or 0) + value end
     local named = frames.each_axis(words or {}, "G43.2", " h ", add)
@@ -220,7 +205,6 @@ local function ngc_words()
 
   -- The tool that is in the spindle already, without a change.
   word("M61", function(words)
-    check_table(words, "M61")
     if words == nil or words.q == nil then
       alarm("word-missing", "M61 needs Q, the number of the tool in the spindle")
     end

@@ -8,7 +8,7 @@
 -- hooked, too, and names that the dialect does not have.
 
 local copied, printed = use("basics", "copied", "printed")
-local hooks, path, word_keys = use "hooks", use "path", use "word_keys"
+local compensation, hooks, path, word_keys = use "compensation", use "hooks", use "path", use "word_keys"
 
 local words = {}
 
@@ -38,9 +38,22 @@ local function by_stop_rule(name, meaning)
   return rule and function(...) return path.by_rule(rule, meaning, ...) end or meaning
 end
 
+local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.refuse_beside_path }
+
+-- The meaning of a code behind a look whether cutter compensation allows it (column `compensation`).
+function words.if_allowed(name, meaning)
+  local refuse, shown = refusals[core.codes.compensation[name]], printed(name)
+  if refuse == nil then return meaning end
+  return function(...)
+    refuse(shown)
+    return meaning(...)
+  end
+end
+
 -- Defines a word of the language. A call counts as part of a block at the line where the script makes it.
 function words.word(name, meaning)
-  env[name] = core.word(words.id(), word_keys(name, by_stop_rule(name, meaning)))
+  local looked_at = by_stop_rule(name, words.if_allowed(name, meaning))
+  env[name] = core.word(words.id(), word_keys(name, looked_at))
 end
 
 -- Whether the control itself has that name.

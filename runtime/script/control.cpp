@@ -63,6 +63,23 @@ void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "stops");
 }
 
+/// core.codes: what the dialect's table says, by column and by word; what is empty is left out.
+void set_codes(lua_State* state, const std::vector<CodeRow>& codes) {
+    constexpr std::array<std::pair<const char*, std::string CodeRow::*>, 3> kColumns{
+        {{"group", &CodeRow::group}, {"keys", &CodeRow::keys}, {"compensation", &CodeRow::compensation}}};
+    lua_createtable(state, 0, static_cast<int>(kColumns.size()));
+    for (const auto& [column, field] : kColumns) {
+        lua_newtable(state);
+        for (const CodeRow& code : codes) {
+            if ((code.*field).empty()) continue;
+            lua_pushlstring(state, (code.*field).data(), (code.*field).size());
+            lua_setfield(state, -2, code.name.c_str());
+        }
+        lua_setfield(state, -2, column);
+    }
+    lua_setfield(state, -2, "codes");
+}
+
 /// core.times, s; the table of the core is on top of the stack.
 void set_word_times(lua_State* state, const machine::WordTimes& times) {
     lua_createtable(state, 0, 9);
@@ -191,6 +208,7 @@ std::string Control::prefix() const {
 void Control::set_options(lua_State* state, const Switches& switches) const {
     lua_pushlstring(state, robot_.dialect.data(), robot_.dialect.size());
     lua_setfield(state, -2, "dialect");
+    set_codes(state, robot_.codes);
     lua_pushnumber(state, robot_.unit_mm);
     lua_setfield(state, -2, "unit_mm_at_start");
     lua_pushboolean(state, static_cast<int>(switches.block_delete));

@@ -20,7 +20,8 @@ struct Robot {
     std::string name;  ///< Empty for the only one of a run without a file of robots.
     simulation::Simulator& simulator;
     std::string dialect = "ab9";
-    double unit_mm = 1;  ///< Of a program unit when the run begins: 1, or 25.4 for inches.
+    std::vector<CodeRow> codes;  ///< Of the dialect.
+    double unit_mm = 1;          ///< Of a program unit when the run begins: 1, or 25.4 for inches.
     machine::MachineData data;
     FindProgram find_program;                      ///< For programs that are called and not in the script.
     FindProgram find_module;                       ///< For what scripts require beside the library.

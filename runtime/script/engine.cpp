@@ -22,6 +22,7 @@ std::vector<Robot> only_robot(simulation::Simulator& simulator, const Engine::Op
     robots.push_back({.name = "",
                       .simulator = simulator,
                       .dialect = options.dialect,
+                      .codes = options.codes,
                       .unit_mm = options.unit_mm,
                       .data = options.data,
                       .find_program = options.find_program,

@@ -34,6 +34,7 @@ class Engine {
         std::optional<Script>
             setup;  ///< Runs before the program: user M codes, answers of inputs and probes.
         std::string dialect = "ab9";  ///< and this,
+        std::vector<CodeRow> codes;   ///< with what its table says,
         double unit_mm = 1;           ///< and the unit of programs when the run begins: 1 or 25.4.
         bool block_delete = false;
         bool optional_stop = false;

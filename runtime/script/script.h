@@ -23,6 +23,16 @@ struct ScriptFunction {
     std::vector<ScriptChunk> chunks;
 };
 
+/// What the table of a dialect says of a code, for the library.
+struct CodeRow {
+    std::string name;   ///< Of its word: "G92_1".
+    std::string group;  ///< Modal group, as messages say it; empty: none.
+    std::string keys;   ///< That the table of the word may have, with blanks between them: "p q", or "axes"
+                       ///< for all axes; empty: the word itself looks at them.
+    std::string compensation;  ///< What becomes of it while cutter compensation is on: "refused", "refused
+                               ///< beside the path", "led out" or "ends the move"; empty: it acts.
+};
+
 /// The Lua that is run, as a whole or, where `functions` is not empty, in pieces, so that memory does not
 /// grow with it. `read` gives bytes [begin, end) of it, or a sentence that says why it cannot.
 struct Script {

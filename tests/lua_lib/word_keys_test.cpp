@@ -48,6 +48,27 @@ TEST_P(WordKeys, AreThoseOfTheDialect) {
 
 INSTANTIATE_TEST_SUITE_P(Dialects, WordKeys, testing::Values("ab9", "rs274ngc"));
 
+TEST_P(WordKeys, AndSoIsWhatCompensationRefuses) {
+    using grammar::Compensation;
+    Conditions setup = with_tools();
+    setup.options.dialect = GetParam();
+    std::size_t looked_at = 0;
+    for (const grammar::Code& code : grammar::dialect_named(GetParam())->codes()) {
+        if (code.group == grammar::Group::user || code.support != grammar::Support::full) continue;
+        const std::string call = grammar::lua_name(code) + "()";
+        const std::string message =
+            run_lua("F(600) D(1) G41{d=1} G1{x=20} G1{x=40}\n" + call, setup).message();
+        const bool is_refused = code.compensation == Compensation::refused ||
+                                code.compensation == Compensation::refused_beside_path;
+        EXPECT_EQ(message == grammar::code_name(code) +
+                                 " is not possible while cutter compensation is on; G40 first",
+                  is_refused)
+            << message;
+        if (is_refused) ++looked_at;
+    }
+    EXPECT_GT(looked_at, 15U);
+}
+
 std::string said(const std::string& script) {
     const Outcome r = run_lua(script);
     EXPECT_EQ(r.line(), 1U) << script;
