@@ -18,7 +18,7 @@ local function direction_of(degrees) return { math.cos(math.rad(degrees)), math.
 -- Where the program stands, in program units.
 local function program_point(p)
   local position = axes.program_position()
-  return { position[p.first] / state.unit_mm, position[p.second] / state.unit_mm }
+  return { position[p.first] / core.unit_mm(), position[p.second] / core.unit_mm() }
 end
 
 -- One coordinate is given: the other one lies on the line.
@@ -29,7 +29,7 @@ local function complete(words, p, degrees)
   if math.abs(way[known]) < STRAIGHT then
     alarm("corner", ",A%.10g: a line at this angle does not change %s", degrees, letters[known]:upper())
   end
-  local base = state.incremental and { 0, 0 } or program_point(p)
+  local base = core.is_incremental() and { 0, 0 } or program_point(p)
   local reach = (words[letters[known]] - base[known]) / way[known]
   local full = copied(words)
   full[letters[3 - known]] = base[3 - known] + reach * way[3 - known]
@@ -38,7 +38,7 @@ end
 
 -- The first of two lines with the end at which it meets the second, which is given by its end and its angle.
 local function crossing(words, p, degrees)
-  if degrees == nil or words[p.first] == nil or words[p.second] == nil or state.incremental then
+  if degrees == nil or words[p.first] == nil or words[p.second] == nil or core.is_incremental() then
     alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
   end
   local point = plane_geometry.meet(
@@ -92,9 +92,9 @@ function guard:flush() check_nothing_open() end
 
 local function hold_back(words, degrees)
   if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
-  local rapid = state.motion == "G0"
+  local rapid = core.motion() == "G0"
   waiting = {
-    degrees = degrees, words = words, start = program_point(plane_view.planes[state.plane]), plane = state.plane,
+    degrees = degrees, words = words, start = program_point(plane_view.planes[core.plane()]), plane = core.plane(),
     rapid = rapid, feed = not rapid and core.take_feed() or nil, place = core.place(), corner = ab9_corners.exchange(nil),
   }
 end
@@ -115,7 +115,7 @@ local function put_first(words)
 end
 
 local function check_words(words)
-  if state.motion ~= "G0" and state.motion ~= "G1" then alarm("corner", ",A belongs to straight moves (G0, G1)") end
+  if core.motion() ~= "G0" and core.motion() ~= "G1" then alarm("corner", ",A belongs to straight moves (G0, G1)") end
   if state.polar then alarm("corner", ",A does not go with polar programming (G16)") end
   for _, letter in ipairs { "u", "v", "w" } do
     if words[letter] ~= nil and axes.is_rotary[letter] == nil then
@@ -126,10 +126,10 @@ end
 
 -- The words of a move to which ,A belongs; none where it waits for the next one.
 local function resolve(words, degrees)
-  local p = plane_view.planes[state.plane]
+  local p = plane_view.planes[core.plane()]
   if degrees then check_words(words) end
   if waiting then
-    if waiting.plane ~= state.plane then
+    if waiting.plane ~= core.plane() then
       alarm("corner", ",A: the plane changes before the end of the line is known")
     end
     put_first(crossing(words, p, degrees))

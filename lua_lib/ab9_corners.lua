@@ -4,8 +4,7 @@
 local alarm, copied, given, space_between = use("basics", "alarm", "copied", "given", "space_between")
 local feed_of_part = use("feed", "feed_of_part")
 local word = use("words", "word")
-local axes, path, plane_geometry, plane_view, state =
-  use "axes", use "path", use "ab9_geometry", use "plane_view", use "state"
+local axes, path, plane_geometry, plane_view = use "axes", use "path", use "ab9_geometry", use "plane_view"
 
 local geometry = plane_geometry
 local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight
@@ -173,7 +172,7 @@ end
 -- A move arrives: with a corner of its own it waits, else it goes on. One without length joins nothing.
 local function take(move)
   local own = own_corner(move)
-  move.corner, move.plane = own, move.plane or plane_view.machine_plane(state.plane)
+  move.corner, move.plane = own, move.plane or plane_view.machine_plane(core.plane())
   if not goes_anywhere(move) then
     if own then no_move(own) end
     return
@@ -254,9 +253,9 @@ local function corner_word(key)
     if wanted and wanted.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
     if wanted then no_move(wanted) end
     if size == 0 then return end
-    local scale = plane_scale(plane_view.planes[state.plane], KEYS[key])
-    local plane = plane_view.machine_plane(state.plane)
-    wanted = { key = key, size_mm = size * state.unit_mm * scale, plane = plane, place = core.place() }
+    local scale = plane_scale(plane_view.planes[core.plane()], KEYS[key])
+    local plane = plane_view.machine_plane(core.plane())
+    wanted = { key = key, size_mm = size * core.unit_mm() * scale, plane = plane, place = core.place() }
     install()
   end)
 end

@@ -3,8 +3,7 @@
 
 local alarm = use("basics", "alarm")
 local word = use("words", "word")
-local ab9_frames, ab9_transform, frames, state, tools =
-  use "ab9_frames", use "ab9_transform", use "frames", use "state", use "tools"
+local ab9_frames, ab9_transform, frames, tools = use "ab9_frames", use "ab9_transform", use "frames", use "tools"
 
 local LAST_TOOL = 999
 local FIRST_SETTABLE, LAST_SETTABLE = 505, 599
@@ -29,7 +28,7 @@ local function whole(words, letter, least, most)
   return number
 end
 
-local function new_value(old, value) return state.incremental and (old or 0) + value or value end
+local function new_value(old, value) return core.is_incremental() and (old or 0) + value or value end
 
 local function set_axes(words, set)
   if not frames.each_axis(words, "G10", " l p ", set) then
@@ -98,7 +97,7 @@ local function tool_offset(words, place)
     alarm("word-missing", "G10 L%d needs R, %s in program units", words.l, place.what)
   end
   local old = tool_part(number, place.field, place.part)
-  set_tool_part(number, place.field, place.part, new_value(old, words.r * state.unit_mm))
+  set_tool_part(number, place.field, place.part, new_value(old, words.r * core.unit_mm()))
 end
 
 word("G10", function(words)

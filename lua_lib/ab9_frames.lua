@@ -25,7 +25,6 @@ end
 -- Rotation, scaling and mirror image: p' = m * p + by, before the offsets; m is nine numbers row by row, or nil.
 local function set_transform(m, by)
   core.set_matrix(m)
-  state.has_matrix = m ~= nil
   shift = by or {}
   apply_offsets()
   hooks.tell("transform")

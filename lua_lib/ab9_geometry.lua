@@ -1,13 +1,12 @@
 -- Geometry in a plane for chamfers, corner radii and angles of lines. Points are { first, second } in mm; a piece of
 -- path has `from` and `to`, and if it is an arc its centre, radius, sense (1 counterclockwise, -1 clockwise) and sweep.
 
-local comp_geometry = use "comp_geometry"
+local g = use "comp_geometry"
 
 local SAME_MM = 1e-6
 local STRAIGHT = 1e-9   -- sine of the angle below which two directions are one
 local TURN = 2 * math.pi
 
-local g = comp_geometry
 local minus, plus, length, cross, dot, unit = g.minus, g.plus, g.length, g.cross, g.dot, g.unit
 local function left_of(a) return g.normal(a, 1) end
 

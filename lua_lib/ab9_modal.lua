@@ -1,7 +1,7 @@
 -- Remembers for the system variables #4001 to #4120 which code of each modal group, and which word of each letter, came
 -- last.
 
-local printed = use("basics", "printed")
+local code_number = use("basics", "code_number")
 local ab9_macros, cycles, state, words = use "ab9_macros", use "cycles", use "state", use "words"
 
 -- Groups of the dialect's table by the last two digits of their variable, and the numbers of the codes that came last; at
@@ -12,23 +12,18 @@ local variable_of = {
   ["polar programming"] = 17, ["mirror image"] = 22,
 }
 local numbers = {
-  [2] = 17, [3] = 90, [4] = 23, [5] = 94, [6] = state.unit_mm == 1 and 21 or 20, [7] = 40, [8] = 49, [10] = 98, [11] = 14,
+  [2] = 17, [3] = 90, [4] = 23, [5] = 94, [6] = core.unit_mm() == 1 and 21 or 20, [7] = 40, [8] = 49, [10] = 98, [11] = 14,
   [13] = 97, [16] = 69, [17] = 15, [22] = 50.1,
 }
 
 local last = {}   -- letter -> value of the last word F, S, T, D, H or M
 
-local function code_number(name) return tonumber(printed(name:sub(2))) end
-
-local function note(name, group)
-  local number, index = code_number(name), variable_of[group]
-  if name:sub(1, 1) == "M" then
-    words.before(name, "modal codes", function() last.M = number end)
-  elseif index then
-    words.before(name, "modal codes", function() numbers[index] = number end)
-  end
+for name, group in unordered(core.codes.group) do
+  local index, is_m = variable_of[group], name:byte() == ("M"):byte()
+  local number = (index or is_m) and code_number(name)
+  if index then words.before(name, "modal codes", function() numbers[index] = number end) end
+  if is_m then words.before(name, "modal codes", function() last.M = number end) end
 end
-for name, group in pairs(core.codes.group) do note(name, group) end
 
 -- Bare, both codes of scaling end it.
 words.before({ "G14", "G14_1" }, "modal codes", function(_, given)
@@ -39,11 +34,11 @@ words.before({ "F", "S", "T", "D", "H" }, "modal codes", function(name, value) l
 -- Codes whose state is kept elsewhere.
 local kept_elsewhere = {
   [1] = function()
-    local number = state.motion ~= "CIP" and code_number(state.motion)
+    local number = core.motion() ~= "CIP" and code_number(core.motion())
     return number and number < 70 and number or 0
   end,
   [9] = function()
-    local number = cycles.is_cycle(state.motion) and code_number(state.motion)
+    local number = cycles.is_cycle(core.motion()) and code_number(core.motion())
     return number or 80
   end,
   [12] = function() return ab9_macros.modal_code() end,

@@ -37,10 +37,7 @@ word("F", function(value)
 end)
 
 for name, feed_mode in pairs { G93 = "inverse", G94 = "minute", G95 = "revolution" } do
-  word(name, function()
-    state.feed_mode = feed_mode
-    core.set_feed_mode(feed_mode)
-  end)
+  word(name, function() core.set_feed_mode(feed_mode) end)
 end
 
 -- --- Spindle ---
@@ -56,10 +53,7 @@ local limit_rpm = math.huge
 local surface_mm_min   -- nil: G97
 local is_constant_surface = false
 
-local function turn(rpm)
-  state.spindle_rpm = math.min(rpm, limit_rpm)
-  spindle.set_speed(state.spindle_rpm)
-end
+local function turn(rpm) spindle.set_speed(math.min(rpm, limit_rpm)) end
 
 local function rpm_at(radius_mm)
   if radius_mm < LEAST_RADIUS_MM and limit_rpm == math.huge then
@@ -98,13 +92,13 @@ end
 
 word("S", function(value)
   if not given(value, "S") then return end
-  local before = state.spindle_rpm
+  local before = core.spindle_rpm()
   if is_constant_surface then
-    surface_mm_min = speed(value, "S") * (state.unit_mm == 1 and MM_IN_M or MM_IN_FOOT)
+    surface_mm_min = speed(value, "S") * (core.unit_mm() == 1 and MM_IN_M or MM_IN_FOOT)
   else
     turn(speed(value, "S"))
   end
-  if state.spindle then path.wait_for(state.spindle_rpm ~= before) end
+  if state.spindle then path.wait_for(core.spindle_rpm() ~= before) end
 end)
 
 word("G50", function(words)
@@ -116,7 +110,7 @@ word("G50", function(words)
   end
   if type(words.s) ~= "number" then alarm("script", "S of G50 is no number") end
   limit_rpm = speed(words.s, "S of G50")
-  if state.spindle_rpm ~= nil and not is_constant_surface then turn(state.spindle_rpm) end
+  if not is_constant_surface then turn(core.spindle_rpm()) end
 end)
 
 word("M3", function() spindle.turn("cw") end)

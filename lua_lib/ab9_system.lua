@@ -89,9 +89,9 @@ signals(1100, "outputs", function(number) return outputs[number] == true end, sw
 
 local function tool_range(first, field, part, what)
   range(first, first + LAST_TOOL - 1, what, function(_, index)
-    return ab9_data.tool_part(index + 1, field, part) / state.unit_mm
+    return ab9_data.tool_part(index + 1, field, part) / core.unit_mm()
   end, function(_, value, index)
-    ab9_data.set_tool_part(index + 1, field, part, value * state.unit_mm)
+    ab9_data.set_tool_part(index + 1, field, part, value * core.unit_mm())
   end)
 end
 tool_range(2001, "length", "geometry", "lengths of tools")

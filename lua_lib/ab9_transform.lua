@@ -102,7 +102,7 @@ end
 -- Calls use(letter, value in mm) for the words X, Y and Z.
 local function each_length(words, code, use)
   for _, letter in ipairs(LETTERS) do
-    if words[letter] ~= nil then use(letter, number(words[letter], code, letter) * state.unit_mm) end
+    if words[letter] ~= nil then use(letter, number(words[letter], code, letter) * core.unit_mm()) end
   end
 end
 
@@ -167,7 +167,7 @@ scaling("G14_1", "G14.1")
 
 -- The centre of a rotation: the axis words of the plane; those left out keep what is in force in this plane, else 0.
 local function rotation_centre(words, p)
-  local held = rotates() and rotation.plane == state.plane and rotation.centre or {}
+  local held = rotates() and rotation.plane == core.plane() and rotation.centre or {}
   local centre = { [p.first] = held[p.first] or 0, [p.second] = held[p.second] or 0 }
   if words[p.third] ~= nil then
     alarm("frame", "G68: %s is no axis of the plane in force; the centre is given by %s and %s", p.third:upper(),
@@ -183,9 +183,9 @@ word("G68", function(words)
     alarm("word-missing", "G68 needs R, its angle in degrees (this control holds no table of rotations)")
   end
   local angle = number(words.r, "G68", "r")
-  if state.incremental and rotates() and rotation.plane == state.plane then angle = angle + rotation.angle_deg end
+  if core.is_incremental() and rotates() and rotation.plane == core.plane() then angle = angle + rotation.angle_deg end
   rotation = {
-    plane = state.plane, centre = rotation_centre(words, plane_view.planes[state.plane]), angle_deg = angle,
+    plane = core.plane(), centre = rotation_centre(words, plane_view.planes[core.plane()]), angle_deg = angle,
     frame = state.frame,
   }
   apply()

@@ -3,7 +3,7 @@
 
 local alarm = use("basics", "alarm")
 local word = use("words", "word")
-local axes, path, state = use "axes", use "path", use "state"
+local axes, path = use "axes", use "path"
 
 local LEAST_EXTENT_MM = 2e-6   -- nearer than half of it is on a wall
 
@@ -16,7 +16,7 @@ local function wall(words, key)
   if type(words[key]) ~= "number" or words[key] ~= words[key] or math.abs(words[key]) == math.huge then
     alarm("script", "G22: the value of '%s' is no number", key)
   end
-  return words[key] * state.unit_mm
+  return words[key] * core.unit_mm()
 end
 
 local function read_box(words)

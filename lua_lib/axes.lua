@@ -1,7 +1,6 @@
 -- The axes of the machine, and where they stand.
 
 local alarm = use("basics", "alarm")
-local state = use "state"
 
 local axes = { list = core.axes(), is_rotary = {} }
 local is_rotary = axes.is_rotary
@@ -35,8 +34,8 @@ function axes.program_position()
 end
 
 -- The value of an axis in mm or deg, and in program units.
-function axes.in_mm(letter, value) return is_rotary[letter] and value or value * state.unit_mm end
-function axes.in_program_units(letter, value) return is_rotary[letter] and value or value / state.unit_mm end
+function axes.in_mm(letter, value) return is_rotary[letter] and value or value * core.unit_mm() end
+function axes.in_program_units(letter, value) return is_rotary[letter] and value or value / core.unit_mm() end
 
 -- The direction of a program axis in the machine; with scaling its length is the factor.
 function axes.direction(letter)

@@ -41,6 +41,9 @@ function basics.printed(name)
   return at and name:sub(1, at - 1) .. "." .. name:sub(at + 1) or name
 end
 
+-- The number of a word's code: 92.1 of G92_1.
+function basics.code_number(name) return tonumber(basics.printed(name:sub(2))) end
+
 -- Distance of two points in space; axes that the machine does not have count as 0.
 function basics.space_between(a, b)
   local sum = 0

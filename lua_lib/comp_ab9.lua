@@ -9,8 +9,7 @@
 --   exit       the last move ends at right angles to itself, and the exit move goes straight to its programmed end
 
 local alarm, copied = use("basics", "alarm", "copied")
-local comp_filter, comp_geometry, comp_override, state =
-  use "comp_filter", use "comp_geometry", use "comp_override", use "state"
+local comp_filter, g, comp_override = use "comp_filter", use "comp_geometry", use "comp_override"
 
 local LOOK_AHEAD = 20            -- actions and moves outside the plane that may lie between two moves in it
 local SMALLEST_BLOCK_MM = 0.001  -- ends no farther apart are joined by one block
@@ -18,13 +17,11 @@ local SAME_POINT_MM = 1e-6
 local CUT_BACK_RAD = 0.001       -- by which an arc may come out longer than programmed
 local CUSP_RAD = 0.05            -- a turn back by half a turn, as far as rounded coordinates tell
 
-local g = comp_geometry
-
 local ab9 = comp_filter.derive()
 
 local function make(radius_in_force)
   return comp_filter.make(ab9, {
-    plane = state.plane, side = 1, radius_in_force = radius_in_force,
+    plane = core.plane(), side = 1, radius_in_force = radius_in_force,
     round = false,        -- G39.1
     before = nil,         -- the last move in the plane
     waiting = false,      -- whether it is still to be put out

@@ -6,13 +6,11 @@
 -- in the plane. An action holds its own place.
 
 local alarm, copied, space_between = use("basics", "alarm", "copied", "space_between")
-local axes, comp_geometry, plane_view, state = use "axes", use "comp_geometry", use "plane_view", use "state"
+local axes, g, plane_view = use "axes", use "comp_geometry", use "plane_view"
 
 local SAME_POINT_MM = 1e-9
 local LEAST_RADIUS_MM = 1e-6
 local SLOWEST = 0.1   -- program units in a minute
-
-local g = comp_geometry
 
 local comp_filter = {}
 comp_filter.__index = comp_filter
@@ -44,7 +42,7 @@ end
 -- Inverse time is a speed on the programmed way, and the tool keeps that speed on its own way.
 local function at_programmed_speed(feed, length_mm)
   if not feed.motion_s or length_mm == 0 then return feed end
-  return core.feed_mm_min(math.max(length_mm / feed.motion_s * 60, SLOWEST * state.unit_mm))
+  return core.feed_mm_min(math.max(length_mm / feed.motion_s * 60, SLOWEST * core.unit_mm()))
 end
 
 -- A straight move as an item. Only moves in the plane get a segment.
@@ -65,7 +63,7 @@ end
 function comp_filter:circular(plane, ccw, first, second, sweep_rad, target, feed, place)
   if not plane_view.same_plane(plane, self.lies) then
     alarm("compensation", "an arc in plane %s is not possible while cutter compensation is on in plane %s; G40 first",
-      state.plane:upper(), self.plane:upper())
+      core.plane():upper(), self.plane:upper())
   end
   local item = { kind = "arc", source = self.programmed, target = self:complete(target), place = place or core.place() }
   local from, to, centre = self:point(self.programmed), self:point(item.target), { first, second }

@@ -3,8 +3,7 @@
 -- before. For that one move in the plane waits in a queue, with what came after it, until the next one is known.
 
 local alarm = use("basics", "alarm")
-local axes, comp_filter, comp_geometry, plane_view, state =
-  use "axes", use "comp_filter", use "comp_geometry", use "plane_view", use "state"
+local axes, comp_filter, g, plane_view = use "axes", use "comp_filter", use "comp_geometry", use "plane_view"
 
 local SMALL_CORNER_RAD = 0.05     -- up to here a corner counts as none
 local MOST_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
@@ -13,8 +12,6 @@ local RADII_TOLERANCE = 0.01      -- of an arc that was cut back, in program uni
 local CUT_BACK_RAD = { metric = 0.0254, inch = 0.001 }
 
 local TURN = 2 * math.pi
-
-local g = comp_geometry
 
 local ngc = comp_filter.derive()
 
@@ -25,7 +22,7 @@ local orientation_shift = {
 
 local function make(side, radius, orientation)
   local filter = comp_filter.make(ngc, {
-    side = side, radius = radius, plane = state.plane,
+    side = side, radius = radius, plane = core.plane(),
     queue = {},              -- the move in the plane that waits, and what came after it
     last = nil,              -- the last move in the plane
     start = nil,             -- where the waiting move starts, if that has to be watched
@@ -48,7 +45,7 @@ local NO_WAY = "%s ends in an inside corner that the tool cannot reach without g
 
 local function off_circle(item, point)
   local other = g.distance(item.point, item.centre)
-  return math.abs(g.distance(point, item.centre) - other) > RADII_TOLERANCE * state.unit_mm
+  return math.abs(g.distance(point, item.centre) - other) > RADII_TOLERANCE * core.unit_mm()
 end
 
 function ngc:cut_back(item, point)
@@ -58,7 +55,7 @@ function ngc:cut_back(item, point)
     if off_circle(item, point) then self:say(item, NO_WAY) end
     if self.start then
       local sweep = g.swept_after(self.start, point, item.centre, segment.turn, segment.sweep)
-      local tolerance = state.unit_mm == 1 and CUT_BACK_RAD.metric or CUT_BACK_RAD.inch
+      local tolerance = core.unit_mm() == 1 and CUT_BACK_RAD.metric or CUT_BACK_RAD.inch
       if sweep > segment.sweep + tolerance then self:say(item, NO_WAY) end
     end
   elseif self.start and item.watched and g.dot(segment.heading[1], g.minus(point, self.start)) < 0 then

@@ -96,13 +96,13 @@ local function ngc_words()
   -- A radius of 0 counts as compensation and changes no path.
   local function switch_on(name, side, radius, orientation)
     if compensation.word then alarm("compensation", "%s: cutter compensation is on already; G40 first", name) end
-    if state.plane == "yz" then
+    if core.plane() == "yz" then
       alarm("compensation", "%s: cutter compensation is possible in G17 and G18, not in G19", name)
     end
-    compensation.word, compensation.plane = name, state.plane
+    compensation.word, compensation.plane = name, core.plane()
     if radius < 0 then side, radius = -side, -radius end
     -- In a mirror image left and right change over.
-    if not select(2, plane_view.machine_plane(state.plane)) then side = -side end
+    if not select(2, plane_view.machine_plane(core.plane())) then side = -side end
     compensation.replace_filter(radius > 0 and comp_ngc(side, radius, orientation) or nil)
   end
 
@@ -119,10 +119,10 @@ local function ngc_words()
     word(name:sub(1, 3) .. "_1", function(given)
       given = check_words(given, name, { d = true, l = true })
       if type(given.d) ~= "number" then alarm("compensation", "%s needs the diameter of the tool: D", name) end
-      if given.l ~= nil and state.plane ~= "zx" then
+      if given.l ~= nil and core.plane() ~= "zx" then
         alarm("compensation", "%s: L is the orientation of a lathe tool and possible in G18 only", name)
       end
-      switch_on(name, side, given.d / 2 * state.unit_mm, given.l)
+      switch_on(name, side, given.d / 2 * core.unit_mm(), given.l)
     end)
   end
 
@@ -155,7 +155,7 @@ local function ab9_words()
       end
       side = new_side
       if compensation.word == nil then
-        compensation.plane = state.plane
+        compensation.plane = core.plane()
         compensation.replace_filter(comp_ab9(radius_in_force))
       end
       compensation.word = name

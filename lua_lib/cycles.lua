@@ -96,7 +96,7 @@ end
 -- Levels count in the work coordinate system, time per stroke has no meaning, nor has a path beside the hole.
 local function check_cycle_modes(name)
   if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
-  if state.feed_mode == "inverse" then
+  if core.feed_mode() == "inverse" then
     alarm("mode", "%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
   end
 end

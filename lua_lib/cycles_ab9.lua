@@ -142,18 +142,18 @@ local no_place = { r = true, p = true, q = true, i = true, j = true, k = true, l
 
 local function length(words, letter, name)
   local value = cycles.word(words, letter, name)
-  return value and value * state.unit_mm
+  return value and value * core.unit_mm()
 end
 
 -- Takes note of the levels that the block gives.
 local function read_levels(words, name, p)
   local r, depth = length(words, "r", name), length(words, p.third, name)
   local from_r = axes.is_rotary[increment[p.third]] == nil and length(words, increment[p.third], name) or nil
-  if r ~= nil then held.r = state.incremental and held.initial + r or r end
-  if held.r == nil and (from_r ~= nil or state.incremental and depth ~= nil) then
+  if r ~= nil then held.r = core.is_incremental() and held.initial + r or r end
+  if held.r == nil and (from_r ~= nil or core.is_incremental() and depth ~= nil) then
     alarm("word-missing", "%s needs R, the level from which its depth counts", name)
   end
-  if depth ~= nil then held.bottom = state.incremental and held.r + depth or depth end
+  if depth ~= nil then held.bottom = core.is_incremental() and held.r + depth or depth end
   if from_r ~= nil then held.bottom = held.r + from_r end
 end
 
@@ -218,15 +218,15 @@ local function check_words(name, p)
 end
 
 local function begin_series(p)
-  held = { initial = axes.program_position()[p.third], plane = state.plane, shift_first = 0, shift_second = 0 }
+  held = { initial = axes.program_position()[p.third], plane = core.plane(), shift_first = 0, shift_second = 0 }
 end
 
 local function drill(name, words)
   check_table(words, name)
   words = words or {}
   cycles.check_modes(name)
-  local p = plane_view.planes[state.plane]
-  if held.plane ~= state.plane then begin_series(p) end
+  local p = plane_view.planes[core.plane()]
+  if held.plane ~= core.plane() then begin_series(p) end
   read_words(words, name, p)
   local place, drills = split(words, p)
   local repeats = repeats_of(words, name)
@@ -243,24 +243,24 @@ local function drill(name, words)
 end
 
 for name in pairs(strokes) do
-  local modal = core.word(word_id(), if_allowed(name, function(words) drill(name, words) end))
+  local modal = motion.new(name, core.word(word_id(), if_allowed(name, function(words) drill(name, words) end)))
   word(name, function(words)
-    if not cycles.is_cycle(state.motion) then
-      before_series = { name = state.motion, move = env.move }
-      begin_series(plane_view.planes[state.plane])
+    if not cycles.is_cycle(core.motion()) then
+      before_series = core.motion_id()
+      begin_series(plane_view.planes[core.plane()])
     end
-    motion.make_modal(name, modal)
+    core.make_modal(modal)
     drill(name, words)
   end)
 end
 
 -- The end of a series: the motion before it is modal again.
 word("G80", function()
-  if not cycles.is_cycle(state.motion) then return end
-  local name = before_series.name
+  if not cycles.is_cycle(core.motion()) then return end
+  local name = motion.names[before_series]
   if name == "G0" or name == "G1" then
     env[name]()   -- which G0 and G1 are in use may have changed meanwhile
   else
-    motion.make_modal(name, motion.move_in_use(name, before_series.move))
+    core.make_modal(motion.as_in_use(before_series))
   end
 end)

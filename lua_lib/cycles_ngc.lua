@@ -51,7 +51,7 @@ local function peck(hole, name, retract)
   for _, depth in ipairs(cycles.pecks(hole.r, hole.bottom, hole.q, name)) do
     hole.feed(depth)
     if retract then hole.rapid(hole.r) end
-    hole.rapid(depth + CHIP_CLEARANCE_MM / state.unit_mm)
+    hole.rapid(depth + CHIP_CLEARANCE_MM / core.unit_mm())
   end
   strokes.G81(hole)
 end
@@ -62,7 +62,7 @@ function strokes.G83(hole) peck(hole, "G83", true) end
 -- In ZX and YZ LinuxCNC 2.9 gives the strokes of G74 and G84 to the wrong axes; its canonical output is followed,
 -- with a warning.
 local function misplaced(hole, level)
-  if state.plane == "zx" then return hole.second, level, hole.first end
+  if core.plane() == "zx" then return hole.second, level, hole.first end
   return level, hole.first, hole.second
 end
 
@@ -72,7 +72,7 @@ local function tap(hole, name, forth, back)
       forth == "cw" and "clockwise (M3)" or "counterclockwise (M4)")
   end
   local feed = hole.feed
-  if state.plane ~= "xy" then
+  if core.plane() ~= "xy" then
     core.warn(name .. " outside of the XY plane: as in LinuxCNC 2.9 its strokes go to exchanged axes; use G33.1")
     feed = function(level) hole.feed_to(misplaced(hole, level)) end
   end
@@ -156,7 +156,7 @@ local function read_words(hole, words, name, p, again)
     hole.shift_first = required(words, p.i, name, again)
     hole.shift_second = required(words, p.j, name, again)
     hole.middle = required(words, p.k, name, again)
-    if state.incremental then hole.middle = hole.middle + hole.bottom end
+    if core.is_incremental() then hole.middle = hole.middle + hole.bottom end
   end
 end
 
@@ -172,7 +172,7 @@ local function check_axes(words, name, p)
     end
   end
   if not named then alarm("word-missing", "%s needs axis words", name) end
-  if (words.radius ~= nil or words.angle ~= nil) and (state.plane ~= "xy" or words.x ~= nil or words.y ~= nil) then
+  if (words.radius ~= nil or words.angle ~= nil) and (core.plane() ~= "xy" or words.x ~= nil or words.y ~= nil) then
     alarm("mode", "%s takes @ and ^ in the XY plane only, and not beside X or Y", name)
   end
   ngc_modes.check_spindle(words, name)
@@ -210,7 +210,7 @@ end
 
 -- Strokes in program units, from a tool that moves in mm.
 local function add_strokes(hole, tool)
-  local unit = state.unit_mm
+  local unit = core.unit_mm()
   function hole.rapid_to(first, second, third) tool.rapid_to(first * unit, second * unit, third * unit) end
   function hole.feed_to(first, second, third) tool.feed_to(first * unit, second * unit, third * unit) end
   function hole.rapid(third) hole.rapid_to(hole.first, hole.second, third) end
@@ -224,7 +224,7 @@ local function levels(hole, words, name, p, again, current)
   if depth == nil then alarm("word-missing", "%s needs %s, the depth of the hole", name, p.third:upper()) end
   held.depth = depth
   local old = held.initial
-  if state.incremental then
+  if core.is_incremental() then
     hole.r = hole.r + old
     hole.bottom = hole.r + depth
   else
@@ -245,7 +245,7 @@ end
 
 -- After G88, and G84 outside of XY, the tool is elsewhere than the program takes it to be.
 local function leaves_tool(name)
-  return name == "G88" or state.plane ~= "xy" and (name == "G74" or name == "G84")
+  return name == "G88" or core.plane() ~= "xy" and (name == "G74" or name == "G84")
 end
 
 local NOWHERE = 0 / 0
@@ -254,11 +254,11 @@ local function drill(name, words, before)
   check_table(words, name)
   words = words or {}
   cycles.check_modes(name)
-  local p, again = plane_view.planes[state.plane], before == name
+  local p, again = plane_view.planes[core.plane()], before == name
   check_axes(words, name, p)
   local repeats = cycles.repeats(cycles.word(words, "l", name), "L", name)
   if repeats == 0 then alarm("word-value", "%s cannot be repeated 0 times; L is 1 or more", name) end
-  local here, unit = axes.program_position(), state.unit_mm
+  local here, unit = axes.program_position(), core.unit_mm()
   local current = snapped(here[p.third] / unit)
   if not cycles.is_cycle(before) then held.initial = current end
   local hole = { first = snapped(here[p.first] / unit), second = snapped(here[p.second] / unit) }
@@ -267,7 +267,7 @@ local function drill(name, words, before)
   add_strokes(hole, tool)
   current = levels(hole, words, name, p, again, current)
   read_words(hole, words, name, p, again)
-  local step = state.incremental and stepper(words, name, p)
+  local step = core.is_incremental() and stepper(words, name, p)
   if not step then absolute_place(hole, words, name, p) end
   -- The moves of a cycle keep to the path, whatever the path mode.
   path.in_mode("exact_path", function()
@@ -287,10 +287,10 @@ local function drill(name, words, before)
 end
 
 for name in pairs(strokes) do
-  local modal = core.word(word_id(), if_allowed(name, function(words) drill(name, words, name) end))
+  local modal = motion.new(name, core.word(word_id(), if_allowed(name, function(words) drill(name, words, name) end)))
   word(name, function(words)
-    local before = state.motion
-    motion.make_modal(name, modal)
+    local before = core.motion()
+    core.make_modal(modal)
     drill(name, words, before)
   end)
 end

@@ -2,7 +2,7 @@
 
 local alarm = use("basics", "alarm")
 local word = use("words", "word")
-local axes, compensation, state = use "axes", use "compensation", use "state"
+local axes, compensation = use "axes", use "compensation"
 
 local is_ngc = core.dialect == "rs274ngc"
 
@@ -33,29 +33,14 @@ local function each_axis(words, name, others, set)
   return any
 end
 
-local function set_unit(millimetres)
-  return function()
-    state.unit_mm = millimetres
-    core.set_unit(millimetres)
-  end
-end
-word("G20", set_unit(25.4))
-word("G21", set_unit(1))
-core.set_unit(state.unit_mm)
-
-local function set_incremental(on)
-  return function()
-    state.incremental = on
-    core.set_incremental(on)
-  end
-end
-word("G90", set_incremental(false))
-word("G91", set_incremental(true))
+word("G20", function() core.set_unit(25.4) end)
+word("G21", function() core.set_unit(1) end)
+word("G90", function() core.set_incremental(false) end)
+word("G91", function() core.set_incremental(true) end)
 
 for name, plane in pairs { G17 = "xy", G18 = "zx", G19 = "yz" } do
   word(name, function()
-    if is_ngc and plane ~= state.plane then compensation.refuse(name .. ", a change of the plane,") end
-    state.plane = plane
+    if is_ngc and plane ~= core.plane() then compensation.refuse(name .. ", a change of the plane,") end
     core.set_plane(plane)
   end)
 end

@@ -1,27 +1,30 @@
 -- Rapid and linear moves and the modal motion.
 
 local alarm, check_table = use("basics", "alarm", "check_table")
-local hooks, path, polar, state, word_keys, words =
-  use "hooks", use "path", use "polar", use "state", use "word_keys", use "words"
+local hooks, path, polar, word_keys, words = use "hooks", use "path", use "polar", use "word_keys", use "words"
 
 local motion = {}
 
--- Makes `name` the modal motion: `move` goes on with `meaning`.
-local function make_modal(name, meaning)
-  state.motion = name
-  core.forget_modal_word()
-  env.move = meaning
-end
-motion.make_modal = make_modal
+-- Of each motion by its id: its name, and what `move` is where it is modal. Which one is modal, the core knows.
+local names, moves = {}, {}
+core.set_modal_tables(env, names, moves)
+motion.names = names
 
--- A motion that becomes modal, and what `move` then is: the same without the change of mode.
+-- A motion of that name; the result is for core.make_modal().
+function motion.new(name, move)
+  local id = words.id()
+  names[id], moves[id] = name, move
+  return id
+end
+
+-- A motion that becomes modal, and its id: `move` is then the same without the change of mode.
 local function modal_motion(name, meaning)
-  local modal = core.word(words.id(), meaning)
-  local word = core.word(words.id(), function(values)
-    make_modal(name, modal)
+  local id = motion.new(name, core.word(words.id(), meaning))
+  local word = core.word(id, function(values)
+    core.make_modal(id)
     meaning(values)
   end)
-  return word, modal
+  return word, id
 end
 
 -- Defines the word of a motion that is modal.
@@ -29,31 +32,34 @@ function motion.modal_word(name, meaning)
   env[name] = modal_motion(name, word_keys(name, words.if_allowed(name, meaning)))
 end
 
--- Plain motions are C++ as long as nothing shapes them (shape.lua). By name the word and the `move` where it is modal.
+-- Plain motions are C++ as long as nothing shapes them (shape.lua): by name the word and its id.
 local plain, shaped = {}, {}
 local in_use = plain
-local plain_names, plain_moves = {}, {}   -- by the id of the word
-core.set_modal_tables(state, env, plain_names, plain_moves)
 
 -- Defines the word of such a motion. word_in_core(id) and move_in_core(id) make it and its `move` in C++; `meaning` is
 -- the same in Lua, for when something stands between the word and the machine.
 function motion.plain_word(name, word_in_core, move_in_core, meaning)
-  local id = words.id()
-  plain[name] = { name = name, word = word_in_core(id), move = move_in_core(words.id()) }
-  plain_names[id], plain_moves[id] = name, plain[name].move
-  shaped[name] = {}
-  shaped[name].word, shaped[name].move = modal_motion(name, meaning)
+  local id = motion.new(name, move_in_core(words.id()))
+  plain[name], shaped[name] = { word = word_in_core(id), id = id }, {}
+  shaped[name].word, shaped[name].id = modal_motion(name, meaning)
   env[name] = plain[name].word
+end
+
+-- The motion of an id; of a plain one as it is in use now.
+function motion.as_in_use(id)
+  local name = names[id]
+  local is_plain = plain[name] and (id == plain[name].id or id == shaped[name].id)
+  return is_plain and in_use[name].id or id
 end
 
 -- What has been defined anew since stays as it is.
 local function put_in_use(motions)
-  for name, word in unordered(motions) do
-    if env[name] == in_use[name].word then env[name] = word.word end
+  for name, own in unordered(motions) do
+    if env[name] == in_use[name].word then env[name] = own.word end
   end
-  local modal = motions[state.motion]
-  if modal and env.move == in_use[state.motion].move then make_modal(state.motion, modal.move) end
   in_use = motions
+  local modal = motion.as_in_use(core.motion_id())
+  if modal ~= core.motion_id() then core.make_modal(modal) end
 end
 
 -- For a while other meanings may stand in for words, in layers: the last one is nearest to the program.
@@ -89,12 +95,6 @@ hooks.on("shape", "motions", function(is_shaped)
   put_covers()
 end)
 
--- The `move` of a motion that was modal before; which one of a plain motion is in use may have changed meanwhile.
-function motion.move_in_use(name, move)
-  local is_plain = plain[name] and (move == plain[name].move or move == shaped[name].move)
-  return is_plain and in_use[name].move or move
-end
-
 local function line(name, rapid)
   local function line_in_lua(values)
     check_table(values, name)
@@ -110,17 +110,12 @@ line("G0", true)
 line("G1", false)
 
 -- No motion is modal: axis words need one.
-local none = core.word(words.id(), function()
+local none = motion.new("G80", core.word(words.id(), function()
   alarm("mode", "axis words need a motion, and G80 has ended the one that was in force")
-end)
-function motion.end_motion()
-  make_modal("G80", none)
-end
+end))
+function motion.end_motion() core.make_modal(none) end
 
-if core.dialect == "rs274ngc" then
-  motion.end_motion()   -- axis words need a motion of the program's own
-else
-  make_modal("G0", plain.G0.move)
-end
+-- In RS274/NGC axis words need a motion of the program's own.
+core.make_modal(core.dialect == "rs274ngc" and none or plain.G0.id)
 
 return motion

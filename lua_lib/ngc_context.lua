@@ -8,7 +8,7 @@ local word = words.word
 
 -- By modal group of the dialect's table: the code in force, at first those of a run's beginning.
 local active = {
-  units = state.unit_mm == 1 and "G21" or "G20", plane = "G17", ["distance mode"] = "G90", ["arc centre mode"] = "G91_1",
+  units = core.unit_mm() == 1 and "G21" or "G20", plane = "G17", ["distance mode"] = "G90", ["arc centre mode"] = "G91_1",
   ["feed mode"] = "G94", ["cutter compensation"] = "G40", ["tool length"] = "G49", ["return level of cycles"] = "G99",
   ["spindle speed mode"] = "G97", ["path mode"] = "G64",
 }
@@ -16,7 +16,7 @@ local words_of = {}   -- by group, the words with which its code was called
 
 local saved_modes          -- of the subroutine
 
-for name, group in pairs(core.codes.group) do
+for name, group in unordered(core.codes.group) do
   if active[group] then
     words.after(name, "modal state", function(_, given) active[group], words_of[group] = name, given end)
   end
@@ -73,7 +73,7 @@ local groups = {
 local function restore(saved)
   local written = written_values(saved)
   for _, group in ipairs(groups) do bring_back(saved, group) end
-  if saved.system ~= systems.in_force then env[systems.word(saved.system)]() end
+  if saved.system ~= systems.in_force then env[systems.words[saved.system]]() end
   restore_length(saved)
   for name, value in pairs(written) do env[name](value) end
   restore_spindle(saved)

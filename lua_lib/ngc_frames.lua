@@ -19,11 +19,7 @@ local names = { "54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3" }
 function systems.name(number) return names[number] end
 
 -- The word of a system: 59.1 is G59_1.
-function systems.word(number)
-  local name = names[number]
-  local dot = name:find(".", 1, true)
-  return "G" .. (dot and name:sub(1, dot - 1) .. "_" .. name:sub(dot + 1) or name)
-end
+systems.words = { "G54", "G55", "G56", "G57", "G58", "G59", "G59_1", "G59_2", "G59_3" }
 
 systems.in_force = 1     -- its number
 local origin = {}       -- of the system in force, by letter, mm or deg
@@ -96,8 +92,7 @@ local function apply_offsets()
   local offset = systems.placed(zero, origin, rotation_deg, state.g92)
   for letter, value in pairs(offset) do core.set_offset(letter, value + (state.tool_offset[letter] or 0)) end
   local c, s = math.cos(math.rad(rotation_deg)), math.sin(math.rad(rotation_deg))
-  state.has_matrix = rotation_deg ~= 0
-  core.set_matrix(state.has_matrix and { c, -s, 0, s, c, 0, 0, 0, 1 } or nil)
+  core.set_matrix(rotation_deg ~= 0 and { c, -s, 0, s, c, 0, 0, 0, 1 } or nil)
 end
 
 -- The systems as the machine had them when the run began.
@@ -124,7 +119,7 @@ function systems.load(system)
 end
 
 for system, name in ipairs(names) do
-  word(systems.word(system), function()
+  word(systems.words[system], function()
     if system ~= systems.in_force then
       path.wait()   -- also where both systems are in one place
       systems.load(system)
@@ -192,7 +187,7 @@ end)
 
 word("G53", function()
   axes.refuse_with_tip_control("G53")
-  if state.incremental then alarm("mode", "G53 moves in machine coordinates, which are absolute: it needs G90") end
+  if core.is_incremental() then alarm("mode", "G53 moves in machine coordinates, which are absolute: it needs G90") end
   core.machine_frame_once()
 end)
 

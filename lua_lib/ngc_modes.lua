@@ -21,7 +21,7 @@ end
 word("F", function(value)
   if not given(value, "F") then return end
   if value < 0 then alarm("word-value", "F is a feed from 0 on, not %.10g", value) end
-  if state.feed_mode ~= "inverse" then state.feed = value end   -- in G93 F is that of its block
+  if core.feed_mode() ~= "inverse" then state.feed = value end   -- in G93 F is that of its block
   if value > 0 then core.set_feed(value) else core.clear_feed() end
 end)
 
@@ -33,7 +33,6 @@ end
 -- G94 and G95 drop F even where they are in force already: F stands behind them, or in their block.
 local function feed_mode(name, mode)
   word(name, function()
-    state.feed_mode = mode
     core.set_feed_mode(mode)
     if mode ~= "inverse" then drop_feed() end
   end)
@@ -51,7 +50,7 @@ local surface
 local function surface_rpm()
   if state.spindle_word == 0 then return 0 end
   local radius_mm = math.abs(axes.program_position().x or 0)
-  local unit_mm = state.unit_mm == 1 and MM_PER_M or MM_PER_FOOT
+  local unit_mm = core.unit_mm() == 1 and MM_PER_M or MM_PER_FOOT
   return math.min(surface.most_rpm, state.spindle_word * unit_mm / (2 * math.pi * radius_mm))
 end
 
@@ -61,7 +60,6 @@ local function set_speed()
     core.warn("G96 at X0 has no highest speed, and none is set; give it by D")
     rpm = 0
   end
-  state.spindle_rpm = rpm
   spindle.set_speed(rpm)
 end
 
@@ -74,10 +72,10 @@ end
 
 word("S", function(value)
   if not given(value, "S") then return end
-  local before = state.spindle_rpm
+  local before = core.spindle_rpm()
   speed(value, "")
   set_speed()
-  if state.spindle then path.wait_for(state.spindle_rpm ~= before) end
+  if state.spindle then path.wait_for(core.spindle_rpm() ~= before) end
 end)
 
 word("G96", function(words)
@@ -151,14 +149,8 @@ end)
 
 -- --- Modes of the path ---
 
-local function set_arc_centres(absolute)
-  return function()
-    state.arc_absolute = absolute
-    core.set_absolute_arc_centers(absolute)
-  end
-end
-word("G90_1", set_arc_centres(true))
-word("G91_1", set_arc_centres(false))
+word("G90_1", function() core.set_absolute_arc_centers(true) end)
+word("G91_1", function() core.set_absolute_arc_centers(false) end)
 
 word("G61", function()
   path.set_mode("exact_path")
@@ -178,7 +170,7 @@ word("G64", function(words)
   end
   local tolerance = words and words.p or 0
   local merging = words and words.q or tolerance
-  path.set_mode("continuous", math.max(tolerance, 0) * state.unit_mm, math.max(merging, 0) * state.unit_mm)
+  path.set_mode("continuous", math.max(tolerance, 0) * core.unit_mm(), math.max(merging, 0) * core.unit_mm())
   path.warn_of_stops("G64 (continuous mode)")
 end)
 

@@ -1,7 +1,7 @@
 -- RS274/NGC: named parameters #<name> as p.name. A name that begins with _ is global, any other belongs to the
 -- subroutine; some global ones are the control's own and read-only.
 
-local alarm = use("basics", "alarm")
+local alarm, code_number = use("basics", "alarm", "code_number")
 local axes, compensation, hooks, modes, parameters =
   use "axes", use "compensation", use "hooks", use "ngc_context", use "ngc_variables"
 local state, switches, systems, tools = use "state", use "ngc_overrides", use "ngc_frames", use "tools"
@@ -80,28 +80,24 @@ predefine("_line", function()
 end)
 
 -- Ten times the number of a code by its name: G38_2 and G38.2 are 382.
-local function ten_times(name)
-  local dot = name:find(".", 2, true) or name:find("_", 2, true)
-  if dot then return tonumber(name:sub(2, dot - 1)) * 10 + tonumber(name:sub(dot + 1)) end
-  return (tonumber(name:sub(2)) or 80) * 10
-end
+local function ten_times(name) return math.floor((code_number(name) or 80) * 10 + 0.5) end
 
-predefine("_motion_mode", function() return ten_times(state.motion) end)
+predefine("_motion_mode", function() return ten_times(core.motion()) end)
 local plane_codes = { xy = 170, zx = 180, yz = 190 }
-predefine("_plane", function() return plane_codes[state.plane] end)
+predefine("_plane", function() return plane_codes[core.plane()] end)
 predefine("_coord_system", function() return ten_times("G" .. systems.name(systems.in_force)) end)
 
-predefine("_metric", function() return state.unit_mm == 1 end)
-predefine("_imperial", function() return state.unit_mm ~= 1 end)
-predefine("_absolute", function() return not state.incremental end)
-predefine("_incremental", function() return state.incremental end)
-predefine("_ijk_absolute_mode", function() return state.arc_absolute end)
+predefine("_metric", function() return core.unit_mm() == 1 end)
+predefine("_imperial", function() return core.unit_mm() ~= 1 end)
+predefine("_absolute", function() return not core.is_incremental() end)
+predefine("_incremental", function() return core.is_incremental() end)
+predefine("_ijk_absolute_mode", function() return core.has_absolute_arc_centers() end)
 predefine("_lathe_diameter_mode", function() return false end)
 predefine("_lathe_radius_mode", function() return true end)   -- coordinates are never diameters here
 
-predefine("_inverse_time", function() return state.feed_mode == "inverse" end)
-predefine("_units_per_minute", function() return state.feed_mode == "minute" end)
-predefine("_units_per_rev", function() return state.feed_mode == "revolution" end)
+predefine("_inverse_time", function() return core.feed_mode() == "inverse" end)
+predefine("_units_per_minute", function() return core.feed_mode() == "minute" end)
+predefine("_units_per_rev", function() return core.feed_mode() == "revolution" end)
 predefine("_feed", function() return state.feed end)
 predefine("_rpm", function() return state.spindle_word end)
 predefine("_spindle_on", function() return state.spindle ~= nil end)

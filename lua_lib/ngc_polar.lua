@@ -3,7 +3,7 @@
 -- stays as it is.
 
 local alarm, copied = use("basics", "alarm", "copied")
-local axes, state = use "axes", use "state"
+local axes = use "axes"
 
 local SAME_POINT = 1e-9
 
@@ -12,13 +12,13 @@ core.on_polar(function(words)
     alarm("word-value", "a target is given by @ and ^ or by X and Y, not by both")
   end
   local program = axes.program_position()
-  local x, y = program.x / state.unit_mm, program.y / state.unit_mm
+  local x, y = program.x / core.unit_mm(), program.y / core.unit_mm()
   local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
-  if radius < SAME_POINT and (state.incremental or words.angle == nil) then
+  if radius < SAME_POINT and (core.is_incremental() or words.angle == nil) then
     alarm("word-value",
       "@ without ^, ^ without @ and increments of them need a present point that is not the zero point")
   end
-  if state.incremental then
+  if core.is_incremental() then
     radius, angle = radius + (words.radius or 0), angle + math.rad(words.angle or 0)
   else
     radius, angle = words.radius or radius, words.angle and math.rad(words.angle) or angle
@@ -26,6 +26,6 @@ core.on_polar(function(words)
   local cartesian = copied(words)
   cartesian.radius, cartesian.angle = nil, nil
   cartesian.x, cartesian.y = radius * math.cos(angle), radius * math.sin(angle)
-  if state.incremental then cartesian.x, cartesian.y = cartesian.x - x, cartesian.y - y end
+  if core.is_incremental() then cartesian.x, cartesian.y = cartesian.x - x, cartesian.y - y end
   return cartesian
 end)

@@ -1,8 +1,8 @@
 -- RS274/NGC: G38.2 to G38.5, straight probing. The results are #5061 to #5069 (the point) and #5070 (found or not).
 
 local alarm = use("basics", "alarm")
-local axes, motion, move_until_signal, parameters, path, polar, state =
-  use "axes", use "motion", use "probe", use "ngc_variables", use "path", use "polar", use "state"
+local axes, motion, move_until_signal, parameters, path, polar =
+  use "axes", use "motion", use "probe", use "ngc_variables", use "path", use "polar"
 
 local FIRST_RESULT, FOUND = 5061, 5070
 
@@ -16,7 +16,7 @@ local function store_result(point, found)
 end
 
 local function check(name, words, must_find)
-  if state.feed_mode ~= "minute" then alarm("mode", "%s needs a feed per minute (G94)", name) end
+  if core.feed_mode() ~= "minute" then alarm("mode", "%s needs a feed per minute (G94)", name) end
   if core.in_machine_frame() then alarm("probe", "G53 is for G0 and G1, not for %s", name) end
   local target, named = core.target(polar.resolve(words or {}))
   if not named then alarm("word-missing", "%s needs the axis words of its end", name) end

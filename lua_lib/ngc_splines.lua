@@ -3,7 +3,7 @@
 local alarm, check_table, space_between = use("basics", "alarm", "check_table", "space_between")
 local feed_of_part = use("feed", "feed_of_part")
 local if_allowed, word, word_id = use("words", "if_allowed", "word", "id")
-local axes, motion, path, splines, state = use "axes", use "motion", use "path", use "splines", use "state"
+local axes, motion, path, splines = use "axes", use "motion", use "path", use "splines"
 
 local SAME_MM = 1e-9
 local DEFAULT_ORDER = 3
@@ -52,13 +52,13 @@ end
 
 -- A point at a vector of the program from `point`.
 local function moved(point, x, y)
-  local dx, dy, dz = core.direction(x * state.unit_mm, y * state.unit_mm, 0)
+  local dx, dy, dz = core.direction(x * core.unit_mm(), y * core.unit_mm(), 0)
   return { x = point.x + dx, y = point.y + dy, z = point.z + dz }
 end
 
 local function check(words, name, letters)
   check_table(words, name)
-  if state.plane ~= "xy" then alarm("mode", "%s is a curve in the XY plane (G17)", name) end
+  if core.plane() ~= "xy" then alarm("mode", "%s is a curve in the XY plane (G17)", name) end
   for letter, value in pairs(words) do
     if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
       alarm("word-out-of-place", "%s is a curve in X and Y, and takes no word '%s'", name, tostring(letter))
@@ -128,17 +128,19 @@ local function add_control_point(words, first)
   nurbs.weights[#nurbs.weights + 1] = words.p or 1
 end
 
-local next_point = core.word(word_id(), if_allowed("G5_2", function(words) add_control_point(words or {}, false) end))
+local next_point = motion.new("G5.2", core.word(word_id(), if_allowed("G5_2", function(words)
+  add_control_point(words or {}, false)
+end)))
 
 word("G5_2", function(words)
-  local going_on = nurbs ~= nil and state.motion == "G5.2"
+  local going_on = nurbs ~= nil and core.motion() == "G5.2"
   if not going_on then nurbs = { points = { here() }, weights = { 1 }, order = DEFAULT_ORDER } end
-  motion.make_modal("G5.2", next_point)
+  core.make_modal(next_point)
   add_control_point(words or {}, not going_on)
 end)
 
 word("G5_3", function()
-  if nurbs == nil or state.motion ~= "G5.2" then
+  if nurbs == nil or core.motion() ~= "G5.2" then
     alarm("arc", "G5.3 ends a curve that G5.2 begins, and there is none")
   end
   local curve = nurbs

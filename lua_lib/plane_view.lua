@@ -1,7 +1,7 @@
 -- Planes of the program as they lie in the machine. A main plane is its name, an oblique one, which a rotation makes of
 -- it, a table { first = {x=, y=, z=}, second = {...} } of two unit vectors at right angles: as core.arc takes them.
 
-local axes, state = use "axes", use "state"
+local axes = use "axes"
 
 -- Axes of each plane in the order in which its angles are counted, and the words of the centre.
 local planes = {
@@ -19,7 +19,7 @@ end
 
 -- Where a plane of the program lies in the machine, and whether what is counterclockwise in the one is so in the other.
 local function machine_plane(name)
-  if not state.has_matrix then return name, true end
+  if not core.has_matrix() then return name, true end
   local p = planes[name]
   local normal = cross(axes.direction(p.first), axes.direction(p.second))
   return core.plane_across(normal.x, normal.y, normal.z)

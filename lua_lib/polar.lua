@@ -20,20 +20,20 @@ function polar.resolve_by(f) by_another = f end
 function polar.resolve(words)
   if by_another then return by_another(words) end
   if not state.polar then return words end
-  local p = plane_view.planes[state.plane]
+  local p = plane_view.planes[core.plane()]
   if words[p.first] == nil and words[p.second] == nil then return words end
   local turn, reach = words[p.second], words[p.first]
-  if state.incremental then
-    angle[state.plane] = angle[state.plane] + (turn or 0)
+  if core.is_incremental() then
+    angle[core.plane()] = angle[core.plane()] + (turn or 0)
     reach = reach or 0
   else
-    angle[state.plane] = turn or angle[state.plane]
-    reach = reach or radius[state.plane]
-    radius[state.plane] = reach
+    angle[core.plane()] = turn or angle[core.plane()]
+    reach = reach or radius[core.plane()]
+    radius[core.plane()] = reach
   end
   local resolved = copied(words)
-  resolved[p.first] = reach * math.cos(math.rad(angle[state.plane]))
-  resolved[p.second] = reach * math.sin(math.rad(angle[state.plane]))
+  resolved[p.first] = reach * math.cos(math.rad(angle[core.plane()]))
+  resolved[p.second] = reach * math.sin(math.rad(angle[core.plane()]))
   return resolved
 end
 

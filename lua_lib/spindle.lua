@@ -1,6 +1,7 @@
 -- The spindle. It turns and stops by words, by cycles and with a change of the tool, each of which may switch the
--- machine's process.
+-- machine's process; and moves in step with it: threads and rigid tapping.
 
+local alarm = use("basics", "alarm")
 local path, process, state = use "path", use "process", use "state"
 
 local spindle = {}
@@ -34,6 +35,20 @@ end
 -- It stands still at its marked angle, so that the tool can be moved off the wall.
 function spindle.orient()
   process.switched_by(STOP, nil, orient)
+end
+
+-- The feed that cuts `pitch_mm` a turn at the speed in force.
+function spindle.thread_feed(pitch_mm, name)
+  local rpm = core.spindle_rpm()
+  if not (pitch_mm > 0) then
+    alarm("word-value", "the pitch of %s is a length above 0, not %.10g mm", name, pitch_mm)
+  end
+  if state.spindle == nil or rpm == 0 then
+    alarm("spindle", "%s moves in step with the spindle, which does not turn (S and M3 or M4)", name)
+  end
+  local feed = core.feed_mm_min(pitch_mm * rpm)
+  feed.linear_mm_rev = pitch_mm
+  return feed
 end
 
 return spindle

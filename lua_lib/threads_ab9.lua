@@ -2,8 +2,7 @@
 -- threads per inch. The lead holds until another one is programmed.
 
 local alarm = use("basics", "alarm")
-local thread_feed = use("threads", "thread_feed")
-local cycles, motion, overrides, path, state = use "cycles", use "motion", use "overrides", use "path", use "state"
+local cycles, motion, overrides, path, spindle = use "cycles", use "motion", use "overrides", use "path", use "spindle"
 
 local MM_PER_INCH = 25.4
 
@@ -14,7 +13,7 @@ local function thread(words)
   words = words or {}
   local lead, per_inch = cycles.word(words, "f", "G33"), cycles.word(words, "e", "G33")
   if lead ~= nil and per_inch ~= nil then alarm("word-out-of-place", "G33 takes its lead as F or as E, not both") end
-  if lead ~= nil then lead_mm = lead * state.unit_mm end
+  if lead ~= nil then lead_mm = lead * core.unit_mm() end
   if per_inch ~= nil then
     if not (per_inch > 0) then
       alarm("word-value", "E of G33 is a number of threads per inch above 0, not %.10g", per_inch)
@@ -25,7 +24,7 @@ local function thread(words)
   if lead_mm == nil then
     alarm("word-missing", "G33 needs its lead: F, the length of a turn, or E, the threads per inch")
   end
-  local feed = thread_feed(lead_mm, "G33")
+  local feed = spindle.thread_feed(lead_mm, "G33")
   overrides.without(function() path.line(target, feed, "thread") end)
 end
 

@@ -1,7 +1,6 @@
 -- G33, G33.1 and G76 of RS274/NGC, as LinuxCNC 2.9 executes them.
 
 local alarm = use("basics", "alarm")
-local thread_feed = use("threads", "thread_feed")
 local axes, cycles, motion, ngc_modes, path, spindle, state =
   use "axes", use "cycles", use "motion", use "ngc_modes", use "path", use "spindle", use "state"
 
@@ -35,20 +34,20 @@ local function thread(words)
   if state.spindle == nil then
     alarm("spindle", "G33 moves in step with the spindle, which does not turn (S and M3 or M4)")
   end
-  path.line(target, pitch ~= 0 and thread_feed(pitch * state.unit_mm, "G33") or nil, "thread")
+  path.line(target, pitch ~= 0 and spindle.thread_feed(pitch * core.unit_mm(), "G33") or nil, "thread")
 end
 
 -- Down and, with the spindle reversed, back to the start; I is how many times faster the way back is.
 local function rigid_tap(words)
   local target = axis_words(words, "G33.1", " i k spindle ")
   refuse_rotary(words, "G33.1")
-  local pitch = needed(words, "k", "G33.1") * state.unit_mm
+  local pitch = needed(words, "k", "G33.1") * core.unit_mm()
   local faster = cycles.word(words, "i", "G33.1") or 1
   if not (faster > 0) then alarm("word-value", "I of G33.1 is a factor of speed above 0, not %.10g", faster) end
   local start, forth = axes.programmed_point(), state.spindle
-  path.line(target, thread_feed(pitch, "G33.1"), "thread")
+  path.line(target, spindle.thread_feed(pitch, "G33.1"), "thread")
   spindle.turn(forth == "cw" and "ccw" or "cw")
-  path.line(start, thread_feed(pitch * faster, "G33.1"), "thread")
+  path.line(start, spindle.thread_feed(pitch * faster, "G33.1"), "thread")
   spindle.turn(forth)
 end
 
@@ -56,7 +55,7 @@ local MOST_PASSES = 10000
 
 -- The words of a threading cycle, lengths in mm.
 local function thread_words(words)
-  local unit = state.unit_mm
+  local unit = core.unit_mm()
   local t = {
     pitch = needed(words, "p", "G76") * unit,
     peak = needed(words, "i", "G76") * unit,        -- from the drive line to the crest, below 0 for an outside thread
@@ -91,7 +90,7 @@ local function lathe_tool(start)
   local tool = {}
   function tool.rapid(x, z) path.rapid(core.to_machine { x = x, y = y, z = z }) end
   function tool.cut(x, z, pitch)
-    path.line(core.to_machine { x = x, y = y, z = z }, thread_feed(pitch, "G76"), "thread")
+    path.line(core.to_machine { x = x, y = y, z = z }, spindle.thread_feed(pitch, "G76"), "thread")
   end
   return tool
 end
@@ -130,7 +129,7 @@ local function threading_cycle(words)
   local tool = lathe_tool(here)
   local depth, number = t.first_cut, 1
   -- LinuxCNC counts depths from the drive line, in program units, which decides about a pass where rounding does.
-  local drive, unit = math.abs(t.peak) / state.unit_mm, state.unit_mm
+  local drive, unit = math.abs(t.peak) / core.unit_mm(), core.unit_mm()
   while drive + depth / unit < drive + t.full_depth / unit do
     if number > MOST_PASSES then
       alarm("word-value", "G76 would take more than %d passes; J is too small or R too large", MOST_PASSES)

@@ -283,6 +283,8 @@ void push_vector(lua_State* state, const Vector3d& vector) {
     }
 }
 
+constexpr std::array<const char*, 4> kPlanes{"xy", "zx", "yz", nullptr};
+
 Vector3d check_vector_field(lua_State* state, int index, const char* name) {
     lua_getfield(state, index, name);
     luaL_argcheck(state, lua_type(state, -1) == LUA_TTABLE, index,
@@ -296,8 +298,11 @@ Vector3d check_vector_field(lua_State* state, int index, const char* name) {
 }  // namespace
 
 Plane check_plane(lua_State* state, int argument) {
-    static constexpr std::array<const char*, 4> kPlanes{"xy", "zx", "yz", nullptr};
     return static_cast<Plane>(check_choice(state, argument, nullptr, kPlanes));
+}
+
+void push_plane(lua_State* state, Plane plane) {
+    lua_pushstring(state, kPlanes[static_cast<std::size_t>(plane)]);
 }
 
 ArcBasis arc_basis(const Vector3d& normal) {

@@ -87,6 +87,16 @@ int plane_across(lua_State* state) {
     return 2;
 }
 
+int plane(lua_State* state) {
+    push_plane(state, controller_of(state).modal().plane);
+    return 1;
+}
+
+int has_absolute_arc_centers(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(controller_of(state).modal().absolute_arc_centers));
+    return 1;
+}
+
 int set_plane(lua_State* state) {
     controller_of(state).modal().plane = check_plane(state, 1);
     return 0;
@@ -125,6 +135,8 @@ void add_arc_words(lua_State* state, Controller& controller) {
     set_function<make_arc_word<modal_arc_word>>(state, "modal_arc_word", &controller);
     set_function<read_arc_words>(state, "read_arc", &controller);
     set_function<plane_across>(state, "plane_across", &controller);
+    set_function<plane>(state, "plane", &controller);
+    set_function<has_absolute_arc_centers>(state, "has_absolute_arc_centers", &controller);
     set_function<set_plane>(state, "set_plane", &controller);
     set_function<set_absolute_arc_centers>(state, "set_absolute_arc_centers", &controller);
     set_function<set_arc_rules>(state, "set_arc_rules", &controller);

@@ -138,6 +138,7 @@ void load_text(lua_State* state, const std::string& text, const char* name) {
 void Control::open(lua_State* state, const Library& library_files, const Switches& switches,
                    const AddCore& add_core_functions) {
     files_ = &library_files;
+    controller_.modal().unit_mm = robot_.unit_mm;
     push_safe_library(state);
     const int environment = lua_gettop(state);
     lua_newtable(state);
@@ -209,8 +210,6 @@ void Control::set_options(lua_State* state, const Switches& switches) const {
     lua_pushlstring(state, robot_.dialect.data(), robot_.dialect.size());
     lua_setfield(state, -2, "dialect");
     set_codes(state, robot_.codes);
-    lua_pushnumber(state, robot_.unit_mm);
-    lua_setfield(state, -2, "unit_mm_at_start");
     lua_pushboolean(state, static_cast<int>(switches.block_delete));
     lua_setfield(state, -2, "block_delete");
     lua_pushboolean(state, static_cast<int>(switches.optional_stop));

@@ -29,15 +29,6 @@ std::array<int, 26> index_axes(const machine::Machine& machine) {
     return by_letter;
 }
 
-/// table[field] = source[id], of two tables by their references in the registry.
-void set_from(lua_State* state, int table, const char* field, int source, lua_Integer id) {
-    lua_rawgeti(state, LUA_REGISTRYINDEX, table);
-    lua_rawgeti(state, LUA_REGISTRYINDEX, source);
-    lua_rawgeti(state, -1, id);
-    lua_setfield(state, -3, field);
-    lua_pop(state, 2);
-}
-
 }  // namespace
 
 Controller::Controller(simulation::Simulator& simulator, PlaceFinder& places)
@@ -67,8 +58,17 @@ void Controller::make_modal(lua_State* state, std::size_t word_id) {
     if (modal_.modal_word == word_id) return;
     modal_.modal_word = word_id;
     const auto id = static_cast<lua_Integer>(word_id);
-    set_from(state, modal_tables.state, "motion", modal_tables.names, id);
-    set_from(state, modal_tables.environment, "move", modal_tables.moves, id);
+    lua_rawgeti(state, LUA_REGISTRYINDEX, modal_tables.environment);
+    lua_rawgeti(state, LUA_REGISTRYINDEX, modal_tables.moves);
+    lua_rawgeti(state, -1, id);
+    lua_setfield(state, -3, "move");
+    lua_pop(state, 2);
+}
+
+void Controller::push_motion(lua_State* state) const {
+    lua_rawgeti(state, LUA_REGISTRYINDEX, modal_tables.names);
+    lua_rawgeti(state, -1, static_cast<lua_Integer>(modal_.modal_word));
+    lua_remove(state, -2);
 }
 
 void Controller::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {

@@ -39,7 +39,7 @@ struct ModalState {
     simulation::Plane plane = simulation::Plane::xy;  ///< Of arcs.
     bool absolute_arc_centers = false;  ///< I, J and K are a point of the program, no vector from the start.
     ArcRules arc_rules;
-    std::optional<std::size_t> modal_word;  ///< Id of the plain word that is the modal motion, if one is.
+    std::size_t modal_word = kMaxWordIds;  ///< Id of the motion that is modal; kMaxWordIds: none yet.
 };
 
 /// The words that a motion takes besides axis words.
@@ -88,8 +88,10 @@ class Controller {
     void end_program() { program_ended_ = true; }
     /// Whether it did since this was asked last.
     bool take_program_end() { return std::exchange(program_ended_, false); }
-    /// A plain word is the modal motion from now on: `move` goes on with it.
+    /// This motion is modal from now on: `move` goes on with it.
     void make_modal(lua_State* state, std::size_t word_id);
+    /// Pushes the name of the modal motion.
+    void push_motion(lua_State* state) const;
     /// Looks up the place only, for functions that are no words.
     void locate(lua_State* state, int level = 1) {
         const simulation::Place place = places_.current(state, level);
@@ -113,11 +115,10 @@ class Controller {
     /// Reference in the registry of the function that turns words with `radius` and `angle` into Cartesian
     /// ones.
     int on_polar = LUA_NOREF;
-    /// Where the library keeps the modal motion; references in the registry.
+    /// What the library knows of motions; references in the registry.
     struct ModalTables {
-        int state = LUA_NOREF;        ///< Table with the name of the motion in `motion`.
         int environment = LUA_NOREF;  ///< Table with the function `move`.
-        int names = LUA_NOREF;        ///< Name of each plain motion, by the id of its word.
+        int names = LUA_NOREF;        ///< Name of each motion, by its id.
         int moves = LUA_NOREF;        ///< And what `move` is where it is modal.
     };
     ModalTables modal_tables;

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -143,6 +144,21 @@ int word_advice_of(lua_State* state) {
 
 // --- Modal state ---
 
+int unit_mm(lua_State* state) {
+    lua_pushnumber(state, controller_of(state).modal().unit_mm);
+    return 1;
+}
+
+int is_incremental(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(controller_of(state).modal().incremental));
+    return 1;
+}
+
+int spindle_rpm(lua_State* state) {
+    lua_pushnumber(state, controller_of(state).modal().spindle_rpm);
+    return 1;
+}
+
 int set_unit(lua_State* state) {
     controller_of(state).modal().unit_mm = luaL_checknumber(state, 1);
     return 0;
@@ -185,10 +201,16 @@ int set_inverse_time_of_arcs(lua_State* state) {
     return 0;
 }
 
+constexpr std::array<const char*, 4> kFeedModes{"minute", "inverse", "revolution", nullptr};
+
+int feed_mode(lua_State* state) {
+    lua_pushstring(state, kFeedModes[static_cast<std::size_t>(controller_of(state).modal().feed_mode)]);
+    return 1;
+}
+
 int set_feed_mode(lua_State* state) {
-    static const char* const kNames[] = {"minute", "inverse", "revolution", nullptr};
     ModalState& modal = controller_of(state).modal();
-    const auto mode = static_cast<FeedMode>(check_choice(state, 1, nullptr, kNames));
+    const auto mode = static_cast<FeedMode>(check_choice(state, 1, nullptr, kFeedModes));
     if (mode != modal.feed_mode) modal.feed = 0;  // an F of one mode means nothing in another
     modal.feed_mode = mode;
     return 0;
@@ -242,6 +264,10 @@ void add_core(lua_State* state, Controller& controller) {
     set_function<time>(state, "time", &controller);
     set_function<warn>(state, "warn", &controller);
     set_function<finish>(state, "finish", &controller);
+    set_function<unit_mm>(state, "unit_mm", &controller);
+    set_function<is_incremental>(state, "is_incremental", &controller);
+    set_function<feed_mode>(state, "feed_mode", &controller);
+    set_function<spindle_rpm>(state, "spindle_rpm", &controller);
     set_function<set_unit>(state, "set_unit", &controller);
     set_function<set_incremental>(state, "set_incremental", &controller);
     set_function<set_feed>(state, "set_feed", &controller);

@@ -49,6 +49,12 @@ int set_offset(lua_State* state) {
     return 0;
 }
 
+/// core.has_matrix(): a rotation, scaling or mirror image is in force.
+int has_matrix(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(controller_of(state).frame().has_matrix()));
+    return 1;
+}
+
 /// core.set_matrix(nil or {nine numbers, row by row})
 int set_matrix(lua_State* state) {
     Controller& controller = controller_of(state);
@@ -190,6 +196,7 @@ int tip_control(lua_State* state) {
 
 void add_frames(lua_State* state, Controller& controller) {
     set_function<set_offset>(state, "set_offset", &controller);
+    set_function<has_matrix>(state, "has_matrix", &controller);
     set_function<set_matrix>(state, "set_matrix", &controller);
     set_function<machine_frame_once>(state, "machine_frame_once", &controller);
     set_function<in_machine_frame>(state, "in_machine_frame", &controller);

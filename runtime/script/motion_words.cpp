@@ -42,20 +42,34 @@ int line(lua_State* state) {
     return 0;
 }
 
-/// core.set_modal_tables(state, environment, names, moves), see Controller::ModalTables.
+/// core.set_modal_tables(environment, names, moves), see Controller::ModalTables.
 int set_modal_tables(lua_State* state) {
-    for (int i = 1; i <= 4; ++i) luaL_checktype(state, i, LUA_TTABLE);
-    lua_settop(state, 4);
+    for (int i = 1; i <= 3; ++i) luaL_checktype(state, i, LUA_TTABLE);
+    lua_settop(state, 3);
     Controller::ModalTables& tables = controller_of(state).modal_tables;
-    for (int* reference : {&tables.moves, &tables.names, &tables.environment, &tables.state})
+    for (int* reference : {&tables.moves, &tables.names, &tables.environment})
         *reference = luaL_ref(state, LUA_REGISTRYINDEX);
     return 0;
 }
 
-/// core.forget_modal_word(): the modal motion is none of the plain words.
-int forget_modal_word(lua_State* state) {
-    controller_of(state).modal().modal_word.reset();
+/// core.make_modal(id): that motion is modal, and `move` goes on with it whatever it was.
+int make_modal(lua_State* state) {
+    Controller& controller = controller_of(state);
+    controller.modal().modal_word = kMaxWordIds;
+    controller.make_modal(state, static_cast<std::size_t>(check_word_id(state, 1)));
     return 0;
+}
+
+/// core.motion(): the name of the modal motion.
+int motion(lua_State* state) {
+    controller_of(state).push_motion(state);
+    return 1;
+}
+
+/// core.motion_id(): for core.make_modal().
+int motion_id(lua_State* state) {
+    lua_pushinteger(state, static_cast<lua_Integer>(controller_of(state).modal().modal_word));
+    return 1;
 }
 
 }  // namespace
@@ -65,7 +79,9 @@ void add_motion_words(lua_State* state, Controller& controller) {
     set_function<make_line_word<modal_line_word>>(state, "modal_line_word", &controller);
     set_function<line>(state, "line", &controller);
     set_function<set_modal_tables>(state, "set_modal_tables", &controller);
-    set_function<forget_modal_word>(state, "forget_modal_word", &controller);
+    set_function<make_modal>(state, "make_modal", &controller);
+    set_function<motion>(state, "motion", &controller);
+    set_function<motion_id>(state, "motion_id", &controller);
 }
 
 }  // namespace gsim::script

@@ -28,7 +28,7 @@ struct CodeRow {
     std::string name;   ///< Of its word: "G92_1".
     std::string group;  ///< Modal group, as messages say it; empty: none.
     std::string keys;   ///< That the table of the word may have, with blanks between them: "p q", or "axes"
-                       ///< for all axes; empty: the word itself looks at them.
+                        ///< for all axes; empty: the word itself looks at them.
     std::string compensation;  ///< What becomes of it while cutter compensation is on: "refused", "refused
                                ///< beside the path", "led out" or "ends the move"; empty: it acts.
 };
