@@ -13,7 +13,7 @@ using grammar::Compensation;
 constexpr char kMacroArguments = '*';
 constexpr char kSpindle = '$';
 
-std::string compensation(Compensation compensation) {
+std::string told(Compensation compensation) {
     switch (compensation) {
         case Compensation::allowed: return "";
         case Compensation::refused: return "refused";
@@ -31,7 +31,7 @@ bool looks_by_itself(const Code& code) {
     return is_plain || code.words.find(kMacroArguments) != std::string_view::npos;
 }
 
-std::string keys(const Code& code) {
+std::string keys_of(const Code& code) {
     std::string keys;
     if (looks_by_itself(code)) return keys;
     const auto add = [&](const std::string& key) { keys += (keys.empty() ? "" : " ") + key; };
@@ -52,8 +52,8 @@ std::vector<script::CodeRow> word_table(const grammar::Dialect& dialect) {
         const bool is_modal = code.group != grammar::Group::none;
         rows.push_back({.name = lua_name(code),
                         .group = is_modal ? std::string(name(code.group)) : "",
-                        .keys = keys(code),
-                        .compensation = compensation(code.compensation)});
+                        .keys = keys_of(code),
+                        .compensation = told(code.compensation)});
     }
     return rows;
 }

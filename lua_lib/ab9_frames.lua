@@ -42,18 +42,13 @@ local function select_frame(code)
     state.frame = code
     apply_offsets()
     path.act(function() tell_frame(code) end)
+    hooks.tell("frame")
   end
 end
 
-local frame_words = {}
-
-local function frame(name, code)
-  frame_words[#frame_words + 1] = name
-  word(name, select_frame(code))
-end
-for code = 54, 59 do frame("G" .. code, tostring(code)) end
-for part = 1, 3 do frame("G59_" .. part, "59." .. part) end
-for code = 505, 599 do frame("G" .. code, tostring(code)) end
+for code = 54, 59 do word("G" .. code, select_frame(tostring(code))) end
+for part = 1, 3 do word("G59_" .. part, select_frame("59." .. part)) end
+for code = 505, 599 do word("G" .. code, select_frame(tostring(code))) end
 
 -- G92: where the machine stands gets the given coordinates.
 word("G92", function(words)
@@ -88,6 +83,4 @@ end)
 apply_offsets()
 tell_frame(state.frame)
 
-return {
-  work_offset = work_offset, apply_offsets = apply_offsets, set_transform = set_transform, frame_words = frame_words,
-}
+return { work_offset = work_offset, apply_offsets = apply_offsets, set_transform = set_transform }

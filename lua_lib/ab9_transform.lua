@@ -4,9 +4,8 @@
 -- programmed before the centre acts on it too.
 
 local alarm = use("basics", "alarm")
-local ab9_frames, plane_view, state, words = use "ab9_frames", use "plane_view", use "state", use "words"
-
-local word = words.word
+local word = use("words", "word")
+local ab9_frames, hooks, plane_view, state = use "ab9_frames", use "hooks", use "plane_view", use "state"
 
 local LETTERS = { "x", "y", "z" }
 local FACTOR = { x = "i", y = "j", z = "k" }
@@ -209,7 +208,7 @@ local function set_external_offset(letter, value)
 end
 
 -- A rotation begins or ends to act with a change of work coordinate system.
-words.after(ab9_frames.frame_words, "rotation", function()
+hooks.on("frame", "rotation", function()
   if rotating ~= rotates() then apply() end
 end)
 

@@ -1,17 +1,13 @@
 -- Cutter compensation while it is on, for what it does with other words: G40 to G42 and their kin are in comp_words.lua.
 --
--- What LinuxCNC refuses while compensation is on, and other words therefore refuse in rs274ngc by refuse(name):
+-- What LinuxCNC refuses while compensation is on is in the column of the dialect's table (core.codes.compensation);
+-- beside that, by refuse(what):
 --   G10 L2, L20 of the system in force   G18, G19 (G17 if another plane is in force)
---   G28, G28.1, G30, G30.1, G53          G33, G33.1 (unless the radius is 0)
---   G38.2..5                             G5, G5.1, G73, G76, G81..G89
---   G41, G42, G41.1, G42.1               G43, G43.1, G43.2, G49
---   G52, G92, G54..G59.3                 G61, G61.1, G64, G98, G99
---   M6, M48..M53, M62..M68               reading #5420..#5428
+--   G41, G42, G41.1, G42.1               reading #5420..#5428
 -- and allows: G4, G20, G21, G90, G91, G90.1, G91.1, G93..G97, M0, M1, M3..M9, M61, T, S, F. (It allows G92.1 and
 -- G92.2 too; here they are refused where they would change the offset, since the tool would be led wrong. G92.3 it passes
 -- over.)
--- The 9/Series leads the tool out and in again where offsets or work coordinate systems change. G10, G27 to G31, G33
--- and cycles are refused there too.
+-- The 9/Series leads the tool out and in again where offsets or work coordinate systems change.
 
 local alarm = use("basics", "alarm")
 local axes, path = use "axes", use "path"

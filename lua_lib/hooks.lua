@@ -26,10 +26,11 @@ end
 -- Events, each with its listeners:
 --   "begin"      all files are loaded
 --   "shape"      plain motions go by Lua from here on, or no longer (shape.lua)
+--   "frame"      another work coordinate system is in force (9/Series)
 --   "transform"  the matrix of the program is another one (9/Series)
 --   "call"       a subprogram begins: frame, arguments or nil (calls.lua)
 --   "return"     it ends: frame
-local listeners = { begin = {}, shape = {}, transform = {}, call = {}, ["return"] = {} }
+local listeners = { begin = {}, shape = {}, frame = {}, transform = {}, call = {}, ["return"] = {} }
 
 function hooks.on(event, name, f) hooks.insert(listeners[event], hooks.new(name, f)) end
 

@@ -137,9 +137,7 @@ function path.arc(plane, ccw, first, second, sweep, target, feed)
 end
 
 -- Something that happens between the moves, in their order.
-function path.act(f)
-  head:act(f)
-end
+function path.act(f) head:act(f) end
 
 function path.dwell(seconds)
   if head == machine then
@@ -191,9 +189,7 @@ function path.by_rule(rule, meaning, ...)
 end
 
 -- The control reads on when all moves so far have been made.
-function path.wait()
-  head:act(core.wait)
-end
+function path.wait() head:act(core.wait) end
 
 -- The same, unless the control waits at the word under way only where that changes something.
 function path.wait_for(changed)

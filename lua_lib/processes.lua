@@ -44,9 +44,7 @@ function env.on_signal(name, f)
   processes.on_signal(name, f)
 end
 
-function env.wait(seconds)
-  processes.wait(seconds)
-end
+function env.wait(seconds) processes.wait(seconds) end
 
 function env.signal(name, value)
   processes.join()
@@ -74,9 +72,7 @@ function env.wait_until(what, value, seconds)
   return processes.wait_signal(what, value == nil and "on" or "equals", value, seconds)
 end
 
-function env.robot(name)
-  return processes.robot(name)
-end
+function env.robot(name) return processes.robot(name) end
 
 -- conveyor(name): a table of functions.
 function env.conveyor(name)

@@ -34,10 +34,11 @@ local function check(number, meaning)
 end
 
 local function make_word(whole, meaning)
-  local hooked = words.with_hooks("M" .. whole, meaning)
+  local hooked   -- made at the first call: by then all hooks are known
   ids[whole] = ids[whole] or words.id()
   defined[whole] = core.word(ids[whole], function(given)
     check_table(given, ("M[%d]"):format(whole))
+    hooked = hooked or words.with_hooks("M" .. whole, meaning)
     return hooked(given or {})
   end)
   return defined[whole]
@@ -45,7 +46,8 @@ end
 
 -- Of a code that is not defined, what goes before and after it alone.
 local function of_hooks(number)
-  return words.is_hooked("M" .. tostring(number)) and make_word(number, nothing) or undefined(number)
+  local whole = math.tointeger(number)
+  return whole and words.is_hooked("M" .. whole) and make_word(whole, nothing) or undefined(number)
 end
 
 local function define(number, meaning)
@@ -53,7 +55,10 @@ local function define(number, meaning)
   defined[whole] = meaning and make_word(whole, meaning)
 end
 
-env.M = setmetatable({}, {
+local M = setmetatable({}, {
   __index = function(_, number) return defined[number] or of_hooks(number) end,
   __newindex = function(_, number, meaning) define(number, meaning) end,
 })
+env.M = M
+
+return M

@@ -91,6 +91,15 @@ TEST_F(LibraryFiles, HooksActInTheirOrderWhereverTheyAreSaid) {
     EXPECT_EQ(run_here("M3() M5()").events(), "spindle_cw before spindle_off first M5 third");
 }
 
+TEST_F(LibraryFiles, AFileOfTheUsersDefinesACode) {
+    EXPECT_EQ(trouble_of("mine", "use(\"user_codes\")[101] = function(words) env.G0{x=words.p} end\n"),
+              "none");
+    EXPECT_EQ(
+        trouble_of("other", "use(\"words\", \"after\")(\"M101\", \"times\", function() env.G0{y=5} end)\n"),
+        "none");
+    expect_end(run_here("M[101]{p=7}"), 7, 5, 0);
+}
+
 // --- The order of the files ---
 
 struct Program {
