@@ -73,9 +73,9 @@ tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simul
 
 tl::expected<void, std::string> Outputs::add_plot(simulation::Simulator& simulator) {
     if (names_.plot.empty()) return {};
-    const simulation::Plane plane = names_.plot_plane == "zx"   ? simulation::Plane::zx
-                                    : names_.plot_plane == "yz" ? simulation::Plane::yz
-                                                                : simulation::Plane::xy;
+    const Plane plane = names_.plot_plane == "zx"   ? Plane::zx
+                        : names_.plot_plane == "yz" ? Plane::yz
+                                                    : Plane::xy;
     if (auto lacks = simulation::PlotData::lacks_axes(simulator.machine(), plane))
         return tl::unexpected(*lacks);
     auto picture = simulation::Picture::named(names_.plot);

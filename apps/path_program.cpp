@@ -80,8 +80,7 @@ class PathProgram::Sink : public path::MoveSink {
         if (!move.arc) return writer_.move(values, feed);
         if (move.arc->via_mm)
             return writer_.arc_through(values, from_origin(*move.arc->via_mm), feed, move.arc->turn_rad);
-        constexpr std::array kPlanes = {codegen::ArcPlane::about_x, codegen::ArcPlane::about_y,
-                                        codegen::ArcPlane::about_z};
+        constexpr std::array kPlanes = {Plane::yz, Plane::zx, Plane::xy};
         writer_.arc(values,
                     {kPlanes[static_cast<std::size_t>(move.arc->about)], !move.arc->counterclockwise,
                      move.arc->center_offset_mm, move.arc->turn_rad, move.arc->turns},

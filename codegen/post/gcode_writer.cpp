@@ -223,7 +223,7 @@ void GcodeWriter::feed_word(const WrittenFeed& feed, double turn_rad) {
     word('F', next, feed_);
 }
 
-void GcodeWriter::plane_word(ArcPlane plane) {
+void GcodeWriter::plane_word(Plane plane) {
     const int index = static_cast<int>(plane);
     if (index == plane_ && !options_.verbose_words) return;
     plane_ = index;

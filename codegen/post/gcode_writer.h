@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/plane.h"
 #include "base/units.h"
 #include "codegen/post/action_words.h"
 #include "codegen/post/gcode_numbers.h"
@@ -24,12 +25,9 @@ struct WrittenAxis {
     bool rotary = false;  ///< In deg, otherwise mm.
 };
 
-/// The plane of an arc, by the axis that it turns about.
-enum class ArcPlane { about_z, about_y, about_x };
-
 /// What an arc says beyond its end.
 struct ArcWords {
-    ArcPlane plane = ArcPlane::about_z;
+    Plane plane = Plane::xy;
     bool clockwise = false;                    ///< Seen from the positive end of the axis it turns about.
     std::array<double, 3> center_offset_mm{};  ///< From the start, along X, Y and Z.
     double turn_rad = 0;                       ///< How far it turns.
@@ -114,7 +112,7 @@ class GcodeWriter {
     void inverse_time_word(double per_min);
     bool axis_words(std::span<const double> values);
     void feed_word(const WrittenFeed& feed, double turn_rad);
-    void plane_word(ArcPlane plane);
+    void plane_word(Plane plane);
     double in_unit(double mm) const { return options_.inch ? mm / kMmPerInch : mm; }
     std::int64_t units(std::size_t axis, double value) const;
     std::int64_t stand_at(std::size_t axis, double value);

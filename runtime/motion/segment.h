@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "runtime/motion/arc.h"
 #include "runtime/motion/orientation_arc.h"
@@ -94,11 +95,11 @@ struct Segment {
     /// corner, by a segment of the move that begins there. 0 in all others.
     double deviation_mm = 0;
 
-    std::span<const Follower> followers() const { return {followers_.data(), follower_count_}; }
+    std::span<const Follower> followers() const { return followers_; }
     void add_follower(int joint, double sign, const TimeLaw& law, const LawLimits& limits = {}) {
-        followers_[follower_count_++] = {joint, sign, law, limits};
+        followers_.push_back({joint, sign, law, limits});
     }
-    void clear_followers() { follower_count_ = 0; }
+    void clear_followers() { followers_.clear(); }
 
     double end_s() const { return start_s + duration_s; }
     /// Where the segment leads: `end`, and what a motion beside it adds.
@@ -122,8 +123,7 @@ struct Segment {
     bool surely_within(const Range& range, int joint) const;
 
   private:
-    std::array<Follower, rrs::kMaxJoints> followers_;  // only the first follower_count_ hold values
-    std::size_t follower_count_ = 0;
+    std::vector<Follower> followers_;  // most segments have none; a slot of the queue keeps its memory
 };
 
 /// Takes finished segments in the order of time, each once.

@@ -22,22 +22,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using simulation::ArcMove;
 using simulation::AxisVector;
-using simulation::Plane;
 
 namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of the directions of a matrix
 constexpr double kNoShare = 1e-9;   // of an axis in a unit vector
-
-/// Axes of a plane in the order in which its angles are counted, and the normal: 0 x, 1 y, 2 z.
-struct PlaneAxes {
-    int first, second, normal;
-};
-
-PlaneAxes axes_of(Plane plane) {
-    static constexpr std::array<PlaneAxes, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
-    return kAxes[static_cast<std::size_t>(plane)];
-}
 
 constexpr std::array kAxisWords{"x", "y", "z"};
 constexpr std::array kCenterWords{"i", "j", "k"};
@@ -322,7 +311,7 @@ ArcBasis check_arc_plane(lua_State* state, int argument) {
 
 void push_arc_plane(lua_State* state, const Vector3d& normal) {
     if (const auto plane = simulation::main_plane(normal)) {
-        const std::string_view name = simulation::name(*plane);
+        const std::string_view name = gsim::name(*plane);
         lua_pushlstring(state, name.data(), name.size());
         return;
     }

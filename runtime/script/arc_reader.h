@@ -9,9 +9,9 @@
 namespace gsim::script {
 
 /// A plane by its name ("xy", "zx" or "yz"); an error of Lua where the argument is none.
-simulation::Plane check_plane(lua_State* state, int argument);
+Plane check_plane(lua_State* state, int argument);
 /// Pushes that name.
-void push_plane(lua_State* state, simulation::Plane plane);
+void push_plane(lua_State* state, Plane plane);
 
 /// The plane of an arc on its way through Lua: two unit vectors of X, Y and Z at right angles, along which
 /// its points are counted; counter-clockwise is from the first to the second.

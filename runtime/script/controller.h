@@ -36,7 +36,7 @@ struct ModalState {
     bool inverse_time_by_angle = true;  ///< G93: 60/F s is the time of a radian of an arc, else of all of it.
     double spindle_rpm = 0;
     bool uvw_increments = true;  ///< U, V and W are increments of X, Y and Z on machines without such axes.
-    simulation::Plane plane = simulation::Plane::xy;  ///< Of arcs.
+    Plane plane = Plane::xy;     ///< Of arcs.
     bool absolute_arc_centers = false;  ///< I, J and K are a point of the program, no vector from the start.
     ArcRules arc_rules;
     std::size_t modal_word = kMaxWordIds;  ///< Id of the motion that is modal; kMaxWordIds: none yet.

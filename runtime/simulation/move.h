@@ -5,16 +5,15 @@
 #include <optional>
 #include <string_view>
 
+#include "base/plane.h"
 #include "runtime/motion/override_schedule.h"
 
 namespace gsim::simulation {
 
 /// `thread`: a feed move in step with the spindle; `spline`: a straight piece of a curve.
 enum class MoveKind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, dwell, probe, thread, spline };
-enum class Plane : std::uint8_t { xy, zx, yz };
 
 std::string_view name(MoveKind kind);
-std::string_view name(Plane plane);
 /// The normal of a main plane about which arcs are counter-clockwise: +Z of xy, +Y of zx, +X of yz.
 Eigen::Vector3d normal_of(Plane plane);
 /// The main plane that has this unit vector as its normal, whichever way it points; none of an oblique plane.

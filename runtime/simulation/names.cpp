@@ -35,15 +35,6 @@ std::string_view name(MoveKind kind) {
     return "dwell";
 }
 
-std::string_view name(Plane plane) {
-    switch (plane) {
-        case Plane::xy: return "xy";
-        case Plane::zx: return "zx";
-        case Plane::yz: break;
-    }
-    return "yz";
-}
-
 std::string_view name(RunStatus status) {
     switch (status) {
         case RunStatus::completed: return "completed";
@@ -55,7 +46,7 @@ std::string_view name(RunStatus status) {
 }
 
 Eigen::Vector3d normal_of(Plane plane) {
-    return Eigen::Vector3d::Unit(2 - static_cast<Eigen::Index>(plane));
+    return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axes_of(plane).normal));
 }
 
 std::optional<Plane> main_plane(const Eigen::Vector3d& normal) {

@@ -66,9 +66,9 @@ TEST(GcodeWriter, AnArcThroughAPointIsWrittenWithItsPointInFull) {
 TEST(GcodeWriter, CentresAreCountedFromWhatIsPrinted) {
     Text ab9("ab9");
     ab9.to(10.0004, 0, 0, 0);
-    ab9.writer.arc(std::array{20.0004, 10.0, 0.0, 0.0}, {ArcPlane::about_z, true, {10.0003, 0, 0}}, kFeed);
+    ab9.writer.arc(std::array{20.0004, 10.0, 0.0, 0.0}, {Plane::xy, true, {10.0003, 0, 0}}, kFeed);
     ab9.to(20.0001, 10, 0, 0);  // prints nothing, and still stands there
-    ab9.writer.arc(std::array{30.0, 0.0, 0.0, 0.0}, {ArcPlane::about_z, true, {-0.0004, -10, 0}}, kFeed);
+    ab9.writer.arc(std::array{30.0, 0.0, 0.0, 0.0}, {Plane::xy, true, {-0.0004, -10, 0}}, kFeed);
     EXPECT_EQ(ab9.all(),
               "N00005 G01 X10.000 Y0.000 Z0.000 B0.000 F1000.000\n"
               "N00010 G17 G02 X20.000 Y10.000 I10.001 J0.000\n"
@@ -94,10 +94,10 @@ TEST(GcodeWriter, AccelerationsWhereThePostHasWordsForThem) {
 TEST(GcodeWriter, ArcsOfEachPlane) {
     Text ngc("rs274ngc");
     ngc.to(10, 0, 0, 0);
-    ngc.writer.arc(std::array{0.0, 10.0, 5.0, 0.0}, {ArcPlane::about_z, false, {-10, 0, 0}}, kFeed);
-    ngc.writer.arc(std::array{0.0, 10.0, 5.0, 0.0}, {ArcPlane::about_z, true, {0, -10, 0}}, kFeed);
-    ngc.writer.arc(std::array{0.0, 20.0, 15.0, 0.0}, {ArcPlane::about_x, true, {0, 10, 0}}, kFeed);
-    ngc.writer.arc(std::array{10.0, 20.0, 5.0, 0.0}, {ArcPlane::about_y, true, {0, 0, -10}}, kFeed);
+    ngc.writer.arc(std::array{0.0, 10.0, 5.0, 0.0}, {Plane::xy, false, {-10, 0, 0}}, kFeed);
+    ngc.writer.arc(std::array{0.0, 10.0, 5.0, 0.0}, {Plane::xy, true, {0, -10, 0}}, kFeed);
+    ngc.writer.arc(std::array{0.0, 20.0, 15.0, 0.0}, {Plane::yz, true, {0, 10, 0}}, kFeed);
+    ngc.writer.arc(std::array{10.0, 20.0, 5.0, 0.0}, {Plane::zx, true, {0, 0, -10}}, kFeed);
     EXPECT_EQ(ngc.all(),
               "G01 X10 Y0 Z0 B0 F1000\nG17 G03 X0 Y10 Z5 I-10 J0\nG02 X0 Y10 I0 J-10\n"
               "G19 Y20 Z15 J10 K0\nG18 X10 Z5 I0 K-10\n");

@@ -87,7 +87,7 @@ TEST(Corners, InOtherPlanesUnitsAndScales) {
     ASSERT_EQ(r.moves.size(), 3U) << r.message();
     EXPECT_NEAR(r.to(0, 'Z'), 18, 1e-9);
     EXPECT_NEAR(r.to(1, 'X'), 2, 1e-9);
-    EXPECT_EQ(simulation::main_plane(r.moves[1].info.normal), simulation::Plane::zx);
+    EXPECT_EQ(simulation::main_plane(r.moves[1].info.normal), Plane::zx);
     EXPECT_NEAR(run_lua("G20() F(600.0) chamfer(0.1) G1{x=1}\nG1{y=1}").to(0, 'X'), 0.9 * 25.4, 1e-9);
 }
 

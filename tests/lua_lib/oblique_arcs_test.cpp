@@ -98,8 +98,7 @@ TEST(ObliqueArcs, WhatARotationTurnsIntoAMainPlaneIsToldAsThat) {
         const Vector3d normal = turned(Vector3d::UnitY(), degrees, Vector3d::UnitZ());
         const Outcome r = run_ngc(start + "G18 G3 X15 Z15 I10 K0\n");
         expect_helix(r, {placed({15, 5, 5}, degrees), normal, placed({15, 5, 15}, degrees), kPi / 2, 0});
-        EXPECT_EQ(simulation::main_plane(r.moves.back().info.normal),
-                  degrees == 180 ? simulation::Plane::zx : simulation::Plane::yz);
+        EXPECT_EQ(simulation::main_plane(r.moves.back().info.normal), degrees == 180 ? Plane::zx : Plane::yz);
     }
 }
 

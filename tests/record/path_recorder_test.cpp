@@ -134,7 +134,7 @@ AxisVector on_arc(const AxisVector& start, const ArcMove& move, double rise_mm, 
 
 Vector3d random_normal(std::mt19937& random) {
     switch (random() % 4) {
-        case 0: return simulation::normal_of(static_cast<simulation::Plane>(random() % 3));
+        case 0: return simulation::normal_of(static_cast<Plane>(random() % 3));
         default: return simulation::told_normal(simulation::random_direction(random));
     }
 }
