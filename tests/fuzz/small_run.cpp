@@ -172,9 +172,8 @@ RunResult run_once(const SmallRun& run) {
     options.codes = apps::word_table(*grammar::dialect_named(run.dialect));
     script::Engine engine(simulator, options);
     engine.run(script_of(run));
-    RunResult result{.report = simulator.finish(run.file_name),
-                     .greatest_step = greatest_step(run.machine),
-                     .broken = {}};
+    RunResult result{
+        .report = simulator.finish(run.file_name), .greatest_step = greatest_step(run.machine), .broken = {}};
     engine.report(result.report);
     result.broken = continuity.broken();
     return result;

@@ -111,7 +111,8 @@ void set_speeds(Piece& piece, const PathMove& move, JointRole role, const Needs&
     piece.max_speed = std::min(piece.max_speed, piece.length / period_s);
 }
 
-void set_acceleration(Piece& piece, const PathMove& move, JointRole role, const Needs& needs, double period_s) {
+void set_acceleration(Piece& piece, const PathMove& move, JointRole role, const Needs& needs,
+                      double period_s) {
     piece.acceleration_limit = joint_limit(LimitKind::acceleration, needs.acceleration.joint);
     const double limit = role == JointRole::rotary ? move.rules.orientation_acceleration_rad_s2
                                                    : move.rules.path_acceleration_mm_s2;
@@ -156,7 +157,8 @@ Planned check_time(const Piece& piece) {
         fmt::format("The move is too long or too slow: it would take more than {} s.", kLongest_s));
 }
 
-void set_way(Piece& piece, const Axes& axes, const PathMove& move, const JointChanges& changes, JointRole role) {
+void set_way(Piece& piece, const Axes& axes, const PathMove& move, const JointChanges& changes,
+             JointRole role) {
     piece.target_id = move.target_id;
     piece.curved = move.kind == SegmentKind::circular;
     piece.rapid = move.rapid;
