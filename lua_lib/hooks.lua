@@ -34,6 +34,9 @@ local listeners = { begin = {}, shape = {}, frame = {}, transform = {}, call = {
 
 function hooks.on(event, name, f) hooks.insert(listeners[event], hooks.new(name, f)) end
 
+-- Those of an event, in their order; of one that happens so often that it is told by hand.
+function hooks.listeners(event) return listeners[event] end
+
 function hooks.tell(event, ...)
   local list = listeners[event]
   for i = 1, #list do list[i].call(...) end
