@@ -31,6 +31,7 @@ words.before({ "G14", "G14_1" }, "modal codes", function(_, given)
 end)
 
 words.before({ "F", "S", "T", "D", "H" }, "modal codes", function(name, value) last[name] = value or last[name] end)
+
 -- Codes whose state is kept elsewhere.
 local kept_elsewhere = {
   [1] = function()

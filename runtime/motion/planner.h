@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "runtime/motion/axis_space.h"
@@ -41,6 +42,8 @@ struct TimeRaised {
 /// The same as an answer: RRS_MOTION_TIME_RAISED and a sentence.
 PlanError time_raised(const TimeRaised& raised);
 
+/// Whether a value that is programmed is above 0; `what` it is. RRS_INVALID_PARAMETER.
+Planned check_positive(double value, std::string_view what);
 /// Whether a move may be asked to take a time. RRS_INVALID_PARAMETER.
 Planned check_motion_time(double motion_s);
 

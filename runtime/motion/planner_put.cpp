@@ -52,6 +52,12 @@ PlanError time_raised(const TimeRaised& raised) {
                                    raised.at_least ? "at least " : "", raised.takes_s, raised.asked_s)};
 }
 
+Planned check_positive(double value, std::string_view what) {
+    if (value > 0) return {};
+    return refused(Status::RRS_INVALID_PARAMETER,
+                   fmt::format("The {} must be greater than 0; {} was asked for.", what, value));
+}
+
 Planned check_motion_time(double motion_s) {
     if (motion_s >= kLeastTime_s && motion_s <= kLongest_s) return {};
     return refused(Status::RRS_INVALID_PARAMETER,

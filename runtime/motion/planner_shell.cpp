@@ -9,8 +9,7 @@ namespace gsim::motion {
 
 using rrs::Status;
 
-PlannerShell::PlannerShell(Planner& planner)
-    : planner_(planner), tip_turns_(motion::tip_turns(planner.setup())) {}
+PlannerShell::PlannerShell(Planner& planner) : planner_(planner) {}
 
 Status PlannerShell::Initialize() {
     start_over();
@@ -40,10 +39,8 @@ void PlannerShell::start_over() {
     planner_.start_over();
     selections_ = {};
     via_.reset();
-    selected_.reset();
     frames_before_.clear();
     machine_moved_s_ = 0;
-    tip_turns_ = motion::tip_turns(planner_.setup());
     if (cell_ != nullptr) static_cast<void>(select_frames());
     object_ = ObjectMotion();
     object_frame_.reset();
@@ -65,7 +62,7 @@ Move PlannerShell::move_to(rrs::TargetId id, rrs::MotionType type, Goal goal) co
     move.terms = selections_.terms;
     move.rest_s = selections_.rest_s;
     if (type == rrs::MotionType::joint || !selections_.tip_mm) return move;
-    const bool of_frame = move.goal.pose && selections_.frames_selected;
+    const bool of_frame = move.goal.pose && selections_.frame_names;
     move.tip_mm = of_frame ? Eigen::Vector3d(move.goal.pose->tool.translation()) : *selections_.tip_mm;
     return move;
 }

@@ -157,12 +157,6 @@ class PlannerShell : public rrs::Shell {
     Selections selections_;
     std::optional<rrs::JointPos> via_;
     CellFrames* cell_ = nullptr;
-    /// The names of the frames, where the program has selected them.
-    struct SelectedFrames {
-        std::string tool;
-        std::string object;
-    };
-    std::optional<SelectedFrames> selected_;
     /// Frames in which the poses of what was queued are told, until frames were moved.
     struct FramesUntil {
         double until_s;
@@ -170,7 +164,6 @@ class PlannerShell : public rrs::Shell {
     };
     std::deque<FramesUntil> frames_before_;
     double machine_moved_s_ = 0;  ///< When one of MachineFrames was changed last.
-    bool tip_turns_ = false;      ///< The tip is not where the position joints alone say.
     ObjectMotion object_;
     std::optional<std::string> object_frame_;  ///< Of the cell; that the object is.
     double object_free_s_ = 0;                 ///< When it is at its last target.

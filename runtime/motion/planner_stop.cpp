@@ -24,7 +24,7 @@ rrs::JointPos accelerations(const PlannerSetup& setup) {
 }  // namespace
 
 Planned Planner::stop() {
-    if (tracked_ || step_s_ < conveyor_until_s_)
+    if (steps_along_conveyor())
         return refused(Status::RRS_MODE_NOT_SUPPORTED, "Motion along a conveyor cannot be stopped.");
     if (!has_position_) return refused(Status::RRS_NO_INITIAL_POSITION, "There is no motion to stop yet.");
     if (stopped_) return {};

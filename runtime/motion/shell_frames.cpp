@@ -53,12 +53,11 @@ void PlannerShell::keep_frames() {
 
 /// The frames that are selected, as they are now.
 Planned PlannerShell::select_frames() {
-    auto frames = selected_ ? cell_->work_frames(selected_->tool, selected_->object)
-                            : cell_->work_frames(kToolFrame, "work");
+    const auto& names = selections_.frame_names;
+    auto frames =
+        names ? cell_->work_frames(names->tool, names->object) : cell_->work_frames(kToolFrame, "work");
     if (!frames) return tl::unexpected(std::move(frames.error()));
     selections_.frames = *frames;
-    selections_.frames_selected = selected_.has_value();
-    tip_turns_ = motion::tip_turns(planner_.setup(), selections_.frames.tip_mm());
     return {};
 }
 
@@ -74,10 +73,10 @@ const WorkFrames& PlannerShell::frames_of_step(double from_s) {
 Status PlannerShell::SelectWorkFrames(std::string_view tool_frame, std::string_view object_frame) {
     if (cell_ == nullptr) return Shell::SelectWorkFrames(tool_frame, object_frame);
     if (!initialized_) return not_initialized();
-    auto before =
-        std::exchange(selected_, SelectedFrames{std::string(tool_frame), std::string(object_frame)});
+    auto before = std::exchange(selections_.frame_names,
+                                FrameNames{std::string(tool_frame), std::string(object_frame)});
     if (Planned selected = select_frames(); !selected) {
-        selected_ = std::move(before);
+        selections_.frame_names = std::move(before);
         return tell(std::move(selected.error()));
     }
     return Status::RRS_SUCCESS;

@@ -62,7 +62,8 @@ Status PlannerShell::SelectMotionType(rrs::MotionType type) {
                                   static_cast<int>(type)));
     }
     const bool to_poses = selections_.target_type == rrs::TargetType::cartesian;
-    if (path && !planner_.setup().has_position_joints() && !(to_poses && tip_turns_)) {
+    if (path && !planner_.setup().has_position_joints() &&
+        !(to_poses && tip_turns(planner_.setup(), selections_.frames.tip_mm()))) {
         return refuse(
             Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
             "Linear and circular motion to joint values need joints that carry the position of the tool; "
@@ -233,10 +234,7 @@ Status PlannerShell::SetRestParameter(double rest_s) {
 
 Status PlannerShell::set_positive(double& value, double wanted, std::string_view what) {
     if (!initialized_) return not_initialized();
-    if (!(wanted > 0)) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
-                      fmt::format("The {} must be greater than 0; {} was asked for.", what, wanted));
-    }
+    if (Planned checked = check_positive(wanted, what); !checked) return tell(std::move(checked.error()));
     value = wanted;
     return Status::RRS_SUCCESS;
 }

@@ -44,7 +44,7 @@ std::string text(const char (&place)[size]) {
 /// Answers of services that fill in their output on success.
 template <typename Output, typename Value>
 Status give(Status status, const Value& value, void* output) {
-    if (static_cast<int>(status) >= 0) *static_cast<Output*>(output) = to_rcs(value);
+    if (!is_refused(status)) *static_cast<Output*>(output) = to_rcs(value);
     return status;
 }
 
@@ -134,7 +134,7 @@ Status take_step(Shell& shell, gsim_rcs_step& out) {
     CartPos pose;
     double elapsed_s = 0;
     const Status status = shell.GetNextStep(joints, pose, elapsed_s);
-    if (static_cast<int>(status) >= 0) out = {to_rcs(joints), to_rcs(pose), elapsed_s};
+    if (!is_refused(status)) out = {to_rcs(joints), to_rcs(pose), elapsed_s};
     return status;
 }
 
@@ -142,7 +142,7 @@ Status take_object_step(Shell& shell, gsim_rcs_object_step& out) {
     CartPos pose;
     double elapsed_s = 0;
     const Status status = shell.GetNextObjectStep(pose, elapsed_s);
-    if (static_cast<int>(status) >= 0) out = {to_rcs(pose), elapsed_s};
+    if (!is_refused(status)) out = {to_rcs(pose), elapsed_s};
     return status;
 }
 
@@ -150,7 +150,7 @@ Status take_event(Shell& shell, int which, gsim_rcs_event& out) {
     int event = 0;
     double time_s = 0;
     const Status status = shell.GetEvent(which, event, time_s);
-    if (static_cast<int>(status) >= 0) out = {event, 0, time_s};
+    if (!is_refused(status)) out = {event, 0, time_s};
     return status;
 }
 
@@ -164,7 +164,7 @@ Answer steps(Shell& shell, std::int32_t opcode, const void* input, void* output)
         case GSIM_RCS_GET_TARGET_OF_LAST_STEP: {
             TargetId id = -1;
             const Status status = shell.GetTargetOfLastStep(id);
-            if (static_cast<int>(status) >= 0) *static_cast<gsim_rcs_target_id*>(output) = {id};
+            if (!is_refused(status)) *static_cast<gsim_rcs_target_id*>(output) = {id};
             return status;
         }
         case GSIM_RCS_COME_TO_REST: return shell.ComeToRest(static_cast<RestReason>(integer(input)));

@@ -146,7 +146,7 @@ Status RcsShell::checked_elapsed(const Service& service, double answer_s, double
 
 /// Behind the services that set back all selections.
 Status RcsShell::started(Status status) {
-    if (static_cast<int>(status) < 0) return status;
+    if (is_refused(status)) return status;
     interpolation_s_ = kDefaultInterpolation_s;
     clock_s_ = 0;
     return status;
@@ -257,7 +257,7 @@ Status RcsShell::GetNextStep(JointPos& joints, CartPos& pose, double& elapsed_s)
     const Service service{GSIM_RCS_GET_NEXT_STEP, "GetNextStep"};
     gsim_rcs_step output{no_joints(), no_pose(), kNan};
     const Status status = ask(service, nullptr, &output, Extra::step);
-    if (static_cast<int>(status) < 0) return status;
+    if (is_refused(status)) return status;
     for (const Status check :
          {checked_elapsed(service, output.elapsed_s, elapsed_s),
           checked(service, output.joints, kLargestOfStep, joints), checked(service, output.pose, pose)}) {

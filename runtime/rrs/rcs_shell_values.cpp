@@ -147,7 +147,7 @@ Status RcsShell::GetNextObjectStep(CartPos& pose, double& elapsed_s) {
     gsim_rcs_object_step output{};
     output.pose.matrix[0] = output.elapsed_s = std::numeric_limits<double>::quiet_NaN();
     const Status status = ask(service, nullptr, &output, Extra::step);
-    if (static_cast<int>(status) < 0) return status;
+    if (is_refused(status)) return status;
     for (const Status check :
          {checked_elapsed(service, output.elapsed_s, elapsed_s), checked(service, output.pose, pose)}) {
         if (check != Status::RRS_SUCCESS) return check;

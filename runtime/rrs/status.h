@@ -26,6 +26,11 @@ enum class Status : int {
     RRS_MODULE_FAULT = -13,  ///< The answer of a controller module makes no sense; nothing works after it.
 };
 
+/// Whether it is an error.
+constexpr bool is_refused(Status status) {
+    return static_cast<int>(status) < 0;
+}
+
 /// The name of a status as documents and messages write it: "RRS_JOINT_LIMIT".
 std::string_view name(Status status);
 

@@ -5,12 +5,6 @@
 
 namespace gsim::script {
 
-namespace {
-
-constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
-
-}  // namespace
-
 tl::expected<std::string, std::string> Library::read(std::string_view file_name) const {
     if (!folder_) {
         const std::string_view text = embedded::embedded_lua(file_name);

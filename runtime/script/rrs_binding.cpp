@@ -114,7 +114,7 @@ int get_inverse_kinematics(lua_State* state) {
                                                          : check_joints(state, 2, joint_count(state));
     const Status status = shell(state).GetInverseKinematics(check_pose(state, 1), near, joints);
     answer(state, status);
-    if (static_cast<int>(status) < 0) return 1;
+    if (rrs::is_refused(status)) return 1;
     push_joints(state, joints);
     return 2;
 }
@@ -123,7 +123,7 @@ int get_forward_kinematics(lua_State* state) {
     rrs::CartPos pose;
     const Status status = shell(state).GetForwardKinematics(check_joints(state, 1, joint_count(state)), pose);
     answer(state, status);
-    if (static_cast<int>(status) < 0) return 1;
+    if (rrs::is_refused(status)) return 1;
     push_pose(state, pose);
     return 2;
 }
@@ -132,7 +132,7 @@ int get_cell_frame(lua_State* state) {
     rrs::CartPos frame;
     const Status status = controller_of(state).simulator().get_cell_frame(text(state, 1), frame);
     answer(state, status);
-    if (static_cast<int>(status) < 0) return 1;
+    if (rrs::is_refused(status)) return 1;
     push_pose(state, frame);
     return 2;
 }
@@ -203,7 +203,7 @@ int get_next_step(lua_State* state) {
     double elapsed_s = 0;
     const Status status = shell(state).GetNextStep(joints, pose, elapsed_s);
     answer(state, status);
-    if (static_cast<int>(status) < 0) return 1;
+    if (rrs::is_refused(status)) return 1;
     push_joints(state, joints);
     push_pose(state, pose);
     lua_pushnumber(state, elapsed_s);
@@ -229,7 +229,7 @@ int get_event(lua_State* state) {
     double time_s = 0;
     const Status status = shell(state).GetEvent(whole(state, 1), event, time_s);
     answer(state, status);
-    if (static_cast<int>(status) < 0) return 1;
+    if (rrs::is_refused(status)) return 1;
     lua_pushinteger(state, event);
     lua_pushnumber(state, time_s);
     return 3;
@@ -289,7 +289,7 @@ int get_next_object_step(lua_State* state) {
     double elapsed_s = 0;
     const Status status = shell(state).GetNextObjectStep(pose, elapsed_s);
     answer(state, status);
-    if (static_cast<int>(status) < 0) return 1;
+    if (rrs::is_refused(status)) return 1;
     push_pose(state, pose);
     lua_pushnumber(state, elapsed_s);
     return 3;

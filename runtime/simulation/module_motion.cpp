@@ -8,6 +8,7 @@
 
 namespace gsim::simulation {
 
+using rrs::is_refused;
 using rrs::Status;
 
 namespace {
@@ -16,10 +17,6 @@ constexpr double kDefaultStep_s = 0.001;
 constexpr double kMostIdle_s = 600;
 constexpr std::uint64_t kMostStanding = 1'000'000;
 constexpr double kSamePosition = 1e-6;  // mm or rad: positions at one instant may differ by rounding
-
-bool failed(Status status) {
-    return static_cast<int>(status) < 0;
-}
 
 }  // namespace
 
@@ -35,12 +32,12 @@ ModuleMotion::ModuleMotion(rrs::RcsModule module, const motion::PlannerSetup& se
 
 Status ModuleMotion::Initialize() {
     const Status status = RcsShell::Initialize();
-    return failed(status) ? status : SetInterpolationTime(step_s_);
+    return is_refused(status) ? status : SetInterpolationTime(step_s_);
 }
 
 Status ModuleMotion::SelectTargetType(rrs::TargetType type) {
     const Status status = RcsShell::SelectTargetType(type);
-    if (failed(status)) return status;
+    if (is_refused(status)) return status;
     target_type_ = type;
     if (!by_program_) client_.target_type = type;
     return status;
@@ -58,7 +55,7 @@ Status ModuleMotion::SetInitialPosition(const rrs::CartPos& cartesian, const rrs
                                         std::string_view configuration) {
     step_to_end();
     const Status status = RcsShell::SetInitialPosition(cartesian, joints, configuration);
-    if (failed(status)) return status;
+    if (is_refused(status)) return status;
     reached_ = target_ = solved(cartesian, joints);
     has_position_ = true;
     return status;
@@ -69,7 +66,7 @@ template <typename Call>
 Status ModuleMotion::until_room(const Call& call) {
     Status status = call();
     while (status == Status::RRS_QUEUE_FULL) {
-        if (const Status stepped = step_to_target(); failed(stepped)) return stepped;
+        if (const Status stepped = step_to_target(); is_refused(stepped)) return stepped;
         status = call();
     }
     return status;
@@ -77,7 +74,7 @@ Status ModuleMotion::until_room(const Call& call) {
 
 Status ModuleMotion::queued(Status status, rrs::TargetId id, rrs::TargetParam param,
                             const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
-    if (failed(status) || param == rrs::TargetParam::via) return status;
+    if (is_refused(status) || param == rrs::TargetParam::via) return status;
     target_ = solved(cartesian, joints);
     waiting_.push_back(id);
     return status;
@@ -112,7 +109,7 @@ Status ModuleMotion::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& c
 
 Status ModuleMotion::SetNextRest(rrs::TargetId id, double rest_s) {
     const Status status = until_room([&] { return RcsShell::SetNextRest(id, rest_s); });
-    if (failed(status)) return status;
+    if (is_refused(status)) return status;
     rests_s_ += rest_s;
     waiting_.push_back(id);
     return status;
@@ -120,13 +117,13 @@ Status ModuleMotion::SetNextRest(rrs::TargetId id, double rest_s) {
 
 Status ModuleMotion::SetRestParameter(double rest_s) {
     const Status status = RcsShell::SetRestParameter(rest_s);
-    if (!failed(status)) rests_s_ += rest_s;
+    if (!is_refused(status)) rests_s_ += rest_s;
     return status;
 }
 
 Status ModuleMotion::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) {
     const Status status = RcsShell::GetNextStep(joints, pose, elapsed_s);
-    return failed(status) ? status : record(status, joints, elapsed_s);
+    return is_refused(status) ? status : record(status, joints, elapsed_s);
 }
 
 Status ModuleMotion::step() {
@@ -136,14 +133,14 @@ Status ModuleMotion::step() {
     rrs::CartPos pose;
     double elapsed_s = 0;
     const Status status = GetNextStep(joints, pose, elapsed_s);
-    if (!failed(status) || RcsShell::fault()) return status;
+    if (!is_refused(status) || RcsShell::fault()) return status;
     return blame(fmt::format("answered GetNextStep with {}", rrs::name(status)));
 }
 
 Status ModuleMotion::step_to_target() {
     for (;;) {
         const Status status = step();
-        if (failed(status) || status == Status::RRS_TARGET_REACHED) return status;
+        if (is_refused(status) || status == Status::RRS_TARGET_REACHED) return status;
         if (status == Status::RRS_NEED_MORE_DATA)
             return blame("answered RRS_QUEUE_FULL, but its queue is empty");
     }
@@ -152,13 +149,13 @@ Status ModuleMotion::step_to_target() {
 void ModuleMotion::step_to_end() {
     while (has_position_) {
         const Status status = step();
-        if (failed(status) || status == Status::RRS_NEED_MORE_DATA) return;
+        if (is_refused(status) || status == Status::RRS_NEED_MORE_DATA) return;
     }
 }
 
 Status ModuleMotion::record(Status status, const rrs::JointPos& joints, double elapsed_s) {
     const bool moved = joints != reached_;
-    if (const Status watched = watch(moved, elapsed_s); failed(watched)) return watched;
+    if (const Status watched = watch(moved, elapsed_s); is_refused(watched)) return watched;
     if (elapsed_s > 0) {
         fill_segment(joints, elapsed_s);
         sink_.take(segment_);
@@ -217,10 +214,10 @@ void ModuleMotion::come_to_rest(bool waits) {
 }
 
 Status ModuleMotion::stop_here() {
-    if (const Status stopped = StopMotion(); failed(stopped)) return stopped;
+    if (const Status stopped = StopMotion(); is_refused(stopped)) return stopped;
     step_to_end();
     const Status cancelled = CancelMotion();
-    if (failed(cancelled)) return cancelled;
+    if (is_refused(cancelled)) return cancelled;
     waiting_.clear();
     target_ = reached_;
     return Status::RRS_SUCCESS;
@@ -235,7 +232,7 @@ void ModuleMotion::end_program() {
 
 motion::PlanError ModuleMotion::last_error() {
     motion::PlanError error;
-    GetMessage(error.message);
+    by_program([&] { GetMessage(error.message); });
     if (error.message.empty()) error.message = "the module does not say why";
     if (!RcsShell::fault() && error.message.find(name()) != 0)
         error.message = fmt::format("{}: {}", name(), error.message);

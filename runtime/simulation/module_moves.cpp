@@ -7,15 +7,12 @@
 
 namespace gsim::simulation {
 
+using rrs::is_refused;
 using rrs::MotionType;
 using rrs::Status;
 using rrs::TargetType;
 
 namespace {
-
-bool is_refused(Status status) {
-    return static_cast<int>(status) < 0;
-}
 
 /// The service is not there, or the module is broken; any other answer leaves the controller as it can be.
 bool is_missing(Status status) {

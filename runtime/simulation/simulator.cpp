@@ -25,6 +25,10 @@ constexpr double kNoTravel = 1e-9;
 
 constexpr std::size_t kMaxWarnings = 1'000;
 
+double rotary_speed_rad_s(const Feed& feed) {
+    return feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg;
+}
+
 std::array<int, 3> space_axes(const machine::Machine& machine) {
     std::array<int, 3> axes;
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -134,17 +138,11 @@ motion::Move Simulator::new_move(const MoveInfo& info) const {
 }
 
 bool Simulator::check_feed(const Feed& feed, bool rotary, const Place& place) {
-    if (feed.motion_s) {
-        const motion::Planned checked = motion::check_motion_time(*feed.motion_s);
-        return checked || refused(checked.error(), place);
-    }
-    const double per_min = rotary ? feed.rotary_deg_min : feed.linear_mm_min;
-    if (per_min > 0) return true;
-    return refused({.status = Status::RRS_INVALID_PARAMETER,
-                    .message = fmt::format("The {} must be greater than 0; {} was asked for.",
-                                           rotary ? "orientation speed" : "speed",
-                                           per_min / kSecondsPerMinute * (rotary ? kRadPerDeg : 1))},
-                   place);
+    const motion::Planned checked =
+        feed.motion_s ? motion::check_motion_time(*feed.motion_s)
+        : rotary      ? motion::check_positive(rotary_speed_rad_s(feed), "orientation speed")
+                      : motion::check_positive(feed.linear_mm_min / kSecondsPerMinute, "speed");
+    return checked || refused(checked.error(), place);
 }
 
 void Simulator::set_time_of(const Feed& feed, bool rotary, motion::Move& move) {
@@ -155,7 +153,7 @@ void Simulator::set_time_of(const Feed& feed, bool rotary, motion::Move& move) {
         return;
     }
     if (rotary) {
-        terms.orientation_speed_rad_s = feed.rotary_deg_min / kSecondsPerMinute * kRadPerDeg;
+        terms.orientation_speed_rad_s = rotary_speed_rad_s(feed);
         return;
     }
     const double speed_mm_s = feed.linear_mm_min / kSecondsPerMinute;

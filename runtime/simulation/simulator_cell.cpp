@@ -29,7 +29,7 @@ rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartP
     if (!asks_controller() || of_machine) wait();
     if (asks_controller() || of_machine) {
         const rrs::Status status = controller().ModifyCellFrame(name, frame);
-        if (static_cast<int>(status) < 0 || !of_machine) return status;
+        if (rrs::is_refused(status) || !of_machine) return status;
     }
     if (cell_ != nullptr && !controller_has_cell_) {
         const motion::Planned moved = cell_->move_frame(name, frame, motion_->time_s());

@@ -81,7 +81,7 @@ bool Simulator::move(const PoseMove& move) {
     };
     motion::Move whole = new_move(info);
     whole.goal = goal(move.target);
-    if (tip_frame_ && motion_->selections().frames_selected) whole.tip_mm = frames.tip_mm();
+    if (tip_frame_ && motion_->selections().frame_names) whole.tip_mm = frames.tip_mm();
     if (move.via) {
         whole.type = rrs::MotionType::circular;
         whole.via = goal(*move.via);
