@@ -1,9 +1,11 @@
 #include "apps/data_commands.h"
 
+#include <array>
 #include <filesystem>
 
 #include <fmt/format.h>
 
+#include "apps/confine_run.h"
 #include "apps/data_check.h"
 #include "apps/data_import.h"
 #include "apps/data_json.h"
@@ -226,6 +228,15 @@ class Command {
     std::optional<os::FileLock> lock_;
 };
 
+/// Behind the reading of the machine, and of what names files that may lie anywhere: settings of LinuxCNC.
+tl::expected<void, std::string> confine(const DataArguments& a) {
+    if (a.no_confine || (a.command == DataCommand::import && !imports_table(a))) return {};
+    const bool shows =
+        a.command == DataCommand::list || a.command == DataCommand::get || a.command == DataCommand::check;
+    return confine_to(std::array{a.file, a.from_json, import_source(a)},
+                      std::array{shows ? std::string() : a.file, a.output, a.data, a.findings.sarif});
+}
+
 }  // namespace
 
 Status run_data_command(const DataArguments& arguments, Findings& findings) {
@@ -235,6 +246,7 @@ Status run_data_command(const DataArguments& arguments, Findings& findings) {
         if (!loaded) return Sentence(std::move(loaded.error()));
         machine = std::move(loaded->machine);
     }
+    if (auto confined = confine(arguments); !confined) return Sentence(std::move(confined.error()));
     if (arguments.command == DataCommand::import) return import_settings(arguments, machine, findings);
     if (arguments.file.empty()) return Sentence("FILE is required: the machine data (NCFILE)");
     return Command(arguments, std::move(machine), findings).run();

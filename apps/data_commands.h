@@ -28,6 +28,7 @@ struct DataArguments {
     bool inch = false;
     bool metric = false;
     bool create = false;
+    bool no_confine = false;
     double wait_s = kLongestWait_s;  ///< For files that another program changes.
     std::string from_json;           ///< Of convert.
     std::string output;              ///< Of convert; empty: the file itself, or standard output for JSON.

@@ -78,13 +78,22 @@ Written write_table(const DataArguments& arguments, const std::string& source, c
 
 }  // namespace
 
+const std::string& import_source(const DataArguments& arguments) {
+    return arguments.source.empty() ? arguments.file : arguments.source;
+}
+
+bool imports_table(const DataArguments& arguments) {
+    const std::string ending =
+        text::lower(std::filesystem::path(import_source(arguments)).extension().string());
+    return ending == ".tbl" || ending == ".var";
+}
+
 tl::expected<int, std::string> import_settings(const DataArguments& arguments,
                                                const std::optional<machine::Machine>& machine,
                                                Findings& findings) {
-    const std::string& source = arguments.source.empty() ? arguments.file : arguments.source;
+    const std::string& source = import_source(arguments);
     if (source.empty()) return tl::unexpected(std::string("import needs a file: gsim-data import mill.ini"));
-    const std::string ending = text::lower(std::filesystem::path(source).extension().string());
-    const bool is_table = ending == ".tbl" || ending == ".var";
+    const bool is_table = imports_table(arguments);
     const auto text = os::read_text_file(source, os::NamedBy::command_line);
     if (!text) return tl::unexpected(text.error());
     if (!is_table && !import::is_control_file(*text, source)) {

@@ -11,6 +11,12 @@
 
 namespace gsim::apps {
 
+/// What import reads.
+const std::string& import_source(const DataArguments& arguments);
+
+/// Whether that is a table of tools or parameters, by its ending; else it is settings, which may name tables.
+bool imports_table(const DataArguments& arguments);
+
 /// gsim-data import: the settings of a control as a machine file, or one of its tables as machine data, for
 /// the axes of `machine` (X, Y and Z where none is given). `findings` gets what is not taken over, by
 /// name. The exit status; the error is a sentence.

@@ -51,7 +51,10 @@ bool is_clean(const simulation::Report& report) {
 // Warnings are told, but do not count, save those of the process.
 int check_program(const RunArguments& arguments, const MachineInput& machine, Findings& findings) {
     const TellDiagnostic tell = [&](const text::Diagnostic& told) { findings.take(told); };
-    tl::expected<RunInputs, InputError> inputs = read_run_inputs(arguments, machine, tell);
+    tl::expected<RunInputs, InputError> inputs =
+        open_script(arguments.input).and_then([&](OpenedScript opened) {
+            return read_run_inputs(arguments, machine, opened, tell);
+        });
     if (!inputs) {
         findings.checked({.name = arguments.input, .status = "not run"});
         if (inputs.error().in_program) return kProgramFault;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "apps/confine_run.h"
 #include "apps/data_commands.h"
 #include "apps/programs.h"
 
@@ -93,6 +94,7 @@ void add_data_options(apps::CommandLine& line, DataArguments& a) {
              "list, get, convert: print JSON; what a check finds, and mistakes, as JSON too");
     apps::add_sarif_option(line, a.findings);
     apps::add_wait_option(line, a.wait_s);
+    apps::add_confine_option(line, a.no_confine);
     add_section(
         add_data_command(line, a, "list", DataCommand::list, "print all entries, or those of a section"), a);
     apps::CommandLine& get =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "apps/programs.h"
 #include "apps/robots_run.h"
 #include "apps/run_arguments.h"
+#include "apps/run_cell.h"
 #include "apps/run_engine.h"
 #include "apps/run_inputs.h"
 #include "apps/variables_file.h"
@@ -172,8 +174,16 @@ class Run {
 
     int run_program(const apps::MachineInput& input) {
         if (auto locked = lock_kept(); !locked) return fail(Kind::output, locked.error());
+        // Read before the confinement: what it names may lie anywhere.
+        auto cell = apps::read_cell_of_run(apps::cell_choice(arguments_), input.machine);
+        if (!cell) return fail(Kind::input_file, cell.error(), arguments_.cell);
+        arguments_.cell_read = std::make_shared<const cell::Cell>(*std::move(cell));
+        auto opened = apps::open_script(arguments_.input);
+        if (!opened) return fail(opened.error().kind, opened.error().message, opened.error().file);
+        if (auto confined = apps::confine_run(arguments_, {&arguments_.input, 1}); !confined)
+            return fail(Kind::usage, confined.error());
         tl::expected<apps::RunInputs, apps::InputError> inputs =
-            apps::read_run_inputs(arguments_, input, tell_);
+            apps::read_run_inputs(arguments_, input, *opened, tell_);
         if (inputs) return simulate(*std::move(inputs));
         if (!inputs.error().in_program)
             return fail(inputs.error().kind, inputs.error().message, inputs.error().file);
@@ -191,8 +201,6 @@ class Run {
             apps::Outputs::open(arguments_.outputs, run.simulator());
         if (!outputs) return fail(Kind::output, outputs.error());
         if (auto kept = check_kept(arguments_); !kept) return fail(Kind::output, kept.error());
-        if (auto confined = apps::confine_run(arguments_, {&arguments_.input, 1}); !confined)
-            return fail(Kind::usage, confined.error());
         simulation::Report report = run.run();
         report.diagnostics = findings_.all();
         outputs->explain(report);

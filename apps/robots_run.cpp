@@ -172,7 +172,10 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
         if (!station) return tl::unexpected(station.error());
         stations.push_back(*std::move(station));
     }
-    auto input = read_script(run.input, stations.front().language, run.tell);
+    auto opened = open_script(run.input);
+    if (!opened) return tl::unexpected(opened.error());
+    if (auto confined = run.confine(); !confined) return usage(confined.error());
+    auto input = read_script(*opened, stations.front().language, run.tell);
     if (!input) return tl::unexpected(input.error());
     if (!run.setup.empty()) {
         auto setup = read_script(run.setup, stations.front().language, run.tell);
@@ -194,7 +197,6 @@ tl::expected<simulation::RobotsReport, InputError> run_robots(RobotsRun run) {
     }
     const std::string program = input->file_name;
     script::Engine engine(std::move(robots), std::move(file->conveyors), std::move(run.options));
-    if (auto confined = run.confine(); !confined) return usage(confined.error());
     engine.run(*std::move(input));
     auto report = finish(program, stations, engine);
     if (!report) return report;

@@ -130,7 +130,7 @@ tl::expected<MachineInput, std::string> read_machine(const RunArguments& argumen
 }
 
 tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& arguments, MachineInput input,
-                                                    const TellDiagnostic& tell) {
+                                                    OpenedScript& opened, const TellDiagnostic& tell) {
     machine::Machine& machine = input.machine;
     const auto fault = [](std::string message) {
         return tl::unexpected(
@@ -148,7 +148,7 @@ tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& argument
     if (!language) return fault(language.error());
     language->cpu = arguments.limits.cpu;
     language->memory_bytes = arguments.memory_mb << 20U;
-    auto program = read_script(arguments.input, *language, tell);
+    auto program = read_script(opened, *language, tell);
     if (!program) return tl::unexpected(program.error());
     language->dialect = grammar::dialect_named(program->dialect);
     if (program->inch) language->units = machine::ProgramUnits::inch;

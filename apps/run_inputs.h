@@ -38,8 +38,8 @@ struct RunInputs {
     motion::OverrideSchedule overrides;
 };
 
-/// `tell` gets what is wrong with the program's text.
+/// `opened` is the program; `tell` gets what is wrong with its text.
 tl::expected<RunInputs, InputError> read_run_inputs(const RunArguments& arguments, MachineInput input,
-                                                    const TellDiagnostic& tell);
+                                                    OpenedScript& opened, const TellDiagnostic& tell);
 
 }  // namespace gsim::apps

@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 
 #include "apps/translation.h"
-#include "codegen/lua_spool.h"
-#include "lexer/source.h"
 
 namespace gsim::apps {
 
@@ -96,9 +94,9 @@ std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
     return chunks;
 }
 
-tl::expected<Script, InputError> translated_script(lexer::Source& source, const Language& language,
-                                                   const TellDiagnostic& tell) {
-    auto spool = std::make_shared<codegen::LuaSpool>();
+tl::expected<Script, InputError> translated_script(lexer::Source& source,
+                                                   std::shared_ptr<codegen::LuaSpool> spool,
+                                                   const Language& language, const TellDiagnostic& tell) {
     const codegen::Translation translation = translate_source(source, *spool, language, {}, tell);
     if (auto fault = source.fault()) return tl::unexpected(InputError{.message = *std::move(fault)});
     if (!translation.ok) {
@@ -118,16 +116,6 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source, const 
         script.functions.push_back({part.head, chunks_of(part)});
     script.read = [spool](std::uint64_t begin, std::uint64_t end) { return spool->read(begin, end); };
     return script;
-}
-
-tl::expected<Script, InputError> script_of(lexer::Source& source, bool lua, const Language& language,
-                                           const TellDiagnostic& tell) {
-    if (lua) {
-        return lua_script(source, language.memory_bytes).map_error([](std::string sentence) {
-            return InputError{.message = std::move(sentence)};
-        });
-    }
-    return translated_script(source, language, tell);
 }
 
 /// "wheel" of wheel.nc, and of wheel_O0001.ppg.
@@ -191,14 +179,29 @@ fs::path folder_of_program(const std::string& main_path) {
     return parent.empty() ? fs::path(".") : parent;
 }
 
-tl::expected<Script, InputError> read_script(const std::string& path, const Language& language,
-                                             const TellDiagnostic& tell) {
+tl::expected<OpenedScript, InputError> open_script(const std::string& path) {
     tl::expected<lexer::Source, std::string> source =
         path == "-" ? lexer::Source::spool(stdin, std::string(lexer::Source::kStandardInput))
                     : lexer::Source::open(path, os::NamedBy::command_line);
     if (!source) return tl::unexpected(InputError{.message = source.error(), .file = path});
     const bool lua = has_extension(path, ".lua") || (path == "-" && looks_like_lua(*source));
-    return script_of(*source, lua, language, tell);
+    auto spool = std::make_shared<codegen::LuaSpool>();
+    if (!lua) spool->reserve_file();
+    return OpenedScript{*std::move(source), lua, std::move(spool)};
+}
+
+tl::expected<Script, InputError> read_script(OpenedScript& opened, const Language& language,
+                                             const TellDiagnostic& tell) {
+    if (!opened.is_lua) return translated_script(opened.source, std::move(opened.spool), language, tell);
+    return lua_script(opened.source, language.memory_bytes).map_error([](std::string sentence) {
+        return InputError{.message = std::move(sentence)};
+    });
+}
+
+tl::expected<Script, InputError> read_script(const std::string& path, const Language& language,
+                                             const TellDiagnostic& tell) {
+    return open_script(path).and_then(
+        [&](OpenedScript opened) { return read_script(opened, language, tell); });
 }
 
 script::FindProgram program_finder(const std::string& main_path, const Language& language,
@@ -214,8 +217,9 @@ script::FindProgram program_finder(const std::string& main_path, const Language&
                 return tl::unexpected(*std::move(way_out));
             tl::expected<lexer::Source, std::string> source = lexer::Source::open(path.string());
             if (!source) return tl::unexpected(source.error());
-            tl::expected<Script, InputError> script =
-                script_of(*source, has_extension(name, ".lua"), language, tell);
+            OpenedScript opened{*std::move(source), has_extension(name, ".lua"),
+                                std::make_shared<codegen::LuaSpool>()};
+            tl::expected<Script, InputError> script = read_script(opened, language, tell);
             if (!script)
                 return tl::unexpected(
                     fmt::format("the called program cannot be translated: {}", script.error().message));

@@ -10,7 +10,9 @@
 
 #include "apps/limit_options.h"
 #include "base/os/cpu_limit.h"
+#include "codegen/lua_spool.h"
 #include "codegen/translate.h"
+#include "lexer/source.h"
 #include "runtime/machine/program_table.h"
 #include "runtime/script/engine.h"
 
@@ -41,8 +43,21 @@ struct Language {
     std::string caution;  ///< Where the control's own language is only near to the dialect: a sentence.
 };
 
-/// Reads part.lua or part.nc (or standard input, "-", which is looked at to tell which it is) as a script;
-/// G-code is translated first.
+/// A script or program that is open, with all that reading it takes of the file system.
+struct OpenedScript {
+    lexer::Source source;
+    bool is_lua = false;
+    std::shared_ptr<codegen::LuaSpool> spool;
+};
+
+/// Opens part.lua or part.nc (or standard input, "-", which is looked at to tell which it is).
+tl::expected<OpenedScript, InputError> open_script(const std::string& path);
+
+/// Reads it; G-code is translated. Once.
+tl::expected<script::Script, InputError> read_script(OpenedScript& opened, const Language& language,
+                                                     const TellDiagnostic& tell);
+
+/// Both.
 tl::expected<script::Script, InputError> read_script(const std::string& path, const Language& language,
                                                      const TellDiagnostic& tell);
 

@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/os/memory_file.h"
+
 namespace gsim::lexer {
 
 std::string file_error(const std::string& path, int error_number) {
@@ -32,6 +34,8 @@ tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string n
     Source source;
     source.name_ = std::move(name);
     source.file_.reset(std::tmpfile());
+    // A program that is confined may reach no folder for temporary files.
+    if (!source.file_) source.file_ = os::file_in_memory("spool");
     if (!source.file_)
         return tl::unexpected("no temporary file for " + source.name_ + ": " + std::strerror(errno));
     std::array<char, 65536> buffer;

@@ -52,12 +52,14 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       motion_(make_motion(std::move(module))),
       space_axes_(space_axes(machine_)),
       position_(static_cast<Eigen::Index>(machine_.axes.size())),
+      steps_(machine_),
       process_(machine_) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
     recorder_.add_output(centripetal_);
     recorder_.add_output(events_);
     recorder_.add_output(violations_);
+    if (sampled()) recorder_.add_output(steps_);
     recorder_.add_output(process_);
     recorder_.add_output(way_deviation_);
     if (!limits_.stop_at_first) zones_.go_on([this](const ZoneHit& hit) { add_zone_violation(hit); });
@@ -186,6 +188,7 @@ bool Simulator::finish_move(const motion::Put& put, const Place& place) {
     exact_stop_once_ = false;
     for (const std::string& remark : motion_->take_remarks()) warn(remark);
     if (zones_.hit()) return fail_in_zone();
+    if (limits_.stop_at_first && !steps_.found().empty()) return fail_past_range(steps_.found().front());
     if (!put) return refused(put.error(), place);
     add_violations(place);
     if (*put) {
@@ -228,7 +231,7 @@ bool Simulator::move(const LineMove& move) {
     const auto joints = joints_of(move.target);
     if (!joints) return fail(DiagnosticKind::unreachable, joints.error(), move.place);
     const motion::RangePass pass(begin_move());
-    note_target(*joints);
+    if (const auto in_range = check_target(*joints); !in_range) return refused(in_range.error(), move.place);
     MoveInfo info = next_move(move.kind, move.place, feed_per_min(move, rotary));
     info.timed = move.feed.motion_s.has_value();
     obey_overrides(info, move.feed);
@@ -245,7 +248,7 @@ bool Simulator::move(const ArcMove& move) {
     const auto joints = joints_of(move.target);
     if (!joints) return fail(DiagnosticKind::unreachable, joints.error(), move.place);
     const motion::RangePass pass(begin_move());
-    note_target(*joints);
+    if (const auto in_range = check_target(*joints); !in_range) return refused(in_range.error(), move.place);
     Eigen::Vector3d center = move.center_mm;
     for (Eigen::Index i = 0; i < 3; ++i) {
         const int at = space_axes_[static_cast<std::size_t>(i)];
@@ -288,7 +291,7 @@ bool Simulator::move(const ViaMove& move) {
     if (!via || !target)
         return fail(DiagnosticKind::unreachable, via ? target.error() : via.error(), move.place);
     const motion::RangePass pass(begin_move());
-    note_target(*target);
+    if (const auto in_range = check_target(*target); !in_range) return refused(in_range.error(), move.place);
     MoveInfo info = next_move(MoveKind::arc_ccw, move.place, move.feed.linear_mm_min);
     info.timed = move.feed.motion_s.has_value();
     obey_overrides(info, move.feed);
@@ -347,6 +350,7 @@ Report Simulator::finish(std::string program) {
     if (motion_->fault()) refused(motion_->last_error(), last_place_);
     if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too
     if (zones_.hit()) fail_in_zone();
+    add_steps_past_ranges();
     if (!alarm_ && process_on_) process_.end_program(next_id_, last_place_);
     Report report;
     if (!overrides_.empty()) report.overrides.emplace();

@@ -26,6 +26,7 @@
 #include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/step_ranges.h"
 #include "runtime/simulation/tip_frame.h"
 #include "runtime/simulation/violation_log.h"
 #include "runtime/simulation/way_deviation.h"
@@ -266,9 +267,12 @@ class Simulator {
     void add_cell_findings(Report& report);
     bool fail_in_zone();
     motion::RangeNotes* begin_move();
-    void note_target(const rrs::JointPos& joints) const;
+    motion::Planned check_target(const rrs::JointPos& joints) const;
     bool comes_back(const motion::Excursion& excursion) const;
+    Violation violation_of(std::size_t axis, double value, double limit) const;
     void add_violations(const Place& place);
+    bool fail_past_range(const StepPastRange& step);
+    void add_steps_past_ranges();
     void add_zone_violation(const ZoneHit& hit);
     Violations release_violations();
 
@@ -296,11 +300,13 @@ class Simulator {
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;
     std::optional<Alarm> alarm_;
+    StepRanges steps_;  ///< Of a controller module.
     ViolationLog violations_;
     std::vector<Violation> zone_violations_;                ///< Of the hits of zones_, in their order.
     std::vector<std::string> work_offsets_{std::string()};  ///< Codes; the first stands for none.
     std::uint16_t work_offset_ = 0;                         ///< In force.
     rrs::JointPos move_start_;                              ///< Of the move that is given.
+    std::uint32_t axes_past_ranges_ = 0;                    ///< By targets; bit 0: the first axis.
     OpenCalls calls_;
     RunStatus status_ = RunStatus::completed;
     std::optional<Passes> passes_;

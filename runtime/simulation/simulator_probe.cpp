@@ -119,7 +119,7 @@ bool Simulator::make_probe_move(const ProbeMove& move, ProbeSignal* signal, Prob
     const auto joints = joints_of(line.target);
     if (!joints) return fail(text::DiagnosticKind::unreachable, joints.error(), line.place);
     const motion::RangePass pass(begin_move());
-    note_target(*joints);
+    if (const auto in_range = check_target(*joints); !in_range) return refused(in_range.error(), line.place);
     MoveInfo info = next_move(MoveKind::probe, line.place, feed_per_min(line, rotary));
     info.timed = line.feed.motion_s.has_value();
     obey_overrides(info, line.feed);

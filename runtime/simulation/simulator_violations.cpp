@@ -14,6 +14,7 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kSameWay = 1e-9;  // mm or rad
+constexpr const char* kByModule = ", by a step of the controller module, not by a target";
 
 std::string message_of(const Violation& violation) {
     const char* unit = violation.rotary ? "deg" : "mm";
@@ -48,9 +49,10 @@ motion::RangeNotes* Simulator::begin_move() {
     return setup_.range_notes.get();
 }
 
-/// A controller module knows nothing of our notes. It refuses a target past a range, or goes there.
-void Simulator::note_target(const rrs::JointPos& joints) const {
-    if (sampled() && setup_.range_notes->passing()) (void)motion::check_target_ranges(setup_, joints);
+/// A controller module refuses a target past a range, or goes there.
+motion::Planned Simulator::check_target(const rrs::JointPos& joints) const {
+    if (!sampled()) return {};
+    return motion::check_target_ranges(setup_, joints);
 }
 
 /// A move that leads back from past an end of a range goes no farther there.
@@ -61,6 +63,15 @@ bool Simulator::comes_back(const motion::Excursion& excursion) const {
     };
     return beyond(motion_->position()[excursion.joint]) <= kSameWay &&
            excursion.beyond() <= beyond(move_start_[excursion.joint]) + kSameWay;
+}
+
+Violation Simulator::violation_of(std::size_t axis, double value, double limit) const {
+    Violation violation{.axis = machine_.axes[axis].letter,
+                        .rotary = machine_.axes[axis].kind == machine::AxisKind::rotary,
+                        .value = value,
+                        .limit = limit};
+    violation.message = message_of(violation);
+    return violation;
 }
 
 void Simulator::add_violations(const Place& place) {
@@ -76,17 +87,44 @@ void Simulator::add_violations(const Place& place) {
         if (farthest[joint] == nullptr) continue;
         beyond = static_cast<std::uint16_t>(beyond | 1U << joint);
         const machine::Axis& axis = machine_.axes[joint];
-        Violation violation{.place = place,
-                            .calls = calls_.now(),
-                            .axis = axis.letter,
-                            .rotary = axis.kind == machine::AxisKind::rotary,
-                            .value = machine::axis_value(axis, farthest[joint]->value),
-                            .limit = machine::axis_value(axis, farthest[joint]->limit),
-                            .offset = work_offsets_[work_offset_]};
-        violation.message = message_of(violation);
+        Violation violation = violation_of(joint, machine::axis_value(axis, farthest[joint]->value),
+                                           machine::axis_value(axis, farthest[joint]->limit));
+        violation.place = place;
+        violation.calls = calls_.now();
+        violation.offset = work_offsets_[work_offset_];
         violations_.add_before(next_id_ - 1, std::move(violation));
     }
+    axes_past_ranges_ |= beyond;
     recorder_.mark_last(beyond);
+}
+
+bool Simulator::fail_past_range(const StepPastRange& step) {
+    alarm_.reset();
+    const Violation violation = violation_of(step.axis, step.value, step.limit);
+    fail(text::DiagnosticKind::axis_limit, violation.message + kByModule,
+         step.move.place.line > 0 ? step.move.place : last_place_);
+    alarm_->calls = calls_.at(step.move.target_id);
+    alarm_->axis = violation.axis;
+    alarm_->value = violation.value;
+    alarm_->limit = violation.limit;
+    return false;
+}
+
+/// A target past a range takes the steps there with it, and is known by itself.
+void Simulator::add_steps_past_ranges() {
+    for (const StepPastRange& step : steps_.found()) {
+        if (limits_.stop_at_first) {
+            fail_past_range(step);
+            return;
+        }
+        if ((axes_past_ranges_ >> step.axis & 1U) != 0) continue;
+        Violation violation = violation_of(step.axis, step.value, step.limit);
+        violation.t_s = step.t_s;
+        violation.place = step.move.place.line > 0 ? step.move.place : last_place_;
+        violation.calls = calls_.at(step.move.target_id);
+        violation.message += kByModule;
+        violations_.add(std::move(violation));
+    }
 }
 
 /// Where the tool begins to break a zone's rule; how far it goes is known later.

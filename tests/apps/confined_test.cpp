@@ -95,6 +95,12 @@ TEST_F(Confined, SoDoHolesInTheOtherReaders) {
                                  "100", "0", "-o", "out/p.json"});
     expect_confined("p.json", {"path2gcode", "out/p.json", "-o", "out/p.nc"});
     expect_confined("part.nc", {"check", "here/part.nc"});
+    expect_confined("part.nc", {"run", "--moves", "out/m.jsonl", "here/part.nc"});
+    expect_confined("data.txt", {"data", "out/data.txt", "set", "OFFSET", "54", "X=1", "--create"});
+    expect_confined("data.txt", {"data", "out/data.txt", "convert", "--json", "-o", "out/data.json"});
+    expect_confined("data.json", {"data", "out/new.txt", "convert", "--from-json", "out/data.json"});
+    write("here/tool.tbl", "T1 P1 Z10 D5\n");
+    expect_confined("tool.tbl", {"data", "import", "here/tool.tbl", "-o", "out/tools.txt"});
     EXPECT_TRUE(exists("out/part.lua"));
     EXPECT_TRUE(exists("out/p.nc"));
 }
@@ -122,6 +128,24 @@ TEST_F(Confined, ProgramsThatAreCalledAndAllOutputsAreFound) {
          {"out/m.jsonl", "out/t.csv", "out/r.json", "out/p.json", "out/s.sarif", "out/v.txt", "out/d.txt"})
         EXPECT_TRUE(exists(name)) << name;
     EXPECT_TRUE(holds(read("out/r.json"), "O0007.nc"));
+}
+
+TEST_F(Confined, SettingsMayNameTablesAnywhereAndTheDataGoBesideTheMachine) {
+    write("elsewhere/mill.tbl", "T1 P1 Z10 D5\n");
+    std::string ini =
+        "[TRAJ]\nCOORDINATES = X Y Z\nLINEAR_UNITS = mm\n[KINS]\nJOINTS = 3\n"
+        "[EMCIO]\nTOOL_TABLE = ../elsewhere/mill.tbl\n";
+    for (const int joint : {0, 1, 2}) {
+        ini += fmt::format(
+            "[JOINT_{}]\nTYPE = LINEAR\nMIN_LIMIT = -100\nMAX_LIMIT = 100\nMAX_VELOCITY = 50\n"
+            "MAX_ACCELERATION = 500\n",
+            joint);
+    }
+    write("here/mill.ini", ini);
+    const Ended ended = run_program(
+        GSIM_DATA, {"import", "here/mill.ini", "-o", "out/mill.toml", "--data", "out/mill.txt"}, folder_);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_TRUE(holds(read("out/mill.txt"), "TOOL")) << read("out/mill.txt");
 }
 
 TEST_F(Confined, DevicesAndLinksAreWritten) {

@@ -135,6 +135,50 @@ TEST(ModuleMotion, faults_end_the_run_and_name_module_and_service) {
     EXPECT_EQ(alarm_of("small_module"), "");
 }
 
+// Its targets lie within the ranges; half-way X is 10 m farther.
+TEST(ModuleMotion, a_step_past_a_range_is_a_violation) {
+    Simulator simulator(fast_machine(), {}, test_module("overshoots"));
+    LineMove move = line_to(10, 0);
+    move.place.line = 7;
+    EXPECT_TRUE(simulator.move(move));
+    const Report report = simulator.finish("p");
+    EXPECT_EQ(report.status, RunStatus::violations);
+    ASSERT_EQ(report.violations.list.size(), 1U);
+    const Violation& violation = report.violations.list.front();
+    EXPECT_EQ(violation.axis, 'X');
+    EXPECT_EQ(violation.place.line, 7U);
+    EXPECT_NEAR(violation.value, report.bounds[0].max, 1e-9) << "the farthest";
+    EXPECT_GT(violation.value, 9000);
+    EXPECT_EQ(violation.limit, fast_machine().axes[0].max);
+    EXPECT_THAT(violation.message, HasSubstr("by a step of the controller module"));
+    EXPECT_GT(violation.t_s, 0);
+    EXPECT_LT(violation.t_s, report.cycle_time_s);
+}
+
+TEST(ModuleMotion, a_step_past_a_range_is_an_alarm_where_the_first_one_ends_the_run) {
+    Simulator simulator(fast_machine(), {.stop_at_first = true}, test_module("overshoots"));
+    bool goes_on = true;
+    for (int i = 1; i <= 50 && goes_on; ++i) goes_on = simulator.move(line_to(10.0 * i, 0));
+    EXPECT_FALSE(goes_on) << "as soon as it is known";
+    const Report report = simulator.finish("p");
+    EXPECT_EQ(report.status, RunStatus::alarm);
+    EXPECT_EQ(report.alarm->kind, text::DiagnosticKind::axis_limit);
+    EXPECT_EQ(report.alarm->axis, 'X');
+}
+
+// This module has no ranges and goes anywhere.
+TEST(ModuleMotion, a_target_past_a_range_is_found_whatever_the_module_does) {
+    const double beyond_mm = fast_machine().axes[0].max + 10;
+    Simulator stops(fast_machine(), {.stop_at_first = true}, test_module("small_module"));
+    EXPECT_FALSE(stops.move(line_to(beyond_mm, 0)));
+    EXPECT_EQ(stops.finish("p").status, RunStatus::alarm);
+    Simulator goes_on(fast_machine(), {}, test_module("small_module"));
+    EXPECT_TRUE(goes_on.move(line_to(beyond_mm, 0)));
+    const Report report = goes_on.finish("p");
+    EXPECT_EQ(report.status, RunStatus::violations);
+    EXPECT_EQ(report.violations.count, 1U) << "the target says it, so that its steps need not";
+}
+
 TEST(ModuleMotion, rapids_need_their_service) {
     Simulator simulator(fast_machine(), {}, test_module("no_rapid"));
     EXPECT_TRUE(simulator.move(line_to(10, 0)));

@@ -30,6 +30,7 @@
 #define ENDS_IN_CREATE 18
 #define HANGS_IN_CREATE 19
 #define HAS_BASE 20 /* no fault: it takes its base, too */
+#define OVERSHOOTS 21
 
 #ifndef FAULT
 #define FAULT NO_FAULT
@@ -125,6 +126,7 @@ static void tell_position(const gsim_rcs_module* m, gsim_rcs_step* out) {
         const double to = share > 0 ? oldest(m)->joints[i] : m->position[i];
         out->joints.values[i] = m->position[i] + share * (to - m->position[i]);
     }
+    if (FAULT == OVERSHOOTS) out->joints.values[0] += 4 * share * (1 - share) * 10000;
     for (i = 0; i < 4; ++i) out->pose.matrix[5 * i] = 1;
 }
 
