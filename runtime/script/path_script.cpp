@@ -255,23 +255,38 @@ std::string ended_by(const LuaState& lua, const Builder& builder, os::CpuLimit* 
     return fmt::format("{}:{}: {}", builder.file.file_name, builder.last_line, reason);
 }
 
-// Leaves what the script returns on the stack.
+struct Task {
+    std::string_view text;
+    Builder& builder;
+    os::CpuLimit* cpu;
+};
+
+// Gets the Task; gives what its script returns.
+int run_task(lua_State* state) {
+    const Task& task = *static_cast<const Task*>(lua_touserdata(state, 1));
+    const std::string chunk = fmt::format("@{}", task.builder.file.file_name);
+    if (luaL_loadbufferx(state, task.text.data(), task.text.size(), chunk.c_str(), "t") != LUA_OK)
+        return lua_error(state);
+    push_safe_library(state);
+    set_function<make_point>(state, "point", &task.builder);
+    set_function<make_path>(state, "path", &task.builder);
+    set_function<make_repeated>(state, "repeated", &task.builder);
+    lua_setupvalue(state, -2, 1);
+    LuaState::of(state).end_by(task.cpu);
+    lua_call(state, 0, 1);
+    return 1;
+}
+
+// Leaves what the script returns on the stack. All that takes memory is behind lua_pcall(): a refusal in
+// front of it would end the program.
 tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder,
                                     os::CpuLimit* cpu) {
     lua_State* state = lua.get();
     lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_place(at, 0).line; });
-    const std::string chunk = fmt::format("@{}", builder.file.file_name);
-    int status = luaL_loadbufferx(state, text.data(), text.size(), chunk.c_str(), "t");
-    if (status == LUA_OK) {
-        push_safe_library(state);
-        set_function<make_point>(state, "point", &builder);
-        set_function<make_path>(state, "path", &builder);
-        set_function<make_repeated>(state, "repeated", &builder);
-        lua_setupvalue(state, -2, 1);
-        lua.end_by(cpu);
-        status = lua_pcall(state, 0, 1, 0);
-    }
-    if (status == LUA_OK) return {};
+    Task task{text, builder, cpu};
+    lua_pushcfunction(state, trampoline<run_task>);
+    lua_pushlightuserdata(state, &task);
+    if (lua_pcall(state, 1, 1, 0) == LUA_OK) return {};
     if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1)) {
         return tl::unexpected(ended_by(lua, builder, cpu));
     }

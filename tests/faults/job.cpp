@@ -133,11 +133,19 @@ int start(const Start& start) {
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, start.out.c_str(), O_WRONLY | O_CREAT, 0666);
     ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, start.err.c_str(), O_WRONLY | O_CREAT, 0666);
     ::posix_spawn_file_actions_addchdir_np(&actions, start.folder.c_str());
+    // Whoever started the tests may ignore signals (nohup), and that is inherited.
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    sigset_t all;
+    ::sigfillset(&all);
+    ::posix_spawnattr_setsigdefault(&attributes, &all);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     std::vector<std::string> command = start.command;
     std::vector<std::string> environment = environment_with(start.environment);
     pid_t process = 0;
-    const int error = ::posix_spawn(&process, command.front().c_str(), &actions, nullptr,
+    const int error = ::posix_spawn(&process, command.front().c_str(), &actions, &attributes,
                                     pointers(command).data(), pointers(environment).data());
+    ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);
     if (error != 0) throw std::runtime_error("cannot run " + command.front());
     return process;

@@ -1,6 +1,8 @@
 // Paths that are built by scripts.
 #include "runtime/script/path_script.h"
 
+#include <new>
+
 #include <gtest/gtest.h>
 
 namespace gsim::script::path_script_test {
@@ -70,6 +72,20 @@ TEST(PathScript, ErrorsNameTheLine) {
         ASSERT_FALSE(file) << each.script;
         EXPECT_EQ(file.error().substr(0, each.error.size()), each.error) << each.script;
     }
+}
+
+// What a script is given before it begins takes memory, too.
+TEST(PathScript, HoweverLittleMemoryThereIsIsAnErrorAndNoEnd) {
+    const std::string script = "return path{name = 'a', point{position_mm = {1, 2, 3}}}";
+    int refused = 0, made = 0;
+    for (std::size_t bytes = 8'000; bytes < 100'000; bytes += 200) {
+        try {
+            ++(run_path_script(script, "f.lua", {.memory_bytes = bytes}) ? made : refused);
+        } catch (const std::bad_alloc&) {  // not even a state
+        }
+    }
+    EXPECT_GT(refused, 10);
+    EXPECT_GT(made, 10);
 }
 
 }  // namespace
