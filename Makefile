@@ -22,7 +22,7 @@ help:
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS), or the one TARGET=NAME; RECORD=1 counts it in tests/fuzz/RESULTS.md'
 	@echo 'make coverage what of the sources the tests run, by room; the report in build-coverage/report'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
-	@echo 'make docs     renew docs/language.md from the tables'
+	@echo 'make docs     renew docs/language.md and docs/services.md from the tables'
 	@echo 'make pictures renew the pictures of the documentation'
 	@echo 'make site     the documentation as pages with a search, in build/site'
 	@echo 'make format   format the C++ sources'
@@ -80,6 +80,7 @@ coverage:
 docs: setup
 	@$(call build_into,release) --target gsim
 	@build/bin/gcode2lua --print-language > docs/language.md
+	@scripts/services.py runtime/rrs/rcs_services.def > docs/services.md
 
 pictures: build
 	@scripts/pictures.sh build

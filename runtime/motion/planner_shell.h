@@ -41,83 +41,9 @@ class PlannerShell : public rrs::Shell {
     /// The last answer other than plain success, with its numbers; GetMessage gives its sentence.
     const PlanError& last_error() const { return error_; }
 
-    rrs::Status Initialize() override;
-    rrs::Status Reset() override;
-    rrs::Status Terminate() override;
-    rrs::Status GetMessage(std::string& message) override;
-
-    rrs::Status GetInverseKinematics(const rrs::CartPos& pose, const rrs::JointPos& near,
-                                     rrs::JointPos& joints) override;
-    rrs::Status GetForwardKinematics(const rrs::JointPos& joints, rrs::CartPos& pose) override;
-
-    rrs::Status GetCellFrame(std::string_view frame_name, rrs::CartPos& frame) override;
-    rrs::Status ModifyCellFrame(std::string_view frame_name, const rrs::CartPos& frame) override;
-    rrs::Status SelectWorkFrames(std::string_view tool_frame, std::string_view object_frame) override;
-
-    rrs::Status SelectTargetType(rrs::TargetType type) override;
-    rrs::Status SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
-                                   std::string_view configuration) override;
-    rrs::Status SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
-                              const rrs::JointPos& joints, std::string_view configuration,
-                              double param_value) override;
-    rrs::Status SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
-                                   const rrs::JointPos& joints, std::string_view configuration,
-                                   double param_value, std::string_view target_name) override;
-    rrs::Status SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
-                                 const Eigen::Vector3d& axis, double sweep_rad, const rrs::CartPos& cartesian,
-                                 const rrs::JointPos& joints) override;
-    rrs::Status SetNextRest(rrs::TargetId id, double rest_s) override;
-    rrs::Status ComeToRest(rrs::RestReason reason) override;
-
-    rrs::Status GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) override;
-    rrs::Status GetTargetOfLastStep(rrs::TargetId& id) override;
-    rrs::Status SetInterpolationTime(double interpolation_s) override;
-    rrs::Status StopMotion() override;
-    rrs::Status ContinueMotion() override;
-    rrs::Status CancelMotion() override;
-
-    rrs::Status SelectMotionType(rrs::MotionType type) override;
-    rrs::Status SelectOrientationInterpolationMode(int mode) override;
-    rrs::Status SelectDominantInterpolation(rrs::Dominance dominance) override;
-    rrs::Status SelectFlybyMode(bool on) override;
-    rrs::Status SetPathMode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm) override;
-    rrs::Status SetRapid(bool on) override;
-    rrs::Status SetTipControl(bool on, const Eigen::Vector3d& tip_mm) override;
-    rrs::Status SelectFlybyCriteria(int criterion) override;
-    rrs::Status SetFlybyCriteriaParameter(int criterion, int joint, double value) override;
-    rrs::Status CancelFlybyCriteria(int criterion) override;
-    rrs::Status SelectPointAccuracy(int accuracy_type) override;
-    rrs::Status SetPointAccuracyParameter(int accuracy_type, double value) override;
-
-    rrs::Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) override;
-    rrs::Status SetJointAccelerations(std::span<const int> joints,
-                                      std::span<const double> accelerations) override;
-    rrs::Status SetJointJerks(std::span<const int> joints, std::span<const double> jerks) override;
-    rrs::Status SetRampMode(rrs::RampMode mode) override;
-    rrs::Status SetJointRampLimits(rrs::RampLimit limit, std::span<const int> joints,
-                                   std::span<const double> values) override;
-    rrs::Status SetCartesianPositionSpeed(double speed_mm_s) override;
-    rrs::Status SetCartesianOrientationSpeed(double speed_rad_s) override;
-    rrs::Status SetCartesianPositionAcceleration(double acceleration_mm_s2) override;
-    rrs::Status SetCartesianOrientationAcceleration(double acceleration_rad_s2) override;
-    rrs::Status SetOverrideSpeed(double percent) override;
-    rrs::Status SetOverrideAcceleration(double percent) override;
-    rrs::Status SetMotionTime(double motion_s) override;
-    rrs::Status SetRestParameter(double rest_s) override;
-
-    rrs::Status DefineEvent(int event_id, rrs::TargetId target, double offset_s) override;
-    rrs::Status DefinePathEvent(int event_id, rrs::TargetId target, double offset_mm) override;
-    rrs::Status CancelEvent(int event_id) override;
-    rrs::Status GetEvent(int number, int& event_id, double& time_s) override;
-
-    rrs::Status DefineConveyor(int conveyor, const Eigen::Vector3d& direction, double speed_mm_s) override;
-    rrs::Status SelectTracking(int conveyor, bool on) override;
-    rrs::Status SetConveyorPosition(int conveyor, double position_mm) override;
-    rrs::Status SelectObject(std::string_view frame_name) override;
-    rrs::Status SetObjectInitialPosition(const rrs::CartPos& pose) override;
-    rrs::Status SetObjectSpeed(double speed_mm_s) override;
-    rrs::Status SetObjectNextTarget(rrs::TargetId id, const rrs::CartPos& pose) override;
-    rrs::Status GetNextObjectStep(rrs::CartPos& pose, double& elapsed_s) override;
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs_number, input, answers, parameters, arguments) \
+    rrs::Status method parameters override;
+#include "runtime/rrs/rcs_services.def"
 
   protected:
     rrs::Status not_supported(std::string_view service) override;

@@ -40,6 +40,11 @@ Status PlannerShell::GetForwardKinematics(const rrs::JointPos& joints, rrs::Cart
     return Status::RRS_SUCCESS;
 }
 
+// This planner has one only.
+Status PlannerShell::SelectTrajectoryMode(int mode) {
+    return Shell::SelectTrajectoryMode(mode);
+}
+
 Status PlannerShell::SelectTargetType(rrs::TargetType type) {
     if (!initialized_) return not_initialized();
     if (type != rrs::TargetType::cartesian && type != rrs::TargetType::joint) {

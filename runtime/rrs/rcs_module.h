@@ -225,6 +225,19 @@ typedef struct gsim_rcs_object_step {
     double elapsed_s;
 } gsim_rcs_object_step;
 
+typedef struct gsim_rcs_conveyor {
+    int32_t conveyor;
+    int32_t reserved;
+    double direction[3]; /* of the world, of any length */
+    double speed_mm_s;   /* negative: backwards */
+} gsim_rcs_conveyor;
+
+typedef struct gsim_rcs_tip_control {
+    int32_t on;
+    int32_t reserved;
+    double tip_mm[3]; /* in the frame of the tool centre point */
+} gsim_rcs_tip_control;
+
 typedef struct gsim_rcs_ramp_limits {
     int32_t limit; /* 0: acceleration, 1: deceleration, 2: jerk */
     int32_t reserved;
@@ -238,75 +251,14 @@ typedef struct gsim_rcs_path_mode {
     double merge_tolerance_mm;
 } gsim_rcs_path_mode;
 
-/* --- Opcodes: a service each, with its input and output (- for none: a null pointer). What each does is told
- * in docs/controller-modules.md. The numbers are of this interface and never change. --- */
+/* --- Opcodes: a service each, with its input and output (none: a null pointer). rcs_services.def lists them
+ * and tells what each does; docs/services.md is the same for reading. The numbers are of this interface and
+ * never change. --- */
 
 enum gsim_rcs_opcode {
-    GSIM_RCS_INITIALIZE = 1,  /* - | - */
-    GSIM_RCS_RESET = 2,       /* - | - */
-    GSIM_RCS_TERMINATE = 3,   /* - | - */
-    GSIM_RCS_GET_MESSAGE = 4, /* - | message: why the last answer was no plain success */
-
-    GSIM_RCS_GET_INVERSE_KINEMATICS = 10, /* pose_and_joints (joints: near these) | joints */
-    GSIM_RCS_GET_FORWARD_KINEMATICS = 11, /* joints | pose */
-    GSIM_RCS_GET_CELL_FRAME = 12,         /* frame (its name) | pose */
-    GSIM_RCS_MODIFY_CELL_FRAME = 13,      /* frame | - */
-    GSIM_RCS_SELECT_WORK_FRAMES = 14,     /* work_frames | - */
-
-    GSIM_RCS_SELECT_TARGET_TYPE = 20,     /* integer: 0 Cartesian, 1 joint | - */
-    GSIM_RCS_SELECT_TRAJECTORY_MODE = 21, /* integer | - */
-    GSIM_RCS_SET_INITIAL_POSITION = 22,   /* position | - */
-    GSIM_RCS_SET_NEXT_TARGET = 23,        /* target | - */
-    GSIM_RCS_SET_NEXT_NAMED_TARGET = 24,  /* target | - */
-
-    GSIM_RCS_GET_NEXT_STEP = 30,          /* - | step */
-    GSIM_RCS_SET_INTERPOLATION_TIME = 31, /* number: s | - */
-    GSIM_RCS_STOP_MOTION = 32,            /* - | - */
-    GSIM_RCS_CONTINUE_MOTION = 33,        /* - | - */
-    GSIM_RCS_CANCEL_MOTION = 34,          /* - | - */
-
-    GSIM_RCS_SELECT_MOTION_TYPE = 40,                    /* integer: 1 joint, 2 linear, 4 circular | - */
-    GSIM_RCS_SELECT_ORIENTATION_INTERPOLATION_MODE = 41, /* integer | - */
-    GSIM_RCS_SELECT_DOMINANT_INTERPOLATION = 42, /* integer: 0 automatic, 1 position, 2 orientation | - */
-
-    GSIM_RCS_SET_JOINT_SPEEDS = 50,                       /* joint_values | - */
-    GSIM_RCS_SET_JOINT_ACCELERATIONS = 51,                /* joint_values | - */
-    GSIM_RCS_SET_JOINT_JERKS = 52,                        /* joint_values | - */
-    GSIM_RCS_SET_CARTESIAN_POSITION_SPEED = 53,           /* number: mm/s | - */
-    GSIM_RCS_SET_CARTESIAN_ORIENTATION_SPEED = 54,        /* number: rad/s | - */
-    GSIM_RCS_SET_CARTESIAN_POSITION_ACCELERATION = 55,    /* number: mm/s2 | - */
-    GSIM_RCS_SET_CARTESIAN_ORIENTATION_ACCELERATION = 56, /* number: rad/s2 | - */
-    GSIM_RCS_SET_OVERRIDE_SPEED = 57,                     /* number: percent | - */
-    GSIM_RCS_SET_OVERRIDE_ACCELERATION = 58,              /* number: percent | - */
-    GSIM_RCS_SET_MOTION_TIME = 59,                        /* number: s | - */
-    GSIM_RCS_SET_REST_PARAMETER = 60,                     /* number: s | - */
-
-    GSIM_RCS_SELECT_FLYBY_MODE = 70,            /* integer: switch | - */
-    GSIM_RCS_SELECT_FLYBY_CRITERIA = 71,        /* integer | - */
-    GSIM_RCS_SET_FLYBY_CRITERIA_PARAMETER = 72, /* parameter_value | - */
-    GSIM_RCS_CANCEL_FLYBY_CRITERIA = 73,        /* integer | - */
-    GSIM_RCS_SELECT_POINT_ACCURACY = 74,        /* integer | - */
-    GSIM_RCS_SET_POINT_ACCURACY_PARAMETER = 75, /* parameter_value | - */
-
-    GSIM_RCS_DEFINE_EVENT = 80,           /* event_definition | - */
-    GSIM_RCS_CANCEL_EVENT = 81,           /* integer | - */
-    GSIM_RCS_GET_EVENT = 82,              /* integer: number from 0 | event */
-    GSIM_RCS_SELECT_TRACKING = 83,        /* tracking | - */
-    GSIM_RCS_SET_CONVEYOR_POSITION = 84,  /* parameter_value: mm | - */
-    GSIM_RCS_SET_OBJECT_SPEED = 85,       /* number: mm/s | - */
-    GSIM_RCS_SET_OBJECT_NEXT_TARGET = 86, /* object_target | - */
-    GSIM_RCS_GET_NEXT_OBJECT_STEP = 87,   /* - | object_step */
-
-    /* Extensions: not services of RRS. */
-    GSIM_RCS_SET_RAPID = 100,               /* integer: switch | - */
-    GSIM_RCS_SET_NEXT_ARC_TARGET = 101,     /* arc_target | - */
-    GSIM_RCS_SET_PATH_MODE = 102,           /* path_mode | - */
-    GSIM_RCS_SET_NEXT_REST = 103,           /* rest | - */
-    GSIM_RCS_GET_TARGET_OF_LAST_STEP = 104, /* - | target_id: whose motion or rest the last step ended in */
-    GSIM_RCS_COME_TO_REST = 105,  /* integer: 0 more may come, 1 the controller waits, 2 the end | - */
-    GSIM_RCS_SET_RAMP_MODE = 106, /* integer: 0 the machine's own, 1 linear, 2 S-curve, 3 infinite | - */
-    GSIM_RCS_SET_JOINT_RAMP_LIMITS = 107, /* ramp_limits | - */
-    GSIM_RCS_DEFINE_PATH_EVENT = 108      /* path_event_definition | - */
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+    GSIM_RCS_##opcode = number,
+#include "rcs_services.def"
 };
 
 /* --- What a module exports, under these names --- */

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/rrs/rcs_values.h"
+#include "runtime/rrs/rcs_codec.h"
 
 namespace gsim::rrs {
 
@@ -36,10 +36,6 @@ gsim_rcs_joints no_joints() {
     return joints;
 }
 
-bool may_answer_step(int answer) {
-    return answer == GSIM_RCS_NEED_MORE_DATA || answer == GSIM_RCS_TARGET_REACHED;
-}
-
 }  // namespace
 
 Status RcsShell::blame(std::string_view what) {
@@ -52,7 +48,7 @@ Status RcsShell::refuse(std::string message) {
     return Status::RRS_INVALID_PARAMETER;
 }
 
-Status RcsShell::ask(const Service& service, const void* input, void* output, Extra extra) {
+Status RcsShell::ask(const Service& service, const void* input, void* output) {
     if (fault_) return Status::RRS_MODULE_FAULT;
     calling();
     const int answer = module_.call(service.opcode, input, output);
@@ -65,45 +61,49 @@ Status RcsShell::ask(const Service& service, const void* input, void* output, Ex
     }
     if (answer < GSIM_RCS_FAULT || answer > GSIM_RCS_MOTION_TIME_RAISED)
         return blame(fmt::format("answered {} with {}, which is no status", service.name, answer));
-    if (answer > 0 && !(extra == Extra::step && may_answer_step(answer)) &&
-        !(extra == Extra::raised && answer == GSIM_RCS_MOTION_TIME_RAISED)) {
-        return blame(fmt::format("answered {} with {}, which is no answer to it", service.name,
-                                 rrs::name(static_cast<Status>(answer))));
+    const auto status = static_cast<Status>(answer);
+    if (answer > 0 && !service.answers.holds(status)) {
+        return blame(
+            fmt::format("answered {} with {}, which is no answer to it", service.name, rrs::name(status)));
     }
     own_message_.reset();
     if (answer == GSIM_RCS_NOT_SUPPORTED)
         own_message_ = fmt::format("{} does not offer the service {}.", name(), service.name);
-    return static_cast<Status>(answer);
+    return status;
 }
 
-Status RcsShell::ask_number(const Service& service, double value) {
-    const gsim_rcs_number input{value};
-    return ask(service, &input, nullptr);
+/// Asks for a service with values that become its input.
+template <typename Input, typename... Arguments>
+Status RcsShell::tell(const Service& service, const std::tuple<Arguments...>& arguments, void* output) {
+    Input input{};
+    if (const auto misfit =
+            std::apply([&](const auto&... values) { return put(input, values...); }, arguments)) {
+        const std::string_view subject = misfit->subject.empty() ? service.name : misfit->subject;
+        return refuse(fmt::format("{} {}.", subject, misfit->fault));
+    }
+    const Status status = ask(service, std::is_same_v<Input, gsim_rcs_none> ? nullptr : &input, output);
+    if (!is_refused(status)) heard(service, input);
+    return status;
 }
 
-Status RcsShell::ask_integer(const Service& service, int value) {
-    const gsim_rcs_integer input{value};
-    return ask(service, &input, nullptr);
+/// What of a service's success is known here, too.
+template <typename Input>
+void RcsShell::heard(const Service& service, const Input& input) {
+    if constexpr (std::is_same_v<Input, gsim_rcs_number>) {
+        if (service.opcode == GSIM_RCS_SET_INTERPOLATION_TIME) interpolation_s_ = input.value;
+    } else if (service.opcode == GSIM_RCS_INITIALIZE || service.opcode == GSIM_RCS_RESET) {
+        interpolation_s_ = kDefaultInterpolation_s;
+        clock_s_ = 0;
+    }
 }
 
-Status RcsShell::put_joint_values(const Service& service, std::span<const int> joints,
-                                  std::span<const double> values, gsim_rcs_joint_values& input) {
-    constexpr std::size_t kMost = GSIM_RCS_MAX_JOINTS;
-    if (joints.size() > kMost || values.size() > kMost)
-        return refuse(fmt::format("{} takes at most {} values.", service.name, kMost));
-    input.joint_count = static_cast<std::int32_t>(joints.size());
-    input.value_count = static_cast<std::int32_t>(values.size());
-    std::copy(joints.begin(), joints.end(), input.joints);
-    std::copy(values.begin(), values.end(), input.values);
-    return Status::RRS_SUCCESS;
-}
-
-Status RcsShell::ask_joint_values(const Service& service, std::span<const int> joints,
-                                  std::span<const double> values) {
-    gsim_rcs_joint_values input{};
-    const Status status = put_joint_values(service, joints, values, input);
-    return status == Status::RRS_SUCCESS ? ask(service, &input, nullptr) : status;
-}
+// Services that give nothing but a status; the others follow.
+#define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments)
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+    Status RcsShell::method parameters {                                                     \
+        return tell<gsim_rcs_##input>(services::method, std::tie arguments);                 \
+    }
+#include "runtime/rrs/rcs_services.def"
 
 Status RcsShell::checked(const Service& service, const gsim_rcs_pose& answer, CartPos& pose) {
     const auto finite = [](double value) { return std::isfinite(value); };
@@ -144,119 +144,42 @@ Status RcsShell::checked_elapsed(const Service& service, double answer_s, double
     return Status::RRS_SUCCESS;
 }
 
-/// Behind the services that set back all selections.
-Status RcsShell::started(Status status) {
-    if (is_refused(status)) return status;
-    interpolation_s_ = kDefaultInterpolation_s;
-    clock_s_ = 0;
-    return status;
-}
-
-Status RcsShell::Initialize() {
-    return started(ask({GSIM_RCS_INITIALIZE, "Initialize"}, nullptr, nullptr));
-}
-
-Status RcsShell::Reset() {
-    return started(ask({GSIM_RCS_RESET, "Reset"}, nullptr, nullptr));
-}
-
-Status RcsShell::Terminate() {
-    return started(ask({GSIM_RCS_TERMINATE, "Terminate"}, nullptr, nullptr));
-}
-
 Status RcsShell::GetMessage(std::string& message) {
     if (fault_ || own_message_) {
         message = fault_ ? *fault_ : *own_message_;
         return Status::RRS_SUCCESS;
     }
     gsim_rcs_message output{};
-    const Status status = ask({GSIM_RCS_GET_MESSAGE, "GetMessage"}, nullptr, &output);
+    const Status status = ask(services::GetMessage, nullptr, &output);
     if (status == Status::RRS_SUCCESS) message = rcs_text(output.text, sizeof output.text);
     return status;
 }
 
 Status RcsShell::GetInverseKinematics(const CartPos& pose, const JointPos& near, JointPos& joints) {
-    const Service service{GSIM_RCS_GET_INVERSE_KINEMATICS, "GetInverseKinematics"};
-    const gsim_rcs_pose_and_joints input{to_rcs(pose), to_rcs(near)};
+    const Service& service = services::GetInverseKinematics;
     gsim_rcs_joints output = no_joints();
-    const Status status = ask(service, &input, &output);
+    const Status status = tell<gsim_rcs_pose_and_joints>(service, std::tie(pose, near), &output);
     return status == Status::RRS_SUCCESS ? checked(service, output, kLargest, joints) : status;
 }
 
 Status RcsShell::GetForwardKinematics(const JointPos& joints, CartPos& pose) {
-    const Service service{GSIM_RCS_GET_FORWARD_KINEMATICS, "GetForwardKinematics"};
-    const gsim_rcs_joints input = to_rcs(joints);
+    const Service& service = services::GetForwardKinematics;
     gsim_rcs_pose output = no_pose();
-    const Status status = ask(service, &input, &output);
+    const Status status = tell<gsim_rcs_joints>(service, std::tie(joints), &output);
     return status == Status::RRS_SUCCESS ? checked(service, output, pose) : status;
 }
 
 Status RcsShell::GetCellFrame(std::string_view frame_name, CartPos& frame) {
-    const Service service{GSIM_RCS_GET_CELL_FRAME, "GetCellFrame"};
-    gsim_rcs_frame input{};
-    if (!put_text(frame_name, input.name)) return refuse("The name of the frame is too long.");
+    const Service& service = services::GetCellFrame;
     gsim_rcs_pose output = no_pose();
-    const Status status = ask(service, &input, &output);
+    const Status status = tell<gsim_rcs_frame>(service, std::tie(frame_name), &output);
     return status == Status::RRS_SUCCESS ? checked(service, output, frame) : status;
 }
 
-Status RcsShell::ModifyCellFrame(std::string_view frame_name, const CartPos& frame) {
-    gsim_rcs_frame input{};
-    if (!put_text(frame_name, input.name)) return refuse("The name of the frame is too long.");
-    input.pose = to_rcs(frame);
-    return ask({GSIM_RCS_MODIFY_CELL_FRAME, "ModifyCellFrame"}, &input, nullptr);
-}
-
-Status RcsShell::SelectWorkFrames(std::string_view tool_frame, std::string_view object_frame) {
-    gsim_rcs_work_frames input{};
-    if (!put_text(tool_frame, input.tool) || !put_text(object_frame, input.object))
-        return refuse("The name of the frame is too long.");
-    return ask({GSIM_RCS_SELECT_WORK_FRAMES, "SelectWorkFrames"}, &input, nullptr);
-}
-
-Status RcsShell::SelectTargetType(TargetType type) {
-    return ask_integer({GSIM_RCS_SELECT_TARGET_TYPE, "SelectTargetType"}, static_cast<int>(type));
-}
-
-Status RcsShell::SelectTrajectoryMode(int mode) {
-    return ask_integer({GSIM_RCS_SELECT_TRAJECTORY_MODE, "SelectTrajectoryMode"}, mode);
-}
-
-Status RcsShell::SetInitialPosition(const CartPos& cartesian, const JointPos& joints,
-                                    std::string_view configuration) {
-    gsim_rcs_position input{to_rcs(cartesian), to_rcs(joints), {}};
-    if (!put_text(configuration, input.configuration)) return refuse("The configuration is too long.");
-    return ask({GSIM_RCS_SET_INITIAL_POSITION, "SetInitialPosition"}, &input, nullptr);
-}
-
-Status RcsShell::ask_target(const Service& service, gsim_rcs_target& target, std::string_view configuration,
-                            std::string_view name) {
-    if (!put_text(configuration, target.position.configuration))
-        return refuse("The configuration is too long.");
-    if (!put_text(name, target.name)) return refuse("The name of the target is too long.");
-    return ask(service, &target, nullptr, Extra::raised);
-}
-
-Status RcsShell::SetNextTarget(TargetId id, TargetParam param, const CartPos& cartesian,
-                               const JointPos& joints, std::string_view configuration, double param_value) {
-    gsim_rcs_target input{
-        id, static_cast<int>(param), 0, {to_rcs(cartesian), to_rcs(joints), {}}, param_value, {}};
-    return ask_target({GSIM_RCS_SET_NEXT_TARGET, "SetNextTarget"}, input, configuration, {});
-}
-
-Status RcsShell::SetNextNamedTarget(TargetId id, TargetParam param, const CartPos& cartesian,
-                                    const JointPos& joints, std::string_view configuration,
-                                    double param_value, std::string_view target_name) {
-    gsim_rcs_target input{
-        id, static_cast<int>(param), 0, {to_rcs(cartesian), to_rcs(joints), {}}, param_value, {}};
-    return ask_target({GSIM_RCS_SET_NEXT_NAMED_TARGET, "SetNextNamedTarget"}, input, configuration,
-                      target_name);
-}
-
 Status RcsShell::GetNextStep(JointPos& joints, CartPos& pose, double& elapsed_s) {
-    const Service service{GSIM_RCS_GET_NEXT_STEP, "GetNextStep"};
+    const Service& service = services::GetNextStep;
     gsim_rcs_step output{no_joints(), no_pose(), kNan};
-    const Status status = ask(service, nullptr, &output, Extra::step);
+    const Status status = ask(service, nullptr, &output);
     if (is_refused(status)) return status;
     for (const Status check :
          {checked_elapsed(service, output.elapsed_s, elapsed_s),
@@ -267,49 +190,37 @@ Status RcsShell::GetNextStep(JointPos& joints, CartPos& pose, double& elapsed_s)
     return status;
 }
 
-Status RcsShell::SetInterpolationTime(double interpolation_s) {
-    const Status status =
-        ask_number({GSIM_RCS_SET_INTERPOLATION_TIME, "SetInterpolationTime"}, interpolation_s);
-    if (status == Status::RRS_SUCCESS) interpolation_s_ = interpolation_s;
+Status RcsShell::GetNextObjectStep(CartPos& pose, double& elapsed_s) {
+    const Service& service = services::GetNextObjectStep;
+    gsim_rcs_object_step output{no_pose(), kNan};
+    const Status status = ask(service, nullptr, &output);
+    if (is_refused(status)) return status;
+    for (const Status check :
+         {checked_elapsed(service, output.elapsed_s, elapsed_s), checked(service, output.pose, pose)}) {
+        if (check != Status::RRS_SUCCESS) return check;
+    }
     return status;
 }
 
-Status RcsShell::StopMotion() {
-    return ask({GSIM_RCS_STOP_MOTION, "StopMotion"}, nullptr, nullptr);
-}
-
-Status RcsShell::ContinueMotion() {
-    return ask({GSIM_RCS_CONTINUE_MOTION, "ContinueMotion"}, nullptr, nullptr);
-}
-
-Status RcsShell::CancelMotion() {
-    return ask({GSIM_RCS_CANCEL_MOTION, "CancelMotion"}, nullptr, nullptr);
-}
-
-Status RcsShell::SetNextArcTarget(TargetId id, const Eigen::Vector3d& center_mm, const Eigen::Vector3d& axis,
-                                  double sweep_rad, const CartPos& cartesian, const JointPos& joints) {
-    const gsim_rcs_arc_target input{id,
-                                    {center_mm.x(), center_mm.y(), center_mm.z()},
-                                    {axis.x(), axis.y(), axis.z()},
-                                    sweep_rad,
-                                    {to_rcs(cartesian), to_rcs(joints)}};
-    return ask({GSIM_RCS_SET_NEXT_ARC_TARGET, "SetNextArcTarget"}, &input, nullptr, Extra::raised);
-}
-
-Status RcsShell::SetNextRest(TargetId id, double rest_s) {
-    const gsim_rcs_rest input{id, rest_s};
-    return ask({GSIM_RCS_SET_NEXT_REST, "SetNextRest"}, &input, nullptr);
+Status RcsShell::GetEvent(int number, int& event_id, double& time_s) {
+    const Service& service = services::GetEvent;
+    gsim_rcs_event output{0, 0, kNan};
+    const Status status = tell<gsim_rcs_integer>(service, std::tie(number), &output);
+    if (status != Status::RRS_SUCCESS) return status;
+    if (!(output.time_s <= interpolation_s_ && std::isfinite(output.time_s))) {
+        return blame(fmt::format("answered {} with the time {} s; the interpolation time is {} s",
+                                 service.name, output.time_s, interpolation_s_));
+    }
+    event_id = output.event;
+    time_s = output.time_s;
+    return status;
 }
 
 Status RcsShell::GetTargetOfLastStep(TargetId& id) {
     gsim_rcs_target_id output{-1};
-    const Status status = ask({GSIM_RCS_GET_TARGET_OF_LAST_STEP, "GetTargetOfLastStep"}, nullptr, &output);
+    const Status status = ask(services::GetTargetOfLastStep, nullptr, &output);
     if (status == Status::RRS_SUCCESS) id = output.id;
     return status;
-}
-
-Status RcsShell::ComeToRest(RestReason reason) {
-    return ask_integer({GSIM_RCS_COME_TO_REST, "ComeToRest"}, static_cast<int>(reason));
 }
 
 }  // namespace gsim::rrs

@@ -29,14 +29,10 @@ static unsigned char next_byte(gsim_rcs_module* m) {
 
 static size_t output_size(int32_t opcode) {
     switch (opcode) {
-        case GSIM_RCS_GET_MESSAGE: return sizeof(gsim_rcs_message);
-        case GSIM_RCS_GET_INVERSE_KINEMATICS: return sizeof(gsim_rcs_joints);
-        case GSIM_RCS_GET_FORWARD_KINEMATICS:
-        case GSIM_RCS_GET_CELL_FRAME: return sizeof(gsim_rcs_pose);
-        case GSIM_RCS_GET_NEXT_STEP: return sizeof(gsim_rcs_step);
-        case GSIM_RCS_GET_EVENT: return sizeof(gsim_rcs_event);
-        case GSIM_RCS_GET_NEXT_OBJECT_STEP: return sizeof(gsim_rcs_object_step);
-        case GSIM_RCS_GET_TARGET_OF_LAST_STEP: return sizeof(gsim_rcs_target_id);
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments)
+#define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
+    case GSIM_RCS_##opcode: return sizeof(gsim_rcs_##output);
+#include "runtime/rrs/rcs_services.def"
         default: return 0;
     }
 }

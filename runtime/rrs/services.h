@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+
+#include "runtime/rrs/rcs_module.h"
+#include "runtime/rrs/status.h"
+
+namespace gsim::rrs {
+
+/// Statuses that a service may give beside those that any may (rcs_services.def).
+class Answers {
+  public:
+    constexpr Answers(std::initializer_list<Status> statuses) : count_(statuses.size()) {
+        std::copy(statuses.begin(), statuses.end(), statuses_.begin());
+    }
+    constexpr bool holds(Status status) const { return std::find(begin(), end(), status) != end(); }
+    constexpr const Status* begin() const { return statuses_.begin(); }
+    constexpr const Status* end() const { return begin() + count_; }
+
+  private:
+    std::array<Status, 8> statuses_{};
+    std::size_t count_;
+};
+
+/// What of a service is the same wherever it is called.
+struct Service {
+    gsim_rcs_opcode opcode;
+    std::string_view name;
+    Answers answers;
+};
+
+/// The services by their names: services::SetRapid.
+namespace services {
+
+using enum Status;
+
+#define GSIM_RCS_ANSWERS(...) \
+    { __VA_ARGS__ }
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+    inline constexpr Service method{GSIM_RCS_##opcode, #method, GSIM_RCS_ANSWERS answers};
+#include "runtime/rrs/rcs_services.def"
+#undef GSIM_RCS_ANSWERS
+
+}  // namespace services
+
+}  // namespace gsim::rrs
