@@ -12,10 +12,10 @@ namespace gsim::faults {
 
 /// Sanitizers have an allocator of their own, and make system calls of their own: nothing is injected into
 /// their builds.
-#if defined(GSIM_SANITIZED)
-inline constexpr bool kSanitized = true;
+#if defined(GSIM_INSTRUMENTED)
+inline constexpr bool kInstrumented = true;
 #else
-inline constexpr bool kSanitized = false;
+inline constexpr bool kInstrumented = false;
 #endif
 
 /// Names of files in a folder, relative to it, with their contents.
