@@ -73,9 +73,9 @@ os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::strin
         if (!name->empty()) allowed.read.emplace_back(*name);
     }
     const OutputNames& outputs = arguments.outputs;
+    for (const OutputNames::File& file : OutputNames::files()) add_output(outputs.*file.name, allowed);
     for (const std::string* name :
-         {&outputs.report, &outputs.moves, &outputs.trajectory, &outputs.plot, &outputs.record,
-          &arguments.findings.sarif, &arguments.variables, &arguments.save_machine_data})
+         {&arguments.findings.sarif, &arguments.variables, &arguments.save_machine_data})
         add_output(*name, allowed);
     if (!outputs.plot.empty()) add_programs_of_system(allowed);
     return allowed;

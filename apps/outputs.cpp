@@ -1,5 +1,7 @@
 #include "apps/outputs.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -20,12 +22,22 @@ bool is_standard(const std::string& name) {
 
 }  // namespace
 
+std::span<const OutputNames::File> OutputNames::files() {
+    static constexpr std::array kFiles = {
+        File{"--report", &OutputNames::report}, File{"--moves", &OutputNames::moves},
+        File{"--trajectory", &OutputNames::trajectory}, File{"--plot", &OutputNames::plot},
+        File{"--record", &OutputNames::record}};
+    return kFiles;
+}
+
 bool OutputNames::any() const {
-    return !report.empty() || !moves.empty() || !trajectory.empty() || !plot.empty() || !record.empty();
+    return std::any_of(files().begin(), files().end(),
+                       [this](const File& file) { return !(this->*file.name).empty(); });
 }
 
 bool OutputNames::on_standard_output() const {
-    return is_standard(report) || is_standard(moves) || is_standard(trajectory) || is_standard(record);
+    return std::any_of(files().begin(), files().end(),
+                       [this](const File& file) { return is_standard(this->*file.name); });
 }
 
 std::optional<std::string> OutputNames::conflict() const {

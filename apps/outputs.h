@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct OutputNames {
     std::string record;             ///< A path file.
     bool explain = false;           ///< The report tells where the time goes.
     double step_s = 0.01;           ///< Of the trajectory's samples.
+
+    /// Those that are files, by their options.
+    struct File {
+        const char* option;
+        std::string OutputNames::*name;
+    };
+    static std::span<const File> files();
 
     /// Whether a file is wanted.
     bool any() const;

@@ -38,7 +38,8 @@ tl::unexpected<InputError> usage(std::string message) {
 OutputNames own_files(const OutputNames& names, const std::string& robot) {
     OutputNames own = names;
     own.report.clear();  // one for all
-    for (std::string* name : {&own.moves, &own.trajectory, &own.plot}) *name = robots_own_file(*name, robot);
+    for (const OutputNames::File& file : OutputNames::files())
+        own.*file.name = robots_own_file(own.*file.name, robot);
     return own;
 }
 
@@ -101,12 +102,13 @@ std::optional<std::string> conflict_of_own_files(const process::RobotEntry& robo
         {run.robots, "the file of robots"},      {run.setup, "the setup"},
         {robot.machine.string(), "its machine"}, {robot.machine_data.string(), "its machine data"},
         {robot.cell.string(), "its cell"}};
-    for (const std::string* name : {&own.moves, &own.trajectory, &own.plot}) {
-        const auto identity = os::identity_of(*name);
-        if (name->empty() || !identity) continue;
+    for (const OutputNames::File& file : OutputNames::files()) {
+        const std::string& name = own.*file.name;
+        const auto identity = os::identity_of(name);
+        if (name.empty() || !identity) continue;
         for (const auto& [other, what] : others) {
             if (other.empty() || os::identity_of(other) != identity) continue;
-            return fmt::format("'{}', of the robot {}, is {}, too; give one of them another name", *name,
+            return fmt::format("'{}', of the robot {}, is {}, too; give one of them another name", name,
                                robot.name, what);
         }
     }
@@ -134,12 +136,16 @@ tl::expected<simulation::RobotsReport, InputError> finish(const std::string& pro
     engine.report(whole);
     std::vector<simulation::RobotReport> reports;
     reports.reserve(stations.size());
+    std::optional<InputError> without_path;
     for (std::size_t i = 0; i < stations.size(); ++i) {
         simulation::Report report = stations[i].simulator->finish(program);
         stations[i].outputs->explain(report);
+        if (auto path = stations[i].outputs->make_path(program); !path && !without_path)
+            without_path = {.message = path.error(), .kind = text::DiagnosticKind::path};
         if (auto written = stations[i].outputs->commit(report); !written) return usage(written.error());
         reports.push_back({stations[i].name, engine.idle_s(i), std::move(report)});
     }
+    if (without_path) return tl::unexpected(*std::move(without_path));
     return simulation::robots_report(std::move(whole), std::move(reports));
 }
 

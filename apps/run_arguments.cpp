@@ -171,8 +171,8 @@ void add_further_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Further");
     line.add("--optional-stop", &a.optional_stop, "M01 stops");
     line.add("--robots", &a.robots,
-             "robots and conveyors that the script moves (TOML); files of moves, trajectories and plots are "
-             "one for each robot")
+             "robots and conveyors that the script moves (TOML); files of moves, trajectories, plots "
+             "and paths are one for each robot")
         .of_file(FileKind::input, {".toml"});
     line.add("--rcs", &a.rcs,
              "controller module (shared library) that plans in place of the built-in planner")

@@ -1,6 +1,7 @@
 #include "apps/run_inputs.h"
 
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -64,18 +65,15 @@ tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const RunAr
 
 /// An output that is a file which the cell names, as a sentence.
 std::optional<std::string> conflict_with_cell(const RunArguments& arguments, const cell::CellFiles& files) {
-    const OutputNames& outputs = arguments.outputs;
+    std::vector<std::pair<const std::string*, const char*>> written = {{&arguments.findings.sarif, "--sarif"},
+                                                                       {&arguments.variables, "--variables"}};
+    for (const OutputNames::File& file : OutputNames::files())
+        written.emplace_back(&(arguments.outputs.*file.name), file.option);
     for (const auto& [file, what] :
          {std::pair{files.machine, "machine"}, {files.machine_data, "machine data"}}) {
         const auto identity = os::identity_of(file);
         if (file.empty() || !identity) continue;
-        for (const auto& [name, option] : {std::pair{&outputs.report, "--report"},
-                                           {&outputs.moves, "--moves"},
-                                           {&outputs.trajectory, "--trajectory"},
-                                           {&outputs.plot, "--plot"},
-                                           {&outputs.record, "--record"},
-                                           {&arguments.findings.sarif, "--sarif"},
-                                           {&arguments.variables, "--variables"}}) {
+        for (const auto& [name, option] : written) {
             if (name->empty() || os::identity_of(*name) != identity) continue;
             return fmt::format(
                 "{} '{}' is the {} of the cell, which would be overwritten; give it another name", option,

@@ -1,5 +1,6 @@
 // Several robots in one run: the sample cell, files of their own, and what is refused.
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/apps/run_program.h"
@@ -46,6 +47,23 @@ TEST_F(Robots, TheSampleGivesTheSameReportEachTime) {
     EXPECT_GT(report["robots"][1]["idle_s"], 10);
     EXPECT_EQ(report["processes"].size(), 4U);
     EXPECT_TRUE(holds(run_sample({}).out, "--- robot right"));
+}
+
+TEST_F(Robots, EachIsRecordedInAPathOfItsOwn) {
+    write("two.toml", "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\n");
+    write("two.lua",
+          "process('l', function() local _ENV = robot 'left' F(600) G1{x=10} end)\n"
+          "process('r', function() local _ENV = robot 'right' F(600) G1{y=20} end)\n");
+    const Ended ended = gsim_run({"--robots", "two.toml", "two.lua", "--record", "p.json", "--quiet"});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    for (const auto& [robot, position] : {std::pair("left", "[10,0,0]"), {"right", "[0,20,0]"}}) {
+        const json path = json::parse(read(fmt::format("p.{}.json", robot).c_str()), nullptr, false);
+        ASSERT_FALSE(path.is_discarded()) << robot;
+        EXPECT_TRUE(holds(path.dump(), position)) << path.dump(2);
+    }
+    const Ended sample = run_sample({"--quiet", "--record", "s.json"});
+    EXPECT_EQ(sample.status, 2);
+    EXPECT_TRUE(holds(sample.err, "no path is recorded: the program tracks a conveyor")) << sample.err;
 }
 
 TEST_F(Robots, EachHasItsOwnWordsAndClock) {

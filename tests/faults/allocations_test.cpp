@@ -13,7 +13,8 @@ namespace {
 class Allocations : public testing::Test {
   protected:
     void SetUp() override {
-        if (kInstrumented) GTEST_SKIP() << "what is built into the program asks for memory, too, and ends without";
+        if (kInstrumented)
+            GTEST_SKIP() << "what is built into the program asks for memory, too, and ends without";
     }
     static void refuse(bool repeated) {
         for (const Job& job : jobs()) {

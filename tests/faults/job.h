@@ -10,7 +10,7 @@
 
 namespace gsim::faults {
 
-/// Sanitizers have an allocator of their own, and make system calls of their own: nothing is injected into
+/// Sanitizers and what counts lines allocate and make system calls of their own: nothing is injected into
 /// their builds.
 #if defined(GSIM_INSTRUMENTED)
 inline constexpr bool kInstrumented = true;
