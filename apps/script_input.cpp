@@ -114,7 +114,9 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source,
     script.held_bytes = spool->held_bytes();
     for (const codegen::ProgramPart& part : translation.programs)
         script.functions.push_back({part.head, chunks_of(part)});
-    script.read = [spool](std::uint64_t begin, std::uint64_t end) { return spool->read(begin, end); };
+    script.read = [spool = std::move(spool)](std::uint64_t begin, std::uint64_t end) {
+        return spool->read(begin, end);
+    };
     return script;
 }
 

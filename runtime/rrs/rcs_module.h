@@ -257,7 +257,7 @@ typedef struct gsim_rcs_path_mode {
 
 enum gsim_rcs_opcode {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    GSIM_RCS_##opcode = number,
+    GSIM_RCS_##opcode = (number),
 #include "rcs_services.def"
 };
 

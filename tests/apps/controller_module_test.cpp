@@ -34,6 +34,34 @@ TEST_F(ControllerModule, OurOwnPlannerTakesTheTimeThatItTakesInProcess) {
     EXPECT_TRUE(module["blends"].is_null()) << "a module does not tell where it leaves the way";
 }
 
+// The tip is led by the module where it offers that; who does not lead it is not moved as if it did.
+TEST_F(ControllerModule, ItLeadsTheTip) {
+    const std::string part = write("tip.nc",
+                                   "T1\nG0 X300 Y300 Z200\nG43.4 H1\nG1 X400 B10 C20 F2000\n"
+                                   "G2 X500 I50 B-20 C10\nG49\nM2\n");
+    ASSERT_EQ(
+        run_program(GSIM_DATA, {"data.txt", "set", "TOOL", "1", "LENGTH=50", "--create"}, folder_).status, 0);
+    const auto run = [this](const std::string& program, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{program, "--json", "--machine-data", "data.txt"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return json::parse(gsim_run(arguments).out);
+    };
+    const json built_in = run(part, {});
+    ASSERT_EQ(built_in["status"], "completed") << built_in["alarm"];
+    const json module = run(part, {"--rcs", GSIM_RCS_DEFAULT});
+    EXPECT_EQ(module["status"], "completed") << module["alarm"];
+    EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
+    for (const char* axis : {"X", "Y", "Z"}) {
+        EXPECT_NEAR(module["bounds"][axis]["min"].get<double>(),
+                    built_in["bounds"][axis]["min"].get<double>(), 0.01);
+        EXPECT_NEAR(module["bounds"][axis]["max"].get<double>(),
+                    built_in["bounds"][axis]["max"].get<double>(), 0.01);
+    }
+    const json without = run(write("feed.nc", "T1\nG1 X100 F2000\nG43.4 H1\nG1 X200 B10\nM2\n"),
+                             {"--rcs", test_module("small_module")});
+    EXPECT_EQ(without["alarm"]["message"], "this controller has no tool-centre-point control");
+}
+
 TEST_F(ControllerModule, OneThatCannotBeUsedIsAnErrorOfUsage) {
     const std::string part = write("part.nc", kPart);
     const auto refused = [&](const std::string& name, const std::string& why) {
