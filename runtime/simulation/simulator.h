@@ -265,6 +265,8 @@ class Simulator {
     bool refused(const motion::PlanError& error, const Place& place);
     bool stop_for_time(const Place& place);
     void add_cell_findings(Report& report);
+    const Place& place_of(const MoveInfo& move) const;
+    void fail_under_way(const MoveInfo& move, text::DiagnosticKind kind, std::string message);
     bool fail_in_zone();
     motion::RangeNotes* begin_move();
     motion::Planned check_target(const rrs::JointPos& joints) const;

@@ -115,15 +115,24 @@ void Simulator::watch_zones(const machine::MachineData& data) {
     }
 }
 
-/// The machine comes to the zone before it comes to what the program has read since: this alarm takes the
-/// place of another one. Nothing happens behind the limit of time.
+/// A move that nobody expected has no place: the last one's stands for it.
+const Place& Simulator::place_of(const MoveInfo& move) const {
+    return move.place.line > 0 ? move.place : last_place_;
+}
+
+/// An alarm of a move under way: the machine comes there before it comes to what the program has read
+/// since, so that this alarm takes the place of another one.
+void Simulator::fail_under_way(const MoveInfo& move, DiagnosticKind kind, std::string message) {
+    alarm_.reset();
+    fail(kind, std::move(message), place_of(move));
+    alarm_->calls = calls_.at(move.target_id);
+}
+
+/// Nothing happens behind the limit of time.
 bool Simulator::fail_in_zone() {
     const ZoneHit& hit = *zones_.hit();
     if (hit.time_s > limits_.max_time_s) return stop_for_time(recorder_.move().place);
-    alarm_.reset();
-    const MoveInfo& move = recorder_.move();
-    fail(DiagnosticKind::zone, text_of(hit), move.place.line > 0 ? move.place : last_place_);
-    alarm_->calls = calls_.at(move.target_id);
+    fail_under_way(recorder_.move(), DiagnosticKind::zone, text_of(hit));
     alarm_->axis = static_cast<char>('X' + hit.axis);
     alarm_->value = hit.tool_mm[hit.axis];
     alarm_->limit = hit.wall_mm;

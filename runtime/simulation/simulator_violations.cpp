@@ -99,11 +99,8 @@ void Simulator::add_violations(const Place& place) {
 }
 
 bool Simulator::fail_past_range(const StepPastRange& step) {
-    alarm_.reset();
     const Violation violation = violation_of(step.axis, step.value, step.limit);
-    fail(text::DiagnosticKind::axis_limit, violation.message + kByModule,
-         step.move.place.line > 0 ? step.move.place : last_place_);
-    alarm_->calls = calls_.at(step.move.target_id);
+    fail_under_way(step.move, text::DiagnosticKind::axis_limit, violation.message + kByModule);
     alarm_->axis = violation.axis;
     alarm_->value = violation.value;
     alarm_->limit = violation.limit;
@@ -120,7 +117,7 @@ void Simulator::add_steps_past_ranges() {
         if ((axes_past_ranges_ >> step.axis & 1U) != 0) continue;
         Violation violation = violation_of(step.axis, step.value, step.limit);
         violation.t_s = step.t_s;
-        violation.place = step.move.place.line > 0 ? step.move.place : last_place_;
+        violation.place = place_of(step.move);
         violation.calls = calls_.at(step.move.target_id);
         violation.message += kByModule;
         violations_.add(std::move(violation));
@@ -131,7 +128,7 @@ void Simulator::add_steps_past_ranges() {
 void Simulator::add_zone_violation(const ZoneHit& hit) {
     const MoveInfo& move = recorder_.move();
     zone_violations_.push_back({.t_s = hit.time_s,
-                                .place = move.place.line > 0 ? move.place : last_place_,
+                                .place = place_of(move),
                                 .calls = calls_.at(move.target_id),
                                 .zone = hit.zone,
                                 .forbidden_zone = !hit.stay_inside,
