@@ -9,7 +9,7 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test test-all setup build bench accuracy coverage docs pictures site fuzz golden format lint install uninstall package clean
+.PHONY: help run test test-all setup build bench accuracy coverage docs pictures site fuzz golden format lint wasm install uninstall package clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
@@ -27,6 +27,7 @@ help:
 	@echo 'make site     the documentation as pages with a search, in build/site'
 	@echo 'make format   format the C++ sources'
 	@echo 'make lint     check the format, then run clang-tidy'
+	@echo 'make wasm     the program as WebAssembly for node, and its answers compared with the native ones, byte for byte'
 	@echo 'make install  install into PREFIX=$(PREFIX) (DESTDIR is honoured)'
 	@echo 'make uninstall  remove what make install installed (DESTDIR as it was)'
 	@echo 'make package  Debian packages and an archive for other systems, in build/packages'
@@ -45,6 +46,12 @@ test:
 	@scripts/setup.sh test
 	@$(call build_into,release)
 	@scripts/test.sh build --parallel $(JOBS)
+
+wasm: build
+	@scripts/setup.sh wasm
+	@scripts/wasm-sources.sh
+	@$(call build_into,wasm) --target gsim
+	@scripts/wasm-compare.py
 
 test-all:
 	@scripts/setup.sh test
@@ -116,4 +123,4 @@ package:
 	@scripts/package.sh build
 
 clean:
-	@rm -rf build build-debug build-sanitize build-coverage build-lint build-alone
+	@rm -rf build build-debug build-sanitize build-coverage build-lint build-alone build-wasm build-wasm-sources

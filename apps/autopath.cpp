@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "apps/confine_run.h"
-#include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/limit_options.h"
@@ -24,6 +23,8 @@
 #include "cam/waterjet/cutting_plan.h"
 #include "cam/waterjet/job_report.h"
 #include "cam/waterjet/materials_file.h"
+#include "engine/system/host_of_system.h"
+#include "engine/system/installed_files.h"
 #include "runtime/path/json_writer.h"
 
 namespace {
@@ -173,7 +174,7 @@ void take_thickness(solid::Plate& plate, waterjet::CuttingRequest& cut) {
 
 tl::expected<waterjet::Materials, std::string> materials_of(const AutopathArguments& arguments) {
     if (!arguments.materials.empty()) {
-        return apps::find_file(apps::InstalledKind::sample, arguments.materials)
+        return engine::find_file(engine::NameKind::sample, arguments.materials)
             .and_then([](const std::string& file) {
                 return waterjet::load_materials(file, os::NamedBy::command_line);
             });
@@ -237,7 +238,7 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     waterjet::CuttingPlan plan;
     tl::expected<cutting::CutRules, std::string> rules;
     const bool has_material = !arguments.cut.material.empty();
-    const auto drawing = apps::find_file(apps::InstalledKind::sample, arguments.input);
+    const auto drawing = engine::find_file(engine::NameKind::sample, arguments.input);
     if (!drawing) return findings.fail(Kind::input_file, drawing.error());
     if (has_material) {
         auto loaded = materials_of(arguments);

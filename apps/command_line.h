@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -94,7 +95,7 @@ class CommandLine {
     const std::string& program() const { return program_; }
     const std::string& description() const { return description_; }
     const std::deque<Option>& options() const { return options_; }
-    const std::deque<CommandLine>& commands() const { return commands_; }
+    const std::list<CommandLine>& commands() const { return commands_; }
     const std::vector<Example>& examples() const { return examples_; }
     const std::vector<std::string>& notes() const { return notes_; }
     const std::function<void()>& chosen() const { return chosen_; }
@@ -107,8 +108,8 @@ class CommandLine {
     std::string program_;
     std::string description_;
     std::string group_ = "Options";
-    std::deque<Option> options_;  // stays where it is, so that add() can hand it out
-    std::deque<CommandLine> commands_;
+    std::deque<Option> options_;       // stays where it is, so that add() can hand it out
+    std::list<CommandLine> commands_;  // of a type that is not complete here
     std::vector<Example> examples_;
     std::vector<std::string> notes_;
     std::function<void()> chosen_;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "apps/script_input.h"
 #include "base/os/output_file.h"
+#include "engine/run.h"
 
 namespace gsim::apps {
 
@@ -65,26 +65,27 @@ tl::expected<void, std::string> give_up_all_but(os::Allowed allowed) {
 
 }  // namespace
 
-os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::string> programs) {
+os::Allowed allowed_to(const RunArguments& arguments, const engine::Request& request,
+                       std::span<const std::string> programs) {
     os::Allowed allowed;
-    for (const std::string& program : programs) allowed.read.push_back(folder_of_program(program));
-    for (const std::string* name : {&arguments.lua_lib, &arguments.machine_data, &arguments.setup,
-                                    &arguments.overrides.file, &arguments.probe, &arguments.variables}) {
+    for (const std::string& program : programs) allowed.read.push_back(engine::program_folder(program));
+    for (const std::string* name : {&request.library, &request.machine_data, &request.setup,
+                                    &request.overrides.file, &request.variables}) {
         if (!name->empty()) allowed.read.emplace_back(*name);
     }
     const OutputNames& outputs = arguments.outputs;
     for (const OutputNames::File& file : OutputNames::files()) add_output(outputs.*file.name, allowed);
     for (const std::string* name :
-         {&arguments.findings.sarif, &arguments.variables, &arguments.save_machine_data})
+         {&arguments.findings.sarif, &request.variables, &arguments.save_machine_data})
         add_output(*name, allowed);
     if (!outputs.plot.empty()) add_programs_of_system(allowed);
     return allowed;
 }
 
-tl::expected<void, std::string> confine_run(const RunArguments& arguments,
+tl::expected<void, std::string> confine_run(const RunArguments& arguments, const engine::Request& request,
                                             std::span<const std::string> programs) {
-    if (arguments.no_confine || !arguments.rcs.empty()) return {};
-    return give_up_all_but(allowed_to(arguments, programs));
+    if (arguments.no_confine || !request.module.empty()) return {};
+    return give_up_all_but(allowed_to(arguments, request, programs));
 }
 
 tl::expected<void, std::string> confine_to(std::span<const std::string> files,

@@ -13,12 +13,13 @@ namespace gsim::apps {
 
 /// What a run may still need of the file system once its machine and its cell have been read: the folders of
 /// its programs, where the ones that they call are looked up, those of its outputs, and further files that
-/// its options name; for a picture the programs of the system, gnuplot among them.
-os::Allowed allowed_to(const RunArguments& arguments, std::span<const std::string> programs);
+/// its request names; for a picture the programs of the system, gnuplot among them.
+os::Allowed allowed_to(const RunArguments& arguments, const engine::Request& request,
+                       std::span<const std::string> programs);
 
 /// Confines the process to that, unless the options say otherwise or name a controller module, whose code
-/// may reach what it likes. The error is a sentence.
-tl::expected<void, std::string> confine_run(const RunArguments& arguments,
+/// may reach what it likes. `request` has the files that its names mean. The error is a sentence.
+tl::expected<void, std::string> confine_run(const RunArguments& arguments, const engine::Request& request,
                                             std::span<const std::string> programs);
 
 /// Confines the process to these files, which may be read, and to the folders of `outputs`. For programs that

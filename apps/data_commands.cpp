@@ -12,10 +12,11 @@
 #include "apps/data_table.h"
 #include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
-#include "apps/machine_input.h"
 #include "apps/print.h"
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
+#include "engine/inner/machine_input.h"
+#include "engine/system/host_of_system.h"
 
 namespace gsim::apps {
 
@@ -242,7 +243,8 @@ tl::expected<void, std::string> confine(const DataArguments& a) {
 Status run_data_command(const DataArguments& arguments, Findings& findings) {
     std::optional<machine::Machine> machine;
     if (!arguments.machine.empty()) {
-        auto loaded = read_machine_input(arguments.machine, os::NamedBy::command_line);
+        auto loaded = engine::read_machine_input(engine::host_of_system(), arguments.machine,
+                                                 os::NamedBy::command_line);
         if (!loaded) return Sentence(std::move(loaded.error()));
         machine = std::move(loaded->machine);
     }

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/version.h"
-#include "runtime/simulation/diagnostic_json.h"
+#include "base/text/diagnostic_json.h"
 
 namespace gsim::apps {
 
@@ -79,7 +79,7 @@ std::string findings_json(std::span<const Diagnostic> diagnostics, std::span<con
         document["programs"].push_back(
             {{"program", each.name}, {"status", each.status}, {"cycle_time_s", each.cycle_time_s}});
     }
-    document["diagnostics"] = simulation::to_json(diagnostics);
+    document["diagnostics"] = text::to_json(diagnostics);
     return as_text(document);
 }
 

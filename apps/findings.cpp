@@ -25,6 +25,22 @@ int write_document(const std::string& name, const std::string& text) {
     return kUsage;
 }
 
+text::DiagnosticKind kind_of(const std::string& code) {
+    return text::diagnostic_kind(code).value_or(text::DiagnosticKind::internal);
+}
+
+text::Diagnostic plain(const engine::Diagnostic& told) {
+    return {.severity = static_cast<text::Severity>(told.severity),
+            .kind = kind_of(told.code),
+            .file = told.file,
+            .line = told.line,
+            .column = told.column,
+            .end_column = told.end_column,
+            .text = told.text,
+            .hint = told.hint,
+            .excerpt = told.excerpt};
+}
+
 }  // namespace
 
 std::string product_name(const std::string& output) {
@@ -61,6 +77,19 @@ void Findings::say(const std::string& text) const {
 void Findings::take(const text::Diagnostic& diagnostic) {
     all_.push_back(diagnostic);
     say(text::to_text(diagnostic));
+}
+
+void Findings::take(const engine::Diagnostic& diagnostic) {
+    take(plain(diagnostic));
+}
+
+void Findings::replace(const std::vector<engine::Diagnostic>& diagnostics) {
+    all_.clear();
+    for (const engine::Diagnostic& told : diagnostics) all_.push_back(plain(told));
+}
+
+int Findings::fail(const engine::Failure& failure) {
+    return fail(kind_of(failure.code), failure.message, failure.file);
 }
 
 int Findings::fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file) {

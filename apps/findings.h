@@ -8,6 +8,7 @@
 #include "apps/command_line.h"
 #include "apps/finding_documents.h"
 #include "base/text/diagnostic.h"
+#include "engine/diagnostic.h"
 
 namespace gsim::apps {
 
@@ -37,13 +38,15 @@ class Findings {
         : program_(std::move(program)), options_(std::move(options)), text_to_(text_to) {}
 
     void take(const text::Diagnostic& diagnostic);
+    void take(const engine::Diagnostic& diagnostic);
     /// A program has been looked at: for the JSON document.
     void checked(CheckedProgram program) { programs_.push_back(std::move(program)); }
     /// Another document has told what was taken so far, and these.
-    void replace(std::vector<text::Diagnostic> diagnostics) { all_ = std::move(diagnostics); }
+    void replace(const std::vector<engine::Diagnostic>& diagnostics);
     /// Takes what a reader of files or of options says, as a sentence that may begin with its place, or with
     /// the name `file`; the exit status for it.
     int fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file = {});
+    int fail(const engine::Failure& failure);
 
     /// Ends with this status: writes the documents that are wanted. JSON goes to `json_to`: standard error
     /// where the program's product is on standard output. The status, or that of an output that cannot be

@@ -9,13 +9,14 @@
 #include <fmt/format.h>
 
 #include "apps/confine_run.h"
-#include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/programs.h"
-#include "apps/run_engine.h"
-#include "apps/run_inputs.h"
-#include "runtime/simulation/report_diagnostics.h"
+#include "apps/run_arguments.h"
+#include "apps/run_faults.h"
+#include "engine/machine.h"
+#include "engine/run.h"
+#include "engine/system/host_of_system.h"
 
 namespace gsim::apps {
 
@@ -41,62 +42,53 @@ void add_check_options(CommandLine& line, CheckArguments& a) {
                      "each program on its own, with collisions");
 }
 
-using Kind = text::DiagnosticKind;
-
-bool is_clean(const simulation::Report& report) {
-    return report.status == simulation::RunStatus::completed && !has_collisions(report) &&
-           report.findings.count == 0;
-}
-
 // Warnings are told, but do not count, save those of the process.
-int check_program(const RunArguments& arguments, const MachineInput& machine, Findings& findings) {
-    const TellDiagnostic tell = [&](const text::Diagnostic& told) { findings.take(told); };
-    tl::expected<RunInputs, InputError> inputs =
-        open_script(arguments.input).and_then([&](OpenedScript opened) {
-            return read_run_inputs(arguments, machine, opened, tell);
-        });
-    if (!inputs) {
-        findings.checked({.name = arguments.input, .status = "not run"});
-        if (inputs.error().in_program) return kProgramFault;
-        return findings.fail(inputs.error().kind, inputs.error().message, inputs.error().file);
+int check_program(engine::Request request, const engine::Machine& machine, Findings& findings) {
+    const std::string program = request.program;
+    const CpuBackstop where_nothing_asks(behind_own_limit_s(request.limits.cpu_s));
+    std::vector<engine::Diagnostic> all;
+    auto run = engine::Run::open(std::move(request), machine,
+                                 [&](const engine::Diagnostic& told) { all.push_back(told); });
+    auto prepared = run ? run->prepare() : tl::unexpected(run.error());
+    if (!prepared) {
+        for (const engine::Diagnostic& told : all) findings.take(told);
+        findings.checked({.name = program, .status = "not run"});
+        return prepared.error().in_program ? kProgramFault : findings.fail(prepared.error());
     }
-    const simulation::Report report = ProgramRun(arguments, *std::move(inputs), false, tell).run();
-    for (const text::Diagnostic& found : diagnostics_of(report)) findings.take(found);
-    findings.checked({report.program, std::string(name(report.status)), report.cycle_time_s});
-    if (lacks_text(report)) return kUsage;
-    if (!is_clean(report)) return kProgramFault;
-    findings.say(fmt::format("{}: nothing wrong, {:.3f} s\n", report.program, report.cycle_time_s));
+    const auto report = run->go();
+    if (!report) return findings.fail(report.error());
+    for (const engine::Diagnostic& found : report->diagnostics) findings.take(found);
+    findings.checked({report->program, std::string(name(report->status)), report->cycle_time_s});
+    if (lacks_text(*report)) return kUsage;
+    if (!report->is_clean() || report->process_findings > 0) return kProgramFault;
+    findings.say(fmt::format("{}: nothing wrong, {:.3f} s\n", report->program, report->cycle_time_s));
     return kDone;
 }
 
 // The worst of what was found in all programs: a file that cannot be read does not keep the others from being
 // checked.
 int check_programs(const CheckArguments& arguments, Findings& findings) {
-    std::optional<CpuBackstop> backstop(std::in_place, behind_own_limit_s(arguments.run.max_cpu_s));
-    tl::expected<RunArguments, std::string> found = with_files_found(arguments.run);
-    if (!found) return findings.fail(Kind::input_file, found.error(), arguments.run.cell);
-    const tl::expected<MachineInput, std::string> machine = read_machine(*found);
-    if (!machine) return findings.fail(Kind::input_file, machine.error(), found->machine);
-    for (const std::string& note : machine->notes)
-        findings.take({.severity = text::Severity::note, .kind = Kind::machine, .text = note});
+    std::optional<CpuBackstop> backstop(std::in_place,
+                                        behind_own_limit_s(arguments.run.request.limits.cpu_s));
+    engine::Request request = request_of(arguments.run);
+    request.host = engine::host_of_system();
+    // Read once, before the confinement: what it names may lie anywhere.
+    auto machine = engine::Machine::read(request);
+    if (!machine) return findings.fail(machine.error());
+    for (const std::string& note : machine->notes())
+        findings.take({.severity = engine::Severity::note, .code = "machine", .text = note});
+    if (auto bodies = machine->read_bodies(); !bodies) return findings.fail(bodies.error());
     std::vector<std::string> programs;
     for (const std::string& program : arguments.programs)
-        programs.push_back(find_file(InstalledKind::sample, program).value_or(program));
-    // Read once, before the confinement: what it names may lie anywhere.
-    auto cell = read_cell_of_run(cell_choice(*found), machine->machine);
-    if (!cell) return findings.fail(Kind::input_file, cell.error(), found->cell);
-    found->cell_read = std::make_shared<const cell::Cell>(*std::move(cell));
-    if (auto confined = confine_run(*found, programs); !confined)
-        return findings.fail(Kind::usage, confined.error());
+        programs.push_back(request.host.find(engine::NameKind::sample, program).value_or(program));
+    request.machine_data = machine->machine_data_file();
+    if (auto confined = confine_run(arguments.run, request, programs); !confined)
+        return findings.fail(text::DiagnosticKind::usage, confined.error());
     backstop.reset();
     int status = kDone;
     for (const std::string& program : programs) {
-        RunArguments one = *found;
-        os::CpuLimit cpu(one.max_cpu_s);  // each program on its own
-        const CpuBackstop where_nothing_asks(behind_own_limit_s(one.max_cpu_s));
-        one.limits.cpu = &cpu;
-        one.input = program;
-        status = std::max(status, check_program(one, *machine, findings));
+        request.program = program;
+        status = std::max(status, check_program(request, *machine, findings));
     }
     return status;
 }

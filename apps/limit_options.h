@@ -4,13 +4,13 @@
 
 #include "apps/command_line.h"
 #include "base/os/cpu_limit.h"
+#include "engine/request.h"
 
 namespace gsim::apps {
 
-/// The default of --max-cpu-seconds: a day, which no run needs.
-inline constexpr double kMaxCpu_s = 86'400;
-/// That of --memory.
-inline constexpr std::uint64_t kMemory_mb = 2048;
+/// The defaults of --max-cpu-seconds (a day, which no run needs) and --memory.
+inline constexpr double kMaxCpu_s = engine::Limits{}.cpu_s;
+inline constexpr std::uint64_t kMemory_mb = engine::Limits{}.memory_bytes >> 20U;
 
 /// --max-cpu-seconds, which several programs have; in the group begun last.
 void add_cpu_option(CommandLine& line, double& seconds);

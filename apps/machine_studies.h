@@ -6,8 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "apps/command_line.h"
-#include "apps/run_cell.h"
-#include "runtime/machine/machine.h"
+#include "engine/machine.h"
 
 namespace gsim::apps {
 
@@ -28,9 +27,9 @@ struct StudyOutput {
     bool quiet = false;  ///< Nothing for people on standard output.
 };
 
-/// Makes what was asked for: prints the check, of the bodies that `cell` chooses, and
-/// writes the envelopes. The exit status; the error is a sentence on files.
-tl::expected<int, std::string> run_studies(const MachineStudies& studies, const machine::Machine& machine,
-                                           const CellChoice& cell, const StudyOutput& output);
+/// Makes what was asked for: prints the check, and writes the envelopes. The exit status; the error is a
+/// sentence on files.
+tl::expected<int, std::string> run_studies(const MachineStudies& studies, engine::Machine& machine,
+                                           const StudyOutput& output);
 
 }  // namespace gsim::apps

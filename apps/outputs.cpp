@@ -3,30 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-
-#include <fmt/format.h>
-
-#include "runtime/path/json_writer.h"
-#include "runtime/simulation/plot.h"
-#include "runtime/simulation/report.h"
+#include <utility>
 
 namespace gsim::apps {
 
+using engine::Document;
 using os::OutputFile;
-
-namespace {
-
-bool is_standard(const std::string& name) {
-    return name == os::kStandardStream;
-}
-
-}  // namespace
 
 std::span<const OutputNames::File> OutputNames::files() {
     static constexpr std::array kFiles = {
-        File{"--report", &OutputNames::report}, File{"--moves", &OutputNames::moves},
-        File{"--trajectory", &OutputNames::trajectory}, File{"--plot", &OutputNames::plot},
-        File{"--record", &OutputNames::record}};
+        File{"--report", &OutputNames::report, std::nullopt},
+        File{"--moves", &OutputNames::moves, Document::moves},
+        File{"--trajectory", &OutputNames::trajectory, Document::trajectory},
+        File{"--dxf", &OutputNames::dxf, Document::dxf},
+        File{"--plot", &OutputNames::plot, Document::plot},
+        File{"--record", &OutputNames::record, Document::path}};
     return kFiles;
 }
 
@@ -37,134 +28,103 @@ bool OutputNames::any() const {
 
 bool OutputNames::on_standard_output() const {
     return std::any_of(files().begin(), files().end(),
-                       [this](const File& file) { return is_standard(this->*file.name); });
+                       [this](const File& file) { return this->*file.name == os::kStandardStream; });
 }
 
 std::optional<std::string> OutputNames::conflict() const {
-    if (is_standard(plot))
+    if (plot == os::kStandardStream)
         return "--plot needs the name of a file, whose ending says which kind of picture it is";
     return std::nullopt;
 }
 
-tl::expected<Outputs::TextFile*, std::string> Outputs::add_file(const std::string& name) {
-    tl::expected<OutputFile, std::string> file = OutputFile::open(name);
-    if (!file) return tl::unexpected(file.error());
-    files_.push_back(std::make_unique<TextFile>(std::move(*file)));
-    return files_.back().get();
+OutputNames OutputNames::of_robot(const std::string& robot) const {
+    OutputNames own = *this;
+    own.report.clear();
+    for (const File& file : files()) {
+        std::string& name = own.*file.name;
+        if (name.empty()) continue;
+        std::filesystem::path path(name);
+        path.replace_filename(path.stem().string() + "." + robot + path.extension().string());
+        name = path.string();
+    }
+    return own;
 }
 
-tl::expected<Outputs, std::string> Outputs::open(const OutputNames& names, simulation::Simulator& simulator) {
-    Outputs outputs;
-    outputs.names_ = names;
-    if (!names.moves.empty()) {
-        const auto file = outputs.add_file(names.moves);
-        if (!file) return tl::unexpected(file.error());
-        outputs.moves_ =
-            std::make_unique<simulation::MovesWriter>((*file)->text, simulator.machine(), simulator.files());
-        simulator.add_output(*outputs.moves_);
+tl::expected<OutputFile*, std::string> Outputs::add_file(const std::string& name) {
+    return OutputFile::open(name).map([this](OutputFile file) {
+        return files_.emplace_back(std::make_unique<OutputFile>(std::move(file))).get();
+    });
+}
+
+tl::expected<std::unique_ptr<Outputs>, std::string> Outputs::open(const OutputNames& names, engine::Run& run,
+                                                                  std::size_t robot) {
+    std::unique_ptr<Outputs> outputs(new Outputs(names));
+    for (const OutputNames::File& file : OutputNames::files()) {
+        const std::string& name = names.*file.name;
+        if (name.empty()) continue;
+        const auto ready =
+            file.document ? outputs->add(*file.document, name, run, robot) : OutputFile::check(name);
+        if (!ready) return tl::unexpected(ready.error());
     }
-    if (!names.trajectory.empty()) {
-        const auto file = outputs.add_file(names.trajectory);
-        if (!file) return tl::unexpected(file.error());
-        outputs.trajectory_ = std::make_unique<simulation::TrajectoryWriter>(
-            (*file)->text, simulator.machine(), names.step_s, simulator.max_time_s());
-        simulator.add_output(*outputs.trajectory_);
-    }
-    for (const std::string* late : {&names.report, &names.record}) {
-        if (late->empty()) continue;
-        if (auto writable = OutputFile::check(*late); !writable) return tl::unexpected(writable.error());
-    }
-    if (auto plot = outputs.add_plot(simulator); !plot) return tl::unexpected(plot.error());
-    if (!names.record.empty()) {
-        outputs.recorder_ = std::make_unique<record::PathRecorder>(simulator.machine());
-        simulator.set_observer(*outputs.recorder_);
-    }
-    if (names.explain) outputs.add_explanation(simulator);
     return outputs;
 }
 
-tl::expected<void, std::string> Outputs::add_plot(simulation::Simulator& simulator) {
-    if (names_.plot.empty()) return {};
-    const Plane plane = names_.plot_plane == "zx"   ? Plane::zx
-                        : names_.plot_plane == "yz" ? Plane::yz
-                                                    : Plane::xy;
-    if (auto lacks = simulation::PlotData::lacks_axes(simulator.machine(), plane))
-        return tl::unexpected(*lacks);
-    auto picture = simulation::Picture::named(names_.plot);
-    if (!picture) return tl::unexpected(picture.error());
-    picture_ = *std::move(picture);
-    plot_ = std::make_unique<simulation::PlotData>(simulator.machine(), plane);
-    simulator.add_output(*plot_);
-    return {};
+tl::expected<void, std::string> Outputs::add(Document document, const std::string& name, engine::Run& run,
+                                             std::size_t robot) {
+    auto sink = sink_of(document, name);
+    if (!sink) return tl::unexpected(sink.error());
+    engine::DocumentOptions options = names_.options;
+    options.name = name;
+    options.bitmap = picture_ && picture_->bitmap();
+    return run.write(document, *std::move(sink), options, robot)
+        .map_error([](const engine::Failure& failure) { return failure.message; });
 }
 
-tl::expected<void, std::string> Outputs::draw(const simulation::Report& report) {
-    if (!picture_) return {};
-    if (report.cell) {
-        for (const simulation::Collision& collision : report.cell->collisions)
-            plot_->mark_collision(collision.joints);
+tl::expected<engine::TextSink, std::string> Outputs::sink_of(Document document, const std::string& name) {
+    if (document == Document::plot) {
+        auto picture = engine::Picture::named(name);
+        if (!picture) return tl::unexpected(picture.error());
+        picture_ = *std::move(picture);
+        return [this](std::string_view text) {
+            plot_script_ += text;
+            return true;
+        };
     }
-    if (report.status == simulation::RunStatus::alarm) plot_->mark_alarm();
-    return picture_->draw(*plot_, report.program);
+    if (document == Document::path) {
+        // There may be no path: its file is made when it is there.
+        if (auto writable = OutputFile::check(name); !writable) return tl::unexpected(writable.error());
+        return [this, name, file = static_cast<OutputFile*>(nullptr)](std::string_view text) mutable {
+            if (file == nullptr && fault_.empty()) {
+                auto opened = add_file(name);
+                if (!opened) fault_ = opened.error();
+                if (opened) file = *opened;
+            }
+            return file != nullptr && file->write(text);
+        };
+    }
+    return add_file(name).map([](OutputFile* file) -> engine::TextSink {
+        return [file](std::string_view text) { return file->write(text); };
+    });
 }
 
-void Outputs::add_explanation(simulation::Simulator& simulator) {
-    causes_ = std::make_unique<Causes>(simulator.machine());
-    simulator.add_output(causes_->times);
-    if (simulator.sampled()) return;
-    simulator.add_output(causes_->bound.emplace(simulator.machine()));
+tl::expected<void, std::string> Outputs::write_report(const engine::Report& report) {
+    if (names_.report.empty()) return {};
+    return add_file(names_.report).map([&](OutputFile* file) {
+        file->write(report.json());
+        file->write("\n");
+    });
 }
 
-void Outputs::explain(simulation::Report& report) const {
-    if (recorder_ != nullptr) {
-        const std::set<std::string>& notes = recorder_->notes();
-        report.warnings.insert(report.warnings.end(), notes.begin(), notes.end());
+tl::expected<void, std::string> Outputs::commit(const engine::Report& report) {
+    if (!fault_.empty()) return tl::unexpected(fault_);
+    if (auto written = write_report(report); !written) return written;
+    for (const auto& file : files_) {
+        if (auto settled = file->settle(); !settled) return settled;
     }
-    if (causes_ == nullptr) return;
-    std::optional<double> bound_s;
-    if (causes_->bound) bound_s = causes_->bound->bound_s();
-    report.explanation = simulation::Explanation{causes_->times.list(causes_->machine), bound_s};
-}
-
-tl::expected<void, std::string> Outputs::make_path(const std::string& program) {
-    if (recorder_ == nullptr) return {};
-    return recorder_->finish(std::filesystem::path(program).stem().string())
-        .map([this](path::Program made) { path_ = std::move(made); })
-        .map_error(
-            [](const std::string& sentence) { return fmt::format("no path is recorded: {}", sentence); });
-}
-
-tl::expected<void, std::string> Outputs::write_path() const {
-    tl::expected<OutputFile, std::string> file = OutputFile::open(names_.record);
-    if (!file) return tl::unexpected(file.error());
-    path::write_json(*path_, [&](std::string_view text) { file->write(text); });
-    return file->commit();
-}
-
-tl::expected<void, std::string> Outputs::commit(const simulation::Report& report) {
-    if (trajectory_ != nullptr && trajectory_->cut_short()) {
-        return tl::unexpected(fmt::format(
-            "{}: the trajectory would have more than {} samples; a longer --step or a lower --max-time makes "
-            "it shorter",
-            names_.trajectory, simulation::TrajectoryWriter::kMostSamples));
+    for (const auto& file : files_) {
+        if (auto committed = file->commit(); !committed) return committed;
     }
-    if (!names_.report.empty()) {
-        const auto file = add_file(names_.report);
-        if (!file) return tl::unexpected(file.error());
-        const std::string json = simulation::to_json(report);
-        (*file)->text.buffer().append(json);
-        (*file)->text.end_line();
-    }
-    for (const std::unique_ptr<TextFile>& file : files_) {
-        if (auto flushed = file->text.flush(); !flushed) return file->file.cannot_write(flushed.error());
-        if (auto settled = file->file.settle(); !settled) return settled;
-    }
-    for (const std::unique_ptr<TextFile>& file : files_) {
-        if (auto committed = file->file.commit(); !committed) return committed;
-    }
-    if (auto drawn = draw(report); !drawn) return drawn;
-    if (path_) return write_path();
-    return {};
+    return picture_ ? picture_->draw(plot_script_) : tl::expected<void, std::string>();
 }
 
 }  // namespace gsim::apps

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,15 +10,8 @@
 #include <tl/expected.hpp>
 
 #include "base/os/output_file.h"
-#include "runtime/record/path_recorder.h"
-#include "runtime/simulation/moves_writer.h"
-#include "runtime/simulation/path_bound.h"
-#include "runtime/simulation/plot.h"
-#include "runtime/simulation/plot_data.h"
-#include "runtime/simulation/simulator.h"
-#include "runtime/simulation/text_stream.h"
-#include "runtime/simulation/time_by_limit.h"
-#include "runtime/simulation/trajectory_writer.h"
+#include "engine/run.h"
+#include "engine/system/picture.h"
 
 namespace gsim::apps {
 
@@ -26,16 +20,16 @@ struct OutputNames {
     std::string report;
     std::string moves;
     std::string trajectory;
+    std::string dxf;
     std::string plot;
-    std::string plot_plane = "xy";  ///< Which the picture shows the path in.
-    std::string record;             ///< A path file.
-    bool explain = false;           ///< The report tells where the time goes.
-    double step_s = 0.01;           ///< Of the trajectory's samples.
+    std::string record;  ///< A path file.
+    engine::DocumentOptions options;
 
     /// Those that are files, by their options.
     struct File {
         const char* option;
         std::string OutputNames::*name;
+        std::optional<engine::Document> document;  ///< None: the report.
     };
     static std::span<const File> files();
 
@@ -45,53 +39,36 @@ struct OutputNames {
     bool on_standard_output() const;
     /// What cannot be done, as a sentence: a picture on standard output.
     std::optional<std::string> conflict() const;
+    /// Of a robot among several: each has files of its own but for the report, "moves.left.jsonl".
+    OutputNames of_robot(const std::string& robot) const;
 };
 
-/// The files that a run writes, attached to its simulator. They appear under their names with commit() only.
+/// The files that a run of one machine writes. They appear under their names with commit() only.
 class Outputs {
   public:
     /// The error is a sentence; what the names would stop the run's files with is known here, not behind the
-    /// run. `simulator` must not have moved yet, and must outlive the outputs' use.
-    static tl::expected<Outputs, std::string> open(const OutputNames& names,
-                                                   simulation::Simulator& simulator);
+    /// run. `run` is prepared, and gives its documents to what is returned.
+    static tl::expected<std::unique_ptr<Outputs>, std::string> open(const OutputNames& names,
+                                                                    engine::Run& run, std::size_t robot = 0);
+    Outputs(const Outputs&) = delete;
+    Outputs& operator=(const Outputs&) = delete;
 
-    /// After the run: adds to the report what was asked for, and what to know of a recorded path.
-    void explain(simulation::Report& report) const;
-    /// After the run: makes the path that was asked for; `program` names it. The error is a sentence: what
-    /// was run makes no path.
-    tl::expected<void, std::string> make_path(const std::string& program);
     /// After the run: writes report and picture, and gives all files their names. The error is a sentence.
-    tl::expected<void, std::string> commit(const simulation::Report& report);
+    tl::expected<void, std::string> commit(const engine::Report& report);
 
   private:
-    struct TextFile {
-        explicit TextFile(os::OutputFile opened) : file(std::move(opened)), text(file.stream()) {}
-        os::OutputFile file;
-        simulation::TextStream text;
-    };
-    tl::expected<TextFile*, std::string> add_file(const std::string& name);
-    tl::expected<void, std::string> write_path() const;
-    void add_explanation(simulation::Simulator& simulator);
-    tl::expected<void, std::string> add_plot(simulation::Simulator& simulator);
-    tl::expected<void, std::string> draw(const simulation::Report& report);
-
-    /// What an explanation is made of.
-    struct Causes {
-        explicit Causes(const machine::Machine& of) : machine(of) {}
-        const machine::Machine& machine;
-        simulation::TimeByLimit times;
-        std::optional<simulation::PathBound> bound;  ///< Not of samples: each step would count as a corner.
-    };
+    explicit Outputs(const OutputNames& names) : names_(names) {}
+    tl::expected<void, std::string> add(engine::Document document, const std::string& name, engine::Run& run,
+                                        std::size_t robot);
+    tl::expected<engine::TextSink, std::string> sink_of(engine::Document document, const std::string& name);
+    tl::expected<os::OutputFile*, std::string> add_file(const std::string& name);
+    tl::expected<void, std::string> write_report(const engine::Report& report);
 
     OutputNames names_;
-    std::vector<std::unique_ptr<TextFile>> files_;
-    std::unique_ptr<simulation::MovesWriter> moves_;
-    std::unique_ptr<simulation::TrajectoryWriter> trajectory_;
-    std::unique_ptr<simulation::PlotData> plot_;
-    std::optional<simulation::Picture> picture_;
-    std::unique_ptr<Causes> causes_;
-    std::unique_ptr<record::PathRecorder> recorder_;
-    std::optional<path::Program> path_;
+    std::vector<std::unique_ptr<os::OutputFile>> files_;
+    std::optional<engine::Picture> picture_;
+    std::string plot_script_;
+    std::string fault_;  ///< Of a file that was opened while the run went on.
 };
 
 }  // namespace gsim::apps

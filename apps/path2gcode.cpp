@@ -1,25 +1,25 @@
 // path2gcode: writes a path as a part program for a machine and its controller.
 
 #include <array>
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/ranges.h>
 
 #include "apps/confine_run.h"
-#include "apps/data_file.h"
 #include "apps/exit_status.h"
 #include "apps/findings.h"
 #include "apps/limit_options.h"
-#include "apps/machine_input.h"
-#include "apps/path_input.h"
-#include "apps/path_program.h"
 #include "apps/program_files.h"
 #include "apps/programs.h"
 #include "base/os/output_file.h"
-#include "codegen/post/post_file.h"
+#include "engine/path_translation.h"
+#include "engine/system/host_of_system.h"
 
 namespace {
 
@@ -51,8 +51,8 @@ struct WriteArguments {
 constexpr const char* kPath2gcode = "path2gcode";
 constexpr const char* kAsGiven = "as-given";
 constexpr const char* kLeastTurn = "least-turn";
-constexpr std::array<std::pair<const char*, apps::Offsets>, 3> kOffsets = {
-    {{"keep", apps::Offsets::keep}, {"none", apps::Offsets::none}, {"G53", apps::Offsets::machine}}};
+constexpr std::array<std::pair<const char*, engine::Offsets>, 3> kOffsets = {
+    {{"keep", engine::Offsets::keep}, {"none", engine::Offsets::none}, {"G53", engine::Offsets::machine}}};
 
 void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     using apps::FileKind;
@@ -62,7 +62,7 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     line.begin_group("Control and machine");
     line.add("--dialect", &a.post,
              fmt::format("how the controller wants programs: {}, or a file that ends in .toml",
-                         fmt::join(codegen::built_in_posts(), ", ")))
+                         fmt::join(engine::post_names(), ", ")))
         .called("NAME|FILE")
         .of_file(FileKind::input, {".toml"})
         .or_name()
@@ -106,7 +106,7 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
                      "what was run, for another control");
 }
 
-int write_program(const apps::PathProgram& program, const WriteArguments& a, apps::Findings& findings) {
+int write_program(const engine::PathTranslation& program, const WriteArguments& a, apps::Findings& findings) {
     const std::string output = apps::product_name(a.output);
     const std::vector<apps::TakenFile> taken = {{"the program itself", output},
                                                 {"the path", a.input},
@@ -115,23 +115,58 @@ int write_program(const apps::PathProgram& program, const WriteArguments& a, app
                                                 {"what --sarif names", a.findings.sarif}};
     auto files = apps::ProgramFiles::open(output, program.file_names(), taken, a.overwrite);
     if (!files) return findings.fail(Kind::output, files.error());
-    program.write([&](const std::string& name) {
-        return [&file = files->file(name)](std::string_view text) { file.write(text); };
+    const auto written = program.write([&](const std::string& name) {
+        return [&file = files->file(name)](std::string_view text) { return file.write(text); };
     });
+    if (!written) return findings.fail(written.error());
     const auto committed = files->commit();
     return committed ? apps::kDone : findings.fail(Kind::output, committed.error());
 }
 
-/// A path with a mistake, or one that the machine or the control cannot do.
-int path_fault(apps::Findings& findings, const std::string& message) {
-    findings.take(text::diagnostic_of(Kind::path, message));
+/// A path with a mistake, or one that the machine or the control cannot do, is no fault of who runs this.
+int tell_failure(apps::Findings& findings, const engine::Failure& failure) {
+    if (!failure.in_program) return findings.fail(failure);
+    findings.take(text::diagnostic_of(Kind::path, failure.message));
     return apps::kProgramFault;
 }
 
 /// From here on nothing is needed but the path and the outputs, those beside the main one too.
 tl::expected<void, std::string> confine_writing(const WriteArguments& a, const std::string& path) {
     if (a.no_confine) return {};
-    return apps::confine_to(std::array{path}, std::array{a.output, a.findings.sarif});
+    const std::string& read = a.input == os::kStandardStream ? a.input : path;
+    return apps::confine_to(std::array{read}, std::array{a.output, a.findings.sarif});
+}
+
+tl::expected<std::size_t, std::string> read_standard_input(char* buffer, std::size_t size) {
+    const std::size_t count = std::fread(buffer, 1, size, stdin);
+    if (std::ferror(stdin) == 0) return count;
+    return tl::unexpected(fmt::format("cannot read 'stdin': {}", std::generic_category().message(errno)));
+}
+
+engine::PathRequest request_of(const WriteArguments& a, bool to_standard_output) {
+    engine::PathRequest request;
+    request.host = engine::host_of_system();
+    request.path = a.input;
+    if (a.input == os::kStandardStream) {
+        request.path = "stdin";
+        request.bytes = read_standard_input;
+    }
+    request.post = a.post;
+    request.machine = a.machine;
+    if (!to_standard_output) request.program_name = fs::path(a.output).stem().string();
+    if (!a.rotary.empty()) request.rotary_as_given = a.rotary == kAsGiven;
+    for (const auto& [name, offsets] : kOffsets) {
+        if (a.offsets == name) request.offsets = offsets;
+    }
+    request.tolerance_mm = a.tolerance_mm;
+    if (!a.decimals.empty()) request.decimals_mm = a.decimals.front() - '0';
+    request.inch = a.inch;
+    request.verbose_words = a.verbose_words;
+    request.separate_files = a.separate_files;
+    request.go_on = a.go_on;
+    request.cpu_s = a.max_cpu_s;
+    request.memory_bytes = a.memory_mb << 20U;
+    return request;
 }
 
 int write_path_program(const WriteArguments& a, apps::Findings& findings) {
@@ -143,35 +178,13 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
                              "--overwrite is for the files of --separate-files; --output replaces");
     if (a.separate_files && to_standard_output)
         return findings.fail(Kind::usage, "--separate-files needs --output");
-    const auto post = apps::find_post_file(a.post).and_then(codegen::find_post);
-    if (!post) return findings.fail(Kind::input_file, post.error());
-    const auto input = apps::read_machine_input(a.machine, os::NamedBy::command_line);
-    if (!input) return findings.fail(Kind::input_file, input.error());
-    const machine::Machine* machine = &input->machine;
-    const auto input_file = apps::find_file(apps::InstalledKind::sample, a.input);
-    if (!input_file) return findings.fail(Kind::file, input_file.error());
-    if (auto confined = confine_writing(a, *input_file); !confined)
+    auto program = engine::PathTranslation::open(request_of(a, to_standard_output));
+    if (!program) return findings.fail(program.error());
+    if (auto confined = confine_writing(a, program->path_file()); !confined)
         return findings.fail(Kind::usage, confined.error());
-    os::CpuLimit cpu(a.max_cpu_s);
-    const auto file = apps::read_path(*input_file, {.memory_bytes = a.memory_mb << 20U}, &cpu);
-    if (!file && !file.error().in_path) return findings.fail(Kind::file, file.error().message);
-    if (!file) return path_fault(findings, file.error().message);
-    const apps::CpuBackstop of_planning(cpu.left_s());
-
-    apps::PathProgramOptions options;
-    options.words.inch = a.inch;
-    options.words.verbose_words = a.verbose_words;
-    if (!a.decimals.empty()) options.words.decimals_mm = a.decimals.front() - '0';
-    options.rotary.as_given = a.rotary.empty() ? file->program.is_recorded() : a.rotary == kAsGiven;
-    for (const auto& [name, offsets] : kOffsets) {
-        if (a.offsets == name) options.offsets = offsets;
-    }
-    options.go_on = a.go_on;
-    options.tolerance_mm = a.tolerance_mm;
-    options.separate_files = a.separate_files;
-    options.name = to_standard_output ? file->program.name : fs::path(a.output).stem().string();
-    const auto program = apps::PathProgram::plan(*file, *machine, *post, options);
-    if (!program) return path_fault(findings, program.error());
+    if (const auto read = program->read(); !read) return tell_failure(findings, read.error());
+    const apps::CpuBackstop of_planning(program->cpu_left_s());
+    if (const auto planned = program->plan(); !planned) return tell_failure(findings, planned.error());
     for (const std::string& note : program->notes()) {
         if (!a.quiet) findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = note});
     }

@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "apps/machine_input.h"
-#include "apps/process_words.h"
-#include "apps/run_cell.h"
-#include "apps/run_inputs.h"
-#include "apps/word_table.h"
 #include "base/os/file_identity.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
+#include "engine/inner/machine_input.h"
+#include "engine/inner/process_words.h"
+#include "engine/inner/run_cell.h"
+#include "engine/inner/run_inputs.h"
+#include "engine/inner/word_table.h"
 #include "runtime/process/robots_file.h"
 
 namespace gsim::apps {

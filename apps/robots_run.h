@@ -5,10 +5,10 @@
 
 #include <tl/expected.hpp>
 
-#include "apps/language.h"
 #include "apps/outputs.h"
-#include "apps/override_options.h"
-#include "apps/script_input.h"
+#include "engine/inner/language.h"
+#include "engine/inner/override_changes.h"
+#include "engine/inner/script_input.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/robots_report.h"
 

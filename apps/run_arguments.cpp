@@ -1,11 +1,10 @@
 #include "apps/run_arguments.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
+#include "apps/language_options.h"
 #include "apps/limit_options.h"
-#include "runtime/simulation/trajectory_writer.h"
+#include "engine/run.h"
 
 namespace gsim::apps {
 
@@ -13,32 +12,24 @@ namespace {
 
 std::string contradiction_of_studies(const RunArguments& arguments) {
     if (!arguments.studies.any()) return {};
-    if (!arguments.robots.empty())
+    if (!arguments.request.robots.empty())
         return "--robots does not go with --check-machine, --envelope or --draw-axes";
-    if (!arguments.input.empty())
+    if (!arguments.request.program.empty())
         return fmt::format("--check-machine, --envelope and --draw-axes run no program; take away {}",
-                           arguments.input);
-    if (arguments.outputs.any() || arguments.outputs.explain) {
+                           arguments.request.program);
+    if (arguments.outputs.any() || arguments.request.explain) {
         return "--check-machine, --envelope and --draw-axes run no program, of which there would be a "
                "report, "
                "moves or a path; --check-machine prints, with --json as JSON";
     }
-    if (!arguments.studies.check.empty() && !arguments.machine.empty())
+    if (!arguments.studies.check.empty() && !arguments.request.machine.empty())
         return "--check-machine names the machine file; take away --machine";
     return {};
 }
 
 std::string contradiction_of_robots(const RunArguments& arguments) {
-    if (arguments.robots.empty()) return {};
-    for (const auto& [value, option] : {std::pair{&arguments.machine, "--machine"},
-                                        {&arguments.machine_data, "--machine-data"},
-                                        {&arguments.save_machine_data, "--save-machine-data"},
-                                        {&arguments.cell, "--cell"},
-                                        {&arguments.probe, "--probe"},
-                                        {&arguments.rcs, "--rcs"},
-                                        {&arguments.variables, "--variables"}}) {
-        if (!value->empty()) return fmt::format("{} does not go with --robots", option);
-    }
+    if (arguments.request.robots.empty()) return {};
+    if (!arguments.save_machine_data.empty()) return "--save-machine-data does not go with --robots";
     if (arguments.outputs.on_standard_output())
         return "'-' does not go with --robots: each robot has files of its own";
     return {};
@@ -46,59 +37,61 @@ std::string contradiction_of_robots(const RunArguments& arguments) {
 
 }  // namespace
 
-CellChoice cell_choice(const RunArguments& arguments) {
-    return {.file = arguments.cell,
-            .text = arguments.cell_text,
-            .collisions = !arguments.no_collisions,
-            .read = arguments.cell_read};
+engine::Request request_of(const RunArguments& arguments) {
+    engine::Request request = arguments.request;
+    request.collisions = !arguments.no_collisions;
+    request.limits.memory_bytes = arguments.memory_mb << 20U;
+    return request;
 }
 
 void add_machine_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Machine and language");
     line.add(
-            "--machine", &a.machine,
+            "--machine", &a.request.machine,
             "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
         .of_file(FileKind::input, {".toml"});
-    line.add("--machine-data", &a.machine_data, "machine data (NCFILE): work offsets, variables, aliases")
+    line.add("--machine-data", &a.request.machine_data,
+             "machine data (NCFILE): work offsets, variables, aliases")
         .of_file(FileKind::input, {".txt"});
-    line.add("--cell", &a.cell,
+    line.add("--cell", &a.request.cell,
              "cell file (TOML): the run is looked at for collisions and near misses in it, too; it may name "
              "the machine")
         .of_file(FileKind::input, {".toml"});
     line.add("--no-collisions", &a.no_collisions,
              "do not look for collisions and near misses: neither of the machine's own bodies nor in a cell");
-    line.add("--probe", &a.probe,
+    line.add("--probe", &a.request.probe,
              "what probes touch: z=-3.2 (or x=, y=) is a plane, in mm of machine coordinates of the tool's "
              "end; "
              "none: nothing; without it the bodies of the cell, or without one their targets")
         .called("none|AXIS=MM");
-    add_language_options(line, a.language);
-    line.add("--setup", &a.setup,
+    add_language_options(line, a.request.language);
+    line.add("--setup", &a.request.setup,
              "script (Lua) that runs before the program: user M codes, inputs, answers of the probe")
         .of_file(FileKind::input, {".lua"});
-    line.add("--block-delete", &a.block_delete, "leave out blocks that begin with /");
+    line.add("--block-delete", &a.request.block_delete, "leave out blocks that begin with /");
 }
 
 void add_limit_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Limits");
-    line.add("--stop-at-first", &a.limits.stop_at_first,
+    line.add("--stop-at-first", &a.request.stop_at_first,
              "end the run with an alarm where an axis would pass its limit, or the tool break a zone's rule; "
              "else it goes on, and all of these are told");
-    line.add("--passes", &a.passes,
+    line.add("--passes", &a.request.passes,
              "how often to run a main program that ends in M99 and leads back to its start")
         .called("N")
         .within(1, 1'000'000)
         .shows_default();
-    line.add("--max-time", &a.limits.max_time_s, "end the run after this many seconds of machine time")
+    line.add("--max-time", &a.request.limits.machine_s, "end the run after this many seconds of machine time")
         .called("SECONDS")
         .above_zero()
         .shows_default();
-    line.add("--max-blocks", &a.limits.max_blocks, "end the run after this many blocks")
+    line.add("--max-blocks", &a.request.limits.blocks, "end the run after this many blocks")
         .above_zero()
         .shows_default();
-    line.add("--max-steps", &a.max_steps, "end the run after this many steps of the script without a motion")
+    line.add("--max-steps", &a.request.limits.steps,
+             "end the run after this many steps of the script without a motion")
         .shows_default();
-    add_cpu_option(line, a.max_cpu_s);
+    add_cpu_option(line, a.request.limits.cpu_s);
     add_memory_option(line, a.memory_mb);
     line.add("--no-confine", &a.no_confine,
              "do not take from the run, before it begins, what it does not need: all files but those in the "
@@ -109,16 +102,16 @@ namespace {
 
 void add_override_options(CommandLine& line, RunArguments& a) {
     line.begin_group("The operator");
-    line.add("--feed-override", &a.overrides.feed_percent,
+    line.add("--feed-override", &a.request.overrides.feed_percent,
              "feed override of the whole run; M49, M50 P0, G63, threads and taps lock it")
         .called("PERCENT");
-    line.add("--rapid-override", &a.overrides.rapid_percent, "rapid override of the whole run")
+    line.add("--rapid-override", &a.request.overrides.rapid_percent, "rapid override of the whole run")
         .called("PERCENT");
-    line.add("--spindle-override", &a.overrides.spindle_percent,
+    line.add("--spindle-override", &a.request.overrides.spindle_percent,
              "spindle override of the whole run: it changes what moves in step with the spindle, or with a "
              "feed per revolution")
         .called("PERCENT");
-    line.add("--overrides", &a.overrides.file,
+    line.add("--overrides", &a.request.overrides.file,
              "changes of the overrides in the course of the run, [[override]] with at_s, feed_percent, "
              "rapid_percent and spindle_percent (TOML); a move under way obeys at once, and 0 holds it")
         .of_file(FileKind::input, {".toml"});
@@ -129,7 +122,7 @@ void add_output_options(CommandLine& line, RunArguments& a) {
     line.add("--json", &a.findings.json, "the report as JSON on standard output");
     add_sarif_option(line, a.findings);
     line.add("--quiet", &a.quiet, "no report for people, no progress");
-    line.add("--explain", &a.outputs.explain,
+    line.add("--explain", &a.request.explain,
              "the report tells where the time goes, and the least time that the path allows");
     line.add("--report", &a.outputs.report, "write the report as JSON to this file; -: standard output")
         .of_file(FileKind::output, {".json"});
@@ -139,14 +132,19 @@ void add_output_options(CommandLine& line, RunArguments& a) {
     line.add("--trajectory", &a.outputs.trajectory,
              "write samples of the trajectory to this CSV file; -: standard output")
         .of_file(FileKind::output, {".csv"});
-    line.add("--step", &a.outputs.step_s, "time between samples")
+    line.add("--step", &a.outputs.options.step_s, "time between samples")
         .called("SECONDS")
-        .within(simulation::TrajectoryWriter::kMinStep_s, 1e6)
+        .within(engine::kLeastStep_s, 1e6)
         .shows_default();
+    line.add("--dxf", &a.outputs.dxf,
+             "draw the tool's path into this DXF file (R12, mm), rapids, feed moves and cuts on layers of "
+             "their "
+             "own; -: standard output")
+        .of_file(FileKind::output, {".dxf"});
     line.add("--plot", &a.outputs.plot,
              "draw path, speed and acceleration into this .svg or .png file (needs gnuplot)")
         .of_file(FileKind::output, {".svg", ".png"});
-    line.add("--plot-plane", &a.outputs.plot_plane,
+    line.add("--plot-plane", &a.outputs.options.plane,
              "what the picture shows the path in: xy from above, zx or yz from a side")
         .one_of({"xy", "zx", "yz"})
         .shows_default();
@@ -157,7 +155,7 @@ void add_output_options(CommandLine& line, RunArguments& a) {
 
 void add_stored_options(CommandLine& line, RunArguments& a) {
     line.begin_group("What the control keeps");
-    line.add("--variables", &a.variables,
+    line.add("--variables", &a.request.variables,
              "keep permanent variables in this file: read at the start, written at the end")
         .of_file(FileKind::changed);
     line.add("--save-machine-data", &a.save_machine_data,
@@ -169,22 +167,24 @@ void add_stored_options(CommandLine& line, RunArguments& a) {
 
 void add_further_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Further");
-    line.add("--optional-stop", &a.optional_stop, "M01 stops");
-    line.add("--robots", &a.robots,
-             "robots and conveyors that the script moves (TOML); files of moves, trajectories, plots "
+    line.add("--optional-stop", &a.request.optional_stop, "M01 stops");
+    line.add("--robots", &a.request.robots,
+             "robots and conveyors that the script moves (TOML); files of moves, trajectories, drawings, "
+             "plots "
              "and paths are one for each robot")
         .of_file(FileKind::input, {".toml"});
-    line.add("--rcs", &a.rcs,
+    line.add("--rcs", &a.request.module,
              "controller module (shared library) that plans in place of the built-in planner")
         .of_file(FileKind::input, {".so"});
-    line.add("--lua-lib", &a.lua_lib, "folder with the library in Lua, in place of the one that is built in")
+    line.add("--lua-lib", &a.request.library,
+             "folder with the library in Lua, in place of the one that is built in")
         .of_file(FileKind::folder);
 }
 
 }  // namespace
 
 void add_run_options(CommandLine& line, RunArguments& a) {
-    line.add("part.lua|part.nc", &a.input, "script or part program, or - for standard input")
+    line.add("part.lua|part.nc", &a.request.program, "script or part program, or - for standard input")
         .of_file(FileKind::input, {".lua", ".nc", ".ngc"});
     add_machine_options(line, a);
     add_output_options(line, a);
@@ -206,10 +206,6 @@ void add_run_options(CommandLine& line, RunArguments& a) {
 }
 
 std::string find_contradiction(const RunArguments& arguments) {
-    if (!arguments.rcs.empty() && !arguments.overrides.given().empty()) {
-        return fmt::format("{} does not go with --rcs: a module has an override of its own, SetOverrideSpeed",
-                           arguments.overrides.given());
-    }
     if (std::string fault = contradiction_of_studies(arguments); !fault.empty()) return fault;
     if (std::string fault = contradiction_of_robots(arguments); !fault.empty()) return fault;
     if (const auto conflict = arguments.outputs.conflict()) return *conflict;

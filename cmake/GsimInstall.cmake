@@ -1,5 +1,5 @@
 # What `cmake --install` puts where, in components: programs (with the Lua library to read and change, and the samples), solid,
-# development, docs, licence. Debian's packages take the components as they are (debian/rules).
+# library (libgsim), development, python, docs, licence. Debian's packages take the components as they are (debian/rules).
 # The build calls nothing by where it will be installed, so one build serves every prefix.
 set(GSIM_DATADIR ${CMAKE_INSTALL_DATADIR}/gsim)
 
@@ -23,6 +23,40 @@ string(REPLACE "\"runtime/rrs/rcs_module.h\"" "<gsim/rcs_module.h>" example "${e
 file(CONFIGURE OUTPUT examples/small_module.c CONTENT "${example}" @ONLY)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tests/rrs/modules/small_module.c)
 install(FILES ${CMAKE_BINARY_DIR}/examples/small_module.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT development)
+
+# The engine as a library: headers find each other as <gsim/engine/run.h>, wherever they lie.
+include(CMakePackageConfigHelpers)
+file(GLOB headers CONFIGURE_DEPENDS engine/*.h)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/python/gsim)
+foreach(header ${headers})
+    get_filename_component(name ${header} NAME)
+    file(READ ${header} text)
+    string(REPLACE "#include \"engine/" "#include \"gsim/engine/" text "${text}")
+    set(folder gsim/engine)
+    if(name STREQUAL "gsim.h")
+        set(folder gsim)
+    endif()
+    file(CONFIGURE OUTPUT headers/${folder}/${name} CONTENT "${text}" @ONLY)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
+    install(FILES ${CMAKE_BINARY_DIR}/headers/${folder}/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} COMPONENT development)
+endforeach()
+configure_file(cmake/libgsim.pc.in libgsim.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/libgsim.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig COMPONENT development)
+configure_package_config_file(cmake/gsimConfig.cmake.in gsimConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gsim
+                              PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(gsimConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/gsimConfig.cmake ${CMAKE_BINARY_DIR}/gsimConfigVersion.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gsim COMPONENT development)
+
+# Python: pure, over the shared library. Where a system's Python looks is for its packager to say.
+find_package(Python3 QUIET COMPONENTS Interpreter)
+set(GSIM_PYTHONDIR lib/python3/dist-packages CACHE STRING "Where the module for Python is installed, below the prefix")
+if(Python3_FOUND)
+    execute_process(COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/scripts/cdef.py ${CMAKE_SOURCE_DIR}/engine/gsim.h
+                    OUTPUT_FILE ${CMAKE_BINARY_DIR}/python/gsim/gsim.cdef COMMAND_ERROR_IS_FATAL ANY)
+    configure_file(engine/python/gsim/__init__.py python/gsim/__init__.py COPYONLY)
+    install(DIRECTORY ${CMAKE_BINARY_DIR}/python/gsim DESTINATION ${GSIM_PYTHONDIR} COMPONENT python PATTERN __pycache__ EXCLUDE)
+endif()
 
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT docs)

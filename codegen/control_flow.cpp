@@ -110,6 +110,7 @@ std::optional<ControlFlow::LoopTargets> ControlFlow::loop_targets() const {
                        loop.numbers};
 }
 
+// A label for each block that a jump may mean, and for no other: Lua counts them in 16 bits.
 bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
     if (!computed() && !jumps_->targets.contains(number)) return false;
     if (labels_.size() == kMaxLabels) {
@@ -130,6 +131,7 @@ bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
     return true;
 }
 
+// Lua jumps out of loops and not into them, as the 9/Series does; and over 2^24 instructions at most.
 void ControlFlow::check(const Jump& jump) {
     const auto place = labels_.find(jump.target);
     if (place == labels_.end()) {

@@ -199,6 +199,7 @@ void OWordFlow::write_jump(const Block& block, std::string& out) {
             } else if (innermost) {
                 out += "break ";
             } else {
+                // Lua's break leaves the innermost loop alone; O-words name theirs.
                 structure->left = true;
                 fmt::format_to(std::back_inserter(out), "goto break_{} ", structure->id);
             }
@@ -235,6 +236,7 @@ bool OWordFlow::inside_sub() const {
 
 void OWordFlow::write_return(const Block& block, std::string& out) {
     if (!inside_sub()) fail(block, "return stands inside of a subroutine");
+    // Lua wants `return` at the end of a block of its own; a program may go on behind it.
     out += "do return ";
     if (!block.arguments.empty()) {
         out += "result(";

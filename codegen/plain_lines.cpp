@@ -1,9 +1,8 @@
 #include "codegen/plain_lines.h"
 
-#include <charconv>
-
 #include "base/text/digits.h"
 #include "base/text/letter_case.h"
+#include "base/text/read_number.h"
 
 namespace gsim::codegen {
 
@@ -70,7 +69,7 @@ bool PlainWords::take_number(std::size_t begin) {
     if (digits == 0) return false;
     word_.digits = line_.substr(begin, end - begin);
     const std::string_view number = word_.digits.substr(word_.digits.front() == '+' ? 1 : 0);
-    if (std::from_chars(number.data(), number.data() + number.size(), word_.value).ec != std::errc())
+    if (text::read_number(number.data(), number.data() + number.size(), word_.value).ec != std::errc())
         return false;
     word_.decimals = point == std::string_view::npos ? 0 : static_cast<int>(end - point - 1);
     at_ = end;

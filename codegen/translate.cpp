@@ -53,7 +53,7 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
         result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::run_limit,
                                               .file = options.source_name,
                                               .line = lexer.line(),
-                                              .text = options.end_reason};
+                                              .text = options.end_reason()};
         take_all(*result.first_error);
     }
     if (result.ok) {

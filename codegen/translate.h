@@ -31,7 +31,7 @@ struct TranslateOptions {
     /// Asked as the source is read: true ends the translation with an error of kind run_limit and
     /// `end_reason`.
     std::function<bool()> ends;
-    std::string end_reason;
+    std::function<std::string()> end_reason;
 };
 
 /// What became of a translation.

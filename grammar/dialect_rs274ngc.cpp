@@ -26,8 +26,8 @@ constexpr std::array kFixedCodes = {
     Code{'G', 51, motion, P::motion, A::motion, "IJ", full, "quadratic spline", C::refused},
     Code{'G', 52, motion, P::motion, A::motion, "PL", full, "NURBS, control point", C::refused},
     Code{'G', 53, motion, P::motion, A::none, "", full, "NURBS, end"},
-    Code{'G', 70, lathe_diameter, P::compensation, A::none, "", later, "lathe diameter mode"},
-    Code{'G', 80, lathe_diameter, P::compensation, A::none, "", later, "lathe radius mode"},
+    Code{'G', 70, lathe_diameter, P::compensation, A::none, "", full, "lathe diameter mode"},
+    Code{'G', 80, lathe_diameter, P::compensation, A::none, "", full, "lathe radius mode"},
     Code{'G', 100, one_action, P::data, A::data, "LPRIJQ", full, "coordinate and tool data"},
     Code{'G', 170, plane, P::plane, A::none, "", full, "XY plane"},
     Code{'G', 180, plane, P::plane, A::none, "", full, "ZX plane"},
@@ -203,16 +203,17 @@ constexpr std::array kOrder = {
 }  // namespace
 
 const Dialect& dialect_rs274ngc() {
-    static const Dialect dialect({.name = "rs274ngc",
-                                  .title = "RS274/NGC",
-                                  .style = lexer::Style::rs274ngc,
-                                  .lua_module = "gsim.rs274ngc",
-                                  .alone = "FST",
-                                  .move_words = "IJKRPLQEHD",
-                                  .initial = " G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
-                                  .letters = rs274ngc_table::kLetters,
-                                  .order = rs274ngc_table::kOrder},
-                                 rs274ngc_table::kCodes);
+    static const Dialect dialect(
+        {.name = "rs274ngc",
+         .title = "RS274/NGC",
+         .style = lexer::Style::rs274ngc,
+         .lua_module = "gsim.rs274ngc",
+         .alone = "FST",
+         .move_words = "IJKRPLQEHD",
+         .initial = " G8 G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
+         .letters = rs274ngc_table::kLetters,
+         .order = rs274ngc_table::kOrder},
+        rs274ngc_table::kCodes);
     return dialect;
 }
 

@@ -43,51 +43,56 @@ using gsim::lexer::Role;
 #define YYREALLOC gsim::lexer::checked_realloc
 #define YYMAXDEPTH 100000
 
+// A token that stands in another place than in the scanner's list has another number.
+#define GSIM_TOKEN(token, in_grammar) static_assert(static_cast<int>(in_grammar) == gsim::lexer::token);
+#include "lexer/tokens.def"
+#undef GSIM_TOKEN
+
 static int gcode_lex(gsim::lexer::Value* value, gsim::grammar::Parser& parser) { return parser.scan(*value); }
 static void gcode_error(gsim::grammar::Parser& parser, const char*) { parser.syntax_error(); }
 static Operator operator_of(gsim::lexer::Value token) { return static_cast<Operator>(token.index); }
 }
 
-/* The numbers are those of gsim::lexer::Token. */
-%token EOB 258
-%token TAPE 259
-%token SKIP 260
-%token SEQUENCE 261
-%token PROGRAM 262
-%token AXIS 263
-%token AXIS_OR_TIME 264
-%token P 265
-%token OTHER 266
-%token DWELL 267
-%token CALL 268
-%token AXIS_LETTER 269
-%token AXIS_OR_TIME_LETTER 270
-%token P_LETTER 271
-%token OTHER_LETTER 272
-%token VARIABLE 273
-%token HASH 274
-%token NUMBER 275
-%token FUNCTION 276
-%token ATAN 277
-%token RELATION 278
-%token SUM_WORD 279
-%token PRODUCT_WORD 280
-%token IF 281
-%token THEN 282
-%token WHILE 283
-%token DO 284
-%token END_LOOP 285
-%token GOTO 286
-%token FLOW_NAME 287
-%token FLOW_LETTER 288
-%token FLOW 289
-%token NAMED_VARIABLE 290
-%token POWER 291
-%token LOGIC_WORD 292
-%token EXISTS 293
-%token COMPARISON 294
-%token PRINT 295
-%token SET 296
+/* In the order of lexer/tokens.def. */
+%token EOB
+%token TAPE
+%token SKIP
+%token SEQUENCE
+%token PROGRAM
+%token AXIS
+%token AXIS_OR_TIME
+%token P
+%token OTHER
+%token DWELL
+%token CALL
+%token AXIS_LETTER
+%token AXIS_OR_TIME_LETTER
+%token P_LETTER
+%token OTHER_LETTER
+%token VARIABLE
+%token HASH
+%token NUMBER
+%token FUNCTION
+%token ATAN
+%token RELATION
+%token SUM_WORD
+%token PRODUCT_WORD
+%token IF
+%token THEN
+%token WHILE
+%token DO
+%token END_LOOP
+%token GOTO
+%token FLOW_NAME
+%token FLOW_LETTER
+%token FLOW
+%token NAMED_VARIABLE
+%token POWER
+%token LOGIC_WORD
+%token EXISTS
+%token COMPARISON
+%token PRINT
+%token SET
 
 %left LOGIC_WORD
 

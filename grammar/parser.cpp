@@ -10,10 +10,6 @@ using lexer::DiagnosticKind;
 using lexer::Token;
 using lexer::Value;
 
-static_assert(static_cast<int>(EOB) == lexer::kEob && static_cast<int>(OTHER_LETTER) == lexer::kOtherLetter &&
-                  static_cast<int>(SET) == lexer::kSet && static_cast<int>(GOTO) == lexer::kGoto,
-              "the grammar's tokens have the scanner's numbers");
-
 Parser::Parser(lexer::Lexer& lexer, lexer::Diagnostics& diagnostics, BlockSink& sink)
     : lexer_(lexer), diagnostics_(diagnostics), sink_(sink) {
     block_.text = &lexer_.block();

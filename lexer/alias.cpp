@@ -8,6 +8,7 @@
 
 #include "base/text/digits.h"
 #include "base/text/letter_case.h"
+#include "base/text/read_number.h"
 
 namespace gsim::lexer {
 
@@ -53,7 +54,7 @@ const Aliases::Word* Aliases::find(std::string_view name) const {
 
 bool Aliases::stand_for(char letter, int number) const {
     return std::any_of(words_.begin(), words_.end(), [&](const auto& entry) {
-        return entry.second.letter == letter && std::strtod(entry.second.number.c_str(), nullptr) == number;
+        return entry.second.letter == letter && text::number_of(entry.second.number) == number;
     });
 }
 

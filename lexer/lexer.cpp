@@ -64,10 +64,13 @@ void Lexer::start_block() {
 }
 
 void Lexer::fail(std::uint32_t column, DiagnosticKind kind, std::string_view message, std::string_view hint) {
+    // What follows the first fault of a block is mostly its consequence.
     if (!block_.bad) diagnostics_.error(block_.at(column), kind, message, hint);
     block_.bad = true;
 }
 
+// Lines are cut before they reach flex, whose buffer grows with the longest token: a file without a line end,
+// however long, takes the memory of one line. What was cut is told when the scanner comes to that line's end.
 std::size_t Lexer::fill(char* buffer, std::size_t capacity) {
     while (const std::size_t count = source_.read(buffer, capacity)) {
         std::size_t out = 0;

@@ -94,6 +94,7 @@ std::optional<Slice> Lexer::add_number(std::string_view digits, bool negative) {
     return slice;
 }
 
+// RS274/NGC needs no second readings: its G4 takes P alone, and U is an axis.
 Token Lexer::classify(const Word& word) const {
     if (is_axis_letter(word.address)) return kAxis;
     if (is_ngc()) return word.address == 'X' || word.address == 'U' ? kAxis : kOther;

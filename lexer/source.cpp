@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -28,6 +29,14 @@ tl::expected<Source, std::string> Source::open(const std::string& path, os::Name
     if (!S_ISREG(info.st_mode)) return spool(source.file_.get(), path);
     source.size_ = static_cast<std::uint64_t>(info.st_size);
     return source;
+}
+
+tl::expected<Source, std::string> Source::open(const os::Files& files, const std::string& path,
+                                               os::NamedBy named_by) {
+    if (files.are_of_system()) return open(path, named_by);
+    return files.read(path, named_by, std::numeric_limits<std::size_t>::max()).map([&](std::string text) {
+        return from_text(std::move(text), path);
+    });
 }
 
 tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string name) {

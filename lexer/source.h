@@ -10,6 +10,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/os/files.h"
 #include "base/os/input_file.h"
 
 namespace gsim::lexer {
@@ -28,6 +29,9 @@ class Source {
     /// Opens a regular file, or copies the data of a pipe as spool() does. The error is a sentence for the
     /// user.
     static tl::expected<Source, std::string> open(const std::string& path,
+                                                  os::NamedBy named_by = os::NamedBy::a_file);
+    /// The same of files that may be those of a program.
+    static tl::expected<Source, std::string> open(const os::Files& files, const std::string& path,
                                                   os::NamedBy named_by = os::NamedBy::a_file);
     /// Copies a stream that cannot be read twice (standard input) to an anonymous temporary file.
     static tl::expected<Source, std::string> spool(std::FILE* stream, std::string name);

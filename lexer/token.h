@@ -4,50 +4,13 @@
 
 namespace gsim::lexer {
 
-/// Kinds of tokens. The grammar declares the same numbers.
+/// Kinds of tokens: those of tokens.def, and the two that every grammar of Bison has.
 enum Token : int {
     kEnd = 0,
     kBad = 257,  ///< What no rule of the scanner knows; the diagnostic has been given. (Bison's "undefined".)
-    kEob = 258,  ///< End of block: the end of the line, or ';'.
-    kTape,       ///< %
-    kSkip,       ///< /n
-    kSequence,   ///< N10
-    kProgram,    ///< O1 or another program name
-    kAxis,       ///< A word whose letter is an axis and nothing else
-    kAxisOrTime,  ///< X or U: an axis, or the seconds of a dwell
-    kP,           ///< P: seconds, a program, a parameter
-    kOther,       ///< Any other word with a value, G and M codes among them
-    kDwell,       ///< G04
-    kCall,        ///< M98, M99
-    kAxisLetter,  ///< As above, but an expression is to follow
-    kAxisOrTimeLetter,
-    kPLetter,
-    kOtherLetter,
-    kVariable,  ///< #5
-    kHash,      ///< # before an expression or another #
-    kNumber,
-    kFunction,  ///< SIN ...
-    kAtan,
-    kRelation,     ///< EQ ...
-    kSumWord,      ///< OR, XOR: bind as + and -
-    kProductWord,  ///< AND, MOD: bind as * and /
-    kIf,
-    kThen,
-    kWhile,
-    kDo,
-    kEndLoop,
-    kGoto,
-    // RS274/NGC
-    kFlowName,       ///< O100, O<name>
-    kFlowLetter,     ///< O before an expression
-    kFlow,           ///< sub, call, if ...: a Flow in Value::index
-    kNamedVariable,  ///< #<name>
-    kPower,          ///< **
-    kLogicWord,      ///< AND, OR, XOR: bind weakest
-    kExists,
-    kComparison,  ///< EQ ... of RS274/NGC, which may be chained
-    kPrint,       ///< DPRNT[..], POPEN or PCLOS: a Print in Value::index, its text in BlockText::print
-    kSet,         ///< = among words, with one value behind it
+#define GSIM_TOKEN(token, in_grammar) token,
+#include "lexer/tokens.def"
+#undef GSIM_TOKEN
 };
 
 /// Statements of the 9/Series that write to the outside.

@@ -33,6 +33,11 @@ function axes.program_position()
   return core.to_program(#unwinding > 0 and axes.shown(axes.programmed_point()) or {})
 end
 
+-- The value of an axis word in program units, of which it may count another number (core.set_word_factor).
+function axes.word_in_units(letter, value)
+  return is_rotary[letter] ~= nil and value * core.word_factor(letter) or value
+end
+
 -- The value of an axis in mm or deg, and in program units.
 function axes.in_mm(letter, value) return is_rotary[letter] and value or value * core.unit_mm() end
 function axes.in_program_units(letter, value) return is_rotary[letter] and value or value / core.unit_mm() end

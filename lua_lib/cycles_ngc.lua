@@ -178,12 +178,17 @@ local function check_axes(words, name, p)
   ngc_modes.check_spindle(words, name)
 end
 
-local function number_in(words, letter, name) return cycles.word(words, letter, name) or 0 end
+-- An axis word of a cycle, in program units, or nil where it is left out.
+local function axis_word(words, letter, name)
+  local value = cycles.word(words, letter, name)
+  return value and axes.word_in_units(letter, value)
+end
+
 
 -- Steps from hole to hole in incremental dimensions.
 local function stepper(words, name, p)
-  local first, second = number_in(words, p.first, name), number_in(words, p.second, name)
-  local radius, angle = number_in(words, "radius", name), number_in(words, "angle", name)
+  local first, second = axis_word(words, p.first, name) or 0, axis_word(words, p.second, name) or 0
+  local radius, angle = cycles.word(words, "radius", name) or 0, cycles.word(words, "angle", name) or 0
   return function(hole)
     hole.first, hole.second = hole.first + first, hole.second + second
     if radius == 0 and angle == 0 then return end
@@ -204,8 +209,8 @@ local function absolute_place(hole, words, name, p)
     hole.first, hole.second = reach * math.cos(turn), reach * math.sin(turn)
     return
   end
-  hole.first = cycles.word(words, p.first, name) or hole.first
-  hole.second = cycles.word(words, p.second, name) or hole.second
+  hole.first = axis_word(words, p.first, name) or hole.first
+  hole.second = axis_word(words, p.second, name) or hole.second
 end
 
 -- Strokes in program units, from a tool that moves in mm.
@@ -219,7 +224,7 @@ end
 
 local function levels(hole, words, name, p, again, current)
   hole.r = required(words, "r", name, again)
-  local depth = cycles.word(words, p.third, name)
+  local depth = axis_word(words, p.third, name)
   if depth == nil and again then depth = held.depth end
   if depth == nil then alarm("word-missing", "%s needs %s, the depth of the hole", name, p.third:upper()) end
   held.depth = depth

@@ -11,7 +11,7 @@ local own = {
     "ab9_modes", "ab9_print", "ab9_ramps", "ab9_transform", "ab9_variables", "ab9_zones", "cycles_ab9", "threads_ab9",
   },
   rs274ngc = {
-    "cycles_ngc", "ngc_computed", "ngc_context", "ngc_frames", "ngc_g10", "ngc_home", "ngc_io", "ngc_messages",
+    "cycles_ngc", "ngc_computed", "ngc_context", "ngc_frames", "ngc_g10", "ngc_home", "ngc_io", "ngc_lathe", "ngc_messages",
     "ngc_modes", "ngc_named", "ngc_overrides", "ngc_polar", "ngc_probe", "ngc_shared", "ngc_splines", "ngc_subs",
     "ngc_variables", "threads_ngc",
   },

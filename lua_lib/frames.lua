@@ -25,7 +25,7 @@ local function each_axis(words, name, others, set)
     if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, tostring(letter)) end
     if axes.is_rotary[letter] ~= nil then
       any = true
-      set(letter, axes.in_mm(letter, value))
+      set(letter, axes.in_mm(letter, axes.word_in_units(letter, value)))
     elseif others:find(" " .. tostring(letter) .. " ", 1, true) == nil then
       no_axis(letter, value, name)
     end

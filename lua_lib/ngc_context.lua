@@ -16,10 +16,12 @@ local words_of = {}   -- by group, the words with which its code was called
 
 local saved_modes          -- of the subroutine
 
+local function note(name, group)
+  words.after(name, "modal state", function(_, given) active[group], words_of[group] = name, given end)
+end
+
 for name, group in unordered(core.codes.group) do
-  if active[group] then
-    words.after(name, "modal state", function(_, given) active[group], words_of[group] = name, given end)
-  end
+  if active[group] then note(name, group) end
 end
 
 local function keep(automatic)
@@ -70,6 +72,15 @@ local groups = {
   "spindle speed mode", "feed mode",
 }
 
+-- M70 keeps a further group, whose code is this one when a run begins.
+local function keep_group(group, code)
+  active[group] = code
+  groups[#groups + 1] = group
+  for name, of in unordered(core.codes.group) do
+    if of == group then note(name, group) end
+  end
+end
+
 local function restore(saved)
   local written = written_values(saved)
   for _, group in ipairs(groups) do bring_back(saved, group) end
@@ -100,4 +111,4 @@ hooks.on("return", "modal state", function(frame)
   saved_modes = frame.saved
 end)
 
-return { active = active }
+return { active = active, keep_group = keep_group }

@@ -174,15 +174,6 @@ word("G64", function(words)
   path.warn_of_stops("G64 (continuous mode)")
 end)
 
-local function refused(name, shown, reason)
-  word(name, function() alarm("code-unsupported", "%s is not supported: %s", shown, reason) end)
-end
-refused("G7", "G7 (diameter mode)", "X is a radius here")
-for plane, axes_of_plane in pairs { G17_1 = "UV", G18_1 = "WU", G19_1 = "VW" } do
-  refused(plane, plane:sub(1, 3) .. ".1", ("arcs and cycles are in XY, ZX and YZ, not in " .. axes_of_plane))
-end
-refused("G8", "G8 (radius mode)", "it is always in force, and G7 is not supported")
-
 -- A code that the translator put off: the subroutine around it is called after all.
 function env.unknown_code(code)
   alarm("code-unknown", "%s is no code of RS274/NGC", code)

@@ -92,8 +92,6 @@ predefine("_imperial", function() return core.unit_mm() ~= 1 end)
 predefine("_absolute", function() return not core.is_incremental() end)
 predefine("_incremental", function() return core.is_incremental() end)
 predefine("_ijk_absolute_mode", function() return core.has_absolute_arc_centers() end)
-predefine("_lathe_diameter_mode", function() return false end)
-predefine("_lathe_radius_mode", function() return true end)   -- coordinates are never diameters here
 
 predefine("_inverse_time", function() return core.feed_mode() == "inverse" end)
 predefine("_units_per_minute", function() return core.feed_mode() == "minute" end)
@@ -149,3 +147,5 @@ for i, letter in ipairs(parameters.letters) do
     return axes.in_program_units(letter, axes.shown(axes.programmed_point())[letter])
   end)
 end
+
+return { predefine = predefine }

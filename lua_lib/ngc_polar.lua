@@ -25,7 +25,8 @@ core.on_polar(function(words)
   end
   local cartesian = copied(words)
   cartesian.radius, cartesian.angle = nil, nil
-  cartesian.x, cartesian.y = radius * math.cos(angle), radius * math.sin(angle)
-  if core.is_incremental() then cartesian.x, cartesian.y = cartesian.x - x, cartesian.y - y end
+  local to_x, to_y = radius * math.cos(angle), radius * math.sin(angle)
+  if core.is_incremental() then to_x, to_y = to_x - x, to_y - y end
+  cartesian.x, cartesian.y = to_x / core.word_factor("x"), to_y / core.word_factor("y")
   return cartesian
 end)

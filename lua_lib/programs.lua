@@ -111,11 +111,20 @@ function env.run(name)
   calls.leave(frame)
 end
 
+-- O1000, as the report names it: programs are called by the hundred thousand, and a name is made once.
+local names = {}
+
+local function name_of(number)
+  local name = names[number] or ("O%d"):format(number)
+  names[number] = name
+  return name
+end
+
 -- Calls a program by its number: `times` passes. The result is the number of the block at which the caller goes on
 -- (M99 P), or nil.
 local function call_program(number, times)
   local body = find_program(number)
-  local frame = calls.enter(("O%d"):format(number))
+  local frame = calls.enter(name_of(number))
   local block
   for pass = 1, times do
     if pass > 1 then core.repeat_program() end

@@ -53,14 +53,19 @@ end
 
 local MOST_PASSES = 10000
 
+-- A depth of G76: it is along X, and counts as words of X do.
+local function depth_word(words, letter)
+  return axes.word_in_units("x", needed(words, letter, "G76")) * core.unit_mm()
+end
+
 -- The words of a threading cycle, lengths in mm.
 local function thread_words(words)
   local unit = core.unit_mm()
   local t = {
     pitch = needed(words, "p", "G76") * unit,
-    peak = needed(words, "i", "G76") * unit,        -- from the drive line to the crest, below 0 for an outside thread
-    first_cut = needed(words, "j", "G76") * unit,
-    full_depth = needed(words, "k", "G76") * unit,
+    peak = depth_word(words, "i"),                  -- from the drive line to the crest, below 0 for an outside thread
+    first_cut = depth_word(words, "j"),
+    full_depth = depth_word(words, "k"),
     degression = math.max(cycles.word(words, "r", "G76") or 1, 1),
     slant = math.rad(cycles.word(words, "q", "G76") or 0),
     spring_passes = cycles.repeats(cycles.word(words, "h", "G76") or 0, "H", "G76"),

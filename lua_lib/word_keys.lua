@@ -42,7 +42,7 @@ return function(name, meaning)
   local keys = core.codes.keys[name]
   if keys == nil then return meaning end
   local known   -- made at the first call
-  return function(words, ...)
+  return function(words, more)
     if type(words) == "table" then
       known = known or known_keys(keys)
       for key in unordered(words) do
@@ -51,6 +51,6 @@ return function(name, meaning)
     elseif words ~= nil and not LOOKS_BY_ITSELF[name] then
       check_table(words, printed(name))
     end
-    return meaning(words, ...)
+    return meaning(words, more)
   end
 end

@@ -7,7 +7,7 @@
 -- A name or a list of names; the names of hooks and their order are in hooks.lua. Names of user M codes ("M101") can be
 -- hooked, too, and names that the dialect does not have.
 
-local copied, printed = use("basics", "copied", "printed")
+local alarm, copied, printed = use("basics", "alarm", "copied", "printed")
 local compensation, hooks, path, word_keys = use "compensation", use "hooks", use "path", use "word_keys"
 
 local words = {}
@@ -109,8 +109,18 @@ local function unknown(_, name)
   error(("there is no '%s' here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
 end
 
+-- Codes that the dialect refuses are refused in scripts by hand, too.
+local function refuse_others()
+  for name, meaning in unordered(core.codes.unsupported) do
+    if not owner[name] then
+      words.word(name, function() alarm("code-unsupported", "%s (%s) is not supported", printed(name), meaning) end)
+    end
+  end
+end
+
 -- All files have said their words: scripts may see them.
 function words.finish()
+  refuse_others()
   setmetatable(env, { __index = unknown })
   for name, value in unordered(seen) do env[name] = hooked[name] and words.with_hooks(name, value) or value end
 end

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Looks at our own sources without running them.
-# Usage: scripts/lint.sh format         is everything formatted as .clang-format says?
+# Usage: scripts/lint.sh format         is everything formatted as .clang-format says, are tests named NamedLikeThis?
 #        scripts/lint.sh tidy           clang-tidy (.clang-tidy) over all sources of the programs, in batches: most of the time goes into
 #                                       headers, which are looked at once for each batch
 #        scripts/lint.sh alone COMMITS  does each source that the last commits changed compile by itself? Batches hide a missing #include
@@ -17,7 +17,13 @@ format() {
             code=1
         }
     done < <(scripts/sources.sh)
+    test_names || code=1
     return $code
+}
+
+# GoogleTest makes names of its own with '_'.
+test_names() {
+    ! git grep -nE '^(TEST|TEST_F|TEST_P|TYPED_TEST)\(\w+, *(\w*_|[a-z])' -- '*.cpp' '*.h'
 }
 
 # The generated headers, and compile_commands.json, in a folder. Usage: prepare FOLDER [options of cmake]

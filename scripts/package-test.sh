@@ -93,7 +93,7 @@ if why=$(no_roots); then
     echo "skipped: no empty roots, since $why"
 else
     mkdir "$scratch/gsim-packages"
-    cp tests/install/check.sh tests/install/packages.sh "$packages"/*.deb "$scratch/gsim-packages"
+    cp tests/install/check.sh tests/install/engine.sh tests/install/packages.sh "$packages"/*.deb "$scratch/gsim-packages"
     echo "the Debian packages in an empty root ($release):"
     counted in_root "$release" "$(mirror "$release")" "$scratch/gsim-packages" \
         '/opt/gsim-packages/packages.sh /opt/gsim-packages'

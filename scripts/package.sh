@@ -53,7 +53,7 @@ licences() {
     mkdir "$1"
     {
         for library in "${@:2}"; do package_of "$library"; done
-        printf '%s\n' libcli11-dev libeigen3-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev
+        printf '%s\n' libcli11-dev libeigen3-dev libexpected-dev libfast-float-dev libtomlplusplus-dev nlohmann-json3-dev
     } | sort -u | while read -r package; do
         install -m 644 "/usr/share/doc/$package/copyright" "$1/$package"
     done

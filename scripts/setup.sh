@@ -1,19 +1,20 @@
 #!/bin/bash
 # Installs the Debian packages that are missing, if any is. Groups: build (programs; always), test, coverage, lint,
-# clang (compiles for sanitizers and fuzzing), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
+# clang (compiles for sanitizers and fuzzing), wasm (WebAssembly: 800 MB; a node that is installed serves as well as Debian's), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
 # without it, too), site (the documentation as pages), package (makes packages and tries them).
-# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [site] [package]
+# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [site] [package]
 set -euo pipefail
 
 declare -A packages=(
     [build]="g++ cmake make bison flex pkg-config liblua5.4-dev libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-             libtomlplusplus-dev libexpected-dev libfcl-dev libpugixml-dev"
-    [test]="libgtest-dev libgmock-dev liborocos-kdl-dev libpolyclipping-dev lua5.4 gnuplot-nox python3 jq
+             libtomlplusplus-dev libexpected-dev libfast-float-dev libpugixml-dev"
+    [test]="libgtest-dev libgmock-dev libfcl-dev liborocos-kdl-dev libpolyclipping-dev lua5.4 gnuplot-nox python3 jq
             locales"
     [coverage]="gcovr"
     [lint]="clang-format clang-tidy"
     [clang]="clang libclang-rt-14-dev llvm"
     [step]="libocct-data-exchange-dev"
+    [wasm]="emscripten python3 dpkg-dev"
     [site]="mkdocs"
     [package]="debhelper dpkg-dev lintian patchelf mmdebstrap"
 )

@@ -10,7 +10,7 @@ readonly source=build/site-src
 rm -rf "$source"
 mkdir -p "$source"
 cp -r --parents README.md SECURITY.md CONTRIBUTING.md CHANGELOG.md LICENSE docs samples lua_lib/README.md bench/README.md \
-    bench/RESULTS.md tests/fuzz/README.md tests/fuzz/RESULTS.md "$source"
+    bench/RESULTS.md tests/fuzz/README.md tests/fuzz/RESULTS.md engine/gsim.h "$source"
 
 # The same pages from the same sources: what mkdocs dates, it dates by the last commit.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)}

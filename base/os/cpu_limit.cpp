@@ -46,6 +46,7 @@ CpuLimit::CpuLimit(double seconds) : seconds_(seconds), end_s_(thread_time_s() +
 
 bool CpuLimit::reached() {
     if (reached_) return true;
+    if (was_asked()) return reached_ = true;
     std::timespec now{};
     ::clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
     if (is_before(now, not_before_)) return false;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <ctime>
+#include <memory>
+#include <utility>
 
 namespace gsim::os {
 
@@ -11,8 +14,14 @@ class CpuLimit {
   public:
     explicit CpuLimit(double seconds);
 
-    /// Whether the time is used up. Cheap enough for each block of a program: a thread cannot have spent more
-    /// than has passed, so its clock, a call of the system, is read only when that might be enough.
+    /// It counts as reached as soon as this is true, which any thread may set.
+    void end_when(std::shared_ptr<const std::atomic<bool>> asked) { asked_ = std::move(asked); }
+    /// Whether that was the reason.
+    bool was_asked() const { return asked_ != nullptr && *asked_; }
+
+    /// Whether the time is used up, or the end was asked for. Cheap enough for each block of a program: a
+    /// thread cannot have spent more than has passed, so its clock, a call of the system, is read only when
+    /// that might be enough.
     bool reached();
     double seconds() const { return seconds_; }
     /// What is left of them, or less than 0.
@@ -23,6 +32,7 @@ class CpuLimit {
     double end_s_;                ///< On the thread's clock.
     std::timespec not_before_{};  ///< On the coarse clock: nothing to look at until then.
     bool reached_ = false;
+    std::shared_ptr<const std::atomic<bool>> asked_ = nullptr;
 };
 
 /// A bound of the processor time of the whole process, for work that does not ask: where it is used up, a

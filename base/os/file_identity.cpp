@@ -1,33 +1,56 @@
 #include "base/os/file_identity.h"
 
 #include <cerrno>
+#include <utility>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 namespace gsim::os {
 
 namespace {
 
-std::optional<FileIdentity> identity_of_regular(const struct stat& status) {
-    if (!S_ISREG(status.st_mode)) return std::nullopt;
-    return FileIdentity{.device = status.st_dev, .inode = status.st_ino, .name = {}};
+// A descriptor that reads and writes nothing, for which a file needs no permission.
+#ifdef O_PATH
+constexpr int kHold = O_PATH | O_CLOEXEC;
+#else
+constexpr int kHold = O_RDONLY | O_NONBLOCK | O_CLOEXEC;
+#endif
+
+struct Held {
+    struct stat status {};
+    std::shared_ptr<const Descriptor> descriptor;
+};
+
+// Nothing where there is no such file: errno says why.
+std::optional<Held> hold(const std::filesystem::path& path) {
+    Held held;
+    held.descriptor = std::make_shared<const Descriptor>(::open(path.c_str(), kHold));
+    if (held.descriptor->number() < 0 || ::fstat(held.descriptor->number(), &held.status) != 0)
+        return std::nullopt;
+    return held;
 }
 
 }  // namespace
 
 std::optional<FileIdentity> identity_of(const std::filesystem::path& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) == 0) return identity_of_regular(status);
-    if (errno != ENOENT || !path.has_filename()) return std::nullopt;
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (::stat(folder.c_str(), &status) != 0) return std::nullopt;
-    return FileIdentity{.device = status.st_dev, .inode = status.st_ino, .name = path.filename().string()};
+    const bool may_be_new = path.has_filename();
+    if (auto held = hold(path)) {
+        if (!S_ISREG(held->status.st_mode)) return std::nullopt;
+        return FileIdentity{held->status.st_dev, held->status.st_ino, {}, std::move(held->descriptor)};
+    }
+    if (errno != ENOENT || !may_be_new) return std::nullopt;
+    auto folder = hold(path.has_parent_path() ? path.parent_path() : ".");
+    if (!folder) return std::nullopt;
+    return FileIdentity{folder->status.st_dev, folder->status.st_ino, path.filename().string(),
+                        std::move(folder->descriptor)};
 }
 
 std::optional<FileIdentity> identity_of_open(int descriptor) {
     struct stat status {};
     if (::fstat(descriptor, &status) != 0) return std::nullopt;
-    return identity_of_regular(status);
+    if (!S_ISREG(status.st_mode)) return std::nullopt;
+    return FileIdentity{status.st_dev, status.st_ino, {}};
 }
 
 }  // namespace gsim::os

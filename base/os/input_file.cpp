@@ -15,7 +15,6 @@ namespace gsim::os {
 
 namespace {
 
-constexpr std::size_t kMaxTextFileBytes = std::size_t{4} << 20U;
 constexpr std::size_t kInputChunk = std::size_t{1} << 16U;
 constexpr unsigned kBitsOfMiB = 20;
 
@@ -69,12 +68,15 @@ tl::expected<std::string, std::string> read_input(const std::filesystem::path& p
         if (std::ferror(file->get()) != 0) break;
         text.append(chunk.data(), count);
         if (text.size() > max_bytes) {
-            return tl::unexpected("'" + path.string() + "' is larger than " +
-                                  std::to_string(max_bytes >> kBitsOfMiB) + " MiB");
+            return tl::unexpected(too_large(path, max_bytes));
         }
     }
     if (std::ferror(file->get()) != 0) return tl::unexpected(cannot_read_input(path, reason(errno)));
     return text;
+}
+
+std::string too_large(const std::filesystem::path& path, std::size_t max_bytes) {
+    return "'" + path.string() + "' is larger than " + std::to_string(max_bytes >> kBitsOfMiB) + " MiB";
 }
 
 tl::expected<std::string, std::string> read_text_file(const std::filesystem::path& path, NamedBy named_by) {

@@ -17,6 +17,9 @@ enum class NamedBy {
                    ///< for.
 };
 
+/// The most bytes of a small file written by hand.
+inline constexpr std::size_t kMaxTextFileBytes = std::size_t{4} << 20U;
+
 /// A file that is open for reading bytes.
 using InputFile = FileHandle;
 
@@ -28,6 +31,9 @@ tl::expected<InputFile, std::string> open_input(const std::filesystem::path& pat
 /// All bytes of a file of up to `max_bytes`, whole MiB. The error is a sentence with its name.
 tl::expected<std::string, std::string> read_input(const std::filesystem::path& path, NamedBy named_by,
                                                   std::size_t max_bytes);
+
+/// The sentence on a file that has more than `max_bytes`.
+std::string too_large(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// The bytes of a small file written by hand (at most 4 MiB). The error is a sentence that names the file.
 tl::expected<std::string, std::string> read_text_file(const std::filesystem::path& path,

@@ -117,8 +117,9 @@ tl::expected<void, std::string> OutputFile::open_beside() {
     return cannot_write(error);
 }
 
-void OutputFile::write(std::string_view text) {
+bool OutputFile::write(std::string_view text) {
     if (error_ == 0 && std::fwrite(text.data(), 1, text.size(), stream_.get()) != text.size()) error_ = errno;
+    return error_ == 0;
 }
 
 // The first failure of all that was written, as errno.
@@ -140,7 +141,11 @@ tl::expected<void, std::string> OutputFile::settle(Reach reach) {
 int OutputFile::rename() const {
     const char* from = temporary_.name().c_str();
     if (existing_ == Existing::keep) {
+#ifdef RENAME_NOREPLACE  // of Linux
         if (::renameat2(AT_FDCWD, from, AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0) return 0;
+#else
+        errno = ENOSYS;
+#endif
         if (errno != EINVAL && errno != ENOSYS) return errno;  // some file systems cannot
         if (::access(path_.c_str(), F_OK) == 0) return EEXIST;
     }

@@ -46,8 +46,8 @@ class OutputFile {
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile() = default;
 
-    /// Writes a piece. The first failure is kept for commit(), and what comes after it is dropped.
-    void write(std::string_view text);
+    /// Writes a piece. The first failure is kept for commit(), and what comes after it is dropped: false.
+    bool write(std::string_view text);
     /// For who must write to a stream, open until commit(), which knows of a failure, but not its reason.
     std::FILE* stream() const { return stream_.get(); }
     /// Closes the file, so that a full disk shows, and commit() only gives it its name. Where several files

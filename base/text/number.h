@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -20,11 +18,6 @@ constexpr std::string_view unsigned_zero(std::string_view digits) {
 }
 
 /// The value with so many digits behind the point, 0 to 9; what these show as 0 has no sign.
-inline std::string fixed(double value, int decimals) {
-    std::array<char, 340> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                   std::chars_format::fixed, decimals);
-    return std::string(unsigned_zero({buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data())}));
-}
+std::string fixed(double value, int decimals);
 
 }  // namespace gsim::text

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/read_number.h"
 #include "base/text/trimmed.h"
 
 namespace gsim::drawing {
@@ -52,15 +53,12 @@ std::optional<Group> GroupReader::next() {
 }
 
 double number_of(const Group& group) {
-    std::string_view text = group.value;
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    const std::optional<double> value = text::number_of(group.value);
+    if (!value) {
         throw DrawingFault{group.line, fmt::format("'{}' (group code {}) is no finite number",
                                                    shown_text(group.value), group.code)};
     }
-    return value;
+    return *value;
 }
 
 void GroupList::read(Group first, GroupReader& reader) {

@@ -1,11 +1,11 @@
 #include "cam/drawing/svg_values.h"
 
 #include <array>
-#include <charconv>
 #include <numbers>
 #include <vector>
 
 #include "base/text/digits.h"
+#include "base/text/read_number.h"
 #include "base/units.h"
 
 namespace gsim::drawing {
@@ -52,12 +52,12 @@ std::optional<double> SvgScanner::number() {
     skip_blanks();
     std::size_t first = offset_;
     if (first < text_.size() && text_[first] == '+') ++first;
-    // from_chars would take "inf" and "nan" as well.
+    // read_number would take "inf" and "nan" as well.
     std::size_t digit = first;
     while (digit < text_.size() && (text_[digit] == '-' || text_[digit] == '.')) ++digit;
     if (digit >= text_.size() || !text::is_digit(text_[digit])) return {};
     double value = 0;
-    const auto [end, error] = std::from_chars(text_.data() + first, text_.data() + text_.size(), value);
+    const auto [end, error] = text::read_number(text_.data() + first, text_.data() + text_.size(), value);
     if (error != std::errc{}) return {};
     offset_ = static_cast<std::size_t>(end - text_.data());
     return value;

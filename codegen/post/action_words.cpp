@@ -1,8 +1,8 @@
 #include "codegen/post/action_words.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "base/text/read_number.h"
 #include "codegen/post/gcode_numbers.h"
 #include "codegen/post/post.h"
 
@@ -31,9 +31,7 @@ std::size_t longest(std::string_view place, std::string_view text) {
 }
 
 std::string in_unit(const std::string& number, double unit_mm) {
-    double value = 0;
-    std::from_chars(number.data(), number.data() + number.size(), value);
-    return trimmed(value / unit_mm, kLengthDecimals);
+    return trimmed(text::number_of(number).value_or(0) / unit_mm, kLengthDecimals);
 }
 
 }  // namespace

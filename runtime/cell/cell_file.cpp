@@ -36,9 +36,10 @@ rrs::CartPos read_pose(FirstError& error, const toml::table* table) {
 /// Reads the tables of a cell file into a cell that has the machine's shapes already.
 class CellReader {
   public:
-    CellReader(FirstError& error, std::filesystem::path folder, Cell cell)
+    CellReader(FirstError& error, std::filesystem::path folder, const MeshFiles& files, Cell cell)
         : error_(error),
           folder_(std::move(folder)),
+          files_(files),
           machine_items_(cell.items.size()),
           cell_(std::move(cell)) {
         for (std::size_t i = 0; i < cell_.items.size(); ++i) items_by_name_.emplace(cell_.items[i].name, i);
@@ -141,10 +142,10 @@ class CellReader {
 
     void add_item(TomlSection& section, const toml::table& table, std::string name, Role role,
                   std::size_t parent) {
-        const auto form = machine::read_shape(error_, section, table, folder_);
+        const auto form = machine::read_shape(error_, section, table, folder_, files_.files);
         const std::size_t frame = add_frame(section, name, parent);
         if (!form) return;
-        auto shape = make_shape(*form);
+        auto shape = make_shape(*form, files_);
         if (!shape) return section.fail("shape", shape.error());
         items_by_name_.emplace(name, cell_.items.size());
         cell_.items.push_back({std::move(name), role, *std::move(shape), frame});
@@ -158,6 +159,7 @@ class CellReader {
 
     FirstError& error_;
     std::filesystem::path folder_;
+    const MeshFiles& files_;
     std::size_t machine_items_;  ///< The first so many items are the machine's.
     Cell cell_;
     std::map<std::string, std::size_t, std::less<>> items_by_name_;  ///< The first of a name.
@@ -182,12 +184,12 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
 
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
                                           const machine::Machine& machine,
-                                          std::span<const std::string> conveyors) {
+                                          std::span<const std::string> conveyors, const MeshFiles& files) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
-    auto bare = cell_of_machine(machine);
+    auto bare = cell_of_machine(machine, files);
     if (!bare) return bare;
-    CellReader reader(error, std::filesystem::path(file_name).parent_path(), *std::move(bare));
+    CellReader reader(error, std::filesystem::path(file_name).parent_path(), files, *std::move(bare));
     for (const std::string& conveyor : conveyors) reader.add_conveyor(conveyor, root);
     Cell cell = reader.read(root);
     if (error.text()) return tl::unexpected(*error.text());

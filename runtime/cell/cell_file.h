@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/cell/cell.h"
+#include "runtime/cell/mesh_file.h"
 
 namespace gsim::cell {
 
@@ -26,6 +27,7 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
 /// where those stand at 0, to which things may be attached; Cell::carried begins with them.
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
                                           const machine::Machine& machine,
-                                          std::span<const std::string> conveyors = {});
+                                          std::span<const std::string> conveyors = {},
+                                          const MeshFiles& files = {});
 
 }  // namespace gsim::cell

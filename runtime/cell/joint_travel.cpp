@@ -17,8 +17,10 @@ struct Span {
     double duration_s() const { return to_s - from_s; }
     double way(const motion::TimeLaw& law) const { return law.at(to_s).s - law.at(from_s).s; }
     // A function of time is nowhere farther from its chord than an eighth of its greatest second derivative
-    // times the square of the time; and a law never runs backwards.
+    // times the square of the time, unless its speed jumps inside, where a law of unlimited acceleration ends
+    // before the others; and a law never runs backwards.
     double bend(const motion::TimeLaw& law) const {
+        if (law.duration_s() < to_s && law.jumps()) return way(law);
         return std::min(way(law), law.peak_acceleration() * duration_s() * duration_s() / 8);
     }
 };

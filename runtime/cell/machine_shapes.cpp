@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "runtime/cell/mesh_file.h"
 #include "runtime/machine/frame_pose.h"
 
 namespace gsim::cell {
@@ -13,32 +12,32 @@ namespace {
 
 using Made = tl::expected<Shape, std::string>;
 
-Made make(const machine::BoxShape& box) {
+Made make(const machine::BoxShape& box, const MeshFiles& /*files*/) {
     return Shape::box({box.x_mm, box.y_mm, box.z_mm});
 }
-Made make(const machine::CylinderShape& cylinder) {
+Made make(const machine::CylinderShape& cylinder, const MeshFiles& /*files*/) {
     return Shape::cylinder(cylinder.diameter_mm, cylinder.height_mm);
 }
-Made make(const machine::CapsuleShape& capsule) {
+Made make(const machine::CapsuleShape& capsule, const MeshFiles& /*files*/) {
     return Shape::capsule(capsule.diameter_mm, capsule.height_mm);
 }
-Made make(const machine::SphereShape& sphere) {
+Made make(const machine::SphereShape& sphere, const MeshFiles& /*files*/) {
     return Shape::sphere(sphere.diameter_mm);
 }
-Made make(const machine::MeshShape& mesh) {
-    return load_mesh(mesh.file, mesh.scale, mesh.tolerance_mm).map(&Shape::mesh);
+Made make(const machine::MeshShape& mesh, const MeshFiles& files) {
+    return load_mesh(mesh.file, mesh.scale, mesh.tolerance_mm, files).map(&Shape::mesh);
 }
 
 }  // namespace
 
-tl::expected<Shape, std::string> make_shape(const machine::ShapeForm& form) {
-    return std::visit([](const auto& of) { return make(of); }, form);
+tl::expected<Shape, std::string> make_shape(const machine::ShapeForm& form, const MeshFiles& files) {
+    return std::visit([&files](const auto& of) { return make(of, files); }, form);
 }
 
-tl::expected<Cell, std::string> cell_of_machine(const machine::Machine& machine) {
+tl::expected<Cell, std::string> cell_of_machine(const machine::Machine& machine, const MeshFiles& files) {
     Cell cell{.name = machine.name, .frames = FrameTree(machine)};
     for (const machine::LinkShape& link_shape : machine.shapes) {
-        auto shape = make_shape(link_shape.form);
+        auto shape = make_shape(link_shape.form, files);
         if (!shape) {
             return tl::unexpected(fmt::format("the shape '{}' of the machine cannot be read: {}",
                                               link_shape.name, shape.error()));

@@ -62,14 +62,15 @@ tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::st
 }
 
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const std::filesystem::path& path,
-                                                                         double scale, double tolerance_mm) {
+                                                                         double scale, double tolerance_mm,
+                                                                         const MeshFiles& files) {
     const std::string name = path.string();
     if (solid::is_solid_file(path)) {
-        const auto mesh = solid::read_mesh(path, tolerance_mm);
+        const auto mesh = files.read_solid(path, tolerance_mm);
         if (!mesh) return tl::unexpected(mesh.error());
         return make_mesh(soup_of(*mesh), name, scale);
     }
-    const auto bytes = os::read_input(path, os::NamedBy::a_file, kMaxBytes);
+    const auto bytes = files.files.read(path, os::NamedBy::a_file, kMaxBytes);
     if (!bytes) return tl::unexpected(bytes.error());
     return read_mesh(*bytes, name, scale);
 }

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include <tl/expected.hpp>
 
+#include "base/os/files.h"
+#include "cam/solid/mesh.h"
 #include "runtime/cell/triangle_mesh.h"
 #include "runtime/machine/link_shape.h"
 
@@ -20,9 +23,21 @@ tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::st
                                                                          std::string_view file_name,
                                                                          double scale);
 
-/// Reads a file on disk: as read_mesh() does, of at most 512 MiB; or a STEP or IGES file (by its ending
+/// Where meshes are read from.
+struct MeshFiles {
+    /// The surfaces of a STEP or IGES file as triangles: solid::read_mesh(), which needs a process of its
+    /// own, or what stands in for it.
+    using ReadSolid = std::function<tl::expected<solid::Mesh, std::string>(const std::filesystem::path& file,
+                                                                           double tolerance_mm)>;
+
+    const os::Files& files = os::disk();
+    ReadSolid read_solid = solid::read_mesh;
+};
+
+/// Reads a file: as read_mesh() does, of at most 512 MiB; or a STEP or IGES file (by its ending
 /// .step, .stp, .iges, .igs), whose surfaces become triangles that are off them by `tolerance_mm` at most.
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(
-    const std::filesystem::path& path, double scale, double tolerance_mm = machine::kMeshTolerance_mm);
+    const std::filesystem::path& path, double scale, double tolerance_mm = machine::kMeshTolerance_mm,
+    const MeshFiles& files = {});
 
 }  // namespace gsim::cell

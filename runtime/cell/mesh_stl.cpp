@@ -1,11 +1,11 @@
 // STL, as text and binary (StereoLithography Interface Specification, 3D Systems, 1989).
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 
 #include <fmt/format.h>
 
+#include "base/bits.h"
 #include "runtime/cell/mesh_text.h"
 
 namespace gsim::cell {
@@ -27,7 +27,7 @@ std::uint32_t little_endian(std::string_view bytes) {
 }
 
 double float_at(std::string_view bytes, std::size_t offset) {
-    return static_cast<double>(std::bit_cast<float>(little_endian(bytes.substr(offset, 4))));
+    return static_cast<double>(bits_as<float>(little_endian(bytes.substr(offset, 4))));
 }
 
 /// Reads the facets of a text; the first fault is kept.

@@ -1,8 +1,9 @@
 #include "runtime/cell/mesh_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "base/text/read_number.h"
 
 namespace gsim::cell {
 
@@ -50,7 +51,7 @@ std::string_view TextWords::next() {
 std::optional<double> number_of(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0;
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, fault] = text::read_number(word.data(), word.data() + word.size(), value);
     const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
     if (fault == std::errc::result_out_of_range && end == word.data() + word.size() && tiny) return 0;
     if (fault != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))

@@ -15,8 +15,7 @@ namespace gsim::cell {
 /// The corners of a triangle, as indices of vertices.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A surface of triangles with a tree of boxes round them (of the Flexible Collision Library), for distances.
-/// Immutable.
+/// A surface of triangles with a tree of boxes round them, for distances. Immutable.
 class TriangleMesh {
   public:
     /// A box of the tree. Its children stand at first_child and behind it; a leaf has a triangle instead.

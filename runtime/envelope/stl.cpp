@@ -1,7 +1,8 @@
 #include "runtime/envelope/stl.h"
 
 #include <Eigen/Geometry>
-#include <bit>
+
+#include "base/bits.h"
 
 namespace gsim::envelope {
 
@@ -14,7 +15,7 @@ void append_number(std::string& bytes, std::uint32_t number, int count = 4) {
 }
 
 void append_vector(std::string& bytes, const Eigen::Vector3f& vector) {
-    for (const float value : vector) append_number(bytes, std::bit_cast<std::uint32_t>(value));
+    for (const float value : vector) append_number(bytes, bits_as<std::uint32_t>(value));
 }
 
 }  // namespace

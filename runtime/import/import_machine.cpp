@@ -32,8 +32,9 @@ bool is_control_file(std::string_view text, const std::filesystem::path& path) {
     return text::lower(path.extension().string()) != ".toml" && is_grbl_dump(text);
 }
 
-tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path) {
-    auto imported = is_ini(path) ? import_linuxcnc(text, path) : import_grbl(text, path.string());
+tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path,
+                                                   const os::Files& files) {
+    auto imported = is_ini(path) ? import_linuxcnc(text, path, files) : import_grbl(text, path.string());
     if (!imported) return imported;
     // What a machine file may not say no planner can do either.
     if (const auto toml = machine_toml(*imported, path); !toml) return tl::unexpected(toml.error());

@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/os/files.h"
 #include "runtime/import/imported.h"
 
 namespace gsim::import {
@@ -17,7 +18,8 @@ bool is_control_file(std::string_view text, const std::filesystem::path& path);
 /// Reads the settings of a control, with the files of offsets and tools that they name, which are looked for
 /// in the folder of `path`. The error is a sentence with its place; settings that no machine file can hold
 /// are one, too.
-tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path);
+tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path,
+                                                   const os::Files& files = os::disk());
 
 /// A machine file of it, which says in remarks where it is from and what is not taken over. The error is a
 /// sentence: values that no machine file can hold.

@@ -1,13 +1,12 @@
 #include "runtime/import/ini_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "base/os/input_file.h"
 #include "base/text/letter_case.h"
+#include "base/text/read_number.h"
 
 namespace gsim::import {
 
@@ -72,13 +71,7 @@ std::string_view trimmed_text(std::string_view text) {
 }
 
 std::optional<double> plain_number(std::string_view text) {
-    text = trimmed_text(text);
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+    return text::number_of(trimmed_text(text));
 }
 
 double without_noise(double value) {
@@ -86,15 +79,15 @@ double without_noise(double value) {
     return std::round(value * kPerUnit) / kPerUnit;
 }
 
-tl::expected<IniFile, std::string> IniFile::read(std::string_view text, const std::filesystem::path& path) {
+tl::expected<IniFile, std::string> IniFile::read(std::string_view text, const std::filesystem::path& path,
+                                                 const os::Files& files) {
     IniFile file;
     file.file_name_ = path.string();
     std::string section;
-    return file.add(text, path, section, 0).map([&] { return std::move(file); });
+    return file.add(text, path, {files, section, 0}).map([&] { return std::move(file); });
 }
 
-IniFile::Done IniFile::add(std::string_view text, const std::filesystem::path& path, std::string& section,
-                           int depth) {
+IniFile::Done IniFile::add(std::string_view text, const std::filesystem::path& path, const Inclusion& in) {
     Lines lines(text);
     while (lines.next()) {
         const std::string_view line = lines.line();
@@ -104,7 +97,8 @@ IniFile::Done IniFile::add(std::string_view text, const std::filesystem::path& p
         };
         if (line.starts_with(kInclude)) {
             const std::string_view name = trimmed_text(line.substr(kInclude.size()));
-            if (Done done = add_included(name, path.parent_path(), section, depth + 1); !done)
+            if (Done done = add_included(name, path.parent_path(), {in.files, in.section, in.depth + 1});
+                !done)
                 return fault(done.error());
             continue;
         }
@@ -112,13 +106,13 @@ IniFile::Done IniFile::add(std::string_view text, const std::filesystem::path& p
         if (line.front() == '[') {
             const std::size_t end = line.find(']');
             if (end == std::string_view::npos) return fault("the section's name has no ']'");
-            section = trimmed_text(line.substr(1, end - 1));
+            in.section = trimmed_text(line.substr(1, end - 1));
             continue;
         }
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos) return fault("a line is [SECTION], KEY = VALUE or a remark");
         entries_.push_back({.file = path.string(),
-                            .section = section,
+                            .section = in.section,
                             .key = std::string(trimmed_text(line.substr(0, equals))),
                             .value = std::string(without_remark(trimmed_text(line.substr(equals + 1)))),
                             .line = lines.number()});
@@ -127,14 +121,13 @@ IniFile::Done IniFile::add(std::string_view text, const std::filesystem::path& p
 }
 
 IniFile::Done IniFile::add_included(std::string_view name, const std::filesystem::path& folder,
-                                    std::string& section, int depth) {
-    if (depth > kMostIncludes)
+                                    const Inclusion& in) {
+    if (in.depth > kMostIncludes)
         return tl::unexpected(fmt::format("files are included more than {} deep", kMostIncludes));
     if (++included_ > kMostFiles)
         return tl::unexpected(fmt::format("more than {} files are included", kMostFiles));
     const std::filesystem::path path = folder / name;
-    return os::read_text_file(path).and_then(
-        [&](const std::string& text) { return add(text, path, section, depth); });
+    return in.files.read_text(path).and_then([&](const std::string& text) { return add(text, path, in); });
 }
 
 bool IniFile::has_section(std::string_view section) const {

@@ -9,6 +9,8 @@
 
 #include <tl/expected.hpp>
 
+#include "base/os/files.h"
+
 namespace gsim::import {
 
 /// A line KEY = VALUE of an INI file.
@@ -27,7 +29,8 @@ class IniFile {
   public:
     /// `path` is for errors, and for files that `#INCLUDE NAME` puts in its place, which are looked for in
     /// its folder. The error is "file:line: sentence".
-    static tl::expected<IniFile, std::string> read(std::string_view text, const std::filesystem::path& path);
+    static tl::expected<IniFile, std::string> read(std::string_view text, const std::filesystem::path& path,
+                                                   const os::Files& files);
 
     const std::string& file_name() const { return file_name_; }
     bool has_section(std::string_view section) const;
@@ -42,9 +45,14 @@ class IniFile {
 
   private:
     using Done = tl::expected<void, std::string>;
-    Done add(std::string_view text, const std::filesystem::path& path, std::string& section, int depth);
-    Done add_included(std::string_view name, const std::filesystem::path& folder, std::string& section,
-                      int depth);
+    /// Where an included file stands.
+    struct Inclusion {
+        const os::Files& files;
+        std::string& section;
+        int depth;
+    };
+    Done add(std::string_view text, const std::filesystem::path& path, const Inclusion& in);
+    Done add_included(std::string_view name, const std::filesystem::path& folder, const Inclusion& in);
 
     std::string file_name_;
     std::vector<IniEntry> entries_;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/os/input_file.h"
 #include "base/text/letter_case.h"
 #include "base/units.h"
 #include "runtime/import/ini_file.h"
@@ -38,8 +37,8 @@ constexpr std::array kFixedValues{
 
 class Importer {
   public:
-    Importer(IniFile ini, const std::filesystem::path& path)
-        : ini_(std::move(ini)), folder_(path.parent_path()) {}
+    Importer(IniFile ini, const std::filesystem::path& path, const os::Files& files)
+        : ini_(std::move(ini)), folder_(path.parent_path()), files_(files) {}
 
     tl::expected<Imported, std::string> take() {
         return read_units(ini_)
@@ -171,7 +170,7 @@ class Importer {
         const auto name = ini_.text(section, key);
         if (!name || name->empty()) return std::nullopt;
         const std::filesystem::path path = folder_ / *name;
-        auto text = os::read_text_file(path);
+        auto text = files_.read_text(path);
         if (text) return std::pair(path.string(), *std::move(text));
         result_.warnings.push_back(
             fmt::format("[{}] {} = {} is not taken over: {}", section, key, *name, text.error()));
@@ -217,16 +216,17 @@ class Importer {
 
     IniFile ini_;
     std::filesystem::path folder_;
+    const os::Files& files_;
     IniUnits units_;
     Imported result_;
 };
 
 }  // namespace
 
-tl::expected<Imported, std::string> import_linuxcnc(std::string_view text,
-                                                    const std::filesystem::path& path) {
-    return IniFile::read(text, path).and_then([&](IniFile ini) {
-        return Importer(std::move(ini), path).take();
+tl::expected<Imported, std::string> import_linuxcnc(std::string_view text, const std::filesystem::path& path,
+                                                    const os::Files& files) {
+    return IniFile::read(text, path, files).and_then([&](IniFile ini) {
+        return Importer(std::move(ini), path, files).take();
     });
 }
 

@@ -6,6 +6,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/os/files.h"
 #include "runtime/import/imported.h"
 
 namespace gsim::import {
@@ -13,6 +14,7 @@ namespace gsim::import {
 /// Reads the INI file of a LinuxCNC machine with trivial kinematics (trivkins): axes, joints, limits, units,
 /// homes, the parameters of its planner; and the files of parameters and tools that it names, which are
 /// looked for in its folder. The error is "file:line: sentence".
-tl::expected<Imported, std::string> import_linuxcnc(std::string_view text, const std::filesystem::path& path);
+tl::expected<Imported, std::string> import_linuxcnc(std::string_view text, const std::filesystem::path& path,
+                                                    const os::Files& files = os::disk());
 
 }  // namespace gsim::import

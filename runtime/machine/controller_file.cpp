@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "base/os/input_file.h"
 #include "base/text/printable.h"
 #include "base/toml/toml_section.h"
 #include "base/toml/toml_text.h"
@@ -32,14 +31,19 @@ std::string unknown_model(std::string_view model) {
         fmt::join(known, ", "));
 }
 
-rrs::ControllerRules read_own_file(TomlSection& section, const std::string& model,
-                                   const std::filesystem::path& folder) {
+/// Where controller files of one's own are looked for.
+struct OwnFiles {
+    const std::filesystem::path& folder;
+    const os::Files& files;
+};
+
+rrs::ControllerRules read_own_file(TomlSection& section, const std::string& model, const OwnFiles& own) {
     if (!text::is_printable(model)) {
         section.fail(kModelKey, "'model' must not hold control characters");
         return {};
     }
-    const std::filesystem::path path = folder / model;
-    const auto text = os::read_text_file(path);
+    const std::filesystem::path path = own.folder / model;
+    const auto text = own.files.read_text(path);
     if (!text) {
         section.fail(kModelKey, text.error());
         return {};
@@ -50,8 +54,8 @@ rrs::ControllerRules read_own_file(TomlSection& section, const std::string& mode
     return {};
 }
 
-// What the section's other keys change. Own files are read from `folder`; without it there are none.
-rrs::ControllerRules read_model(TomlSection& section, const std::filesystem::path* folder) {
+// What the section's other keys change. Without `own` there are no files of one's own.
+rrs::ControllerRules read_model(TomlSection& section, const OwnFiles* own) {
     if (!section.has(kModelKey)) return {};
     const std::string model = section.text(kModelKey);
     if (const auto rules = built_in_controller(model)) return *rules;
@@ -59,7 +63,7 @@ rrs::ControllerRules read_model(TomlSection& section, const std::filesystem::pat
         section.fail(kModelKey, unknown_model(model));
         return {};
     }
-    if (folder) return read_own_file(section, model, *folder);
+    if (own != nullptr) return read_own_file(section, model, *own);
     section.fail(kModelKey, fmt::format("'model' of a controller file must be one of {}",
                                         fmt::join(built_in_controllers(), ", ")));
     return {};
@@ -102,8 +106,10 @@ std::optional<rrs::ControllerRules> built_in_controller(std::string_view model) 
     return read_controller(text, model, std::string(model)).value();
 }
 
-rrs::ControllerRules read_controller_section(TomlSection& section, const std::filesystem::path& folder) {
-    rrs::ControllerRules rules = read_model(section, &folder);
+rrs::ControllerRules read_controller_section(TomlSection& section, const std::filesystem::path& folder,
+                                             const os::Files& files) {
+    const OwnFiles own{folder, files};
+    rrs::ControllerRules rules = read_model(section, &own);
     read_controller_keys(section, rules);
     return rules;
 }

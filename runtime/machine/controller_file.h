@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/os/files.h"
 #include "runtime/rrs/controller_rules.h"
 
 namespace gsim::base {
@@ -35,7 +36,8 @@ std::optional<rrs::ControllerRules> built_in_controller(std::string_view model);
 
 /// The rules of a machine file's table [controller]. `folder` is where the machine file lies; a controller
 /// file of one's own is looked for from there.
-rrs::ControllerRules read_controller_section(base::TomlSection& section, const std::filesystem::path& folder);
+rrs::ControllerRules read_controller_section(base::TomlSection& section, const std::filesystem::path& folder,
+                                             const os::Files& files);
 
 /// Writes a table [controller] that stands for itself: it gives equal rules wherever it is read. Nothing
 /// where the rules are those of a machine without such a table.

@@ -77,6 +77,7 @@ constexpr std::array kFlagKeys{
     FlagKey{"stop_between_rapid_and_feed", &Rules::stop_between_rapid_and_feed},
     FlagKey{"exact_path_stops", &Rules::exact_path_stops},
     FlagKey{"own_ramps", &Rules::own_ramps},
+    FlagKey{"interpolated_rapids", &Rules::interpolated_rapids},
     FlagKey{"limit_jerk", &Rules::limit_jerk},
     FlagKey{"inverse_time_of_chords", &Rules::inverse_time_of_chords},
 };

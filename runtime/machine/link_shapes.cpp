@@ -44,15 +44,16 @@ std::string letters(const Machine& machine) {
 
 class ShapeReader {
   public:
-    ShapeReader(FirstError& error, const std::filesystem::path& folder, Machine& machine)
-        : error_(error), folder_(folder), machine_(machine) {}
+    ShapeReader(FirstError& error, const std::filesystem::path& folder, const os::Files& files,
+                Machine& machine)
+        : error_(error), folder_(folder), files_(files), machine_(machine) {}
 
     void read(const toml::table& table) {
         TomlSection section(error_, table, "[[shape]]", kLinkShapeKeys);
         LinkShape shape;
         shape.name = read_name(section);
         shape.on = read_place(section);
-        const auto form = read_shape(error_, section, table, folder_);
+        const auto form = read_shape(error_, section, table, folder_, files_);
         shape.frame = read_frame(error_, section.table("frame"), "'frame'");
         if (!form) return;
         shape.form = *form;
@@ -88,6 +89,7 @@ class ShapeReader {
 
     FirstError& error_;
     const std::filesystem::path& folder_;
+    const os::Files& files_;
     Machine& machine_;
     std::vector<unsigned> lines_;  ///< Of the shapes' names.
 };
@@ -95,8 +97,8 @@ class ShapeReader {
 }  // namespace
 
 void read_link_shapes(FirstError& error, TomlSection& file, const toml::table& root,
-                      const std::filesystem::path& folder, Machine& machine) {
-    ShapeReader reader(error, folder, machine);
+                      const std::filesystem::path& folder, const os::Files& files, Machine& machine) {
+    ShapeReader reader(error, folder, files, machine);
     if (file.has("shape")) {
         for (const toml::table* table : file.tables("shape")) reader.read(*table);
     }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/os/files.h"
 #include "base/toml/toml_section.h"
 #include "runtime/machine/machine.h"
 
@@ -10,6 +11,6 @@ namespace gsim::machine {
 /// Reads the shapes of a machine file, [[shape]], and the pairs of them under 'ignore'. The machine has its
 /// axes already. Meshes are looked for in `folder`.
 void read_link_shapes(base::FirstError& error, base::TomlSection& file, const toml::table& root,
-                      const std::filesystem::path& folder, Machine& machine);
+                      const std::filesystem::path& folder, const os::Files& files, Machine& machine);
 
 }  // namespace gsim::machine

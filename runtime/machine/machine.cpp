@@ -121,9 +121,17 @@ std::optional<std::string> find_kinematic_fault(const Machine& machine) {
 }
 
 std::optional<std::string> find_controller_fault(const Machine& machine) {
-    if (machine.controller.own_ramps && machine.controller.planner != rrs::PlannerKind::rest_to_rest)
+    const bool rests = machine.controller.planner == rrs::PlannerKind::rest_to_rest;
+    if (machine.controller.own_ramps && !rests)
         return "'own_ramps' is of the planner \"rest-to-rest\" alone: in the others all axes go in "
                "proportion";
+    if (!machine.controller.interpolated_rapids && !rests)
+        return "'interpolated_rapids = false' is of the planner \"rest-to-rest\" alone: in the others all "
+               "axes go in proportion";
+    if (!machine.controller.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
+        return "'interpolated_rapids = false' does not go with 'max_rapid_mm_s': each axis has its own "
+               "speed, "
+               "and nothing keeps that of the tool";
     if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
         return "'orientation = \"great-circle\"' is not for the planner \"linuxcnc\" nor for arcs as chords: "

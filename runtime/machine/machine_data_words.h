@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/read_number.h"
+
 namespace gsim::machine {
 
 /// A word of a line of machine data: what stands between blanks, tabs and the remark.
@@ -32,11 +34,15 @@ std::string number_text(double value);
 /// The number that the whole text is; nothing where it is none.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
+    if constexpr (std::is_floating_point_v<Number>) {
+        return text::number_of(text);
+    } else {
+        if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+        Number value{};
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+        return value;
+    }
 }
 
 }  // namespace gsim::machine

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "base/os/input_file.h"
 #include "base/toml/toml_section.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
@@ -222,13 +221,14 @@ std::vector<Axis> read_axes(FirstError& error, TomlSection& file) {
 }
 
 rrs::ControllerRules read_controller_table(FirstError& error, const toml::table* table,
-                                           const std::filesystem::path& folder) {
+                                           const std::filesystem::path& folder, const os::Files& files) {
     if (!table) return {};
     TomlSection section(error, *table, "[controller]", controller_keys());
-    return read_controller_section(section, folder);
+    return read_controller_section(section, folder, files);
 }
 
-Machine read_tables(FirstError& error, const toml::table& root, const std::filesystem::path& folder) {
+Machine read_tables(FirstError& error, const toml::table& root, const std::filesystem::path& folder,
+                    const os::Files& files) {
     Machine machine;
     TomlSection file(error, root, "a machine file", kMachineFileKeys);
     file.require("machine");
@@ -242,12 +242,12 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     machine.tool = read_frame(error, file.table("tool"), "[tool]");
     machine.work = read_frame(error, file.table("work"), "[work]");
     machine.program = read_program_section(error, file.table("program"));
-    machine.controller = read_controller_table(error, file.table("controller"), folder);
+    machine.controller = read_controller_table(error, file.table("controller"), folder, files);
     machine.process = read_process(error, file);
     machine.times = read_times(error, file.table("times"));
     machine.axes = read_axes(error, file);
     if (error.text()) return machine;
-    read_link_shapes(error, file, root, folder, machine);
+    read_link_shapes(error, file, root, folder, files, machine);
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;
     if (const auto fault = find_controller_fault(machine)) file.fail("controller", *fault);
@@ -256,17 +256,19 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
 
 }  // namespace
 
-tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name) {
+tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
+                                                const os::Files& files) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
-    Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path());
+    Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path(), files);
     if (error.text()) return tl::unexpected(*error.text());
     return machine;
 }
 
-tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NamedBy named_by) {
-    return os::read_text_file(path, named_by).and_then([&](const std::string& text) {
-        return read_machine(text, path.string());
+tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NamedBy named_by,
+                                                const os::Files& files) {
+    return files.read_text(path, named_by).and_then([&](const std::string& text) {
+        return read_machine(text, path.string(), files);
     });
 }
 

@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "base/os/input_file.h"
+#include "base/os/files.h"
 #include "runtime/machine/machine.h"
 
 namespace gsim::machine {
@@ -14,12 +14,14 @@ namespace gsim::machine {
 /// Reads a machine file (docs/machine-file.md) strictly: what it does not know or does not understand is an
 /// error. The error is "file:line:column: sentence". `file_name` is for that, and for a controller file of
 /// one's own and the meshes of shapes, which are looked for in the folder of the machine file. Of meshes it
-/// is told whether they are there; they are not read.
-tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name);
+/// is told whether they are there; they are not read. `files` has them.
+tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
+                                                const os::Files& files = os::disk());
 
-/// read_machine() of a file on disk.
+/// read_machine() of a file.
 tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path,
-                                                os::NamedBy named_by = os::NamedBy::a_file);
+                                                os::NamedBy named_by = os::NamedBy::a_file,
+                                                const os::Files& files = os::disk());
 
 /// A machine file that read_machine() reads back as an equal machine, if it accepts this one at all. Meshes
 /// have their whole path in it, so that it may lie in any folder.

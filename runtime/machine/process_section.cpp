@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "base/text/read_number.h"
 #include "base/toml/toml_text.h"
 
 namespace gsim::machine {
@@ -47,7 +47,7 @@ std::optional<std::pair<char, double>> take_word(std::string_view& text) {
     if (text.empty() || !is_word_letter(text.front())) return std::nullopt;
     const char letter = static_cast<char>(text.front() & ~0x20);
     double value = 0;
-    const auto [end, fault] = std::from_chars(text.data() + 1, text.data() + text.size(), value);
+    const auto [end, fault] = text::read_number(text.data() + 1, text.data() + text.size(), value);
     if (fault != std::errc() || !std::isfinite(value)) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return std::pair(letter, value);

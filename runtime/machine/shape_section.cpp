@@ -41,7 +41,8 @@ std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const to
     return std::nullopt;
 }
 
-std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesystem::path& folder) {
+std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesystem::path& folder,
+                                         const os::Files& files) {
     const std::string name = section.text("mesh");
     const double scale = section.number("scale", 1, NumberRule::positive);
     if (name.empty() || !text::is_printable(name)) {
@@ -60,10 +61,9 @@ std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesy
         return std::nullopt;
     }
     const std::filesystem::path path = folder / name;
-    std::error_code fault;
-    static_cast<void>(std::filesystem::file_size(path, fault));
+    const std::optional<std::string> fault = files.find_fault(path);
     if (!fault) return MeshShape{path, scale, tolerance_mm};
-    section.fail("mesh", fmt::format("{}: {}", path.string(), fault.message()));
+    section.fail("mesh", fmt::format("{}: {}", path.string(), *fault));
     return std::nullopt;
 }
 
@@ -91,7 +91,7 @@ std::optional<ShapeForm> read_sphere(TomlSection& section) {
 }  // namespace
 
 std::optional<ShapeForm> read_shape(FirstError& error, TomlSection& section, const toml::table& table,
-                                    const std::filesystem::path& folder) {
+                                    const std::filesystem::path& folder, const os::Files& files) {
     section.require("shape");
     if (section.table("shape") == nullptr) return std::nullopt;
     const toml::table& of_shape = *table.get_as<toml::table>("shape");
@@ -108,7 +108,7 @@ std::optional<ShapeForm> read_shape(FirstError& error, TomlSection& section, con
     if (shape.has("sphere_mm")) return read_sphere(shape);
     if (shape.has("cylinder_mm")) return read_round(shape, of_shape, "cylinder_mm");
     if (shape.has("capsule_mm")) return read_round(shape, of_shape, "capsule_mm");
-    if (shape.has("mesh")) return read_mesh_shape(shape, folder);
+    if (shape.has("mesh")) return read_mesh_shape(shape, folder, files);
     return std::nullopt;
 }
 

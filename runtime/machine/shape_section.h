@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/os/files.h"
 #include "base/toml/toml_section.h"
 #include "runtime/machine/link_shape.h"
 
@@ -18,7 +19,8 @@ namespace gsim::machine {
 /// The shape that `section` has under its key 'shape'; its mesh file must be in `folder`, but is not read.
 /// Nothing where that is an error.
 std::optional<ShapeForm> read_shape(base::FirstError& error, base::TomlSection& section,
-                                    const toml::table& table, const std::filesystem::path& folder);
+                                    const toml::table& table, const std::filesystem::path& folder,
+                                    const os::Files& files);
 
 /// The pairs of shapes that a file has under its key 'ignore', by what `find` makes of their names; what it
 /// does not find is an error. None without the key.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "runtime/motion/apart_move.h"
+
 namespace gsim::motion {
 
 namespace {
@@ -11,6 +13,7 @@ constexpr double kPast_s = -std::numeric_limits<double>::infinity();
 
 /// When a segment has gone `way_mm`, by bisection: laws never run back.
 double time_at_way(const Segment& segment, double way_mm) {
+    if (segment.joints_go_apart()) return segment.start_s + apart_time_s(segment, way_mm);
     const double way = way_mm * segment.lead.length() / segment.length_mm;
     double low = 0;
     double high = segment.duration_s;

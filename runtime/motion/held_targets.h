@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 
 #include "runtime/rrs/types.h"
 
@@ -19,6 +20,10 @@ class HeldTargets {
     /// The last one that was put is none.
     void take_back() { ids_.pop_back(); }
     bool has(rrs::TargetId id) const { return std::find(ids_.begin(), ids_.end(), id) != ids_.end(); }
+    /// The oldest one.
+    std::optional<rrs::TargetId> first() const {
+        return ids_.empty() ? std::nullopt : std::optional(ids_.front());
+    }
     /// The motion that reaches `id` is known. `passed` is called with each target before it: the model made
     /// no motion of its own for those.
     template <typename Passed>

@@ -40,6 +40,10 @@ double acceleration_of(const LawLimits& joint) {
     return std::min(joint.acceleration, joint.deceleration);
 }
 
+// With the way s(t) of the lead and the joint's angle q(s), the chain rule gives the joint's acceleration q'
+// a + q'' v^2 and its jerk q' j + 3 q'' v a + q''' v^3. The speed is held so low that the bend alone takes at
+// most half of the acceleration and a quarter of the jerk; ramps take so little that the mixed term takes
+// another quarter. What is left is for the law.
 void limit_speed(const LawLimits& joint, const JointSlopes& slopes, LeadPath& lead) {
     const auto index = static_cast<std::int8_t>(slopes.joint);
     lead.limit_speed(joint.max_speed / slopes.first, {LimitKind::joint_speed, index});

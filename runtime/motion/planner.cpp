@@ -149,6 +149,12 @@ Planner::Step Planner::step(double interpolation_s) {
     return step;
 }
 
+rrs::TargetId Planner::current_target() const {
+    if (!queue_.empty()) return queue_.front().target_id;
+    if (stopped_ && !stopped_->rest.empty()) return stopped_->rest.front().target_id;
+    return held_.first().value_or(kNoTarget);
+}
+
 rrs::JointPos Planner::standing() const {
     return holds_back() ? model_->standing_at(position_) : position_;
 }

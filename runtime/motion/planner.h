@@ -65,7 +65,8 @@ using Put = tl::expected<std::optional<TimeRaised>, PlanError>;
 ///
 /// Mixed moves at rest to rest: the path of the position joints leads by the programmed speed; each other
 /// joint follows by its own fastest ramps; the slowest of all sets the time, and the others run slower to
-/// take as long. The rotary joints of a via point are not looked at.
+/// take as long. The rotary joints of a via point are not looked at. Where rapids are not interpolated each
+/// joint of one goes by itself (apart_move.h), also where a tip or a pose is led: that is for feeds.
 class Planner {
   public:
     /// `sink`, where there is one, must outlive the planner, and must not call it while it takes a segment.
@@ -142,6 +143,8 @@ class Planner {
     Step step(double interpolation_s);
     /// The target whose motion or rest the last step ended in.
     rrs::TargetId target_of_last_step() const { return step_target_; }
+    /// The target that the motion from there on leads to; kNoTarget where there is none.
+    rrs::TargetId current_target() const;
 
     /// Brakes from the instant at which step() stands, each joint within its limits (stop.h), over as many
     /// segments as it takes; step() then goes on to the stop. Until go_on() or cancel() moves are refused
@@ -189,6 +192,7 @@ class Planner {
     Put put_joint_move(const Move& move);
     Put put_path_move(const Move& move);
     Put put_held_move(const Move& move);
+    bool interpolates(const Move& move) const;
     void leave_model();
     void set_terms(const Move& move, PathMove& path) const;
     Planned shape_path(const Move& move);

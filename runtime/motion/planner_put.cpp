@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "runtime/kinematics/pose.h"
+#include "runtime/motion/apart_move.h"
 #include "runtime/motion/arc_move.h"
 #include "runtime/motion/block.h"
 #include "runtime/motion/circle.h"
@@ -183,6 +184,7 @@ Segment& Planner::begin_segment(Segment& slot, rrs::TargetId id) {
     slot.beside.reset();
     slot.orientation.reset();
     slot.deviation_mm = 0;
+    slot.apart = 0;
     slot.off_way = OffWay::no;
     return slot;
 }
@@ -211,9 +213,18 @@ Put Planner::put_joint_move(const Move& move) {
     return raised(segment.duration_s * share, move.terms.motion_time_s, false);
 }
 
+/// Whether the joints of a move go in step with each other.
+bool Planner::interpolates(const Move& move) const {
+    return setup_.controller.interpolated_rapids || !move.terms.rapid;
+}
+
 /// From rest to rest.
 Put Planner::put_path_move(const Move& move) {
     leave_model();
+    if (tracked_ && !interpolates(move)) {
+        return refused(Status::RRS_MODE_NOT_SUPPORTED,
+                       "Rapids that are not interpolated cannot follow a conveyor.");
+    }
     if (Planned shaped = shape_path(move); !shaped) return tl::unexpected(std::move(shaped.error()));
     const PathMove& path = path_;
     wait_out_hold(path.target_id, position_, path.obeyed, path.rapid);
@@ -222,7 +233,9 @@ Put Planner::put_path_move(const Move& move) {
     const double share = share_now(path.obeyed, path.rapid);
     const MoveRules rules = path.rules.overridden(overrides_now(), path.obeyed, path.rapid);
     const PlannerSetup& setup = setup_for_motion();
+    const bool apart = !interpolates(move);
     Planned planned = path.kind == SegmentKind::circular ? plan_arc(setup, rules, segment)
+                      : apart                            ? plan_apart(setup, rules, segment)
                                                          : plan_line(setup, rules, segment);
     if (planned) planned = carry(segment);
     if (!planned) return tl::unexpected(std::move(planned.error()));

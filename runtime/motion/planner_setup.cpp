@@ -126,6 +126,10 @@ std::optional<std::string> PlannerSetup::validate() const {
         return fmt::format("The kinematics have {} joints, the planner {}.", kinematics->joint_count(),
                            joint_count());
     }
+    if (!controller.interpolated_rapids && controller.planner != rrs::PlannerKind::rest_to_rest)
+        return "Rapids that are not interpolated are of the planner that comes to rest at each target.";
+    if (!controller.interpolated_rapids && std::isfinite(path.max_rapid_mm_s))
+        return "max_rapid_mm_s of the path cannot be kept where rapids are not interpolated.";
     if (controller.orientation == rrs::OrientationRule::great_circle) {
         if (auto trouble = no_great_circles(*this)) return trouble;
     }

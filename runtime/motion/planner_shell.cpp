@@ -70,6 +70,7 @@ Move PlannerShell::move_to(rrs::TargetId id, rrs::MotionType type, Goal goal) co
 Status PlannerShell::put(const Move& move) {
     const Put answer = planner_.put(move);
     if (!answer) return tell(answer.error());
+    // In RRS a time, a rest and a via point are of one target; all other selections stay.
     selections_.terms.motion_time_s = 0;
     selections_.rest_s = 0;
     via_.reset();
@@ -132,6 +133,7 @@ Status PlannerShell::keep_via(const Goal& goal) {
         return refuse(Status::RRS_INVALID_PARAMETER,
                       "A via point belongs to circular motion; select that motion type first.");
     }
+    // Solved now: which of several solutions is meant depends on where the way so far ends.
     rrs::JointPos via;
     if (Planned solved = planner_.solve(goal, via); !solved) return tell(std::move(solved.error()));
     via_ = via;
@@ -179,6 +181,12 @@ Status PlannerShell::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, doub
 Status PlannerShell::GetTargetOfLastStep(rrs::TargetId& id) {
     if (!initialized_) return not_initialized();
     id = planner_.target_of_last_step();
+    return Status::RRS_SUCCESS;
+}
+
+Status PlannerShell::GetCurrentTargetId(rrs::TargetId& id) {
+    if (!initialized_) return not_initialized();
+    id = planner_.current_target();
     return Status::RRS_SUCCESS;
 }
 

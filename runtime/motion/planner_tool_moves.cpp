@@ -44,7 +44,7 @@ Eigen::Vector3d tip_of_move(const Move& move) {
 }  // namespace
 
 bool Planner::moves_tool(const Move& move) const {
-    if (move.type == rrs::MotionType::joint) return false;
+    if (move.type == rrs::MotionType::joint || !interpolates(move)) return false;
     return move.tip_mm || (move.goal.pose && tip_turns(setup_, move.goal.pose->tool.translation()));
 }
 

@@ -43,6 +43,12 @@ void put_orientation_state(const OrientationArc& way, const LawState& lead, doub
     put(way.tilt_joint(), head.angles.tilt, head.first.tilt, head.second.tilt);
 }
 
+// Behind its end a law that is shorter than its segment rests.
+LawState state_of(const Segment& segment, const TimeLaw& law, double t_s) {
+    const bool waits = segment.joints_go_apart() && t_s > law.duration_s();
+    return waits ? LawState{law.length(), 0, 0} : law.at(t_s);
+}
+
 // Two motions at once have no simple extremes; blends are short.
 Range sampled_range(const Segment& segment, int joint) {
     constexpr int kSteps = 32;
@@ -82,6 +88,7 @@ rrs::JointPos Segment::end_position() const {
 rrs::JointPos Segment::position_at(double t_s) const {
     if (t_s >= duration_s) return end_position();
     if (t_s <= 0) return start;
+    // A time law ends by rounding near its length, not at it: the ends are the ends above.
     const double s = lead.at(t_s).s;
     rrs::JointPos position = start + share_of(lead, s) * (end - start);
     if (kind == SegmentKind::circular) put_position(position_joints, arc.at(arc.phi_at(s)), position);
@@ -94,14 +101,14 @@ rrs::JointPos Segment::position_at(double t_s) const {
 }
 
 JointState Segment::at(double t_s) const {
-    const LawState path = lead.at(t_s);
+    const LawState path = state_of(*this, lead, t_s);
     const rrs::JointPos way = end - start;
     const double scale = share_of(lead, 1);
     JointState state{start + path.s * scale * way, path.v * scale * way, path.a * scale * way};
     if (kind == SegmentKind::circular) put_arc_state(*this, path, state);
     if (orientation) put_orientation_state(*orientation, path, scale, state);
     for (const Follower& follower : followers()) {
-        const LawState own = follower.law.at(t_s);
+        const LawState own = state_of(*this, follower.law, t_s);
         state.position[follower.joint] = start[follower.joint] + follower.sign * own.s;
         state.velocity[follower.joint] = follower.sign * own.v;
         state.acceleration[follower.joint] = follower.sign * own.a;
@@ -112,11 +119,18 @@ JointState Segment::at(double t_s) const {
     return state;
 }
 
+bool Segment::carries_path(int joint) const {
+    if (joints_go_apart()) return (apart >> static_cast<unsigned>(joint) & 1U) != 0;
+    return std::find(position_joints.begin(), position_joints.end(), joint) != position_joints.end();
+}
+
 double Segment::path_speed_mm_s(double t_s) const {
-    if (!beside) return lead.at(t_s).v * share_of(lead, length_mm);
+    if (!beside && !joints_go_apart()) return lead.at(t_s).v * share_of(lead, length_mm);
     const rrs::JointPos velocity = at(t_s).velocity;
     double square = 0;
-    for (const int joint : position_joints) square += joint < 0 ? 0 : velocity[joint] * velocity[joint];
+    for (int joint = 0; joint < velocity.size(); ++joint) {
+        if (carries_path(joint)) square += velocity[joint] * velocity[joint];
+    }
     return std::sqrt(square);
 }
 

@@ -13,6 +13,9 @@
 
 namespace gsim::motion {
 
+/// See Segment::apart.
+inline constexpr std::uint32_t kApart = std::uint32_t{1} << 31U;
+
 /// A joint that goes by less of the way than this stands still, but for rounding.
 inline constexpr double kNoShare = 1e-9;
 
@@ -26,7 +29,8 @@ struct JointState {
 };
 
 /// A joint that is not on the segment's path but moves in the same time by a law of its own (a rotary axis
-/// beside a linear move). position(t) = start + sign law(t). The law takes the whole duration of the segment.
+/// beside a linear move). position(t) = start + sign law(t). The law takes the whole duration of the segment,
+/// or less where joints go apart: then the joint waits at its end.
 struct Follower {
     int joint;
     double sign;
@@ -91,6 +95,10 @@ struct Segment {
     /// The way of the joints that turn the tool, gone through evenly with the lead; null where they go in
     /// proportion or follow.
     std::shared_ptr<const OrientationArc> orientation;
+    /// Not 0: each joint goes by its own limits, and arrives at a time of its own (rapids that are not
+    /// interpolated): one leads, all others that move are followers. Bit j is set where the way of joint j is
+    /// part of the tool's path; that of a move without such a way is kApart alone.
+    std::uint32_t apart = 0;
     /// How far the tool passes from the programmed corner that is rounded here; told once for each such
     /// corner, by a segment of the move that begins there. 0 in all others.
     double deviation_mm = 0;
@@ -100,6 +108,10 @@ struct Segment {
         followers_.push_back({joint, sign, law, limits});
     }
     void clear_followers() { followers_.clear(); }
+
+    bool joints_go_apart() const { return apart != 0; }
+    /// Whether the way of the joint is part of the tool's path.
+    bool carries_path(int joint) const;
 
     double end_s() const { return start_s + duration_s; }
     /// Where the segment leads: `end`, and what a motion beside it adds.

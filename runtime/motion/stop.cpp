@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/motion/apart_move.h"
 #include "runtime/motion/arc_part.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/blend_pace.h"
@@ -96,7 +97,9 @@ Segment part_of(const Segment& segment, const Progress& from, const Laws& laws, 
     part.end = last ? segment.end : position_at(segment, to);
     part.lead = laws.lead;
     part.duration_s = duration_s;
-    if (segment.lead.length() > 0)
+    if (segment.joints_go_apart())
+        part.length_mm = apart_way_mm(part, duration_s);
+    else if (segment.lead.length() > 0)
         part.length_mm = segment.length_mm * ((to.lead - from.lead) / segment.lead.length());
     if (segment.kind == SegmentKind::circular) set_arc_part(segment.arc, from.lead, to.lead, part);
     if (segment.orientation) part.orientation = orientation_part(segment, from.lead, to.lead);
@@ -118,7 +121,8 @@ Laws braking(const Segment& segment, double t_s) {
     if (laws.duration_s > 0) laws.end_speed = laws.lead.end_speed();
     for (std::size_t i = 0; i < segment.followers().size(); ++i) {
         const Follower& follower = segment.followers()[i];
-        laws.followers[i] = braking_law(follower.law, t_s, follower.limits);
+        if (t_s < follower.law.duration_s())
+            laws.followers[i] = braking_law(follower.law, t_s, follower.limits);
         laws.duration_s = std::max(laws.duration_s, laws.followers[i].duration_s());
     }
     if (segment.followers().empty()) return laws;
@@ -148,13 +152,14 @@ Laws rest_laws(const Segment& segment, const Progress& from) {
         if (way > 0) least_s[i] = fastest_rest_s(way, no_faster(follower.limits, follower.law));
         laws.duration_s = std::max(laws.duration_s, least_s[i]);
     }
-    if (lead > 0) laws.lead = rest_law(lead, lead_limits, lead_s, laws.duration_s);
+    const auto time_s = [&](double own_s) { return segment.joints_go_apart() ? own_s : laws.duration_s; };
+    if (lead > 0) laws.lead = rest_law(lead, lead_limits, lead_s, time_s(lead_s));
     for (std::size_t i = 0; i < segment.followers().size(); ++i) {
         const Follower& follower = segment.followers()[i];
         const double way = end.followers[i] - from.followers[i];
         if (way > 0)
             laws.followers[i] =
-                rest_law(way, no_faster(follower.limits, follower.law), least_s[i], laws.duration_s);
+                rest_law(way, no_faster(follower.limits, follower.law), least_s[i], time_s(least_s[i]));
     }
     return laws;
 }

@@ -136,7 +136,7 @@ void RcsMachine::add_parameters(const rrs::ControllerRules& rules) {
     machine_.parameter_count = parameters_.size();
 }
 
-tl::expected<motion::PlannerSetup, std::string> planner_setup(const gsim_rcs_machine& machine) {
+tl::expected<motion::PlannerSetup, std::string> setup_of_rcs_machine(const gsim_rcs_machine& machine) {
     if (machine.joint_count < 1 || machine.joint_count > rrs::kMaxJoints)
         return tl::unexpected(fmt::format("There are {} joints; a planner takes 1 to {}.",
                                           machine.joint_count, rrs::kMaxJoints));

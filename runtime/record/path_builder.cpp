@@ -1,11 +1,11 @@
 #include "runtime/record/path_builder.h"
 
-#include <bit>
 #include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/bits.h"
 #include "runtime/record/action_name.h"
 
 namespace gsim::record {
@@ -21,8 +21,8 @@ std::size_t mixed(std::size_t hash, std::uint64_t value) {
 }
 
 std::size_t hash_of(std::size_t hash, const Point& point) {
-    for (const double value : point.position_mm) hash = mixed(hash, std::bit_cast<std::uint64_t>(value));
-    return mixed(hash, std::bit_cast<std::uint64_t>(point.feed_mm_min.value_or(0)));
+    for (const double value : point.position_mm) hash = mixed(hash, bits_as<std::uint64_t>(value));
+    return mixed(hash, bits_as<std::uint64_t>(point.feed_mm_min.value_or(0)));
 }
 
 std::size_t hash_of(std::size_t hash, const SubPath& sub_path) {

@@ -84,6 +84,10 @@ struct ControllerRules {
     /// by ramps of their own; else all joints of a linear or circular move go in proportion at every instant.
     /// Of PlannerKind::rest_to_rest alone: the others know no such moves.
     bool own_ramps = false;
+    /// All joints of a rapid move arrive together, in proportion; else each goes by its own limits and
+    /// arrives when it does, so that the way is no straight line ("dog-leg"). Then of
+    /// PlannerKind::rest_to_rest alone.
+    bool interpolated_rapids = true;
     double least_feed_mm_min = 0;  ///< A lower one is raised to it.
 
     double settle_s = 0;  ///< Time at each exact stop until the axes are in position.

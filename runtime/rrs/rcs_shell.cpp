@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "runtime/rrs/rcs_codec.h"
+#include "runtime/rrs/service_call.h"
 
 namespace gsim::rrs {
 
@@ -21,19 +22,43 @@ constexpr double kLargestOfStep = 1e15;  // mm or rad: beyond any target; sums o
 constexpr double kStepRounding = 1 + 1e-6;
 constexpr double kClockRounding = 1e-12;  // a step is a difference of two instants
 
-// What a module leaves as it is fails the check.
-gsim_rcs_pose no_pose() {
-    gsim_rcs_pose pose;
-    std::fill(std::begin(pose.matrix), std::end(pose.matrix), kNan);
-    return pose;
+// What a module leaves as it is fails the check, where there is one.
+void leave_open(double& field) {
+    field = kNan;
 }
 
-gsim_rcs_joints no_joints() {
-    gsim_rcs_joints joints;
-    joints.count = -1;
-    joints.reserved = 0;
-    std::fill(std::begin(joints.values), std::end(joints.values), kNan);
-    return joints;
+void leave_open(std::int32_t& field) {
+    field = -1;
+}
+
+void leave_open(std::int64_t& field) {
+    field = -1;
+}
+
+void leave_open(gsim_rcs_pose& field) {
+    std::fill(std::begin(field.matrix), std::end(field.matrix), kNan);
+}
+
+void leave_open(gsim_rcs_joints& field) {
+    field.count = -1;
+    std::fill(std::begin(field.values), std::end(field.values), kNan);
+}
+
+template <typename Place>
+void leave_open(const codec::Text<Place>& /*field*/) {}
+
+/// An output before its service is asked for.
+template <typename Output>
+Output unanswered() {
+    Output output{};
+    std::apply([](auto&&... fields) { (leave_open(fields), ...); }, codec::fields(output));
+    return output;
+}
+
+/// Some of the elements of a tuple of references, from `first` on.
+template <std::size_t first, typename... Elements, std::size_t... at>
+auto part_of(const std::tuple<Elements...>& all, std::index_sequence<at...> /*count*/) {
+    return std::tie(std::get<first + at>(all)...);
 }
 
 }  // namespace
@@ -97,24 +122,21 @@ void RcsShell::heard(const Service& service, const Input& input) {
     }
 }
 
-// Services that give nothing but a status; the others follow.
-#define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments)
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    Status RcsShell::method parameters {                                                     \
-        return tell<gsim_rcs_##input>(services::method, std::tie arguments);                 \
-    }
-#include "runtime/rrs/rcs_services.def"
-
-Status RcsShell::checked(const Service& service, const gsim_rcs_pose& answer, CartPos& pose) {
-    const auto finite = [](double value) { return std::isfinite(value); };
-    if (!std::all_of(std::begin(answer.matrix), std::end(answer.matrix), finite))
-        return blame(fmt::format("answered {} with a pose that is not finite", service.name));
-    pose = from_rcs(answer);
-    return Status::RRS_SUCCESS;
+bool RcsShell::is_step(double answer_s) const {
+    return answer_s >= 0 && answer_s <= interpolation_s_ * kStepRounding + clock_s_ * kClockRounding;
 }
 
-Status RcsShell::checked(const Service& service, const gsim_rcs_joints& answer, double largest,
-                         JointPos& joints) {
+Status RcsShell::blame_step(const Service& service, double answer_s) {
+    if (!std::isfinite(answer_s))
+        return blame(fmt::format("answered {} with a time of {} s", service.name, answer_s));
+    if (answer_s < 0)
+        return blame(
+            fmt::format("answered {} with a time that runs backwards, by {} s", service.name, -answer_s));
+    return blame(fmt::format("answered {} with a step of {} s; the interpolation time is {} s", service.name,
+                             answer_s, interpolation_s_));
+}
+
+Status RcsShell::checked_joints(const Service& service, const gsim_rcs_joints& answer, double largest) {
     if (answer.count != joint_count_) {
         return blame(fmt::format("answered {} with {} joint values; the machine has {} joints", service.name,
                                  answer.count, joint_count_));
@@ -126,101 +148,80 @@ Status RcsShell::checked(const Service& service, const gsim_rcs_joints& answer, 
                 fmt::format("answered {} with the value {} for joint {}", service.name, value, joint));
         }
     }
-    joints = from_rcs(answer);
     return Status::RRS_SUCCESS;
 }
 
-Status RcsShell::checked_elapsed(const Service& service, double answer_s, double& elapsed_s) {
-    if (!std::isfinite(answer_s))
-        return blame(fmt::format("answered {} with a time of {} s", service.name, answer_s));
-    if (answer_s < 0)
-        return blame(
-            fmt::format("answered {} with a time that runs backwards, by {} s", service.name, -answer_s));
-    if (answer_s > interpolation_s_ * kStepRounding + clock_s_ * kClockRounding) {
-        return blame(fmt::format("answered {} with a step of {} s; the interpolation time is {} s",
-                                 service.name, answer_s, interpolation_s_));
-    }
-    elapsed_s = answer_s;
+// One check for each structure that services give.
+
+Status RcsShell::checked(const Service& /*service*/, const gsim_rcs_message& /*answer*/) {
     return Status::RRS_SUCCESS;
 }
 
-Status RcsShell::GetMessage(std::string& message) {
-    if (fault_ || own_message_) {
-        message = fault_ ? *fault_ : *own_message_;
-        return Status::RRS_SUCCESS;
+Status RcsShell::checked(const Service& /*service*/, const gsim_rcs_target_id& /*answer*/) {
+    return Status::RRS_SUCCESS;
+}
+
+Status RcsShell::checked(const Service& service, const gsim_rcs_pose& answer) {
+    const auto finite = [](double value) { return std::isfinite(value); };
+    if (std::all_of(std::begin(answer.matrix), std::end(answer.matrix), finite)) return Status::RRS_SUCCESS;
+    return blame(fmt::format("answered {} with a pose that is not finite", service.name));
+}
+
+Status RcsShell::checked(const Service& service, const gsim_rcs_joints& answer) {
+    return checked_joints(service, answer, kLargest);
+}
+
+Status RcsShell::checked(const Service& service, const gsim_rcs_step& answer) {
+    if (!is_step(answer.elapsed_s)) return blame_step(service, answer.elapsed_s);
+    const Status joints = checked_joints(service, answer.joints, kLargestOfStep);
+    if (joints != Status::RRS_SUCCESS) return joints;
+    const Status pose = checked(service, answer.pose);
+    if (pose == Status::RRS_SUCCESS) clock_s_ += answer.elapsed_s;
+    return pose;
+}
+
+Status RcsShell::checked(const Service& service, const gsim_rcs_object_step& answer) {
+    if (!is_step(answer.elapsed_s)) return blame_step(service, answer.elapsed_s);
+    return checked(service, answer.pose);
+}
+
+Status RcsShell::checked(const Service& service, const gsim_rcs_event& answer) {
+    if (answer.time_s <= interpolation_s_ && std::isfinite(answer.time_s)) return Status::RRS_SUCCESS;
+    return blame(fmt::format("answered {} with the time {} s; the interpolation time is {} s", service.name,
+                             answer.time_s, interpolation_s_));
+}
+
+/// Asks for a service that gives more than a status: `arguments` are what it takes, then what it fills in.
+template <typename Input, typename Output, typename Method, typename... Arguments>
+Status RcsShell::query(const Service& service, Method /*method*/, const std::tuple<Arguments...>& arguments) {
+    constexpr std::size_t kInputs = ServiceTraits<Method>::kInputs;
+    constexpr std::size_t kOutputs = sizeof...(Arguments) - kInputs;
+    auto outputs = part_of<kInputs>(arguments, std::make_index_sequence<kOutputs>());
+    if constexpr (std::is_same_v<Output, gsim_rcs_message>) {  // what is known here needs no module
+        if (fault_ || own_message_) {
+            std::get<0>(outputs) = fault_ ? *fault_ : *own_message_;
+            return Status::RRS_SUCCESS;
+        }
     }
-    gsim_rcs_message output{};
-    const Status status = ask(services::GetMessage, nullptr, &output);
-    if (status == Status::RRS_SUCCESS) message = rcs_text(output.text, sizeof output.text);
-    return status;
-}
-
-Status RcsShell::GetInverseKinematics(const CartPos& pose, const JointPos& near, JointPos& joints) {
-    const Service& service = services::GetInverseKinematics;
-    gsim_rcs_joints output = no_joints();
-    const Status status = tell<gsim_rcs_pose_and_joints>(service, std::tie(pose, near), &output);
-    return status == Status::RRS_SUCCESS ? checked(service, output, kLargest, joints) : status;
-}
-
-Status RcsShell::GetForwardKinematics(const JointPos& joints, CartPos& pose) {
-    const Service& service = services::GetForwardKinematics;
-    gsim_rcs_pose output = no_pose();
-    const Status status = tell<gsim_rcs_joints>(service, std::tie(joints), &output);
-    return status == Status::RRS_SUCCESS ? checked(service, output, pose) : status;
-}
-
-Status RcsShell::GetCellFrame(std::string_view frame_name, CartPos& frame) {
-    const Service& service = services::GetCellFrame;
-    gsim_rcs_pose output = no_pose();
-    const Status status = tell<gsim_rcs_frame>(service, std::tie(frame_name), &output);
-    return status == Status::RRS_SUCCESS ? checked(service, output, frame) : status;
-}
-
-Status RcsShell::GetNextStep(JointPos& joints, CartPos& pose, double& elapsed_s) {
-    const Service& service = services::GetNextStep;
-    gsim_rcs_step output{no_joints(), no_pose(), kNan};
-    const Status status = ask(service, nullptr, &output);
+    Output answer = unanswered<Output>();
+    const Status status =
+        tell<Input>(service, part_of<0>(arguments, std::make_index_sequence<kInputs>()), &answer);
     if (is_refused(status)) return status;
-    for (const Status check :
-         {checked_elapsed(service, output.elapsed_s, elapsed_s),
-          checked(service, output.joints, kLargestOfStep, joints), checked(service, output.pose, pose)}) {
-        if (check != Status::RRS_SUCCESS) return check;
-    }
-    clock_s_ += elapsed_s;
+    const Status check = checked(service, answer);
+    if (check != Status::RRS_SUCCESS) return check;
+    outputs = *take<kOutputs>(std::as_const(answer));
     return status;
 }
 
-Status RcsShell::GetNextObjectStep(CartPos& pose, double& elapsed_s) {
-    const Service& service = services::GetNextObjectStep;
-    gsim_rcs_object_step output{no_pose(), kNan};
-    const Status status = ask(service, nullptr, &output);
-    if (is_refused(status)) return status;
-    for (const Status check :
-         {checked_elapsed(service, output.elapsed_s, elapsed_s), checked(service, output.pose, pose)}) {
-        if (check != Status::RRS_SUCCESS) return check;
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+    Status RcsShell::method parameters {                                                     \
+        return tell<gsim_rcs_##input>(services::method, std::tie arguments);                 \
     }
-    return status;
-}
-
-Status RcsShell::GetEvent(int number, int& event_id, double& time_s) {
-    const Service& service = services::GetEvent;
-    gsim_rcs_event output{0, 0, kNan};
-    const Status status = tell<gsim_rcs_integer>(service, std::tie(number), &output);
-    if (status != Status::RRS_SUCCESS) return status;
-    if (!(output.time_s <= interpolation_s_ && std::isfinite(output.time_s))) {
-        return blame(fmt::format("answered {} with the time {} s; the interpolation time is {} s",
-                                 service.name, output.time_s, interpolation_s_));
+#define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
+    Status RcsShell::method parameters {                                                           \
+        return query<gsim_rcs_##input, gsim_rcs_##output>(services::method, &Shell::method,        \
+                                                          std::tie arguments);                     \
     }
-    event_id = output.event;
-    time_s = output.time_s;
-    return status;
-}
-
-Status RcsShell::GetTargetOfLastStep(TargetId& id) {
-    gsim_rcs_target_id output{-1};
-    const Status status = ask(services::GetTargetOfLastStep, nullptr, &output);
-    if (status == Status::RRS_SUCCESS) id = output.id;
-    return status;
-}
+#include "runtime/rrs/rcs_services.def"
 
 }  // namespace gsim::rrs

@@ -45,9 +45,18 @@ class RcsShell : public Shell {
     template <typename Input>
     void heard(const Service& service, const Input& input);
     Status refuse(std::string message);
-    Status checked(const Service& service, const gsim_rcs_pose& answer, CartPos& pose);
-    Status checked(const Service& service, const gsim_rcs_joints& answer, double largest, JointPos& joints);
-    Status checked_elapsed(const Service& service, double answer_s, double& elapsed_s);
+    template <typename Input, typename Output, typename Method, typename... Arguments>
+    Status query(const Service& service, Method method, const std::tuple<Arguments...>& arguments);
+    bool is_step(double answer_s) const;
+    Status blame_step(const Service& service, double answer_s);
+    Status checked_joints(const Service& service, const gsim_rcs_joints& answer, double largest);
+    Status checked(const Service& service, const gsim_rcs_message& answer);
+    Status checked(const Service& service, const gsim_rcs_target_id& answer);
+    Status checked(const Service& service, const gsim_rcs_pose& answer);
+    Status checked(const Service& service, const gsim_rcs_joints& answer);
+    Status checked(const Service& service, const gsim_rcs_step& answer);
+    Status checked(const Service& service, const gsim_rcs_object_step& answer);
+    Status checked(const Service& service, const gsim_rcs_event& answer);
 
     RcsModule module_;
     int joint_count_;

@@ -105,13 +105,13 @@ int atan_deg(lua_State* state) {
 
 }  // namespace
 
-void add_angles(lua_State* state, Controller& controller) {
-    set_function<wave_of_degrees<std::sin, 0>>(state, "sin_deg", &controller);
-    set_function<wave_of_degrees<std::cos, 1>>(state, "cos_deg", &controller);
-    set_function<tan_deg>(state, "tan_deg", &controller);
-    set_function<asin_deg>(state, "asin_deg", &controller);
-    set_function<acos_deg>(state, "acos_deg", &controller);
-    set_function<atan_deg>(state, "atan_deg", &controller);
+void add_angles(lua_State* state, Interpreter& interpreter) {
+    set_function<wave_of_degrees<std::sin, 0>>(state, "sin_deg", &interpreter);
+    set_function<wave_of_degrees<std::cos, 1>>(state, "cos_deg", &interpreter);
+    set_function<tan_deg>(state, "tan_deg", &interpreter);
+    set_function<asin_deg>(state, "asin_deg", &interpreter);
+    set_function<acos_deg>(state, "acos_deg", &interpreter);
+    set_function<atan_deg>(state, "atan_deg", &interpreter);
 }
 
 }  // namespace gsim::script

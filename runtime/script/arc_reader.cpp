@@ -75,11 +75,11 @@ struct ArcWords final : OtherWords {
 /// The arc while it is read: what its words say, and where it starts.
 class ArcReader {
   public:
-    ArcReader(lua_State* state, Controller& controller, int index)
+    ArcReader(lua_State* state, Interpreter& interpreter, int index)
         : state_(state),
-          controller_(controller),
+          interpreter_(interpreter),
           index_(index),
-          plane_(axes_of(controller.modal().plane)),
+          plane_(axes_of(interpreter.modal().plane)),
           normal_(Vector3d::Unit(plane_.normal)),
           first_(Vector3d::Unit(plane_.first)),
           second_(Vector3d::Unit(plane_.second)) {}
@@ -88,7 +88,7 @@ class ArcReader {
 
   private:
     [[noreturn]] void alarm(DiagnosticKind kind, const std::string& message) {
-        controller_.alarm(state_, kind, message);
+        interpreter_.alarm(state_, kind, message);
     }
     template <typename Value>
     Value value_of(tl::expected<Value, std::string> result) {
@@ -114,7 +114,7 @@ class ArcReader {
     ArcSolution by_center(ArcEnds& ends);
 
     lua_State* state_;
-    Controller& controller_;
+    Interpreter& interpreter_;
     int index_;
     PlaneAxes plane_;  // of the program
     ArcWords words_;
@@ -145,11 +145,11 @@ void ArcReader::check_words() {
 }
 
 int ArcReader::machine_axis(int axis) {
-    const int index = controller_.axis(axis_word(axis)[0]);
+    const int index = interpreter_.axis(axis_word(axis)[0]);
     if (index < 0) {
         alarm(DiagnosticKind::axis,
               fmt::format("an arc in this plane moves the axis {}, and the machine '{}' has none",
-                          upper(axis_word(axis)), controller_.simulator().machine().name));
+                          upper(axis_word(axis)), interpreter_.simulator().machine().name));
     }
     return index;
 }
@@ -159,7 +159,7 @@ void ArcReader::check_axes() {
     for (int axis = 0; axis < 3; ++axis) {
         const bool moves = std::max(std::abs(first_[axis]), std::abs(second_[axis])) > kNoShare;
         axes_[static_cast<std::size_t>(axis)] =
-            moves ? machine_axis(axis) : controller_.axis(axis_word(axis)[0]);
+            moves ? machine_axis(axis) : interpreter_.axis(axis_word(axis)[0]);
     }
 }
 
@@ -182,7 +182,7 @@ void ArcReader::set_in_plane(AxisVector& point, const Vector2d& to) const {
 
 /// The direction of a program axis in the machine; with scaling its length is the factor.
 Vector3d ArcReader::direction(int axis) const {
-    return controller_.frame().direction(Vector3d::Unit(axis));
+    return interpreter_.frame().direction(Vector3d::Unit(axis));
 }
 
 /// Rotation, scaling and mirror image: where the plane lies then, the factor of its lengths, and the sense of
@@ -207,8 +207,8 @@ Vector2d ArcReader::absolute_center(const Vector2d& center) {
               fmt::format("an absolute arc centre (G90.1) needs both {} and {}",
                           upper(center_word(plane_.first)), upper(center_word(plane_.second))));
     }
-    const ProgramFrame& frame = controller_.frame();
-    AxisVector point = frame.to_program(controller_.programmed());
+    const ProgramFrame& frame = interpreter_.frame();
+    AxisVector point = frame.to_program(interpreter_.programmed());
     point[machine_axis(plane_.first)] = center.x();
     point[machine_axis(plane_.second)] = center.y();
     return in_plane(AxisVector(frame.to_machine(point)));
@@ -216,19 +216,20 @@ Vector2d ArcReader::absolute_center(const Vector2d& center) {
 
 /// The centre by I, J, K: a vector from the start, or where the program says so a point.
 Vector2d ArcReader::center(const Vector2d& start) {
-    const double unit_mm = controller_.modal().unit_mm;
+    const double unit_mm = interpreter_.unit_mm();
     const Vector2d words{center_on(plane_.first).value_or(0) * unit_mm,
                          center_on(plane_.second).value_or(0) * unit_mm};
-    if (controller_.modal().absolute_arc_centers) return absolute_center(words);
-    if (!controller_.frame().has_matrix()) return {start.x() + words.x(), start.y() + words.y()};
+    if (interpreter_.modal().absolute_arc_centers) return absolute_center(words);
+    if (!interpreter_.frame().has_matrix()) return {start.x() + words.x(), start.y() + words.y()};
     return start + words.x() * in_plane(direction(plane_.first)) +
            words.y() * in_plane(direction(plane_.second));
 }
 
 ArcSolution ArcReader::by_center(ArcEnds& ends) {
-    const ModalState& modal = controller_.modal();
+    const ModalState& modal = interpreter_.modal();
     const Vector2d about = center(ends.start);
-    if (!words_.angle) return value_of(arc_by_center(ends, about, modal.arc_rules, modal.unit_mm != 1));
+    if (!words_.angle)
+        return value_of(arc_by_center(ends, about, modal.arc_rules, interpreter_.unit_mm() != 1));
     if (has_word(state_, index_, axis_word(plane_.first)) ||
         has_word(state_, index_, axis_word(plane_.second))) {
         alarm(DiagnosticKind::code_conflict, "an arc by its angle AR= takes its end or its centre, not both");
@@ -242,24 +243,24 @@ ArcSolution ArcReader::solve(ArcEnds& ends, bool moved) {
     if (has_center()) return by_center(ends);
     if (!words_.radius) return value_of(arc_by_angle(ends, value_of(arc_angle_rad(*words_.angle))));
     if (!moved) alarm(DiagnosticKind::word_missing, "an arc by its radius needs its end");
-    const double radius_mm = *words_.radius * controller_.modal().unit_mm * scale_;
-    return value_of(arc_by_radius(ends, radius_mm, controller_.modal().arc_rules));
+    const double radius_mm = *words_.radius * interpreter_.unit_mm() * scale_;
+    return value_of(arc_by_radius(ends, radius_mm, interpreter_.modal().arc_rules));
 }
 
 ArcMove ArcReader::read(bool ccw) {
     ArcMove move;
-    const bool moved = controller_.read_target(state_, index_, &words_, move.target);
+    const bool moved = interpreter_.read_target(state_, index_, &words_, move.target);
     check_words();
-    if (controller_.frame().has_matrix()) map_plane();
+    if (interpreter_.frame().has_matrix()) map_plane();
     check_axes();
-    ArcEnds ends{in_plane(controller_.programmed()), in_plane(move.target), ccw == same_sense_};
+    ArcEnds ends{in_plane(interpreter_.programmed()), in_plane(move.target), ccw == same_sense_};
     const ArcSolution solution = solve(ends, moved);
     move.normal = normal_;
     move.kind = ends.ccw ? simulation::MoveKind::arc_ccw : simulation::MoveKind::arc_cw;
     move.center_mm = solution.center.x() * first_ + solution.center.y() * second_;
     move.sweep_rad = solution.sweep_rad;
     if (words_.turns)
-        move.sweep_rad += value_of(further_turns_rad(*words_.turns, controller_.modal().arc_rules));
+        move.sweep_rad += value_of(further_turns_rad(*words_.turns, interpreter_.modal().arc_rules));
     if (words_.angle && has_center()) set_in_plane(move.target, ends.end);
     return move;
 }
@@ -323,8 +324,8 @@ void push_arc_plane(lua_State* state, const Vector3d& normal) {
     lua_setfield(state, -2, "second");
 }
 
-ArcMove read_arc(lua_State* state, Controller& controller, bool ccw, int index) {
-    return ArcReader(state, controller, index).read(ccw);
+ArcMove read_arc(lua_State* state, Interpreter& interpreter, bool ccw, int index) {
+    return ArcReader(state, interpreter, index).read(ccw);
 }
 
 }  // namespace gsim::script

@@ -12,37 +12,37 @@ using text::DiagnosticKind;
 
 namespace {
 
-/// The move of a plain arc word with its words as the first argument; upvalues: controller, ccw, word id,
+/// The move of a plain arc word with its words as the first argument; upvalues: interpreter, ccw, word id,
 /// name.
-void move_along_arc(lua_State* state, Controller& controller) {
+void move_along_arc(lua_State* state, Interpreter& interpreter) {
     if (lua_isnoneornil(state, 1)) return;
     const bool ccw = lua_toboolean(state, lua_upvalueindex(2)) != 0;
     if (!lua_istable(state, 1)) {
         const char* name = lua_tostring(state, lua_upvalueindex(4));
-        controller.alarm(state, DiagnosticKind::script,
-                         fmt::format("{0} takes its words in braces: {0}{{x=1, y=2}}", name));
+        interpreter.alarm(state, DiagnosticKind::script,
+                          fmt::format("{0} takes its words in braces: {0}{{x=1, y=2}}", name));
     }
-    simulation::ArcMove move = read_arc(state, controller, ccw, 1);
-    move.feed = controller.feed(state, move.sweep_rad);
-    move.place = controller.place();
-    controller.check(state, controller.simulator().move(move));
+    simulation::ArcMove move = read_arc(state, interpreter, ccw, 1);
+    move.feed = interpreter.feed(state, move.sweep_rad);
+    move.place = interpreter.place();
+    interpreter.check(state, interpreter.simulator().move(move));
 }
 
 /// G2{..} and G3{..}; upvalues as above.
 int arc_word(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     const auto id = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
-    controller.enter(state, id);
-    controller.make_modal(state, id);
-    move_along_arc(state, controller);
+    interpreter.enter(state, id);
+    interpreter.make_modal(state, id);
+    move_along_arc(state, interpreter);
     return 0;
 }
 
 /// move{..} where a plain arc is modal; upvalues as above.
 int modal_arc_word(lua_State* state) {
-    Controller& controller = controller_of(state);
-    controller.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
-    move_along_arc(state, controller);
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
+    move_along_arc(state, interpreter);
     return 0;
 }
 
@@ -63,16 +63,16 @@ int make_arc_word(lua_State* state) {
 /// core.read_arc(ccw, words): the arc in machine coordinates, as core.arc takes it: its plane, its sense, its
 /// centre along the plane's two directions, its sweep and its target.
 int read_arc_words(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     luaL_checktype(state, 2, LUA_TTABLE);
-    const simulation::ArcMove move = read_arc(state, controller, lua_toboolean(state, 1) != 0, 2);
+    const simulation::ArcMove move = read_arc(state, interpreter, lua_toboolean(state, 1) != 0, 2);
     const ArcBasis basis = arc_basis(move.normal);
     push_arc_plane(state, move.normal);
     lua_pushboolean(state, static_cast<int>(move.kind == simulation::MoveKind::arc_ccw));
     lua_pushnumber(state, basis.first.dot(move.center_mm));
     lua_pushnumber(state, basis.second.dot(move.center_mm));
     lua_pushnumber(state, move.sweep_rad);
-    push_axes(state, controller, move.target);
+    push_axes(state, interpreter, move.target);
     return 6;
 }
 
@@ -88,23 +88,23 @@ int plane_across(lua_State* state) {
 }
 
 int plane(lua_State* state) {
-    push_plane(state, controller_of(state).modal().plane);
+    push_plane(state, interpreter_of(state).modal().plane);
     return 1;
 }
 
 int has_absolute_arc_centers(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(controller_of(state).modal().absolute_arc_centers));
+    lua_pushboolean(state, static_cast<int>(interpreter_of(state).modal().absolute_arc_centers));
     return 1;
 }
 
 int set_plane(lua_State* state) {
-    controller_of(state).modal().plane = check_plane(state, 1);
+    interpreter_of(state).modal().plane = check_plane(state, 1);
     return 0;
 }
 
 /// core.set_absolute_arc_centers(on): I, J and K are a point, or a vector from the start.
 int set_absolute_arc_centers(lua_State* state) {
-    controller_of(state).modal().absolute_arc_centers = lua_toboolean(state, 1) != 0;
+    interpreter_of(state).modal().absolute_arc_centers = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
@@ -118,7 +118,7 @@ void take_field(lua_State* state, const char* name, double& value) {
 /// core.set_arc_rules{...}: the fields of ArcRules by their names.
 int set_arc_rules(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
-    ArcRules& rules = controller_of(state).modal().arc_rules;
+    ArcRules& rules = interpreter_of(state).modal().arc_rules;
     take_field(state, "radii_tolerance_mm", rules.radii_tolerance_mm);
     take_field(state, "radii_tolerance_inch_mm", rules.radii_tolerance_inch_mm);
     take_field(state, "radii_tolerance_share", rules.radii_tolerance_share);
@@ -130,16 +130,16 @@ int set_arc_rules(lua_State* state) {
 
 }  // namespace
 
-void add_arc_words(lua_State* state, Controller& controller) {
-    set_function<make_arc_word<arc_word>>(state, "arc_word", &controller);
-    set_function<make_arc_word<modal_arc_word>>(state, "modal_arc_word", &controller);
-    set_function<read_arc_words>(state, "read_arc", &controller);
-    set_function<plane_across>(state, "plane_across", &controller);
-    set_function<plane>(state, "plane", &controller);
-    set_function<has_absolute_arc_centers>(state, "has_absolute_arc_centers", &controller);
-    set_function<set_plane>(state, "set_plane", &controller);
-    set_function<set_absolute_arc_centers>(state, "set_absolute_arc_centers", &controller);
-    set_function<set_arc_rules>(state, "set_arc_rules", &controller);
+void add_arc_words(lua_State* state, Interpreter& interpreter) {
+    set_function<make_arc_word<arc_word>>(state, "arc_word", &interpreter);
+    set_function<make_arc_word<modal_arc_word>>(state, "modal_arc_word", &interpreter);
+    set_function<read_arc_words>(state, "read_arc", &interpreter);
+    set_function<plane_across>(state, "plane_across", &interpreter);
+    set_function<plane>(state, "plane", &interpreter);
+    set_function<has_absolute_arc_centers>(state, "has_absolute_arc_centers", &interpreter);
+    set_function<set_plane>(state, "set_plane", &interpreter);
+    set_function<set_absolute_arc_centers>(state, "set_absolute_arc_centers", &interpreter);
+    set_function<set_arc_rules>(state, "set_arc_rules", &interpreter);
 }
 
 }  // namespace gsim::script

@@ -14,8 +14,8 @@ struct AxisKey {
 
 }  // namespace
 
-void push_axes(lua_State* state, const Controller& controller, const AxisVector& values) {
-    const auto& axes = controller.simulator().machine().axes;
+void push_axes(lua_State* state, const Interpreter& interpreter, const AxisVector& values) {
+    const auto& axes = interpreter.simulator().machine().axes;
     lua_createtable(state, 0, static_cast<int>(axes.size()));
     for (std::size_t i = 0; i < axes.size(); ++i) {
         lua_pushnumber(state, values[static_cast<Eigen::Index>(i)]);
@@ -23,9 +23,9 @@ void push_axes(lua_State* state, const Controller& controller, const AxisVector&
     }
 }
 
-AxisVector check_axes(lua_State* state, const Controller& controller, int index, AxisVector rest) {
+AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index, AxisVector rest) {
     luaL_checktype(state, index, LUA_TTABLE);
-    const auto& axes = controller.simulator().machine().axes;
+    const auto& axes = interpreter.simulator().machine().axes;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         lua_getfield(state, index, AxisKey(axes[i].letter).text);
         if (!lua_isnil(state, -1)) rest[static_cast<Eigen::Index>(i)] = luaL_checknumber(state, -1);
@@ -34,8 +34,8 @@ AxisVector check_axes(lua_State* state, const Controller& controller, int index,
     return rest;
 }
 
-AxisVector check_axes(lua_State* state, const Controller& controller, int index) {
-    return check_axes(state, controller, index, controller.programmed());
+AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index) {
+    return check_axes(state, interpreter, index, interpreter.programmed());
 }
 
 }  // namespace gsim::script

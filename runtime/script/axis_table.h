@@ -2,17 +2,17 @@
 
 #include <lua.hpp>
 
-#include "runtime/script/controller.h"
+#include "runtime/script/interpreter.h"
 
 namespace gsim::script {
 
 /// Pushes a table with the value of every axis by its lower-case letter, in machine coordinates.
-void push_axes(lua_State* state, const Controller& controller, const simulation::AxisVector& values);
+void push_axes(lua_State* state, const Interpreter& interpreter, const simulation::AxisVector& values);
 
 /// The axis values of the table at `index`; axes that are not named have the value in `rest`.
-simulation::AxisVector check_axes(lua_State* state, const Controller& controller, int index,
+simulation::AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index,
                                   simulation::AxisVector rest);
 /// The same, where axes that are not named stay where the program is.
-simulation::AxisVector check_axes(lua_State* state, const Controller& controller, int index);
+simulation::AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index);
 
 }  // namespace gsim::script

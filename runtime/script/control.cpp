@@ -65,8 +65,11 @@ void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
 
 /// core.codes: what the dialect's table says, by column and by word; what is empty is left out.
 void set_codes(lua_State* state, const std::vector<CodeRow>& codes) {
-    constexpr std::array<std::pair<const char*, std::string CodeRow::*>, 3> kColumns{
-        {{"group", &CodeRow::group}, {"keys", &CodeRow::keys}, {"compensation", &CodeRow::compensation}}};
+    constexpr std::array<std::pair<const char*, std::string CodeRow::*>, 4> kColumns{
+        {{"group", &CodeRow::group},
+         {"keys", &CodeRow::keys},
+         {"compensation", &CodeRow::compensation},
+         {"unsupported", &CodeRow::unsupported}}};
     lua_createtable(state, 0, static_cast<int>(kColumns.size()));
     for (const auto& [column, field] : kColumns) {
         lua_newtable(state);
@@ -138,11 +141,11 @@ void load_text(lua_State* state, const std::string& text, const char* name) {
 void Control::open(lua_State* state, const Library& library_files, const Switches& switches,
                    const AddCore& add_core_functions) {
     files_ = &library_files;
-    controller_.modal().unit_mm = robot_.unit_mm;
+    interpreter_.set_unit_mm(robot_.unit_mm);
     push_safe_library(state);
     const int environment = lua_gettop(state);
     lua_newtable(state);
-    add_rrs(state, controller_);
+    add_rrs(state, interpreter_);
     name_functions(state, prefix() + "rrs");
     lua_setfield(state, environment, "rrs");
     push_safe_library(state);
@@ -157,14 +160,14 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
         lua_setfield(state, library, name);
     }
     lua_newtable(state);
-    add_core(state, controller_);
-    add_angles(state, controller_);
-    add_motion_words(state, controller_);
-    add_arc_words(state, controller_);
-    add_moves(state, controller_);
-    add_frames(state, controller_);
-    add_poses(state, controller_);
-    add_zones(state, controller_);
+    add_core(state, interpreter_);
+    add_angles(state, interpreter_);
+    add_motion_words(state, interpreter_);
+    add_arc_words(state, interpreter_);
+    add_moves(state, interpreter_);
+    add_frames(state, interpreter_);
+    add_poses(state, interpreter_);
+    add_zones(state, interpreter_);
     add_core_functions(state, *this);
     set_function<loading_module>(state, "loading", this);
     set_options(state, switches);

@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/machine/machine_data.h"
-#include "runtime/script/controller.h"
+#include "runtime/script/interpreter.h"
 #include "runtime/script/library.h"
 #include "runtime/script/script.h"
 
@@ -41,7 +41,7 @@ class Control {
     using AddCore = std::function<void(lua_State*, Control&)>;
 
     Control(Robot robot, PlaceFinder& places)
-        : robot_(std::move(robot)), controller_(robot_.simulator, places) {}
+        : robot_(std::move(robot)), interpreter_(robot_.simulator, places) {}
     Control(const Control&) = delete;
     Control& operator=(const Control&) = delete;
 
@@ -52,7 +52,7 @@ class Control {
     const std::string& dialect() const { return robot_.dialect; }
     const FindProgram& find_program() const { return robot_.find_program; }
     const FindProgram& find_module() const { return robot_.find_module; }
-    Controller& controller() { return controller_; }
+    Interpreter& interpreter() { return interpreter_; }
     simulation::Simulator& simulator() { return robot_.simulator; }
     const rrs::CartPos& base() const { return robot_.base; }
     /// Time in which the robot has waited for others.
@@ -76,7 +76,7 @@ class Control {
     static int loading_module(lua_State* state);
 
     Robot robot_;
-    Controller controller_;
+    Interpreter interpreter_;
     const Library* files_ = nullptr;
     double idle_s_ = 0;
     int environment_ = LUA_NOREF;       ///< What scripts see.

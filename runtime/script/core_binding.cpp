@@ -24,9 +24,9 @@ int return_all(lua_State* state, int, lua_KContext) {
     return lua_gettop(state);
 }
 
-/// A word in Lua; upvalues: controller, function, id. It may wait for other processes.
+/// A word in Lua; upvalues: interpreter, function, id. It may wait for other processes.
 int call_word(lua_State* state) {
-    controller_of(state).enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
+    interpreter_of(state).enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
     lua_pushvalue(state, lua_upvalueindex(2));
     lua_insert(state, 1);
     lua_callk(state, lua_gettop(state) - 1, LUA_MULTRET, 0, return_all);
@@ -53,74 +53,74 @@ DiagnosticKind check_kind(lua_State* state, int index) {
 
 /// core.alarm(kind, message): ends the run; the kind by its code.
 int alarm(lua_State* state) {
-    Controller& controller = controller_of(state);
-    controller.locate(state);  // an expression has no word that would have told its place
-    controller.alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.locate(state);  // an expression has no word that would have told its place
+    interpreter.alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
 }
 
 /// core.note_place(): remembers where the script is.
 int note_place(lua_State* state) {
-    controller_of(state).locate(state);
+    interpreter_of(state).locate(state);
     return 0;
 }
 
 int alarm_at_noted_place(lua_State* state) {
-    controller_of(state).alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
+    interpreter_of(state).alarm(state, check_kind(state, 1), luaL_checkstring(state, 2));
 }
 
 /// core.enter_program(name): a program is called from here.
 int enter_program(lua_State* state) {
-    Controller& controller = controller_of(state);
-    controller.simulator().enter_program(luaL_checkstring(state, 1), controller.place());
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.simulator().enter_program(luaL_checkstring(state, 1), interpreter.place());
     return 0;
 }
 
 /// core.repeat_program(): the program called last is gone through once more.
 int repeat_program(lua_State* state) {
-    controller_of(state).simulator().repeat_program();
+    interpreter_of(state).simulator().repeat_program();
     return 0;
 }
 
 /// core.note_pass(count, block or nil): a pass of the main program ends here, and leads back to its start or
 /// to that block.
 int note_pass(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::Passes passes;
     passes.count = static_cast<std::uint64_t>(luaL_checkinteger(state, 1));
-    passes.place = controller.place();
+    passes.place = interpreter.place();
     if (!lua_isnoneornil(state, 2)) passes.to_block = luaL_checkinteger(state, 2);
-    controller.simulator().note_passes(passes);
+    interpreter.simulator().note_passes(passes);
     return 0;
 }
 
 int leave_program(lua_State* state) {
-    controller_of(state).simulator().leave_program();
+    interpreter_of(state).simulator().leave_program();
     return 0;
 }
 
 /// core.stop(message): ends the run as a limit does.
 int stop(lua_State* state) {
-    Controller& controller = controller_of(state);
-    controller.simulator().stop(DiagnosticKind::run_limit, luaL_checkstring(state, 1), controller.place());
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.simulator().stop(DiagnosticKind::run_limit, luaL_checkstring(state, 1), interpreter.place());
     LuaState::raise_stop(state);
 }
 
 /// core.time(): seconds of the machine since the start.
 int time(lua_State* state) {
-    lua_pushnumber(state, controller_of(state).simulator().time_s());
+    lua_pushnumber(state, interpreter_of(state).simulator().time_s());
     return 1;
 }
 
 int warn(lua_State* state) {
-    controller_of(state).simulator().warn(luaL_checkstring(state, 1));
+    interpreter_of(state).simulator().warn(luaL_checkstring(state, 1));
     return 0;
 }
 
 /// core.finish(): the program is at its end.
 int finish(lua_State* state) {
-    Controller& controller = controller_of(state);
-    controller.simulator().end_program(controller.place());
-    controller.end_program();
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.simulator().end_program(interpreter.place());
+    interpreter.end_program();
     LuaState::raise_stop(state);
 }
 
@@ -145,71 +145,71 @@ int word_advice_of(lua_State* state) {
 // --- Modal state ---
 
 int unit_mm(lua_State* state) {
-    lua_pushnumber(state, controller_of(state).modal().unit_mm);
+    lua_pushnumber(state, interpreter_of(state).unit_mm());
     return 1;
 }
 
 int is_incremental(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(controller_of(state).modal().incremental));
+    lua_pushboolean(state, static_cast<int>(interpreter_of(state).modal().incremental));
     return 1;
 }
 
 int spindle_rpm(lua_State* state) {
-    lua_pushnumber(state, controller_of(state).modal().spindle_rpm);
+    lua_pushnumber(state, interpreter_of(state).modal().spindle_rpm);
     return 1;
 }
 
 int set_unit(lua_State* state) {
-    controller_of(state).modal().unit_mm = luaL_checknumber(state, 1);
+    interpreter_of(state).set_unit_mm(luaL_checknumber(state, 1));
     return 0;
 }
 
 int set_incremental(lua_State* state) {
-    controller_of(state).modal().incremental = lua_toboolean(state, 1) != 0;
+    interpreter_of(state).modal().incremental = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
 int set_feed(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     const double value = luaL_checknumber(state, 1);
     if (!(value > 0) || !std::isfinite(value))
-        controller.alarm(state, DiagnosticKind::word_value,
-                         fmt::format("F is a number above 0, not {:.10g}", value));
-    controller.modal().feed = value;
-    controller.modal().feed_unit_mm = controller.modal().unit_mm;
-    controller.modal().feed_is_new = true;
+        interpreter.alarm(state, DiagnosticKind::word_value,
+                          fmt::format("F is a number above 0, not {:.10g}", value));
+    interpreter.modal().feed = value;
+    interpreter.modal().feed_unit_mm = interpreter.unit_mm();
+    interpreter.modal().feed_is_new = true;
     return 0;
 }
 
 /// core.clear_feed(): no feed is in force.
 int clear_feed(lua_State* state) {
-    controller_of(state).modal().feed = 0;
+    interpreter_of(state).modal().feed = 0;
     return 0;
 }
 
 /// core.set_letters_uvw(increments): whether U, V and W are increments of X, Y and Z where no axis has the
 /// letter.
 int set_letters_uvw(lua_State* state) {
-    controller_of(state).modal().uvw_increments = lua_toboolean(state, 1) != 0;
+    interpreter_of(state).modal().uvw_increments = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
 /// core.set_inverse_time_of_arcs(by_angle): F of an arc is the inverse of its time per radian, or of its
 /// time.
 int set_inverse_time_of_arcs(lua_State* state) {
-    controller_of(state).modal().inverse_time_by_angle = lua_toboolean(state, 1) != 0;
+    interpreter_of(state).modal().inverse_time_by_angle = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
 constexpr std::array<const char*, 4> kFeedModes{"minute", "inverse", "revolution", nullptr};
 
 int feed_mode(lua_State* state) {
-    lua_pushstring(state, kFeedModes[static_cast<std::size_t>(controller_of(state).modal().feed_mode)]);
+    lua_pushstring(state, kFeedModes[static_cast<std::size_t>(interpreter_of(state).modal().feed_mode)]);
     return 1;
 }
 
 int set_feed_mode(lua_State* state) {
-    ModalState& modal = controller_of(state).modal();
+    ModalState& modal = interpreter_of(state).modal();
     const auto mode = static_cast<FeedMode>(check_choice(state, 1, nullptr, kFeedModes));
     if (mode != modal.feed_mode) modal.feed = 0;  // an F of one mode means nothing in another
     modal.feed_mode = mode;
@@ -217,14 +217,14 @@ int set_feed_mode(lua_State* state) {
 }
 
 int set_spindle(lua_State* state) {
-    controller_of(state).modal().spindle_rpm = luaL_checknumber(state, 1);
+    interpreter_of(state).modal().spindle_rpm = luaL_checknumber(state, 1);
     return 0;
 }
 
 // --- Machine ---
 
 int axes(lua_State* state) {
-    const auto& list = controller_of(state).simulator().machine().axes;
+    const auto& list = interpreter_of(state).simulator().machine().axes;
     lua_createtable(state, static_cast<int>(list.size()), 0);
     for (std::size_t i = 0; i < list.size(); ++i) {
         lua_createtable(state, 0, 4);
@@ -244,40 +244,40 @@ int axes(lua_State* state) {
 
 /// core.set_process(on, with_motion)
 int set_process(lua_State* state) {
-    controller_of(state).simulator().set_process(lua_toboolean(state, 1) != 0, lua_toboolean(state, 2) != 0);
+    interpreter_of(state).simulator().set_process(lua_toboolean(state, 1) != 0, lua_toboolean(state, 2) != 0);
     return 0;
 }
 
 }  // namespace
 
-void add_core(lua_State* state, Controller& controller) {
-    set_function<make_counted_word>(state, "word", &controller);
-    set_function<alarm>(state, "alarm", &controller);
-    set_function<note_place>(state, "note_place", &controller);
-    set_function<alarm_at_noted_place>(state, "alarm_at_noted_place", &controller);
-    set_function<enter_program>(state, "enter_program", &controller);
-    set_function<repeat_program>(state, "repeat_program", &controller);
-    set_function<word_advice_of>(state, "word_advice", &controller);
-    set_function<note_pass>(state, "note_pass", &controller);
-    set_function<leave_program>(state, "leave_program", &controller);
-    set_function<stop>(state, "stop", &controller);
-    set_function<time>(state, "time", &controller);
-    set_function<warn>(state, "warn", &controller);
-    set_function<finish>(state, "finish", &controller);
-    set_function<unit_mm>(state, "unit_mm", &controller);
-    set_function<is_incremental>(state, "is_incremental", &controller);
-    set_function<feed_mode>(state, "feed_mode", &controller);
-    set_function<spindle_rpm>(state, "spindle_rpm", &controller);
-    set_function<set_unit>(state, "set_unit", &controller);
-    set_function<set_incremental>(state, "set_incremental", &controller);
-    set_function<set_feed>(state, "set_feed", &controller);
-    set_function<clear_feed>(state, "clear_feed", &controller);
-    set_function<set_letters_uvw>(state, "set_letters_uvw", &controller);
-    set_function<set_inverse_time_of_arcs>(state, "set_inverse_time_of_arcs", &controller);
-    set_function<set_feed_mode>(state, "set_feed_mode", &controller);
-    set_function<set_spindle>(state, "set_spindle", &controller);
-    set_function<axes>(state, "axes", &controller);
-    set_function<set_process>(state, "set_process", &controller);
+void add_core(lua_State* state, Interpreter& interpreter) {
+    set_function<make_counted_word>(state, "word", &interpreter);
+    set_function<alarm>(state, "alarm", &interpreter);
+    set_function<note_place>(state, "note_place", &interpreter);
+    set_function<alarm_at_noted_place>(state, "alarm_at_noted_place", &interpreter);
+    set_function<enter_program>(state, "enter_program", &interpreter);
+    set_function<repeat_program>(state, "repeat_program", &interpreter);
+    set_function<word_advice_of>(state, "word_advice", &interpreter);
+    set_function<note_pass>(state, "note_pass", &interpreter);
+    set_function<leave_program>(state, "leave_program", &interpreter);
+    set_function<stop>(state, "stop", &interpreter);
+    set_function<time>(state, "time", &interpreter);
+    set_function<warn>(state, "warn", &interpreter);
+    set_function<finish>(state, "finish", &interpreter);
+    set_function<unit_mm>(state, "unit_mm", &interpreter);
+    set_function<is_incremental>(state, "is_incremental", &interpreter);
+    set_function<feed_mode>(state, "feed_mode", &interpreter);
+    set_function<spindle_rpm>(state, "spindle_rpm", &interpreter);
+    set_function<set_unit>(state, "set_unit", &interpreter);
+    set_function<set_incremental>(state, "set_incremental", &interpreter);
+    set_function<set_feed>(state, "set_feed", &interpreter);
+    set_function<clear_feed>(state, "clear_feed", &interpreter);
+    set_function<set_letters_uvw>(state, "set_letters_uvw", &interpreter);
+    set_function<set_inverse_time_of_arcs>(state, "set_inverse_time_of_arcs", &interpreter);
+    set_function<set_feed_mode>(state, "set_feed_mode", &interpreter);
+    set_function<set_spindle>(state, "set_spindle", &interpreter);
+    set_function<axes>(state, "axes", &interpreter);
+    set_function<set_process>(state, "set_process", &interpreter);
 }
 
 }  // namespace gsim::script

@@ -221,7 +221,7 @@ bool Engine::judge_processes(int status) {
 bool Engine::judge(int status, lua_State* state, Control& control) {
     simulation::Simulator& simulator = control.simulator();
     if (status == LUA_OK) return !simulator.alarm();
-    const Place place = control.controller().place();
+    const Place place = control.interpreter().place();
     if (status == LUA_ERRMEM || lua_.ended() == LuaState::Ended::memory) {
         return simulator.stop(DiagnosticKind::run_limit, lua_.memory_refusal(), place);
     }

@@ -147,7 +147,7 @@ int Engine::run_body(lua_State* state, BodyWalk& walk) {
 void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk) {
     const HeldMemory copy(state, chunk.end - walk.offset, kTextOfScript);
     const auto read = loaded.script.read(walk.offset, chunk.end);
-    if (!read) loaded.control->controller().alarm(state, text::DiagnosticKind::file, read.error());
+    if (!read) loaded.control->interpreter().alarm(state, text::DiagnosticKind::file, read.error());
     const std::string& text = *read;
     PlainLine line;
     std::size_t begin = 0;

@@ -75,7 +75,7 @@ void Engine::compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk)
     loaded.control->push_environment(state);
     const HeldMemory copy(state, chunk.end - chunk.begin, kTextOfScript);
     const auto lua = loaded.script.read(chunk.begin, chunk.end);
-    if (!lua) loaded.control->controller().alarm(state, DiagnosticKind::file, lua.error());
+    if (!lua) loaded.control->interpreter().alarm(state, DiagnosticKind::file, lua.error());
     load_text(state, *lua, PlaceFinder::chunk_name(text).c_str());
 }
 
@@ -89,7 +89,7 @@ int Engine::load_program(lua_State* state) {
     if (kept == nullptr) {
         if (!control.find_program()) return 0;
         tl::expected<std::optional<Script>, std::string> script = control.find_program()(name);
-        if (!script) control.controller().alarm(state, DiagnosticKind::program_missing, script.error());
+        if (!script) control.interpreter().alarm(state, DiagnosticKind::program_missing, script.error());
         if (!*script) return 0;
         kept = &engine.keep_script(state, std::move(**script), control);
     }
@@ -117,7 +117,7 @@ int Engine::load_module(lua_State* state) {
 /// core.run_to_end(f): f(), up to the end of a program within.
 int Engine::run_to_end(lua_State* state) {
     auto& control = *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
-    control.controller().take_program_end();
+    control.interpreter().take_program_end();
     lua_settop(state, 1);
     lua_pushlightuserdata(state, &bound<Engine>(state));
     lua_pushcclosure(state, handle_error, 1);
@@ -130,7 +130,7 @@ int Engine::finish_run(lua_State* state, int status, lua_KContext) {
     if (status == LUA_OK || status == LUA_YIELD) return 0;
     LuaState& lua = LuaState::of(state);
     auto& control = *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
-    const bool program_end = control.controller().take_program_end();
+    const bool program_end = control.interpreter().take_program_end();
     if (status == LUA_ERRRUN && LuaState::is_stop(state, -1) && program_end &&
         lua.ended() == LuaState::Ended::no)
         return 0;

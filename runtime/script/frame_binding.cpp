@@ -36,31 +36,42 @@ class ListedWords final : public OtherWords {
 
 int check_axis(lua_State* state, int argument) {
     const std::string_view letter = luaL_checkstring(state, argument);
-    const int axis = letter.size() == 1 ? controller_of(state).axis(letter[0]) : -1;
+    const int axis = letter.size() == 1 ? interpreter_of(state).axis(letter[0]) : -1;
     luaL_argcheck(state, axis >= 0, argument, "no axis of the machine");
     return axis;
 }
 
 // A control changes its frames when the moves so far have been made: it has planned them in the old ones.
 int set_offset(lua_State* state) {
-    Controller& controller = controller_of(state);
-    if (controller.frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2)))
-        controller.simulator().wait();
+    Interpreter& interpreter = interpreter_of(state);
+    if (interpreter.frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2)))
+        interpreter.simulator().wait();
     return 0;
+}
+
+/// core.set_word_factor(letter, factor): how many program units 1 in a word of the axis counts.
+int set_word_factor(lua_State* state) {
+    interpreter_of(state).set_word_factor(check_axis(state, 1), luaL_checknumber(state, 2));
+    return 0;
+}
+
+int word_factor(lua_State* state) {
+    lua_pushnumber(state, interpreter_of(state).word_factor(check_axis(state, 1)));
+    return 1;
 }
 
 /// core.has_matrix(): a rotation, scaling or mirror image is in force.
 int has_matrix(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(controller_of(state).frame().has_matrix()));
+    lua_pushboolean(state, static_cast<int>(interpreter_of(state).frame().has_matrix()));
     return 1;
 }
 
 /// core.set_matrix(nil or {nine numbers, row by row})
 int set_matrix(lua_State* state) {
-    Controller& controller = controller_of(state);
-    if (controller.frame().has_matrix() || !lua_isnoneornil(state, 1)) controller.simulator().wait();
+    Interpreter& interpreter = interpreter_of(state);
+    if (interpreter.frame().has_matrix() || !lua_isnoneornil(state, 1)) interpreter.simulator().wait();
     if (lua_isnoneornil(state, 1)) {
-        controller.frame().set_matrix(std::nullopt);
+        interpreter.frame().set_matrix(std::nullopt);
         return 0;
     }
     luaL_checktype(state, 1, LUA_TTABLE);
@@ -70,58 +81,58 @@ int set_matrix(lua_State* state) {
         matrix(i / 3, i % 3) = luaL_checknumber(state, -1);
         lua_pop(state, 1);
     }
-    if (!controller.frame().set_matrix(matrix))
-        controller.alarm(state, DiagnosticKind::frame,
-                         "a scale of 0 leaves nothing of the program; scales are other than 0");
+    if (!interpreter.frame().set_matrix(matrix))
+        interpreter.alarm(state, DiagnosticKind::frame,
+                          "a scale of 0 leaves nothing of the program; scales are other than 0");
     return 0;
 }
 
 int machine_frame_once(lua_State* state) {
-    controller_of(state).modal().machine_frame_once = true;
+    interpreter_of(state).modal().machine_frame_once = true;
     return 0;
 }
 
 /// core.in_machine_frame(): true where G53 holds for the move of this block.
 int in_machine_frame(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(controller_of(state).modal().machine_frame_once));
+    lua_pushboolean(state, static_cast<int>(interpreter_of(state).modal().machine_frame_once));
     return 1;
 }
 
 int position(lua_State* state) {
-    lua_pushnumber(state, controller_of(state).programmed()[check_axis(state, 1)]);
+    lua_pushnumber(state, interpreter_of(state).programmed()[check_axis(state, 1)]);
     return 1;
 }
 
 int machine_position(lua_State* state) {
-    lua_pushnumber(state, controller_of(state).simulator().position()[check_axis(state, 1)]);
+    lua_pushnumber(state, interpreter_of(state).simulator().position()[check_axis(state, 1)]);
     return 1;
 }
 
 /// core.turned(letter, value): where the axis goes that is told to go to `value` in machine coordinates; of a
 /// rotary one that may be some turns off.
 int turned(lua_State* state) {
-    const Controller& controller = controller_of(state);
+    const Interpreter& interpreter = interpreter_of(state);
     const int axis = check_axis(state, 1);
-    const machine::Axis& moved = controller.simulator().machine().axes[static_cast<std::size_t>(axis)];
+    const machine::Axis& moved = interpreter.simulator().machine().axes[static_cast<std::size_t>(axis)];
     lua_pushnumber(
-        state, machine::turned_target(moved, luaL_checknumber(state, 2), controller.programmed()[axis], 0));
+        state, machine::turned_target(moved, luaL_checknumber(state, 2), interpreter.programmed()[axis], 0));
     return 1;
 }
 
 /// core.reading(letter, value): what the axis shows at `value` in machine coordinates.
 int reading(lua_State* state) {
     const auto axis = static_cast<std::size_t>(check_axis(state, 1));
-    lua_pushnumber(state, machine::reading(controller_of(state).simulator().machine().axes[axis],
+    lua_pushnumber(state, machine::reading(interpreter_of(state).simulator().machine().axes[axis],
                                            luaL_checknumber(state, 2)));
     return 1;
 }
 
 int set_programmed(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     if (lua_isnoneornil(state, 1)) {
-        controller.set_programmed(std::nullopt);
+        interpreter.set_programmed(std::nullopt);
     } else {
-        controller.set_programmed(check_axes(state, controller, 1));
+        interpreter.set_programmed(check_axes(state, interpreter, 1));
     }
     return 0;
 }
@@ -131,25 +142,25 @@ int target(lua_State* state) {
     AxisVector values;
     const std::string_view list = luaL_optstring(state, 2, "");
     ListedWords others(list);
-    const bool any = controller_of(state).read_target(state, 1, list.empty() ? nullptr : &others, values);
-    push_axes(state, controller_of(state), values);
+    const bool any = interpreter_of(state).read_target(state, 1, list.empty() ? nullptr : &others, values);
+    push_axes(state, interpreter_of(state), values);
     lua_pushboolean(state, static_cast<int>(any));
     return 2;
 }
 
 /// core.to_program(target): program coordinates in mm and deg of a point in machine coordinates.
 int to_program(lua_State* state) {
-    Controller& controller = controller_of(state);
-    push_axes(state, controller, controller.frame().to_program(check_axes(state, controller, 1)));
+    Interpreter& interpreter = interpreter_of(state);
+    push_axes(state, interpreter, interpreter.frame().to_program(check_axes(state, interpreter, 1)));
     return 1;
 }
 
 /// core.to_machine(values): the way back; axes that are not named stay where they are.
 int to_machine(lua_State* state) {
-    Controller& controller = controller_of(state);
-    const ProgramFrame& frame = controller.frame();
-    const AxisVector values = check_axes(state, controller, 1, frame.to_program(controller.programmed()));
-    push_axes(state, controller, frame.to_machine(values));
+    Interpreter& interpreter = interpreter_of(state);
+    const ProgramFrame& frame = interpreter.frame();
+    const AxisVector values = check_axes(state, interpreter, 1, frame.to_program(interpreter.programmed()));
+    push_axes(state, interpreter, frame.to_machine(values));
     return 1;
 }
 
@@ -157,13 +168,13 @@ int to_machine(lua_State* state) {
 int set_on_polar(lua_State* state) {
     luaL_checktype(state, 1, LUA_TFUNCTION);
     lua_settop(state, 1);
-    controller_of(state).on_polar = luaL_ref(state, LUA_REGISTRYINDEX);
+    interpreter_of(state).on_polar = luaL_ref(state, LUA_REGISTRYINDEX);
     return 0;
 }
 
 /// core.direction(x, y, z): a vector of the program in machine coordinates.
 int direction(lua_State* state) {
-    const Eigen::Vector3d vector = controller_of(state).frame().direction(
+    const Eigen::Vector3d vector = interpreter_of(state).frame().direction(
         {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});
     for (const double part : vector) lua_pushnumber(state, part);
     return 3;
@@ -171,7 +182,7 @@ int direction(lua_State* state) {
 
 /// core.set_tip_control(nil or offsets by letter in mm): tool-centre-point control.
 int set_tip_control(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     std::optional<Eigen::Vector3d> offset;
     if (!lua_isnoneornil(state, 1)) {
         luaL_checktype(state, 1, LUA_TTABLE);
@@ -182,36 +193,38 @@ int set_tip_control(lua_State* state) {
             lua_pop(state, 1);
         }
     }
-    controller.check(state, controller.simulator().set_tip_control(offset, controller.place()));
+    interpreter.check(state, interpreter.simulator().set_tip_control(offset, interpreter.place()));
     return 0;
 }
 
 /// core.tip_control(): whether it is on.
 int tip_control(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(controller_of(state).simulator().has_tip_control()));
+    lua_pushboolean(state, static_cast<int>(interpreter_of(state).simulator().has_tip_control()));
     return 1;
 }
 
 }  // namespace
 
-void add_frames(lua_State* state, Controller& controller) {
-    set_function<set_offset>(state, "set_offset", &controller);
-    set_function<has_matrix>(state, "has_matrix", &controller);
-    set_function<set_matrix>(state, "set_matrix", &controller);
-    set_function<machine_frame_once>(state, "machine_frame_once", &controller);
-    set_function<in_machine_frame>(state, "in_machine_frame", &controller);
-    set_function<position>(state, "position", &controller);
-    set_function<machine_position>(state, "machine_position", &controller);
-    set_function<turned>(state, "turned", &controller);
-    set_function<reading>(state, "reading", &controller);
-    set_function<set_programmed>(state, "set_programmed", &controller);
-    set_function<target>(state, "target", &controller);
-    set_function<to_program>(state, "to_program", &controller);
-    set_function<to_machine>(state, "to_machine", &controller);
-    set_function<set_on_polar>(state, "on_polar", &controller);
-    set_function<direction>(state, "direction", &controller);
-    set_function<set_tip_control>(state, "set_tip_control", &controller);
-    set_function<tip_control>(state, "tip_control", &controller);
+void add_frames(lua_State* state, Interpreter& interpreter) {
+    set_function<set_offset>(state, "set_offset", &interpreter);
+    set_function<set_word_factor>(state, "set_word_factor", &interpreter);
+    set_function<word_factor>(state, "word_factor", &interpreter);
+    set_function<has_matrix>(state, "has_matrix", &interpreter);
+    set_function<set_matrix>(state, "set_matrix", &interpreter);
+    set_function<machine_frame_once>(state, "machine_frame_once", &interpreter);
+    set_function<in_machine_frame>(state, "in_machine_frame", &interpreter);
+    set_function<position>(state, "position", &interpreter);
+    set_function<machine_position>(state, "machine_position", &interpreter);
+    set_function<turned>(state, "turned", &interpreter);
+    set_function<reading>(state, "reading", &interpreter);
+    set_function<set_programmed>(state, "set_programmed", &interpreter);
+    set_function<target>(state, "target", &interpreter);
+    set_function<to_program>(state, "to_program", &interpreter);
+    set_function<to_machine>(state, "to_machine", &interpreter);
+    set_function<set_on_polar>(state, "on_polar", &interpreter);
+    set_function<direction>(state, "direction", &interpreter);
+    set_function<set_tip_control>(state, "set_tip_control", &interpreter);
+    set_function<tip_control>(state, "tip_control", &interpreter);
 }
 
 }  // namespace gsim::script

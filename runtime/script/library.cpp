@@ -1,6 +1,5 @@
 #include "runtime/script/library.h"
 
-#include "base/os/input_file.h"
 #include "lua_lib/embedded_lua.h"
 
 namespace gsim::script {
@@ -12,7 +11,7 @@ tl::expected<std::string, std::string> Library::read(std::string_view file_name)
             return tl::unexpected("the library has no file " + std::string(file_name));
         return std::string(text);
     }
-    return os::read_text_file(*folder_ / file_name);
+    return folder_files_->read_text(*folder_ / file_name);
 }
 
 }  // namespace gsim::script

@@ -7,6 +7,8 @@
 
 #include <tl/expected.hpp>
 
+#include "base/os/files.h"
+
 namespace gsim::script {
 
 /// Where the files of the library in Lua come from: built in, or a folder that a user has changed.
@@ -14,13 +16,16 @@ class Library {
   public:
     /// The files that are built in.
     Library() = default;
-    explicit Library(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    /// Those of a folder of `files`, which outlive this.
+    explicit Library(std::filesystem::path folder, const os::Files& files = os::disk())
+        : folder_(std::move(folder)), folder_files_(&files) {}
 
     /// The text of one file, such as "init.lua"; the error is a sentence for the user.
     tl::expected<std::string, std::string> read(std::string_view file_name) const;
 
   private:
     std::optional<std::filesystem::path> folder_;
+    const os::Files* folder_files_ = nullptr;
 };
 
 }  // namespace gsim::script

@@ -111,6 +111,8 @@ std::uint64_t LuaState::serial_of_table(const void* table) const {
 std::nullptr_t LuaState::refuse(const Refusal& refusal) {
     refused_ = true;
     refusal_ = refusal;
+    if (const char* most = holder_of_most(); most != nullptr && refusal.asked_bytes < bytes_ / 2)
+        refusal_.what = most;
     return nullptr;
 }
 
@@ -124,7 +126,28 @@ void LuaState::hold(lua_State* state, std::size_t bytes, const char* what) {
         ended_ = Ended::memory;
         raise_stop(state);
     }
+    held_for(what) += bytes;
     bytes_ += bytes;
+}
+
+void LuaState::give_back(std::size_t bytes, const char* what) {
+    held_for(what) -= bytes;
+    bytes_ -= bytes;
+}
+
+std::size_t& LuaState::held_for(const char* what) {
+    const auto found = std::find_if(held_.begin(), held_.end(),
+                                    [what](const Held& held) { return std::string_view(held.what) == what; });
+    return found != held_.end() ? found->bytes : held_.emplace_back(Held{what, 0}).bytes;
+}
+
+/// What more than half of the memory is kept for outside of Lua, which then is what needs too much, whoever
+/// asks for the last of it; or null.
+const char* LuaState::holder_of_most() const {
+    for (const Held& held : held_) {
+        if (held.bytes > bytes_ / 2) return held.what;
+    }
+    return nullptr;
 }
 
 std::string LuaState::memory_refusal() const {

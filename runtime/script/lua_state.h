@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <lua.hpp>
 
@@ -58,9 +59,10 @@ class LuaState {
     /// Memory outside of Lua that is kept for the script counts as its own from here on. Ends the run where
     /// that is too much; `what` is kept, and says what asks: "the text of the script".
     void hold(lua_State* state, std::size_t bytes, const char* what);
-    /// It is kept no longer.
-    void give_back(std::size_t bytes) { bytes_ -= bytes; }
-    /// What asked for more memory than there is, as a sentence, where that ended the run.
+    /// It is kept no longer; `what` as it was said to hold().
+    void give_back(std::size_t bytes, const char* what);
+    /// What needs more memory than there is, as a sentence, where that ended the run: what holds most of it,
+    /// or what asked.
     std::string memory_refusal() const;
     /// The how many-th table of this state it is; 0 where that is not known. Lua's order of tables as keys is
     /// that of their addresses, which differ from run to run.
@@ -101,7 +103,15 @@ class LuaState {
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
     void* resize(void* block, std::size_t held, std::size_t new_size);
     void release(void* block, std::size_t held);
+    /// Memory outside of Lua, by what it is kept for.
+    struct Held {
+        const char* what;
+        std::size_t bytes;
+    };
+
     std::nullptr_t refuse(const Refusal& refusal);
+    std::size_t& held_for(const char* what);
+    const char* holder_of_most() const;
     static void on_hook(lua_State* state, lua_Debug* event);
     void count_steps(lua_State* state);
     void check_limits(lua_State* state);
@@ -115,6 +125,7 @@ class LuaState {
     SmallBlocks small_blocks_;
     std::size_t printed_bytes_ = 0;
     std::size_t bytes_ = 0;
+    std::vector<Held> held_;  ///< A part of bytes_.
     std::uint64_t steps_ = 0;
     std::uint64_t unchecked_ = 0;  ///< Instructions since the limits were last looked at.
     std::uint64_t weight_ = 1;     ///< What an instruction counts as.
@@ -133,16 +144,17 @@ class LuaState {
 class HeldMemory {
   public:
     HeldMemory(lua_State* state, std::size_t bytes, const char* what)
-        : lua_(LuaState::of(state)), bytes_(bytes) {
+        : lua_(LuaState::of(state)), bytes_(bytes), what_(what) {
         lua_.hold(state, bytes, what);
     }
-    ~HeldMemory() { lua_.give_back(bytes_); }
+    ~HeldMemory() { lua_.give_back(bytes_, what_); }
     HeldMemory(const HeldMemory&) = delete;
     HeldMemory& operator=(const HeldMemory&) = delete;
 
   private:
     LuaState& lua_;
     std::size_t bytes_;
+    const char* what_;
 };
 
 /// A C++ function as Lua calls it: an exception becomes an error of Lua with its text.

@@ -43,7 +43,7 @@ void push_feed(lua_State* state, const Feed& feed) {
 
 /// The feed at `index`, or where there is none the one in force; `sweep_rad` of an arc.
 Feed check_feed(lua_State* state, int index, std::optional<double> sweep_rad) {
-    if (lua_isnoneornil(state, index)) return controller_of(state).feed(state, sweep_rad);
+    if (lua_isnoneornil(state, index)) return interpreter_of(state).feed(state, sweep_rad);
     luaL_checktype(state, index, LUA_TTABLE);
     Feed feed;
     feed.linear_mm_min = number_field(state, index, "linear_mm_min");
@@ -55,7 +55,7 @@ Feed check_feed(lua_State* state, int index, std::optional<double> sweep_rad) {
 }
 
 Place check_place(lua_State* state, int index) {
-    if (lua_isnoneornil(state, index)) return controller_of(state).place();
+    if (lua_isnoneornil(state, index)) return interpreter_of(state).place();
     const auto code = static_cast<std::uint64_t>(luaL_checkinteger(state, index));
     return {static_cast<std::uint32_t>(code >> 32U), static_cast<std::uint32_t>(code)};
 }
@@ -64,7 +64,7 @@ Place check_place(lua_State* state, int index) {
 int take_feed(lua_State* state) {
     std::optional<double> sweep_rad;
     if (!lua_isnoneornil(state, 1)) sweep_rad = luaL_checknumber(state, 1);
-    push_feed(state, controller_of(state).feed(state, sweep_rad));
+    push_feed(state, interpreter_of(state).feed(state, sweep_rad));
     return 1;
 }
 
@@ -78,7 +78,7 @@ int feed_mm_min(lua_State* state) {
 }
 
 int place(lua_State* state) {
-    const Place current = controller_of(state).place();
+    const Place current = interpreter_of(state).place();
     lua_pushinteger(
         state, static_cast<lua_Integer>((static_cast<std::uint64_t>(current.file) << 32U) | current.line));
     return 1;
@@ -88,12 +88,12 @@ int place(lua_State* state) {
 
 /// core.rapid_to(target, place)
 int rapid_to(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::LineMove move;
     move.kind = MoveKind::rapid;
-    move.target = check_axes(state, controller, 1);
+    move.target = check_axes(state, interpreter, 1);
     move.place = check_place(state, 2);
-    controller.check(state, controller.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
@@ -101,13 +101,13 @@ int rapid_to(lua_State* state) {
 int line_to(lua_State* state) {
     static const char* const kNames[] = {"linear", "thread", "spline", nullptr};
     static constexpr MoveKind kKinds[] = {MoveKind::linear, MoveKind::thread, MoveKind::spline};
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::LineMove move;
-    move.target = check_axes(state, controller, 1);
+    move.target = check_axes(state, interpreter, 1);
     move.feed = check_feed(state, 2, std::nullopt);
     move.place = check_place(state, 3);
     move.kind = kKinds[check_choice(state, 4, "linear", kNames)];
-    controller.check(state, controller.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
@@ -115,10 +115,10 @@ int line_to(lua_State* state) {
 /// lost. `signal` is nil, or what a script answers: false, or the part of the way at which it comes. Gives
 /// whether it came, whether it was there before the move, and the machine coordinates where it came.
 int probe(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::ProbeMove move;
     move.line.kind = MoveKind::probe;
-    move.line.target = check_axes(state, controller, 1, controller.simulator().position());
+    move.line.target = check_axes(state, interpreter, 1, interpreter.simulator().position());
     move.line.feed = check_feed(state, 2, std::nullopt);
     move.line.place = check_place(state, 3);
     move.away = lua_toboolean(state, 4) != 0;
@@ -129,21 +129,21 @@ int probe(lua_State* state) {
         move.answer = simulation::ProbeMove::Answer::never;
     }
     simulation::ProbeResult result;
-    controller.check(state, controller.simulator().probe(move, result));
+    interpreter.check(state, interpreter.simulator().probe(move, result));
     lua_pushboolean(state, static_cast<int>(result.found));
     lua_pushboolean(state, static_cast<int>(result.at_start));
-    push_axes(state, controller, result.at);
+    push_axes(state, interpreter, result.at);
     return 3;
 }
 
 /// core.joint_to(target): all joints together, the slowest at its limits.
 int joint_to(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::LineMove move;
     move.kind = MoveKind::rapid;
-    move.target = check_axes(state, controller, 1);
-    move.place = controller.place();
-    controller.check(state, controller.simulator().move(move));
+    move.target = check_axes(state, interpreter, 1);
+    move.place = interpreter.place();
+    interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
@@ -151,7 +151,7 @@ int joint_to(lua_State* state) {
 /// is a name, or { first = {x=, y=, z=}, second = {...} }, two unit vectors at right angles along which the
 /// centre is counted.
 int arc(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::ArcMove move;
     const ArcBasis basis = check_arc_plane(state, 1);
     const Eigen::Vector3d axis = basis.first.cross(basis.second);
@@ -160,40 +160,40 @@ int arc(lua_State* state) {
     move.kind = counterclockwise ? MoveKind::arc_ccw : MoveKind::arc_cw;
     move.center_mm = luaL_checknumber(state, 3) * basis.first + luaL_checknumber(state, 4) * basis.second;
     move.sweep_rad = luaL_checknumber(state, 5);
-    move.target = check_axes(state, controller, 6);
+    move.target = check_axes(state, interpreter, 6);
     move.feed = check_feed(state, 7, move.sweep_rad);
     move.place = check_place(state, 8);
-    controller.check(state, controller.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
 /// core.arc_via(via, target, sweep_rad): an arc through a point.
 int arc_via(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::ViaMove move;
-    move.via = check_axes(state, controller, 1);
-    move.target = check_axes(state, controller, 2);
-    move.feed = controller.feed(state, luaL_checknumber(state, 3));
-    move.place = controller.place();
-    controller.check(state, controller.simulator().move(move));
+    move.via = check_axes(state, interpreter, 1);
+    move.target = check_axes(state, interpreter, 2);
+    move.feed = interpreter.feed(state, luaL_checknumber(state, 3));
+    move.place = interpreter.place();
+    interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
 int dwell(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     const double seconds = luaL_checknumber(state, 1);
     if (!(seconds >= 0) || !std::isfinite(seconds))
-        controller.alarm(state, DiagnosticKind::word_value,
-                         fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
-    controller.check(state, controller.simulator().dwell(seconds, check_place(state, 2)));
+        interpreter.alarm(state, DiagnosticKind::word_value,
+                          fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
+    interpreter.check(state, interpreter.simulator().dwell(seconds, check_place(state, 2)));
     return 0;
 }
 
 /// core.event(kind, detail, place, "at_rest" | "in_passing" | "with_motion")
 int event(lua_State* state) {
     static constexpr std::array<const char*, 4> kWhen{"at_rest", "in_passing", "with_motion", nullptr};
-    Controller& controller = controller_of(state);
-    controller.simulator().event(
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.simulator().event(
         luaL_checkstring(state, 1), luaL_optstring(state, 2, ""), check_place(state, 3),
         static_cast<simulation::Simulator::When>(check_choice(state, 4, "at_rest", kWhen)));
     return 0;
@@ -201,27 +201,27 @@ int event(lua_State* state) {
 
 /// core.exact_stop_once(): the next move ends in an exact stop.
 int exact_stop_once(lua_State* state) {
-    controller_of(state).simulator().exact_stop_once();
+    interpreter_of(state).simulator().exact_stop_once();
     return 0;
 }
 
 /// core.take_time(s, place): the machine rests for what a word has set going.
 int take_time(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     const double seconds = luaL_checknumber(state, 1);
-    controller.check(state, controller.simulator().take_time(seconds, check_place(state, 2)));
+    interpreter.check(state, interpreter.simulator().take_time(seconds, check_place(state, 2)));
     return 0;
 }
 
 /// core.wait(): the control reads on when all moves have been made.
 int wait(lua_State* state) {
-    controller_of(state).simulator().wait();
+    interpreter_of(state).simulator().wait();
     return 0;
 }
 
 /// core.set_spindle_speed(rev_min): for what follows, in the order of the moves.
 int set_spindle_speed(lua_State* state) {
-    controller_of(state).simulator().set_spindle_speed(luaL_checknumber(state, 1));
+    interpreter_of(state).simulator().set_spindle_speed(luaL_checknumber(state, 1));
     return 0;
 }
 
@@ -232,13 +232,13 @@ int select_work_offset(lua_State* state) {
     luaL_checktype(state, 2, LUA_TTABLE);
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
         luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
-        const int axis = controller_of(state).axis(*lua_tostring(state, -2));
+        const int axis = interpreter_of(state).axis(*lua_tostring(state, -2));
         if (axis < 0) continue;
-        const auto& axes = controller_of(state).simulator().machine().axes;
+        const auto& axes = interpreter_of(state).simulator().machine().axes;
         offset.origin[axes[static_cast<std::size_t>(axis)].letter] = luaL_checknumber(state, -1);
     }
     offset.rotation_deg = luaL_optnumber(state, 3, 0);
-    controller_of(state).simulator().select_work_offset(offset);
+    interpreter_of(state).simulator().select_work_offset(offset);
     return 0;
 }
 
@@ -246,7 +246,7 @@ int select_work_offset(lua_State* state) {
 /// obey.
 int lock_overrides(lua_State* state) {
     const auto is_locked = [state](int index) { return lua_toboolean(state, index) != 0; };
-    controller_of(state).simulator().lock_overrides(
+    interpreter_of(state).simulator().lock_overrides(
         {.feed = is_locked(1), .rapid = is_locked(2), .spindle = is_locked(3)});
     return 0;
 }
@@ -255,15 +255,15 @@ int lock_overrides(lua_State* state) {
 int set_path_mode(lua_State* state) {
     static constexpr std::array<const char*, 4> kNames{"exact_stop", "exact_path", "continuous", nullptr};
     const auto mode = static_cast<rrs::PathMode>(check_choice(state, 1, nullptr, kNames));
-    controller_of(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0),
-                                                   luaL_optnumber(state, 3, 0));
+    interpreter_of(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0),
+                                                    luaL_optnumber(state, 3, 0));
     return 0;
 }
 
 /// core.set_ramps("machine" | "linear" | "s_curve" | "infinite")
 int set_ramps(lua_State* state) {
     static constexpr std::array<const char*, 5> kNames{"machine", "linear", "s_curve", "infinite", nullptr};
-    controller_of(state).simulator().set_ramps(
+    interpreter_of(state).simulator().set_ramps(
         static_cast<rrs::RampMode>(check_choice(state, 1, nullptr, kNames)));
     return 0;
 }
@@ -276,45 +276,45 @@ int set_ramp_limits(lua_State* state) {
     std::map<int, double> values;  // in the order of the axes, which that of a table is not
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
         luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
-        const int axis = controller_of(state).axis(*lua_tostring(state, -2));
+        const int axis = interpreter_of(state).axis(*lua_tostring(state, -2));
         luaL_argcheck(state, axis >= 0, 2, "there is no such axis");
         values[axis] = luaL_checknumber(state, -1);
     }
     for (const auto& [axis, value] : values)
-        controller_of(state).simulator().set_ramp_limit(limit, axis, value);
+        interpreter_of(state).simulator().set_ramp_limit(limit, axis, value);
     return 0;
 }
 
 /// core.reset_ramp_limits(): those of the machine.
 int reset_ramp_limits(lua_State* state) {
-    controller_of(state).simulator().reset_ramp_limits();
+    interpreter_of(state).simulator().reset_ramp_limits();
     return 0;
 }
 
 }  // namespace
 
-void add_moves(lua_State* state, Controller& controller) {
-    set_function<take_feed>(state, "take_feed", &controller);
-    set_function<feed_mm_min>(state, "feed_mm_min", &controller);
-    set_function<place>(state, "place", &controller);
-    set_function<rapid_to>(state, "rapid_to", &controller);
-    set_function<line_to>(state, "line_to", &controller);
-    set_function<probe>(state, "probe", &controller);
-    set_function<joint_to>(state, "joint_to", &controller);
-    set_function<arc>(state, "arc", &controller);
-    set_function<arc_via>(state, "arc_via", &controller);
-    set_function<dwell>(state, "dwell", &controller);
-    set_function<event>(state, "event", &controller);
-    set_function<exact_stop_once>(state, "exact_stop_once", &controller);
-    set_function<wait>(state, "wait", &controller);
-    set_function<take_time>(state, "take_time", &controller);
-    set_function<set_spindle_speed>(state, "set_spindle_speed", &controller);
-    set_function<select_work_offset>(state, "select_work_offset", &controller);
-    set_function<lock_overrides>(state, "lock_overrides", &controller);
-    set_function<set_path_mode>(state, "set_path_mode", &controller);
-    set_function<set_ramps>(state, "set_ramps", &controller);
-    set_function<set_ramp_limits>(state, "set_ramp_limits", &controller);
-    set_function<reset_ramp_limits>(state, "reset_ramp_limits", &controller);
+void add_moves(lua_State* state, Interpreter& interpreter) {
+    set_function<take_feed>(state, "take_feed", &interpreter);
+    set_function<feed_mm_min>(state, "feed_mm_min", &interpreter);
+    set_function<place>(state, "place", &interpreter);
+    set_function<rapid_to>(state, "rapid_to", &interpreter);
+    set_function<line_to>(state, "line_to", &interpreter);
+    set_function<probe>(state, "probe", &interpreter);
+    set_function<joint_to>(state, "joint_to", &interpreter);
+    set_function<arc>(state, "arc", &interpreter);
+    set_function<arc_via>(state, "arc_via", &interpreter);
+    set_function<dwell>(state, "dwell", &interpreter);
+    set_function<event>(state, "event", &interpreter);
+    set_function<exact_stop_once>(state, "exact_stop_once", &interpreter);
+    set_function<wait>(state, "wait", &interpreter);
+    set_function<take_time>(state, "take_time", &interpreter);
+    set_function<set_spindle_speed>(state, "set_spindle_speed", &interpreter);
+    set_function<select_work_offset>(state, "select_work_offset", &interpreter);
+    set_function<lock_overrides>(state, "lock_overrides", &interpreter);
+    set_function<set_path_mode>(state, "set_path_mode", &interpreter);
+    set_function<set_ramps>(state, "set_ramps", &interpreter);
+    set_function<set_ramp_limits>(state, "set_ramp_limits", &interpreter);
+    set_function<reset_ramp_limits>(state, "reset_ramp_limits", &interpreter);
 }
 
 }  // namespace gsim::script

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "base/text/digits.h"
+#include "base/text/read_number.h"
 
 namespace gsim::script {
 
@@ -68,9 +69,13 @@ class LineReader {
     template <typename Kind>
     bool read_as(const char* begin, PlainCall::Number& value) {
         Kind read = 0;
-        const auto [behind, error] = std::from_chars(begin, at_, read);
+        std::from_chars_result result;
+        if constexpr (std::is_floating_point_v<Kind>)
+            result = text::read_number(begin, at_, read);
+        else
+            result = std::from_chars(begin, at_, read);
         value = read;
-        return error == std::errc() && behind == at_;
+        return result.ec == std::errc() && result.ptr == at_;
     }
 
     bool argument(PlainCall& call) {

@@ -28,39 +28,39 @@ rrs::CartPos check_rpy_pose(lua_State* state, int index) {
 /// core.pose_axes{x=, y=, z=, roll=, pitch=, yaw=}: axis values that bring the tool to a pose in mm and
 /// degrees.
 int pose_axes(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     const tl::expected<simulation::AxisVector, std::string> axes =
-        controller.simulator().axes_of(check_rpy_pose(state, 1));
-    if (!axes) controller.alarm(state, DiagnosticKind::unreachable, axes.error());
-    controller.simulator().warn_if_singular(*axes, controller.place());
-    push_axes(state, controller, *axes);
+        interpreter.simulator().axes_of(check_rpy_pose(state, 1));
+    if (!axes) interpreter.alarm(state, DiagnosticKind::unreachable, axes.error());
+    interpreter.simulator().warn_if_singular(*axes, interpreter.place());
+    push_axes(state, interpreter, *axes);
     return 1;
 }
 
 /// core.pose_move(pose, via or nil): the tool in a line, or by the pose `via` in an arc.
 int pose_move(lua_State* state) {
-    Controller& controller = controller_of(state);
+    Interpreter& interpreter = interpreter_of(state);
     simulation::PoseMove move;
     move.target = check_rpy_pose(state, 1);
     if (!lua_isnoneornil(state, 2)) move.via = check_rpy_pose(state, 2);
-    move.feed = controller.feed(state, move.via ? std::optional(1.0) : std::nullopt);
-    move.place = controller.place();
-    controller.check(state, controller.simulator().move(move));
+    move.feed = interpreter.feed(state, move.via ? std::optional(1.0) : std::nullopt);
+    move.place = interpreter.place();
+    interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
 /// core.tip_turns(): whether a line of the axes between two poses is none of the tool.
 int tip_turns(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(controller_of(state).simulator().tip_turns()));
+    lua_pushboolean(state, static_cast<int>(interpreter_of(state).simulator().tip_turns()));
     return 1;
 }
 
 }  // namespace
 
-void add_poses(lua_State* state, Controller& controller) {
-    set_function<pose_axes>(state, "pose_axes", &controller);
-    set_function<pose_move>(state, "pose_move", &controller);
-    set_function<tip_turns>(state, "tip_turns", &controller);
+void add_poses(lua_State* state, Interpreter& interpreter) {
+    set_function<pose_axes>(state, "pose_axes", &interpreter);
+    set_function<pose_move>(state, "pose_move", &interpreter);
+    set_function<tip_turns>(state, "tip_turns", &interpreter);
 }
 
 }  // namespace gsim::script

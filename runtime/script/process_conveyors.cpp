@@ -59,17 +59,17 @@ void Processes::tell_known_time() {
 }
 
 void Processes::track(lua_State* state, Control& control, process::Conveyor* conveyor) {
-    control.controller().attach(state);
-    control.controller().locate(state);
+    control.interpreter().attach(state);
+    control.interpreter().locate(state);
     simulation::Simulator& simulator = control.simulator();
-    const simulation::Place place = control.controller().place();
-    if (tracked_.erase(&control) > 0) control.controller().check(state, simulator.untrack(place));
+    const simulation::Place place = control.interpreter().place();
+    if (tracked_.erase(&control) > 0) control.interpreter().check(state, simulator.untrack(place));
     if (conveyor != nullptr) {
         tracked_.emplace(&control, conveyor);
         const Eigen::Vector3d direction = control.base().linear().transpose() * conveyor->direction();
         const bool done = simulator.track(direction, conveyor->position_mm(simulator.time_s()),
                                           conveyor->speed_mm_s(), place);
-        control.controller().check(state, done);
+        control.interpreter().check(state, done);
     }
     now().time_s = std::max(now().time_s, simulator.time_s());
 }

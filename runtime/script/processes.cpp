@@ -19,8 +19,8 @@ Processes::Processes(LuaState& lua, PlaceFinder& places, std::vector<Control*> c
                      std::vector<process::Conveyor> conveyors)
     : lua_(lua), places_(places), controls_(std::move(controls)), conveyors_(std::move(conveyors)) {
     for (Control* control : controls_) {
-        control->controller().on_foreign_word(
-            [this](lua_State* state, Controller& controller) { attach(state, controller); });
+        control->interpreter().on_foreign_word(
+            [this](lua_State* state, Interpreter& interpreter) { attach(state, interpreter); });
     }
     lua_.on_line([this](lua_State* state, lua_Debug* line) { at_line(state, line); });
 }
@@ -77,7 +77,7 @@ void Processes::start(lua_State* state, std::string name, bool background) {
 std::optional<Processes::Outcome> Processes::go_on(ProcessId id) {
     running_ = id;
     Strand& strand = *strands_[id];
-    for (Control* control : controls_) control->controller().set_attached(control == strand.control);
+    for (Control* control : controls_) control->interpreter().set_attached(control == strand.control);
     stand_idle(strand);
     tell_known_time();
     if (strand.yielded == Yielded::at_block && !strand.pending.empty()) start_interrupt(strand);
@@ -137,9 +137,9 @@ void Processes::finish(ProcessId id) {
 
 // --- Robots ---
 
-Controller& Processes::controller() {
+Interpreter& Processes::interpreter() {
     Control* control = strand().control;
-    return (control != nullptr ? control : controls_[0])->controller();
+    return (control != nullptr ? control : controls_[0])->interpreter();
 }
 
 Control* Processes::find_control(std::string_view name) const {
@@ -158,16 +158,16 @@ std::vector<std::string_view> Processes::control_names() const {
 }
 
 void Processes::take(Strand& strand, Control* control) {
-    if (strand.control != nullptr) strand.control->controller().set_attached(false);
+    if (strand.control != nullptr) strand.control->interpreter().set_attached(false);
     strand.control = control;
     if (control == nullptr) return;
     strand.robot = control->name();
-    control->controller().set_attached(true);
+    control->interpreter().set_attached(true);
 }
 
 /// The running process calls a word of a robot that it does not have.
-void Processes::attach(lua_State* state, Controller& wanted) {
-    const auto is_wanted = [&](Control* control) { return &control->controller() == &wanted; };
+void Processes::attach(lua_State* state, Interpreter& wanted) {
+    const auto is_wanted = [&](Control* control) { return &control->interpreter() == &wanted; };
     Control* control = *std::find_if(controls_.begin(), controls_.end(), is_wanted);
     for (ProcessId id = 0; id < strands_.size(); ++id) {
         if (strands_[id]->control != control || id == running_) continue;
@@ -197,12 +197,12 @@ void Processes::stand_idle(Strand& strand) {
 // --- What the running process asks for ---
 
 void Processes::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
-    controller().locate(state);
-    controller().alarm(state, kind, message);
+    interpreter().locate(state);
+    interpreter().alarm(state, kind, message);
 }
 
 void Processes::count_join(lua_State* state) {
-    simulation::Simulator& simulator = controller().simulator();
+    simulation::Simulator& simulator = interpreter().simulator();
     if (++joins_ <= simulator.max_blocks()) return;
     simulator.stop(DiagnosticKind::run_limit,
                    fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
@@ -215,7 +215,7 @@ void Processes::rest(lua_State* state) {
     if (const simulation::Place place = places_.current(state); place.line > 0) process.place = place;
     Control* control = strand().control;
     if (control == nullptr) return;
-    control->controller().locate(state);
+    control->interpreter().locate(state);
     control->flush(state);
     control->simulator().wait();
     process.time_s = std::max(process.time_s, control->simulator().planned_s());
@@ -229,7 +229,7 @@ int Processes::yield(lua_State* state, Yielded how) {
 int Processes::join(lua_State* state) {
     rest(state);
     count_join(state);
-    simulation::Simulator& simulator = controller().simulator();
+    simulation::Simulator& simulator = interpreter().simulator();
     if (now().time_s > simulator.max_time_s()) {
         simulator.stop(DiagnosticKind::run_limit,
                        fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
@@ -244,7 +244,7 @@ int Processes::wait(lua_State* state, double seconds) {
     rest(state);
     const double end_s = now().time_s + seconds;
     if (Control* control = strand().control; control != nullptr)
-        control->controller().check(state, control->simulator().dwell(seconds, now().place));
+        control->interpreter().check(state, control->simulator().dwell(seconds, now().place));
     now().time_s = end_s;
     if (seconds > 0) lua_.restart_steps();
     return join(state);

@@ -21,7 +21,8 @@ namespace gsim::script {
 /// schedule, and moves the clocks of the robots along with theirs. docs/processes.md has the rules.
 ///
 /// A robot belongs to the process that calls its words, until that process ends or calls the words of another
-/// robot. The controllers' hook for words of robots that the running process does not have is set here.
+/// robot. The hook of the interpreters for words of robots that the running process does not have is set
+/// here.
 class Processes {
   public:
     /// How run() ended.
@@ -104,7 +105,7 @@ class Processes {
 
     process::Process& now() { return schedule_.process(running_); }
     Strand& strand() { return *strands_[running_]; }
-    Controller& controller();
+    Interpreter& interpreter();
     Thread new_thread(lua_State* from);
     void drop_thread(Strand& strand);
     std::optional<Outcome> go_on(process::ProcessId id);
@@ -114,7 +115,7 @@ class Processes {
     void stand_idle(Strand& strand);
     int yield(lua_State* state, Yielded how);
     void at_line(lua_State* state, lua_Debug* line);
-    void attach(lua_State* state, Controller& wanted);
+    void attach(lua_State* state, Interpreter& wanted);
     void take(Strand& strand, Control* control);
     void count_join(lua_State* state);
     Outcome deadlock();

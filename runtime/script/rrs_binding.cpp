@@ -87,7 +87,7 @@ int service<&Shell::GetMessage>(lua_State* state) {
 template <>
 int service<&Shell::GetInverseKinematics>(lua_State* state) {
     rrs::JointPos joints;
-    const rrs::JointPos near = lua_isnoneornil(state, 2) ? controller_of(state).simulator().joints()
+    const rrs::JointPos near = lua_isnoneornil(state, 2) ? interpreter_of(state).simulator().joints()
                                                          : check_joints(state, 2, joint_count(state));
     const Status status = shell_of(state).GetInverseKinematics(check_pose(state, 1), near, joints);
     return answer(state, status, joints);
@@ -96,35 +96,35 @@ int service<&Shell::GetInverseKinematics>(lua_State* state) {
 template <>
 int service<&Shell::GetCellFrame>(lua_State* state) {
     rrs::CartPos frame;
-    const Status status = controller_of(state).simulator().get_cell_frame(luaL_checkstring(state, 1), frame);
+    const Status status = interpreter_of(state).simulator().get_cell_frame(luaL_checkstring(state, 1), frame);
     return answer(state, status, frame);
 }
 
 template <>
 int service<&Shell::ModifyCellFrame>(lua_State* state) {
-    return answer(state, controller_of(state).simulator().modify_cell_frame(luaL_checkstring(state, 1),
-                                                                            check_pose(state, 2)));
+    return answer(state, interpreter_of(state).simulator().modify_cell_frame(luaL_checkstring(state, 1),
+                                                                             check_pose(state, 2)));
 }
 
 template <>
 int service<&Shell::SetInitialPosition>(lua_State* state) {
     const Target target = check_target(state, 1);
-    return answer(state, controller_of(state).simulator().set_start([&] {
+    return answer(state, interpreter_of(state).simulator().set_start([&] {
         return shell_of(state).SetInitialPosition(target.pose, target.joints, {});
     }));
 }
 
 /// rrs.SetNextTarget(target [, "via"]) and rrs.SetNextNamedTarget(target, name).
 int queue(lua_State* state, rrs::TargetParam param, const std::string& name) {
-    Controller& controller = controller_of(state);
-    controller.locate(state);
+    Interpreter& interpreter = interpreter_of(state);
+    interpreter.locate(state);
     const Target target = check_target(state, 1);
     const auto call = [&](rrs::TargetId id) {
         return shell_of(state).SetNextNamedTarget(id, param, target.pose, target.joints, {}, 0, name);
     };
     if (param == rrs::TargetParam::via) return answer(state, call(0));
     const Status status =
-        controller.simulator().queue_target(simulation::MoveKind::linear, controller.place(), call);
+        interpreter.simulator().queue_target(simulation::MoveKind::linear, interpreter.place(), call);
     LuaState::of(state).restart_steps();
     return answer(state, status);
 }
@@ -142,13 +142,13 @@ int service<&Shell::SetNextNamedTarget>(lua_State* state) {
 
 template <>
 int service<&Shell::CancelMotion>(lua_State* state) {
-    return answer(state, controller_of(state).simulator().cancel_motion());
+    return answer(state, interpreter_of(state).simulator().cancel_motion());
 }
 
 template <>
 int service<&Shell::SelectTracking>(lua_State* state) {
-    return answer(state, controller_of(state).simulator().select_tracking(Arguments(state).next<int>(),
-                                                                          lua_toboolean(state, 2) != 0));
+    return answer(state, interpreter_of(state).simulator().select_tracking(Arguments(state).next<int>(),
+                                                                           lua_toboolean(state, 2) != 0));
 }
 
 template <>
@@ -164,9 +164,9 @@ int status_name(lua_State* state) {
 }
 
 template <auto method>
-void add_service(lua_State* state, Controller& controller, const char* name) {
+void add_service(lua_State* state, Interpreter& interpreter, const char* name) {
     if constexpr (!kOfWords<method>) {
-        lua_pushlightuserdata(state, &controller);
+        lua_pushlightuserdata(state, &interpreter);
         lua_pushcclosure(state, trampoline<service<method>>, 1);
         lua_setfield(state, -2, name);
     }
@@ -174,9 +174,9 @@ void add_service(lua_State* state, Controller& controller, const char* name) {
 
 }  // namespace
 
-void add_rrs(lua_State* state, Controller& controller) {
+void add_rrs(lua_State* state, Interpreter& interpreter) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    add_service<&Shell::method>(state, controller, #method);
+    add_service<&Shell::method>(state, interpreter, #method);
 #include "runtime/rrs/rcs_services.def"
     lua_pushcfunction(state, trampoline<status_name>);
     lua_setfield(state, -2, "status_name");

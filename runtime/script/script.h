@@ -31,6 +31,7 @@ struct CodeRow {
                         ///< for all axes; empty: the word itself looks at them.
     std::string compensation;  ///< What becomes of it while cutter compensation is on: "refused", "refused
                                ///< beside the path", "led out" or "ends the move"; empty: it acts.
+    std::string unsupported;   ///< Its meaning, where the dialect refuses it; empty: the library does it.
 };
 
 /// The Lua that is run, as a whole or, where `functions` is not empty, in pieces, so that memory does not

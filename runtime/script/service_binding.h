@@ -57,7 +57,7 @@ struct ScriptNames<rrs::RampLimit> {
 };
 
 inline std::size_t joint_count(lua_State* state) {
-    return controller_of(state).simulator().machine().axes.size();
+    return interpreter_of(state).simulator().machine().axes.size();
 }
 
 /// Arguments of a script's call, one after the other.
@@ -126,8 +126,8 @@ inline void push_output(lua_State* state, std::integral auto number) {
 }
 
 inline rrs::Shell& shell_of(lua_State* state) {
-    controller_of(state).attach(state);
-    return controller_of(state).simulator().controller();
+    interpreter_of(state).attach(state);
+    return interpreter_of(state).simulator().shell();
 }
 
 /// The status alone; how many results that is.

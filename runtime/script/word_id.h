@@ -2,7 +2,7 @@
 
 #include <lua.hpp>
 
-#include "runtime/script/controller.h"
+#include "runtime/script/interpreter.h"
 
 namespace gsim::script {
 

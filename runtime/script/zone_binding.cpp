@@ -30,31 +30,31 @@ int set_zone(lua_State* state) {
         luaL_checktype(state, 1, LUA_TTABLE);
         walls = {walls_at(state, 1, "x"), walls_at(state, 1, "y"), walls_at(state, 1, "z")};
     }
-    controller_of(state).simulator().set_programmed_zone(walls);
+    interpreter_of(state).simulator().set_programmed_zone(walls);
     return 0;
 }
 
 /// core.switch_zones(number, on): false where no zone of the machine data has that number.
 int switch_zones(lua_State* state) {
     const auto number = static_cast<int>(luaL_checkinteger(state, 1));
-    const bool known = controller_of(state).simulator().switch_zones(number, lua_toboolean(state, 2) != 0);
+    const bool known = interpreter_of(state).simulator().switch_zones(number, lua_toboolean(state, 2) != 0);
     lua_pushboolean(state, static_cast<int>(known));
     return 1;
 }
 
 /// core.set_tool_offset(x, y, z): how far the machine's position is from the tool's end, mm.
 int set_tool_offset(lua_State* state) {
-    controller_of(state).simulator().set_tool_offset(
+    interpreter_of(state).simulator().set_tool_offset(
         {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});
     return 0;
 }
 
 }  // namespace
 
-void add_zones(lua_State* state, Controller& controller) {
-    set_function<set_zone>(state, "set_zone", &controller);
-    set_function<switch_zones>(state, "switch_zones", &controller);
-    set_function<set_tool_offset>(state, "set_tool_offset", &controller);
+void add_zones(lua_State* state, Interpreter& interpreter) {
+    set_function<set_zone>(state, "set_zone", &interpreter);
+    set_function<switch_zones>(state, "switch_zones", &interpreter);
+    set_function<set_tool_offset>(state, "set_tool_offset", &interpreter);
 }
 
 }  // namespace gsim::script

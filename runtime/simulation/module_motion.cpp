@@ -168,6 +168,7 @@ Status ModuleMotion::record(Status status, const rrs::JointPos& joints, double e
     return status;
 }
 
+// A foreign planner may answer for ever; each way of doing so ends here.
 Status ModuleMotion::watch(bool moved, double elapsed_s) {
     idle_s_ = moved ? 0 : idle_s_ + elapsed_s;
     standing_ = elapsed_s > 0 ? 0 : standing_ + 1;
@@ -177,6 +178,8 @@ Status ModuleMotion::watch(bool moved, double elapsed_s) {
     return Status::RRS_SUCCESS;
 }
 
+// A module that was built before there was GetTargetOfLastStep answers that it has no such service; then
+// targets are counted as it reaches them.
 rrs::TargetId ModuleMotion::target_of_step() {
     rrs::TargetId id = -1;
     if (tells_target_ && GetTargetOfLastStep(id) == Status::RRS_SUCCESS) {
@@ -201,6 +204,7 @@ void ModuleMotion::fill_segment(const rrs::JointPos& joints, double elapsed_s) {
     segment_.limited_by = {.kind = motion::LimitKind::unknown};
     const double length = segment_.length_mm > 0 ? segment_.length_mm : way.norm();
     segment_.kind = length > 0 ? motion::SegmentKind::linear : motion::SegmentKind::rest;
+    // Of what a module does between two steps nothing is known: the joints go evenly.
     const motion::LawPiece piece{
         .duration_s = elapsed_s, .s0 = 0, .v0 = length / elapsed_s, .a0 = 0, .jerk = 0};
     segment_.lead = motion::TimeLaw::of_pieces({&piece, 1});

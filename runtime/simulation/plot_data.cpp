@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "runtime/motion/apart_move.h"
 
 namespace gsim::simulation {
 
@@ -42,8 +43,8 @@ double acceleration_along_path(const Segment& segment, double t_s) {
     const motion::JointState state = segment.at(t_s);
     double along = 0;
     double speed2 = 0;
-    for (const int joint : segment.position_joints) {
-        if (joint < 0) continue;
+    for (int joint = 0; joint < state.velocity.size(); ++joint) {
+        if (!segment.carries_path(joint)) continue;
         along += state.velocity[joint] * state.acceleration[joint];
         speed2 += state.velocity[joint] * state.velocity[joint];
     }
@@ -129,9 +130,20 @@ Eigen::Vector2d PlotData::seen(const rrs::JointPos& joints) const {
 }
 
 void PlotData::add_path(const Segment& segment, PathStyle style) {
+    if (segment.joints_go_apart()) return add_path_of_joints(segment, style);
     const int steps = path_steps(segment);
     for (int i = 1; i <= steps; ++i) {
         path_.add(seen(segment.position_at(segment.duration_s * i / steps)), style);
+    }
+}
+
+// Ramps bend the way, and it has a corner where a joint arrives.
+void PlotData::add_path_of_joints(const Segment& segment, PathStyle style) {
+    double from_s = 0;
+    for (const double to_s : motion::apart_instants_s(segment)) {
+        for (int i = 1; i <= kJointSteps; ++i)
+            path_.add(seen(segment.position_at(from_s + (to_s - from_s) * i / kJointSteps)), style);
+        from_s = to_s;
     }
 }
 
@@ -146,7 +158,7 @@ void PlotData::add_speed(const Segment& segment, PathStyle style) {
 // The acceleration is a straight line in each piece of the law, and jumps between them. Points in between
 // keep a slot that holds a jump from hiding what comes behind it.
 void PlotData::add_acceleration(const Segment& segment, PathStyle style) {
-    if (segment.beside) return add_acceleration_of_two(segment, style);
+    if (segment.beside || segment.joints_go_apart()) return add_acceleration_of_joints(segment, style);
     const double length = segment.lead.length();
     const double scale = length > 0 ? segment.length_mm / length : 0;
     double start_s = segment.start_s;
@@ -167,7 +179,7 @@ void PlotData::add_rest(const Segment& segment, PathStyle style) {
         acceleration_.add({segment.start_s + segment.duration_s * i / steps, 0, style});
 }
 
-void PlotData::add_acceleration_of_two(const Segment& segment, PathStyle style) {
+void PlotData::add_acceleration_of_joints(const Segment& segment, PathStyle style) {
     const int steps = std::max(kMinSpeedSteps, time_steps(segment.duration_s, acceleration_.width_s()));
     for (int i = 0; i <= steps; ++i) {
         const double t_s = segment.duration_s * i / steps;

@@ -62,9 +62,10 @@ class PlotData : public RunOutput {
     Eigen::Vector2d seen(const rrs::JointPos& joints) const;
     void mark_pierce(const motion::Segment& segment, bool jet_on);
     void add_path(const motion::Segment& segment, PathStyle style);
+    void add_path_of_joints(const motion::Segment& segment, PathStyle style);
     void add_speed(const motion::Segment& segment, PathStyle style);
     void add_acceleration(const motion::Segment& segment, PathStyle style);
-    void add_acceleration_of_two(const motion::Segment& segment, PathStyle style);
+    void add_acceleration_of_joints(const motion::Segment& segment, PathStyle style);
     void add_rest(const motion::Segment& segment, PathStyle style);
     void add_feed(const motion::Segment& segment, const MoveInfo& info);
 

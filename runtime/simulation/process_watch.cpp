@@ -114,6 +114,8 @@ std::optional<std::int64_t> ProcessWatch::level_um(const RecordedMove& move) con
     return std::llround(height_mm * kStepsPerMm);
 }
 
+// A feed with the process off is a fault at a height at which the program cuts, and no fault above it. Which
+// heights these are is known when the program has ended: until then the feeds wait.
 void ProcessWatch::look_at_level(const RecordedMove& move) {
     if (!checks().feed_with_process_off) return;
     const std::optional<std::int64_t> level =
@@ -148,6 +150,7 @@ void ProcessWatch::end(double end_s) {
     ends_.clear();
     end_idle_feed();
     for (IdleFeed& feed : idle_feeds_) {
+        // Rounding may put one height into two neighbouring micrometres.
         const auto plane = cut_um_.lower_bound(feed.level_um - 1);
         if (plane != cut_um_.end() && *plane <= feed.level_um + 1) add(std::move(feed.finding));
     }

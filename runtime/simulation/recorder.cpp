@@ -133,6 +133,7 @@ void Recorder::end_move() {
     for (RunOutput* output : outputs_) output->take(move_);
 }
 
+// A move is limited by what limits the longest of its segments, ramps and corners being short ones.
 void Recorder::add_limit(const Segment& segment) {
     if (segment.kind == SegmentKind::rest || segment.duration_s <= longest_s_) return;
     longest_s_ = segment.duration_s;
@@ -160,6 +161,7 @@ void Recorder::add_to_bounds(const Segment& segment) {
     if (segment.kind == SegmentKind::rest && !segment.beside) return;
     for (int joint = 0; joint < segment.end.size(); ++joint) {
         motion::Range& range = ranges_[static_cast<std::size_t>(joint)];
+        // Almost every segment stays where others have been, which is cheaper to see than how far it goes.
         if (segment.surely_within(range, joint)) continue;
         const motion::Range way = segment.joint_range(joint);
         range.min = std::min(range.min, way.min);

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text/diagnostic_json.h"
 #include "base/text/json_text.h"
-#include "runtime/simulation/diagnostic_json.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/report_diagnostics.h"
 #include "runtime/simulation/robots_report.h"
@@ -272,7 +272,7 @@ Json object(const Report& report) {
         {"bounds", bounds(report)},
         {"events", events(report)},
         {"warnings", report.warnings},
-        {"diagnostics", to_json(diagnostics_of(report))},
+        {"diagnostics", text::to_json(diagnostics_of(report))},
         {"findings", findings(report)},
         {"slowest", slowest(report)},
     };

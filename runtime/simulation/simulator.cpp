@@ -46,7 +46,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       recorder_(machine_, machine::home_position(machine_)),
       centripetal_(machine_),
       zones_(machine_, recorder_),
-      setup_(planner_setup(machine_)),
+      setup_(setup_of_machine(machine_)),
       machine_frames_(setup_.kinematics->chain()),
       way_deviation_(setup_),
       motion_(make_motion(std::move(module))),

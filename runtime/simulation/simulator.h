@@ -53,7 +53,7 @@ std::string cpu_limit_reached(const os::CpuLimit& limit);
 /// The services that can fail return false; then alarm() says why, and the run must end.
 class Simulator {
   public:
-    /// The machine stands at its home. Its controller is `module`, made for planner_setup(machine), or our
+    /// The machine stands at its home. Its controller is `module`, made for setup_of_machine(machine), or our
     /// own planner. Throws std::invalid_argument where the machine cannot be planned for.
     Simulator(machine::Machine machine, RunLimits limits, std::optional<rrs::RcsModule> module = {});
     Simulator(const Simulator&) = delete;
@@ -195,7 +195,7 @@ class Simulator {
     /// The controller's services, for clients that call them by themselves. What these select is for their
     /// own targets; moves of the program take over what no word of a program says: accelerations, the
     /// overrides of the services, rules for corners, exact stops and orientation.
-    rrs::Shell& controller() { return motion_->shell(); }
+    rrs::Shell& shell() { return motion_->shell(); }
     /// Whether segments are samples of a motion, not the motion itself.
     bool sampled() const { return motion_->sampled(); }
     /// Joint values (mm or rad) at the last target.
@@ -329,6 +329,6 @@ class Simulator {
 };
 
 /// What the planner must know of a machine: X, Y and Z, where they are linear, carry the tool.
-motion::PlannerSetup planner_setup(const machine::Machine& machine);
+motion::PlannerSetup setup_of_machine(const machine::Machine& machine);
 
 }  // namespace gsim::simulation

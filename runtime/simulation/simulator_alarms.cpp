@@ -57,6 +57,7 @@ std::string text_of(const ZoneHit& hit) {
 }  // namespace
 
 std::string cpu_limit_reached(const os::CpuLimit& limit) {
+    if (limit.was_asked()) return "the run was cancelled";
     return fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
                        limit.seconds());
 }

@@ -15,7 +15,7 @@ void Simulator::set_cell(CellWatch& cell) {
 }
 
 rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame) {
-    if (asks_controller()) return controller().GetCellFrame(name, frame);
+    if (asks_controller()) return shell().GetCellFrame(name, frame);
     const auto found = cell_->frame(name, motion_->time_s());
     if (!found) return found.error().status;
     frame = *found;
@@ -28,7 +28,7 @@ rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartP
         return rrs::Status::RRS_INVALID_PARAMETER;
     if (!asks_controller() || of_machine) wait();
     if (asks_controller() || of_machine) {
-        const rrs::Status status = controller().ModifyCellFrame(name, frame);
+        const rrs::Status status = shell().ModifyCellFrame(name, frame);
         if (rrs::is_refused(status) || !of_machine) return status;
     }
     if (cell_ != nullptr && !controller_has_cell_) {

@@ -54,7 +54,7 @@ void Simulator::obey_overrides(MoveInfo& info, const Feed& feed) const {
 }
 
 Status Simulator::cancel_motion() {
-    const Status status = controller().CancelMotion();
+    const Status status = shell().CancelMotion();
     if (status == Status::RRS_SUCCESS) position_ = position_at(motion_->position());
     if (observer_ != nullptr) observer_->untold_motion(kServiceMotion);
     return status;

@@ -14,7 +14,7 @@ constexpr int kConveyor = 1;  // that the program's own tracking defines; one at
 
 Status Simulator::select_tracking(int conveyor, bool on) {
     motion_->come_to_rest(false);
-    const Status status = controller().SelectTracking(conveyor, on);
+    const Status status = shell().SelectTracking(conveyor, on);
     if (status == Status::RRS_SUCCESS) position_ = to_axes(motion_->position());
     if (on && observer_ != nullptr)
         observer_->untold_motion("the program tracks a conveyor, which takes the tool along");
@@ -24,9 +24,9 @@ Status Simulator::select_tracking(int conveyor, bool on) {
 bool Simulator::track(const Eigen::Vector3d& direction, double position_mm, double speed_mm_s,
                       const Place& place) {
     motion_->come_to_rest(false);
-    rrs::Shell& shell = controller();
-    const bool done = shell.DefineConveyor(kConveyor, direction, speed_mm_s) == Status::RRS_SUCCESS &&
-                      shell.SetConveyorPosition(kConveyor, position_mm) == Status::RRS_SUCCESS &&
+    rrs::Shell& services = shell();
+    const bool done = services.DefineConveyor(kConveyor, direction, speed_mm_s) == Status::RRS_SUCCESS &&
+                      services.SetConveyorPosition(kConveyor, position_mm) == Status::RRS_SUCCESS &&
                       select_tracking(kConveyor, true) == Status::RRS_SUCCESS;
     return done || refused(motion_->last_error(), place);
 }

@@ -1,19 +1,20 @@
 #pragma once
 
-#include <cstdio>
-#include <optional>
+#include <functional>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
-#include <tl/expected.hpp>
 
 namespace gsim::simulation {
 
-/// Buffered text on its way into a stream of the caller's. The first error of writing is kept and told by
-/// flush(); what comes after it is dropped.
+/// Buffered text on its way to the caller. What comes after a piece that could not be written is dropped.
 class TextStream {
   public:
-    /// `file` must outlive this.
-    explicit TextStream(std::FILE* file) : file_(file) {}
+    /// Takes a piece; false: it cannot be written.
+    using Sink = std::function<bool(std::string_view)>;
+
+    explicit TextStream(Sink sink) : sink_(std::move(sink)) {}
     TextStream(const TextStream&) = delete;
     TextStream& operator=(const TextStream&) = delete;
 
@@ -24,19 +25,22 @@ class TextStream {
         buffer_.push_back('\n');
         if (buffer_.size() >= kEnough) write();
     }
-    /// Whether an error of writing has occurred.
-    bool failed() const { return error_.has_value(); }
-    /// Passes on all that is left. The error is errno of the first failure.
-    tl::expected<void, int> flush();
+    /// Whether a piece could not be written.
+    bool failed() const { return failed_; }
+    /// Passes on all that is left.
+    void flush() { write(); }
 
   private:
     static constexpr std::size_t kEnough = std::size_t{1} << 16;
 
-    void write();
+    void write() {
+        failed_ = failed_ || !sink_({buffer_.data(), buffer_.size()});
+        buffer_.clear();
+    }
 
-    std::FILE* file_;
+    Sink sink_;
     fmt::memory_buffer buffer_;
-    std::optional<int> error_;
+    bool failed_ = false;
 };
 
 }  // namespace gsim::simulation

@@ -56,6 +56,8 @@ void ZoneWatch::add_zone(std::string name, const machine::Zone& zone) {
                       zone.active_at_start, zone.switch_number});
 }
 
+// The program is read ahead of the motion: what a word changes here holds from the first move behind it,
+// wherever the machine is when the word is read.
 bool ZoneWatch::switch_zones(int switch_number, bool on, rrs::TargetId from) {
     const auto has_number = [switch_number](const Known& zone) {
         return zone.switch_number == switch_number;
@@ -71,6 +73,7 @@ void ZoneWatch::set_programmed(const std::optional<ZoneWalls>& limits, rrs::Targ
     changes_.push_back({from, [this, limits](const rrs::JointPos& at) {
                             programmed_.reset();
                             if (!limits) return;
+                            // G22 fences in or out, whichever side the machine is on when it takes effect.
                             const bool inside = box_of(*limits, false).contains(at);
                             programmed_ = {"the zone of G22", *limits, inside, true, {}};
                         }});
@@ -96,6 +99,8 @@ void ZoneWatch::renew_boxes() {
         if (!zone.on) zone.stay.reset();
     }
     if (programmed_) active_.push_back(&*programmed_);
+    // Walls lie where the work frame's are, shifted by the tool: a box for each tool, not a sum for each
+    // segment.
     for (Known* zone : active_) zone->box = box_of(zone->limits, zone->stay_inside);
     const auto has_no_walls = [](const Known* zone) { return zone->box.sides().empty(); };
     active_.erase(std::remove_if(active_.begin(), active_.end(), has_no_walls), active_.end());

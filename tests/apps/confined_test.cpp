@@ -120,12 +120,12 @@ TEST_F(Confined, ACellMayNameWhatLiesAnywhere) {
 
 TEST_F(Confined, ProgramsThatAreCalledAndAllOutputsAreFound) {
     const Ended ended =
-        gsim_run({"--moves", "out/m.jsonl", "--trajectory", "out/t.csv", "--report", "out/r.json", "--record",
-                  "out/p.json", "--sarif", "out/s.sarif", "--variables", "out/v.txt", "--save-machine-data",
-                  "out/d.txt", "here/part.nc"});
+        gsim_run({"--moves", "out/m.jsonl", "--trajectory", "out/t.csv", "--dxf", "out/p.dxf", "--report",
+                  "out/r.json", "--record", "out/p.json", "--sarif", "out/s.sarif", "--variables",
+                  "out/v.txt", "--save-machine-data", "out/d.txt", "here/part.nc"});
     EXPECT_EQ(ended.status, 0) << ended.err;
-    for (const char* name :
-         {"out/m.jsonl", "out/t.csv", "out/r.json", "out/p.json", "out/s.sarif", "out/v.txt", "out/d.txt"})
+    for (const char* name : {"out/m.jsonl", "out/t.csv", "out/p.dxf", "out/r.json", "out/p.json",
+                             "out/s.sarif", "out/v.txt", "out/d.txt"})
         EXPECT_TRUE(exists(name)) << name;
     EXPECT_TRUE(holds(read("out/r.json"), "O0007.nc"));
 }

@@ -1,10 +1,11 @@
 // Files of an installation: found from the program's place, wherever that is.
 
+#include "engine/system/installed_files.h"
+
 #include <fstream>
 
 #include <fmt/format.h>
 
-#include "apps/data_file.h"
 #include "base/os/installation.h"
 #include "tests/apps/run_program.h"
 
@@ -28,40 +29,44 @@ class InstalledFiles : public Apps {
 TEST_F(InstalledFiles, AreFoundFromTheProgramsPlace) {
     const fs::path machine = install("share/gsim/samples/machines/lonely.toml");
     const fs::path part = install("share/gsim/samples/only_here.nc");
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::machine, "lonely").value(), machine.string());
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::machine, "samples/machines/lonely.toml").value(),
-              machine.string());
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::sample, "samples/only_here.nc").value(), part.string());
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "lonely").value(), machine.string());
+    EXPECT_EQ(
+        engine::find_file_from(bin(), engine::NameKind::machine, "samples/machines/lonely.toml").value(),
+        machine.string());
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::sample, "samples/only_here.nc").value(),
+              part.string());
     const fs::path module = os::module_folders(bin()).front() / "libown_planner.so";
     fs::create_directories(module.parent_path());
     std::ofstream(module) << "";
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::module, "own_planner").value(), module.string());
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::module, "libown_planner.so").value(), module.string());
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::module, "own_planner").value(),
+              module.string());
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::module, "libown_planner.so").value(),
+              module.string());
 }
 
 TEST_F(InstalledFiles, AFileOfTheUsersGoesBeforeThem) {
     install("share/gsim/samples/machines/router3.toml");
     const std::string own = (folder_ / "router3").string();
     std::ofstream(own) << "";
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::machine, own).value(), own);
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::machine, "-").value(), "-");
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::machine, "").value(), "");
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, own).value(), own);
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "-").value(), "-");
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "").value(), "");
 }
 
 // A name with its ending means the user's own file: a sample in its place would be another machine.
 TEST_F(InstalledFiles, WhatIsNowhereSaysWhereItWasLookedFor) {
     install("share/gsim/samples/machines/router3.toml");
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::machine, "router3.toml").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "router3.toml").error(),
               "cannot read 'router3.toml': No such file or directory; did you mean 'router3'?");
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::machine, "ruter3").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "ruter3").error(),
               fmt::format("cannot read 'ruter3': No such file or directory, nor is there "
                           "'{}/opt/share/gsim/samples/machines/ruter3.toml'; did you mean 'router3'?",
                           folder_.string()));
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::sample, "samples/nowhere.nc").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::sample, "samples/nowhere.nc").error(),
               fmt::format("cannot read 'samples/nowhere.nc': No such file or directory, nor is there "
                           "'{}/opt/share/gsim/samples/nowhere.nc'",
                           folder_.string()));
-    EXPECT_EQ(find_file_from(bin(), InstalledKind::sample, "/none.nc").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::sample, "/none.nc").error(),
               "cannot read '/none.nc': No such file or directory");
 }
 

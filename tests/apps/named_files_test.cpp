@@ -49,7 +49,8 @@ TEST_F(NamedFiles, AnOutputIsNoInput) {
     fs::create_symlink("p.nc", folder_ / "link");
     fs::create_hard_link(folder_ / "p.nc", folder_ / "hard");
     for (const std::string name : {"./p.nc", "link", "hard"}) {
-        for (const std::string option : {"--report", "--moves", "--trajectory", "--record", "--sarif"})
+        for (const std::string option :
+             {"--report", "--moves", "--trajectory", "--dxf", "--record", "--sarif"})
             EXPECT_EQ(refused({"run", "p.nc", option, name}),
                       destroys(fmt::format("{} '{}'", option, name), "part.lua|part.nc 'p.nc'"));
     }

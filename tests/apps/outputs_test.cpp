@@ -56,7 +56,7 @@ TEST_F(Outputs, Moves) {
 TEST_F(Outputs, NamesThatWillNotDoAreRefusedBeforeTheRun) {
     const std::string alarms = write("alarms.nc", "#3000=1 (NOT RUN)\n");
     for (const std::string option :
-         {"--report", "--moves", "--trajectory", "--record", "--save-machine-data", "--variables"}) {
+         {"--report", "--moves", "--trajectory", "--dxf", "--record", "--save-machine-data", "--variables"}) {
         const Ended ended = gsim_run({alarms, "--quiet", option, "no/such/file"});
         EXPECT_EQ(ended.status, 2) << option;
         EXPECT_EQ(ended.err, "gsim-run: cannot write 'no/such/file': No such file or directory\n") << option;
@@ -76,12 +76,12 @@ TEST_F(Outputs, NoProgramPrintsANegativeZero) {
               "#1=-0.0\nDPRNT[Z#1[53]]\nPCLOS\nM30\n");
     const std::string machine = GSIM_SOURCE "/samples/machines/unlimited.toml";
     const Ended run = gsim_run({part, "--machine", machine, "--report", "r.json", "--moves", "m.jsonl",
-                                "--trajectory", "t.csv", "--record", "p.json"});
+                                "--trajectory", "t.csv", "--dxf", "p.dxf", "--record", "p.json"});
     ASSERT_EQ(run.status, 0) << run.err;
     const Ended check = gsim_run({"--check-machine", GSIM_SOURCE "/samples/machines/mill-head-table.toml"});
     const Ended lua = run_program(GSIM_GCODE2LUA, {part}, folder_);
-    for (const std::string& text :
-         {run.out, read("r.json"), read("m.jsonl"), read("t.csv"), read("p.json"), check.out, lua.out}) {
+    for (const std::string& text : {run.out, read("r.json"), read("m.jsonl"), read("t.csv"), read("p.dxf"),
+                                    read("p.json"), check.out, lua.out}) {
         EXPECT_FALSE(text.empty());
         static const std::regex zero(R"((^|[^0-9eE.])-0+(\.0*)?([^0-9.]|$))");
         std::smatch found;
@@ -93,7 +93,7 @@ TEST_F(Outputs, NoProgramPrintsANegativeZero) {
 }
 
 TEST_F(Outputs, GoToStandardOutput) {
-    for (const std::string option : {"--moves", "--trajectory", "--record"}) {
+    for (const std::string option : {"--moves", "--trajectory", "--dxf", "--record"}) {
         const Ended ended = gsim_run({part_, option, "-"});
         ASSERT_EQ(ended.status, 0) << ended.err;
         EXPECT_TRUE(holds(ended.err, "cycle time")) << "the report for people makes way: " << ended.err;

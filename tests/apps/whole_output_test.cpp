@@ -37,6 +37,7 @@ TEST_F(WholeOutput, AFullDiskIsToldByEachProgram) {
                                                "run --json " + wheel,
                                                "run --quiet --moves - " + wheel,
                                                "run --quiet --trajectory - " + wheel,
+                                               "run --quiet --dxf - " + wheel,
                                                "run --quiet --record - " + wheel,
                                                "run --quiet --report - " + wheel,
                                                "run --print-machine",
@@ -84,7 +85,7 @@ TEST_F(WholeOutput, FilesAreWrittenThoughTheReportIsLost) {
 }
 
 TEST_F(WholeOutput, AFileOnAFullDiskIsToldByName) {
-    for (const std::string option : {"--moves", "--trajectory", "--record", "--report", "--sarif"}) {
+    for (const std::string option : {"--moves", "--trajectory", "--dxf", "--record", "--report", "--sarif"}) {
         const Ended ended = shell("$G run --quiet part.nc " + option + " /dev/full");
         EXPECT_EQ(ended.status, 2) << option;
         EXPECT_TRUE(holds(ended.err, "cannot write '/dev/full': No space left on device\n")) << ended.err;

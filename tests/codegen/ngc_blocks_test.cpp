@@ -88,7 +88,7 @@ TEST(NgcBlocks, Errors) {
     error("G1 G81 X1 R1", "4: error: G1 and G81 are of one modal group (motion); a block takes one of them");
     error("M7 M8", "4: error: M7 and M8 are of one modal group (coolant); a block takes one of them");
     error("@1 @2", "4: error: @ stands twice in the block");
-    error("G7", "1: error: G7 (lathe diameter mode) is not supported");
+    error("G72", "1: error: G72 (lathe facing cycle) is not supported");
     error("G17.1", "1: error: G17.1 (UV plane) is not supported");
     error("G65 P1",
           "1: error: G65 is no code of RS274/NGC; Allen-Bradley 9/Series has it (macro call), see --dialect "

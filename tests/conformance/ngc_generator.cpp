@@ -63,6 +63,7 @@ void NgcGenerator::block() {
         &N::feed_mode,
         &N::units,
         &N::plane,
+        &N::lathe,
         &N::distance,
         &N::system,
         &N::set_system,

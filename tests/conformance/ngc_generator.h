@@ -49,6 +49,7 @@ class NgcGenerator {
     void feed_mode();
     void units();
     void plane();
+    void lathe();
     void distance();
     void system();
     void set_system();
@@ -89,6 +90,7 @@ class NgcGenerator {
     Motion motion_ =
         Motion::none;  ///< What is modal; `other` moves are repeated by their own functions alone.
     bool incremental_ = false;
+    bool diameters_ = false;  ///< G7: words X are twice the radius.
     bool rotated_ = false;
     bool shifted_ = false;  ///< A G92 offset may be in force.
     bool tool_offset_ = false;

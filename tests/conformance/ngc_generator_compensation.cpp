@@ -49,7 +49,7 @@ void NgcGenerator::compensated_path() {
 std::string NgcGenerator::corner_move(bool straight) {
     const double heading = random_.between(0, 11) * std::numbers::pi / 6 + 0.1;
     const double length = random_.between(150, 500) / 10.0;
-    const double x = length * std::cos(heading), y = length * std::sin(heading);
+    const double x = length * std::cos(heading) * (diameters_ ? 2 : 1), y = length * std::sin(heading);
     if (straight || random_.chance(70))
         return fmt::format("G{} X{:.4f} Y{:.4f}", random_.chance(15) ? 0 : 1, x, y);
     return fmt::format("G{} X{:.4f} Y{:.4f} R{:.3f}", random_.between(2, 3), x, y,

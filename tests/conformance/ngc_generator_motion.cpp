@@ -57,8 +57,11 @@ std::string NgcGenerator::arc_words(bool absolute_centre) {
         return absolute ? fmt::format("[{} + {:.6f}]", parameters.substr(axis * 5, 5), step)
                         : fmt::format("{:.6f}", step);
     };
-    std::string words = fmt::format("{}{} {}{}", names[0], from_here(to_first, 0, !incremental_), names[1],
-                                    from_here(to_second, 1, !incremental_));
+    const auto end_word = [&](double step, std::size_t axis) {
+        const std::string at = from_here(step, axis, !incremental_);
+        return fmt::format("{}{}", names[axis], diameters_ && names[axis] == 'X' ? "[2 * " + at + "]" : at);
+    };
+    std::string words = fmt::format("{} {}", end_word(to_first, 0), end_word(to_second, 1));
     words += fmt::format(" {}{} {}{}", names[3], from_here(first, 0, absolute_centre), names[4],
                          from_here(second, 1, absolute_centre));
     if (random_.chance(30)) words += fmt::format(" {}{}", names[2], random_.decimal(-5, 5));

@@ -51,6 +51,23 @@ void NgcGenerator::plane() {
     line(plane_ == Plane::xy ? "G17" : plane_ == Plane::zx ? "G18" : "G19");
 }
 
+/// By its name or a computed number, alone or in the block of a word X.
+void NgcGenerator::lathe() {
+    diameters_ = random_.chance(60);
+    const int code = diameters_ ? 7 : 8;
+    switch (random_.below(3)) {
+        case 0: line(fmt::format("G{}", code)); return;
+        case 1:
+            line(fmt::format("#7 = {}", code));
+            line("G#7");
+            motion_ = Motion::none;
+            return;
+        default: break;
+    }
+    line(fmt::format("G{} G0 X{}", code, value(30)));
+    motion_ = Motion::straight;
+}
+
 void NgcGenerator::distance() {
     incremental_ = random_.chance(30);
     line(incremental_ ? "G91" : "G90");
@@ -192,8 +209,8 @@ void NgcGenerator::shared_words() {
 void NgcGenerator::kept_state() {
     if (tool_offset_ || inverse_time_ || per_turn_) return;
     line("M70");
-    line(std::string(
-        random_.one_of({"G91 M8", "G18 F77", "G55 G61", "G90.1 G98", "S99 F33", "G20 F4 G59.3", "G20 G91"})));
+    line(std::string(random_.one_of({"G91 M8", "G18 F77", "G55 G61", "G90.1 G98", "S99 F33", "G20 F4 G59.3",
+                                     "G20 G91", "G7 F5", "G8 G91"})));
     line("M72");
     motion_ = Motion::other;
 }

@@ -17,9 +17,9 @@ const Files kKept = {{"data.txt", "NCFILE\nVARIABLE\n500 7\nENDFILE\n"},
 
 std::vector<Job> run_jobs() {
     return {
-        {"gsim-run, four outputs",
+        {"gsim-run, five outputs",
          {"gsim-run", kWheel, "--moves", "moves.jsonl", "--trajectory", "trajectory.csv", "--step", "0.02",
-          "--report", "report.json", "--record", "path.json"},
+          "--report", "report.json", "--record", "path.json", "--dxf", "path.dxf"},
          {{"report.json", "old\n"}}},
         {"gsim-run --no-confine", {"gsim-run", "--no-confine", "--json", kWheel, "--moves", "moves.jsonl"}},
         {"gsim-run, a long program", {"gsim-run", "--json", "long.nc"}, {{"long.nc", long_program()}}},

@@ -207,14 +207,20 @@ TEST(Folders, ManyAtOnceLeaveWholeFiles) {
                              {"b.nc", "G0 X10\nG1 X110 F3000\nG1 X20\nG1 X50\nM2\n"}};
         const Outcome one = run({"a", of("a.nc"), parts}, {}), other = run({"b", of("b.nc"), parts}, {});
         const InFolder folder(parts);
+        const Folder said;
         constexpr int kRuns = 64;
         std::vector<int> processes;
         for (int i = 0; i < kRuns; ++i) {
             std::vector<std::string> whole = of(i % 2 == 0 ? "a.nc" : "b.nc");
             whole.front() = program_path(whole.front());
-            processes.push_back(start({.command = whole, .folder = folder.path()}));
+            const fs::path err = said.path() / std::to_string(i);
+            processes.push_back(start({.command = whole, .folder = folder.path(), .err = err}));
         }
-        for (const int process : processes) EXPECT_EQ(wait_for(process).status, 0) << command.front();
+        for (int i = 0; i < kRuns; ++i) {
+            const Ended ended = wait_for(processes[static_cast<std::size_t>(i)]);
+            EXPECT_EQ(ended.status, 0)
+                << command.front() << ended.by << ": " << read_file(said.path() / std::to_string(i));
+        }
         const Files found = read_files(folder.path());
         EXPECT_EQ(found.size(), one.files.size()) << "nothing is left over";
         for (const auto& [name, text] : found)

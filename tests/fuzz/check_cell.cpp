@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/override_options.h"
+#include "engine/inner/override_changes.h"
 #include "runtime/cell/cell_file.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/process/robots_file.h"
@@ -58,7 +58,7 @@ Outcome check_robots(std::string_view toml) {
 Outcome check_overrides(std::string_view toml) {
     const std::string file = name_beside(".toml");
     machine::Machine machine = cell_machine();
-    const auto schedule = apps::read_override_changes(toml, file, {}, machine.controller);
+    const auto schedule = engine::read_override_changes(toml, file, {}, machine.controller);
     if (!schedule) return refused_with(schedule.error(), file);
     return outcome_of(run_moves({.machine = std::move(machine), .overrides = *schedule}));
 }

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "apps/aliases.h"
 #include "apps/data_json.h"
-#include "apps/variables_file.h"
+#include "engine/inner/aliases.h"
+#include "engine/inner/variables_text.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/machine/machine_file.h"
 #include "tests/fuzz/checks.h"
@@ -24,7 +24,7 @@ std::optional<std::string> fault_of_data(const machine::MachineData& data,
     const auto again = machine::read_machine_data(text, "again", axes);
     if (!again) return fmt::format("what is written is refused: {}\n{}", again.error(), text);
     if (*again != data) return fmt::format("what is written means other data:\n{}", text);
-    if (const auto aliases = apps::aliases_of(data); !aliases) return fault_of_sentence(aliases.error());
+    if (const auto aliases = engine::aliases_of(data); !aliases) return fault_of_sentence(aliases.error());
     return std::nullopt;
 }
 
@@ -89,10 +89,10 @@ Outcome check_machine_data_json(std::string_view json) {
 
 Outcome check_variables(std::string_view text) {
     const std::string file = name_beside(".var");
-    const auto values = apps::variables_of(text, file);
+    const auto values = engine::variables_of(text, file);
     if (!values) return refused_with(values.error(), file);
-    const std::string written = apps::variables_text(*values);
-    const auto again = apps::variables_of(written, file);
+    const std::string written = engine::variables_text(*values);
+    const auto again = engine::variables_of(written, file);
     if (!again) return broken(fmt::format("what is written is refused: {}\n{}", again.error(), written));
     if (*again != *values) return broken("what is written means other values:\n" + written);
     return accepted();

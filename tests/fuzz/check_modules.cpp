@@ -25,7 +25,7 @@ machine::Machine module_machine() {
 class Description {
   public:
     Description(const machine::Machine& machine, std::string_view answers)
-        : rcs_(simulation::planner_setup(machine)),
+        : rcs_(simulation::setup_of_machine(machine)),
           machine_(rcs_.get()),
           answers_(answers),
           size_(std::to_string(answers.size())),

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/path_program.h"
 #include "codegen/post/post_file.h"
 #include "codegen/translate.h"
+#include "engine/inner/path_program.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/json_reader.h"
 #include "runtime/path/json_writer.h"
@@ -59,10 +59,10 @@ bool is_small(const path::Program& program) {
 /// What a path becomes by a post, in a program or several; the error is a sentence.
 tl::expected<std::string, std::string> written(const path::PathFile& file, const machine::Machine& machine,
                                                const codegen::Post& post) {
-    apps::PathProgramOptions options;
+    engine::PathProgramOptions options;
     options.name = "fuzz";
     options.go_on = true;
-    const auto program = apps::PathProgram::plan(file, machine, post, options);
+    const auto program = engine::PathProgram::plan(file, machine, post, options);
     if (!program) return tl::unexpected(program.error());
     std::string text;
     program->write([&text](const std::string& /*file*/) {

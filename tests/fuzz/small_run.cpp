@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/word_table.h"
+#include "engine/inner/word_table.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/simulator.h"
@@ -169,7 +169,7 @@ RunResult run_once(const SmallRun& run) {
     options.limits.memory_bytes = kMemory_bytes;
     options.limits.steps = kSteps;
     options.dialect = run.dialect;
-    options.codes = apps::word_table(*grammar::dialect_named(run.dialect));
+    options.codes = engine::word_table(*grammar::dialect_named(run.dialect));
     script::Engine engine(simulator, options);
     engine.run(script_of(run));
     RunResult result{

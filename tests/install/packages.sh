@@ -26,17 +26,20 @@ quietly() {
 # Where it was unpacked, and what apt remembers of the files it was given, is no part of the installation.
 left_behind() {
     find / -xdev -path /proc -prune -o -path /var/lib/apt -prune -o -path /var/cache -prune -o -path /var/log -prune -o \
-        -path "$here" -prune -o -path "$packages" -prune -o -name '*gsim*' -print
+        -path "$here" -prune -o -path "$packages" -prune -o -name '*gsim*' ! -name '*trigsimp*' -print
 }
 
 cd / || exit
 [[ -z $(left_behind) ]] || echo 'FAILED: this root has a gsim already'
 quietly apt-get -q -y --no-install-recommends install "$packages"/gsim_*.deb
 "$here/check.sh" /usr || failed=1
-mapfile -t others < <(ls "$packages"/gsim-*.deb)
+mapfile -t others < <(ls "$packages"/gsim-*.deb "$packages"/libgsim0_*.deb "$packages"/python3-gsim_*.deb)
 quietly apt-get -q -y --no-install-recommends install "${others[@]}"
 "$here/check.sh" /usr || failed=1
-quietly apt-get -q -y purge 'gsim*'
+# What people have who build on the library, and what it says that its static one needs.
+quietly apt-get -q -y --no-install-recommends install g++ cmake make pkgconf python3-matplotlib libfmt-dev liblua5.4-dev libpugixml-dev
+"$here/engine.sh" /usr || failed=1
+quietly apt-get -q -y purge 'gsim*' libgsim0 python3-gsim
 left=$(left_behind)
 if [[ -z $left ]]; then
     echo 'ok nothing is left after purging'

@@ -43,7 +43,7 @@ rrs::CartPos product(const Branch& branch, const rrs::JointPos& joints) {
     return pose * branch.end;
 }
 
-TEST(Chain, forward_is_the_tool_seen_from_the_work) {
+TEST(Chain, ForwardIsTheToolSeenFromTheWork) {
     RandomPoses random(1);
     for (int i = 0; i < 2'000; ++i) {
         const Chain chain = random_chain(random);
@@ -57,7 +57,7 @@ TEST(Chain, forward_is_the_tool_seen_from_the_work) {
     }
 }
 
-TEST(Chain, each_joint_moves_what_is_behind_it_along_or_about_z_of_its_frame) {
+TEST(Chain, EachJointMovesWhatIsBehindItAlongOrAboutZOfItsFrame) {
     RandomPoses random(2);
     for (int i = 0; i < 500; ++i) {
         const Chain chain = random_chain(random);
@@ -77,7 +77,7 @@ TEST(Chain, each_joint_moves_what_is_behind_it_along_or_about_z_of_its_frame) {
     }
 }
 
-TEST(Chain, is_a_product_of_exponentials) {
+TEST(Chain, IsAProductOfExponentials) {
     RandomPoses random(3);
     for (int i = 0; i < 2'000; ++i) {
         const Chain chain = random_chain(random);
@@ -98,7 +98,7 @@ TEST(Chain, is_a_product_of_exponentials) {
     }
 }
 
-TEST(Chain, any_chain_is_a_denavit_hartenberg_table) {
+TEST(Chain, AnyChainIsADenavitHartenbergTable) {
     RandomPoses random(4);
     for (int i = 0; i < 2'000; ++i) {
         const Chain chain = random_chain(random);
@@ -112,7 +112,7 @@ TEST(Chain, any_chain_is_a_denavit_hartenberg_table) {
     }
 }
 
-TEST(Chain, table_of_parallel_and_common_axes) {
+TEST(Chain, TableOfParallelAndCommonAxes) {
     RandomPoses random(5);
     Branch tool;
     // One line, a parallel one, a parallel one against it, and one at right angles.
@@ -132,7 +132,7 @@ TEST(Chain, table_of_parallel_and_common_axes) {
     }
 }
 
-TEST(Chain, joints_are_numbered_from_zero_up) {
+TEST(Chain, JointsAreNumberedFromZeroUp) {
     Branch twice;
     twice.links = {Link{.joint = 0}, Link{.joint = 0}};
     EXPECT_THROW(Chain{twice}, std::invalid_argument);
@@ -144,7 +144,7 @@ TEST(Chain, joints_are_numbered_from_zero_up) {
 }
 
 // The Jacobian against differences of poses.
-TEST(Jacobian, is_the_derivative_of_the_pose) {
+TEST(Jacobian, IsTheDerivativeOfThePose) {
     RandomPoses random(6);
     for (int i = 0; i < 300; ++i) {
         const Chain chain = random_chain(random);

@@ -17,7 +17,7 @@ Eigen::MatrixXd random_matrix(std::mt19937& random, Eigen::Index rows, Eigen::In
     return filled(rows, rank) * filled(rank, cols);
 }
 
-TEST(SingularValues, are_those_of_eigens_own_way_for_matrices_that_are_not_square) {
+TEST(SingularValues, AreThoseOfEigensOwnWayForMatricesThatAreNotSquare) {
     std::mt19937 random(7);
     for (Eigen::Index rows = 3; rows <= 6; ++rows) {
         for (Eigen::Index cols = 1; cols <= 9; ++cols) {
@@ -39,13 +39,13 @@ TEST(SingularValues, are_those_of_eigens_own_way_for_matrices_that_are_not_squar
     }
 }
 
-TEST(SingularValues, of_nothing_but_zeros) {
+TEST(SingularValues, OfNothingButZeros) {
     const SingularValues found = singular_values(Eigen::MatrixXd::Zero(6, 5));
     EXPECT_EQ(found.values, Eigen::VectorXd::Zero(5));
     EXPECT_TRUE((found.right.transpose() * found.right).isIdentity(1e-15));
 }
 
-TEST(SolveSymmetric, gives_the_solution) {
+TEST(SolveSymmetric, GivesTheSolution) {
     std::mt19937 random(8);
     for (Eigen::Index size = 1; size <= rrs::kMaxJoints; ++size) {
         const Eigen::MatrixXd root = random_matrix(random, size, size, size);

@@ -30,7 +30,7 @@ Matrix4d textbook(const DhLink& row, double value) {
     return m;
 }
 
-TEST(DhChain, forward_is_the_product_of_the_textbook_matrices) {
+TEST(DhChain, ForwardIsTheProductOfTheTextbookMatrices) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(-3, 3);
     for (int i = 0; i < 10'000; ++i) {
@@ -49,7 +49,7 @@ TEST(DhChain, forward_is_the_product_of_the_textbook_matrices) {
     }
 }
 
-TEST(DhChain, table_of_the_standard_gantry_gives_a_translation_then_rz_b_then_ry_c) {
+TEST(DhChain, TableOfTheStandardGantryGivesATranslationThenRzBThenRyC) {
     const DhChain chain = standard_gantry();
     std::mt19937 random(4);
     std::uniform_real_distribution<double> number(-3, 3);
@@ -64,12 +64,12 @@ TEST(DhChain, table_of_the_standard_gantry_gives_a_translation_then_rz_b_then_ry
     }
 }
 
-TEST(DhChain, coordinates_of_a_gantry_carry_no_rounding) {
+TEST(DhChain, CoordinatesOfAGantryCarryNoRounding) {
     const rrs::CartPos pose = standard_gantry().forward(joint_pos({1234.5, 77.25, 300.125, 0, 0}));
     EXPECT_EQ(pose.matrix(), (rrs::CartPos(Eigen::Translation3d(1234.5, 77.25, 300.125)).matrix()));
 }
 
-TEST(DhChain, frames_begin_with_the_base_and_end_with_the_tool) {
+TEST(DhChain, FramesBeginWithTheBaseAndEndWithTheTool) {
     rrs::CartPos tool = rrs::CartPos::Identity();
     tool.translation().z() = -150;
     const DhChain chain(gantry_base(), gantry_rows(), tool);
@@ -83,17 +83,17 @@ TEST(DhChain, frames_begin_with_the_base_and_end_with_the_tool) {
     EXPECT_TRUE(frames.back().isApprox(frames[5] * tool));
 }
 
-TEST(DhChain, without_joints_it_is_the_tool_on_the_base) {
+TEST(DhChain, WithoutJointsItIsTheToolOnTheBase) {
     const DhChain chain(gantry_base(), {}, gantry_base());
     EXPECT_TRUE(chain.forward(rrs::JointPos()).isApprox(gantry_base() * gantry_base()));
 }
 
-TEST(DhChain, too_many_joints_are_refused) {
+TEST(DhChain, TooManyJointsAreRefused) {
     const std::vector<DhLink> rows(17);
     EXPECT_THROW(DhChain(gantry_base(), rows, gantry_base()), std::invalid_argument);
 }
 
-TEST(ChainKinematics, has_forward_but_no_inverse) {
+TEST(ChainKinematics, HasForwardButNoInverse) {
     const ChainKinematics chain(standard_gantry());
     const rrs::JointPos q = joint_pos({1, 2, 3, 0.4, 0.5});
     EXPECT_EQ(chain.joint_count(), 5);

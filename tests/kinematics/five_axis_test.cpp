@@ -49,7 +49,7 @@ Chain random_machine(RandomPoses& random, int rotary) {
     return Chain(tool, work);
 }
 
-TEST(FiveAxis, inverse_and_forward_undo_each_other_on_random_machines) {
+TEST(FiveAxis, InverseAndForwardUndoEachOtherOnRandomMachines) {
     RandomPoses random(11);
     for (int machine = 0; machine < 200; ++machine) {
         const auto gantry = GantryKinematics::make(random_machine(random, machine % 3));
@@ -68,7 +68,7 @@ TEST(FiveAxis, inverse_and_forward_undo_each_other_on_random_machines) {
 }
 
 // Every solution has the tip and the tool's axis right; with two rotary axes there are two ways to tilt.
-TEST(FiveAxis, all_solutions_point_the_tool_the_same_way) {
+TEST(FiveAxis, AllSolutionsPointTheToolTheSameWay) {
     RandomPoses random(12);
     for (int machine = 0; machine < 100; ++machine) {
         const auto gantry = GantryKinematics::make(random_machine(random, 2)).value();
@@ -91,7 +91,7 @@ TEST(FiveAxis, all_solutions_point_the_tool_the_same_way) {
     }
 }
 
-TEST(FiveAxis, a_solution_in_range_comes_before_a_nearer_one) {
+TEST(FiveAxis, ASolutionInRangeComesBeforeANearerOne) {
     std::vector<JointRange> ranges(5);
     ranges[4] = {.min = -0.1, .max = 2};  // tilts one way
     const auto gantry = GantryKinematics::make(standard_gantry(), ranges).value();
@@ -103,7 +103,7 @@ TEST(FiveAxis, a_solution_in_range_comes_before_a_nearer_one) {
     EXPECT_NEAR(all[1][4], -0.3, 1e-9);
 }
 
-TEST(FiveAxis, whole_turns_stay_in_range) {
+TEST(FiveAxis, WholeTurnsStayInRange) {
     std::vector<JointRange> ranges(5);
     ranges[3] = {.min = -1, .max = 6};
     const auto gantry = GantryKinematics::make(standard_gantry(), ranges).value();
@@ -118,7 +118,7 @@ TEST(FiveAxis, whole_turns_stay_in_range) {
 }
 
 // Z behind the tilting axis lies along Y when that has turned by 90 degrees.
-TEST(FiveAxis, slides_that_fall_into_a_plane_are_singular) {
+TEST(FiveAxis, SlidesThatFallIntoAPlaneAreSingular) {
     Branch tool;
     tool.links = {joint_along(0, JointKind::prismatic, Vector3d::UnitX(), Vector3d::Zero()),
                   joint_along(1, JointKind::prismatic, Vector3d::UnitY(), Vector3d::Zero()),
@@ -132,7 +132,7 @@ TEST(FiveAxis, slides_that_fall_into_a_plane_are_singular) {
 }
 
 // A head that turns the tool about its tip is one by its tip, not by its directions alone.
-TEST(FiveAxis, a_tip_off_the_rotation_point_makes_no_tilting_head) {
+TEST(FiveAxis, ATipOffTheRotationPointMakesNoTiltingHead) {
     const auto with_tool = [](double z_mm) {
         return GantryKinematics::make(DhChain(gantry_base(), gantry_rows(), pose_from_rpy({.z_mm = z_mm})))
             .value()
@@ -142,7 +142,7 @@ TEST(FiveAxis, a_tip_off_the_rotation_point_makes_no_tilting_head) {
     EXPECT_FALSE(with_tool(-100));
 }
 
-TEST(FiveAxis, out_of_reach_tells_by_how_much) {
+TEST(FiveAxis, OutOfReachTellsByHowMuch) {
     auto rows = gantry_rows();
     rows.pop_back();  // upright, about the vertical alone
     const auto gantry =

@@ -28,7 +28,7 @@ rrs::CartPos spun(double b, double c, double spin) {
     return pose;
 }
 
-TEST(GantryOrientation, tool_axis_is_matched_where_the_whole_rotation_cannot_be) {
+TEST(GantryOrientation, ToolAxisIsMatchedWhereTheWholeRotationCannotBe) {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> number(-3, 3);
     for (int i = 0; i < 20'000; ++i) {
@@ -42,7 +42,7 @@ TEST(GantryOrientation, tool_axis_is_matched_where_the_whole_rotation_cannot_be)
     }
 }
 
-TEST(GantryOrientation, of_two_solutions_the_nearest_is_taken) {
+TEST(GantryOrientation, OfTwoSolutionsTheNearestIsTaken) {
     // (b, c) and (b + pi, -c) point the tool the same way.
     const auto first = gantry()->inverse(spun(0.5, 0.3, 1), joint_pos({0, 0, 0, 0.6, 0.2})).value();
     EXPECT_NEAR(first[3], 0.5, 1e-9);
@@ -52,21 +52,21 @@ TEST(GantryOrientation, of_two_solutions_the_nearest_is_taken) {
     EXPECT_NEAR(second[4], -0.3, 1e-9);
 }
 
-TEST(GantryOrientation, whole_turns_follow_the_near_position) {
+TEST(GantryOrientation, WholeTurnsFollowTheNearPosition) {
     const rrs::CartPos pose = gantry()->forward(joint_pos({0, 0, 0, 0.5, 0.3}));
     const auto q = gantry()->inverse(pose, joint_pos({0, 0, 0, 4 * kPi, 0})).value();
     EXPECT_NEAR(q[3], 0.5 + 4 * kPi, 1e-9);
     EXPECT_NEAR(q[4], 0.3, 1e-9);
 }
 
-TEST(GantryOrientation, upright_tool_takes_the_first_axis_from_the_pose_if_that_is_reachable) {
+TEST(GantryOrientation, UprightToolTakesTheFirstAxisFromThePoseIfThatIsReachable) {
     const auto q =
         gantry()->inverse(gantry()->forward(joint_pos({0, 0, 0, 0.7, 0})), joint_pos({0, 0, 0, 2, 0.1}));
     EXPECT_NEAR((*q)[3], 0.7, 1e-12);
     EXPECT_NEAR((*q)[4], 0, 1e-12);
 }
 
-TEST(GantryOrientation, small_tilts_lose_no_accuracy) {
+TEST(GantryOrientation, SmallTiltsLoseNoAccuracy) {
     for (const double c : {1e-3, 1e-6, 1e-8, 1e-12}) {
         const rrs::JointPos q = joint_pos({0, 0, 0, 1.2, c});
         const auto back = gantry()->inverse(gantry()->forward(q), joint_pos({0, 0, 0, 0, 0})).value();
@@ -76,7 +76,7 @@ TEST(GantryOrientation, small_tilts_lose_no_accuracy) {
 }
 
 // With the second axis at 45 degrees and the tool along the first, the upside-down direction is beyond reach.
-TEST(GantryOrientation, tool_axis_out_of_reach_is_an_error) {
+TEST(GantryOrientation, ToolAxisOutOfReachIsAnError) {
     std::vector<DhLink> rows = gantry_rows();
     rows[3].alpha_rad = kPi / 6;
     rows[4].alpha_rad = -kPi / 6;
@@ -87,7 +87,7 @@ TEST(GantryOrientation, tool_axis_out_of_reach_is_an_error) {
 }
 
 // With the tool along the second axis, that axis is the turn about the tool: nothing is left to the machine.
-TEST(GantryOrientation, tool_along_the_second_axis_is_turned_as_the_pose_says) {
+TEST(GantryOrientation, ToolAlongTheSecondAxisIsTurnedAsThePoseSays) {
     std::vector<DhLink> rows = gantry_rows();
     rows[4].alpha_rad = 0;
     const auto head = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();
@@ -99,7 +99,7 @@ TEST(GantryOrientation, tool_along_the_second_axis_is_turned_as_the_pose_says) {
 }
 
 // The pole is where the tool points with the tilt undone, wherever the head is turned.
-TEST(GantryOrientation, a_head_tilts_the_tool_from_its_pole) {
+TEST(GantryOrientation, AHeadTiltsTheToolFromItsPole) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> number(-1.5, 1.5);
     for (int i = 0; i < 100; ++i) {
@@ -125,7 +125,7 @@ TEST(GantryOrientation, a_head_tilts_the_tool_from_its_pole) {
     }
 }
 
-TEST(GantryOrientation, a_head_needs_right_angles) {
+TEST(GantryOrientation, AHeadNeedsRightAngles) {
     auto rows = gantry_rows();
     EXPECT_TRUE(GantryKinematics::make(standard_gantry()).value()->tilting_head());
     rows[3].alpha_rad = -kQuarter + 0.1;
@@ -143,7 +143,7 @@ TEST(GantryOrientation, a_head_needs_right_angles) {
                      ->tilting_head());
 }
 
-TEST(GantryOrientation, upright_tool_stays_upright_without_rotary_axes) {
+TEST(GantryOrientation, UprightToolStaysUprightWithoutRotaryAxes) {
     const auto rows = std::vector{slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0)};
     const auto three = GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).value();
     EXPECT_TRUE(three->inverse(pose_from_rpy({.x_mm = 5, .roll_rad = 1}), joint_pos({0, 0, 0})));

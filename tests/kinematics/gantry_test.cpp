@@ -49,11 +49,11 @@ void expect_round_trips(const GantryKinematics& gantry, unsigned seed) {
     }
 }
 
-TEST(Gantry, inverse_and_forward_undo_each_other) {
+TEST(Gantry, InverseAndForwardUndoEachOther) {
     expect_round_trips(*make(gantry_rows()), 1);
 }
 
-TEST(Gantry, inverse_works_with_other_orders_of_the_slides) {
+TEST(Gantry, InverseWorksWithOtherOrdersOfTheSlides) {
     // Any base, and slides along its Z, then -Y, then X.
     const rrs::CartPos base =
         pose_from_rpy({.x_mm = 100, .y_mm = -7, .roll_rad = 0.3, .pitch_rad = -1.1, .yaw_rad = 2});
@@ -62,26 +62,26 @@ TEST(Gantry, inverse_works_with_other_orders_of_the_slides) {
     expect_round_trips(*make(rows, base), 2);
 }
 
-TEST(Gantry, inverse_works_with_rotary_axes_at_any_angle) {
+TEST(Gantry, InverseWorksWithRotaryAxesAtAnyAngle) {
     // A nutating head: the second axis at 45 degrees to the first.
     expect_round_trips(
         *make({slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0), turn(0, kPi / 4), turn(0, 0.3)}),
         3);
 }
 
-TEST(Gantry, inverse_works_with_one_rotary_axis_or_none) {
+TEST(Gantry, InverseWorksWithOneRotaryAxisOrNone) {
     expect_round_trips(*make({slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0), turn(0, 0.7)}), 4);
     expect_round_trips(*make({slide(0, kQuarter), slide(kQuarter, kQuarter), slide(0, 0)}), 5);
 }
 
-TEST(Gantry, tip_stays_while_the_rotary_axes_turn) {
+TEST(Gantry, TipStaysWhileTheRotaryAxesTurn) {
     const auto gantry = make(gantry_rows());
     const Eigen::Vector3d a = gantry->forward(joint_pos({100, 200, 300, 0, 0})).translation();
     const Eigen::Vector3d b = gantry->forward(joint_pos({100, 200, 300, 2, -1})).translation();
     EXPECT_LT((a - b).norm(), 1e-9);
 }
 
-TEST(Gantry, refuses_machines_of_another_build) {
+TEST(Gantry, RefusesMachinesOfAnotherBuild) {
     const auto trouble = [](std::vector<DhLink> rows) {
         return GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).error();
     };
@@ -102,7 +102,7 @@ TEST(Gantry, refuses_machines_of_another_build) {
     EXPECT_THAT(trouble(rows), HasSubstr("not finite"));
 }
 
-TEST(Gantry, refuses_what_is_no_pose_and_no_near_position) {
+TEST(Gantry, RefusesWhatIsNoPoseAndNoNearPosition) {
     const auto gantry = make(gantry_rows());
     rrs::CartPos pose = rrs::CartPos::Identity();
     EXPECT_FALSE(gantry->inverse(pose, joint_pos({0, 0, 0})));

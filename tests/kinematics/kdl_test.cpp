@@ -9,7 +9,7 @@
 namespace gsim::kinematics::kdl_test {
 namespace {
 
-TEST(Kdl, forward_of_random_tables_is_the_same) {
+TEST(Kdl, ForwardOfRandomTablesIsTheSame) {
     RandomPoses random(7);
     for (int i = 0; i < 3'000; ++i) {
         std::vector<DhLink> rows;
@@ -25,7 +25,7 @@ TEST(Kdl, forward_of_random_tables_is_the_same) {
     }
 }
 
-TEST(Kdl, forward_of_joint_frames_on_both_sides_is_the_same) {
+TEST(Kdl, ForwardOfJointFramesOnBothSidesIsTheSame) {
     RandomPoses random(8);
     for (int i = 0; i < 3'000; ++i) {
         Branch tool{.base = random.pose(500), .links = {}, .end = random.pose(100)};

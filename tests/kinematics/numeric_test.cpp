@@ -30,7 +30,7 @@ std::shared_ptr<const NumericKinematics> numeric(std::vector<JointRange> ranges 
     return NumericKinematics::make(arm(), std::move(ranges)).value();
 }
 
-TEST(Numeric, finds_joints_for_random_poses) {
+TEST(Numeric, FindsJointsForRandomPoses) {
     RandomPoses random(21);
     const auto robot = numeric();
     for (int i = 0; i < 2'000; ++i) {
@@ -43,7 +43,7 @@ TEST(Numeric, finds_joints_for_random_poses) {
 }
 
 // With a spherical wrist and an arm of three links there are eight ways to a pose in general.
-TEST(Numeric, all_eight_solutions_of_an_arm_are_found) {
+TEST(Numeric, AllEightSolutionsOfAnArmAreFound) {
     const auto robot = numeric();
     const rrs::JointPos q = joint_pos({0.3, 0.8, -0.4, 0.6, 0.9, -1});
     const rrs::CartPos pose = robot->forward(q);
@@ -57,7 +57,7 @@ TEST(Numeric, all_eight_solutions_of_an_arm_are_found) {
     }
 }
 
-TEST(Numeric, solutions_stay_in_range) {
+TEST(Numeric, SolutionsStayInRange) {
     const std::vector<JointRange> ranges(6, {.min = -2, .max = 1.5});
     const auto robot = numeric(ranges);
     RandomPoses random(22);
@@ -71,7 +71,7 @@ TEST(Numeric, solutions_stay_in_range) {
     }
 }
 
-TEST(Numeric, takes_any_chain) {
+TEST(Numeric, TakesAnyChain) {
     RandomPoses random(23);
     for (int machine = 0; machine < 30; ++machine) {
         Branch tool{.base = random.pose(300), .links = {}, .end = random.pose(100)};
@@ -92,7 +92,7 @@ TEST(Numeric, takes_any_chain) {
     }
 }
 
-TEST(Numeric, out_of_reach_says_by_how_much) {
+TEST(Numeric, OutOfReachSaysByHowMuch) {
     const auto robot = numeric();
     // Straight up, beyond the stretched arm: hypot(431.8, ...) + 100 mm of tool.
     const rrs::CartPos far = pose_from_rpy({.x_mm = 3000});
@@ -104,14 +104,14 @@ TEST(Numeric, out_of_reach_says_by_how_much) {
                 HasSubstr("at an end of the range"));
 }
 
-TEST(Numeric, joints_that_line_up_are_named) {
+TEST(Numeric, JointsThatLineUpAreNamed) {
     const auto robot = numeric();
     EXPECT_EQ(robot->lined_up(joint_pos({0.3, 0.8, -0.4, 0.6, 0, -1})), (std::vector{3, 5}));
     EXPECT_EQ(robot->lined_up(joint_pos({0.3, 0.8, -0.4, 0.6, 0.5, -1})), std::vector<int>{});
 }
 
 // The wrist straight: any share of the turn between joints 3 and 5 will do.
-TEST(Numeric, singular_poses_are_reached) {
+TEST(Numeric, SingularPosesAreReached) {
     const auto robot = numeric();
     const rrs::JointPos q = joint_pos({0.3, 0.8, -0.4, 0.6, 0, -1});
     const rrs::CartPos pose = robot->forward(q);
@@ -119,7 +119,7 @@ TEST(Numeric, singular_poses_are_reached) {
     EXPECT_LT(apart(robot->forward(found), pose), 1e-6);
 }
 
-TEST(Numeric, refuses_what_it_cannot_work_with) {
+TEST(Numeric, RefusesWhatItCannotWorkWith) {
     EXPECT_FALSE(NumericKinematics::make(Chain(Branch{})));
     EXPECT_FALSE(NumericKinematics::make(arm(), std::vector<JointRange>(5)));
     EXPECT_FALSE(NumericKinematics::make(arm(), std::vector<JointRange>(6, {.min = 1, .max = 0})));

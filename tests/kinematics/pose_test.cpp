@@ -13,20 +13,20 @@ namespace {
 using Eigen::Vector3d;
 constexpr double kPi = std::numbers::pi;
 
-TEST(Pose, roll_turns_about_z_pitch_about_y_yaw_about_x) {
+TEST(Pose, RollTurnsAboutZPitchAboutYYawAboutX) {
     EXPECT_TRUE((pose_from_rpy({.roll_rad = kPi / 2}) * Vector3d::UnitX()).isApprox(Vector3d::UnitY()));
     EXPECT_TRUE((pose_from_rpy({.pitch_rad = kPi / 2}) * Vector3d::UnitX()).isApprox(-Vector3d::UnitZ()));
     EXPECT_TRUE((pose_from_rpy({.yaw_rad = kPi / 2}) * Vector3d::UnitY()).isApprox(Vector3d::UnitZ()));
 }
 
-TEST(Pose, yaw_acts_first_and_roll_last) {
+TEST(Pose, YawActsFirstAndRollLast) {
     // Y goes to Z by the yaw, to X by the pitch, to Y by the roll.
     const rrs::CartPos pose =
         pose_from_rpy({.x_mm = 1, .roll_rad = kPi / 2, .pitch_rad = kPi / 2, .yaw_rad = kPi / 2});
     EXPECT_TRUE((pose * Vector3d::UnitY()).isApprox(Vector3d(1, 1, 0)));
 }
 
-TEST(Pose, angles_come_back_from_random_poses) {
+TEST(Pose, AnglesComeBackFromRandomPoses) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> angle(-3.1, 3.1);
     for (int i = 0; i < 100'000; ++i) {
@@ -40,7 +40,7 @@ TEST(Pose, angles_come_back_from_random_poses) {
     }
 }
 
-TEST(Pose, gimbal_lock_puts_all_into_roll) {
+TEST(Pose, GimbalLockPutsAllIntoRoll) {
     for (const double pitch : {kPi / 2, -kPi / 2}) {
         const rrs::CartPos pose = pose_from_rpy({.roll_rad = 0.3, .pitch_rad = pitch, .yaw_rad = 0.8});
         const Rpy rpy = rpy_from_pose(pose);
@@ -49,7 +49,7 @@ TEST(Pose, gimbal_lock_puts_all_into_roll) {
     }
 }
 
-TEST(Pose, check_tells_what_is_no_pose) {
+TEST(Pose, CheckTellsWhatIsNoPose) {
     rrs::CartPos pose = pose_from_rpy({.roll_rad = 1, .pitch_rad = 2, .yaw_rad = 3});
     EXPECT_TRUE(check_pose(pose));
     pose.translation().x() = std::numeric_limits<double>::quiet_NaN();

@@ -93,7 +93,7 @@ TEST(ModalMacros, TheLastOneIsCalledAndItsMovesCallTheOneBefore) {
     expect_end(run_macros("G66{p=100} G66{p=200} G67() G0{x=10} G67() G0{z=v[110]}", macros), 10, 0, 1);
 }
 
-TEST(ModalMacros, G66_1TakesTheWordsOfEachBlock) {
+TEST(ModalMacros, G661TakesTheWordsOfEachBlock) {
     const std::string collect = "v[100]=v[100]+1 v[101]=v[24] v[102]=v[9] v[103]=v[10] v[104]=v[26]";
     const std::string show = "\nG67() G0{x=v[101], y=v[102], z=v[103], b=v[104], c=v[100]}";
     expect_end(run_macros("G66_1{p=100}\nF(30.0) G1{x=7, z=3}" + show, {{100, collect}}), 7, 30, 1, 3, 1);

@@ -100,6 +100,17 @@ TEST_F(LibraryFiles, AFileOfTheUsersDefinesACode) {
     expect_end(run_here("M[101]{p=7}"), 7, 5, 0);
 }
 
+TEST_F(LibraryFiles, AFileMayCountTheWordsOfAnAxis) {
+    EXPECT_EQ(
+        trouble_of("mine",
+                   "use(\"words\", \"word\")(\"TWICE\", function() core.set_word_factor(\"y\", 2) end)\n"),
+        "none");
+    expect_end(run_here("TWICE() G0{x=3, y=4} G91() G0{y=1}"), 3, 10, 0);
+    expect_end(run_here("TWICE() G20() G0{y=1}"), 0, 50.8, 0);
+    expect_end(run_here("G0{y=6} TWICE() G92{y=1} G0{y=3}"), 0, 10, 0);
+    expect_end(run_here("G0{y=6} TWICE() F(600) G1{y=4} G3{x=8, y=8, i=0, j=8}"), 8, 16, 0);
+}
+
 // --- The order of the files ---
 
 struct Program {

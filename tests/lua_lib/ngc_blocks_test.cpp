@@ -96,7 +96,7 @@ TEST(NgcCompensation, IsToldByItsSideAlone) {
               "420\n400\n");
 }
 
-TEST(NgcCompensation, PassesOverG92_3) {
+TEST(NgcCompensation, PassesOverG923) {
     const Outcome r = run_ngc("G92 X5\nG92.2\n" + kBeside + "G92.3\nX30\nG40\nX0\nM2\n");
     EXPECT_NEAR(last_x(r), 0, 1e-9) << "the offset is not in force";
     ASSERT_FALSE(r.report.warnings.empty());

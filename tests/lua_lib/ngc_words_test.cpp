@@ -51,6 +51,12 @@ TEST(NgcAngles, AreRoundedOnce) {
     EXPECT_EQ(value_of("[SIN[33.3]*2**53]"), "4945157917108571\n");
 }
 
+TEST(NgcCodes, ThatTheDialectRefusesAreRefusedInScriptsByHand) {
+    expect_alarm(run_ngc_lua("program(nil, function()\nG17_1()\nend)"), 2,
+                 {"G17.1 (UV plane) is not supported"});
+    expect_alarm(run_ngc_lua("G70{q=100}"), "G70 (lathe finishing cycle) is not supported");
+}
+
 TEST(NgcFeed, IsDroppedByABareFeedMode) {
     for (const char* mode : {"G94", "G95"}) {
         const Outcome r = run_ngc(std::string("G21 F100 S100 M3\n") + mode + "\nG1 X1\nM2\n");

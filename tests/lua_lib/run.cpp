@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "apps/word_table.h"
 #include "codegen/translate.h"
+#include "engine/inner/word_table.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::script {
@@ -85,7 +85,7 @@ Outcome run_script(Script script, Conditions setup) {
     if (!setup.overrides.changes().empty()) simulator.set_overrides(setup.overrides);
     const std::string name = script.file_name;
     {
-        setup.options.codes = apps::word_table(*grammar::dialect_named(setup.options.dialect));
+        setup.options.codes = engine::word_table(*grammar::dialect_named(setup.options.dialect));
         Engine engine(simulator, std::move(setup.options));
         engine.run(std::move(script));
         result.report = simulator.finish(name);

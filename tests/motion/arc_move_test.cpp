@@ -22,7 +22,7 @@ class ArcMove : public testing::Test {
     const double acceleration = 490.33;
 };
 
-TEST_F(ArcMove, full_circle_takes_the_time_of_its_circumference) {
+TEST_F(ArcMove, FullCircleTakesTheTimeOfItsCircumference) {
     ASSERT_EQ(at.arc_to(joint_pos({600, 500, 300, 0, 0}), {500, 500, 0}, up, 2 * kPi), Status::RRS_SUCCESS);
     const Segment& segment = at.last();
     EXPECT_EQ(segment.kind, SegmentKind::circular);
@@ -34,7 +34,7 @@ TEST_F(ArcMove, full_circle_takes_the_time_of_its_circumference) {
     expect_smooth(segment);
 }
 
-TEST_F(ArcMove, via_point_tells_the_circle_and_the_sense) {
+TEST_F(ArcMove, ViaPointTellsTheCircleAndTheSense) {
     ASSERT_EQ(at.via(joint_pos({500, 400, 300, 0, 0})), Status::RRS_SUCCESS);
     ASSERT_EQ(at.to(joint_pos({500, 600, 300, 0, 0})), Status::RRS_SUCCESS);
     const Segment& segment = at.last();
@@ -47,7 +47,7 @@ TEST_F(ArcMove, via_point_tells_the_circle_and_the_sense) {
     expect_smooth(segment);
 }
 
-TEST_F(ArcMove, each_circle_needs_a_via_point_of_its_own) {
+TEST_F(ArcMove, EachCircleNeedsAViaPointOfItsOwn) {
     EXPECT_EQ(at.to(joint_pos({500, 600, 300, 0, 0})), Status::RRS_INVALID_PARAMETER);
     EXPECT_THAT(at.message(), HasSubstr("needs a via point"));
     at.via(joint_pos({500, 400, 300, 0, 0}));
@@ -57,7 +57,7 @@ TEST_F(ArcMove, each_circle_needs_a_via_point_of_its_own) {
     EXPECT_EQ(at.via(joint_pos({500, 400, 300, 0, 0})), Status::RRS_INVALID_PARAMETER);
 }
 
-TEST_F(ArcMove, via_point_on_the_chord_is_no_circle) {
+TEST_F(ArcMove, ViaPointOnTheChordIsNoCircle) {
     at.via(joint_pos({550, 500, 300, 0, 0}));
     EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_CIRCLE_IMPOSSIBLE);
     EXPECT_EQ(at.planner.time_s(), 0);
@@ -65,7 +65,7 @@ TEST_F(ArcMove, via_point_on_the_chord_is_no_circle) {
     EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_SUCCESS);
 }
 
-TEST_F(ArcMove, arc_out_of_range_on_the_way_names_joint_value_and_limit) {
+TEST_F(ArcMove, ArcOutOfRangeOnTheWayNamesJointValueAndLimit) {
     EXPECT_EQ(at.arc_to(joint_pos({600, 500, 300, 0, 0}), {600, 1600, 0}, up, 2 * kPi),
               Status::RRS_JOINT_LIMIT);
     EXPECT_EQ(at.planner.last_error().joint, 0);
@@ -81,7 +81,7 @@ TEST_F(ArcMove, arc_out_of_range_on_the_way_names_joint_value_and_limit) {
         << at.message();
 }
 
-TEST_F(ArcMove, ends_exactly_in_place_where_the_radii_disagree) {
+TEST_F(ArcMove, EndsExactlyInPlaceWhereTheRadiiDisagree) {
     const rrs::JointPos end = joint_pos({500, 600.01, 300, 0.3, 0});
     ASSERT_EQ(at.arc_to(end, {500, 500, 0}, up, kPi / 2), Status::RRS_SUCCESS);
     const Segment& segment = at.last();
@@ -91,7 +91,7 @@ TEST_F(ArcMove, ends_exactly_in_place_where_the_radii_disagree) {
     EXPECT_LT((before - end).norm(), 1e-6);
 }
 
-TEST_F(ArcMove, helix_speed_is_along_the_helix) {
+TEST_F(ArcMove, HelixSpeedIsAlongTheHelix) {
     ASSERT_EQ(at.arc_to(joint_pos({600, 500, 500, 0, 0}), {500, 500, 0}, up, 4 * kPi), Status::RRS_SUCCESS);
     const double length = std::hypot(400 * kPi, 200);
     EXPECT_DOUBLE_EQ(at.last().length_mm, length);
@@ -99,19 +99,19 @@ TEST_F(ArcMove, helix_speed_is_along_the_helix) {
     expect_smooth(at.last());
 }
 
-TEST_F(ArcMove, rotary_joints_follow) {
+TEST_F(ArcMove, RotaryJointsFollow) {
     ASSERT_EQ(at.arc_to(joint_pos({600, 500, 300, 6, 0}), {590, 500, 0}, up, 2 * kPi), Status::RRS_SUCCESS);
     EXPECT_DOUBLE_EQ(at.last().duration_s, trapezoid_s(6, kPi / 2, kPi / 2));
     expect_smooth(at.last());
 }
 
-TEST_F(ArcMove, is_not_for_rapid) {
+TEST_F(ArcMove, IsNotForRapid) {
     at.planner.SetRapid(true);
     EXPECT_EQ(at.arc_to(joint_pos({600, 500, 300, 0, 0}), {500, 500, 0}, up, 2 * kPi),
               Status::RRS_MODE_NOT_SUPPORTED);
 }
 
-TEST_F(ArcMove, needs_a_speed) {
+TEST_F(ArcMove, NeedsASpeed) {
     ReadyPlanner fresh(gantry_setup(), joint_pos({600, 500, 300, 0, 0}));
     EXPECT_EQ(fresh.arc_to(joint_pos({600, 500, 300, 0, 0}), {500, 500, 0}, up, 2 * kPi),
               Status::RRS_ZERO_SPEED);
@@ -121,7 +121,7 @@ TEST_F(ArcMove, needs_a_speed) {
     EXPECT_EQ(fresh.last().duration_s, 10);
 }
 
-TEST_F(ArcMove, stays_in_the_directions_that_the_machine_has) {
+TEST_F(ArcMove, StaysInTheDirectionsThatTheMachineHas) {
     PlannerSetup setup = gantry_setup();
     setup.position_joints = {0, -1, 2};
     ReadyPlanner lathe(setup, joint_pos({600, 0, 300, 0, 0}));

@@ -30,7 +30,7 @@ Arc random_arc(std::mt19937& random) {
     return arc;
 }
 
-TEST(Arc, quarter_of_a_circle_by_hand) {
+TEST(Arc, QuarterOfACircleByHand) {
     const Arc arc{.center = {10, 0, 5}, .radius_mm = 2, .end_radius_mm = 2, .sweep_rad = kPi / 2};
     EXPECT_DOUBLE_EQ(arc.length_mm(), kPi);
     EXPECT_TRUE(arc.at(0).isApprox(Vector3d(12, 0, 5)));
@@ -41,7 +41,7 @@ TEST(Arc, quarter_of_a_circle_by_hand) {
     EXPECT_DOUBLE_EQ(arc.phi_at(kPi / 2), kPi / 4);
 }
 
-TEST(Arc, helix_by_hand) {
+TEST(Arc, HelixByHand) {
     // One turn of radius 3 that climbs 8 pi: its unrolled length is hypot(6 pi, 8 pi).
     const Arc arc{.radius_mm = 3, .end_radius_mm = 3, .sweep_rad = 2 * kPi, .lift = {0, 0, 8 * kPi}};
     EXPECT_DOUBLE_EQ(arc.length_mm(), 10 * kPi);
@@ -51,14 +51,14 @@ TEST(Arc, helix_by_hand) {
     EXPECT_DOUBLE_EQ(arc.max_share(0), 0.6);
 }
 
-TEST(Arc, spiral_passes_from_one_radius_to_the_other) {
+TEST(Arc, SpiralPassesFromOneRadiusToTheOther) {
     const Arc arc{.radius_mm = 10, .end_radius_mm = 10.01, .sweep_rad = kPi};
     EXPECT_TRUE(arc.at(0).isApprox(Vector3d(10, 0, 0)));
     EXPECT_LT((arc.at(kPi) - Vector3d(-10.01, 0, 0)).norm(), 1e-12);
     EXPECT_NEAR(arc.at(arc.phi_at(arc.length_mm() / 2)).norm(), 10.005, 1e-12);
 }
 
-TEST(Arc, equal_steps_of_length_are_equal_steps_on_the_path) {
+TEST(Arc, EqualStepsOfLengthAreEqualStepsOnThePath) {
     std::mt19937 random(5);
     for (int i = 0; i < 500; ++i) {
         const Arc arc = random_arc(random);
@@ -77,7 +77,7 @@ TEST(Arc, equal_steps_of_length_are_equal_steps_on_the_path) {
     }
 }
 
-TEST(Arc, tangent_is_a_unit_vector_and_keeps_its_shares) {
+TEST(Arc, TangentIsAUnitVectorAndKeepsItsShares) {
     std::mt19937 random(6);
     for (int i = 0; i < 500; ++i) {
         const Arc arc = random_arc(random);
@@ -91,7 +91,7 @@ TEST(Arc, tangent_is_a_unit_vector_and_keeps_its_shares) {
     }
 }
 
-TEST(Arc, bulge_bounds_what_goes_beyond_the_ends) {
+TEST(Arc, BulgeBoundsWhatGoesBeyondTheEnds) {
     std::mt19937 random(11);
     for (int i = 0; i < 500; ++i) {
         Arc arc = random_arc(random);
@@ -106,7 +106,7 @@ TEST(Arc, bulge_bounds_what_goes_beyond_the_ends) {
     }
 }
 
-TEST(Arc, bulge_of_a_short_arc_is_its_rise_above_the_chord) {
+TEST(Arc, BulgeOfAShortArcIsItsRiseAboveTheChord) {
     const double sweep_rad = 0.1;
     const Arc arc{.radius_mm = 50, .end_radius_mm = 50, .sweep_rad = sweep_rad};
     EXPECT_NEAR(arc.bulge_mm(), 50 * (1 - std::cos(sweep_rad / 2)), 1e-4);
@@ -114,7 +114,7 @@ TEST(Arc, bulge_of_a_short_arc_is_its_rise_above_the_chord) {
 
 // The way around is change / log(end / start) times the sweep, in long double here; the series goes over into
 // the logarithm without a step.
-TEST(Arc, length_of_a_spiral_by_a_hair_is_exact) {
+TEST(Arc, LengthOfASpiralByAHairIsExact) {
     for (double growth = 1e-13; growth < 0.1; growth *= 1.7) {
         const double radius_mm = 30, sweep_rad = 2, change_mm = radius_mm * growth;
         const Arc arc{.radius_mm = radius_mm, .end_radius_mm = radius_mm + change_mm, .sweep_rad = sweep_rad};
@@ -124,7 +124,7 @@ TEST(Arc, length_of_a_spiral_by_a_hair_is_exact) {
     }
 }
 
-TEST(Arc, range_is_that_of_dense_samples) {
+TEST(Arc, RangeIsThatOfDenseSamples) {
     std::mt19937 random(7);
     for (int i = 0; i < 500; ++i) {
         const Arc arc = random_arc(random);

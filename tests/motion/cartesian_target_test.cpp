@@ -61,7 +61,7 @@ class CartesianTarget : public AnyPlanner {
 
 INSTANTIATE_TEST_SUITE_P(Ways, CartesianTarget, both_ways(), way_name);
 
-TEST_P(CartesianTarget, line_in_the_world) {
+TEST_P(CartesianTarget, LineInTheWorld) {
     CartPos end = start;
     end.translation() += Vector3d(100, 200, -50);
     move([&] { return to(end); });
@@ -70,7 +70,7 @@ TEST_P(CartesianTarget, line_in_the_world) {
     EXPECT_NEAR(whole.way_mm, Vector3d(100, 200, -50).norm(), 1e-5);
 }
 
-TEST_P(CartesianTarget, arc_by_centre_keeps_its_sense_in_the_world) {
+TEST_P(CartesianTarget, ArcByCentreKeepsItsSenseInTheWorld) {
     const Vector3d center = start.translation() - Vector3d(100, 0, 0);
     CartPos end = start;
     end.translation() = center + Vector3d(0, 100, 0);
@@ -81,7 +81,7 @@ TEST_P(CartesianTarget, arc_by_centre_keeps_its_sense_in_the_world) {
     EXPECT_NEAR(whole.way_mm, 50 * kPi, 1e-5);
 }
 
-TEST_P(CartesianTarget, arc_through_a_via_point_in_the_world) {
+TEST_P(CartesianTarget, ArcThroughAViaPointInTheWorld) {
     planner.SelectMotionType(rrs::MotionType::circular);
     const Vector3d center = start.translation() - Vector3d(100, 0, 0);
     CartPos via = start, end = start;
@@ -94,7 +94,7 @@ TEST_P(CartesianTarget, arc_through_a_via_point_in_the_world) {
     EXPECT_LT((middle.translation() - via.translation()).norm(), 1e-6);
 }
 
-TEST_P(CartesianTarget, joint_motion_goes_to_the_pose) {
+TEST_P(CartesianTarget, JointMotionGoesToThePose) {
     planner.SelectMotionType(rrs::MotionType::joint);
     const CartPos end = start * pose_from_rpy({.x_mm = 100, .roll_rad = 0.4, .pitch_rad = 0.3});
     move([&] { return to(end); });
@@ -103,14 +103,14 @@ TEST_P(CartesianTarget, joint_motion_goes_to_the_pose) {
     EXPECT_NEAR(whole.joints[4], 0.3, 1e-9);
 }
 
-TEST_P(CartesianTarget, matrix_that_is_no_pose_is_refused) {
+TEST_P(CartesianTarget, MatrixThatIsNoPoseIsRefused) {
     CartPos bad = start;
     bad.linear() *= 1.1;
     EXPECT_EQ(to(bad), Status::RRS_INVALID_PARAMETER);
     EXPECT_THAT(message(planner), testing::HasSubstr("is not a rotation"));
 }
 
-TEST_P(CartesianTarget, unreachable_pose_is_refused) {
+TEST_P(CartesianTarget, UnreachablePoseIsRefused) {
     std::mt19937 random(1);
     const auto forward_only = make(odd_setup(random));
     forward_only->Initialize();
@@ -119,7 +119,7 @@ TEST_P(CartesianTarget, unreachable_pose_is_refused) {
     EXPECT_THAT(message(*forward_only), testing::HasSubstr("no inverse kinematics"));
 }
 
-TEST_P(CartesianTarget, kinematics_services_undo_each_other) {
+TEST_P(CartesianTarget, KinematicsServicesUndoEachOther) {
     const rrs::JointPos joints = joint_pos({100, 200, 300, 0.4, 0.5});
     CartPos pose;
     rrs::JointPos back;

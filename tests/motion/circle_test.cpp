@@ -23,7 +23,7 @@ Vector3d random_point(std::mt19937& random, double scale) {
     return {number(random), number(random), number(random)};
 }
 
-TEST(ArcThrough, passes_via_between_start_and_end) {
+TEST(ArcThrough, PassesViaBetweenStartAndEnd) {
     std::mt19937 random(9);
     for (int i = 0; i < 20'000; ++i) {
         const Vector3d a = random_point(random, 1000), b = random_point(random, 1000),
@@ -42,7 +42,7 @@ TEST(ArcThrough, passes_via_between_start_and_end) {
     }
 }
 
-TEST(ArcThrough, the_long_way_round_is_taken_where_via_lies_there) {
+TEST(ArcThrough, TheLongWayRoundIsTakenWhereViaLiesThere) {
     Arc arc;
     ASSERT_TRUE(arc_through({1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, arc));
     EXPECT_NEAR(arc.sweep_rad, 1.5 * kPi, 1e-12);
@@ -50,7 +50,7 @@ TEST(ArcThrough, the_long_way_round_is_taken_where_via_lies_there) {
     EXPECT_NEAR(arc.sweep_rad, 0.5 * kPi, 1e-12);
 }
 
-TEST(ArcThrough, nearly_straight_arcs_are_exact) {
+TEST(ArcThrough, NearlyStraightArcsAreExact) {
     Arc arc;
     const Vector3d a(1000, 0, 0), b(1500, 0.001, 0), c(2000, 0, 0);
     ASSERT_TRUE(arc_through(a, b, c, arc));
@@ -58,7 +58,7 @@ TEST(ArcThrough, nearly_straight_arcs_are_exact) {
     EXPECT_LT((arc.at(0) - a).norm(), 1e-6);
 }
 
-TEST(ArcThrough, points_on_one_line_give_no_circle) {
+TEST(ArcThrough, PointsOnOneLineGiveNoCircle) {
     const auto refusal = [](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
         Arc arc;
         const Planned planned = arc_through(a, b, c, arc);
@@ -76,7 +76,7 @@ TEST(ArcThrough, points_on_one_line_give_no_circle) {
     EXPECT_EQ(refusal({1, 2, 3}, {4, 5, 7}, {1, 2, 3}), coincide);
 }
 
-TEST(ArcAbout, random_arcs_and_helices_start_and_end_where_told) {
+TEST(ArcAbout, RandomArcsAndHelicesStartAndEndWhereTold) {
     std::mt19937 random(10);
     std::uniform_real_distribution<double> sweep(0.001, 20);
     for (int i = 0; i < 20'000; ++i) {
@@ -96,7 +96,7 @@ TEST(ArcAbout, random_arcs_and_helices_start_and_end_where_told) {
     }
 }
 
-TEST(ArcAbout, full_circles_and_several_turns) {
+TEST(ArcAbout, FullCirclesAndSeveralTurns) {
     Arc arc;
     ASSERT_TRUE(arc_about({5, 0, 0}, {5, 0, 0}, {0, 0, 0}, Vector3d::UnitZ(), 2 * kPi, kTolerance_mm, arc));
     EXPECT_NEAR(arc.length_mm(), 10 * kPi, 1e-12);
@@ -108,7 +108,7 @@ TEST(ArcAbout, full_circles_and_several_turns) {
     EXPECT_EQ(arc.center.z(), 0);
 }
 
-TEST(ArcAbout, radii_that_differ_slightly_make_a_spiral_that_ends_in_place) {
+TEST(ArcAbout, RadiiThatDifferSlightlyMakeASpiralThatEndsInPlace) {
     Arc arc;
     const Vector3d start(10, 0, 0), end(0, 10.01, 0);
     ASSERT_TRUE(arc_about(start, end, {0, 0, 0}, Vector3d::UnitZ(), kPi / 2, kTolerance_mm, arc));
@@ -116,14 +116,14 @@ TEST(ArcAbout, radii_that_differ_slightly_make_a_spiral_that_ends_in_place) {
     EXPECT_LT((arc.at(arc.sweep_rad) - end).norm(), 1e-12);
 }
 
-TEST(ArcAbout, sweep_gives_way_to_a_target_slightly_off) {
+TEST(ArcAbout, SweepGivesWayToATargetSlightlyOff) {
     Arc arc;
     const Vector3d end(10 * std::cos(1.001), 10 * std::sin(1.001), 0);
     ASSERT_TRUE(arc_about({10, 0, 0}, end, {0, 0, 0}, Vector3d::UnitZ(), 1, kTolerance_mm, arc));
     EXPECT_NEAR(arc.sweep_rad, 1.001, 1e-12);
 }
 
-TEST(ArcAbout, targets_off_the_circle_are_refused) {
+TEST(ArcAbout, TargetsOffTheCircleAreRefused) {
     Arc arc;
     const auto refusal = [&](const Vector3d& end, const Vector3d& center, double sweep) {
         const Planned planned =
@@ -138,7 +138,7 @@ TEST(ArcAbout, targets_off_the_circle_are_refused) {
     EXPECT_THAT(refusal({0, 10, 0}, {1e12, 0, 0}, 1), HasSubstr("too large"));
 }
 
-TEST(ArcAbout, small_circles_get_no_more_slack_than_half_their_radius) {
+TEST(ArcAbout, SmallCirclesGetNoMoreSlackThanHalfTheirRadius) {
     Arc arc;
     EXPECT_FALSE(
         arc_about({0.02, 0, 0}, {-0.02, 0, 0}, {0, 0, 0}, Vector3d::UnitZ(), 0.1, kTolerance_mm, arc));
@@ -146,7 +146,7 @@ TEST(ArcAbout, small_circles_get_no_more_slack_than_half_their_radius) {
         arc_about({0.02, 0, 0}, {0, 0.06, 0}, {0, 0, 0}, Vector3d::UnitZ(), kPi / 2, kTolerance_mm, arc));
 }
 
-TEST(ArcAbout, bad_numbers_are_refused) {
+TEST(ArcAbout, BadNumbersAreRefused) {
     Arc arc;
     const auto status = [&](const Vector3d& center, const Vector3d& axis, double sweep) {
         return arc_about({10, 0, 0}, {0, 10, 0}, center, axis, sweep, kTolerance_mm, arc).error().status;

@@ -27,7 +27,7 @@ class LineMove : public testing::Test {
     const double quarter = kPi / 2;
 };
 
-TEST_F(LineMove, takes_the_time_of_the_trapezoid_at_the_programmed_speed) {
+TEST_F(LineMove, TakesTheTimeOfTheTrapezoidAtTheProgrammedSpeed) {
     const Segment& segment = go({800, 900, 300, 0, 0});
     EXPECT_EQ(segment.kind, SegmentKind::linear);
     EXPECT_DOUBLE_EQ(segment.length_mm, 500);
@@ -38,12 +38,12 @@ TEST_F(LineMove, takes_the_time_of_the_trapezoid_at_the_programmed_speed) {
     EXPECT_TRUE(segment.position_at(segment.duration_s / 2).isApprox(joint_pos({650, 700, 300, 0, 0})));
 }
 
-TEST_F(LineMove, speed_is_capped_by_the_feed_limit_of_the_path) {
+TEST_F(LineMove, SpeedIsCappedByTheFeedLimitOfThePath) {
     at.planner.SetCartesianPositionSpeed(1000);
     EXPECT_DOUBLE_EQ(go({1500, 500, 300, 0, 0}).duration_s, 1000 / 254.0 + 254 / acceleration);
 }
 
-TEST_F(LineMove, rapid_takes_the_rapid_limit_and_the_joints_alone) {
+TEST_F(LineMove, RapidTakesTheRapidLimitAndTheJointsAlone) {
     at.planner.SetCartesianPositionSpeed(1);
     at.planner.SetCartesianPositionAcceleration(1);
     at.planner.SetRapid(true);
@@ -55,7 +55,7 @@ TEST_F(LineMove, rapid_takes_the_rapid_limit_and_the_joints_alone) {
     EXPECT_DOUBLE_EQ(diagonal.duration_s, trapezoid_s(1000 * std::sqrt(2), 508, acceleration * std::sqrt(2)));
 }
 
-TEST_F(LineMove, rapid_needs_no_programmed_speed) {
+TEST_F(LineMove, RapidNeedsNoProgrammedSpeed) {
     ReadyPlanner fresh(gantry_setup(), start);
     fresh.planner.SelectMotionType(rrs::MotionType::linear);
     EXPECT_EQ(fresh.to(joint_pos({600, 500, 300, 0, 0})), Status::RRS_ZERO_SPEED);
@@ -66,7 +66,7 @@ TEST_F(LineMove, rapid_needs_no_programmed_speed) {
 }
 
 // Expected: the ramps that each joint may make in its share of the way, the slowest of them for all.
-TEST_F(LineMove, all_joints_go_in_proportion_by_the_slowest_of_them) {
+TEST_F(LineMove, AllJointsGoInProportionByTheSlowestOfThem) {
     const Segment& slow = go({600, 500, 300, kPi, 0});
     EXPECT_TRUE(slow.followers().empty());
     EXPECT_DOUBLE_EQ(slow.duration_s, trapezoid_s(100, quarter / kPi * 100, quarter / kPi * 100));
@@ -80,7 +80,7 @@ TEST_F(LineMove, all_joints_go_in_proportion_by_the_slowest_of_them) {
     }
 }
 
-TEST_F(LineMove, rotary_joints_alone_lead_in_the_space_of_their_angles) {
+TEST_F(LineMove, RotaryJointsAloneLeadInTheSpaceOfTheirAngles) {
     const Segment& limits = go({500, 500, 300, 0.6, 0.8});
     EXPECT_EQ(limits.length_mm, 0);
     EXPECT_EQ(limits.path_speed_mm_s(0.5), 0);
@@ -92,7 +92,7 @@ TEST_F(LineMove, rotary_joints_alone_lead_in_the_space_of_their_angles) {
     EXPECT_DOUBLE_EQ(go({500, 500, 300, 0.6, 0.8}).duration_s, trapezoid_s(1, quarter / 0.8, quarter / 0.8));
 }
 
-TEST_F(LineMove, dominance_tells_which_programmed_speed_counts) {
+TEST_F(LineMove, DominanceTellsWhichProgrammedSpeedCounts) {
     at.planner.SetCartesianOrientationSpeed(0.1);
     const auto time_to = [&](Dominance dominance) {
         at.planner.SelectDominantInterpolation(dominance);
@@ -109,7 +109,7 @@ TEST_F(LineMove, dominance_tells_which_programmed_speed_counts) {
     EXPECT_DOUBLE_EQ(time_to(Dominance::automatic), by_position);
 }
 
-TEST_F(LineMove, dominance_leaves_moves_of_one_kind_alone) {
+TEST_F(LineMove, DominanceLeavesMovesOfOneKindAlone) {
     at.planner.SelectDominantInterpolation(Dominance::orientation);
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 100.0 + 100 / acceleration);
     at.planner.SelectDominantInterpolation(Dominance::position);
@@ -117,7 +117,7 @@ TEST_F(LineMove, dominance_leaves_moves_of_one_kind_alone) {
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 1, 0}).duration_s, 1 / 0.1 + 0.1 / quarter);
 }
 
-TEST_F(LineMove, overrides_scale_what_is_programmed) {
+TEST_F(LineMove, OverridesScaleWhatIsProgrammed) {
     at.planner.SetOverrideSpeed(50);
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 50.0 + 50 / acceleration);
     at.planner.SetCartesianPositionAcceleration(200);
@@ -128,7 +128,7 @@ TEST_F(LineMove, overrides_scale_what_is_programmed) {
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 0, 0}).duration_s, 500 / 200.0 + 200 / 400.0);
 }
 
-TEST_F(LineMove, motion_time_stands_for_the_speed_of_one_move) {
+TEST_F(LineMove, MotionTimeStandsForTheSpeedOfOneMove) {
     at.planner.SetMotionTime(20);
     EXPECT_EQ(go({1000, 500, 300, 1, 0}).duration_s, 20);
     EXPECT_DOUBLE_EQ(go({500, 500, 300, 1, 0}).duration_s, 500 / 100.0 + 100 / acceleration);
@@ -136,7 +136,7 @@ TEST_F(LineMove, motion_time_stands_for_the_speed_of_one_move) {
     EXPECT_EQ(go({1000, 500, 300, 1, 0}).duration_s, 3);
 }
 
-TEST_F(LineMove, motion_time_too_short_is_raised_and_told) {
+TEST_F(LineMove, MotionTimeTooShortIsRaisedAndTold) {
     at.planner.SetMotionTime(0.1);
     EXPECT_EQ(at.to(joint_pos({1000, 500, 300, 0, 0})), Status::RRS_MOTION_TIME_RAISED);
     const double least = 500 / 254.0 + 254 / acceleration;
@@ -146,13 +146,13 @@ TEST_F(LineMove, motion_time_too_short_is_raised_and_told) {
     EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_SUCCESS);
 }
 
-TEST_F(LineMove, refused_target_leaves_the_motion_time_for_the_next) {
+TEST_F(LineMove, RefusedTargetLeavesTheMotionTimeForTheNext) {
     at.planner.SetMotionTime(9);
     EXPECT_EQ(at.to(joint_pos({-1, 500, 300, 0, 0})), Status::RRS_JOINT_LIMIT);
     EXPECT_EQ(go({700, 500, 300, 0, 0}).duration_s, 9);
 }
 
-TEST_F(LineMove, going_nowhere_is_a_segment_of_no_duration) {
+TEST_F(LineMove, GoingNowhereIsASegmentOfNoDuration) {
     const Segment& segment = go({500, 500, 300, 0, 0});
     EXPECT_EQ(segment.kind, SegmentKind::linear);
     EXPECT_EQ(segment.target_id, 1);
@@ -163,14 +163,14 @@ TEST_F(LineMove, going_nowhere_is_a_segment_of_no_duration) {
     EXPECT_EQ(segment.at(0).position, start);
 }
 
-TEST_F(LineMove, rounding_is_not_motion) {
+TEST_F(LineMove, RoundingIsNotMotion) {
     const Segment& segment = go({500 + 1e-12, 500, 300, 1, 0});
     EXPECT_EQ(segment.length_mm, 0);
     EXPECT_DOUBLE_EQ(segment.lead.length(), 1);
     EXPECT_EQ(segment.end[0], 500 + 1e-12);
 }
 
-TEST_F(LineMove, secondary_slide_leads_alone_and_follows_beside_the_path) {
+TEST_F(LineMove, SecondarySlideLeadsAloneAndFollowsBesideThePath) {
     PlannerSetup setup = gantry_setup();
     setup.joints = {setup.joints[0], setup.joints[1], setup.joints[2], setup.joints[0], setup.joints[3]};
     setup.joints[3].max_speed = 20;
@@ -203,7 +203,7 @@ class OwnRamps : public LineMove {
     }
 };
 
-TEST_F(OwnRamps, slower_rotary_joint_sets_the_time_and_the_path_runs_along) {
+TEST_F(OwnRamps, SlowerRotaryJointSetsTheTimeAndThePathRunsAlong) {
     const Segment& segment = go({600, 500, 300, kPi, 0});
     EXPECT_DOUBLE_EQ(segment.duration_s, kPi / quarter + 1);
     ASSERT_EQ(segment.followers().size(), 1U);
@@ -213,7 +213,7 @@ TEST_F(OwnRamps, slower_rotary_joint_sets_the_time_and_the_path_runs_along) {
     EXPECT_DOUBLE_EQ(segment.lead.duration_s(), segment.duration_s);
 }
 
-TEST_F(OwnRamps, faster_rotary_joint_is_stretched_to_the_path) {
+TEST_F(OwnRamps, FasterRotaryJointIsStretchedToThePath) {
     const Segment& segment = go({1000, 500, 300, -0.1, 0.2});
     EXPECT_DOUBLE_EQ(segment.duration_s, 500 / 100.0 + 100 / acceleration);
     ASSERT_EQ(segment.followers().size(), 2U);
@@ -225,7 +225,7 @@ TEST_F(OwnRamps, faster_rotary_joint_is_stretched_to_the_path) {
     EXPECT_NEAR(segment.position_at(segment.duration_s / 2)[4], 0.1, 1e-12);
 }
 
-TEST_F(OwnRamps, programmed_speed_of_orientation) {
+TEST_F(OwnRamps, ProgrammedSpeedOfOrientation) {
     at.planner.SetCartesianOrientationSpeed(0.1);
     EXPECT_DOUBLE_EQ(go({1000, 500, 300, 1, 0}).duration_s, 1 / 0.1 + 0.1 / quarter);
 }

@@ -21,7 +21,7 @@ double distance_to(const LinuxcncRun& run, double x, double y) {
     return nearest;
 }
 
-TEST(LinuxcncBlend, misses_a_corner_by_the_tolerance) {
+TEST(LinuxcncBlend, MissesACornerByTheTolerance) {
     for (const double tolerance_mm : {0.05, 0.5, 5.0}) {
         LinuxcncRun run(fast_machine());
         run.next.mode = rrs::PathMode::continuous;
@@ -46,7 +46,7 @@ TEST(LinuxcncBlend, misses_a_corner_by_the_tolerance) {
     }
 }
 
-TEST(LinuxcncBlend, without_a_tolerance_takes_half_of_a_line) {
+TEST(LinuxcncBlend, WithoutAToleranceTakesHalfOfALine) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -57,7 +57,7 @@ TEST(LinuxcncBlend, without_a_tolerance_takes_half_of_a_line) {
     EXPECT_NEAR(distance_to(run, 100, 0), 50 * (std::sqrt(2.0) - 1), 1e-3);
 }
 
-TEST(LinuxcncBlend, touches_lines_and_arcs_without_a_kink) {
+TEST(LinuxcncBlend, TouchesLinesAndArcsWithoutAKink) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> number(-1, 1);
     int blends = 0;
@@ -89,7 +89,7 @@ TEST(LinuxcncBlend, touches_lines_and_arcs_without_a_kink) {
     EXPECT_GT(blends, 100);
 }
 
-TEST(LinuxcncBlend, rotary_moves_blend_in_parabolas) {
+TEST(LinuxcncBlend, RotaryMovesBlendInParabolas) {
     LinuxcncRun run(fast_machine(), 0);
     run.next.mode = rrs::PathMode::continuous;
     rrs::JointPos joints = run.next.start;
@@ -122,7 +122,7 @@ TEST(LinuxcncBlend, rotary_moves_blend_in_parabolas) {
     EXPECT_GT(both.at(both.duration_s / 2).acceleration[1], 0);
 }
 
-TEST(LinuxcncBlend, a_tolerance_bounds_parabolas) {
+TEST(LinuxcncBlend, AToleranceBoundsParabolas) {
     // Two right angles of motion: the speed when the second starts is at most 2 sqrt(a P / cos 45 deg).
     for (const double tolerance_mm : {0.01, 0.1, 1.0}) {
         LinuxcncRun run(fast_machine(), 0);
@@ -148,7 +148,7 @@ TEST(LinuxcncBlend, a_tolerance_bounds_parabolas) {
     }
 }
 
-TEST(LinuxcncBlend, overlaps_start_with_a_period) {
+TEST(LinuxcncBlend, OverlapsStartWithAPeriod) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     rrs::JointPos joints = run.next.start;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(LinuxcncLimits, refuses_moves_without_a_speed) {
+TEST(LinuxcncLimits, RefusesMovesWithoutASpeed) {
     for (const double speed : {0.0, -1.0, kNan}) {
         LinuxcncRun run(fast_machine());
         run.next.rules.programmed_speed_mm_s = speed;
@@ -26,7 +26,7 @@ TEST(LinuxcncLimits, refuses_moves_without_a_speed) {
     }
 }
 
-TEST(LinuxcncLimits, refuses_positions_and_times_beyond_all_numbers) {
+TEST(LinuxcncLimits, RefusesPositionsAndTimesBeyondAllNumbers) {
     LinuxcncRun run(fast_machine());
     for (const double x : {kNan, kInf, -kInf, 1e300}) {
         const Planned planned = run.line(x, 0);
@@ -40,7 +40,7 @@ TEST(LinuxcncLimits, refuses_positions_and_times_beyond_all_numbers) {
     EXPECT_EQ(run.end(), 0);
 }
 
-TEST(LinuxcncLimits, a_refused_move_leaves_what_is_held_back) {
+TEST(LinuxcncLimits, ARefusedMoveLeavesWhatIsHeldBack) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     ASSERT_TRUE(run.line(10, 0));
@@ -51,7 +51,7 @@ TEST(LinuxcncLimits, a_refused_move_leaves_what_is_held_back) {
     expect_chain(run);
 }
 
-TEST(LinuxcncLimits, moves_that_go_nowhere_are_not_there) {
+TEST(LinuxcncLimits, MovesThatGoNowhereAreNotThere) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     ASSERT_TRUE(run.line(0, 0));
@@ -64,7 +64,7 @@ TEST(LinuxcncLimits, moves_that_go_nowhere_are_not_there) {
     EXPECT_GT(run.segments[0].lead.end_speed(), 0);
 }
 
-TEST(LinuxcncLimits, clear_forgets_and_rest_puts_out) {
+TEST(LinuxcncLimits, ClearForgetsAndRestPutsOut) {
     LinuxcncRun run(fast_machine());
     run.model.come_to_rest();
     ASSERT_TRUE(run.line(10, 0));
@@ -76,7 +76,7 @@ TEST(LinuxcncLimits, clear_forgets_and_rest_puts_out) {
     EXPECT_EQ(run.segments.size(), 1u);
 }
 
-TEST(LinuxcncLimits, each_run_begins_anew) {
+TEST(LinuxcncLimits, EachRunBeginsAnew) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     ASSERT_TRUE(run.line(10, 0));
@@ -87,7 +87,7 @@ TEST(LinuxcncLimits, each_run_begins_anew) {
     }
 }
 
-TEST(LinuxcncLimits, machines_without_limits) {
+TEST(LinuxcncLimits, MachinesWithoutLimits) {
     for (const double servo_period_s : {1e-3, 0.0, 1e-300, kInf}) {
         for (const double speed : {100.0, kInf, 1e-3}) {
             PlannerSetup machine = fast_machine();
@@ -105,7 +105,7 @@ TEST(LinuxcncLimits, machines_without_limits) {
     }
 }
 
-TEST(LinuxcncLimits, huge_and_tiny_moves) {
+TEST(LinuxcncLimits, HugeAndTinyMoves) {
     for (const double scale : {1e-8, 1e-4, 1e6}) {
         LinuxcncRun run(fast_machine());
         run.next.mode = rrs::PathMode::continuous;

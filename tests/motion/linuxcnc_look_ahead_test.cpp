@@ -19,7 +19,7 @@ void straight_run(LinuxcncRun& run, int count, double length_mm) {
     for (int i = 1; i <= count; ++i) ASSERT_TRUE(run.line(i * length_mm, 0));
 }
 
-TEST(LinuxcncLookAhead, the_last_line_could_have_to_stop_by_half) {
+TEST(LinuxcncLookAhead, TheLastLineCouldHaveToStopByHalf) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -31,7 +31,7 @@ TEST(LinuxcncLookAhead, the_last_line_could_have_to_stop_by_half) {
     EXPECT_LE(run.segments[1].lead.end_speed(), 1e-6);
 }
 
-TEST(LinuxcncLookAhead, the_speed_of_a_long_run_is_that_of_its_depth) {
+TEST(LinuxcncLookAhead, TheSpeedOfALongRunIsThatOfItsDepth) {
     constexpr double kLength_mm = 0.5;
     for (const int depth : {5, 20, 50}) {
         LinuxcncRun run(fast_machine(), 1e-3, static_cast<std::size_t>(depth));
@@ -49,7 +49,7 @@ TEST(LinuxcncLookAhead, the_speed_of_a_long_run_is_that_of_its_depth) {
 }
 
 // Each junction's speed lets what is known stop: v^2 / 2a is no more than the way to the end.
-TEST(LinuxcncLookAhead, can_always_stop_at_the_end) {
+TEST(LinuxcncLookAhead, CanAlwaysStopAtTheEnd) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 300;
@@ -63,7 +63,7 @@ TEST(LinuxcncLookAhead, can_always_stop_at_the_end) {
     EXPECT_NEAR(left_mm, 0, 1e-6);
 }
 
-TEST(LinuxcncLookAhead, short_lines_take_a_period_at_least) {
+TEST(LinuxcncLookAhead, ShortLinesTakeAPeriodAtLeast) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 300;
@@ -72,7 +72,7 @@ TEST(LinuxcncLookAhead, short_lines_take_a_period_at_least) {
     EXPECT_LE(top_speed(run), 0.05 / 1e-3);
 }
 
-TEST(LinuxcncLookAhead, a_kink_is_passed_at_a_tenth_of_the_acceleration) {
+TEST(LinuxcncLookAhead, AKinkIsPassedAtATenthOfTheAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     ASSERT_TRUE(run.line(100, 0));
@@ -86,7 +86,7 @@ TEST(LinuxcncLookAhead, a_kink_is_passed_at_a_tenth_of_the_acceleration) {
     EXPECT_GT(run.segments[0].lead.peak_acceleration(), 0.9 * kA);
 }
 
-TEST(LinuxcncLookAhead, a_slower_feed_is_reached_where_it_holds) {
+TEST(LinuxcncLookAhead, ASlowerFeedIsReachedWhereItHolds) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 200;
@@ -99,7 +99,7 @@ TEST(LinuxcncLookAhead, a_slower_feed_is_reached_where_it_holds) {
     EXPECT_NEAR(run.segments[1].lead.peak_speed(), 50, 1e-6);
 }
 
-TEST(LinuxcncLookAhead, holds_back_no_more_than_it_needs) {
+TEST(LinuxcncLookAhead, HoldsBackNoMoreThanItNeeds) {
     for (const auto mode :
          {rrs::PathMode::exact_stop, rrs::PathMode::exact_path, rrs::PathMode::continuous}) {
         LinuxcncRun run(fast_machine());
@@ -118,7 +118,7 @@ TEST(LinuxcncLookAhead, holds_back_no_more_than_it_needs) {
     }
 }
 
-TEST(LinuxcncLookAhead, holds_back_little_of_parabolic_blends) {
+TEST(LinuxcncLookAhead, HoldsBackLittleOfParabolicBlends) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     rrs::JointPos joints = run.next.start;

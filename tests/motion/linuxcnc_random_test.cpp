@@ -69,7 +69,7 @@ void expect_speed(const LinuxcncRun& run, double path_mm_s) {
     }
 }
 
-TEST(LinuxcncRandom, segments_join_without_a_jump) {
+TEST(LinuxcncRandom, SegmentsJoinWithoutAJump) {
     Programs programs(41);
     for (int i = 0; i < 60; ++i) {
         LinuxcncRun run(fast_machine(), i % 5 == 0 ? 0 : 1e-3);
@@ -85,7 +85,7 @@ TEST(LinuxcncRandom, segments_join_without_a_jump) {
 
 /// A move that ends before the one from whose end it started comes to rest, as that turns a slow joint: the
 /// rest of that leads to its end.
-TEST(LinuxcncRandom, a_short_move_stands_first) {
+TEST(LinuxcncRandom, AShortMoveStandsFirst) {
     std::mt19937 random(45);
     std::uniform_real_distribution<double> unit(0, 1);
     LinuxcncRun run(fast_machine());
@@ -112,7 +112,7 @@ TEST(LinuxcncRandom, a_short_move_stands_first) {
     EXPECT_EQ(reached.back(), run.last_id);
 }
 
-TEST(LinuxcncRandom, keeps_the_programmed_speed) {
+TEST(LinuxcncRandom, KeepsTheProgrammedSpeed) {
     std::mt19937 random(44);
     std::uniform_real_distribution<double> number(-20, 20);
     for (int i = 0; i < 30; ++i) {
@@ -130,7 +130,7 @@ TEST(LinuxcncRandom, keeps_the_programmed_speed) {
     }
 }
 
-TEST(LinuxcncRandom, machines_with_any_joints) {
+TEST(LinuxcncRandom, MachinesWithAnyJoints) {
     std::mt19937 random(42);
     Programs programs(43);
     for (int i = 0; i < 30; ++i) {
@@ -142,7 +142,7 @@ TEST(LinuxcncRandom, machines_with_any_joints) {
 }
 
 // What has been put out does not depend on when the rest follows: a run equals its own beginning.
-TEST(LinuxcncRandom, what_is_put_out_is_final) {
+TEST(LinuxcncRandom, WhatIsPutOutIsFinal) {
     for (unsigned seed = 50; seed < 60; ++seed) {
         Programs one(seed), other(seed);
         LinuxcncRun first(fast_machine()), second(fast_machine());
@@ -159,7 +159,7 @@ TEST(LinuxcncRandom, what_is_put_out_is_final) {
 }
 
 // Twice as large with twice the speeds and accelerations takes the same time.
-TEST(LinuxcncRandom, scales) {
+TEST(LinuxcncRandom, Scales) {
     for (unsigned seed = 70; seed < 80; ++seed) {
         PlannerSetup larger = fast_machine();
         for (std::size_t joint = 0; joint < 3; ++joint) {

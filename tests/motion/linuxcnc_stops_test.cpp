@@ -21,7 +21,7 @@ void square(LinuxcncRun& run) {
     for (const auto& [x, y] : {std::pair(100, 0), {100, 100}, {0, 100}, {0, 0}}) ASSERT_TRUE(run.line(x, y));
 }
 
-TEST(LinuxcncStops, exact_stop_is_a_trapezoid_for_each_block) {
+TEST(LinuxcncStops, ExactStopIsATrapezoidForEachBlock) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_stop;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -31,7 +31,7 @@ TEST(LinuxcncStops, exact_stop_is_a_trapezoid_for_each_block) {
     expect_chain(run);
 }
 
-TEST(LinuxcncStops, exact_path_stops_at_corners_at_nine_tenths_of_the_acceleration) {
+TEST(LinuxcncStops, ExactPathStopsAtCornersAtNineTenthsOfTheAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -39,7 +39,7 @@ TEST(LinuxcncStops, exact_path_stops_at_corners_at_nine_tenths_of_the_accelerati
     expect_moves(run.end(), 4 * trapezoid_s(100, 254, 0.9 * kA), 4);
 }
 
-TEST(LinuxcncStops, a_diagonal_has_the_limits_of_both_axes) {
+TEST(LinuxcncStops, ADiagonalHasTheLimitsOfBothAxes) {
     LinuxcncRun run(fast_machine());
     run.next.rapid = true;
     ASSERT_TRUE(run.line(300, 400));
@@ -47,7 +47,7 @@ TEST(LinuxcncStops, a_diagonal_has_the_limits_of_both_axes) {
     EXPECT_EQ(run.segments[0].limited_by, (LimitedBy{LimitKind::acceleration, 1}));
 }
 
-TEST(LinuxcncStops, the_last_move_in_continuous_mode_has_half_the_acceleration) {
+TEST(LinuxcncStops, TheLastMoveInContinuousModeHasHalfTheAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.rules.programmed_speed_mm_s = 254;
@@ -56,7 +56,7 @@ TEST(LinuxcncStops, the_last_move_in_continuous_mode_has_half_the_acceleration) 
     EXPECT_EQ(run.segments[0].limited_by, (LimitedBy{LimitKind::feed, -1}));
 }
 
-TEST(LinuxcncStops, an_arc_shares_its_acceleration_with_the_way_round) {
+TEST(LinuxcncStops, AnArcSharesItsAccelerationWithTheWayRound) {
     for (const auto mode : {rrs::PathMode::exact_path, rrs::PathMode::continuous}) {
         LinuxcncRun run(fast_machine());
         run.next.mode = mode;
@@ -70,7 +70,7 @@ TEST(LinuxcncStops, an_arc_shares_its_acceleration_with_the_way_round) {
     }
 }
 
-TEST(LinuxcncStops, an_arc_that_is_followed_keeps_what_its_top_speed_leaves) {
+TEST(LinuxcncStops, AnArcThatIsFollowedKeepsWhatItsTopSpeedLeaves) {
     // The axes' speed counts, not the programmed one.
     PlannerSetup machine = fast_machine();
     for (int axis = 0; axis < 3; ++axis) machine.joints[static_cast<std::size_t>(axis)].max_speed = 100;
@@ -85,7 +85,7 @@ TEST(LinuxcncStops, an_arc_that_is_followed_keeps_what_its_top_speed_leaves) {
     expect_moves(run.segments[0].duration_s, arc_s, 1);
 }
 
-TEST(LinuxcncStops, rapid_and_feed_do_not_mix) {
+TEST(LinuxcncStops, RapidAndFeedDoNotMix) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     ASSERT_TRUE(run.line(100, 0));
@@ -102,7 +102,7 @@ TEST(LinuxcncStops, rapid_and_feed_do_not_mix) {
     expect_moves(run.segments[2].duration_s, trapezoid_s(100, 100, kA / 2), 1);
 }
 
-TEST(LinuxcncStops, a_reversal_stops_at_full_acceleration) {
+TEST(LinuxcncStops, AReversalStopsAtFullAcceleration) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     ASSERT_TRUE(run.line(100, 0));
@@ -110,7 +110,7 @@ TEST(LinuxcncStops, a_reversal_stops_at_full_acceleration) {
     expect_moves(run.end(), 2 * trapezoid_s(100, 100, kA), 2);
 }
 
-TEST(LinuxcncStops, rotary_joints_alone_and_beside) {
+TEST(LinuxcncStops, RotaryJointsAloneAndBeside) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     rrs::JointPos joints = run.next.start;
@@ -131,7 +131,7 @@ TEST(LinuxcncStops, rotary_joints_alone_and_beside) {
     EXPECT_EQ(run.segments[1].limited_by.joint, 3);
 }
 
-TEST(LinuxcncStops, inverse_time_is_a_speed_and_the_ramps_come_on_top) {
+TEST(LinuxcncStops, InverseTimeIsASpeedAndTheRampsComeOnTop) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
     run.next.rules.least_duration_s = 2;
@@ -141,7 +141,7 @@ TEST(LinuxcncStops, inverse_time_is_a_speed_and_the_ramps_come_on_top) {
     EXPECT_EQ(run.segments[0].limited_by.kind, LimitKind::time);
 }
 
-TEST(LinuxcncStops, without_a_servo_period_times_are_exact) {
+TEST(LinuxcncStops, WithoutAServoPeriodTimesAreExact) {
     LinuxcncRun run(fast_machine(), 0);
     run.next.mode = rrs::PathMode::exact_stop;
     square(run);

@@ -10,7 +10,7 @@
 namespace gsim::motion::linuxcnc_way_test {
 namespace {
 
-TEST(LinuxcncWay, a_part_of_an_arc_lies_on_it) {
+TEST(LinuxcncWay, APartOfAnArcLiesOnIt) {
     std::mt19937 random(21);
     std::uniform_real_distribution<double> number(0, 1);
     for (int i = 0; i < 500; ++i) {
@@ -31,7 +31,7 @@ TEST(LinuxcncWay, a_part_of_an_arc_lies_on_it) {
 }
 
 /// Parts so short that no angle is between their ends are points, on a line of no length.
-TEST(LinuxcncWay, a_part_of_an_arc_may_be_a_point) {
+TEST(LinuxcncWay, APartOfAnArcMayBeAPoint) {
     const PlannerSetup machine = fast_machine();
     const linuxcnc::Axes axes(machine);
     linuxcnc::Piece piece;
@@ -51,7 +51,7 @@ TEST(LinuxcncWay, a_part_of_an_arc_may_be_a_point) {
     }
 }
 
-TEST(LinuxcncWay, lines_within_the_tolerance_become_one) {
+TEST(LinuxcncWay, LinesWithinTheToleranceBecomeOne) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.tolerance_mm = run.next.merge_tolerance_mm = 0.1;
@@ -63,7 +63,7 @@ TEST(LinuxcncWay, lines_within_the_tolerance_become_one) {
     expect_chain(run);
 }
 
-TEST(LinuxcncWay, merged_lines_pass_all_points_within_the_tolerance) {
+TEST(LinuxcncWay, MergedLinesPassAllPointsWithinTheTolerance) {
     std::mt19937 random(22);
     std::normal_distribution<double> noise(0, 0.02);
     LinuxcncRun run(fast_machine(), 0);
@@ -89,7 +89,7 @@ TEST(LinuxcncWay, merged_lines_pass_all_points_within_the_tolerance) {
     }
 }
 
-TEST(LinuxcncWay, what_is_not_alike_is_not_merged) {
+TEST(LinuxcncWay, WhatIsNotAlikeIsNotMerged) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.tolerance_mm = run.next.merge_tolerance_mm = 0.1;
@@ -111,7 +111,7 @@ TEST(LinuxcncWay, what_is_not_alike_is_not_merged) {
     EXPECT_EQ(ids, (std::vector<rrs::TargetId>{1, 2, 3, 4, 5}));
 }
 
-TEST(LinuxcncWay, flat_arcs_become_lines) {
+TEST(LinuxcncWay, FlatArcsBecomeLines) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     run.next.tolerance_mm = run.next.merge_tolerance_mm = 0.1;

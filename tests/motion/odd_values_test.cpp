@@ -123,7 +123,7 @@ class FiniteSink : public SegmentSink {
 };
 
 // Without a sink the queue is soon full; a step of a century makes room.
-TEST_P(OddValues, steps_of_a_planner_stay_numbers) {
+TEST_P(OddValues, StepsOfAPlannerStayNumbers) {
     int reached = 0;
     for (int session = 0; session < 1500; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);
@@ -152,7 +152,7 @@ class OddSegments : public OddValues {};
 INSTANTIATE_TEST_SUITE_P(Ways, OddSegments, testing::Values(PlannerMaker{"in_process", make_in_process}),
                          way_name);
 
-TEST_P(OddSegments, planner_survives_anything) {
+TEST_P(OddSegments, PlannerSurvivesAnything) {
     int taken = 0;
     for (int session = 0; session < 6000; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);
@@ -171,7 +171,7 @@ TEST_P(OddSegments, planner_survives_anything) {
 }
 
 // Rounded corners, and stops that wait for a position loop.
-TEST_P(OddSegments, rounded_corners_survive_anything) {
+TEST_P(OddSegments, RoundedCornersSurviveAnything) {
     int overlapping = 0;
     for (int session = 0; session < 1000; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);

@@ -49,7 +49,7 @@ class QueueServices : public AnyPlanner {
 
 INSTANTIATE_TEST_SUITE_P(Ways, QueueServices, both_ways(), way_name);
 
-TEST(PlannerQueue, segments_leave_in_order_each_once_and_join_without_gaps) {
+TEST(PlannerQueue, SegmentsLeaveInOrderEachOnceAndJoinWithoutGaps) {
     ReadyPlanner at(gantry_setup(), kStart);
     put_program(at.planner);
     EXPECT_TRUE(at.collector.segments.empty());
@@ -75,7 +75,7 @@ TEST(PlannerQueue, segments_leave_in_order_each_once_and_join_without_gaps) {
     EXPECT_EQ(at.planner.step_time_s(), clock);
 }
 
-TEST_P(QueueServices, steps_are_samples_of_the_segments) {
+TEST_P(QueueServices, StepsAreSamplesOfTheSegments) {
     ReadyPlanner flushed(gantry_setup(), kStart);
     put_program(flushed.planner);
     flushed.planner.flush();
@@ -112,7 +112,88 @@ TEST_P(QueueServices, steps_are_samples_of_the_segments) {
     EXPECT_EQ(left, segments.size());
 }
 
-TEST(PlannerQueue, segments_leave_as_steps_pass_them) {
+rrs::TargetId current_target(rrs::Shell& planner) {
+    rrs::TargetId id = 0;
+    EXPECT_EQ(planner.GetCurrentTargetId(id), Status::RRS_SUCCESS);
+    return id;
+}
+
+TEST_P(QueueServices, CurrentTargetIsTheOneAhead) {
+    ReadyPlanner flushed(gantry_setup(), kStart);
+    put_program(flushed.planner);
+    flushed.planner.flush();
+    const auto& segments = flushed.collector.segments;
+    const auto stepped = ready(gantry_setup());
+    EXPECT_EQ(current_target(*stepped), -1) << "nothing has been put";
+    put_program(*stepped);
+    EXPECT_EQ(current_target(*stepped), 1) << "no step has been made";
+    stepped->SetInterpolationTime(0.0137);
+    rrs::JointPos joints;
+    CartPos pose;
+    double elapsed = 0, clock = 0;
+    std::size_t left = 0, told = 0;
+    while (stepped->GetNextStep(joints, pose, elapsed) != Status::RRS_NEED_MORE_DATA) {
+        clock += elapsed;
+        while (left < segments.size() && segments[left].end_s() <= clock + 1e-9) ++left;
+        const rrs::TargetId ahead = left == segments.size() ? -1 : segments[left].target_id;
+        ASSERT_EQ(current_target(*stepped), ahead) << "at " << clock;
+        ++told;
+    }
+    EXPECT_GT(told, 100U);
+    EXPECT_EQ(current_target(*stepped), -1) << "all targets are reached";
+    rrs::TargetId last = 0;
+    stepped->GetTargetOfLastStep(last);
+    EXPECT_EQ(last, 7) << "which is where the motion came from";
+}
+
+TEST_P(QueueServices, CurrentTargetOfAStepThatEndsInATargetIsTheNextOne) {
+    const auto planner = ready(gantry_setup());
+    planner->SetNextRest(1, 0.02);
+    planner->SetNextRest(2, 0.02);
+    planner->SetInterpolationTime(0.02);
+    rrs::JointPos joints;
+    CartPos pose;
+    double elapsed = 0;
+    EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_TARGET_REACHED);
+    rrs::TargetId last = 0;
+    planner->GetTargetOfLastStep(last);
+    EXPECT_EQ(last, 1);
+    EXPECT_EQ(current_target(*planner), 2);
+}
+
+TEST_P(QueueServices, CurrentTargetOfAStoppedMotionIsItsOwnUntilItIsCancelled) {
+    const auto planner = ready(gantry_setup());
+    planner->SelectMotionType(rrs::MotionType::linear);
+    planner->SetCartesianPositionSpeed(80);
+    put(*planner, joint_pos({600, 500, 300, 0, 0}), 4);
+    put(*planner, joint_pos({700, 500, 300, 0, 0}), 5);
+    planner->SetInterpolationTime(0.5);
+    rrs::JointPos joints;
+    CartPos pose;
+    double elapsed = 0;
+    planner->GetNextStep(joints, pose, elapsed);
+    EXPECT_EQ(planner->StopMotion(), Status::RRS_SUCCESS);
+    EXPECT_EQ(current_target(*planner), 4) << "while it brakes";
+    step_to_end(*planner, 0.01);
+    EXPECT_EQ(current_target(*planner), 4) << "while it stands";
+    EXPECT_EQ(planner->CancelMotion(), Status::RRS_SUCCESS);
+    EXPECT_EQ(current_target(*planner), -1);
+}
+
+TEST_P(QueueServices, CurrentTargetIsKnownBeforeItsMotionIsPlanned) {
+    PlannerSetup setup = gantry_setup();
+    setup.controller.planner = rrs::PlannerKind::look_ahead;
+    const auto planner = ready(setup);
+    planner->SelectMotionType(rrs::MotionType::linear);
+    planner->SetCartesianPositionSpeed(80);
+    put(*planner, joint_pos({600, 500, 300, 0, 0}), 8);
+    put(*planner, joint_pos({700, 500, 300, 0, 0}), 9);
+    EXPECT_EQ(current_target(*planner), 8);
+    step_to_end(*planner, 0.01);
+    EXPECT_EQ(current_target(*planner), -1);
+}
+
+TEST(PlannerQueue, SegmentsLeaveAsStepsPassThem) {
     ReadyPlanner at(gantry_setup(), kStart);
     put_program(at.planner);
     at.planner.SetInterpolationTime(0.0137);
@@ -133,7 +214,7 @@ TEST(PlannerQueue, segments_leave_as_steps_pass_them) {
     EXPECT_EQ(ids(at.collector.segments), (std::vector<rrs::TargetId>{1, 2, 3, 4, 5, 6, 6, 7}));
 }
 
-TEST_P(QueueServices, last_step_is_as_long_as_what_remains) {
+TEST_P(QueueServices, LastStepIsAsLongAsWhatRemains) {
     const auto planner = ready(gantry_setup());
     planner->SetNextRest(1, 0.025);
     rrs::JointPos joints;
@@ -147,7 +228,7 @@ TEST_P(QueueServices, last_step_is_as_long_as_what_remains) {
     EXPECT_EQ(planner->GetNextStep(joints, pose, elapsed), Status::RRS_NEED_MORE_DATA);
 }
 
-TEST(PlannerQueue, oldest_segments_leave_by_themselves_when_the_queue_is_full) {
+TEST(PlannerQueue, OldestSegmentsLeaveByThemselvesWhenTheQueueIsFull) {
     PlannerSetup setup = gantry_setup();
     setup.queue_capacity = 4;
     ReadyPlanner at(setup, kStart);
@@ -161,7 +242,7 @@ TEST(PlannerQueue, oldest_segments_leave_by_themselves_when_the_queue_is_full) {
         ASSERT_EQ(at.collector.segments[static_cast<std::size_t>(i)].target_id, i + 1);
 }
 
-TEST_P(QueueServices, without_a_sink_a_full_queue_asks_for_steps) {
+TEST_P(QueueServices, WithoutASinkAFullQueueAsksForSteps) {
     PlannerSetup setup = gantry_setup();
     setup.queue_capacity = 2;
     const auto planner = ready(setup);
@@ -181,7 +262,7 @@ TEST_P(QueueServices, without_a_sink_a_full_queue_asks_for_steps) {
     EXPECT_DOUBLE_EQ(step_to_end(*planner, 1).time_s, 2);
 }
 
-TEST_P(QueueServices, new_initial_position_leaves_nothing_queued) {
+TEST_P(QueueServices, NewInitialPositionLeavesNothingQueued) {
     const auto planner = ready(gantry_setup());
     put(*planner, joint_pos({600, 500, 300, 0, 0}));
     const rrs::JointPos corner = joint_pos({0, 0, 0, 0, 0});
@@ -191,7 +272,7 @@ TEST_P(QueueServices, new_initial_position_leaves_nothing_queued) {
     EXPECT_EQ(stepped.joints, corner);
 }
 
-TEST(PlannerQueue, new_initial_position_finishes_what_is_queued) {
+TEST(PlannerQueue, NewInitialPositionFinishesWhatIsQueued) {
     ReadyPlanner at(gantry_setup(), kStart);
     at.to(joint_pos({600, 500, 300, 0, 0}));
     const double end_s = at.planner.time_s();
@@ -203,7 +284,7 @@ TEST(PlannerQueue, new_initial_position_finishes_what_is_queued) {
     EXPECT_EQ(at.last().start_s, end_s);
 }
 
-TEST(PlannerQueue, segment_leaves_once_even_if_the_sink_throws) {
+TEST(PlannerQueue, SegmentLeavesOnceEvenIfTheSinkThrows) {
     class Thrower : public SegmentSink {
       public:
         void take(const Segment&) override {

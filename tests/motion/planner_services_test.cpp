@@ -29,7 +29,7 @@ class PlannerServices : public AnyPlanner {
 
 INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, both_ways(), way_name);
 
-TEST_P(PlannerServices, what_is_not_offered_says_so_by_name) {
+TEST_P(PlannerServices, WhatIsNotOfferedSaysSoByName) {
     CartPos pose = CartPos::Identity();
     const std::vector<std::pair<const char*, Status>> answers{
         {"GetCellFrame", planner.GetCellFrame("BASE", pose)},
@@ -41,7 +41,7 @@ TEST_P(PlannerServices, what_is_not_offered_says_so_by_name) {
     EXPECT_THAT(message(planner), HasSubstr("does not offer the service SelectTrajectoryMode."));
 }
 
-TEST_P(PlannerServices, nothing_works_before_initialize_and_after_terminate) {
+TEST_P(PlannerServices, NothingWorksBeforeInitializeAndAfterTerminate) {
     const auto fresh = make(gantry_setup());
     const auto status = [&] {
         return fresh->SetNextTarget(1, rrs::TargetParam::end, CartPos::Identity(), kStart, "", 0);
@@ -60,7 +60,7 @@ TEST_P(PlannerServices, nothing_works_before_initialize_and_after_terminate) {
     EXPECT_EQ(status(), Status::RRS_NOT_INITIALIZED);
 }
 
-TEST_P(PlannerServices, reset_goes_back_to_the_start) {
+TEST_P(PlannerServices, ResetGoesBackToTheStart) {
     const rrs::JointPos target = joint_pos({600, 500, 300, 0, 0});
     to(target);
     const double time_s = step_to_end(planner, 0.01).time_s;
@@ -74,7 +74,7 @@ TEST_P(PlannerServices, reset_goes_back_to_the_start) {
     EXPECT_NEAR(step_to_end(planner, 0.01).time_s, time_s, 1e-12);
 }
 
-TEST_P(PlannerServices, target_out_of_range_names_joint_value_and_limit_and_changes_nothing) {
+TEST_P(PlannerServices, TargetOutOfRangeNamesJointValueAndLimitAndChangesNothing) {
     EXPECT_EQ(to(joint_pos({500, 500, 650, 0, 0})), Status::RRS_JOINT_LIMIT);
     EXPECT_EQ(message(planner),
               "Joint 2 (counted from 0) would be at 650 mm at the target; its range ends at 609.6 mm.");
@@ -87,7 +87,7 @@ TEST_P(PlannerServices, target_out_of_range_names_joint_value_and_limit_and_chan
 }
 
 // In process alone: the services tell the sentence, not its numbers.
-TEST(PlannerErrors, numbers_of_a_refusal_stand_beside_its_sentence) {
+TEST(PlannerErrors, NumbersOfARefusalStandBesideItsSentence) {
     ReadyPlanner at(gantry_setup(), kStart);
     at.to(joint_pos({500, 500, 650, 0, 0}));
     EXPECT_EQ(at.planner.last_error().joint, 2);
@@ -97,12 +97,12 @@ TEST(PlannerErrors, numbers_of_a_refusal_stand_beside_its_sentence) {
     EXPECT_EQ(at.planner.time_s(), 0);
 }
 
-TEST_P(PlannerServices, end_of_the_range_may_be_reached_within_rounding) {
+TEST_P(PlannerServices, EndOfTheRangeMayBeReachedWithinRounding) {
     EXPECT_EQ(to(joint_pos({0, 500, 609.6 + 1e-12, 0, kPi / 2})), Status::RRS_SUCCESS);
     EXPECT_EQ(to(joint_pos({-1e-8, 500, 0, 0, 0})), Status::RRS_JOINT_LIMIT);
 }
 
-TEST_P(PlannerServices, named_target_puts_its_name_before_the_message) {
+TEST_P(PlannerServices, NamedTargetPutsItsNameBeforeTheMessage) {
     const auto status = planner.SetNextNamedTarget(7, rrs::TargetParam::end, CartPos::Identity(),
                                                    joint_pos({500, 500, 650, 0, 0}), "", 0, "CORNER");
     EXPECT_EQ(status, Status::RRS_JOINT_LIMIT);
@@ -115,7 +115,7 @@ TEST_P(PlannerServices, named_target_puts_its_name_before_the_message) {
     EXPECT_EQ(reached, 8);
 }
 
-TEST_P(PlannerServices, values_out_of_range_are_refused) {
+TEST_P(PlannerServices, ValuesOutOfRangeAreRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double bad : {0.0, -1.0, nan, -infinity}) {
@@ -140,7 +140,7 @@ TEST_P(PlannerServices, values_out_of_range_are_refused) {
     EXPECT_EQ(planner.SetCartesianPositionSpeed(infinity), Status::RRS_SUCCESS);
 }
 
-TEST_P(PlannerServices, joint_values_are_checked_as_a_whole) {
+TEST_P(PlannerServices, JointValuesAreCheckedAsAWhole) {
     EXPECT_EQ(planner.SetJointSpeeds(std::vector{5}, std::vector{1.0}), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(message(planner), "There is no joint 5; joints are 0 to 4.");
     EXPECT_EQ(planner.SetJointSpeeds(std::vector{-1}, std::vector{1.0}), Status::RRS_INVALID_PARAMETER);
@@ -153,7 +153,7 @@ TEST_P(PlannerServices, joint_values_are_checked_as_a_whole) {
     EXPECT_LT(step_to_end(planner, 0.01).time_s, 10);
 }
 
-TEST_P(PlannerServices, selections_out_of_their_lists_are_refused) {
+TEST_P(PlannerServices, SelectionsOutOfTheirListsAreRefused) {
     EXPECT_EQ(planner.SelectMotionType(static_cast<rrs::MotionType>(3)), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(planner.SelectTargetType(static_cast<rrs::TargetType>(9)), Status::RRS_INVALID_PARAMETER);
     for (const int number : {-1, 3}) {
@@ -169,7 +169,7 @@ TEST_P(PlannerServices, selections_out_of_their_lists_are_refused) {
     EXPECT_EQ(planner.SelectFlybyMode(true), Status::RRS_MODE_NOT_SUPPORTED);
 }
 
-TEST_P(PlannerServices, machine_without_position_joints_has_joint_motion_alone) {
+TEST_P(PlannerServices, MachineWithoutPositionJointsHasJointMotionAlone) {
     PlannerSetup setup = gantry_setup();
     setup.position_joints = {-1, -1, -1};
     const auto robot = make(setup);
@@ -185,7 +185,7 @@ TEST_P(PlannerServices, machine_without_position_joints_has_joint_motion_alone) 
 }
 
 // In process alone: steps have no length.
-TEST(PlannerMotionTypes, joint_motion_without_position_joints_has_no_length) {
+TEST(PlannerMotionTypes, JointMotionWithoutPositionJointsHasNoLength) {
     PlannerSetup setup = gantry_setup();
     setup.position_joints = {-1, -1, -1};
     ReadyPlanner robot(setup, kStart);

@@ -19,13 +19,13 @@ std::string trouble_after(Change change) {
     return setup.validate().value_or("");
 }
 
-TEST(PlannerSetup, gantry_is_valid) {
+TEST(PlannerSetup, GantryIsValid) {
     EXPECT_EQ(trouble_after([](PlannerSetup&) {}), "");
     EXPECT_EQ(gantry_setup().role(1), JointRole::position);
     EXPECT_EQ(gantry_setup().role(4), JointRole::rotary);
 }
 
-TEST(PlannerSetup, sentence_names_field_and_value) {
+TEST(PlannerSetup, SentenceNamesFieldAndValue) {
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[2].min = 700; }),
               "The range of joint 2 goes from 700 to 609.6; min must not be above max.");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[1].max_speed = 0; }),
@@ -73,7 +73,7 @@ TEST(PlannerSetup, sentence_names_field_and_value) {
               "queue_capacity is 1; it must be at least 2.");
 }
 
-TEST(PlannerSetup, planner_throws_the_sentence) {
+TEST(PlannerSetup, PlannerThrowsTheSentence) {
     PlannerSetup setup = gantry_setup();
     setup.kinematics.reset();
     try {

@@ -63,7 +63,7 @@ double integrated_length(double from, const RampPhases& ramp) {
     return s;
 }
 
-TEST(Ramp, without_jerk_limit_is_a_constant_acceleration) {
+TEST(Ramp, WithoutJerkLimitIsAConstantAcceleration) {
     EXPECT_DOUBLE_EQ(ramp_s(10, 30, 10, kInfinity), 2);
     EXPECT_DOUBLE_EQ(ramp_length(10, 30, 10, kInfinity), 40);
     EXPECT_DOUBLE_EQ(ramp_length(30, 10, 10, kInfinity), 40);
@@ -71,7 +71,7 @@ TEST(Ramp, without_jerk_limit_is_a_constant_acceleration) {
     EXPECT_DOUBLE_EQ(reachable_speed(40, 10, 10, kInfinity), 30);
 }
 
-TEST(Ramp, short_one_does_not_reach_the_acceleration) {
+TEST(Ramp, ShortOneDoesNotReachTheAcceleration) {
     // 1 s at +8 mm/s3 and 1 s at -8: 8 mm/s faster, at most 8 mm/s2.
     EXPECT_DOUBLE_EQ(ramp_s(2, 10, 1000, 8), 2);
     EXPECT_DOUBLE_EQ(ramp_length(2, 10, 1000, 8), 12);
@@ -79,7 +79,7 @@ TEST(Ramp, short_one_does_not_reach_the_acceleration) {
     EXPECT_DOUBLE_EQ(ramp_end_speed(12, 2, 1000, 8), 10);
 }
 
-TEST(Ramp, long_one_holds_the_acceleration) {
+TEST(Ramp, LongOneHoldsTheAcceleration) {
     // 1 s up to 8 mm/s2, 2 s at 8 mm/s2, 1 s down: 24 mm/s faster in 4 s.
     const RampPhases ramp = ramp_phases(24, 8, 8);
     EXPECT_DOUBLE_EQ(ramp.jerk_s, 1);
@@ -88,7 +88,7 @@ TEST(Ramp, long_one_holds_the_acceleration) {
     EXPECT_DOUBLE_EQ(ramp_end_speed(48, 0, 8, 8), 24);
 }
 
-TEST(Ramp, infinite_limits_drop_out) {
+TEST(Ramp, InfiniteLimitsDropOut) {
     EXPECT_EQ(ramp_s(1, 9, kInfinity, kInfinity), 0);
     EXPECT_EQ(ramp_length(1, 9, kInfinity, kInfinity), 0);
     EXPECT_EQ(ramp_end_speed(1, 9, kInfinity, kInfinity), kInfinity);
@@ -97,7 +97,7 @@ TEST(Ramp, infinite_limits_drop_out) {
     EXPECT_DOUBLE_EQ(ramp_end_speed(12, 2, kInfinity, 8), 10);
 }
 
-TEST(Ramp, no_length_changes_no_speed) {
+TEST(Ramp, NoLengthChangesNoSpeed) {
     EXPECT_EQ(ramp_s(7, 7, 10, 10), 0);
     EXPECT_EQ(ramp_length(7, 7, 10, 10), 0);
     for (const double jerk : {10.0, kInfinity}) {
@@ -107,7 +107,7 @@ TEST(Ramp, no_length_changes_no_speed) {
     }
 }
 
-TEST(Ramp, phases_keep_the_limits_and_make_up_the_change_and_the_length) {
+TEST(Ramp, PhasesKeepTheLimitsAndMakeUpTheChangeAndTheLength) {
     Cases cases(31);
     for (int i = 0; i < 2000; ++i) {
         const Case c = cases.next();
@@ -124,7 +124,7 @@ TEST(Ramp, phases_keep_the_limits_and_make_up_the_change_and_the_length) {
     }
 }
 
-TEST(Ramp, end_speed_is_the_inverse_of_the_length) {
+TEST(Ramp, EndSpeedIsTheInverseOfTheLength) {
     Cases cases(32);
     for (int i = 0; i < 100'000; ++i) {
         Case c = cases.next();
@@ -138,7 +138,7 @@ TEST(Ramp, end_speed_is_the_inverse_of_the_length) {
     }
 }
 
-TEST(Ramp, to_a_reachable_speed_fits_into_the_length_even_where_its_gain_drowns_in_rounding) {
+TEST(Ramp, ToAReachableSpeedFitsIntoTheLengthEvenWhereItsGainDrownsInRounding) {
     Cases cases(33);
     for (int i = 0; i < 100'000; ++i) {
         const Case c = cases.next();
@@ -150,7 +150,7 @@ TEST(Ramp, to_a_reachable_speed_fits_into_the_length_even_where_its_gain_drowns_
     }
 }
 
-TEST(Ramp, reachable_speed_is_monotone_in_length_and_start) {
+TEST(Ramp, ReachableSpeedIsMonotoneInLengthAndStart) {
     Cases cases(34);
     for (int i = 0; i < 100'000; ++i) {
         const Case c = cases.next();
@@ -168,7 +168,7 @@ TEST(Ramp, reachable_speed_is_monotone_in_length_and_start) {
 }
 
 // The trap that reachable_speed() is there for.
-TEST(Ramp, end_speed_may_fall_with_the_start) {
+TEST(Ramp, EndSpeedMayFallWithTheStart) {
     EXPECT_LT(ramp_end_speed(1, 0.2, kInfinity, 1), ramp_end_speed(1, 0, kInfinity, 1));
     EXPECT_GE(reachable_speed(1, 0.2, kInfinity, 1), reachable_speed(1, 0, kInfinity, 1));
     // A start planned for rest and then raised: the ramp would not fit any more.
@@ -176,7 +176,7 @@ TEST(Ramp, end_speed_may_fall_with_the_start) {
     EXPECT_LE(ramp_length(reachable_speed(1, 0, kInfinity, 1), 0.2, kInfinity, 1), 1);
 }
 
-TEST(Ramp, reachable_speed_is_the_least_end_of_all_higher_starts) {
+TEST(Ramp, ReachableSpeedIsTheLeastEndOfAllHigherStarts) {
     Cases cases(35);
     for (int i = 0; i < 1000; ++i) {
         const Case c = cases.next();
@@ -197,7 +197,7 @@ TEST(Ramp, reachable_speed_is_the_least_end_of_all_higher_starts) {
     }
 }
 
-TEST(Ramp, odd_values_neither_hang_nor_crash) {
+TEST(Ramp, OddValuesNeitherHangNorCrash) {
     const double odd[] = {0, -1, 1, 1e-300, 1e300, kInfinity, std::numeric_limits<double>::quiet_NaN()};
     for (const double length : odd) {
         for (const double speed : odd) {

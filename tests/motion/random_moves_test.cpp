@@ -157,7 +157,7 @@ void expect_straight(const Segment& segment, const PlannerSetup& setup) {
     }
 }
 
-TEST_F(RandomMoves, lines_keep_all_limits_and_take_the_time_of_the_slowest_rule) {
+TEST_F(RandomMoves, LinesKeepAllLimitsAndTakeTheTimeOfTheSlowestRule) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         PlannerSetup setup = odd_setup(random);
@@ -185,7 +185,7 @@ TEST_F(RandomMoves, lines_keep_all_limits_and_take_the_time_of_the_slowest_rule)
     }
 }
 
-TEST_F(RandomMoves, joint_moves_keep_all_limits_with_one_joint_at_a_limit) {
+TEST_F(RandomMoves, JointMovesKeepAllLimitsWithOneJointAtALimit) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         const PlannerSetup setup = odd_setup(random);
@@ -209,7 +209,7 @@ TEST_F(RandomMoves, joint_moves_keep_all_limits_with_one_joint_at_a_limit) {
     }
 }
 
-TEST_F(RandomMoves, arcs_and_helices_keep_their_limits_and_their_circle) {
+TEST_F(RandomMoves, ArcsAndHelicesKeepTheirLimitsAndTheirCircle) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         const PlannerSetup setup = odd_setup(random);

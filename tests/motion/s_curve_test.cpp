@@ -66,7 +66,7 @@ bool jumps(const LawLimits& limits) {
     return std::isinf(limits.jerk) && (std::isinf(limits.acceleration) || std::isinf(limits.deceleration));
 }
 
-TEST(SCurve, seven_pieces_by_hand) {
+TEST(SCurve, SevenPiecesByHand) {
     // 1 s each: up to 8 mm/s2 and down again, with 2 s between, twice; cruise at 24 mm/s for 3 s.
     const TimeLaw law = TimeLaw::between(168, 0, 0, {24, 8, 8, 8});
     EXPECT_EQ(law.pieces().size(), 7U);
@@ -80,7 +80,7 @@ TEST(SCurve, seven_pieces_by_hand) {
     EXPECT_DOUBLE_EQ(law.at(9).a, -8);
 }
 
-TEST(SCurve, four_pieces_by_hand) {
+TEST(SCurve, FourPiecesByHand) {
     // Four phases of 1 s at 6 mm/s3: 1 + 5 + 5 + 1 mm.
     const TimeLaw law = TimeLaw::between(12, 0, 0, {1000, 1000, 1000, 6});
     EXPECT_DOUBLE_EQ(law.duration_s(), 4);
@@ -89,7 +89,7 @@ TEST(SCurve, four_pieces_by_hand) {
     EXPECT_DOUBLE_EQ(law.at(2).s, 6);
 }
 
-TEST(SCurve, rest_to_rest_takes_the_least_time_in_closed_form) {
+TEST(SCurve, RestToRestTakesTheLeastTimeInClosedForm) {
     LawCases cases(41);
     for (int i = 0; i < 100'000; ++i) {
         const LawCase c = cases.rest_to_rest();
@@ -101,7 +101,7 @@ TEST(SCurve, rest_to_rest_takes_the_least_time_in_closed_form) {
     }
 }
 
-TEST(SCurve, equal_limits_without_jerk_are_the_trapezoid) {
+TEST(SCurve, EqualLimitsWithoutJerkAreTheTrapezoid) {
     LawCases cases(42);
     for (int i = 0; i < 10'000; ++i) {
         LawCase c = cases.rest_to_rest();
@@ -112,7 +112,7 @@ TEST(SCurve, equal_limits_without_jerk_are_the_trapezoid) {
     }
 }
 
-TEST(SCurve, moving_ends_keep_limits_and_join) {
+TEST(SCurve, MovingEndsKeepLimitsAndJoin) {
     LawCases cases(43);
     for (int i = 0; i < 50'000; ++i) {
         const LawCase c = cases.moving();
@@ -125,7 +125,7 @@ TEST(SCurve, moving_ends_keep_limits_and_join) {
     }
 }
 
-TEST(SCurve, moving_ends_take_the_least_time_and_the_peak_converges) {
+TEST(SCurve, MovingEndsTakeTheLeastTimeAndThePeakConverges) {
     LawCases cases(44);
     for (int i = 0; i < 10'000; ++i) {
         const LawCase c = cases.moving();
@@ -138,7 +138,7 @@ TEST(SCurve, moving_ends_take_the_least_time_and_the_peak_converges) {
     }
 }
 
-TEST(SCurve, a_higher_peak_would_overshoot) {
+TEST(SCurve, AHigherPeakWouldOvershoot) {
     LawCases cases(45);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = i % 2 == 0 ? cases.moving() : cases.rest_to_rest();
@@ -149,7 +149,7 @@ TEST(SCurve, a_higher_peak_would_overshoot) {
 }
 
 // Not only laws with one peak: through two random speeds, with cruises at both, nothing is faster.
-TEST(SCurve, no_motion_of_three_ramps_is_faster) {
+TEST(SCurve, NoMotionOfThreeRampsIsFaster) {
     LawCases cases(46);
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.moving();
@@ -172,7 +172,7 @@ TEST(SCurve, no_motion_of_three_ramps_is_faster) {
     }
 }
 
-TEST(SCurve, higher_limits_never_cost_time) {
+TEST(SCurve, HigherLimitsNeverCostTime) {
     LawCases cases(47);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = cases.moving();
@@ -186,7 +186,7 @@ TEST(SCurve, higher_limits_never_cost_time) {
     }
 }
 
-TEST(SCurve, positions_and_speeds_are_the_integrals_of_the_jerk) {
+TEST(SCurve, PositionsAndSpeedsAreTheIntegralsOfTheJerk) {
     LawCases cases(48);
     for (int i = 0; i < 3000; ++i) {
         LawCase c = cases.moving();
@@ -219,7 +219,7 @@ TEST(SCurve, positions_and_speeds_are_the_integrals_of_the_jerk) {
     }
 }
 
-TEST(SCurve, reversed_in_time_is_the_law_of_exchanged_ends) {
+TEST(SCurve, ReversedInTimeIsTheLawOfExchangedEnds) {
     LawCases cases(49);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = cases.moving();
@@ -240,7 +240,7 @@ TEST(SCurve, reversed_in_time_is_the_law_of_exchanged_ends) {
     }
 }
 
-TEST(SCurve, just_the_length_of_a_ramp_is_that_ramp) {
+TEST(SCurve, JustTheLengthOfARampIsThatRamp) {
     LawCases cases(50);
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.moving();
@@ -255,7 +255,7 @@ TEST(SCurve, just_the_length_of_a_ramp_is_that_ramp) {
     }
 }
 
-TEST(SCurve, absorbs_a_shortfall_of_rounding) {
+TEST(SCurve, AbsorbsAShortfallOfRounding) {
     LawCases cases(51);
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.chance(0.3) ? cases.too_fast() : cases.moving();
@@ -269,7 +269,7 @@ TEST(SCurve, absorbs_a_shortfall_of_rounding) {
     }
 }
 
-TEST(SCurve, a_gross_shortfall_still_joins) {
+TEST(SCurve, AGrossShortfallStillJoins) {
     LawCases cases(52);
     for (int i = 0; i < 10'000; ++i) {
         LawCase c = cases.chance(0.3) ? cases.too_fast() : cases.moving();
@@ -281,7 +281,7 @@ TEST(SCurve, a_gross_shortfall_still_joins) {
     }
 }
 
-TEST(SCurve, brakes_first_where_the_start_is_too_fast) {
+TEST(SCurve, BrakesFirstWhereTheStartIsTooFast) {
     LawCases cases(53);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = cases.too_fast();
@@ -306,7 +306,7 @@ TEST(SCurve, brakes_first_where_the_start_is_too_fast) {
     }
 }
 
-TEST(SCurve, tiny_lengths_at_high_speeds_keep_their_limits) {
+TEST(SCurve, TinyLengthsAtHighSpeedsKeepTheirLimits) {
     LawCases cases(54);
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.rest_to_rest();
@@ -320,7 +320,7 @@ TEST(SCurve, tiny_lengths_at_high_speeds_keep_their_limits) {
     }
 }
 
-TEST(SCurve, nothing_to_do_takes_no_time) {
+TEST(SCurve, NothingToDoTakesNoTime) {
     const TimeLaw law = TimeLaw::between(0, 5, 7, {10, 10, 10, 10});
     EXPECT_EQ(law.duration_s(), 0);
     EXPECT_EQ(law.start_speed(), 5);
@@ -333,7 +333,7 @@ TEST(SCurve, nothing_to_do_takes_no_time) {
     EXPECT_EQ(TimeLaw::between(20, 0, 0, {kInfinity, kInfinity, kInfinity, kInfinity}).at(0).s, 20);
 }
 
-TEST(SCurve, odd_values_neither_hang_nor_crash) {
+TEST(SCurve, OddValuesNeitherHangNorCrash) {
     const double odd[] = {0, -1, 1, 1e-300, 1e300, kInfinity, std::numeric_limits<double>::quiet_NaN()};
     for (const double length : odd) {
         for (const double start : odd) {

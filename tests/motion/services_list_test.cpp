@@ -51,7 +51,7 @@ class ServicesList : public AnyPlanner {};
 
 INSTANTIATE_TEST_SUITE_P(Ways, ServicesList, both_ways(), way_name);
 
-TEST_P(ServicesList, answers_of_the_planner_are_in_it) {
+TEST_P(ServicesList, AnswersOfThePlannerAreInIt) {
     const std::vector<Call> calls = all_calls();
     rrs::ServiceValues values(11);
     std::mt19937 random(12);
@@ -72,7 +72,7 @@ TEST_P(ServicesList, answers_of_the_planner_are_in_it) {
     EXPECT_GT(refused, 1000U);
 }
 
-TEST_P(ServicesList, extensions_reach_the_planner_both_ways) {
+TEST_P(ServicesList, ExtensionsReachThePlannerBothWays) {
     const auto planner = make(gantry_setup());
     planner->Initialize();
     const rrs::CartPos pose = rrs::CartPos::Identity();

@@ -88,7 +88,7 @@ class Reference {
     std::vector<double> speed2_;
 };
 
-TEST(TimeBoundCurve, arc_under_limits_of_its_path_alone_has_a_closed_form) {
+TEST(TimeBoundCurve, ArcUnderLimitsOfItsPathAloneHasAClosedForm) {
     Random random(5);
     for (int i = 0; i < 100; ++i) {
         const double radius = random.around(10);
@@ -104,7 +104,7 @@ TEST(TimeBoundCurve, arc_under_limits_of_its_path_alone_has_a_closed_form) {
 }
 
 // However the path is measured, one joint that never turns back has its own trapezoid to go.
-TEST(TimeBoundCurve, one_joint_takes_its_own_trapezoid) {
+TEST(TimeBoundCurve, OneJointTakesItsOwnTrapezoid) {
     Random random(11);
     for (int i = 0; i < 300; ++i) {
         const double pace = random.between(0.5, 2);
@@ -126,7 +126,7 @@ TEST(TimeBoundCurve, one_joint_takes_its_own_trapezoid) {
 
 // The path speeds up to 10 at 1 and slows down at 10. On its way down a joint with hardly any acceleration
 // goes at its own constant speed of 1, which it can only because the path slows down; mirrored, speeds up.
-TEST(TimeBoundCurve, a_joint_may_need_the_path_to_change_its_speed) {
+TEST(TimeBoundCurve, AJointMayNeedThePathToChangeItsSpeed) {
     for (const bool mirrored : {false, true}) {
         const PathCaps caps{kNoBound, mirrored ? 10.0 : 1.0, mirrored ? 1.0 : 10.0};
         const auto at = [&](double s) {
@@ -143,7 +143,7 @@ TEST(TimeBoundCurve, a_joint_may_need_the_path_to_change_its_speed) {
     }
 }
 
-TEST(TimeBoundCurve, circle_agrees_with_a_numerical_optimum) {
+TEST(TimeBoundCurve, CircleAgreesWithANumericalOptimum) {
     for (const double turns : {0.05, 0.25, 0.7, 1.0, 2.5}) {
         const Shape shape = circle(2, turns, 20);
         const double feasible_s = Reference(shape, 3000).feasible_s();
@@ -152,7 +152,7 @@ TEST(TimeBoundCurve, circle_agrees_with_a_numerical_optimum) {
     }
 }
 
-TEST(TimeBoundCurve, random_curves_agree_with_a_numerical_optimum) {
+TEST(TimeBoundCurve, RandomCurvesAgreeWithANumericalOptimum) {
     Random random(6);
     for (int i = 0; i < 40; ++i) {
         const Shape shape = random_shape(random);
@@ -185,7 +185,7 @@ double smooth_law_s(const Shape& shape, Random& random) {
     return sum * std::sqrt(worst) * (1 + 1e-4);
 }
 
-TEST(TimeBoundCurve, no_random_law_on_a_curve_beats_the_bound) {
+TEST(TimeBoundCurve, NoRandomLawOnACurveBeatsTheBound) {
     Random random(7);
     for (int i = 0; i < 300; ++i) {
         const Shape shape = random_shape(random);

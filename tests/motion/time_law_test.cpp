@@ -24,7 +24,7 @@ double integrated(const TimeLaw& law, double until_s) {
     return s;
 }
 
-TEST(TimeLaw, nothing_to_do_takes_no_time) {
+TEST(TimeLaw, NothingToDoTakesNoTime) {
     const TimeLaw law{};
     EXPECT_EQ(law.duration_s(), 0);
     EXPECT_EQ(law.at(0).s, 0);
@@ -32,7 +32,7 @@ TEST(TimeLaw, nothing_to_do_takes_no_time) {
     EXPECT_EQ(TimeLaw::fastest(0, 10, 10).at(1).v, 0);
 }
 
-TEST(TimeLaw, trapezoid_by_hand) {
+TEST(TimeLaw, TrapezoidByHand) {
     // 1 s up and 1 s down at 100 mm/s2 are 100 mm; 200 mm remain for 2 s at 100 mm/s.
     const TimeLaw law = TimeLaw::fastest(300, 100, 100);
     EXPECT_DOUBLE_EQ(law.duration_s(), 4);
@@ -46,14 +46,14 @@ TEST(TimeLaw, trapezoid_by_hand) {
     EXPECT_DOUBLE_EQ(law.at(3.5).a, -100);
 }
 
-TEST(TimeLaw, triangle_by_hand) {
+TEST(TimeLaw, TriangleByHand) {
     const TimeLaw law = TimeLaw::fastest(100, 1000, 100);
     EXPECT_DOUBLE_EQ(law.duration_s(), 2);
     EXPECT_DOUBLE_EQ(law.peak_speed(), 100);
     EXPECT_DOUBLE_EQ(law.at(1).s, 50);
 }
 
-TEST(TimeLaw, infinite_limits_drop_out) {
+TEST(TimeLaw, InfiniteLimitsDropOut) {
     EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).duration_s(), 2);
     EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).at(1).s, 50);
     EXPECT_DOUBLE_EQ(TimeLaw::fastest(100, 50, kInfinity).at(0).v, 50);
@@ -62,7 +62,7 @@ TEST(TimeLaw, infinite_limits_drop_out) {
     EXPECT_EQ(TimeLaw::fastest(100, kInfinity, kInfinity).at(0).s, 100);
 }
 
-TEST(TimeLaw, is_clamped_to_its_duration_and_ends_exactly) {
+TEST(TimeLaw, IsClampedToItsDurationAndEndsExactly) {
     const TimeLaw law = TimeLaw::fastest(0.1 + 0.2, 0.7, 0.3);
     EXPECT_EQ(law.at(-1).s, 0);
     EXPECT_EQ(law.at(law.duration_s()).s, 0.1 + 0.2);
@@ -70,7 +70,7 @@ TEST(TimeLaw, is_clamped_to_its_duration_and_ends_exactly) {
     EXPECT_NEAR(law.at(1e9).v, 0, 1e-12);
 }
 
-TEST(TimeLaw, in_time_by_hand) {
+TEST(TimeLaw, InTimeByHand) {
     // 300 mm in 4 s with ramps of 100 mm/s2 is the trapezoid above; with more time it only cruises slower.
     EXPECT_DOUBLE_EQ(TimeLaw::in_time(300, 4, 100).peak_speed(), 100);
     const TimeLaw slow = TimeLaw::in_time(300, 7, 100);
@@ -79,21 +79,21 @@ TEST(TimeLaw, in_time_by_hand) {
     EXPECT_DOUBLE_EQ(TimeLaw::in_time(300, 4, kInfinity).peak_speed(), 75);
 }
 
-TEST(TimeLaw, in_time_takes_a_shortfall_within_rounding_as_equal) {
+TEST(TimeLaw, InTimeTakesAShortfallWithinRoundingAsEqual) {
     const double least = TimeLaw::fastest_s(7, kInfinity, 3);
     const TimeLaw law = TimeLaw::in_time(7, least * (1 - 1e-15), 3);
     EXPECT_EQ(law.at(least).s, 7);
     EXPECT_LE(law.at(0).a, 3 * (1 + kRelative));
 }
 
-TEST(TimeLaw, standing_still_may_take_time) {
+TEST(TimeLaw, StandingStillMayTakeTime) {
     const TimeLaw law = TimeLaw::in_time(0, 5, 100);
     EXPECT_EQ(law.duration_s(), 5);
     EXPECT_EQ(law.at(3).s, 0);
     EXPECT_EQ(law.at(3).v, 0);
 }
 
-TEST(TimeLaw, rest_to_rest_begins_and_ends_at_rest) {
+TEST(TimeLaw, RestToRestBeginsAndEndsAtRest) {
     const TimeLaw law = TimeLaw::fastest(300, 100, 100);
     EXPECT_EQ(law.start_speed(), 0);
     EXPECT_EQ(law.end_speed(), 0);
@@ -101,7 +101,7 @@ TEST(TimeLaw, rest_to_rest_begins_and_ends_at_rest) {
     EXPECT_EQ(TimeLaw{}.peak_acceleration(), 0);
 }
 
-TEST(TimeLaw, trapezoid_between_moving_ends_by_hand) {
+TEST(TimeLaw, TrapezoidBetweenMovingEndsByHand) {
     // 1 s from 50 to 100 at 50 mm/s2, 1 s at 100, 1 s down to 20 at 80 mm/s2: 75 + 100 + 60 mm.
     const TimeLaw law = TimeLaw::between(235, 50, 20, {100, 50, 80, kInfinity});
     EXPECT_EQ(law.pieces().size(), 3U);
@@ -113,7 +113,7 @@ TEST(TimeLaw, trapezoid_between_moving_ends_by_hand) {
     EXPECT_DOUBLE_EQ(law.peak_acceleration(), 80);
 }
 
-TEST(TimeLaw, brakes_first_where_the_start_is_too_fast) {
+TEST(TimeLaw, BrakesFirstWhereTheStartIsTooFast) {
     // 1 s down to 60 at 40 mm/s2, 1 s at 60, 1 s down to 20: 80 + 60 + 40 mm.
     const TimeLaw law = TimeLaw::between(180, 100, 20, {60, 1000, 40, kInfinity});
     EXPECT_DOUBLE_EQ(law.duration_s(), 3);
@@ -122,7 +122,7 @@ TEST(TimeLaw, brakes_first_where_the_start_is_too_fast) {
     EXPECT_DOUBLE_EQ(law.peak_speed(), 100);
 }
 
-TEST(TimeLaw, of_pieces_has_the_values_of_its_pieces) {
+TEST(TimeLaw, OfPiecesHasTheValuesOfItsPieces) {
     // Up by jerk and past the peak at 2 s, then constant speed; the piece without duration is not in it.
     const LawPiece pieces[] = {{3, 0, 1, 4, -2}, {0, 12, 4, 0, 0}, {2, 12, 4, 0, 0}};
     const TimeLaw law = TimeLaw::of_pieces(pieces);
@@ -138,7 +138,7 @@ TEST(TimeLaw, of_pieces_has_the_values_of_its_pieces) {
     EXPECT_EQ(TimeLaw::of_pieces({}).duration_s(), 0);
 }
 
-TEST(TimeLaw, of_pieces_copies_a_law) {
+TEST(TimeLaw, OfPiecesCopiesALaw) {
     const TimeLaw law = TimeLaw::between(70, 3, 5, {20, 15, 10, 40});
     const TimeLaw copy = TimeLaw::of_pieces(law.pieces());
     EXPECT_DOUBLE_EQ(copy.length(), 70);
@@ -180,7 +180,7 @@ void expect_law(const TimeLaw& law, const Case& c, double duration_s) {
     ASSERT_NEAR(law.at(duration_s).v, 0, 1e-9 * law.peak_speed()) << what();
 }
 
-TEST(TimeLaw, random_laws_keep_their_limits_and_their_time) {
+TEST(TimeLaw, RandomLawsKeepTheirLimitsAndTheirTime) {
     std::mt19937 random(21);
     for (int i = 0; i < 20'000; ++i) {
         const Case c = random_case(random);
@@ -194,7 +194,7 @@ TEST(TimeLaw, random_laws_keep_their_limits_and_their_time) {
     }
 }
 
-TEST(TimeLaw, distance_is_the_integral_of_the_speed) {
+TEST(TimeLaw, DistanceIsTheIntegralOfTheSpeed) {
     std::mt19937 random(22);
     for (int i = 0; i < 300; ++i) {
         const Case c = random_case(random);

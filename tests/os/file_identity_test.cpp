@@ -48,6 +48,17 @@ TEST_F(FileIdentityTest, OfAFileThatIsNotThereIsItsFoldersAndItsName) {
     EXPECT_FALSE(identity_of(folder_ / "no/b"));
 }
 
+// Systems give the number of a file that is gone to the next one.
+TEST_F(FileIdentityTest, IsNotThatOfAFileWhichIsMadeWhenItIsGone) {
+    for (int i = 0; i < 100; ++i) {
+        const auto gone = identity_of(folder_ / "a");
+        fs::remove(folder_ / "a");
+        std::ofstream(folder_ / "b") << "b";
+        EXPECT_NE(identity_of(folder_ / "b"), gone);
+        fs::rename(folder_ / "b", folder_ / "a");
+    }
+}
+
 TEST_F(FileIdentityTest, DevicesAndFoldersMayBeNamedTwice) {
     EXPECT_FALSE(identity_of("/dev/null"));
     EXPECT_FALSE(identity_of(folder_));

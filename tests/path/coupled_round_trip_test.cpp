@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/path_program.h"
 #include "codegen/post/post_file.h"
+#include "engine/inner/path_program.h"
 #include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 #include "tests/path/way.h"
@@ -67,10 +67,10 @@ void expect_tip_on_path(const PathFile& file, const Coupled& setup) {
         machine::load_machine(fmt::format("{}/machines/{}.toml", GSIM_SAMPLES, setup.machine)).value();
     const codegen::Post post = codegen::find_post(setup.post).value();
     const double digits = 2 * setup.digit_mm + 400 * setup.digit_deg * std::numbers::pi / 180;
-    apps::PathProgramOptions options;
+    engine::PathProgramOptions options;
     options.tolerance_mm = kTolerance_mm;
     options.name = "part";
-    const auto program = apps::PathProgram::plan(file, machine, post, options);
+    const auto program = engine::PathProgram::plan(file, machine, post, options);
     ASSERT_TRUE(program) << program.error();
     EXPECT_FALSE(program->notes().empty()) << "pieces are told of";
     std::string text;

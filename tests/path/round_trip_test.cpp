@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/path_program.h"
 #include "codegen/post/post_file.h"
+#include "engine/inner/path_program.h"
 #include "runtime/machine/machine_file.h"
 #include "tests/lua_lib/run.h"
 #include "tests/path/random_path.h"
@@ -37,8 +37,8 @@ machine::Machine without_rotary_axes() {
 }
 
 std::string written(const PathFile& file, const machine::Machine& machine, const codegen::Post& post,
-                    const apps::PathProgramOptions& options) {
-    const auto program = apps::PathProgram::plan(file, machine, post, options);
+                    const engine::PathProgramOptions& options) {
+    const auto program = engine::PathProgram::plan(file, machine, post, options);
     EXPECT_TRUE(program) << program.error();
     std::string text;
     if (program) {
@@ -171,7 +171,7 @@ TEST_P(RoundTrip, TheToolGoesWhereThePathSays) {
         RandomPathOptions kind;
         kind.orientations = controller.rotary_axes;
         const PathFile file{random_program(random, kind), "f", {}, {}};
-        apps::PathProgramOptions options;
+        engine::PathProgramOptions options;
         options.go_on = true;  // random paths have actions that are no words
         options.words = {controller.inch, controller.verbose};
         options.tolerance_mm = kTolerance_mm;

@@ -42,13 +42,13 @@ void expect_same_behind_the_interface(const Service& service, Status (Shell::*)(
     (std::make_index_sequence<kInputs>());
 }
 
-TEST(RcsCodec, what_services_take_comes_through_the_interface) {
+TEST(RcsCodec, WhatServicesTakeComesThroughTheInterface) {
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     expect_same_behind_the_interface<gsim_rcs_##input>(services::method, &Shell::method);
 #include "runtime/rrs/rcs_services.def"
 }
 
-TEST(RcsCodec, what_does_not_fit_is_told) {
+TEST(RcsCodec, WhatDoesNotFitIsTold) {
     gsim_rcs_target target{};
     const std::string fits(GSIM_RCS_NAME_SIZE - 1, 'n'), too_long(GSIM_RCS_NAME_SIZE, 'n');
     const auto put_named = [&](const std::string& configuration, const std::string& name) {
@@ -63,7 +63,7 @@ TEST(RcsCodec, what_does_not_fit_is_told) {
     EXPECT_EQ(put(many, std::span<const int>(), std::span<const double>(values))->subject, "");
 }
 
-TEST(RcsCodec, counts_out_of_range_are_not_followed) {
+TEST(RcsCodec, CountsOutOfRangeAreNotFollowed) {
     gsim_rcs_joint_values values{};
     EXPECT_TRUE(take<2>(values));
     for (const int count : {-1, GSIM_RCS_MAX_JOINTS + 1}) {
@@ -72,7 +72,7 @@ TEST(RcsCodec, counts_out_of_range_are_not_followed) {
     }
 }
 
-TEST(Services, have_numbers_of_their_own) {
+TEST(Services, HaveNumbersOfTheirOwn) {
     std::set<int> opcodes, of_rrs;
     std::size_t services = 0, in_rrs = 0;
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \

@@ -18,7 +18,7 @@ std::string why_not(const std::string& name) {
     return library ? "it was loaded" : library.error();
 }
 
-TEST(RcsHost, loads_a_module_and_makes_controllers_that_do_not_know_of_each_other) {
+TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
     auto library = RcsLibrary::load(module_path("small_module"), slides());
     ASSERT_TRUE(library.has_value()) << library.error();
     EXPECT_EQ((*library)->name(), "small_module.so");
@@ -35,7 +35,7 @@ TEST(RcsHost, loads_a_module_and_makes_controllers_that_do_not_know_of_each_othe
     EXPECT_EQ(one->call(9999, nullptr, nullptr), GSIM_RCS_NOT_SUPPORTED);
 }
 
-TEST(RcsHost, says_why_a_library_is_no_module) {
+TEST(RcsHost, SaysWhyALibraryIsNoModule) {
     EXPECT_THAT(why_not("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
     EXPECT_EQ(why_not("no_module"), "no_module.so is no controller module: it has no gsim_rcs_version");
     EXPECT_EQ(why_not("other_version"),
@@ -43,13 +43,13 @@ TEST(RcsHost, says_why_a_library_is_no_module) {
               "version 2");
 }
 
-TEST(RcsHost, says_why_a_module_makes_no_controller) {
+TEST(RcsHost, SaysWhyAModuleMakesNoController) {
     EXPECT_EQ(why_not("no_machine"),
               "no_machine.so makes no controller for this machine: It drives lathes alone.");
     EXPECT_EQ(why_not("no_initialize"), "no_initialize.so does not offer the service Initialize");
 }
 
-TEST(RcsHost, crash_while_loading_is_a_sentence) {
+TEST(RcsHost, CrashWhileLoadingIsASentence) {
     EXPECT_EQ(why_not("crash_on_load"),
               "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
     EXPECT_EQ(why_not("crash_in_create"),
@@ -60,7 +60,7 @@ TEST(RcsHost, crash_while_loading_is_a_sentence) {
               "the controller module ends_in_create.so ended the program while it was loaded");
 }
 
-TEST(RcsHost, no_answer_while_loading_is_a_sentence) {
+TEST(RcsHost, NoAnswerWhileLoadingIsASentence) {
     for (const char* const name : {"hangs_on_load", "hangs_in_create"}) {
         const auto library = RcsLibrary::load(module_path(name), slides(), 200);
         ASSERT_FALSE(library.has_value());
@@ -70,7 +70,7 @@ TEST(RcsHost, no_answer_while_loading_is_a_sentence) {
     }
 }
 
-TEST(RcsHost, what_is_no_library_is_a_sentence) {
+TEST(RcsHost, WhatIsNoLibraryIsASentence) {
     const std::string folder = testing::TempDir();
     const std::string text = folder + "/rcs_host_test_text.so";
     const std::string empty = folder + "/rcs_host_test_empty.so";

@@ -40,7 +40,7 @@ std::string message(RcsShell& shell) {
     return text;
 }
 
-TEST(RcsShell, module_moves_as_it_is_asked_to) {
+TEST(RcsShell, ModuleMovesAsItIsAskedTo) {
     RcsShell shell = ready("small_module");
     shell.SetCartesianPositionSpeed(100);
     shell.SetInitialPosition(CartPos::Identity(), at(1, 2, 3), "");
@@ -59,7 +59,7 @@ TEST(RcsShell, module_moves_as_it_is_asked_to) {
     EXPECT_FALSE(shell.fault());
 }
 
-TEST(RcsShell, missing_service_is_named_and_is_no_fault) {
+TEST(RcsShell, MissingServiceIsNamedAndIsNoFault) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.StopMotion(), Status::RRS_SERVICE_NOT_SUPPORTED);
     EXPECT_EQ(message(shell), "small_module.so does not offer the service StopMotion.");
@@ -70,7 +70,7 @@ TEST(RcsShell, missing_service_is_named_and_is_no_fault) {
 }
 
 /// A module that was compiled before a service got its opcode does not know it.
-TEST(RcsShell, opcodes_of_later_headers_are_missing_services) {
+TEST(RcsShell, OpcodesOfLaterHeadersAreMissingServices) {
     RcsShell shell = ready("small_module");
     const double value = 1;
     EXPECT_EQ(shell.SetRampMode(RampMode::s_curve), Status::RRS_SERVICE_NOT_SUPPORTED);
@@ -80,7 +80,7 @@ TEST(RcsShell, opcodes_of_later_headers_are_missing_services) {
     EXPECT_FALSE(shell.fault());
 }
 
-TEST(RcsShell, what_does_not_fit_the_interface_does_not_reach_the_module) {
+TEST(RcsShell, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.ModifyCellFrame(std::string(GSIM_RCS_NAME_SIZE, 'n'), CartPos::Identity()),
               Status::RRS_INVALID_PARAMETER);
@@ -96,7 +96,7 @@ struct BadAnswer {
 
 class RcsShellFaults : public testing::TestWithParam<BadAnswer> {};
 
-TEST_P(RcsShellFaults, bad_answer_to_a_step_is_a_fault_for_good) {
+TEST_P(RcsShellFaults, BadAnswerToAStepIsAFaultForGood) {
     RcsShell shell = ready(GetParam().module);
     shell.SetCartesianPositionSpeed(100);
     shell.SetNextTarget(1, TargetParam::end, CartPos::Identity(), at(5, 0, 0), "", 0);
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadAnswer{"breaks_down", "failed in GetNextStep: out of memory"}),
     [](const auto& param) { return std::string(param.param.module); });
 
-TEST(RcsShell, status_of_another_service_is_a_fault) {
+TEST(RcsShell, StatusOfAnotherServiceIsAFault) {
     RcsShell shell = ready("wrong_status");
     EXPECT_EQ(shell.SelectTargetType(TargetType::joint), Status::RRS_MODULE_FAULT);
     EXPECT_EQ(

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPlenty_ms = 10'000;
 
-TEST(RcsTrial, says_what_the_work_says_but_leaves_nothing_of_it_behind) {
+TEST(RcsTrial, SaysWhatTheWorkSaysButLeavesNothingOfItBehind) {
     int changed = 0;
     const std::string text = fmt::format("one line\nand another {:x>20000}", "");
     const auto said = run_trial(
@@ -28,7 +28,7 @@ TEST(RcsTrial, says_what_the_work_says_but_leaves_nothing_of_it_behind) {
     EXPECT_EQ(run_trial([] { return std::string(); }, kPlenty_ms).value(), "");
 }
 
-TEST(RcsTrial, crash_ends_the_child_alone) {
+TEST(RcsTrial, CrashEndsTheChildAlone) {
     const auto crash = [](int signal) {
         return run_trial(
             [signal]() -> std::string {
@@ -41,13 +41,13 @@ TEST(RcsTrial, crash_ends_the_child_alone) {
     EXPECT_EQ(crash(SIGABRT).error(), "crashed (signal 6)");
 }
 
-TEST(RcsTrial, work_that_ends_the_program_or_throws_has_not_been_done) {
+TEST(RcsTrial, WorkThatEndsTheProgramOrThrowsHasNotBeenDone) {
     EXPECT_EQ(run_trial([]() -> std::string { std::_Exit(0); }, kPlenty_ms).error(), "ended the program");
     EXPECT_EQ(run_trial([]() -> std::string { std::exit(0); }, kPlenty_ms).error(), "ended the program");
     EXPECT_EQ(run_trial([]() -> std::string { throw 1; }, kPlenty_ms).error(), "ended the program");
 }
 
-TEST(RcsTrial, work_without_end_is_ended) {
+TEST(RcsTrial, WorkWithoutEndIsEnded) {
     const auto said = run_trial(
         []() -> std::string {
             for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));

@@ -58,6 +58,7 @@ TEST(Services, EachExistsAndAnswersAStatus) {
                                   "StopMotion()",
                                   "ContinueMotion()",
                                   "CancelMotion()",
+                                  "GetCurrentTargetId()",
                                   "DefineEvent(1, 1, 0)",
                                   "CancelEvent(1)",
                                   "GetEvent(1)",

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "apps/word_table.h"
+#include "engine/inner/word_table.h"
 #include "runtime/cell/cell_file.h"
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/report.h"
@@ -67,7 +67,7 @@ std::string report_of(const Part& part, const std::function<void()>& pause) {
     simulator.add_output(pauses);
     Engine::Options options;
     options.dialect = part.dialect;
-    options.codes = apps::word_table(*grammar::dialect_named(part.dialect));
+    options.codes = engine::word_table(*grammar::dialect_named(part.dialect));
     Script script = Script::from_text(part.lua, "part.lua", 0);
     script.dialect = part.dialect;
     Engine engine(simulator, options);

@@ -27,21 +27,21 @@ std::optional<std::string> said_of_circle(double x, double y, double z,
     return watch.warning({"part.nc"});
 }
 
-TEST(CentripetalWatch, an_arc_may_take_all_that_its_axes_have) {
+TEST(CentripetalWatch, AnArcMayTakeAllThatItsAxesHave) {
     EXPECT_FALSE(said_of_circle(kAsked_mm_s2, kAsked_mm_s2, kAsked_mm_s2));
     EXPECT_THAT(said_of_circle(240, 300, 300).value_or(""), HasSubstr("250 mm/s2 of 240 in part.nc:7"));
     EXPECT_THAT(said_of_circle(300, 240, 300).value_or(""), HasSubstr("250 mm/s2 of 240"));
 }
 
-TEST(CentripetalWatch, axes_across_the_plane_do_not_count) {
+TEST(CentripetalWatch, AxesAcrossThePlaneDoNotCount) {
     EXPECT_FALSE(said_of_circle(300, 300, 1));
 }
 
-TEST(CentripetalWatch, a_circle_slows_each_axis_down_as_much_as_it_speeds_it_up) {
+TEST(CentripetalWatch, ACircleSlowsEachAxisDownAsMuchAsItSpeedsItUp) {
     EXPECT_THAT(said_of_circle(300, 300, 300, 200).value_or(""), HasSubstr("250 mm/s2 of 200"));
 }
 
-TEST(CentripetalWatch, an_axis_at_an_angle_to_the_plane_gives_its_share) {
+TEST(CentripetalWatch, AnAxisAtAnAngleToThePlaneGivesItsShare) {
     machine::Machine machine = af5();
     for (machine::Axis& axis : machine.axes) axis.max_acceleration = 1e6;
     machine.axes[2].max_acceleration = 200;  // of 250 sin(30 deg) = 125

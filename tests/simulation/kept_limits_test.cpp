@@ -118,7 +118,7 @@ TEST_P(KeptLimits, AtEachInstantAndOverWindows) {
         ASSERT_FALSE(report.alarm) << report.alarm->message;
         EXPECT_NEAR(samples.segments_s, report.cycle_time_s, 1e-6 + 1e-9 * report.cycle_time_s);
         expect_sums(samples, report, simulator.machine().controller.rest_s);
-        look_at(samples, planner_setup(simulator.machine()));
+        look_at(samples, setup_of_machine(simulator.machine()));
     }
 }
 

@@ -23,7 +23,7 @@ using testing::StartsWith;
 constexpr double kStep_s = 0.001;
 
 rrs::RcsModule module_of(const std::string& path, const machine::Machine& machine) {
-    const rcs::RcsMachine described(planner_setup(machine));
+    const rcs::RcsMachine described(setup_of_machine(machine));
     auto library = rrs::RcsLibrary::load(path, described.get());
     if (!library) throw std::runtime_error(library.error());
     return rrs::RcsModule::create(*library, described.get()).value();
@@ -67,7 +67,7 @@ class SmallModule : public testing::Test {
 };
 
 // The module moves at the programmed speed from the first instant to the last.
-TEST_F(SmallModule, moves_take_the_time_that_the_module_gives_them) {
+TEST_F(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
     simulator.move(line_to(300, 400));  // 500 mm at 100 mm/s
     simulator.dwell(2.5, {});
     simulator.move(line_to(300, 100, MoveKind::rapid));  // 300 mm at the machine's rapid speed
@@ -86,7 +86,7 @@ TEST_F(SmallModule, moves_take_the_time_that_the_module_gives_them) {
 }
 
 // More targets than the module's queue holds; the module does not tell of which target a step is.
-TEST_F(SmallModule, each_move_gets_its_own_steps) {
+TEST_F(SmallModule, EachMoveGetsItsOwnSteps) {
     constexpr int kMoves = 50;
     for (int i = 1; i <= kMoves; ++i) ASSERT_TRUE(simulator.move(line_to(10.0 * i, 0)));
     simulator.finish("p");
@@ -99,7 +99,7 @@ TEST_F(SmallModule, each_move_gets_its_own_steps) {
     }
 }
 
-TEST_F(SmallModule, missing_service_ends_the_run_with_its_name) {
+TEST_F(SmallModule, MissingServiceEndsTheRunWithItsName) {
     ArcMove arc;
     arc.target = AxisVector::Zero(5);
     arc.center_mm[0] = 10;
@@ -109,7 +109,7 @@ TEST_F(SmallModule, missing_service_ends_the_run_with_its_name) {
     EXPECT_EQ(simulator.alarm()->message, "small_module.so does not offer the service SetNextArcTarget.");
 }
 
-TEST_F(SmallModule, path_modes_it_lacks_are_a_warning) {
+TEST_F(SmallModule, PathModesItLacksAreAWarning) {
     simulator.set_path_mode(rrs::PathMode::continuous, 0, 0);
     simulator.move(line_to(10, 0));
     const Report report = simulator.finish("p");
@@ -124,7 +124,7 @@ std::string alarm_of(const std::string& module, RunLimits limits = {}) {
     return simulator.alarm() ? simulator.alarm()->message : "";
 }
 
-TEST(ModuleMotion, faults_end_the_run_and_name_module_and_service) {
+TEST(ModuleMotion, FaultsEndTheRunAndNameModuleAndService) {
     EXPECT_THAT(alarm_of("nan_answer"),
                 StartsWith("The controller module nan_answer.so answered GetNextStep with the value nan"));
     EXPECT_THAT(alarm_of("backwards"), HasSubstr("a time that runs backwards"));
@@ -136,7 +136,7 @@ TEST(ModuleMotion, faults_end_the_run_and_name_module_and_service) {
 }
 
 // Its targets lie within the ranges; half-way X is 10 m farther.
-TEST(ModuleMotion, a_step_past_a_range_is_a_violation) {
+TEST(ModuleMotion, AStepPastARangeIsAViolation) {
     Simulator simulator(fast_machine(), {}, test_module("overshoots"));
     LineMove move = line_to(10, 0);
     move.place.line = 7;
@@ -155,7 +155,7 @@ TEST(ModuleMotion, a_step_past_a_range_is_a_violation) {
     EXPECT_LT(violation.t_s, report.cycle_time_s);
 }
 
-TEST(ModuleMotion, a_step_past_a_range_is_an_alarm_where_the_first_one_ends_the_run) {
+TEST(ModuleMotion, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
     Simulator simulator(fast_machine(), {.stop_at_first = true}, test_module("overshoots"));
     bool goes_on = true;
     for (int i = 1; i <= 50 && goes_on; ++i) goes_on = simulator.move(line_to(10.0 * i, 0));
@@ -167,7 +167,7 @@ TEST(ModuleMotion, a_step_past_a_range_is_an_alarm_where_the_first_one_ends_the_
 }
 
 // This module has no ranges and goes anywhere.
-TEST(ModuleMotion, a_target_past_a_range_is_found_whatever_the_module_does) {
+TEST(ModuleMotion, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
     const double beyond_mm = fast_machine().axes[0].max + 10;
     Simulator stops(fast_machine(), {.stop_at_first = true}, test_module("small_module"));
     EXPECT_FALSE(stops.move(line_to(beyond_mm, 0)));
@@ -179,14 +179,14 @@ TEST(ModuleMotion, a_target_past_a_range_is_found_whatever_the_module_does) {
     EXPECT_EQ(report.violations.count, 1U) << "the target says it, so that its steps need not";
 }
 
-TEST(ModuleMotion, rapids_need_their_service) {
+TEST(ModuleMotion, RapidsNeedTheirService) {
     Simulator simulator(fast_machine(), {}, test_module("no_rapid"));
     EXPECT_TRUE(simulator.move(line_to(10, 0)));
     EXPECT_FALSE(simulator.move(line_to(0, 0, MoveKind::rapid)));
     EXPECT_EQ(simulator.alarm()->message, "no_rapid.so does not offer the service SetRapid.");
 }
 
-TEST(ModuleMotion, limit_of_machine_time_holds) {
+TEST(ModuleMotion, LimitOfMachineTimeHolds) {
     Simulator simulator(fast_machine(), {.max_time_s = 3}, test_module("small_module"));
     simulator.move(line_to(500, 0));
     const Report report = simulator.finish("p");
@@ -214,7 +214,7 @@ void put_program(Simulator& simulator) {
     simulator.event("m", "08", {});
 }
 
-TEST_P(DefaultModule, reports_what_it_reports_in_process_to_within_steps) {
+TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     machine::Machine machine = af5();
     machine.controller.planner = GetParam();
     machine.controller.rest_s = 0.01;

@@ -195,7 +195,7 @@ TEST(PathBound, TwoMotionsAtOnceCountNothing) {
 
 TEST(PathBound, AnOverrideOfTheFeedCounts) {
     const Times times = run(af5(), [](Simulator& s) {
-        s.controller().SetOverrideSpeed(150);
+        s.shell().SetOverrideSpeed(150);
         s.move(to(at(200, 0), 6000));
     });
     EXPECT_NEAR(times.bound_s, times.cycle_s, 1e-9);

@@ -52,6 +52,24 @@ TEST(PathThinner, StyleChangesWhereItChanges) {
     EXPECT_EQ(points[2].style, PathStyle::jet);
 }
 
+// X 100 mm in 2.5 s, Y by a law of its own in 1.5 s: the picture has the way that is driven.
+TEST(PlotData, JointsThatGoApartAreDrawnAsTheyGo) {
+    motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
+    segment.end = joints(100, 50);
+    segment.add_follower(1, 1, motion::TimeLaw::fastest(50, kSpeed_mm_s, kAcceleration_mm_s2));
+    segment.apart = motion::kApart | 3U;
+    const machine::Machine machine = af5();
+    PlotData data(machine);
+    data.begin(segment.start);
+    data.take(segment, {});
+    const std::vector<PathPoint> drawn = data.path();
+    for (int i = 0; i <= 50; ++i) {
+        const rrs::JointPos at = segment.position_at(segment.duration_s * i / 50);
+        EXPECT_LT(distance_to_polyline({at[0], at[1]}, drawn), 0.1) << i;
+    }
+    EXPECT_GT(distance_to_polyline({50, 25}, drawn), 10) << "the straight line";
+}
+
 TEST(PathThinner, LongPathStaysBoundedAndNear) {
     PathThinner thinner;
     std::vector<Vector2d> all;

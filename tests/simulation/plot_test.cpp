@@ -1,5 +1,3 @@
-#include "runtime/simulation/plot.h"
-
 #include <fstream>
 #include <iterator>
 
@@ -8,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/os/child_process.h"
+#include "engine/system/picture.h"
 #include "runtime/simulation/plot_script.h"
 #include "tests/simulation/test_segments.h"
 
@@ -15,6 +14,7 @@ namespace gsim::simulation::plot_test {
 namespace {
 
 namespace fs = std::filesystem;
+using engine::Picture;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -38,8 +38,10 @@ class PlotTest : public testing::Test {
         return {std::istreambuf_iterator<char>(file), {}};
     }
     tl::expected<void, std::string> draw(const fs::path& path, std::string_view title) const {
-        return Picture::named(path).and_then(
-            [&](const Picture& picture) { return picture.draw(data, title); });
+        return Picture::named(path).and_then([&](const Picture& picture) {
+            const auto format = picture.bitmap() ? PictureFormat::png : PictureFormat::svg;
+            return picture.draw(plot_script(data, format, title));
+        });
     }
     bool has_gnuplot() const {
         std::FILE* null = std::fopen("/dev/null", "r+");

@@ -44,7 +44,7 @@ class Posed {
   public:
     explicit Posed(const std::string& name)
         : machine(sample(name)),
-          setup(planner_setup(machine)),
+          setup(setup_of_machine(machine)),
           cell(cell::read_cell(kFrames, "frames.toml", machine).value(), machine),
           planner(setup) {
         planner.set_cell(cell);

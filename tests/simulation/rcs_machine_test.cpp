@@ -28,9 +28,9 @@ TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
                                    "mill-table-table", "arm6", "unlimited"}) {
         const machine::Machine machine =
             machine::load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
-        const motion::PlannerSetup setup = planner_setup(machine);
+        const motion::PlannerSetup setup = setup_of_machine(machine);
         const rcs::RcsMachine described(setup);
-        const auto told = rcs::planner_setup(described.get());
+        const auto told = rcs::setup_of_rcs_machine(described.get());
         ASSERT_TRUE(told) << name << ": " << told.error();
         ASSERT_EQ(told->kinematics->inverse_kind(), setup.kinematics->inverse_kind()) << name;
         for (int i = 0; i < 100; ++i) {
@@ -47,13 +47,14 @@ TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
 
 TEST(RcsMachine, RowsAreNumberedFromZeroUp) {
     const motion::PlannerSetup setup =
-        planner_setup(machine::read_machine(machine::built_in_machine_toml(), "").value());
+        setup_of_machine(machine::read_machine(machine::built_in_machine_toml(), "").value());
     gsim_rcs_machine described = rcs::RcsMachine(setup).get();
     described.parameter_count = 0;
     described.joints[1].row = 0;
-    EXPECT_EQ(rcs::planner_setup(described).error(), "The rows of the joints are not numbered from 0 up.");
+    EXPECT_EQ(rcs::setup_of_rcs_machine(described).error(),
+              "The rows of the joints are not numbered from 0 up.");
     described.joints[1].row = 7;
-    EXPECT_FALSE(rcs::planner_setup(described));
+    EXPECT_FALSE(rcs::setup_of_rcs_machine(described));
 }
 
 }  // namespace

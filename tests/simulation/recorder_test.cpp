@@ -224,7 +224,7 @@ TEST_F(RecorderTest, SumsOfManyMovesDoNotDrift) {
 TEST(Recorder, RecordsWhatThePlannerMakes) {
     const machine::Machine machine = af5();
     Recorder recorder(machine, joints(0, 0));
-    motion::DefaultPlanner planner(planner_setup(machine), &recorder);
+    motion::DefaultPlanner planner(setup_of_machine(machine), &recorder);
     ASSERT_EQ(planner.Initialize(), rrs::Status{});
     planner.SelectTargetType(rrs::TargetType::joint);
     planner.SetInitialPosition(rrs::CartPos::Identity(), joints(0, 0), "");

@@ -30,7 +30,7 @@ class EachPlanner : public testing::TestWithParam<PlannerKind> {
     }
 };
 
-TEST_P(EachPlanner, moves_that_a_controller_holds_back_count_against_the_limit_of_time) {
+TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
     Simulator simulator(machine(), {.max_time_s = 60});
     simulator.move(line(100, 6000));
     EXPECT_FALSE(simulator.alarm());
@@ -41,13 +41,13 @@ TEST_P(EachPlanner, moves_that_a_controller_holds_back_count_against_the_limit_o
     EXPECT_THAT(report.alarm->message, HasSubstr("60 s of machine time"));
 }
 
-TEST_P(EachPlanner, a_run_within_the_limit_completes) {
+TEST_P(EachPlanner, ARunWithinTheLimitCompletes) {
     Simulator simulator(machine(), {.max_time_s = 60});
     simulator.move(line(100, 6000));
     EXPECT_EQ(simulator.finish("p").status, RunStatus::completed);
 }
 
-TEST_P(EachPlanner, limit_jerk_without_effect_is_told) {
+TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
     machine::Machine with = machine();
     with.controller.limit_jerk = true;
     Simulator without_jerks(with, {});

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdio>
-#include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "runtime/simulation/text_stream.h"
 
@@ -11,25 +10,18 @@ namespace gsim::simulation {
 /// A TextStream whose text ends up in a string.
 class StringStream {
   public:
-    StringStream() : file_(::open_memstream(&data_, &size_)), out_(file_) {}
-    StringStream(const StringStream&) = delete;
-    StringStream& operator=(const StringStream&) = delete;
-    ~StringStream() {
-        std::fclose(file_);
-        std::free(data_);
-    }
-
     TextStream& out() { return out_; }
     std::string text() {
-        (void)out_.flush();
-        return {data_, size_};
+        out_.flush();
+        return text_;
     }
 
   private:
-    char* data_ = nullptr;
-    std::size_t size_ = 0;
-    std::FILE* file_;
-    TextStream out_;
+    std::string text_;
+    TextStream out_{[this](std::string_view piece) {
+        text_ += piece;
+        return true;
+    }};
 };
 
 }  // namespace gsim::simulation

@@ -32,7 +32,7 @@ PlannerSetup sample(const std::string& name, PlannerKind planner = PlannerKind::
         machine::load_machine(fmt::format("{}/machines/{}.toml", GSIM_SAMPLES, name)).value();
     machine.controller.planner = planner;
     machine.controller.corner = rrs::CornerRule::velocity_step;
-    return simulation::planner_setup(machine);
+    return simulation::setup_of_machine(machine);
 }
 
 JointPos joints_of(const std::vector<double>& mm_and_deg, const PlannerSetup& setup) {
@@ -136,7 +136,7 @@ class TipControl : public testing::TestWithParam<std::tuple<Case, PlannerKind>> 
     ToolRun run;
 };
 
-TEST_P(TipControl, a_line_is_one_of_the_tip_with_the_feed_as_its_speed) {
+TEST_P(TipControl, ALineIsOneOfTheTipWithTheFeedAsItsSpeed) {
     const Vector3d from = run.tip(run.planner.position());
     const Vector3d to = run.tip(end());
     run.planner.SetCartesianPositionSpeed(5);
@@ -166,14 +166,14 @@ TEST_P(TipControl, a_line_is_one_of_the_tip_with_the_feed_as_its_speed) {
     expect_limits_held(run);
 }
 
-TEST_P(TipControl, a_feed_that_joints_cannot_follow_gives_way_to_their_limits) {
+TEST_P(TipControl, AFeedThatJointsCannotFollowGivesWayToTheirLimits) {
     run.planner.SetCartesianPositionSpeed(1e4);
     ASSERT_EQ(run.to(end()), Status::RRS_SUCCESS) << run.message();
     run.planner.flush();
     expect_limits_held(run);
 }
 
-TEST_P(TipControl, rotary_axes_alone_turn_about_the_tip) {
+TEST_P(TipControl, RotaryAxesAloneTurnAboutTheTip) {
     JointPos target = run.planner.position();
     const Vector3d tip = run.tip(target);
     for (int joint = 0; joint < run.setup.joint_count(); ++joint)
@@ -195,7 +195,7 @@ TEST_P(TipControl, rotary_axes_alone_turn_about_the_tip) {
     for (const Segment& segment : run.kept.segments) EXPECT_EQ(segment.length_mm, 0);
 }
 
-TEST_P(TipControl, an_arc_is_one_of_the_tip) {
+TEST_P(TipControl, AnArcIsOneOfTheTip) {
     const Vector3d from = run.tip(run.planner.position());
     const Vector3d center = from + Vector3d(0, 20, 0);
     JointPos target = end();  // a half circle about Z of the work, while the axes turn
@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(
                         Case{"gantry-offset-head", {900, 800, 300, 10, 20}, {1000, 900, 350, 90, -40}}),
         testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc)));
 
-TEST(ToolMoves, an_inverse_time_feed_is_the_time_of_the_whole_way) {
+TEST(ToolMoves, AnInverseTimeFeedIsTheTimeOfTheWholeWay) {
     const PlannerSetup setup = sample("mill-table-table", PlannerKind::look_ahead);
     ToolRun run(setup, joints_of({20, -30, 150, -10, 20}, setup));
     run.control_tip(Vector3d::Zero());
@@ -233,7 +233,7 @@ TEST(ToolMoves, an_inverse_time_feed_is_the_time_of_the_whole_way) {
     EXPECT_NEAR(run.kept.end_s(), 30, 0.1);
 }
 
-TEST(ToolMoves, moves_in_one_direction_go_on_without_a_stop) {
+TEST(ToolMoves, MovesInOneDirectionGoOnWithoutAStop) {
     const PlannerSetup setup = sample("mill-head-table", PlannerKind::look_ahead);
     ToolRun run(setup, joints_of({20, -30, 150, 10, 20}, setup));
     run.control_tip(Vector3d::Zero());
@@ -255,14 +255,14 @@ TEST(ToolMoves, moves_in_one_direction_go_on_without_a_stop) {
     EXPECT_GT(slowest, 4.9);
 }
 
-TEST(ToolMoves, one_without_three_slides_has_no_tool_centre_point_control) {
+TEST(ToolMoves, OneWithoutThreeSlidesHasNoToolCentrePointControl) {
     const PlannerSetup setup = sample("arm6");
     ToolRun run(setup, joints_of({0, 45, -45, 0, 30, 0}, setup));
     EXPECT_EQ(run.planner.SetTipControl(true, Vector3d::Zero()), Status::RRS_MODE_NOT_SUPPORTED);
     EXPECT_EQ(run.planner.SetTipControl(false, Vector3d::Zero()), Status::RRS_SUCCESS);
 }
 
-TEST(ToolMoves, a_place_on_the_way_out_of_range_is_named) {
+TEST(ToolMoves, APlaceOnTheWayOutOfRangeIsNamed) {
     const PlannerSetup setup = sample("mill-table-table");
     ToolRun run(setup, joints_of({0, 0, 100, 0, 0}, setup));
     run.control_tip(Vector3d::Zero());
@@ -295,7 +295,7 @@ class Arm : public testing::TestWithParam<PlannerKind> {
     rrs::CartPos start;
 };
 
-TEST_P(Arm, a_linear_target_is_a_line_in_space_and_the_tool_turns_evenly) {
+TEST_P(Arm, ALinearTargetIsALineInSpaceAndTheToolTurnsEvenly) {
     rrs::CartPos end = start;
     end.translation() += Vector3d(-120, 150, 80);
     end.rotate(Eigen::AngleAxisd(0.8, Vector3d(1, 2, -1).normalized()));
@@ -323,7 +323,7 @@ TEST_P(Arm, a_linear_target_is_a_line_in_space_and_the_tool_turns_evenly) {
     expect_limits_held(run);
 }
 
-TEST_P(Arm, an_arc_through_a_point_is_an_arc_in_space) {
+TEST_P(Arm, AnArcThroughAPointIsAnArcInSpace) {
     rrs::CartPos via = start;
     rrs::CartPos end = start;
     via.translation() += Vector3d(-30, 30, 0);
@@ -341,7 +341,7 @@ TEST_P(Arm, an_arc_through_a_point_is_an_arc_in_space) {
     expect_limits_held(run);
 }
 
-TEST_P(Arm, near_a_singular_stance_the_feed_gives_way_to_the_joints) {
+TEST_P(Arm, NearASingularStanceTheFeedGivesWayToTheJoints) {
     ToolRun near(setup, joints_of({0, 45, -60, 0, 2, 0}, setup));  // the wrist is almost straight
     near.planner.SelectTargetType(rrs::TargetType::cartesian);
     near.planner.SelectMotionType(rrs::MotionType::linear);
@@ -355,7 +355,7 @@ TEST_P(Arm, near_a_singular_stance_the_feed_gives_way_to_the_joints) {
     expect_limits_held(near, 0.03);
 }
 
-TEST_P(Arm, a_way_out_of_reach_is_named) {
+TEST_P(Arm, AWayOutOfReachIsNamed) {
     rrs::CartPos end = start;
     end.translation() += Vector3d(2000, 0, 0);
     EXPECT_EQ(to(end), Status::RRS_NO_SOLUTION);

@@ -149,7 +149,7 @@ TEST(WorkFramesOfCells, TargetsAreOnTheTableThatCarriesTheWork) {
 }
 
 TEST(WorkFramesOfCells, WithoutACellThereAreNone) {
-    motion::DefaultPlanner planner(planner_setup(sample("af5")));
+    motion::DefaultPlanner planner(setup_of_machine(sample("af5")));
     planner.Initialize();
     EXPECT_EQ(planner.SelectWorkFrames("tool", "world"), Status::RRS_SERVICE_NOT_SUPPORTED);
 }

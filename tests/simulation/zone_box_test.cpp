@@ -37,7 +37,7 @@ void expect_offence(const std::optional<BoxOffence>& offence, double t_s, std::s
     EXPECT_FALSE(offence->at_start);
 }
 
-TEST(ZoneBox, a_line_enters_where_the_last_axis_comes_in) {
+TEST(ZoneBox, ALineEntersWhereTheLastAxisComesIn) {
     const motion::Segment way = line(1, 0, joints(0, 0), joints(80, 60));
     expect_offence(box(false, {8, 100}, {-10, 100}).first_offence(way), time_at(10), 0, false);
     expect_offence(box(false, {8, 100}, {30, 100}).first_offence(way), time_at(50), 1, false);
@@ -45,20 +45,20 @@ TEST(ZoneBox, a_line_enters_where_the_last_axis_comes_in) {
     EXPECT_FALSE(box(false, {0, 40}, {31, 40}).first_offence(way)) << "past the corner at 40, 30";
 }
 
-TEST(ZoneBox, a_line_through_an_edge_touches_the_box) {
+TEST(ZoneBox, ALineThroughAnEdgeTouchesTheBox) {
     const motion::Segment way = line(1, 0, joints(0, 0), joints(80, 60));
     expect_offence(box(false, {20, 40}, {30, 50}).first_offence(way), time_at(50), 1, false);
     EXPECT_FALSE(box(false, {20, 40}, {30.00001, 50}).first_offence(way));
 }
 
-TEST(ZoneBox, a_line_leaves_where_the_first_axis_goes_out) {
+TEST(ZoneBox, ALineLeavesWhereTheFirstAxisGoesOut) {
     const motion::Segment way = line(1, 0, joints(0, 0), joints(80, 60));
     expect_offence(box(true, {-1, 40}, {-1, 31}).first_offence(way), time_at(50), 0, true);
     expect_offence(box(true, {-1, 40}, {-1, 27}).first_offence(way), time_at(45), 1, true);
     EXPECT_FALSE(box(true, {0, 80}, {0, 60}).first_offence(way)) << "on its walls";
 }
 
-TEST(ZoneBox, what_is_forbidden_from_the_start_passes_no_wall) {
+TEST(ZoneBox, WhatIsForbiddenFromTheStartPassesNoWall) {
     const motion::Segment way = line(1, 0, joints(0, 0), joints(80, 60));
     const auto inside = box(false, {-1, 100}, {-2, 100}).first_offence(way);
     ASSERT_TRUE(inside);
@@ -67,7 +67,7 @@ TEST(ZoneBox, what_is_forbidden_from_the_start_passes_no_wall) {
     EXPECT_TRUE(box(true, {1, 100}, {-2, 100}).first_offence(way)->at_start);
 }
 
-TEST(ZoneBox, an_arc_enters_at_its_angle) {
+TEST(ZoneBox, AnArcEntersAtItsAngle) {
     const motion::Segment way = arc(1, 0, 0, 0, 40, 0, 360);
     const double deg = std::numbers::pi / 180;
     // y = 40 sin(phi) reaches 20 at 30 degrees, and again at 150 on its way down.
@@ -78,14 +78,14 @@ TEST(ZoneBox, an_arc_enters_at_its_angle) {
     EXPECT_FALSE(box(false, {30, 100}, {30, 100}).first_offence(way)) << "in the corner of its square";
 }
 
-TEST(ZoneBox, an_arc_leaves_at_its_angle) {
+TEST(ZoneBox, AnArcLeavesAtItsAngle) {
     const motion::Segment way = arc(1, 0, 0, 0, 40, 0, 360);
     const double angle = std::acos(-39.9 / 40);
     expect_offence(box(true, {-39.9, 50}, {-50, 50}).first_offence(way), time_at(40 * angle), 0, false);
     EXPECT_FALSE(box(true, {-40, 40}, {-40, 40}).first_offence(way)) << "it touches all four walls";
 }
 
-TEST(ZoneBox, a_helix_enters_when_it_is_high_enough_and_where_the_box_is) {
+TEST(ZoneBox, AHelixEntersWhenItIsHighEnoughAndWhereTheBoxIs) {
     motion::Segment way = arc(1, 0, 0, 0, 10, 0, 3600);
     way.arc.lift = {0, 0, 100};
     way.end = joints(10, 0, 100);
@@ -104,7 +104,7 @@ TEST(ZoneBox, a_helix_enters_when_it_is_high_enough_and_where_the_box_is) {
 }
 
 // Two motions at once, of which one takes x back.
-TEST(ZoneBox, two_motions_at_once_enter_at_the_root_of_their_sum) {
+TEST(ZoneBox, TwoMotionsAtOnceEnterAtTheRootOfTheirSum) {
     const motion::LawPiece slowing{1, 0, 50, -50, 0};
     const motion::LawPiece gaining{1, 0, 0, 50, 0};
     motion::Segment way;
@@ -127,7 +127,7 @@ TEST(ZoneBox, two_motions_at_once_enter_at_the_root_of_their_sum) {
 }
 
 // A circle in the frame of a conveyor: an arc, and a straight motion at once.
-TEST(ZoneBox, an_arc_on_a_conveyor_passes_walls_where_both_ways_together_do) {
+TEST(ZoneBox, AnArcOnAConveyorPassesWallsWhereBothWaysTogetherDo) {
     motion::Segment way = arc(1, 0, 0, 0, 40, 0, 720);
     const motion::LawPiece steady{way.duration_s, 0, 10, 0, 0};
     auto belt = std::make_shared<motion::Segment>(line(1, 0, joints(0, 0), joints(10 * way.duration_s, 0)));
@@ -155,7 +155,7 @@ TEST(ZoneBox, an_arc_on_a_conveyor_passes_walls_where_both_ways_together_do) {
                    1, false);
 }
 
-TEST(ZoneBox, beside_a_law_of_its_own_an_axis_passes_its_wall_by_that) {
+TEST(ZoneBox, BesideALawOfItsOwnAnAxisPassesItsWallByThat) {
     motion::Segment way = line(1, 0, joints(0, 0), joints(100, 0));
     const double duration_s = way.duration_s;
     const motion::LawPiece steady{duration_s, 0, 30 / duration_s, 0, 0};

@@ -105,7 +105,7 @@ struct Case {
 
 class ZonesWithEachPlanner : public testing::TestWithParam<Case> {};
 
-TEST_P(ZonesWithEachPlanner, end_the_run_at_the_first_instant_that_is_not_allowed) {
+TEST_P(ZonesWithEachPlanner, EndTheRunAtTheFirstInstantThatIsNotAllowed) {
     int hits = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -173,7 +173,7 @@ void expect_entries(const machine::Zone& zone, const Collected& run, const std::
     }
 }
 
-TEST_P(ZonesWithEachPlanner, or_else_list_each_entry_and_change_nothing) {
+TEST_P(ZonesWithEachPlanner, OrElseListEachEntryAndChangeNothing) {
     std::size_t entries = 0;
     for (unsigned seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -241,7 +241,7 @@ Simulator& with_look_ahead(std::unique_ptr<Simulator>& simulator) {
     return *simulator;
 }
 
-TEST(ZoneWatch, the_alarm_names_the_block_of_the_motion_not_the_one_that_is_read) {
+TEST(ZoneWatch, TheAlarmNamesTheBlockOfTheMotionNotTheOneThatIsRead) {
     std::unique_ptr<Simulator> owner;
     Simulator& simulator = with_look_ahead(owner);
     simulator.watch_zones(security_zone(100, 200));
@@ -268,7 +268,7 @@ TEST(ZoneWatch, the_alarm_names_the_block_of_the_motion_not_the_one_that_is_read
     EXPECT_NEAR(report.bounds[0].max, 100, 1e-9);
 }
 
-TEST(ZoneWatch, switches_hold_from_the_next_target_on) {
+TEST(ZoneWatch, SwitchesHoldFromTheNextTargetOn) {
     for (const bool on_behind : {true, false}) {
         std::unique_ptr<Simulator> owner;
         Simulator& simulator = with_look_ahead(owner);
@@ -286,7 +286,7 @@ TEST(ZoneWatch, switches_hold_from_the_next_target_on) {
     }
 }
 
-TEST(ZoneWatch, the_tools_end_counts_with_the_offset_of_its_move) {
+TEST(ZoneWatch, TheToolsEndCountsWithTheOffsetOfItsMove) {
     Simulator simulator(af5(), {.stop_at_first = true});
     simulator.watch_zones(security_zone(100, 200));
     simulator.move(line_to(90, 0, {0, 1}));
@@ -300,7 +300,7 @@ TEST(ZoneWatch, the_tools_end_counts_with_the_offset_of_its_move) {
     EXPECT_NEAR(report.bounds[0].max, 130, 1e-9);
 }
 
-TEST(ZoneWatch, a_tool_that_stands_where_it_must_not_ends_the_run_where_the_zone_begins_to_hold) {
+TEST(ZoneWatch, AToolThatStandsWhereItMustNotEndsTheRunWhereTheZoneBeginsToHold) {
     Simulator simulator(af5(), {.stop_at_first = true});
     simulator.watch_zones(security_zone(100, 200));
     simulator.switch_zones(2, false);
@@ -315,7 +315,7 @@ TEST(ZoneWatch, a_tool_that_stands_where_it_must_not_ends_the_run_where_the_zone
     EXPECT_EQ(report.cycle_time_s, stands_s);
 }
 
-TEST(ZoneWatch, walls_on_an_axis_that_the_machine_has_not_are_left_out_with_a_warning) {
+TEST(ZoneWatch, WallsOnAnAxisThatTheMachineHasNotAreLeftOutWithAWarning) {
     machine::Machine machine = af5();
     for (machine::Axis& axis : machine.axes) axis.letter = axis.letter == 'X' ? 'U' : axis.letter;
     Simulator simulator(machine, {});

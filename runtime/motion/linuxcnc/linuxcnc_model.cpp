@@ -58,6 +58,7 @@ Planned LinuxcncModel::add_whole(const PathMove& move) {
         take(*std::move(piece));
         return {};
     }
+    // LinuxCNC merges an arc that is hardly bent as two lines over its middle.
     if (move.kind == SegmentKind::circular) {
         const PathMove first = linuxcnc::line_to_middle(move, axes_);
         merge(first);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "apps/command_line.h"
+#include "engine/request.h"
+
+namespace gsim::apps {
+
+/// --dialect and --unknown.
+void add_language_options(CommandLine& line, engine::LanguageChoice& choice);
+
+}  // namespace gsim::apps

@@ -1,0 +1,150 @@
+#include "apps/run_files.h"
+
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "apps/machine_data_file.h"
+#include "base/os/file_identity.h"
+#include "base/os/output_file.h"
+
+namespace gsim::apps {
+
+namespace {
+
+struct Written {
+    std::string option;
+    std::string name;
+};
+
+/// What the run of one robot writes; of several, what they write together is not among it.
+std::vector<Written> written_by(const RunArguments& arguments, const OutputNames& outputs) {
+    std::vector<Written> written;
+    const auto add = [&](const char* option, const std::string& name) {
+        if (!name.empty()) written.push_back({option, name});
+    };
+    for (const OutputNames::File& file : OutputNames::files()) add(file.option, outputs.*file.name);
+    if (arguments.request.robots.empty()) {
+        add("--sarif", arguments.findings.sarif);
+        add("--variables", arguments.request.variables);
+    }
+    return written;
+}
+
+std::optional<std::string> conflict(const std::vector<Written>& written, const engine::Run::NamedFile& file) {
+    const auto identity = os::identity_of(file.name);
+    if (!identity) return std::nullopt;
+    for (const Written& output : written) {
+        if (os::identity_of(output.name) != identity) continue;
+        if (file.robot.empty()) {
+            return fmt::format("{} '{}' is {}, which would be overwritten; give it another name",
+                               output.option, output.name, file.what);
+        }
+        return fmt::format("'{}', of the robot {}, is {}, too; give one of them another name", output.name,
+                           file.robot, file.what);
+    }
+    return std::nullopt;
+}
+
+/// All files that a robot must not write.
+std::vector<engine::Run::NamedFile> others_of(const RunArguments& arguments, const engine::Run& run,
+                                              const std::string& robot) {
+    std::vector<engine::Run::NamedFile> others = {
+        {arguments.outputs.report, "the report", robot},
+        {arguments.request.program, "the program", robot},
+        {arguments.request.robots, "the file of robots", robot},
+        {arguments.request.setup, "the setup", robot},
+    };
+    for (engine::Run::NamedFile& file : run.named_files()) {
+        if (file.robot == robot) others.push_back(std::move(file));
+    }
+    return others;
+}
+
+}  // namespace
+
+std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, const engine::Run& run) {
+    if (arguments.request.robots.empty()) {
+        const auto written = written_by(arguments, arguments.outputs);
+        for (const auto& file : run.named_files()) {
+            if (auto sentence = conflict(written, file)) return sentence;
+        }
+        return std::nullopt;
+    }
+    for (const std::string& robot : run.robots()) {
+        const auto written = written_by(arguments, arguments.outputs.of_robot(robot));
+        for (const auto& file : others_of(arguments, run, robot)) {
+            if (auto sentence = conflict(written, file)) return sentence;
+        }
+    }
+    return std::nullopt;
+}
+
+tl::expected<RunOutputs, std::string> RunOutputs::open(const RunArguments& arguments, engine::Run& run) {
+    RunOutputs all;
+    const auto add = [&](const OutputNames& names, std::size_t robot) {
+        return Outputs::open(names, run, robot).map([&](std::unique_ptr<Outputs> outputs) {
+            all.outputs_.push_back(std::move(outputs));
+        });
+    };
+    if (arguments.request.robots.empty())
+        return add(arguments.outputs, 0).map([&] { return std::move(all); });
+    for (std::size_t i = 0; i < run.robots().size(); ++i) {
+        if (auto added = add(arguments.outputs.of_robot(run.robots()[i]), i); !added)
+            return tl::unexpected(added.error());
+    }
+    OutputNames of_all;
+    of_all.report = arguments.outputs.report;
+    return add(of_all, 0).map([&] { return std::move(all); });
+}
+
+tl::expected<void, std::string> RunOutputs::commit(const engine::Report& report) {
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+        const bool of_robot = i < report.robots.size();
+        if (auto committed = outputs_[i]->commit(of_robot ? report.robots[i] : report); !committed)
+            return committed;
+    }
+    return {};
+}
+
+// In one order, so that two runs with the same two files do not wait for each other.
+tl::expected<void, std::string> KeptFiles::lock(const RunArguments& arguments, const engine::Run& run) {
+    std::set<std::string> files;
+    if (!arguments.request.variables.empty()) files.insert(arguments.request.variables);
+    const auto saved = os::identity_of(arguments.save_machine_data);
+    in_place_ = saved && saved == os::identity_of(run.request().machine_data);
+    if (in_place_) files.insert(arguments.save_machine_data);
+    for (const std::string& file : files) {
+        auto lock = lock_to_change(file, arguments.wait_s);
+        if (!lock) return tl::unexpected(lock.error());
+        locks_.push_back(*std::move(lock));
+    }
+    return {};
+}
+
+tl::expected<void, std::string> KeptFiles::check(const RunArguments& arguments) {
+    for (const std::string* file : {&arguments.request.variables, &arguments.save_machine_data}) {
+        if (file->empty()) continue;
+        if (auto writable = os::OutputFile::check(*file); !writable) return writable;
+    }
+    return {};
+}
+
+tl::expected<void, std::string> KeptFiles::write(const RunArguments& arguments,
+                                                 const engine::Run& run) const {
+    tl::expected<void, std::string> kept;
+    const auto sentence_of = [](const engine::Failure& failure) { return failure.message; };
+    if (const std::string& file = arguments.request.variables; !file.empty()) {
+        kept = run.variables().map_error(sentence_of).and_then([&](const std::string& text) {
+            return save_text(file, text);
+        });
+    }
+    const std::string& file = arguments.save_machine_data;
+    if (!kept || file.empty()) return kept;
+    const auto data = run.machine_data();
+    if (!data) return tl::unexpected(fmt::format("{} is not written: {}", file, data.error().message));
+    return in_place_ ? save_text(file, *data) : replace_text(file, *data, arguments.wait_s);
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstring>
+#include <type_traits>
+
+namespace gsim {
+
+/// The bytes of a value as a value of another type of the same size: std::bit_cast, which libc++ has since
+/// version 14 only.
+template <typename To, typename From>
+To bits_as(const From& from) {
+    static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> &&
+                  std::is_trivially_copyable_v<From>);
+    To to{};
+    std::memcpy(&to, &from, sizeof to);
+    return to;
+}
+
+}  // namespace gsim

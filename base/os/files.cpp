@@ -1,0 +1,89 @@
+#include "base/os/files.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace gsim::os {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class DiskFiles final : public Files {
+  public:
+    tl::expected<std::string, std::string> read(const std::filesystem::path& path, NamedBy named_by,
+                                                std::size_t max_bytes) const override {
+        return read_input(path, named_by, max_bytes);
+    }
+
+    std::optional<std::string> find_fault(const std::filesystem::path& path) const override {
+        std::error_code fault;
+        static_cast<void>(std::filesystem::file_size(path, fault));
+        return fault ? std::optional(fault.message()) : std::nullopt;
+    }
+
+    bool has(const fs::path& path) const override {
+        std::error_code ignored;
+        return fs::is_regular_file(path, ignored);
+    }
+
+    bool is_absent(const fs::path& path) const override {
+        std::error_code error;
+        return !fs::exists(path, error) && !error;
+    }
+
+    bool are_one(const fs::path& a, const fs::path& b) const override {
+        std::error_code ignored;
+        return fs::equivalent(a, b, ignored);
+    }
+
+    bool is_within(const fs::path& folder, const fs::path& name) const override {
+        std::error_code no_folder;
+        std::error_code no_file;
+        const fs::path inside = fs::canonical(folder, no_folder);
+        const fs::path file = fs::canonical(folder / name, no_file);
+        const auto [end, unused] = std::mismatch(inside.begin(), inside.end(), file.begin(), file.end());
+        return !no_folder && !no_file && end == inside.end();
+    }
+
+    bool are_of_system() const override { return true; }
+};
+
+}  // namespace
+
+tl::expected<std::string, std::string> Files::read_text(const std::filesystem::path& path,
+                                                        NamedBy named_by) const {
+    return read(path, named_by, kMaxTextFileBytes);
+}
+
+const Files& disk() {
+    static const DiskFiles files;
+    return files;
+}
+
+tl::expected<std::string, std::string> GivenFiles::read(const std::filesystem::path& path,
+                                                        NamedBy /*named_by*/, std::size_t max_bytes) const {
+    std::optional<std::string> bytes = give_(path.lexically_normal().string());
+    if (!bytes) return tl::unexpected("cannot read '" + path.string() + "': there is no such file");
+    if (bytes->size() > max_bytes) return tl::unexpected(too_large(path, max_bytes));
+    return *std::move(bytes);
+}
+
+std::optional<std::string> GivenFiles::find_fault(const std::filesystem::path& /*path*/) const {
+    return std::nullopt;
+}
+
+bool GivenFiles::has(const std::filesystem::path& path) const {
+    return give_(path.lexically_normal().string()).has_value();
+}
+
+bool GivenFiles::are_one(const std::filesystem::path& a, const std::filesystem::path& b) const {
+    return a.lexically_normal() == b.lexically_normal();
+}
+
+bool GivenFiles::is_within(const std::filesystem::path& /*folder*/, const std::filesystem::path& name) const {
+    const fs::path plain = name.lexically_normal();
+    return plain.is_relative() && (plain.empty() || *plain.begin() != "..");
+}
+
+}  // namespace gsim::os

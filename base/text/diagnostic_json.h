@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "base/text/diagnostic.h"
+
+namespace gsim::text {
+
+/// Diagnostics as reports have them: file, line, column, end_column, severity, code, text, hint; what is not
+/// known is null.
+nlohmann::ordered_json to_json(std::span<const Diagnostic> diagnostics);
+
+}  // namespace gsim::text

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+namespace gsim::engine {
+
+/// Ends work from anywhere: another thread, a signal, a callback of the work itself. Copies are one.
+class Cancel {
+  public:
+    void now() { *asked_ = true; }
+    bool asked() const { return *asked_; }
+
+    /// For the library itself.
+    std::shared_ptr<const std::atomic<bool>> flag() const { return asked_; }
+
+  private:
+    std::shared_ptr<std::atomic<bool>> asked_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+}  // namespace gsim::engine

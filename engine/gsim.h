@@ -1,0 +1,205 @@
+#ifndef GSIM_H
+#define GSIM_H
+
+/* The engine of gsim for C, and for whatever calls C. Handles are opaque; texts are UTF-8 and end in a zero
+ * byte; what a function returns belongs to its handle and holds until the handle's next call, unless it says
+ * otherwise. Functions that can fail return GSIM_OK or another status; gsim_run_error() has the sentence. A
+ * handle is for one thread at a time, gsim_run_cancel() excepted. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#pragma GCC visibility push(default)
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Grows with what is added; what there is stays. */
+#define GSIM_API_VERSION 1
+
+#define GSIM_MOST_AXES 16
+
+/* Statuses. */
+#define GSIM_OK 0
+#define GSIM_REFUSED 1 /* The program has errors: they have been told. */
+#define GSIM_FAILED 2  /* A file, an argument, a lack of memory. */
+
+/* How a run ended. */
+#define GSIM_COMPLETED 0
+#define GSIM_VIOLATIONS 1 /* At its end, past limits of the machine. */
+#define GSIM_STOPPED 2    /* By a limit of the run, or gsim_run_cancel(). */
+#define GSIM_ALARM 3
+
+/* Severities. */
+#define GSIM_ERROR 0
+#define GSIM_WARNING 1
+#define GSIM_NOTE 2
+
+/* Kinds of moves. */
+#define GSIM_RAPID 0
+#define GSIM_LINEAR 1
+#define GSIM_ARC_CW 2
+#define GSIM_ARC_CCW 3
+#define GSIM_DWELL 4
+#define GSIM_PROBE 5
+#define GSIM_THREAD 6
+#define GSIM_SPLINE 7
+
+/* Kinds of segments. */
+#define GSIM_JOINT_SEGMENT 0
+#define GSIM_LINEAR_SEGMENT 1
+#define GSIM_CIRCULAR_SEGMENT 2
+#define GSIM_REST_SEGMENT 3
+
+typedef struct gsim_request gsim_request;
+typedef struct gsim_run gsim_run;
+typedef struct gsim_bytes gsim_bytes;
+
+/* One thing to tell about an input or a run. Lines and columns count from 1; 0: not known. */
+typedef struct gsim_diagnostic {
+    int32_t severity;
+    uint32_t line;
+    uint32_t column;
+    uint32_t end_column;
+    const char* code; /* "axis-limit" */
+    const char* file;
+    const char* text;
+    const char* hint;
+} gsim_diagnostic;
+
+/* A move as it was made. Axes are in the order of gsim_run_axis(), in mm or deg. */
+typedef struct gsim_move {
+    uint64_t n; /* From 1. */
+    double start_s;
+    double end_s;
+    double length_mm;
+    double feed_per_min; /* As programmed, mm/min or deg/min; 0 in rapids and dwells. */
+    double deviation_mm; /* How far the tool passes from its corners where they are rounded. */
+    double end[GSIM_MOST_AXES];
+    double center_mm[3]; /* Of a circle, with its axis (right hand), radius and angle. */
+    double axis[3];
+    double radius_mm;
+    double sweep_rad; /* 0: not circular. */
+    int32_t kind;
+    int32_t jet_on;
+    uint32_t line;
+    uint32_t file; /* For gsim_run_file(). */
+} gsim_move;
+
+/* A piece of motion; `exact` is valid in the call alone. */
+typedef struct gsim_segment {
+    double start_s;
+    double duration_s;
+    double length_mm;
+    double start[GSIM_MOST_AXES];
+    double end[GSIM_MOST_AXES];
+    int32_t kind;
+    int32_t jet_on;
+    uint32_t line;
+    uint32_t reserved;
+    const void* exact;
+} gsim_segment;
+
+/* An instant of the run. */
+typedef struct gsim_sample {
+    double t_s;
+    double speed_mm_s; /* Of the tool along its path. */
+    double axes[GSIM_MOST_AXES];
+    uint32_t line;
+    uint32_t reserved;
+} gsim_sample;
+
+/* Gives the bytes of a file by gsim_bytes_put() and returns 1, or 0 where there is no such file. */
+typedef int32_t (*gsim_read_file)(void* user, const char* name, gsim_bytes* bytes);
+typedef void (*gsim_tell)(void* user, const gsim_diagnostic* diagnostic);
+typedef void (*gsim_take_moves)(void* user, const gsim_move* moves, size_t count);
+typedef void (*gsim_take_segments)(void* user, const gsim_segment* segments, size_t count);
+typedef void (*gsim_take_samples)(void* user, const gsim_sample* samples, size_t count);
+/* Returns 0 where the text cannot be written: no more is given then. */
+typedef int32_t (*gsim_take_text)(void* user, const char* text, size_t size);
+/* `total` 0: not known. */
+typedef void (*gsim_show_progress)(void* user, uint64_t done, uint64_t total);
+
+/* GSIM_API_VERSION of the library, and its version as text. */
+int32_t gsim_api_version(void);
+const char* gsim_version(void);
+
+/* What is run, and on what. Null: no memory. */
+gsim_request* gsim_request_create(void);
+void gsim_request_destroy(gsim_request* request);
+/* Keys: program, machine, machine_data, cell, setup, robots, variables, library, probe (names of files and
+ * words, as the options of gsim-run), dialect, unknown, overrides. */
+int32_t gsim_request_set_text(gsim_request* request, const char* key, const char* value);
+/* Keys: machine_s, cpu_s, blocks, steps, memory_bytes, passes, feed_override_percent,
+ * rapid_override_percent, spindle_override_percent, and those that are 0 or 1: stop_at_first, collisions,
+ * block_delete, optional_stop, explain. GSIM_FAILED: no such key, or a value out of its range. */
+int32_t gsim_request_set_number(gsim_request* request, const char* key, double value);
+/* The program is this text, and no file; `name` is for messages. */
+int32_t gsim_request_set_program(gsim_request* request, const char* text, size_t size, const char* name);
+/* Files come from `read` alone, by their names; without it from the system. It must outlive the run. */
+int32_t gsim_request_set_files(gsim_request* request, gsim_read_file read, void* user);
+int32_t gsim_bytes_put(gsim_bytes* bytes, const void* data, size_t size);
+
+/* Reads machine and cell, the program and what it names. `tell` gets what is wrong, until the run is gone; it
+ * may be null. The request may go at once. Null: no memory. Whether it can run: gsim_run_status(). */
+gsim_run* gsim_run_open(const gsim_request* request, gsim_tell tell, void* user);
+void gsim_run_destroy(gsim_run* run);
+/* GSIM_OK, or why it has not been opened or run. */
+int32_t gsim_run_status(const gsim_run* run);
+/* The sentence of the last failure; empty: none. */
+const char* gsim_run_error(const gsim_run* run);
+
+/* Machines, one but in a run of several robots. */
+size_t gsim_run_robots(const gsim_run* run);
+const char* gsim_run_robot(const gsim_run* run, size_t robot);
+/* Axes: the letter, 0 behind the last one; whether its values are deg; where it stands at the start. */
+char gsim_run_axis(const gsim_run* run, size_t robot, size_t axis);
+int32_t gsim_run_axis_is_rotary(const gsim_run* run, size_t robot, size_t axis);
+double gsim_run_home(const gsim_run* run, size_t robot, size_t axis);
+
+/* Before gsim_run_go(): what is wanted while it runs. */
+int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves take, void* user);
+int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments take, void* user);
+/* Each `step_s` (1e-6 at least), and the last instant. */
+int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_take_samples take, void* user);
+/* Documents: moves, trajectory, dxf, path, plot. */
+int32_t gsim_run_write(gsim_run* run, size_t robot, const char* document, double step_s, gsim_take_text take,
+                       void* user);
+int32_t gsim_run_show_progress(gsim_run* run, gsim_show_progress show, void* user);
+
+/* Runs to the end, an alarm, a limit, or gsim_run_cancel(). GSIM_OK: there is a report, whatever happened. */
+int32_t gsim_run_go(gsim_run* run);
+/* From any thread, from a callback, and before the run has begun. */
+void gsim_run_cancel(gsim_run* run);
+
+/* Behind it, or behind a program that was refused. */
+int32_t gsim_run_outcome(const gsim_run* run); /* GSIM_COMPLETED, ... */
+double gsim_run_cycle_time_s(const gsim_run* run);
+const char* gsim_run_report_json(gsim_run* run);
+const char* gsim_run_report_text(gsim_run* run);
+const char* gsim_run_file(const gsim_run* run, uint32_t file);
+/* What the control keeps: files of permanent variables and of machine data. Null: gsim_run_error(). */
+const char* gsim_run_variables(gsim_run* run);
+const char* gsim_run_machine_data(gsim_run* run);
+
+/* In the call of gsim_take_segments: `t_s` counts from the segment's start. */
+void gsim_segment_axes(const gsim_segment* segment, double t_s, double axes[GSIM_MOST_AXES]);
+double gsim_segment_speed_mm_s(const gsim_segment* segment, double t_s);
+
+/* A part program as a script in Lua, by the request's program, machine, machine_data, dialect, unknown and
+ * cpu_s. */
+int32_t gsim_translate(const gsim_request* request, gsim_tell tell, void* tell_user, gsim_take_text take,
+                       void* take_user);
+
+#ifdef __cplusplus
+}
+#endif
+
+#if defined(__GNUC__)
+#pragma GCC visibility pop
+#endif
+
+#endif

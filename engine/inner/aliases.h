@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "lexer/alias.h"
+#include "runtime/machine/machine_data.h"
+
+namespace gsim::engine {
+
+/// The aliases of machine data as the lexer takes them; the error is a sentence.
+tl::expected<lexer::Aliases, std::string> aliases_of(const machine::MachineData& data);
+
+}  // namespace gsim::engine

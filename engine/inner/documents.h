@@ -1,0 +1,88 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "engine/run.h"
+#include "runtime/record/path_recorder.h"
+#include "runtime/simulation/dxf_writer.h"
+#include "runtime/simulation/path_bound.h"
+#include "runtime/simulation/plot_data.h"
+#include "runtime/simulation/plot_script.h"
+#include "runtime/simulation/run_output.h"
+#include "runtime/simulation/simulator.h"
+#include "runtime/simulation/text_stream.h"
+#include "runtime/simulation/time_by_limit.h"
+#include "runtime/simulation/trajectory_writer.h"
+
+namespace gsim::engine {
+
+/// What a run of one machine writes and hands out, attached to its simulator.
+class Documents {
+  public:
+    /// `simulator` must not have moved yet, and must outlive this.
+    explicit Documents(simulation::Simulator& simulator) : simulator_(simulator) {}
+    Documents(const Documents&) = delete;
+    Documents& operator=(const Documents&) = delete;
+
+    /// The error is a sentence: this machine has no such document.
+    tl::expected<void, std::string> add(Document document, TextSink sink, const DocumentOptions& options);
+    /// The report will tell where the time goes.
+    void explain();
+    void add_output(std::unique_ptr<simulation::RunOutput> output);
+
+    /// After the run: adds to the report what was asked for, and what to know of a recorded path.
+    void complete(simulation::Report& report) const;
+    /// After that: gives the sinks what is left. What documents lack.
+    std::vector<Failure> finish(const simulation::Report& report);
+
+  private:
+    tl::expected<void, std::string> add_trajectory(simulation::TextStream& out,
+                                                   const DocumentOptions& options);
+    tl::expected<void, std::string> add_plot(TextSink sink, const DocumentOptions& options);
+    void add_path(TextSink sink);
+    simulation::TextStream& stream(TextSink sink);
+    std::optional<Failure> fault_of_size() const;
+    tl::expected<void, std::string> write_path(const std::string& program);
+    void write_plot(const simulation::Report& report);
+
+    /// What an explanation is made of.
+    struct Causes {
+        explicit Causes(const machine::Machine& of) : machine(of) {}
+        const machine::Machine& machine;
+        simulation::TimeByLimit times;
+        std::optional<simulation::PathBound> bound;  ///< Not of samples: each step would count as a corner.
+    };
+    struct Plot {
+        Plot(const machine::Machine& machine, Plane plane, bool bitmap, TextSink to)
+            : data(machine, plane),
+              format(bitmap ? simulation::PictureFormat::png : simulation::PictureFormat::svg),
+              sink(std::move(to)) {}
+        simulation::PlotData data;
+        simulation::PictureFormat format;
+        TextSink sink;
+    };
+    struct Path {
+        Path(const machine::Machine& machine, TextSink to) : recorder(machine), sink(std::move(to)) {}
+        record::PathRecorder recorder;
+        TextSink sink;
+    };
+
+    simulation::Simulator& simulator_;
+    std::string trajectory_name_;
+    std::string drawing_name_;
+    std::vector<std::unique_ptr<simulation::TextStream>> streams_;
+    std::vector<std::unique_ptr<simulation::RunOutput>> outputs_;
+    const simulation::TrajectoryWriter* trajectory_ = nullptr;  ///< One of outputs_,
+    const simulation::DxfWriter* drawing_ = nullptr;            ///< and another one.
+    std::unique_ptr<Plot> plot_;
+    std::unique_ptr<Causes> causes_;
+    std::unique_ptr<Path> path_;
+};
+
+}  // namespace gsim::engine

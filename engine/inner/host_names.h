@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "engine/host.h"
+
+namespace gsim::engine {
+
+/// The file that a name means: Host::find, or the name itself. An empty name stays so.
+tl::expected<std::string, std::string> find_name(const Host& host, NameKind kind, const std::string& name);
+
+}  // namespace gsim::engine

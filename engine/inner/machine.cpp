@@ -1,0 +1,151 @@
+#include "engine/machine.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/inner/guarded.h"
+#include "engine/inner/machine_parts.h"
+#include "engine/inner/run_cell.h"
+#include "engine/inner/values.h"
+#include "runtime/check/machine_check.h"
+#include "runtime/envelope/outline_files.h"
+#include "runtime/envelope/stl.h"
+#include "runtime/envelope/volume.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::engine {
+
+using text::DiagnosticKind;
+
+class Machine::State {
+  public:
+    State(FoundRequest found, MachineInput input) : parts_{std::move(found), std::move(input)} {}
+
+    const Parts& parts() const { return parts_; }
+    const machine::Machine& machine() const { return parts_.input.machine; }
+
+    tl::expected<void, Failure> read_bodies() {
+        auto cell = read_cell_of_run(cell_choice(parts_.found), machine());
+        if (!cell)
+            return tl::unexpected(
+                failure_of(DiagnosticKind::input_file, cell.error(), parts_.found.request.cell));
+        parts_.bodies = std::make_shared<const cell::Cell>(*std::move(cell));
+        return {};
+    }
+
+    tl::expected<MachineCheck, Failure> check() const {
+        const auto bodies = engine::read_bodies(cell_choice(parts_.found), machine());
+        if (!bodies) return tl::unexpected(failure_of(DiagnosticKind::input_file, bodies.error()));
+        const check::MachineCheck found = check::check_machine(machine(), *bodies);
+        return MachineCheck{found.is_clean(), check::to_json(found), check::to_text(found)};
+    }
+
+    tl::expected<std::string, Failure> envelope(EnvelopeKind kind) {
+        if (!chain_) {
+            auto chain = envelope::envelope_chain(machine());
+            if (!chain) return tl::unexpected(failure_of(DiagnosticKind::input_file, chain.error()));
+            chain_ = *std::move(chain);
+        }
+        if (kind == EnvelopeKind::volume_stl) return envelope::to_stl(volume().surface);
+        return kind == EnvelopeKind::outlines_csv ? envelope::to_csv(machine(), outlines())
+                                                  : envelope::to_svg(machine(), outlines());
+    }
+
+    std::string envelope_summary() const {
+        std::string text;
+        if (volume_) {
+            text +=
+                fmt::format("volume: {:.6g} l, {} triangles, ", envelope::volume_mm3(volume_->surface) / 1e6,
+                            volume_->surface.triangles.size());
+            text += volume_->step_mm > 0 ? fmt::format("to {:.3g} mm (grid of {:.3g} mm)\n",
+                                                       volume_->error_mm, volume_->step_mm)
+                                         : std::string("exact\n");
+        }
+        if (!outlines_) return text;
+        double error_mm = 0;
+        for (const envelope::PairOutline& outline : *outlines_)
+            error_mm = std::max(error_mm, outline.error_mm);
+        return text + fmt::format("pairs of axes: {}, outlines to {:.3g} mm\n", outlines_->size(), error_mm);
+    }
+
+  private:
+    const envelope::Volume& volume() {
+        if (!volume_) volume_ = envelope::reached_volume(*chain_);
+        return *volume_;
+    }
+    const std::vector<envelope::PairOutline>& outlines() {
+        if (!outlines_) outlines_ = envelope::pair_outlines(*chain_, machine::home_position(machine()));
+        return *outlines_;
+    }
+
+    Parts parts_;
+    std::optional<envelope::TipChain> chain_;
+    std::optional<envelope::Volume> volume_;
+    std::optional<std::vector<envelope::PairOutline>> outlines_;
+};
+
+tl::expected<Machine, Failure> Machine::read(const Request& request) {
+    return guarded([&]() -> tl::expected<Machine, Failure> {
+        Request of_machine;
+        of_machine.machine = request.machine;
+        of_machine.machine_data = request.machine_data;
+        of_machine.cell = request.cell;
+        of_machine.collisions = request.collisions;
+        of_machine.host = request.host;
+        auto found = with_files_found(std::move(of_machine));
+        if (!found)
+            return tl::unexpected(failure_of(DiagnosticKind::input_file, found.error(), request.cell));
+        auto input = read_machine_input(request.host, found->request.machine, found->machine_named_by);
+        if (!input)
+            return tl::unexpected(
+                failure_of(DiagnosticKind::input_file, input.error(), found->request.machine));
+        return Machine(std::make_unique<State>(*std::move(found), *std::move(input)));
+    });
+}
+
+Machine::Machine(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Machine::Machine(Machine&&) noexcept = default;
+Machine& Machine::operator=(Machine&&) noexcept = default;
+Machine::~Machine() = default;
+
+const std::vector<std::string>& Machine::notes() const {
+    return state_->parts().input.notes;
+}
+
+const std::string& Machine::machine_data_file() const {
+    return state_->parts().found.request.machine_data;
+}
+
+std::string Machine::file() const {
+    return machine::print_machine(state_->machine());
+}
+
+tl::expected<void, Failure> Machine::read_bodies() {
+    return guarded([this] { return state_->read_bodies(); });
+}
+
+const Machine::Parts& Machine::parts() const {
+    return state_->parts();
+}
+
+tl::expected<MachineCheck, Failure> Machine::check() const {
+    return guarded([this] { return state_->check(); });
+}
+
+tl::expected<std::string, Failure> Machine::envelope(EnvelopeKind kind) {
+    return guarded([&] { return state_->envelope(kind); });
+}
+
+std::string Machine::envelope_summary() const {
+    return state_->envelope_summary();
+}
+
+tl::expected<std::string, Failure> Machine::axes_svg() const {
+    return guarded(
+        [this]() -> tl::expected<std::string, Failure> { return check::axes_svg(state_->machine()); });
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,67 @@
+#include "engine/inner/machine_input.h"
+
+#include <fmt/format.h>
+
+#include "base/os/input_file.h"
+#include "engine/inner/host_names.h"
+#include "engine/inner/process_words.h"
+#include "runtime/import/import_machine.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::engine {
+
+namespace {
+
+MachineInput from_control(import::Imported imported, const std::string& file) {
+    MachineInput input;
+    input.machine = std::move(imported.machine);
+    if (imported.has_data) input.data = std::move(imported.data);
+    input.notes = std::move(imported.warnings);
+    if (!imported.left_out.empty()) {
+        input.notes.push_back(
+            fmt::format("{}: lines that are not taken over: {}; gsim-data import {} lists them", file,
+                        imported.left_out.size(), file));
+    }
+    return input;
+}
+
+// What switches the process of a machine are words that a dialect has.
+tl::expected<machine::Machine, std::string> read_machine_file(const std::string& text,
+                                                              const std::string& file) {
+    auto machine = machine::read_machine(text, file);
+    if (!machine || !machine->process) return machine;
+    if (const auto fault = fault_of_process(*machine->process))
+        return tl::unexpected(fmt::format("{}: {}", file, *fault));
+    return machine;
+}
+
+}  // namespace
+
+tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
+                                                           os::NamedBy named_by) {
+    const auto plain = [](machine::Machine machine) { return MachineInput{std::move(machine), {}, {}}; };
+    if (name.empty())
+        return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").map(plain);
+    const auto file = find_name(host, NameKind::machine, name);
+    if (!file) return tl::unexpected(file.error());
+    const auto text = host.files.inner().read_text(*file, named_by);  // once: it may be a pipe
+    if (!text) return tl::unexpected(text.error());
+    if (!import::is_control_file(*text, *file)) return read_machine_file(*text, *file).map(plain);
+    return import::import_machine(*text, *file).map([&](import::Imported imported) {
+        return from_control(std::move(imported), *file);
+    });
+}
+
+tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,
+                                                                    const std::string& name) {
+    const auto file = find_name(host, NameKind::machine, name);
+    if (!file) return tl::unexpected(file.error());
+    const auto text = host.files.inner().read_text(*file, os::NamedBy::command_line);
+    if (!text) return tl::unexpected(text.error());
+    if (!import::is_control_file(*text, *file)) return machine::read_program_table(*text, *file);
+    return import::import_machine(*text, *file).map([](const import::Imported& imported) {
+        return imported.machine.program;
+    });
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "codegen/post/action_words.h"
+#include "codegen/post/post.h"
+#include "runtime/path/axis_moves.h"
+
+namespace gsim::engine {
+
+/// Looks at the moves of a path that will be written by a post, so that what is wrong is known before
+/// anything is written, and gathers what to tell.
+class PathCheck final : public path::MoveSink {
+  public:
+    /// What was found in moves that can be written.
+    struct Found {
+        std::vector<std::string> notes;  ///< Sentences for the user.
+        bool feed_modes;     ///< Some feeds are by time or by turn, and the post has words for that.
+        bool accelerations;  ///< Some points have one.
+    };
+
+    /// `in_machine`: positions will be written in machine coordinates; `go_on`: what the post has no words
+    /// for becomes comments. `file` and `post` must outlive this.
+    PathCheck(const path::PathFile& file, const codegen::Post& post, bool in_machine, bool go_on)
+        : file_(file), post_(post), in_machine_(in_machine), go_on_(go_on), words_(post.actions) {}
+
+    void move(const path::AxisMove& move) override;
+    void dwell(double) override {}
+    void acceleration(double) override { ++accelerations_; }
+    void action(const std::string& name) override;
+    void call(const path::SubPath&) override {}
+    void note(const path::TargetId& where, std::string_view sentence) override;
+
+    /// Behind all moves, once. The error is a sentence: what the post has no words for.
+    tl::expected<Found, std::string> finish();
+
+  private:
+    void note_feeds();
+    std::string refusal() const;
+
+    const path::PathFile& file_;
+    const codegen::Post& post_;
+    bool in_machine_;
+    bool go_on_;
+    codegen::ActionWords words_;
+    std::vector<std::string> notes_;
+    std::size_t count_ = 0;  ///< Of notes on moves, listed or not.
+    std::size_t accelerations_ = 0;
+    std::size_t feed_modes_ = 0, mean_feeds_ = 0, per_minute_ = 0;  ///< Moves.
+    std::map<std::string, int> without_word_, said_;
+};
+
+}  // namespace gsim::engine

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "base/os/cpu_limit.h"
+#include "base/os/files.h"
+#include "engine/path_translation.h"
+#include "runtime/path/place.h"
+#include "runtime/script/lua_state.h"
+
+namespace gsim::engine {
+
+/// Why there is no path.
+struct PathError {
+    bool in_path = false;  ///< The path has a mistake; else its file cannot be read.
+    std::string message;   ///< A sentence that begins with the place, or names the file.
+};
+
+/// Reads a path from a path file that comes in pieces; the name is for messages.
+tl::expected<path::PathFile, PathError> read_path_bytes(const PathRequest::ReadBytes& read,
+                                                        const std::string& name);
+
+/// Reads a path from a path file, or from a script in Lua (.lua). The limits are of a script.
+tl::expected<path::PathFile, PathError> read_path(const os::Files& files, const std::string& name,
+                                                  const script::LuaState::Limits& limits, os::CpuLimit* cpu);
+
+}  // namespace gsim::engine

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "runtime/machine/machine.h"
+#include "runtime/simulation/probe.h"
+
+namespace gsim::engine {
+
+/// What Request::probe says that probes feel; empty: not given. The error is a sentence.
+tl::expected<simulation::ProbeFeels, std::string> read_probe_choice(std::string_view value,
+                                                                    const machine::Machine& machine);
+
+}  // namespace gsim::engine

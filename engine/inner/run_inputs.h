@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "engine/inner/machine_input.h"
+#include "engine/inner/run_cell.h"
+#include "engine/inner/script_input.h"
+#include "engine/request.h"
+#include "runtime/machine/machine_data_document.h"
+#include "runtime/rrs/rcs_host.h"
+#include "runtime/script/engine.h"
+#include "runtime/simulation/cell_watch.h"
+#include "runtime/simulation/probe.h"
+
+namespace gsim::engine {
+
+/// What a run has beside its request, while it lasts.
+struct RunTools {
+    os::CpuLimit& cpu;
+    const TellDiagnostic& tell;  ///< Gets what is wrong with programs' texts.
+};
+
+/// A request with the files that its names mean, and those that its cell names.
+struct FoundRequest {
+    Request request;
+    std::string cell_text = {};                                ///< Read once: it may be a pipe.
+    os::NamedBy machine_named_by = os::NamedBy::command_line;  ///< Or by the cell file.
+    os::NamedBy machine_data_named_by = os::NamedBy::command_line;
+};
+
+/// Why parts of a request do not go together, as a sentence; empty where they do.
+std::string find_contradiction(const Request& request);
+
+/// The error is a sentence.
+tl::expected<FoundRequest, std::string> with_files_found(Request request);
+
+/// The names alone, without those of the cell and of the program.
+tl::expected<Request, std::string> with_names_found(Request request);
+
+/// The cell that is looked at.
+CellChoice cell_choice(const FoundRequest& found);
+
+/// All that a run reads before the machine moves.
+struct RunInputs {
+    machine::Machine machine;
+    machine::MachineDataDocument document;
+    machine::MachineData data;  ///< With the permanent variables.
+    Language language;
+    script::Script program;
+    std::optional<script::Script> setup;
+    std::optional<rrs::RcsModule> module;  ///< Where a controller module is asked for.
+    std::unique_ptr<simulation::CellWatch> cell;
+    simulation::ProbeFeels probe;
+    motion::OverrideSchedule overrides;
+};
+
+/// `opened` is the program.
+tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, MachineInput input,
+                                                    std::shared_ptr<const cell::Cell> cell,
+                                                    OpenedScript& opened, const RunTools& tools);
+
+/// The setup of a run, where one is asked for.
+tl::expected<std::optional<script::Script>, InputError> read_setup(const Request& request,
+                                                                   const Language& language,
+                                                                   const TellDiagnostic& tell);
+
+}  // namespace gsim::engine

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/motion.h"
+#include "runtime/machine/machine.h"
+#include "runtime/simulation/run_output.h"
+
+namespace gsim::engine {
+
+/// Outputs that hand out a run in chunks. `machine` and `files`, the names that places index, outlive them.
+std::unique_ptr<simulation::RunOutput> hand_out_moves(TakeMoves take, const machine::Machine& machine,
+                                                      const std::vector<std::string>& files);
+std::unique_ptr<simulation::RunOutput> hand_out_segments(TakeSegments take, const machine::Machine& machine);
+/// Past `max_time_s`, where a run ends, there is the last instant alone.
+std::unique_ptr<simulation::RunOutput> hand_out_samples(TakeSamples take, const machine::Machine& machine,
+                                                        double step_s, double max_time_s);
+
+}  // namespace gsim::engine

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "engine/api.h"
+
+namespace gsim::motion {
+struct Segment;
+}
+namespace gsim::machine {
+struct Machine;
+}
+
+namespace gsim::engine {
+
+/// The most axes that a machine may have.
+inline constexpr std::size_t kMostAxes = 16;
+/// A value for each axis of the machine, in the order of Run::axes(): mm, or deg of rotary ones. What is
+/// behind the last axis is 0.
+using AxisValues = std::array<double, kMostAxes>;
+
+/// An axis of the machine.
+struct Axis {
+    char letter = 'X';
+    bool rotary = false;
+};
+
+/// `thread`: a feed move in step with the spindle; `spline`: a straight piece of a curve.
+enum class MoveKind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, dwell, probe, thread, spline };
+
+/// A circle or helix of the tool, about `axis` by the right hand.
+struct Arc {
+    std::array<double, 3> center_mm = {};  ///< X, Y, Z in machine coordinates.
+    std::array<double, 3> axis = {};       ///< Of unit length.
+    double radius_mm = 0;                  ///< At the start.
+    double sweep_rad = 0;                  ///< More than 2 pi for several turns.
+};
+
+/// A move of the program as it was made.
+struct Move {
+    std::uint64_t n = 0;  ///< Number of the move, from 1.
+    MoveKind kind = MoveKind::rapid;
+    bool jet_on = false;         ///< The process (jet, plasma, laser, spindle) was on.
+    bool circular = false;       ///< `arc` says how.
+    std::string_view file = {};  ///< Valid in the call alone.
+    std::uint32_t line = 0;      ///< From 1; 0: not known.
+    double start_s = 0;
+    double end_s = 0;
+    double length_mm = 0;     ///< Of the tool's path.
+    double feed_per_min = 0;  ///< As programmed, mm/min or deg/min; 0 in rapids and dwells.
+    double deviation_mm = 0;  ///< How far the tool passes from its corners where they are rounded.
+    AxisValues end = {};
+    Arc arc = {};
+};
+
+enum class SegmentKind : std::uint8_t { joint, linear, circular, rest };
+
+/// One finished piece of motion: a path and a law of time in closed form. Valid in the call alone.
+class GSIM_API Segment {
+  public:
+    Segment(const motion::Segment& exact, const machine::Machine& machine, std::uint32_t in_line, bool on);
+
+    SegmentKind kind = SegmentKind::rest;
+    bool jet_on = false;
+    std::uint32_t line = 0;
+    double start_s = 0;
+    double duration_s = 0;
+    double length_mm = 0;  ///< Of the tool's path.
+    AxisValues start = {};
+    AxisValues end = {};
+
+    /// `t_s` counts from the segment's start; both are exact.
+    AxisValues axes_at(double t_s) const;
+    double speed_mm_s(double t_s) const;
+
+  private:
+    const motion::Segment* exact_;
+    const machine::Machine* machine_;
+};
+
+/// An instant of the run.
+struct Sample {
+    double t_s = 0;
+    double speed_mm_s = 0;  ///< Of the tool along its path.
+    std::uint32_t line = 0;
+    AxisValues axes = {};
+};
+
+/// Take what a run has made since the last call, in the order of time: moves and segments as they become
+/// final, so that no more is held than a chunk.
+using TakeMoves = std::function<void(std::span<const Move>)>;
+using TakeSegments = std::function<void(std::span<const Segment>)>;
+using TakeSamples = std::function<void(std::span<const Sample>)>;
+
+}  // namespace gsim::engine

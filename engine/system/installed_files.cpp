@@ -1,0 +1,91 @@
+#include "engine/system/installed_files.h"
+
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/os/installation.h"
+#include "base/text/nearest_name.h"
+
+namespace gsim::engine {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kMachineEnding = ".toml";
+
+// What cannot be looked at counts as there: opening it tells why.
+bool is_there(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(path, error) || error;
+}
+
+bool has_folder(const std::string& name) {
+    return name.find('/') != std::string::npos;
+}
+
+// All places in which an installation may have it.
+std::vector<fs::path> places(const fs::path& bin_folder, NameKind kind, const std::string& name) {
+    std::vector<fs::path> found;
+    if (fs::path(name).is_absolute()) return found;
+    if (kind == NameKind::module) {
+        if (has_folder(name)) return found;
+        for (const fs::path& folder : os::module_folders(bin_folder)) {
+            found.push_back(folder / name);
+            found.push_back(folder / fmt::format("lib{}.so", name));
+        }
+        return found;
+    }
+    for (const fs::path& folder : os::data_folders(bin_folder)) {
+        if (has_folder(name) || kind == NameKind::library) found.push_back(folder / name);
+        // With its ending it means a file of the user's own.
+        if (kind == NameKind::machine && !has_folder(name) && !fs::path(name).has_extension())
+            found.push_back(folder / "samples" / "machines" / (name + std::string(kMachineEnding)));
+    }
+    return found;
+}
+
+// Sample machines by their names.
+std::vector<std::string> machine_names(const fs::path& bin_folder) {
+    std::vector<std::string> names;
+    for (const fs::path& folder : os::data_folders(bin_folder)) {
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(folder / "samples" / "machines", ignored))
+            names.push_back(entry.path().stem().string());
+    }
+    return names;
+}
+
+std::string near_machine(const fs::path& bin_folder, const std::string& name) {
+    const std::vector<std::string> names = machine_names(bin_folder);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const auto nearest = text::nearest_name(fs::path(name).stem().string(), known);
+    return nearest ? fmt::format("; did you mean '{}'?", *nearest) : std::string();
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> find_file_from(const fs::path& bin_folder, NameKind kind,
+                                                      const std::string& name) {
+    if (name.empty() || name == "-" || is_there(name)) return name;
+    const std::vector<fs::path> looked_in = places(bin_folder, kind, name);
+    for (const fs::path& place : looked_in) {
+        if (is_there(place)) return place.string();
+    }
+    std::string sentence = fmt::format("cannot read '{}': No such file or directory", name);
+    std::vector<std::string> shown;
+    shown.reserve(looked_in.size());
+    for (const fs::path& place : looked_in) shown.push_back(fmt::format("'{}'", place.string()));
+    if (!shown.empty()) sentence += fmt::format(", nor is there {}", fmt::join(shown, " or "));
+    if (kind == NameKind::machine) sentence += near_machine(bin_folder, name);
+    return tl::unexpected(sentence);
+}
+
+tl::expected<std::string, std::string> find_file(NameKind kind, const std::string& name) {
+    return find_file_from(os::program_folder(), kind, name);
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "engine/api.h"
+
+namespace gsim::engine {
+
+/// "0.1.0"
+GSIM_API const char* version();
+
+}  // namespace gsim::engine

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""Compares the programs of a native build with those of WebAssembly under node, byte for byte: translations and reports of the golden programs
+and of the samples, on all sample machines and under all sample controllers. The figures of paths of drawings, which are written to the last
+bit, are compared to 12 digits: the two C libraries round sin() or atan2() otherwise there. Tells each that differs and what is left out, and why; closes with
+"N passed, N failed". A file of the samples that no run reads is a failure, and so are a name of one that is not there, an expected output of a
+program that is not compared, and a run that natively is refused: two refusals are the same whatever the programs do.
+Usage: wasm-compare.py [NATIVE [WASM]] (build/bin/gsim, build-wasm/bin/gsim.js)"""
+
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent.parent
+GOLDEN = HERE / "tests/golden"
+SAMPLES = HERE / "samples"
+SECONDS = 120
+OUTPUT = "a file of this run"  # emscripten's node cannot give a stream of its own for standard output
+REFUSED = 2  # the status of options that are wrong and of files that are not there
+
+NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+TOLERANCE = 1e-12  # of a figure, and of 1 (mm, degrees) near 0
+
+# Samples that no run of gsim reads.
+LEFT_OUT_SAMPLES = {
+    "engine/plot_wheel.py": "loads libgsim into Python",
+    "engine/run.c": "is compiled and linked with libgsim",
+    "engine/run.cpp": "is compiled and linked with libgsim",
+}
+
+# What takes a process or a loaded module, which a guest has not.
+LEFT_OUT = {
+    "gsim run --rcs MODULE": "loads a shared library (tests/rrs, which no golden program or sample names)",
+    "gsim run --plot FILE": "starts gnuplot; what it is given to draw are the moves of the reports that are compared",
+    "gsim path PART.step, PART.iges": "starts gsim-solid; no sample is a solid",
+}
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a program is told, in a folder; the files of that folder among the arguments are what it reads, and those behind them."""
+
+    folder: Path
+    arguments: tuple
+    further_inputs: tuple = ()
+    to_last_bits: bool = True
+
+    def inputs(self):
+        return {(self.folder / word).resolve() for word in self.arguments + self.further_inputs if isinstance(word, Input)}
+
+    def __str__(self):
+        return f"{self.folder.relative_to(HERE)}: gsim {' '.join(self.arguments)}"
+
+
+class Input(str):
+    """The name of a file that a run reads, seen from the run's folder."""
+
+
+def files(folder, *patterns):
+    return [Input(file.relative_to(folder)) for file in sorted(file for pattern in patterns for file in folder.glob(pattern))]
+
+
+def programs(folder):
+    """Each part program of a folder, and its language."""
+    for name in files(folder, "*.nc", "*.ngc"):
+        yield name, "rs274ngc" if name.endswith(".ngc") else "ab9"
+
+
+def golden_runs():
+    for program, dialect in programs(GOLDEN):
+        yield Run(GOLDEN, ("translate", program, "--dialect", dialect, "--output", OUTPUT))
+        yield Run(GOLDEN, ("run", program, "--dialect", dialect, "--json", "--machine-data", Input("conditions/data.txt"), "--setup",
+                           Input(f"conditions/{dialect}.lua"), "--max-blocks", "2000", "--max-steps", "200000"))
+
+
+def program_runs():
+    for program, dialect in programs(SAMPLES):
+        yield Run(SAMPLES, ("translate", program, "--dialect", dialect, "--output", OUTPUT))
+        for machine in files(SAMPLES, "machines/*.toml"):
+            yield Run(SAMPLES, ("run", program, "--dialect", dialect, "--json", "--machine", machine))
+    yield Run(SAMPLES / "cell", ("run", Input("cell.lua"), "--robots", Input("robots.toml"), "--json"))
+    yield Run(SAMPLES / "cell", ("run", Input("left.nc"), "--cell", Input("table.toml"), "--json"), (Input("mould.stl"),))
+
+
+def controller_runs(scratch):
+    """Controllers are named by machine files: one machine with each of them."""
+    machine = (SAMPLES / "machines/router3.toml").read_text(encoding="utf-8")
+    for controller in files(SAMPLES, "controllers/*.toml"):
+        own = scratch / Path(controller).name
+        own.write_text(f'{machine}\n[controller]\nmodel = "{SAMPLES / controller}"\n', encoding="utf-8")
+        yield Run(SAMPLES, ("run", Input("wheel.nc"), "--json", "--machine", str(own)), (controller,))
+
+
+def path_runs():
+    for path in files(SAMPLES, "*.path.json", "*.path.lua"):
+        yield Run(SAMPLES, ("write", path, "--output", OUTPUT))
+    for post in files(SAMPLES, "posts/*.toml"):
+        yield Run(SAMPLES, ("write", Input("wheel.path.json"), "--dialect", post, "--machine", Input("machines/unlimited.toml"), "--go-on",
+                            "--output", OUTPUT))
+    for drawing in files(SAMPLES, "*.dxf", "*.svg"):
+        yield Run(SAMPLES, ("path", drawing, "--speed", "400", "--kerf", "1", "--output", OUTPUT), to_last_bits=False)
+        yield Run(SAMPLES, ("path", drawing, "--materials", Input("materials.toml"), "--material", "aluminum", "--thickness", "12", "--output",
+                            OUTPUT), to_last_bits=False)
+
+
+def data_runs():
+    for command in ("list", "check", "convert"):
+        yield Run(SAMPLES, ("data", Input("jet.txt"), command, "--json"))
+
+
+def missing_inputs(runs):
+    """Sentences on samples that no run reads, on inputs that are not there and on expected outputs of no program."""
+    read = set().union(*(run.inputs() for run in runs), (SAMPLES / name for name in LEFT_OUT_SAMPLES))
+    for file in sorted(set(file for file in SAMPLES.rglob("*") if file.is_file()) - read):
+        yield f"{file.relative_to(HERE)}: no run reads it, and LEFT_OUT_SAMPLES does not say why"
+    for file in sorted(file for file in read if not file.is_file()):
+        yield f"{file.relative_to(HERE)}: it is not there"
+    stems = {file.stem for file in read if file.suffix in (".nc", ".ngc")}
+    for file in files(GOLDEN, "*.lua", "*.json", "*.err"):
+        if Path(file).stem not in stems:
+            yield f"tests/golden/{file}: its program is not compared"
+
+
+def answer(command, folder):
+    """Status, what is printed and told, and the output file."""
+    with tempfile.TemporaryDirectory() as own:
+        output = Path(own) / "output"
+        command = [str(output) if word == OUTPUT else word for word in command]
+        try:
+            run = subprocess.run(command, cwd=folder, capture_output=True, timeout=SECONDS, check=False)
+        except subprocess.TimeoutExpired:
+            return f"no end after {SECONDS} s", b"", b"", b""
+        written = output.read_bytes() if output.exists() else b""
+    return run.returncode, run.stdout, run.stderr, written
+
+
+def first_difference(a, b):
+    if not isinstance(a, bytes):
+        return f"{a} and {b}"
+    for one, other in zip(a.splitlines(), b.splitlines()):
+        if one != other:
+            return f"{one[:160]!r} and {other[:160]!r}"
+    return f"{len(a)} and {len(b)} bytes"
+
+
+def nearly_same(a, b):
+    """The same text, and figures that differ by rounding alone."""
+    if NUMBER.sub(b"#", a) != NUMBER.sub(b"#", b):
+        return False
+    pairs = zip(NUMBER.findall(a), NUMBER.findall(b))
+    return all(math.isclose(float(one), float(other), rel_tol=TOLERANCE, abs_tol=TOLERANCE) for one, other in pairs)
+
+
+def same(a, b, to_last_bits):
+    return a == b or (not to_last_bits and isinstance(a, bytes) and nearly_same(a, b))
+
+
+def faults(native, wasm, to_last_bits):
+    """What is wrong with the two answers to one run; nothing where they are the same."""
+    if not isinstance(native[0], int) or native[0] < 0 or native[0] >= REFUSED:
+        last = native[2].decode(errors="replace").strip().splitlines()[-1:]
+        return [f"natively it is no run: {native[0]} {' '.join(last)}"]
+    return [f"{what}: {first_difference(a, b)}" for what, a, b in zip(("status", "output", "messages", "file"), native, wasm)
+            if not same(a, b, to_last_bits)]
+
+
+def compare(runs, native, wasm):
+    """How many runs differ; each is told."""
+
+    def both(run):
+        answers = (answer([*program, *run.arguments], run.folder) for program in ([native], ["node", wasm]))
+        return run, faults(*answers, run.to_last_bits)
+
+    failed = 0
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for run, found in pool.map(both, runs):
+            if found:
+                failed += 1
+                print(f"FAILED {run}", *found, sep="\n  ")
+    return failed
+
+
+def main():
+    native = Path(sys.argv[1] if len(sys.argv) > 1 else HERE / "build/bin/gsim").resolve()
+    wasm = Path(sys.argv[2] if len(sys.argv) > 2 else HERE / "build-wasm/bin/gsim.js").resolve()
+    lacking = [str(file) for file in (native, wasm) if not file.is_file()] + ([] if shutil.which("node") else ["node"])
+    if lacking:
+        print(f"wasm-compare: there is no {', no '.join(lacking)}", "0 passed, 1 failed", sep="\n")
+        return 1
+    with tempfile.TemporaryDirectory() as scratch:
+        runs = [*golden_runs(), *program_runs(), *controller_runs(Path(scratch)), *path_runs(), *data_runs()]
+        missing = list(missing_inputs(runs))
+        different = compare(runs, str(native), str(wasm))
+    for sentence in missing:
+        print(f"FAILED {sentence}")
+    for run in runs:
+        if not run.to_last_bits:
+            print(f"figures to 12 digits: {run}")
+    for what, why in [*((f"samples/{name}", why) for name, why in LEFT_OUT_SAMPLES.items()), *LEFT_OUT.items()]:
+        print(f"left out: {what}: {why}")
+    failed = different + len(missing)
+    print(f"{len(runs) - different} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

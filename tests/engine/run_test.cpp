@@ -1,0 +1,238 @@
+#include "engine/run.h"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/engine/given.h"
+
+namespace gsim::engine::run_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+std::string sample(const std::string& name) {
+    std::ifstream file(std::string(GSIM_SAMPLES) + "/" + name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+engine::Run prepared(Request request, Tell tell = {}) {
+    auto run = engine::Run::open(std::move(request), std::move(tell));
+    EXPECT_TRUE(run) << run.error().message;
+    const auto ready = run->prepare();
+    EXPECT_TRUE(ready) << ready.error().message;
+    return *std::move(run);
+}
+
+Report report_of(Request request) {
+    return prepared(std::move(request)).go().value();
+}
+
+constexpr const char* kSquare = "G0 X100 Y100\nF6000\nG1 X200\nG1 Y200\nG2 X100 Y100 I-50 J-50\nG4 P1\nM2\n";
+
+TEST(Run, IsTheProgramsWithoutAnyFileOfTheSystem) {
+    const Report report = report_of(request_of("part.nc", {{"part.nc", kSquare}}));
+    EXPECT_EQ(report.status, RunStatus::completed);
+    EXPECT_TRUE(report.is_clean());
+    EXPECT_EQ(report.moves, 5U);
+    EXPECT_NEAR(report.rapid_mm, std::hypot(100, 100), 1e-9);
+    EXPECT_NEAR(report.feed_mm, 200 + std::acos(-1.0) * std::hypot(50, 50), 1e-6);
+    EXPECT_NEAR(report.dwell_s, 1, 1e-9);
+    EXPECT_NEAR(json::parse(report.json())["cycle_time_s"].get<double>(), report.cycle_time_s, 1e-9);
+    EXPECT_THAT(report.text(), HasSubstr("completed"));
+}
+
+TEST(Run, ProgramsModulesAndMachinesComeFromTheSameFunction) {
+    Request request = request_of("jobs/part.nc", {{"jobs/part.nc", "G0 X10\nM98 P7\nM2\n"},
+                                                  {"jobs/O0007.nc", "O7\nG1 X40 F600\nM99\n"},
+                                                  {"machines/own.toml", sample("machines/router3.toml")}});
+    request.machine = "machines/own.toml";
+    const Report report = report_of(request);
+    EXPECT_EQ(report.status, RunStatus::completed) << report.text();
+    EXPECT_NEAR(report.feed_mm, 30, 1e-9);
+    EXPECT_NE(report.machine, report_of(request_of("a.nc", {{"a.nc", "M2\n"}})).machine);
+}
+
+TEST(Run, WhatIsNotGivenIsNamed) {
+    Request request = request_of("part.nc", {{"part.nc", "M98 P7\nM2\n"}});
+    EXPECT_THAT(report_of(request).alarm.value().message, HasSubstr("7"));
+    request.machine = "own.toml";
+    EXPECT_THAT(engine::Run::open(request).error().message, HasSubstr("own.toml"));
+    const auto missing = engine::Run::open(request_of("other.nc", {}));
+    EXPECT_EQ(missing.error().code, "file");
+    EXPECT_THAT(missing.error().message, HasSubstr("other.nc"));
+}
+
+TEST(Run, NothingOutsideOfTheFolderOfTheProgramIsCalled) {
+    const Report report = report_of(request_of(
+        "jobs/part.lua", {{"jobs/part.lua", "require 'gsim'\nrequire '../secret'\n"}, {"secret.lua", ""}}));
+    EXPECT_EQ(report.status, RunStatus::alarm);
+    EXPECT_THAT(report.alarm->message, HasSubstr("a module's name"));
+}
+
+TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {
+    Request request = request_of("a.nc", {{"a.nc", "M2\n"}});
+    request.module = "planner.so";
+    auto run = engine::Run::open(request);
+    ASSERT_TRUE(run);
+    EXPECT_THAT(run->prepare().error().message, HasSubstr("planner.so"));
+    request.overrides.feed_percent = 50;
+    EXPECT_EQ(engine::Run::open(request).error().code, "usage");
+}
+
+TEST(Run, ErrorsOfAProgramAreToldAndInItsReport) {
+    std::vector<Diagnostic> told;
+    auto run = engine::Run::open(request_of("part.nc", {{"part.nc", "G1 X1 F\nG0 X\nM2\n"}}),
+                                 [&](const Diagnostic& found) { told.push_back(found); });
+    ASSERT_TRUE(run);
+    const auto refused = run->prepare();
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(refused.error().in_program);
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told[1].line, 2U);
+    EXPECT_EQ(told[1].file, "part.nc");
+    const Report report = run->report_of(refused.error());
+    EXPECT_EQ(report.status, RunStatus::alarm);
+    EXPECT_EQ(json::parse(report.json())["diagnostics"].size(), 2U);
+}
+
+TEST(Run, MovesComeInChunksInTheOrderOfTime) {
+    std::ostringstream program;
+    program << "F6000\n";
+    for (int i = 1; i <= 3000; ++i) program << "G1 X" << i % 7 << " Y" << i % 11 << "\n";
+    engine::Run run = prepared(request_of("part.nc", {{"part.nc", program.str()}}));
+    std::vector<Move> moves;
+    std::size_t chunks = 0;
+    run.take_moves([&](std::span<const Move> chunk) {
+        ++chunks;
+        for (const Move& move : chunk) EXPECT_EQ(move.file, "part.nc");
+        moves.insert(moves.end(), chunk.begin(), chunk.end());
+    });
+    const Report report = run.go().value();
+    EXPECT_EQ(moves.size(), report.moves);
+    EXPECT_GT(chunks, 2U);
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+        EXPECT_EQ(moves[i].n, moves[i - 1].n + 1);
+        EXPECT_DOUBLE_EQ(moves[i].start_s, moves[i - 1].end_s);
+    }
+    EXPECT_DOUBLE_EQ(moves.back().end_s, report.cycle_time_s);
+    EXPECT_DOUBLE_EQ(moves.back().end[0], 3000 % 7);
+    EXPECT_DOUBLE_EQ(moves.back().end[1], 3000 % 11);
+}
+
+// The way that segments go is the length that the report has, by the speed that they tell.
+TEST(Run, SegmentsJoinAndTellTheirMotionExactly) {
+    engine::Run run = prepared(request_of("part.nc", {{"part.nc", kSquare}}));
+    double way_mm = 0;
+    double end_s = 0;
+    AxisValues at = run.home();
+    run.take_segments([&](std::span<const Segment> chunk) {
+        for (const Segment& segment : chunk) {
+            EXPECT_NEAR(segment.start_s, end_s, 1e-12);
+            for (std::size_t i = 0; i < 3; ++i) {
+                EXPECT_NEAR(segment.start[i], at[i], 1e-9);
+                EXPECT_NEAR(segment.axes_at(segment.duration_s)[i], segment.end[i], 1e-9);
+            }
+            constexpr int kSteps = 2000;
+            for (int k = 0; k < kSteps; ++k)
+                way_mm +=
+                    segment.speed_mm_s((k + 0.5) * segment.duration_s / kSteps) * segment.duration_s / kSteps;
+            at = segment.end;
+            end_s = segment.start_s + segment.duration_s;
+        }
+    });
+    const Report report = run.go().value();
+    EXPECT_NEAR(way_mm, report.rapid_mm + report.feed_mm, 1e-3);
+    EXPECT_DOUBLE_EQ(end_s, report.cycle_time_s);
+}
+
+TEST(Run, SamplesAreThoseOfTheTrajectory) {
+    engine::Run run = prepared(request_of("part.nc", {{"part.nc", kSquare}}));
+    std::vector<Sample> samples;
+    ASSERT_TRUE(run.take_samples(
+        [&](std::span<const Sample> chunk) { samples.insert(samples.end(), chunk.begin(), chunk.end()); },
+        0.05));
+    std::string csv;
+    DocumentOptions options;
+    options.step_s = 0.05;
+    ASSERT_TRUE(run.write(
+        Document::trajectory,
+        [&](std::string_view text) {
+            csv += text;
+            return true;
+        },
+        options));
+    const Report report = run.go().value();
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_THAT(line, HasSubstr("t_s,line,x_mm,y_mm,z_mm"));
+    for (const Sample& sample : samples) {
+        ASSERT_TRUE(std::getline(lines, line));
+        double t_s = 0, x_mm = 0;
+        char comma = 0;
+        std::uint32_t number = 0;
+        std::istringstream(line) >> t_s >> comma >> number >> comma >> x_mm;
+        EXPECT_EQ(sample.line, number);
+        EXPECT_NEAR(sample.t_s, t_s, 1e-9);
+        EXPECT_NEAR(sample.axes[0], x_mm, 1e-6);
+    }
+    EXPECT_DOUBLE_EQ(samples.back().t_s, report.cycle_time_s);
+    EXPECT_EQ(run.take_samples({}, 0).error().code, "usage");
+}
+
+TEST(Run, ADocumentThatCannotBeWrittenGetsNoMore) {
+    engine::Run run = prepared(request_of("part.nc", {{"part.nc", kSquare}}));
+    int pieces = 0;
+    ASSERT_TRUE(run.write(Document::moves, [&](std::string_view) {
+        ++pieces;
+        return false;
+    }));
+    EXPECT_TRUE(run.go());
+    EXPECT_EQ(pieces, 1);
+}
+
+TEST(Run, WhatAControlKeepsComesBackAsItsFiles) {
+    Request request = request_of("part.ngc", {{"part.ngc", "#100 = 1\n#31 = 2.5\nG10 L2 P1 X12.5\nM2\n"},
+                                              {"kept.var", "31\t1\n5220\t1\n"}});
+    request.language.dialect = "rs274ngc";
+    request.variables = "kept.var";
+    engine::Run run = prepared(request);
+    ASSERT_TRUE(run.go());
+    EXPECT_THAT(run.variables().value(), HasSubstr("5221"));
+    EXPECT_THAT(run.machine_data().value(), HasSubstr("12.5"));
+}
+
+TEST(Run, LimitsEndItAndSayWhich) {
+    Request endless = request_of("part.lua", {{"part.lua", "require 'gsim'\nwhile true do end\n"}});
+    endless.limits.steps = 100'000;
+    const Report steps = report_of(endless);
+    EXPECT_EQ(steps.status, RunStatus::stopped);
+    EXPECT_EQ(steps.alarm->place.line, 2U);
+    Request big = request_of(
+        "part.lua", {{"part.lua", "require 'gsim'\nlocal t = {} for i = 1, 1e7 do t[i] = {} end\n"}});
+    big.limits.memory_bytes = 32U << 20U;
+    EXPECT_EQ(report_of(big).status, RunStatus::stopped);
+    endless.limits = {};
+    endless.limits.cpu_s = 0.1;
+    EXPECT_EQ(report_of(endless).status, RunStatus::stopped);
+}
+
+TEST(Run, TwoAtOnceDoNotKnowOfEachOther) {
+    const auto files = std::map<std::string, std::string>{{"a.nc", "G0 X10\nG1 X60 F600\nM2\n"}};
+    engine::Run one = prepared(request_of("a.nc", files));
+    engine::Run other = prepared(request_of("a.nc", files));
+    std::optional<Report> within;
+    one.take_moves([&](std::span<const Move>) { within = other.go().value(); });
+    const Report report = one.go().value();
+    EXPECT_EQ(report.json(), within.value().json());
+}
+
+}  // namespace
+}  // namespace gsim::engine::run_test

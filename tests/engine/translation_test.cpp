@@ -1,0 +1,66 @@
+#include "engine/translation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/run.h"
+#include "tests/engine/given.h"
+
+namespace gsim::engine::translation_test {
+namespace {
+
+using testing::HasSubstr;
+
+std::string lua_of(TranslationRequest request) {
+    auto translation = Translation::open(std::move(request));
+    EXPECT_TRUE(translation) << translation.error().message;
+    EXPECT_TRUE(translation->make({}));
+    std::string lua;
+    EXPECT_TRUE(translation->write([&](std::string_view text) {
+        lua += text;
+        return true;
+    }));
+    return lua;
+}
+
+TEST(Translation, LineNOfTheProgramIsLineN1OfTheLua) {
+    TranslationRequest request;
+    request.text = Text("G0 X1\nG1 Y2 F100\nM2\n", "part.nc");
+    const std::string lua = lua_of(request);
+    EXPECT_THAT(lua, HasSubstr("part.nc"));
+    EXPECT_EQ(lua.find("G1{", 0), lua.find("G1{y=2", 0));
+    std::size_t line = 1;
+    for (const char c : lua.substr(0, lua.find("G1{"))) line += c == '\n' ? 1 : 0;
+    EXPECT_EQ(line, 3U);
+}
+
+TEST(Translation, WhatIsWrongIsToldAndRefused) {
+    TranslationRequest request;
+    request.text = Text("G0 X1\nG1 Y F100\nM2\n", "part.nc");
+    auto translation = Translation::open(std::move(request)).value();
+    std::vector<Diagnostic> told;
+    const auto made = translation.make([&](const Diagnostic& found) { told.push_back(found); });
+    ASSERT_FALSE(made);
+    EXPECT_TRUE(made.error().in_program);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told.front().line, 2U);
+    EXPECT_EQ(made.error().first_error->text, told.front().text);
+}
+
+TEST(Translation, ItsScriptRunsAsTheProgramDoes) {
+    const std::string program = "G0 X10 Y5\nG1 X60 F600\nG3 X60 Y25 I0 J10\nM2\n";
+    TranslationRequest request;
+    request.text = Text(program, "part.nc");
+    Request run = request_of("part.nc", {{"part.nc", program}, {"part.lua", lua_of(request)}});
+    const auto time_s = [](const Request& of) {
+        engine::Run made = engine::Run::open(of).value();
+        EXPECT_TRUE(made.prepare());
+        return made.go().value().cycle_time_s;
+    };
+    const double direct_s = time_s(run);
+    run.program = "part.lua";
+    EXPECT_EQ(time_s(run), direct_s);
+}
+
+}  // namespace
+}  // namespace gsim::engine::translation_test
