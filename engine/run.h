@@ -12,11 +12,13 @@
 #include <tl/expected.hpp>
 
 #include "engine/api.h"
+#include "engine/columns.h"
 #include "engine/diagnostic.h"
 #include "engine/machine.h"
 #include "engine/motion.h"
 #include "engine/report.h"
 #include "engine/request.h"
+#include "engine/scene.h"
 
 namespace gsim::engine {
 
@@ -81,10 +83,18 @@ class GSIM_API Run {
     void take_segments(TakeSegments take, std::size_t robot = 0);
     /// Each `step_s` (1e-6 at least), and the last instant.
     tl::expected<void, Failure> take_samples(TakeSamples take, double step_s, std::size_t robot = 0);
+    /// The same as take_segments(), for use elsewhere: all that the closed forms need, and the way of the
+    /// tip. scene() tells behind the run how frames went by themselves.
+    void take_columns(TakeColumns take, std::size_t robot = 0);
     void show_progress(Progress progress);
 
     /// Runs to the end, an alarm, a limit, or Request::cancel. What happened.
     tl::expected<Report, Failure> go();
+
+    /// From prepare() on: the machine and what stands round it.
+    tl::expected<Scene, Failure> scene(std::size_t robot = 0) const;
+    /// Names of the sources that SegmentColumns::file counts.
+    const std::vector<std::string>& files(std::size_t robot = 0) const;
 
     /// Behind go(). What documents lack: a path that cannot be recorded, more samples than may be.
     const std::vector<Failure>& faults() const;

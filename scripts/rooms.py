@@ -18,6 +18,7 @@ EVERYBODYS = ("base/bits.h", "base/plane.h", "base/units.h")
 EXTERNAL = (
     (r"fmt/.*", "fmt"), (r"fast_float/.*", "fast_float"), (r"Eigen/.*", "Eigen"), (r"tl/.*", "tl-expected"), (r"toml\+\+/.*", "toml++"), (r"nlohmann/.*", "nlohmann-json"),
     (r"lua\.hpp", "Lua"), (r"pugixml\.hpp", "pugixml"), (r"CLI/.*", "CLI11"), (r".*\.hxx", "OpenCASCADE"),
+    (r"zlib\.h", "zlib"), (r"emscripten\.h", "emscripten"),
     (r"std(int|def)\.h", ""), (r"[a-z_/]+\.h", "POSIX"), (r"[a-z_]+", ""))
 
 
@@ -44,7 +45,8 @@ def maker_of(header):
 def sources(root):
     for folder in sorted(root.iterdir()):
         if folder.is_dir() and not folder.name.startswith((".", "build")) and folder.name + "/" not in FREE:
-            yield from sorted(file for file in folder.rglob("*") if file.suffix in (".cpp", ".h", ".l", ".y"))
+            yield from sorted(file for file in folder.rglob("*")
+                              if file.suffix in (".cpp", ".h", ".l", ".y") and "node_modules" not in file.parts)
 
 
 def uses(root, rooms):

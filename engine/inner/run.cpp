@@ -10,6 +10,8 @@
 #include "engine/inner/program_run.h"
 #include "engine/inner/robots_run.h"
 #include "engine/inner/run_inputs.h"
+#include "engine/inner/scene.h"
+#include "engine/inner/segment_columns.h"
 #include "engine/inner/takers.h"
 #include "engine/inner/values.h"
 #include "engine/inner/variables_text.h"
@@ -322,6 +324,21 @@ void Run::take_moves(TakeMoves take, std::size_t robot) {
 void Run::take_segments(TakeSegments take, std::size_t robot) {
     state_->documents(robot).add_output(
         hand_out_segments(std::move(take), state_->simulator(robot).machine()));
+}
+
+void Run::take_columns(TakeColumns take, std::size_t robot) {
+    simulation::Simulator& simulator = state_->simulator(robot);
+    if (simulator.cell() != nullptr) simulator.cell()->keep_history();
+    state_->documents(robot).add_output(
+        hand_out_columns(std::move(take), simulator.machine(), simulator.tips_mm()));
+}
+
+tl::expected<Scene, Failure> Run::scene(std::size_t robot) const {
+    return guarded([&]() -> tl::expected<Scene, Failure> { return scene_of(state_->simulator(robot)); });
+}
+
+const std::vector<std::string>& Run::files(std::size_t robot) const {
+    return state_->simulator(robot).files();
 }
 
 tl::expected<void, Failure> Run::take_samples(TakeSamples take, double step_s, std::size_t robot) {

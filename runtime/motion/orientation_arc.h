@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <tl/expected.hpp>
 
 #include "runtime/kinematics/kinematics.h"
@@ -64,6 +66,14 @@ class OrientationArc {
     Range tilt_range() const;
     /// The part of the arc between two angles.
     OrientationArc part(double from_rad, double to_rad) const;
+    /// All that at() is worked out from, so that it can be somewhere else: the angles of turn and tilt at the
+    /// anchor, the tilt from the pole there, its sine and cosine, sine and cosine of the heading, the side,
+    /// Clairaut's constant, the drifts of turn and tilt, where this part begins, and its length (rad).
+    std::array<double, 13> constants() const {
+        return {anchor_.turn,  anchor_.tilt,    tilt_,      sine_,     cosine_,
+                heading_sine_, heading_cosine_, side_,      clairaut_, drift_.turn,
+                drift_.tilt,   from_rad_,       length_rad_};
+    }
 
   private:
     /// The direction at a place: sine (signed as the tilt) and cosine of the tilt from the pole, and the

@@ -89,6 +89,7 @@ Planned CellWatch::move_frame(std::string_view name, const rrs::CartPos& pose, d
         return motion::refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     if (of_machine) machine_frames_.set(name, pose);
     if (name == motion::kToolFrame) return {};
+    note(*found, {.from_s = time_s, .pose = pose});
     if (const auto moving = carrier_of(*found)) {
         cell_.carried[*moving].carrier.add({.from_s = time_s, .pose = pose});
         return {};
@@ -123,9 +124,13 @@ Planned CellWatch::carry_frame(std::string_view name) {
 }
 
 void CellWatch::lead_frame(std::string_view name, const rrs::CartPos& pose, double from_s, double to_s) {
-    cell::Carrier& carrier = cell_.carried[*carrier_of(*set_frames_.find(name))].carrier;
-    carrier.add(cell::drift_between(carrier.at(from_s), pose, from_s, to_s));
-    carrier.add({.from_s = to_s, .pose = pose});
+    const std::size_t frame = *set_frames_.find(name);
+    cell::Carrier& carrier = cell_.carried[*carrier_of(frame)].carrier;
+    for (const cell::Drift& drift : {cell::drift_between(carrier.at(from_s), pose, from_s, to_s),
+                                     cell::Drift{.from_s = to_s, .pose = pose}}) {
+        note(frame, drift);
+        carrier.add(drift);
+    }
 }
 
 bool CellWatch::has_conveyors() const {
@@ -136,8 +141,10 @@ bool CellWatch::has_conveyors() const {
 void CellWatch::set_conveyor(std::string_view name, const cell::Drift& drift) {
     const auto found = set_frames_.find(name);
     if (!found) return;
-    if (const auto moving = carrier_of(*found); moving && cell_.carried[*moving].conveyor)
-        cell_.carried[*moving].carrier.add(drift);
+    const auto moving = carrier_of(*found);
+    if (!moving || !cell_.carried[*moving].conveyor) return;
+    note(*found, drift);
+    cell_.carried[*moving].carrier.add(drift);
 }
 
 void CellWatch::know_until(double time_s) {

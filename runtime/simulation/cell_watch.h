@@ -3,6 +3,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,12 @@ namespace gsim::simulation {
 struct CellUse {
     bool of_file = true;  ///< A cell file describes it; else it is the machine alone, and no probe feels it.
     bool watched = true;  ///< Contacts and near misses are looked for.
+};
+
+/// How a frame of a cell went, or stood, from a time on.
+struct FrameDrift {
+    std::size_t frame;
+    cell::Drift drift;
 };
 
 /// The cell of a run: looks at each segment for contacts and near misses of its block, and has the frames
@@ -44,6 +51,12 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     /// taken; the cell must not change while the search is used. `tip_mm` and the error are those of
     /// TouchSearch.
     tl::expected<cell::TouchSearch, std::string> touch_search(const Eigen::Vector3d& tip_mm, double time_s);
+
+    /// From now on what moves frames is kept, for history().
+    void keep_history() { keeps_history_ = true; }
+    /// In the order in which it was told, which is that of time for each frame; from `from_s` of an entry on
+    /// earlier ones of its frame no longer hold.
+    std::span<const FrameDrift> history() const { return history_; }
 
     /// Whether there are conveyors, whose motion must be known before a segment can be looked at.
     bool has_conveyors() const;
@@ -72,6 +85,9 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     tl::expected<rrs::CartPos, motion::PlanError> object_frame(std::string_view name) const;
     motion::Planned moves_together(std::size_t frame, std::size_t origin) const;
     std::optional<std::size_t> carrier_of(std::size_t frame) const;
+    void note(std::size_t frame, const cell::Drift& drift) {
+        if (keeps_history_) history_.push_back({frame, drift});
+    }
     void look_at(const motion::Segment& segment, const MoveInfo& info);
     void move_frames(double until_s);
     void end_block();
@@ -93,6 +109,8 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     double known_until_s_ = std::numeric_limits<double>::infinity();
     std::deque<Waiting> waiting_;
     cell::ClearanceWatch watch_;
+    bool keeps_history_ = false;
+    std::vector<FrameDrift> history_;
     CellFindings findings_;
     std::optional<Place> block_;
     std::vector<Place> places_;          ///< Of the watch's contacts,

@@ -12,6 +12,7 @@
 #include "base/text/json_text.h"
 #include "base/units.h"
 #include "runtime/simulation/simulator.h"
+#include "runtime/simulation/tip_curve.h"
 
 namespace gsim::simulation {
 
@@ -26,9 +27,7 @@ constexpr double kSamePoint_mm = 1e-9;
 constexpr double kStraight_mm = 1e-7;  // off a line, by rounding
 constexpr double kLevel_mm = 1e-6;     // as readers of drawings take it
 constexpr double kRigid = 1e-9;
-constexpr double kStep_rad = std::numbers::pi / 4;  // that curves are looked at by, at least
 constexpr int kLeastSteps = 8;
-constexpr int kMostHalvings = 12;
 constexpr std::size_t kMostInOne = 10'000;  // points of one polyline
 
 constexpr std::array<std::string_view, 3> kDxfLayers{"RAPID", "FEED", "CUT"};
@@ -37,23 +36,6 @@ constexpr std::string_view kChangesHeight = "_Z";
 
 constexpr int kPolyline3d = 8;
 constexpr int kVertex3d = 32;
-
-double distance_from_line(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
-    const Vector3d along = to - from;
-    const double length2 = along.squaredNorm();
-    if (length2 < kSamePoint_mm * kSamePoint_mm) return (point - from).norm();
-    const double share = std::clamp((point - from).dot(along) / length2, 0.0, 1.0);
-    return (point - from - share * along).norm();
-}
-
-/// A whole number.
-double least_steps(const Segment& segment) {
-    if (segment.kind == SegmentKind::circular)
-        return std::max<double>(kLeastSteps, std::ceil(segment.arc.sweep_rad / kStep_rad));
-    const bool straight_joints =
-        segment.kind == SegmentKind::linear && !segment.beside && segment.followers().empty();
-    return straight_joints && !segment.orientation ? 1 : kLeastSteps;
-}
 
 Vector3d on_round(const Vector3d& center_mm, double radius_mm, double angle_rad) {
     return center_mm + radius_mm * Vector3d(std::cos(angle_rad), std::sin(angle_rad), 0);
@@ -187,24 +169,12 @@ void DxfWriter::add(const Round& round) {
 void DxfWriter::add_curve(const Segment& segment) {
     if (round_) flush();
     if (points_.empty()) points_.push_back(tip_.at(segment.start));
-    const double steps = least_steps(segment);
-    for (double i = 0; i < steps && !cut_short(); ++i)
-        halve(segment, segment.duration_s * i / steps, segment.duration_s * (i + 1) / steps, 0);
-}
-
-void DxfWriter::halve(const Segment& segment, double from_s, double to_s, int depth) {
-    const Vector3d from = tip_.at(segment.position_at(from_s));
-    const Vector3d to = tip_.at(segment.position_at(to_s));
-    const double middle_s = (from_s + to_s) / 2;
-    const auto off = [&](double t_s) {
-        return distance_from_line(tip_.at(segment.position_at(t_s)), from, to);
-    };
-    const bool close = off(middle_s) < kTolerance_mm / 2 &&
-                       off((from_s + middle_s) / 2) < kTolerance_mm / 2 &&
-                       off((middle_s + to_s) / 2) < kTolerance_mm / 2;
-    if (close || depth == kMostHalvings) return add_point(to);
-    halve(segment, from_s, middle_s, depth + 1);
-    halve(segment, middle_s, to_s, depth + 1);
+    const double parts = least_parts(segment);
+    const auto add = [this](const Vector3d& point_mm, double /*t_s*/) { add_point(point_mm); };
+    for (double i = 0; i < parts && !cut_short(); ++i) {
+        add_tip_curve(segment, tip_, kTolerance_mm, segment.duration_s * i / parts,
+                      segment.duration_s * (i + 1) / parts, add);
+    }
 }
 
 /// A line that goes on straight is one.

@@ -50,7 +50,6 @@ class DxfWriter : public RunOutput {
     bool passes(const motion::Segment& segment, const Round& round) const;
     void add(const Round& round);
     void add_curve(const motion::Segment& segment);
-    void halve(const motion::Segment& segment, double from_s, double to_s, int depth);
     void add_point(const Eigen::Vector3d& point_mm);
     void flush();
     void write_line();

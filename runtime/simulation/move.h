@@ -42,6 +42,7 @@ struct MoveInfo {
     bool feels_cell = false;     ///< A probe that the bodies of the cell end.
     std::uint32_t switches = 0;  ///< How often the program has switched the process so far, on or off.
     std::uint16_t offset = 0;    ///< The work offset in force, as Simulator counts them.
+    std::uint16_t tip = 0;       ///< Of the tool in use, an index of Simulator::tips_mm().
     motion::ObeyedOverrides obeyed = {};  ///< Of the operator's overrides.
     bool follows_spindle = false;         ///< Its feed is given by turns of the spindle.
     std::uint16_t beyond = 0;  ///< A bit for each joint that it takes past its range, from the lowest on.

@@ -181,6 +181,7 @@ MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per
     info.jet_on = process_on_;
     info.switches = process_switches_;
     info.offset = work_offset_;
+    info.tip = tip_;
     return info;
 }
 

@@ -28,6 +28,7 @@
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/step_ranges.h"
 #include "runtime/simulation/tip_frame.h"
+#include "runtime/simulation/tool_tips.h"
 #include "runtime/simulation/violation_log.h"
 #include "runtime/simulation/way_deviation.h"
 #include "runtime/simulation/zone_watch.h"
@@ -88,6 +89,12 @@ class Simulator {
     /// The index for Place::file of a file name; adds it where it is new.
     std::uint32_t add_file(const std::string& name);
     const std::vector<std::string>& files() const { return files_; }
+    const ZoneWatch& zones() const { return zones_; }
+    /// The cell that it stands in; null: none.
+    CellWatch* cell() const { return cell_; }
+    /// The tips of the tools that moves were made with (MoveInfo::tip), in the frame of the tool centre
+    /// point.
+    const std::vector<Eigen::Vector3d>& tips_mm() const { return tips_.list_mm(); }
     /// Counts a block; false past the limit (status stopped).
     bool count_block(const Place& place);
     /// False where the run has used up its processor time (status stopped).
@@ -296,6 +303,8 @@ class Simulator {
     std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control, with this offset:
     Eigen::Vector3d tip_offset_mm_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d tool_offset_mm_ = Eigen::Vector3d::Zero();
+    ToolTips tips_;
+    std::uint16_t tip_ = 0;  ///< In use, of these.
     ProbeFeels probe_feels_;
     std::optional<double> solid_side_;  ///< Of the plane that probes feel: 1 above it, -1 below; once known.
     AxisVector position_;

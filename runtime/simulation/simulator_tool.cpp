@@ -16,7 +16,9 @@ tl::expected<TipFrame, std::string> Simulator::tip_frame_of(const Eigen::Vector3
 /// The tip of the tool in use as the machine carries it, whether the program is told of the tip or not.
 void Simulator::tip_changed() {
     const auto frame = tip_frame_of(tool_offset_mm_);
-    way_deviation_.set_tip(frame ? frame->tip_mm() : machine_frames_.tool_shift().translation());
+    const Eigen::Vector3d tip_mm = frame ? frame->tip_mm() : machine_frames_.tool_shift().translation();
+    way_deviation_.set_tip(tip_mm);
+    tip_ = tips_.number(tip_mm);
 }
 
 void Simulator::set_tool_offset(const Eigen::Vector3d& offset_mm) {

@@ -46,6 +46,13 @@ void ZoneWatch::add_zones(const machine::MachineData& data) {
     renew_boxes();
 }
 
+std::vector<ZoneRule> ZoneWatch::rules() const {
+    std::vector<ZoneRule> rules;
+    rules.reserve(zones_.size());
+    for (const Known& zone : zones_) rules.push_back({zone.name, zone.limits, zone.stay_inside, zone.on});
+    return rules;
+}
+
 void ZoneWatch::add_zone(std::string name, const machine::Zone& zone) {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const char letter = static_cast<char>('X' + i);

@@ -34,6 +34,14 @@ struct ZoneHit {
     double beyond_mm = 0;  ///< How far past that wall the tool goes before it is where it may be again.
 };
 
+/// A zone of machine data, as it is at the start.
+struct ZoneRule {
+    std::string name;
+    ZoneWalls walls;  ///< In machine coordinates of X, Y and Z.
+    bool stay_inside;
+    bool on;
+};
+
 /// Stands between a planner and what takes its segments, and finds where the tool enters a zone that is
 /// forbidden or leaves one that it must stay in; it ends the segments there, or else goes on. The instant is
 /// exact: a root of path and time law, not a sample. The tool's end is where the machine's X, Y and Z are,
@@ -67,6 +75,8 @@ class ZoneWatch final : public motion::SegmentSink {
     const std::vector<ZoneHit>& hits() const { return hits_; }
     /// How many more there were.
     std::uint64_t further_hits() const { return further_hits_; }
+    /// Those of machine data, before the first segment.
+    std::vector<ZoneRule> rules() const;
     /// Axes on which a zone has walls, but the machine has no linear axis: these walls are left out.
     const std::string& missing_axes() const { return missing_axes_; }
 

@@ -1,0 +1,57 @@
+#include "apps/gzip.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <new>
+
+#include <zlib.h>
+
+namespace gsim::apps {
+
+struct Gzip::State {
+    z_stream stream{};
+    std::array<char, 1U << 16U> buffer;
+};
+
+Gzip::Gzip() : state_(std::make_unique<State>()) {
+    constexpr int kFormatOfGzip = 16;
+    constexpr int kMemory = 8;
+    if (deflateInit2(&state_->stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + kFormatOfGzip, kMemory,
+                     Z_DEFAULT_STRATEGY) != Z_OK)
+        throw std::bad_alloc();
+}
+
+Gzip::~Gzip() {
+    deflateEnd(&state_->stream);
+}
+
+void Gzip::add(std::string_view bytes, std::string& packed) {
+    constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
+    while (!bytes.empty()) {
+        const std::string_view part = bytes.substr(0, std::min(bytes.size(), kMost));
+        // zlib does not change what it reads.
+        state_->stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+        state_->stream.avail_in = static_cast<uInt>(part.size());
+        run(Z_NO_FLUSH, packed);
+        bytes.remove_prefix(part.size());
+    }
+}
+
+void Gzip::end(std::string& packed) {
+    state_->stream.avail_in = 0;
+    run(Z_FINISH, packed);
+}
+
+// Until zlib has nothing to give: then it has taken all.
+void Gzip::run(int flush, std::string& packed) {
+    z_stream& stream = state_->stream;
+    do {
+        stream.next_out = reinterpret_cast<Bytef*>(state_->buffer.data());
+        stream.avail_out = static_cast<uInt>(state_->buffer.size());
+        deflate(&stream, flush);
+        packed.append(state_->buffer.data(), state_->buffer.size() - stream.avail_out);
+    } while (stream.avail_out == 0);
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,25 @@
+// Where there is no zlib: as WebAssembly, which the page itself runs.
+
+#include "apps/view_page.h"
+
+namespace gsim::apps {
+
+class ViewPage::State {};
+
+ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ViewPage::~ViewPage() = default;
+
+tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& /*file*/) {
+    return tl::unexpected(std::string("--view is for the native program"));
+}
+
+tl::expected<void, std::string> ViewPage::attach(engine::Run& /*run*/) {
+    return {};
+}
+
+tl::expected<void, std::string> ViewPage::commit(const engine::Run& /*run*/,
+                                                 const engine::Report& /*report*/) {
+    return {};
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,115 @@
+#include "apps/view_page.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/gzip.h"
+#include "base/os/input_file.h"
+#include "base/os/output_file.h"
+#include "base/text/base64.h"
+#include "engine/system/installed_files.h"
+#include "studio/engine/message.h"
+#include "studio/engine/run_messages.h"
+
+namespace gsim::apps {
+
+namespace {
+
+constexpr const char* kPage = "studio/view.html";
+constexpr std::string_view kPlace = "<!-- run -->";
+constexpr std::string_view kBefore = "<script type=\"application/octet-stream\" id=\"run\">";
+constexpr std::string_view kBehind = "</script>";
+
+tl::unexpected<std::string> no_page(const std::string& why) {
+    return tl::unexpected(fmt::format(
+        "--view needs the page of the studio, which this build lacks ({}); `make studio` makes it", why));
+}
+
+}  // namespace
+
+class ViewPage::State {
+  public:
+    State(std::string name, std::string page) : name_(std::move(name)), page_(std::move(page)) {}
+
+    const studio::Post& post() const { return post_; }
+
+    tl::expected<void, std::string> begin() {
+        return os::OutputFile::open(name_).map([this](os::OutputFile file) {
+            file_.emplace(std::move(file));
+            file_->write(std::string_view(page_).substr(0, page_.find(kPlace)));
+            file_->write(kBefore);
+        });
+    }
+
+    tl::expected<void, std::string> end() {
+        text_.clear();
+        packed_.clear();
+        gzip_.end(packed_);
+        base64_.add(packed_, text_);
+        base64_.end(text_);
+        file_->write(text_);
+        file_->write(kBehind);
+        file_->write(std::string_view(page_).substr(page_.find(kPlace) + kPlace.size()));
+        return file_->commit();
+    }
+
+  private:
+    void put(const std::string& bytes) {
+        text_.clear();
+        packed_.clear();
+        gzip_.add(bytes, packed_);
+        base64_.add(packed_, text_);
+        file_->write(text_);
+    }
+
+    std::string name_;
+    std::string page_;
+    std::optional<os::OutputFile> file_;
+    Gzip gzip_;
+    text::Base64 base64_;
+    std::string packed_, text_;
+    studio::Post post_ = [this](const std::string& bytes) { put(bytes); };
+};
+
+ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ViewPage::~ViewPage() = default;
+
+tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& file) {
+    const auto page = engine::find_file(engine::NameKind::sample, kPage);
+    if (!page) return no_page(page.error());
+    auto text = os::read_text_file(*page);
+    if (!text) return no_page(text.error());
+    if (text->find(kPlace) == std::string::npos)
+        return no_page(fmt::format("'{}' has no place for a run", *page));
+    return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
+}
+
+tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
+    return state_->begin().map([&] { studio::post_run(run, state_->post()); });
+}
+
+// What came from a pipe can be read once: such a run is shown without its source.
+tl::expected<void, std::string> ViewPage::commit(const engine::Run& run, const engine::Report& report) {
+    std::vector<std::string> sources;
+    for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
+        for (const std::string& name : run.files(robot)) {
+            if (std::find(sources.begin(), sources.end(), name) == sources.end()) sources.push_back(name);
+        }
+    }
+    for (const std::string& name : sources) {
+        const auto text = os::read_text_file(name);
+        if (!text) continue;
+        studio::Message message("source");
+        message.header()["name"] = name;
+        message.add("text", *text);
+        state_->post()(message.bytes());
+    }
+    studio::post_end(run, report, state_->post());
+    return state_->end();
+}
+
+}  // namespace gsim::apps

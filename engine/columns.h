@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace gsim::engine {
+
+/// Bits of SegmentColumns::flags, and what stands in the others.
+struct SegmentFlags {
+    static constexpr std::uint32_t kKind = 3;  ///< SegmentKind.
+    static constexpr std::uint32_t kProcessOn = 1U << 2U;
+    static constexpr std::uint32_t kArc = 1U << 3U;
+    static constexpr std::uint32_t kOrientation = 1U << 4U;
+    static constexpr std::uint32_t kBeside = 1U << 5U;
+    static constexpr std::uint32_t kApart = 1U << 6U;
+    static constexpr std::uint32_t kTimed = 1U << 7U;   ///< The program gives a time, no feed.
+    static constexpr std::uint32_t kMoveKindShift = 8;  ///< Four bits: MoveKind.
+    static constexpr std::uint32_t kLimitShift = 12;    ///< Four bits: what kept it from being faster.
+    static constexpr std::uint32_t kLimitAxisShift =
+        16;  ///< Five bits: the axis of that limit plus 1; 0: none.
+};
+
+/// Segments of a run as columns, for whoever draws them or works out where the axes are somewhere else: all
+/// that a closed form needs is in `values`, in 64 bits. docs/studio.md has the layout of a record.
+struct SegmentColumns {
+    std::uint64_t first = 0;  ///< Number of the first segment in the run, from 0.
+    /// One entry for each segment.
+    std::vector<double> start_s, duration_s, length_mm, feed_per_min, deviation_mm;
+    std::vector<std::uint32_t> line, file, flags, tip;
+    std::vector<std::uint32_t> record;  ///< Where in `values` its record begins.
+    std::vector<double> values;
+    /// The way of the tool's tip on the part, in the work frame: three coordinates (mm) for each vertex, its
+    /// time, and its segment, counted from `first`. The first vertex of all is where the run starts.
+    std::vector<float> vertex_mm;
+    std::vector<float> vertex_s;
+    std::vector<std::uint32_t> vertex_segment;
+};
+
+/// Takes what a run has made since the last call, in the order of time.
+using TakeColumns = std::function<void(const SegmentColumns&)>;
+
+/// The most segments of a call.
+inline constexpr std::uint32_t kColumnChunk = 16'384;
+
+}  // namespace gsim::engine

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/columns.h"
+#include "runtime/machine/machine.h"
+#include "runtime/simulation/run_output.h"
+
+namespace gsim::engine {
+
+/// An output that hands out segments as columns. `machine` and the tips that MoveInfo::tip counts outlive it.
+std::unique_ptr<simulation::RunOutput> hand_out_columns(TakeColumns take, const machine::Machine& machine,
+                                                        const std::vector<Eigen::Vector3d>& tips_mm);
+
+}  // namespace gsim::engine

@@ -1,0 +1,34 @@
+#include "runtime/simulation/tip_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gsim::simulation {
+
+namespace {
+
+constexpr double kSamePoint_mm = 1e-9;
+constexpr double kStep_rad = std::numbers::pi / 4;  // that arcs are looked at by, at least
+constexpr int kLeastOfCurve = 8;
+
+}  // namespace
+
+double least_parts(const motion::Segment& segment) {
+    if (segment.kind == motion::SegmentKind::circular)
+        return std::max<double>(kLeastOfCurve, std::ceil(segment.arc.sweep_rad / kStep_rad));
+    const bool straight_joints = segment.kind == motion::SegmentKind::linear && !segment.beside &&
+                                 segment.followers().empty() && !segment.orientation;
+    return straight_joints ? 1 : kLeastOfCurve;
+}
+
+double distance_from_line(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
+                          const Eigen::Vector3d& to) {
+    const Eigen::Vector3d along = to - from;
+    const double length2 = along.squaredNorm();
+    if (length2 < kSamePoint_mm * kSamePoint_mm) return (point - from).norm();
+    const double share = std::clamp((point - from).dot(along) / length2, 0.0, 1.0);
+    return (point - from - share * along).norm();
+}
+
+}  // namespace gsim::simulation

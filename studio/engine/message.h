@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace gsim::studio {
+
+/// What the engine tells a page: a header in JSON, and columns of numbers behind it that a page looks at
+/// where they lie. docs/studio.md has the layout.
+class Message {
+  public:
+    /// `is`: what it tells, "segments".
+    explicit Message(const char* is) : header_{{"is", is}} {}
+
+    nlohmann::ordered_json& header() { return header_; }
+    void add(const char* name, std::span<const double> values) { put(name, "f64", values); }
+    void add(const char* name, std::span<const float> values) { put(name, "f32", values); }
+    void add(const char* name, std::span<const std::uint32_t> values) { put(name, "u32", values); }
+    void add(const char* name, const std::string& bytes) {
+        put(name, "u8", std::span<const char>(bytes.data(), bytes.size()));
+    }
+
+    /// As bytes: their number and that of the header's (both 32 bits, little end first), the header, and each
+    /// column; header and columns begin at multiples of 8. Less than 4 GB.
+    std::string bytes() const;
+
+  private:
+    template <typename Value>
+    void put(const char* name, const char* type, std::span<const Value> values) {
+        header_["columns"].push_back({name, type, values.size()});
+        parts_.emplace_back(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+    }
+
+    nlohmann::ordered_json header_;
+    std::vector<std::string> parts_;
+};
+
+}  // namespace gsim::studio

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "engine/run.h"
+#include "engine/translation.h"
+
+namespace gsim::studio {
+
+/// A run as a page asks for it (docs/studio.md has the keys). The error is a sentence that names the key.
+tl::expected<engine::Request, std::string> run_request(const nlohmann::json& asked);
+
+/// A translation of the same program, as far as that is asked for.
+engine::TranslationRequest translation_request(const engine::Request& run);
+
+}  // namespace gsim::studio

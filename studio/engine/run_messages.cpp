@@ -1,0 +1,92 @@
+#include "studio/engine/run_messages.h"
+
+#include <fmt/format.h>
+
+#include "studio/engine/message.h"
+
+namespace gsim::studio {
+
+namespace {
+
+using engine::Run;
+
+const char* name_of(engine::Severity severity) {
+    switch (severity) {
+        case engine::Severity::error: return "error";
+        case engine::Severity::warning: return "warning";
+        case engine::Severity::note: return "note";
+    }
+    return "";
+}
+
+void post_scene(const Run& run, std::size_t robot, const Post& post) {
+    const auto scene = run.scene(robot);
+    if (!scene) return;
+    Message message("scene");
+    message.header()["robot"] = robot;
+    message.header()["name"] = run.robots()[robot];
+    message.header()["scene"] = nlohmann::ordered_json::parse(scene->json);
+    message.header()["files"] = run.files(robot);
+    for (std::size_t i = 0; i < scene->meshes_mm.size(); ++i)
+        message.add(fmt::format("mesh{}", i).c_str(), scene->meshes_mm[i]);
+    post(message.bytes());
+}
+
+void post_columns(const engine::SegmentColumns& columns, std::size_t robot, const Post& post) {
+    Message message("segments");
+    message.header()["robot"] = robot;
+    message.header()["first"] = columns.first;
+    message.add("start_s", columns.start_s);
+    message.add("duration_s", columns.duration_s);
+    message.add("length_mm", columns.length_mm);
+    message.add("feed_per_min", columns.feed_per_min);
+    message.add("deviation_mm", columns.deviation_mm);
+    message.add("values", columns.values);
+    message.add("line", columns.line);
+    message.add("file", columns.file);
+    message.add("flags", columns.flags);
+    message.add("tip", columns.tip);
+    message.add("record", columns.record);
+    message.add("vertex_mm", columns.vertex_mm);
+    message.add("vertex_s", columns.vertex_s);
+    message.add("vertex_segment", columns.vertex_segment);
+    post(message.bytes());
+}
+
+}  // namespace
+
+void post_told(const engine::Diagnostic& told, const Post& post) {
+    Message message("told");
+    message.header().update({{"severity", name_of(told.severity)},
+                             {"code", told.code},
+                             {"file", told.file},
+                             {"line", told.line},
+                             {"column", told.column},
+                             {"end_column", told.end_column},
+                             {"text", told.text},
+                             {"hint", told.hint}});
+    post(message.bytes());
+}
+
+void post_run(Run& run, const Post& post) {
+    for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
+        post_scene(run, robot, post);
+        run.take_columns(
+            [robot, &post](const engine::SegmentColumns& columns) { post_columns(columns, robot, post); },
+            robot);
+    }
+}
+
+void post_end(const Run& run, const engine::Report& report, const Post& post) {
+    for (std::size_t robot = 0; robot < run.robots().size(); ++robot) post_scene(run, robot, post);
+    post_report(report, post);
+}
+
+void post_report(const engine::Report& report, const Post& post) {
+    Message message("report");
+    message.header()["report"] = nlohmann::ordered_json::parse(report.json());
+    message.header()["text"] = report.text();
+    post(message.bytes());
+}
+
+}  // namespace gsim::studio

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "engine/run.h"
+
+namespace gsim::studio {
+
+/// Takes a message to the page (Message::bytes()).
+using Post = std::function<void(const std::string& bytes)>;
+
+/// A thing to tell of an input or a run.
+void post_told(const engine::Diagnostic& told, const Post& post);
+
+/// Between prepare() and go(): what stands in the world, and from now on all that moves. `post` must outlive
+/// the run.
+void post_run(engine::Run& run, const Post& post);
+
+/// Behind go(): what is known now of frames and tools, and the report.
+void post_end(const engine::Run& run, const engine::Report& report, const Post& post);
+
+/// The report alone: of a program with errors.
+void post_report(const engine::Report& report, const Post& post);
+
+}  // namespace gsim::studio

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+#include "engine/host.h"
+#include "studio/engine/run_messages.h"
+
+namespace gsim::studio {
+
+/// Does what a page asks for, in JSON: `do` is "run", "check", "translate", "envelope" or "languages"
+/// (docs/studio.md). All that there is to tell is posted, "done" or "failed" the last. Throws nothing.
+void serve(std::string_view asked, const engine::Host& host, const Post& post);
+
+}  // namespace gsim::studio

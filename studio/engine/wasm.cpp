@@ -1,0 +1,43 @@
+// The engine in a page's worker: one function for what is asked, two of the page's that it calls.
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include <emscripten.h>
+
+#include "studio/engine/session.h"
+
+// The page's answer lies in memory that it took by malloc(); 0: there is no such file.
+EM_JS(char*, studio_read, (const char* name, double* size), {
+    const bytes = Module["readFile"](UTF8ToString(name));
+    if (!bytes) return 0;
+    const place = _malloc(bytes.length + 1);
+    HEAPU8.set(bytes, place);
+    HEAPF64[size >> 3] = bytes.length;
+    return place;
+});
+
+EM_JS(void, studio_post, (const char* bytes, double size),
+      { Module["post"](HEAPU8.slice(bytes, bytes + size)); });
+
+namespace {
+
+std::optional<std::string> read_file(const std::string& name) {
+    double size = 0;
+    char* const bytes = studio_read(name.c_str(), &size);
+    if (bytes == nullptr) return std::nullopt;
+    std::string text(bytes, static_cast<std::size_t>(size));
+    std::free(bytes);
+    return text;
+}
+
+}  // namespace
+
+extern "C" EMSCRIPTEN_KEEPALIVE void gsim_studio_serve(const char* asked) {
+    gsim::engine::Host host;
+    host.files = gsim::engine::Files::given(read_file);
+    gsim::studio::serve(asked, host, [](const std::string& bytes) {
+        studio_post(bytes.data(), static_cast<double>(bytes.size()));
+    });
+}

@@ -1,0 +1,55 @@
+#include "studio/engine/request.h"
+
+#include <gtest/gtest.h>
+
+namespace gsim::studio {
+namespace {
+
+using nlohmann::json;
+
+std::string fault_of(const json& asked) {
+    const auto request = run_request(asked);
+    return request ? "" : request.error();
+}
+
+TEST(RunRequest, TakesWhatAPageMayAskFor) {
+    const auto request = run_request({{"do", "run"},
+                                      {"program", "part.nc"},
+                                      {"machine", "mine.toml"},
+                                      {"dialect", "rs274ngc"},
+                                      {"feed_override_percent", 80},
+                                      {"blocks", 1000},
+                                      {"collisions", false},
+                                      {"explain", true}});
+    ASSERT_TRUE(request) << request.error();
+    EXPECT_EQ(request->program, "part.nc");
+    EXPECT_EQ(request->machine, "mine.toml");
+    EXPECT_EQ(request->language.dialect, "rs274ngc");
+    EXPECT_EQ(request->overrides.feed_percent, 80);
+    EXPECT_EQ(request->limits.blocks, 1000U);
+    EXPECT_FALSE(request->collisions);
+    EXPECT_TRUE(request->explain);
+}
+
+TEST(RunRequest, NamesTheKeyThatItDoesNotTake) {
+    EXPECT_EQ(fault_of({{"programme", "part.nc"}}), "there is no key 'programme' of a run");
+    EXPECT_EQ(fault_of({{"program", 3}}), "'program' should be a text, not 3");
+    EXPECT_EQ(fault_of({{"blocks", "many"}}), "'blocks' should be a number, not \"many\"");
+    EXPECT_EQ(fault_of({{"blocks", 0}}), "'blocks' should be from 1 to 1000000000000000, not 0");
+    EXPECT_EQ(fault_of({{"feed_override_percent", 2000}}),
+              "'feed_override_percent' should be from 0 to 1000, not 2000");
+    EXPECT_EQ(fault_of({{"collisions", 1}}), "'collisions' should be true or false, not 1");
+    EXPECT_EQ(fault_of(json::array()), "a request should be an object");
+}
+
+TEST(TranslationRequest, IsOfTheSameProgramAndLanguage) {
+    auto request = run_request({{"program", "part.nc"}, {"machine", "mine.toml"}, {"dialect", "rs274ngc"}});
+    ASSERT_TRUE(request);
+    const engine::TranslationRequest translation = translation_request(*request);
+    EXPECT_EQ(translation.program, "part.nc");
+    EXPECT_EQ(translation.machine, "mine.toml");
+    EXPECT_EQ(translation.language.dialect, "rs274ngc");
+}
+
+}  // namespace
+}  // namespace gsim::studio

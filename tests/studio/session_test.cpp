@@ -1,0 +1,145 @@
+#include "studio/engine/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tests/studio/frames.h"
+
+namespace gsim::studio {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+std::vector<Frame> answers(const std::string& asked, const Files& files = {}) {
+    engine::Host host;
+    host.files = engine::Files::given([&](const std::string& name) -> std::optional<std::string> {
+        const auto found = files.find(name);
+        if (found == files.end()) return std::nullopt;
+        return found->second;
+    });
+    std::vector<Frame> frames;
+    serve(asked, host, [&](const std::string& bytes) { frames.push_back(read_frame(bytes)); });
+    return frames;
+}
+
+std::vector<Frame> of_kind(const std::vector<Frame>& frames, const std::string& kind) {
+    std::vector<Frame> found;
+    std::copy_if(frames.begin(), frames.end(), std::back_inserter(found),
+                 [&](const Frame& frame) { return frame.is() == kind; });
+    return found;
+}
+
+const Frame& last(const std::vector<Frame>& frames) {
+    return frames.back();
+}
+
+constexpr const char* kRun = R"({"do": "run", "program": "part.nc"})";
+
+TEST(Session, ARunTellsTheSceneTheSegmentsAndTheReport) {
+    const auto frames =
+        answers(kRun, {{"part.nc", "G21 G90\nG0 X10\nG1 X10 Y20 F6000\nG2 X30 Y20 I10\nM2\n"}});
+    EXPECT_EQ(last(frames).is(), "done");
+    EXPECT_EQ(of_kind(frames, "told").size(), 0U);
+    const auto scenes = of_kind(frames, "scene");
+    ASSERT_EQ(scenes.size(), 2U);
+    EXPECT_EQ(scenes[0].header["scene"]["axes"][0]["letter"], "X");
+    EXPECT_EQ(scenes[1].header["files"], nlohmann::json::array({"part.nc"}));
+    const auto segments = of_kind(frames, "segments");
+    ASSERT_EQ(segments.size(), 1U);
+    EXPECT_EQ(segments[0].column<std::uint32_t>("line"), (std::vector<std::uint32_t>{2, 3, 4}));
+    const auto reports = of_kind(frames, "report");
+    ASSERT_EQ(reports.size(), 1U);
+    const auto start_s = segments[0].column<double>("start_s");
+    const auto duration_s = segments[0].column<double>("duration_s");
+    EXPECT_NEAR(start_s.back() + duration_s.back(), reports[0].header["report"]["cycle_time_s"].get<double>(),
+                1e-9);
+}
+
+TEST(Session, TheDrawnWayIsWithinAHundredthOfTheArc) {
+    const auto frames = answers(kRun, {{"part.nc", "G21 G90 F6000\nG1 X100\nG2 X100 I-50\nM2\n"}});
+    const Frame segments = of_kind(frames, "segments").at(0);
+    const auto vertices = segments.column<float>("vertex_mm");
+    const auto of = segments.column<std::uint32_t>("vertex_segment");
+    const auto time_s = segments.column<float>("vertex_s");
+    ASSERT_EQ(vertices.size(), 3 * of.size());
+    ASSERT_EQ(time_s.size(), of.size());
+    std::size_t on_arc = 0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        if (of[i] != 1) continue;
+        ++on_arc;
+        EXPECT_NEAR(std::hypot(vertices[3 * i] - 50, vertices[3 * i + 1]), 50, 1e-4);
+        EXPECT_LE(time_s[i - 1], time_s[i]);
+    }
+    // A chord is off its arc by r (1 - cos(half its angle)).
+    EXPECT_LT(50 * (1 - std::cos(3.14159265 / static_cast<double>(on_arc))), 0.01);
+    EXPECT_LT(on_arc, 400U);
+}
+
+TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
+    const auto frames = answers(R"({"do": "run", "program": "part.nc", "machine_data": "tools.txt"})",
+                                {{"part.nc", "G21 G90\nG0 Z100\nG43 H1\nG0 Z100\nM2\n"},
+                                 {"tools.txt", "NCFILE\nTOOL\n1 30 2\nENDFILE\n"}});
+    const Frame segments = of_kind(frames, "segments").at(0);
+    const auto vertices = segments.column<float>("vertex_mm");
+    ASSERT_EQ(segments.column<std::uint32_t>("tip"), (std::vector<std::uint32_t>{0, 1}))
+        << last(frames).header;
+    EXPECT_NEAR(vertices.back(), 100, 1e-4);  // the axis goes to 130
+    const auto tips = of_kind(frames, "scene").back().header["scene"]["tips_mm"];
+    ASSERT_EQ(tips.size(), 2U);
+    EXPECT_NEAR(std::hypot(tips[1][0].get<double>(), tips[1][1].get<double>(), tips[1][2].get<double>()), 30,
+                1e-9);
+}
+
+TEST(Session, WhatIsWrongIsToldWithItsPlace) {
+    const auto frames = answers(R"({"do": "check", "program": "part.nc"})", {{"part.nc", "G0 X1\nG999\n"}});
+    const auto told = of_kind(frames, "told");
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0].header["severity"], "error");
+    EXPECT_EQ(told[0].header["line"], 2);
+    EXPECT_EQ(told[0].header["column"], 1);
+    EXPECT_EQ(last(frames).is(), "done");
+}
+
+TEST(Session, ATranslationIsLineByLine) {
+    const auto frames =
+        answers(R"({"do": "translate", "program": "part.nc"})", {{"part.nc", "G21\nG0 X1\nM2\n"}});
+    const auto scripts = of_kind(frames, "script");
+    ASSERT_EQ(scripts.size(), 1U);
+    const std::string& lua = scripts[0].columns.at("lua");
+    EXPECT_NE(lua.find("\nG21()\nG0{x=1}\nM2()\n"), std::string::npos) << lua;
+}
+
+TEST(Session, ARefusedProgramHasAReportAndFails) {
+    const auto frames = answers(kRun, {{"part.nc", "G999\n"}});
+    EXPECT_EQ(of_kind(frames, "report").size(), 1U);
+    EXPECT_EQ(last(frames).is(), "failed");
+    EXPECT_EQ(last(frames).header["in_program"], true);
+}
+
+TEST(Session, WhatCannotBeDoneFailsInASentence) {
+    EXPECT_EQ(last(answers("{")).header["message"], "a request should be JSON");
+    EXPECT_EQ(last(answers(R"({"do": "fly"})")).header["message"], "nothing is known of how to do 'fly'");
+    EXPECT_EQ(last(answers(kRun)).is(), "failed");
+    EXPECT_NE(last(answers(kRun)).header["message"].get<std::string>().find("part.nc"), std::string::npos);
+}
+
+TEST(Session, BothLanguagesAreToldWithTheirCodes) {
+    const auto frames = answers(R"({"do": "languages"})");
+    const auto languages = of_kind(frames, "languages").at(0).header["languages"];
+    ASSERT_EQ(languages.size(), 2U);
+    for (const auto& language : languages) {
+        const auto& codes = language["codes"];
+        const auto arc =
+            std::find_if(codes.begin(), codes.end(), [](const auto& code) { return code["code"] == "G2"; });
+        ASSERT_NE(arc, codes.end());
+        EXPECT_EQ((*arc)["group"], "motion");
+        EXPECT_EQ((*arc)["supported"], true);
+    }
+}
+
+}  // namespace
+}  // namespace gsim::studio

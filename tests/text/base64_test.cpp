@@ -1,0 +1,43 @@
+#include "base/text/base64.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace gsim::text {
+namespace {
+
+std::string encoded(const std::vector<std::string>& pieces) {
+    Base64 base64;
+    std::string text;
+    for (const std::string& piece : pieces) base64.add(piece, text);
+    base64.end(text);
+    return text;
+}
+
+TEST(Base64, HasTheVectorsOfTheStandard) {  // RFC 4648, section 10
+    EXPECT_EQ(encoded({""}), "");
+    EXPECT_EQ(encoded({"f"}), "Zg==");
+    EXPECT_EQ(encoded({"fo"}), "Zm8=");
+    EXPECT_EQ(encoded({"foo"}), "Zm9v");
+    EXPECT_EQ(encoded({"foob"}), "Zm9vYg==");
+    EXPECT_EQ(encoded({"fooba"}), "Zm9vYmE=");
+    EXPECT_EQ(encoded({"foobar"}), "Zm9vYmFy");
+    EXPECT_EQ(encoded({std::string("\xff\xfe\xfd\x00", 4)}), "//79AA==");
+}
+
+TEST(Base64, IsTheSameHoweverItsBytesAreCut) {
+    const std::string bytes = "a program is looked at in pieces";
+    const std::string whole = encoded({bytes});
+    for (std::size_t first = 0; first <= bytes.size(); ++first) {
+        for (std::size_t second = first; second <= bytes.size(); ++second) {
+            EXPECT_EQ(
+                encoded({bytes.substr(0, first), bytes.substr(first, second - first), bytes.substr(second)}),
+                whole);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gsim::text
