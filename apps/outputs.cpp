@@ -1,7 +1,6 @@
 #include "apps/outputs.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -10,14 +9,23 @@ namespace gsim::apps {
 using engine::Document;
 using os::OutputFile;
 
+namespace {
+
+/// "moves.left.jsonl"
+std::string with_robot(const std::string& name, const std::string& robot) {
+    std::filesystem::path path(name);
+    path.replace_filename(path.stem().string() + "." + robot + path.extension().string());
+    return path.string();
+}
+
+}  // namespace
+
 std::span<const OutputNames::File> OutputNames::files() {
-    static constexpr std::array kFiles = {
-        File{"--report", &OutputNames::report, std::nullopt},
-        File{"--moves", &OutputNames::moves, Document::moves},
-        File{"--trajectory", &OutputNames::trajectory, Document::trajectory},
-        File{"--dxf", &OutputNames::dxf, Document::dxf},
-        File{"--plot", &OutputNames::plot, Document::plot},
-        File{"--record", &OutputNames::record, Document::path}};
+    static constexpr File kFiles[] = {
+        {"--report", &OutputNames::report, std::nullopt},
+#define GSIM_DOCUMENT(name, number, option, help, ...) {option, &OutputNames::name, Document::name},
+#include "engine/documents.def"
+    };
     return kFiles;
 }
 
@@ -42,10 +50,7 @@ OutputNames OutputNames::of_robot(const std::string& robot) const {
     own.report.clear();
     for (const File& file : files()) {
         std::string& name = own.*file.name;
-        if (name.empty()) continue;
-        std::filesystem::path path(name);
-        path.replace_filename(path.stem().string() + "." + robot + path.extension().string());
-        name = path.string();
+        if (!name.empty()) name = with_robot(name, robot);
     }
     return own;
 }

@@ -18,11 +18,8 @@ namespace gsim::apps {
 /// What a run writes; an empty name: not wanted, "-": standard output.
 struct OutputNames {
     std::string report;
-    std::string moves;
-    std::string trajectory;
-    std::string dxf;
-    std::string plot;
-    std::string record;  ///< A path file.
+#define GSIM_DOCUMENT(name, number, option, help, ...) std::string name;
+#include "engine/documents.def"
     engine::DocumentOptions options;
 
     /// Those that are files, by their options.

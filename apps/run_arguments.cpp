@@ -117,6 +117,22 @@ void add_override_options(CommandLine& line, RunArguments& a) {
         .of_file(FileKind::input, {".toml"});
 }
 
+/// How a document is to be, behind the option of its file.
+void add_options_of(engine::Document document, CommandLine& line, engine::DocumentOptions& options) {
+    if (document == engine::Document::trajectory) {
+        line.add("--step", &options.step_s, "time between samples")
+            .called("SECONDS")
+            .within(engine::kLeastStep_s, 1e6)
+            .shows_default();
+    }
+    if (document == engine::Document::plot) {
+        line.add("--plot-plane", &options.plane,
+                 "what the picture shows the path in: xy from above, zx or yz from a side")
+            .one_of({"xy", "zx", "yz"})
+            .shows_default();
+    }
+}
+
 void add_output_options(CommandLine& line, RunArguments& a) {
     line.begin_group("Results");
     line.add("--json", &a.findings.json, "the report as JSON on standard output");
@@ -126,31 +142,10 @@ void add_output_options(CommandLine& line, RunArguments& a) {
              "the report tells where the time goes, and the least time that the path allows");
     line.add("--report", &a.outputs.report, "write the report as JSON to this file; -: standard output")
         .of_file(FileKind::output, {".json"});
-    line.add("--moves", &a.outputs.moves,
-             "write each move as a line of JSON to this file; -: standard output")
-        .of_file(FileKind::output, {".jsonl"});
-    line.add("--trajectory", &a.outputs.trajectory,
-             "write samples of the trajectory to this CSV file; -: standard output")
-        .of_file(FileKind::output, {".csv"});
-    line.add("--step", &a.outputs.options.step_s, "time between samples")
-        .called("SECONDS")
-        .within(engine::kLeastStep_s, 1e6)
-        .shows_default();
-    line.add("--dxf", &a.outputs.dxf,
-             "draw the tool's path into this DXF file (R12, mm), rapids, feed moves and cuts on layers of "
-             "their "
-             "own; -: standard output")
-        .of_file(FileKind::output, {".dxf"});
-    line.add("--plot", &a.outputs.plot,
-             "draw path, speed and acceleration into this .svg or .png file (needs gnuplot)")
-        .of_file(FileKind::output, {".svg", ".png"});
-    line.add("--plot-plane", &a.outputs.options.plane,
-             "what the picture shows the path in: xy from above, zx or yz from a side")
-        .one_of({"xy", "zx", "yz"})
-        .shows_default();
-    line.add("--record", &a.outputs.record,
-             "write what was run as a path to this file, for path2gcode; -: standard output")
-        .of_file(FileKind::output, {".json"});
+#define GSIM_DOCUMENT(name, number, option, help, ...)                                \
+    line.add(option, &a.outputs.name, help).of_file(FileKind::output, {__VA_ARGS__}); \
+    add_options_of(engine::Document::name, line, a.outputs.options);
+#include "engine/documents.def"
 }
 
 void add_stored_options(CommandLine& line, RunArguments& a) {

@@ -26,7 +26,7 @@ install(FILES ${CMAKE_BINARY_DIR}/examples/small_module.c DESTINATION ${CMAKE_IN
 
 # The engine as a library: headers find each other as <gsim/engine/run.h>, wherever they lie.
 include(CMakePackageConfigHelpers)
-file(GLOB headers CONFIGURE_DEPENDS engine/*.h)
+file(GLOB headers CONFIGURE_DEPENDS engine/*.h engine/*.def)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/python/gsim)
 foreach(header ${headers})
     get_filename_component(name ${header} NAME)

@@ -165,7 +165,7 @@ int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves take, v
 int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments take, void* user);
 /* Each `step_s` (1e-6 at least), and the last instant. */
 int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_take_samples take, void* user);
-/* Documents: moves, trajectory, dxf, path, plot. */
+/* Documents by the words of gsim/engine/documents.def: "moves", "dxf", ... */
 int32_t gsim_run_write(gsim_run* run, size_t robot, const char* document, double step_s, gsim_take_text take,
                        void* user);
 int32_t gsim_run_show_progress(gsim_run* run, gsim_show_progress show, void* user);

@@ -25,14 +25,16 @@ namespace gsim::engine {
 /// Takes a text in pieces. False: it cannot be written; no more of it is given then.
 using TextSink = std::function<bool(std::string_view)>;
 
-/// Documents of a run (docs/report.md).
+/// Documents of a run (docs/report.md), which documents.def lists and tells the meaning of.
 enum class Document : std::uint8_t {
-    moves,       ///< Lines of JSON, one for each move.
-    trajectory,  ///< CSV of samples.
-    dxf,         ///< The path of the tool as a drawing.
-    path,        ///< What was run, for path2gcode.
-    plot,        ///< A script for gnuplot that draws path, speed and acceleration.
+#define GSIM_DOCUMENT(name, number, option, help, ...) name = number,
+#include "engine/documents.def"
 };
+
+/// The words for them ("dxf"), in the order of their numbers.
+GSIM_API std::vector<std::string> document_names();
+/// The document of such a word; nothing where there is none.
+GSIM_API std::optional<Document> document_named(std::string_view name);
 
 /// The least time between samples.
 inline constexpr double kLeastStep_s = 1e-6;

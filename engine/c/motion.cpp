@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "engine/c/handles.h"
@@ -63,13 +64,14 @@ gsim_sample plain(const Sample& sample) {
     return made;
 }
 
-std::optional<Document> document_named(std::string_view name) {
-    if (name == "moves") return Document::moves;
-    if (name == "trajectory") return Document::trajectory;
-    if (name == "dxf") return Document::dxf;
-    if (name == "path") return Document::path;
-    if (name == "plot") return Document::plot;
-    return std::nullopt;
+/// "moves, trajectory and plot"
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) list += i + 1 < names.size() ? ", " : " and ";
+        list += names[i];
+    }
+    return list;
 }
 
 /// Calls `ask` on a run that is about to go; the status.
@@ -138,10 +140,10 @@ int32_t gsim_run_write(gsim_run* run, size_t robot, const char* document, double
     return ask_of(run, robot, [&](Run& asked) -> tl::expected<void, Failure> {
         const auto known = document_named(document);
         if (!known) {
-            return tl::unexpected(
-                Failure{.code = "usage",
-                        .message = std::string("'") + document +
-                                   "' is no document; there are moves, trajectory, dxf, path and plot"});
+            return tl::unexpected(Failure{
+                .code = "usage",
+                .message =
+                    std::string("'") + document + "' is no document; there are " + listed(document_names())});
         }
         DocumentOptions options;
         options.step_s = step_s;

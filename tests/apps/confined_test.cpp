@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/os/confinement.h"
+#include "tests/apps/output_options.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::confined_test {
@@ -119,15 +120,15 @@ TEST_F(Confined, ACellMayNameWhatLiesAnywhere) {
 }
 
 TEST_F(Confined, ProgramsThatAreCalledAndAllOutputsAreFound) {
-    const Ended ended =
-        gsim_run({"--moves", "out/m.jsonl", "--trajectory", "out/t.csv", "--dxf", "out/p.dxf", "--report",
-                  "out/r.json", "--record", "out/p.json", "--sarif", "out/s.sarif", "--variables",
-                  "out/v.txt", "--save-machine-data", "out/d.txt", "here/part.nc"});
+    std::vector<std::string> options = output_options();
+    options.insert(options.end(), {"--sarif", "--variables", "--save-machine-data"});
+    std::vector<std::string> command = {"here/part.nc"};
+    for (const std::string& option : options)
+        command.insert(command.end(), {option, file_of_option(option, "out/")});
+    const Ended ended = gsim_run(command);
     EXPECT_EQ(ended.status, 0) << ended.err;
-    for (const char* name : {"out/m.jsonl", "out/t.csv", "out/p.dxf", "out/r.json", "out/p.json",
-                             "out/s.sarif", "out/v.txt", "out/d.txt"})
-        EXPECT_TRUE(exists(name)) << name;
-    EXPECT_TRUE(holds(read("out/r.json"), "O0007.nc"));
+    for (const std::string& option : options) EXPECT_TRUE(exists(file_of_option(option, "out/"))) << option;
+    EXPECT_TRUE(holds(read("out/report"), "O0007.nc"));
 }
 
 TEST_F(Confined, SettingsMayNameTablesAnywhereAndTheDataGoBesideTheMachine) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/outputs.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::named_files_test {
@@ -48,9 +49,10 @@ TEST_F(NamedFiles, AnOutputIsNoInput) {
               destroys("--moves 'p.nc'", "part.lua|part.nc 'p.nc'"));
     fs::create_symlink("p.nc", folder_ / "link");
     fs::create_hard_link(folder_ / "p.nc", folder_ / "hard");
+    std::vector<std::string> options = {"--sarif"};
+    for (const OutputNames::File& file : OutputNames::files()) options.emplace_back(file.option);
     for (const std::string name : {"./p.nc", "link", "hard"}) {
-        for (const std::string option :
-             {"--report", "--moves", "--trajectory", "--dxf", "--record", "--sarif"})
+        for (const std::string& option : options)
             EXPECT_EQ(refused({"run", "p.nc", option, name}),
                       destroys(fmt::format("{} '{}'", option, name), "part.lua|part.nc 'p.nc'"));
     }

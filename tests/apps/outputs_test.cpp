@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/apps/output_options.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::outputs_test {
@@ -55,8 +56,9 @@ TEST_F(Outputs, Moves) {
 // The run would end at an alarm in line 1: it does not begin.
 TEST_F(Outputs, NamesThatWillNotDoAreRefusedBeforeTheRun) {
     const std::string alarms = write("alarms.nc", "#3000=1 (NOT RUN)\n");
-    for (const std::string option :
-         {"--report", "--moves", "--trajectory", "--dxf", "--record", "--save-machine-data", "--variables"}) {
+    std::vector<std::string> options = output_options();
+    options.insert(options.end(), {"--save-machine-data", "--variables"});
+    for (const std::string& option : options) {
         const Ended ended = gsim_run({alarms, "--quiet", option, "no/such/file"});
         EXPECT_EQ(ended.status, 2) << option;
         EXPECT_EQ(ended.err, "gsim-run: cannot write 'no/such/file': No such file or directory\n") << option;
@@ -75,13 +77,16 @@ TEST_F(Outputs, NoProgramPrintsANegativeZero) {
               "G21 G90 F1000\nG0 X100 Y100\nG3 X100 Y100 I-10\nG19 G68 Y0 Z0 R-90\nG0 X-0. Y-0. Z0\nPOPEN\n"
               "#1=-0.0\nDPRNT[Z#1[53]]\nPCLOS\nM30\n");
     const std::string machine = GSIM_SOURCE "/samples/machines/unlimited.toml";
-    const Ended run = gsim_run({part, "--machine", machine, "--report", "r.json", "--moves", "m.jsonl",
-                                "--trajectory", "t.csv", "--dxf", "p.dxf", "--record", "p.json"});
+    std::vector<std::string> command = {part, "--machine", machine};
+    for (const std::string& option : output_options())
+        command.insert(command.end(), {option, file_of_option(option)});
+    const Ended run = gsim_run(command);
     ASSERT_EQ(run.status, 0) << run.err;
     const Ended check = gsim_run({"--check-machine", GSIM_SOURCE "/samples/machines/mill-head-table.toml"});
     const Ended lua = run_program(GSIM_GCODE2LUA, {part}, folder_);
-    for (const std::string& text : {run.out, read("r.json"), read("m.jsonl"), read("t.csv"), read("p.dxf"),
-                                    read("p.json"), check.out, lua.out}) {
+    std::vector<std::string> texts = {run.out, check.out, lua.out};
+    for (const std::string& option : output_options()) texts.push_back(read(file_of_option(option)));
+    for (const std::string& text : texts) {
         EXPECT_FALSE(text.empty());
         static const std::regex zero(R"((^|[^0-9eE.])-0+(\.0*)?([^0-9.]|$))");
         std::smatch found;
@@ -93,7 +98,7 @@ TEST_F(Outputs, NoProgramPrintsANegativeZero) {
 }
 
 TEST_F(Outputs, GoToStandardOutput) {
-    for (const std::string option : {"--moves", "--trajectory", "--dxf", "--record"}) {
+    for (const std::string& option : document_options()) {
         const Ended ended = gsim_run({part_, option, "-"});
         ASSERT_EQ(ended.status, 0) << ended.err;
         EXPECT_TRUE(holds(ended.err, "cycle time")) << "the report for people makes way: " << ended.err;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/apps/output_options.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::whole_output_test {
@@ -33,36 +34,33 @@ TEST_F(WholeOutput, AFullDiskIsToldByEachProgram) {
     }();
     write("d.txt", long_data);
     const std::string wheel = kSamples + "wheel.nc";
-    const std::vector<std::string> commands = {"run " + wheel,
-                                               "run --json " + wheel,
-                                               "run --quiet --moves - " + wheel,
-                                               "run --quiet --trajectory - " + wheel,
-                                               "run --quiet --dxf - " + wheel,
-                                               "run --quiet --record - " + wheel,
-                                               "run --quiet --report - " + wheel,
-                                               "run --print-machine",
-                                               "run --check-machine " + kSamples + "machines/af5.toml",
-                                               "run --quiet --sarif - " + wheel,
-                                               "check part.nc",
-                                               "check --json part.nc",
-                                               "check --sarif - part.nc",
-                                               "translate " + wheel,
-                                               "translate --print-language",
-                                               "write " + kSamples + "wheel.path.json",
-                                               "path --speed 400 --kerf 1 " + kSamples + "plate.svg",
-                                               "data d.txt list",
-                                               "data d.txt --json list",
-                                               "data d.txt get VARIABLE 500",
-                                               "data d.txt convert --json",
-                                               "help",
-                                               "help run",
-                                               "run --help",
-                                               "manual run",
-                                               "completion bash",
-                                               "completion zsh",
-                                               "completion fish",
-                                               "--version",
-                                               "run --version"};
+    std::vector<std::string> commands = {"run " + wheel,
+                                         "run --json " + wheel,
+                                         "run --print-machine",
+                                         "run --check-machine " + kSamples + "machines/af5.toml",
+                                         "run --quiet --sarif - " + wheel,
+                                         "check part.nc",
+                                         "check --json part.nc",
+                                         "check --sarif - part.nc",
+                                         "translate " + wheel,
+                                         "translate --print-language",
+                                         "write " + kSamples + "wheel.path.json",
+                                         "path --speed 400 --kerf 1 " + kSamples + "plate.svg",
+                                         "data d.txt list",
+                                         "data d.txt --json list",
+                                         "data d.txt get VARIABLE 500",
+                                         "data d.txt convert --json",
+                                         "help",
+                                         "help run",
+                                         "run --help",
+                                         "manual run",
+                                         "completion bash",
+                                         "completion zsh",
+                                         "completion fish",
+                                         "--version",
+                                         "run --version"};
+    for (const std::string& option : output_options())
+        commands.push_back(fmt::format("run --quiet {} - {}", option, wheel));
     for (const std::string& command : commands) {
         const Ended ended = shell("$G " + command + " >/dev/full");
         EXPECT_EQ(ended.status, 2) << command;
@@ -85,7 +83,9 @@ TEST_F(WholeOutput, FilesAreWrittenThoughTheReportIsLost) {
 }
 
 TEST_F(WholeOutput, AFileOnAFullDiskIsToldByName) {
-    for (const std::string option : {"--moves", "--trajectory", "--dxf", "--record", "--report", "--sarif"}) {
+    std::vector<std::string> options = output_options();
+    options.emplace_back("--sarif");
+    for (const std::string& option : options) {
         const Ended ended = shell("$G run --quiet part.nc " + option + " /dev/full");
         EXPECT_EQ(ended.status, 2) << option;
         EXPECT_TRUE(holds(ended.err, "cannot write '/dev/full': No space left on device\n")) << ended.err;

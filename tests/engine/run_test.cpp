@@ -234,5 +234,14 @@ TEST(Run, TwoAtOnceDoNotKnowOfEachOther) {
     EXPECT_EQ(report.json(), within.value().json());
 }
 
+// Other programs are built with these numbers.
+TEST(Documents, HaveWordsAndNumbersThatStay) {
+    const std::vector<std::string> names = document_names();
+    EXPECT_EQ(names, (std::vector<std::string>{"moves", "trajectory", "dxf", "path", "plot"}));
+    for (std::size_t number = 0; number < names.size(); ++number)
+        EXPECT_EQ(document_named(names[number]), static_cast<Document>(number));
+    EXPECT_EQ(document_named("film"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace gsim::engine::run_test

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/outputs.h"
+
+namespace gsim::apps {
+
+/// The options of a run's files but for the picture, whose name must end as a picture's; the report's is the
+/// first one.
+inline std::vector<std::string> output_options() {
+    std::vector<std::string> options;
+    for (const OutputNames::File& file : OutputNames::files()) {
+        if (file.document != engine::Document::plot) options.emplace_back(file.option);
+    }
+    return options;
+}
+
+/// The same without the report.
+inline std::vector<std::string> document_options() {
+    std::vector<std::string> options = output_options();
+    options.erase(options.begin());
+    return options;
+}
+
+/// "out/moves" of "--moves".
+inline std::string file_of_option(const std::string& option, const std::string& folder = {}) {
+    return folder + option.substr(2);
+}
+
+}  // namespace gsim::apps
