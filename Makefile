@@ -9,7 +9,7 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test test-all setup build bench accuracy coverage docs pictures site fuzz golden format lint wasm install uninstall package clean
+.PHONY: help run test test-all setup build bench accuracy coverage docs pictures site fuzz golden format lint wasm studio studio-test install uninstall package clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
@@ -28,6 +28,8 @@ help:
 	@echo 'make format   format the C++ sources'
 	@echo 'make lint     check the format, then run clang-tidy'
 	@echo 'make wasm     the program as WebAssembly for node, and its answers compared with the native ones, byte for byte'
+	@echo 'make studio   the page that shows a run in a browser, into build/share/gsim/studio (installs emscripten: 800 MB)'
+	@echo 'make studio-test  try that page in Chromium, without a window'
 	@echo 'make install  install into PREFIX=$(PREFIX) (DESTDIR is honoured)'
 	@echo 'make uninstall  remove what make install installed (DESTDIR as it was)'
 	@echo 'make package  Debian packages and an archive for other systems, in build/packages'
@@ -52,6 +54,16 @@ wasm: build
 	@scripts/wasm-sources.sh
 	@$(call build_into,wasm) --target gsim
 	@scripts/wasm-compare.py
+
+studio: build
+	@scripts/setup.sh wasm studio
+	@scripts/wasm-sources.sh
+	@$(call build_into,wasm) --target gsim-studio-engine
+	@scripts/studio.sh build
+
+studio-test: studio
+	@scripts/setup.sh browser
+	@scripts/studio-test.sh build --required
 
 test-all:
 	@scripts/setup.sh test
@@ -120,7 +132,8 @@ uninstall:
 package:
 	@scripts/setup.sh package step || scripts/setup.sh package
 	@$(call build_into,release) --target product
+	@$(MAKE) studio
 	@scripts/package.sh build
 
 clean:
-	@rm -rf build build-debug build-sanitize build-coverage build-lint build-alone build-wasm build-wasm-sources
+	@rm -rf build build-debug build-sanitize build-coverage build-lint build-alone build-wasm build-wasm-sources studio/node_modules

@@ -21,6 +21,7 @@
 #include "apps/run_arguments.h"
 #include "apps/run_faults.h"
 #include "apps/run_files.h"
+#include "apps/view_page.h"
 #include "base/os/file_lock.h"
 #include "base/os/output_file.h"
 #include "base/text/printable.h"
@@ -105,6 +106,11 @@ class Run {
             return findings_.fail(text::DiagnosticKind::input_file, *conflict);
         if (auto locked = kept_.lock(arguments_, *run); !locked)
             return findings_.fail(text::DiagnosticKind::output, locked.error());
+        if (const std::string& page = arguments_.outputs.view; !page.empty()) {
+            auto opened = apps::ViewPage::open(page);
+            if (!opened) return findings_.fail(text::DiagnosticKind::output, opened.error());
+            view_ = *std::move(opened);
+        }
         if (auto confined = apps::confine_run(arguments_, run->request(), {&run->request().program, 1});
             !confined)
             return findings_.fail(text::DiagnosticKind::usage, confined.error());
@@ -124,12 +130,18 @@ class Run {
         if (!outputs) return findings_.fail(text::DiagnosticKind::output, outputs.error());
         if (auto kept = kept_.check(arguments_); !kept)
             return findings_.fail(text::DiagnosticKind::output, kept.error());
+        if (view_ != nullptr) {
+            if (auto attached = view_->attach(run); !attached)
+                return findings_.fail(text::DiagnosticKind::output, attached.error());
+        }
         run.show_progress([this](std::uint64_t done, std::uint64_t total) { progress_.update(done, total); });
         const auto report = run.go();
         progress_.clear();
         if (!report) return findings_.fail(report.error());
         auto written = apps::fault_of_documents(run, "output");
+        if (written && view_ != nullptr) written = view_->finish(run, *report);
         if (written) written = outputs->commit(*report);
+        if (written && view_ != nullptr) written = view_->commit();
         if (written) written = kept_.write(arguments_, run);
         if (!written) return failed_late(*report, "output", written.error(), apps::kUsage);
         if (auto path = apps::fault_of_documents(run, "path"); !path)
@@ -182,6 +194,7 @@ class Run {
     apps::Findings findings_;
     apps::Progress progress_;
     apps::KeptFiles kept_;
+    std::unique_ptr<apps::ViewPage> view_;
     bool told_ = false;
 };
 

@@ -17,8 +17,12 @@ tl::expected<void, std::string> ViewPage::attach(engine::Run& /*run*/) {
     return {};
 }
 
-tl::expected<void, std::string> ViewPage::commit(const engine::Run& /*run*/,
+tl::expected<void, std::string> ViewPage::finish(const engine::Run& /*run*/,
                                                  const engine::Report& /*report*/) {
+    return {};
+}
+
+tl::expected<void, std::string> ViewPage::commit() {
     return {};
 }
 

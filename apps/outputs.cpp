@@ -23,6 +23,7 @@ std::string with_robot(const std::string& name, const std::string& robot) {
 std::span<const OutputNames::File> OutputNames::files() {
     static constexpr File kFiles[] = {
         {"--report", &OutputNames::report, std::nullopt},
+        {"--view", &OutputNames::view, std::nullopt},
 #define GSIM_DOCUMENT(name, number, option, help, ...) {option, &OutputNames::name, Document::name},
 #include "engine/documents.def"
     };
@@ -48,6 +49,7 @@ std::optional<std::string> OutputNames::conflict() const {
 OutputNames OutputNames::of_robot(const std::string& robot) const {
     OutputNames own = *this;
     own.report.clear();
+    own.view.clear();
     for (const File& file : files()) {
         std::string& name = own.*file.name;
         if (!name.empty()) name = with_robot(name, robot);

@@ -18,6 +18,7 @@ namespace gsim::apps {
 /// What a run writes; an empty name: not wanted, "-": standard output.
 struct OutputNames {
     std::string report;
+    std::string view;  ///< A page with the run in it (ViewPage).
 #define GSIM_DOCUMENT(name, number, option, help, ...) std::string name;
 #include "engine/documents.def"
     engine::DocumentOptions options;
@@ -26,7 +27,7 @@ struct OutputNames {
     struct File {
         const char* option;
         std::string OutputNames::*name;
-        std::optional<engine::Document> document;  ///< None: the report.
+        std::optional<engine::Document> document;  ///< None: the report, the page.
     };
     static std::span<const File> files();
 
@@ -36,7 +37,8 @@ struct OutputNames {
     bool on_standard_output() const;
     /// What cannot be done, as a sentence: a picture on standard output.
     std::optional<std::string> conflict() const;
-    /// Of a robot among several: each has files of its own but for the report, "moves.left.jsonl".
+    /// Of a robot among several: each has files of its own, "moves.left.jsonl", but for
+    /// the report and the page.
     OutputNames of_robot(const std::string& robot) const;
 };
 

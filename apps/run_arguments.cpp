@@ -142,6 +142,11 @@ void add_output_options(CommandLine& line, RunArguments& a) {
              "the report tells where the time goes, and the least time that the path allows");
     line.add("--report", &a.outputs.report, "write the report as JSON to this file; -: standard output")
         .of_file(FileKind::output, {".json"});
+    line.add("--view", &a.outputs.view,
+             "write a page that shows the run in a browser, with all that it needs in it, to this file; -: "
+             "standard "
+             "output")
+        .of_file(FileKind::output, {".html"});
 #define GSIM_DOCUMENT(name, number, option, help, ...)                                \
     line.add(option, &a.outputs.name, help).of_file(FileKind::output, {__VA_ARGS__}); \
     add_options_of(engine::Document::name, line, a.outputs.options);

@@ -54,8 +54,9 @@ class ViewPage::State {
         file_->write(text_);
         file_->write(kBehind);
         file_->write(std::string_view(page_).substr(page_.find(kPlace) + kPlace.size()));
-        return file_->commit();
+        return file_->settle();
     }
+    tl::expected<void, std::string> commit() { return file_->commit(); }
 
   private:
     void put(const std::string& bytes) {
@@ -93,7 +94,7 @@ tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
 }
 
 // What came from a pipe can be read once: such a run is shown without its source.
-tl::expected<void, std::string> ViewPage::commit(const engine::Run& run, const engine::Report& report) {
+tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const engine::Report& report) {
     std::vector<std::string> sources;
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
         for (const std::string& name : run.files(robot)) {
@@ -110,6 +111,10 @@ tl::expected<void, std::string> ViewPage::commit(const engine::Run& run, const e
     }
     studio::post_end(run, report, state_->post());
     return state_->end();
+}
+
+tl::expected<void, std::string> ViewPage::commit() {
+    return state_->commit();
 }
 
 }  // namespace gsim::apps

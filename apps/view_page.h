@@ -21,8 +21,11 @@ class ViewPage {
 
     /// Before run.go(); the run goes to a temporary file as it is made. The error is a sentence.
     tl::expected<void, std::string> attach(engine::Run& run);
-    /// Behind it. `sources` are those of the run's files that can be read. The error is a sentence.
-    tl::expected<void, std::string> commit(const engine::Run& run, const engine::Report& report);
+    /// Behind it: the rest, with those sources of the run that can be read again. The error is a sentence,
+    /// such as that of a full disk.
+    tl::expected<void, std::string> finish(const engine::Run& run, const engine::Report& report);
+    /// Gives the file its name. The error is a sentence.
+    tl::expected<void, std::string> commit();
 
   private:
     class State;

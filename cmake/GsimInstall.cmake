@@ -5,6 +5,8 @@ set(GSIM_DATADIR ${CMAKE_INSTALL_DATADIR}/gsim)
 
 install(DIRECTORY lua_lib DESTINATION ${GSIM_DATADIR} COMPONENT programs FILES_MATCHING PATTERN "*.lua" PATTERN "README.md")
 install(DIRECTORY samples DESTINATION ${GSIM_DATADIR} COMPONENT programs)
+# The page, where `make studio` has made it.
+install(DIRECTORY ${CMAKE_BINARY_DIR}/${GSIM_DATADIR}/studio DESTINATION ${GSIM_DATADIR} COMPONENT programs OPTIONAL)
 
 # The programs' folder has what they may be told to read; people look for it, and the links in the documentation lead, below docs.
 foreach(folder samples lua_lib)

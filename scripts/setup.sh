@@ -1,8 +1,9 @@
 #!/bin/bash
 # Installs the Debian packages that are missing, if any is. Groups: build (programs; always), test, coverage, lint,
-# clang (compiles for sanitizers and fuzzing), wasm (WebAssembly: 800 MB; a node that is installed serves as well as Debian's), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
+# clang (compiles for sanitizers and fuzzing), wasm (WebAssembly: 800 MB; a node that is installed serves as well as Debian's), studio (the page: node and npm where there are none, since Debian's npm does not go together with a
+# newer node), browser (Chromium, in which the page is tried), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
 # without it, too), site (the documentation as pages), package (makes packages and tries them).
-# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [site] [package]
+# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [studio] [browser] [site] [package]
 set -euo pipefail
 
 declare -A packages=(
@@ -15,13 +16,17 @@ declare -A packages=(
     [clang]="clang libclang-rt-14-dev llvm"
     [step]="libocct-data-exchange-dev"
     [wasm]="emscripten python3 dpkg-dev"
+    [studio]=""
+    [browser]="chromium"
     [site]="mkdocs"
     [package]="debhelper dpkg-dev lintian patchelf mmdebstrap"
 )
 
+command -v node >/dev/null && command -v npm >/dev/null || packages[studio]="nodejs npm"
+
 wanted=""
 for group in build "$@"; do
-    if [[ -z ${packages[$group]:-} ]]; then
+    if [[ -z ${packages[$group]+known} ]]; then
         echo "setup: no group of packages is called '$group'; there are: ${!packages[*]}" >&2
         exit 2
     fi

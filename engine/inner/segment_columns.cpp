@@ -12,7 +12,6 @@ namespace gsim::engine {
 namespace {
 
 using Eigen::Vector3d;
-using motion::Segment;
 
 /// Of the drawn way, in mm.
 constexpr double kDrawn_mm = 0.01;
@@ -46,7 +45,7 @@ void put(std::vector<double>& values, const motion::OrientationArc& way) {
     values.insert(values.end(), constants.begin(), constants.end());
 }
 
-std::uint32_t forms_of(const Segment& segment) {
+std::uint32_t forms_of(const motion::Segment& segment) {
     std::uint32_t flags = static_cast<std::uint32_t>(segment.kind);
     if (segment.kind == motion::SegmentKind::circular) flags |= SegmentFlags::kArc;
     if (segment.orientation) flags |= SegmentFlags::kOrientation;
@@ -55,7 +54,7 @@ std::uint32_t forms_of(const Segment& segment) {
     return flags;
 }
 
-std::uint32_t flags_of(const Segment& segment, const simulation::MoveInfo& info) {
+std::uint32_t flags_of(const motion::Segment& segment, const simulation::MoveInfo& info) {
     std::uint32_t flags = forms_of(segment);
     if (info.jet_on) flags |= SegmentFlags::kProcessOn;
     if (info.timed) flags |= SegmentFlags::kTimed;
@@ -65,7 +64,7 @@ std::uint32_t flags_of(const Segment& segment, const simulation::MoveInfo& info)
     return flags;
 }
 
-void put_record(std::vector<double>& values, const Segment& segment) {
+void put_record(std::vector<double>& values, const motion::Segment& segment) {
     values.insert(values.end(), segment.start.data(), segment.start.data() + segment.start.size());
     values.insert(values.end(), segment.end.data(), segment.end.data() + segment.end.size());
     put(values, segment.lead);
@@ -92,7 +91,7 @@ class ColumnsOut final : public simulation::RunOutput {
 
     using RunOutput::take;
     void begin(const rrs::JointPos& start) override { add_vertex(tip_.at(start), 0); }
-    void take(const Segment& segment, const simulation::MoveInfo& info) override {
+    void take(const motion::Segment& segment, const simulation::MoveInfo& info) override {
         if (info.tip != tip_number_) change_tip(info.tip);
         add_row(segment, info);
         put_record(columns_.values, segment);
@@ -108,7 +107,7 @@ class ColumnsOut final : public simulation::RunOutput {
         tip_ = simulation::PartTip(setup_, tips_mm_[number]);
     }
 
-    void add_row(const Segment& segment, const simulation::MoveInfo& info) {
+    void add_row(const motion::Segment& segment, const simulation::MoveInfo& info) {
         const bool has_feed = info.kind != simulation::MoveKind::rapid &&
                               info.kind != simulation::MoveKind::dwell && !info.timed;
         columns_.start_s.push_back(segment.start_s);
@@ -123,7 +122,7 @@ class ColumnsOut final : public simulation::RunOutput {
         columns_.record.push_back(static_cast<std::uint32_t>(columns_.values.size()));
     }
 
-    void draw(const Segment& segment) {
+    void draw(const motion::Segment& segment) {
         tip_.stand_at(segment.start);
         const double parts = simulation::least_parts(segment);
         const auto add = [&](const Vector3d& point_mm, double t_s) {

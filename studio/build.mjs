@@ -1,0 +1,84 @@
+// Makes the page: one file with everything in it. Usage: node build.mjs ENGINE_FOLDER SAMPLES_FOLDER OUTPUT_FOLDER
+// The engine's folder holds gsim-studio-engine.js and .wasm (preset wasm). Written are studio.html, with the engine and
+// the samples, and view.html, into which gsim-run --view puts a run.
+
+import { gzipSync } from "node:zlib";
+import { mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { join, relative, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import * as esbuild from "esbuild";
+
+const here = fileURLToPath(new URL(".", import.meta.url));
+const [engineFolder, samplesFolder, outputFolder] = process.argv.slice(2).map((name) => resolve(name));
+
+const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
+
+/** In a script element nothing may look like its end. */
+const inline = (code) => code.replaceAll("</script", "<\\/script");
+
+async function bundle(entry, options = {}) {
+  const built = await esbuild.build({
+    entryPoints: [join(here, "src", entry)],
+    bundle: true,
+    minify: true,
+    format: "iife",
+    target: ["chrome97", "firefox113", "safari16.4"],
+    charset: "utf8",
+    write: false,
+    outdir: "out",
+    logLevel: "warning",
+    legalComments: "none",
+    ...options,
+  });
+  const text = (ending) => built.outputFiles.find((file) => file.path.endsWith(ending))?.text ?? "";
+  return { js: text(".js"), css: text(".css") };
+}
+
+function* filesBelow(folder) {
+  for (const name of readdirSync(folder).sort()) {
+    const file = join(folder, name);
+    if (statSync(file).isDirectory()) yield* filesBelow(file);
+    else yield file;
+  }
+}
+
+/** Samples by the names that the page gives them; what is no text is told apart by its bytes. */
+function samples() {
+  const texts = {};
+  const others = {};
+  for (const file of filesBelow(samplesFolder)) {
+    const name = `samples/${relative(samplesFolder, file)}`;
+    if (name.startsWith("samples/engine/")) continue;
+    const bytes = readFileSync(file);
+    if (bytes.includes(0)) others[name] = bytes.toString("base64");
+    else texts[name] = bytes.toString("utf8");
+  }
+  return JSON.stringify({ texts, others });
+}
+
+const data = (id, text) => `<script type="application/octet-stream" id="${id}">${text}</script>`;
+
+const engine = join(engineFolder, "gsim-studio-engine");
+const [page, worker] = await Promise.all([
+  bundle("main.ts"),
+  bundle("worker.ts", { alias: { "gsim-engine": `${engine}.js` } }),
+]);
+const fill = (parts) =>
+  readFileSync(join(here, "src/page.html"), "utf8").replace(/<!-- ([a-z]+) -->/g, (_, name) => parts[name] ?? "");
+
+const parts = { style: `<style>${page.css}</style>`, script: `<script>${inline(page.js)}</script>` };
+mkdirSync(outputFolder, { recursive: true });
+const withEngine = fill({
+  ...parts,
+  data: [
+    data("worker", packed(worker.js)),
+    data("engine", packed(readFileSync(`${engine}.wasm`))),
+    data("samples", packed(samples())),
+  ].join("\n"),
+});
+const withoutEngine = fill({ ...parts, data: "<!-- run -->" });
+writeFileSync(join(outputFolder, "studio.html"), withEngine);
+writeFileSync(join(outputFolder, "view.html"), withoutEngine);
+for (const [name, text] of Object.entries({ "studio.html": withEngine, "view.html": withoutEngine })) {
+  console.log(`${name}: ${text.length} bytes, ${gzipSync(text, { level: 9 }).length} with gzip`);
+}

@@ -1,0 +1,165 @@
+// Holds the page's closed forms against the engine's: the axes at each sample of gsim-run --trajectory, within 1e-6 mm and
+// degrees, and the lines at each event's time. Of the golden programs, and of the samples on all sample machines.
+// Usage: node exact.mjs GSIM_RUN. Closes with "N passed, N failed".
+
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { loadPage, readRun } from "./frames.mjs";
+
+const TOLERANCE = 1e-6;
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const gsimRun = resolve(process.argv[2] ?? join(root, "build/bin/gsim-run"));
+const scratch = mkdtempSync(join(tmpdir(), "gsim-exact-"));
+
+const dialectOf = (program) => (program.endsWith(".ngc") ? "rs274ngc" : "ab9");
+const programsIn = (folder) => readdirSync(folder).filter((name) => /\.(nc|ngc)$/.test(name));
+
+function* goldenRuns() {
+  const folder = join(root, "tests/golden");
+  for (const name of programsIn(folder)) {
+    const conditions = ["--machine-data", "conditions/data.txt", "--setup", `conditions/${dialectOf(name)}.lua`];
+    yield { folder, args: [name, "--dialect", dialectOf(name), ...conditions, "--max-blocks", "2000", "--max-steps", "200000"] };
+  }
+}
+
+function* sampleRuns() {
+  const folder = join(root, "samples");
+  for (const name of programsIn(folder)) {
+    for (const machine of readdirSync(join(folder, "machines"))) {
+      yield { folder, args: [name, "--dialect", dialectOf(name), "--machine", `machines/${machine}`] };
+    }
+  }
+  yield { folder: join(folder, "cell"), args: ["left.nc", "--cell", "table.toml"] };
+}
+
+/** Motion that the others have not: tools along great circles, rapids whose axes go apart, S-curves, led tips, rounded corners. */
+const formSources = {
+  "great-circle": {
+    machine: "af5",
+    controller: 'orientation = "great-circle"',
+    program: "G21 G90\nG0 X100 Y100 Z100 B10 C20\nG1 X300 Y250 B60 C40 F3000\nG2 X400 Y250 I50 B-30 C-25\nG1 B20 C10\nG1 X10 C0\nM2\n",
+  },
+  apart: {
+    machine: "router3",
+    controller: "interpolated_rapids = false",
+    program: "G21 G90\nG0 X100 Y20 Z-30\nG0 X5 Y200\nG1 X50 F3000\nG0 X50.5 Z-1\nM2\n",
+  },
+  "s-curve": {
+    machine: "router3",
+    controller: 'model = "ab9"\nlimit_jerk = true',
+    axis: "max_jerk_mm_s3 = 4000.0",
+    program: "G21 G90\nG0 X100 Y20\nG1 X150 Y60 F4000\nG1 X200 Y20\nG2 X240 Y20 I20\nG1 Z-20\nM2\n",
+  },
+  blend: {
+    machine: "router3",
+    controller: 'model = "blend"',
+    program: "G21 G90\nG64\nG1 X100 F6000\nG1 Y100\nG1 X0\nG3 X50 Y50 I50\nG1 Z-20\nM2\n",
+  },
+  tip: {
+    machine: "mill-head-table",
+    controller: 'model = "ab9"',
+    program: "G21 G90\nG43.4\nG1 X50 Y20 Z30 F2000\nG1 X100 B30 C45\nG1 X0 Y0 B-20 C0\nG49\nM2\n",
+  },
+};
+
+function* formRuns() {
+  for (const [name, form] of Object.entries(formSources)) {
+    let machine = readFileSync(join(root, `samples/machines/${form.machine}.toml`), "utf8");
+    if (form.axis) machine = machine.replaceAll('kind = "linear"', `kind = "linear"\n${form.axis}`);
+    writeFileSync(join(scratch, `${name}.toml`), `${machine}\n[controller]\n${form.controller}\n`);
+    writeFileSync(join(scratch, `${name}.nc`), form.program);
+    yield { folder: scratch, args: [`${name}.nc`, "--machine", `${name}.toml`], mustRun: true };
+  }
+}
+
+/** What gsim-run writes; a run that ends past limits has a status of its own, and files all the same. */
+function written({ folder, args }, options) {
+  try {
+    execFileSync(gsimRun, [...args, "--quiet", ...options], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
+  } catch (fault) {
+    if (fault.status !== 1) throw new Error(String(fault.stderr));
+  }
+}
+
+const forms = { arcs: 1 << 3, "great circles of the tool": 1 << 4, "two motions at once": 1 << 5, "axes apart": 1 << 6 };
+const seen = Object.fromEntries(Object.keys(forms).map((name) => [name, 0]));
+
+function countForms(robot) {
+  for (const chunk of robot.segments.chunks) {
+    for (const flags of chunk.flags) {
+      for (const [name, bit] of Object.entries(forms)) if (flags & bit) ++seen[name];
+    }
+  }
+}
+
+/** Relative. Where nothing limits the acceleration the speed jumps, and a rounded time is on either side of the jump. */
+function speedDifference(segments, t_s, speed_mm_s) {
+  const differences = [t_s, t_s - 2e-9, t_s + 2e-9].map((time) => Math.abs(segments.speed_at(time) - speed_mm_s));
+  return Math.min(...differences) / Math.max(speed_mm_s, 1);
+}
+
+/** Largest difference of an axis from the trajectory, and faults in sentences. */
+function compare(run, csv) {
+  const [head, ...lines] = csv.trim().split("\n");
+  const letters = head.split(",").slice(2, -1);
+  const robot = run.robots[0];
+  let [worst, speedOff] = [0, 0];
+  for (const line of lines) {
+    const values = line.split(",").map(Number);
+    const axes = robot.axes_at(values[0]);
+    letters.forEach((_, i) => (worst = Math.max(worst, Math.abs(axes[i] - values[i + 2]))));
+    speedOff = Math.max(speedOff, speedDifference(robot.segments, values[0], values[values.length - 1]));
+  }
+  countForms(robot);
+  const faults = [];
+  if (!(worst <= TOLERANCE)) faults.push(`an axis is off by ${worst}`);
+  if (!(speedOff <= TOLERANCE)) faults.push(`the speed is off by ${speedOff}`);
+  if (letters.length !== robot.scene.axes.length) faults.push(`${letters.length} axes in the trajectory`);
+  for (const event of run.report.events ?? []) {
+    if (event.line === null) continue;
+    const places = run.placesAt(0, event.t_s);
+    if (!places.some((place) => place.line === event.line && place.file === event.file)) {
+      faults.push(`at ${event.t_s} s the line of '${event.kind}' should be ${event.line}, not ${JSON.stringify(places)}`);
+    }
+  }
+  return { worst, samples: lines.length, faults };
+}
+
+let [passed, failed, refused, samples, worst] = [0, 0, 0, 0, 0];
+try {
+  const page = await loadPage();
+  for (const run of [...goldenRuns(), ...sampleRuns(), ...formRuns()]) {
+    const [html, csv] = [join(scratch, "run.html"), join(scratch, "run.csv")];
+    for (const file of [html, csv]) rmSync(file, { force: true });
+    try {
+      written(run, ["--view", html, "--trajectory", csv, "--step", "0.037", "--max-time", "200"]);
+      if (!existsSync(html) && run.mustRun) throw new Error("it did not run");
+      if (!existsSync(html)) {
+        ++refused; // before it ran: there is nothing to compare
+        continue;
+      }
+      const found = compare(readRun(page, readFileSync(html, "utf8")), readFileSync(csv, "utf8"));
+      samples += found.samples;
+      worst = Math.max(worst, found.worst);
+      if (found.faults.length > 0) throw new Error(found.faults.slice(0, 5).join("\n  "));
+      ++passed;
+    } catch (fault) {
+      ++failed;
+      console.log(`FAILED gsim-run ${run.args.join(" ")}\n  ${fault.message}`);
+    }
+  }
+} finally {
+  rmSync(scratch, { recursive: true });
+}
+for (const [name, count] of Object.entries(seen)) {
+  if (count > 0) continue;
+  ++failed;
+  console.log(`FAILED no run has ${name}`);
+}
+console.log(`${refused} programs are refused on their machine; ${JSON.stringify(seen)}`);
+console.log(`${samples} samples, the axes within ${worst} mm or deg of the trajectory`);
+console.log(`${passed} passed, ${failed} failed`);
+process.exitCode = failed > 0 ? 1 : 0;

@@ -1,0 +1,45 @@
+// The page's own code, for node: runs as the page has them, from pages that gsim-run --view has written.
+
+import { gunzipSync } from "node:zlib";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import * as esbuild from "esbuild";
+
+const sources = fileURLToPath(new URL("../src/", import.meta.url));
+
+/** What run/ and core/ of the page export, by module: {message, run, segments}. */
+export async function loadPage() {
+  const folder = mkdtempSync(join(tmpdir(), "gsim-studio-"));
+  try {
+    const outfile = join(folder, "page.mjs");
+    const contents = ["core/message", "run/run", "run/chain"].map((file) => `export * from "./${file}";`).join("\n");
+    await esbuild.build({
+      stdin: { contents, resolveDir: sources, loader: "ts" },
+      bundle: true,
+      format: "esm",
+      platform: "node",
+      outfile,
+    });
+    return await import(pathToFileURL(outfile));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** The frames of a finished run in a page's text. */
+export function packedRun(html) {
+  const found = html.match(/id="run">([A-Za-z0-9+/=]*)<\/script>/);
+  if (!found) throw new Error("there is no run in the page");
+  return new Uint8Array(gunzipSync(Buffer.from(found[1], "base64")));
+}
+
+export function readRun(page, html) {
+  const run = new page.Run();
+  for (const frame of page.framesOf(packedRun(html))) {
+    const message = page.readMessage(frame.slice());
+    if (message.is !== "source") run.take(message);
+  }
+  return run;
+}
