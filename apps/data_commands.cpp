@@ -2,70 +2,55 @@
 
 #include <array>
 #include <filesystem>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "apps/confine_run.h"
-#include "apps/data_check.h"
 #include "apps/data_import.h"
-#include "apps/data_json.h"
-#include "apps/data_table.h"
 #include "apps/exit_status.h"
 #include "apps/machine_data_file.h"
 #include "apps/print.h"
+#include "apps/sentence_of.h"
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
-#include "engine/inner/machine_input.h"
 #include "engine/system/host_of_system.h"
 
 namespace gsim::apps {
 
-using machine::DataRow;
-using machine::DataSection;
-using machine::LengthUnit;
-using machine::MachineDataDocument;
-using machine::SectionRules;
+using engine::MachineData;
 
 namespace {
 
 using Status = tl::expected<int, std::string>;
 using Sentence = tl::unexpected<std::string>;
 
-Status printed(const std::string& text) {
-    print(text::printable(text));
+Status printed(const tl::expected<std::string, engine::Failure>& shown) {
+    if (!shown) return Sentence(shown.error().message);
+    print(text::printable(*shown));
     return kDone;
-}
-
-Status printed(const nlohmann::ordered_json& json) {
-    return printed(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
 }
 
 class Command {
   public:
-    Command(const DataArguments& arguments, std::optional<machine::Machine> machine, Findings& findings)
-        : arguments_(arguments), findings_(findings), machine_(std::move(machine)), document_(axes()) {}
+    Command(const DataArguments& arguments, const engine::Machine* machine, Findings& findings)
+        : arguments_(arguments), findings_(findings), machine_(machine) {}
 
     Status run() {
         if (arguments_.command == DataCommand::check) return check();
-        if (is_from_json()) return lock().and_then([this] { return from_json(); });
         return lock()
-            .and_then([this] { return open(); })
-            .and_then([this] { return take_section(); })
-            .and_then([this] { return run_on_document(); });
+            .and_then([this] { return is_from_json() ? from_json() : open(); })
+            .and_then([this](MachineData data) { return run_on(data); });
     }
 
   private:
-    using Done = tl::expected<void, std::string>;
+    using Opened = tl::expected<MachineData, std::string>;
 
-    std::span<const machine::Axis> axes() const {
-        return machine_ ? std::span<const machine::Axis>(machine_->axes) : std::span<const machine::Axis>();
+    std::optional<engine::LengthUnit> unit() const {
+        if (arguments_.inch) return engine::LengthUnit::inch;
+        return arguments_.metric ? std::optional(engine::LengthUnit::mm) : std::nullopt;
     }
 
-    const SectionRules& rules() const { return document_.rules().of(*section_); }
-
-    std::optional<LengthUnit> unit() const {
-        if (arguments_.inch) return LengthUnit::inch;
-        return arguments_.metric ? std::optional(LengthUnit::metric) : std::nullopt;
+    MachineData::Form form() const {
+        return arguments_.findings.json ? MachineData::Form::json : MachineData::Form::text;
     }
 
     bool is_from_json() const {
@@ -85,147 +70,81 @@ class Command {
     }
 
     // From before the file is read until it is written.
-    Done lock() {
+    tl::expected<void, std::string> lock() {
         if (!changes_file()) return {};
         return lock_to_change(arguments_.file, arguments_.wait_s).map([this](os::FileLock lock) {
             lock_.emplace(std::move(lock));
         });
     }
 
-    Done open() {
+    Opened open() const {
         std::error_code error;
-        if (arguments_.create && !std::filesystem::exists(arguments_.file, error) && !error) return {};
-        auto document = open_machine_data(arguments_.file, axes(), os::NamedBy::command_line);
-        if (!document) return Sentence(std::move(document.error().front()));
-        document_ = *std::move(document);
-        return {};
+        if (arguments_.create && !std::filesystem::exists(arguments_.file, error) && !error)
+            return MachineData(arguments_.file, machine_);
+        return os::read_text_file(arguments_.file, os::NamedBy::command_line)
+            .and_then([this](const std::string& text) {
+                return MachineData::read(text, arguments_.file, machine_).map_error(sentence_of);
+            });
     }
 
-    Done take_section() {
-        if (arguments_.section.empty()) return {};
-        section_ = machine::section_named(machine::upper_case(arguments_.section));
-        if (section_) return {};
-        std::string names;
-        for (const DataSection section : machine::kDataSections)
-            names += fmt::format("{}{}", names.empty() ? "" : ", ", machine::keyword(section));
-        return Sentence(
-            fmt::format("'{}' is no section; there are {}", machine::shown_word(arguments_.section), names));
+    Opened from_json() const {
+        return os::read_text_file(arguments_.from_json, os::NamedBy::command_line)
+            .and_then([this](const std::string& text) {
+                return MachineData::from_json(text, arguments_.from_json, machine_).map_error(sentence_of);
+            });
     }
 
-    Status run_on_document() {
-        switch (arguments_.command) {
-            case DataCommand::list: return list();
-            case DataCommand::get: return get();
-            case DataCommand::set: return set();
-            case DataCommand::reset: return save(document_.reset(*section_, arguments_.id));
-            case DataCommand::reset_all: return save(reset_all());
-            case DataCommand::check: return check();
+    Status run_on(MachineData& data) const {
+        const DataArguments& a = arguments_;
+        switch (a.command) {
+            case DataCommand::list: return printed(data.list(form(), a.section));
+            case DataCommand::get: return printed(data.get(form(), a.section, a.id, a.field));
+            case DataCommand::set: return save(data.set(a.section, a.id, a.changes, unit()), data);
+            case DataCommand::reset: return save(data.reset(a.section, a.id), data);
+            case DataCommand::reset_all: return save(data.reset_all(a.section), data);
+            case DataCommand::check:
             case DataCommand::convert:
             case DataCommand::import: break;
         }
-        return convert();
-    }
-
-    Status list() const {
-        if (arguments_.findings.json) {
-            nlohmann::ordered_json json = data_to_json(document_);
-            if (!section_) return printed(json);
-            return printed(json.value(std::string(rules().keyword), nlohmann::ordered_json::array()));
-        }
-        std::string text;
-        for (const DataSection section : machine::kDataSections) {
-            const bool wanted = section_ ? section == *section_ : !document_.rows(section).empty();
-            if (!wanted) continue;
-            if (!text.empty()) text += '\n';
-            text += data_table(document_.rules().of(section), document_.rows(section));
-        }
-        return printed(text);
-    }
-
-    Status get() const {
-        const auto row = document_.find(*section_, arguments_.id);
-        if (!row)
-            return Sentence(fmt::format("there is no {} {} in the file", rules().keyword, arguments_.id));
-        const nlohmann::ordered_json json = row_to_json(rules(), *row);
-        if (arguments_.field.empty())
-            return arguments_.findings.json ? printed(json) : printed(data_list(rules(), *row));
-        const std::string name = machine::upper_case(arguments_.field);
-        const auto field = rules().find(name);
-        if (!field) {
-            return Sentence(
-                fmt::format("{} has no '{}'", rules().keyword, machine::shown_word(arguments_.field)));
-        }
-        if (!arguments_.findings.json) return printed(fmt::format("{}\n", row->values[*field]));
-        return printed(json.contains(name) ? json[name] : nlohmann::ordered_json());
-    }
-
-    Status set() {
-        MachineDataDocument::FieldValues values;
-        values.reserve(arguments_.changes.size());
-        for (const std::string& change : arguments_.changes) {
-            const std::size_t equals = change.find('=');
-            if (equals == std::string::npos)
-                return Sentence(fmt::format("'{}' is no FIELD=VALUE", machine::shown_word(change)));
-            values.emplace_back(machine::upper_case(change.substr(0, equals)), change.substr(equals + 1));
-        }
-        return save(document_.set(*section_, arguments_.id, values, unit()));
-    }
-
-    Done reset_all() {
-        if (section_) return document_.reset_all(*section_);
-        for (const DataSection section : machine::kDataSections) {
-            if (Done done = document_.reset_all(section); !done) return done;
-        }
-        return {};
+        return convert(data);
     }
 
     Status check() const {
         return os::read_text_file(arguments_.file, os::NamedBy::command_line)
             .map([this](const std::string& text) {
-                const auto document = MachineDataDocument::read(text, arguments_.file, axes());
-                const std::vector<std::string> found =
-                    document ? check_data(*document, arguments_.file, machine_) : document.error();
-                for (const std::string& sentence : found)
-                    findings_.take(text::diagnostic_of(text::DiagnosticKind::input_file, sentence));
-                return document ? kDone : kProgramFault;
+                const engine::Tell tell = [this](const engine::Diagnostic& told) { findings_.take(told); };
+                const auto data = MachineData::read(text, arguments_.file, machine_, tell);
+                if (!data) return kProgramFault;
+                for (const engine::Diagnostic& suspect : data->suspects()) findings_.take(suspect);
+                return kDone;
             });
     }
 
-    Status convert() {
+    Status convert(MachineData& data) const {
+        if (is_from_json()) return save({}, data);
         if (arguments_.findings.json) {
-            if (arguments_.output.empty()) return printed(data_to_json(document_));
-            return saved(arguments_.output, data_to_json(document_).dump(2) + '\n');
+            if (arguments_.output.empty()) return printed(data.list(MachineData::Form::json));
+            return data.to_json().map_error(sentence_of).and_then([this](const std::string& json) {
+                return saved(arguments_.output, json);
+            });
         }
         if (!unit()) return Sentence("convert takes --inch, --metric, --json or --from-json FILE");
-        return save(document_.convert(*unit()));
+        return save(data.convert(*unit()), data);
     }
 
-    Status from_json() {
-        return os::read_text_file(arguments_.from_json, os::NamedBy::command_line)
-            .and_then([this](const std::string& text) {
-                return data_from_json(text, arguments_.from_json, axes());
-            })
-            .and_then([this](const MachineDataDocument& document) {
-                document_ = document;
-                return save({});
-            });
-    }
-
-    Status save(const Done& changed) const {
-        if (!changed) return Sentence(fmt::format("{}: {}", arguments_.file, changed.error()));
-        return saved(changes_file() ? arguments_.file : arguments_.output, document_.text());
+    Status save(const tl::expected<void, engine::Failure>& changed, const MachineData& data) const {
+        if (!changed) return Sentence(changed.error().message);
+        return saved(changes_file() ? arguments_.file : arguments_.output, data.text());
     }
 
     Status saved(const std::string& path, const std::string& text) const {
-        const Done done = lock_ ? save_text(path, text) : replace_text(path, text, arguments_.wait_s);
+        const auto done = lock_ ? save_text(path, text) : replace_text(path, text, arguments_.wait_s);
         return done.map([] { return kDone; });
     }
 
     const DataArguments& arguments_;
     Findings& findings_;
-    std::optional<machine::Machine> machine_;
-    MachineDataDocument document_;
-    std::optional<DataSection> section_;
+    const engine::Machine* machine_;
     std::optional<os::FileLock> lock_;
 };
 
@@ -238,20 +157,27 @@ tl::expected<void, std::string> confine(const DataArguments& a) {
                       std::array{shows ? std::string() : a.file, a.output, a.data, a.findings.sarif});
 }
 
+/// None where none is asked for.
+tl::expected<std::optional<engine::Machine>, std::string> read_machine(const std::string& name) {
+    if (name.empty()) return std::nullopt;
+    engine::Request request;
+    request.machine = name;
+    request.host = engine::host_of_system();
+    return engine::Machine::read(request)
+        .map([](engine::Machine machine) { return std::optional(std::move(machine)); })
+        .map_error(sentence_of);
+}
+
 }  // namespace
 
 Status run_data_command(const DataArguments& arguments, Findings& findings) {
-    std::optional<machine::Machine> machine;
-    if (!arguments.machine.empty()) {
-        auto loaded = engine::read_machine_input(engine::host_of_system(), arguments.machine,
-                                                 os::NamedBy::command_line);
-        if (!loaded) return Sentence(std::move(loaded.error()));
-        machine = std::move(loaded->machine);
-    }
+    const auto read = read_machine(arguments.machine);
+    if (!read) return Sentence(read.error());
+    const engine::Machine* const machine = *read ? &**read : nullptr;
     if (auto confined = confine(arguments); !confined) return Sentence(std::move(confined.error()));
     if (arguments.command == DataCommand::import) return import_settings(arguments, machine, findings);
     if (arguments.file.empty()) return Sentence("FILE is required: the machine data (NCFILE)");
-    return Command(arguments, std::move(machine), findings).run();
+    return Command(arguments, machine, findings).run();
 }
 
 }  // namespace gsim::apps

@@ -8,7 +8,7 @@
 
 #include "apps/findings.h"
 #include "apps/machine_data_file.h"
-#include "runtime/machine/machine_data_document.h"
+#include "engine/machine_data.h"
 
 namespace gsim::apps {
 

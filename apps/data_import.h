@@ -1,13 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
 
 #include "apps/data_commands.h"
 #include "apps/findings.h"
-#include "runtime/machine/machine.h"
+#include "engine/machine.h"
 
 namespace gsim::apps {
 
@@ -18,10 +17,9 @@ const std::string& import_source(const DataArguments& arguments);
 bool imports_table(const DataArguments& arguments);
 
 /// gsim-data import: the settings of a control as a machine file, or one of its tables as machine data, for
-/// the axes of `machine` (X, Y and Z where none is given). `findings` gets what is not taken over, by
-/// name. The exit status; the error is a sentence.
-tl::expected<int, std::string> import_settings(const DataArguments& arguments,
-                                               const std::optional<machine::Machine>& machine,
+/// the axes of `machine` (null: X, Y and Z). `findings` gets what is not taken over, by name. The exit
+/// status; the error is a sentence.
+tl::expected<int, std::string> import_settings(const DataArguments& arguments, const engine::Machine* machine,
                                                Findings& findings);
 
 }  // namespace gsim::apps

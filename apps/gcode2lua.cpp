@@ -21,6 +21,7 @@
 namespace {
 
 using namespace gsim;
+using Kind = text::DiagnosticKind;
 
 struct TranslateArguments {
     std::string input = "-";
@@ -100,7 +101,6 @@ tl::expected<engine::Translation, engine::Failure> open_translation(const Transl
 
 /// Translates as the arguments say, and tells what is wrong; the exit status.
 int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
-    using Kind = text::DiagnosticKind;
     if (!arguments.check) {
         if (const auto conflict =
                 apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))

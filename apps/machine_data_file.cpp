@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "base/os/input_file.h"
 #include "base/os/output_file.h"
 
 namespace gsim::apps {
@@ -14,13 +13,6 @@ void add_wait_option(CommandLine& line, double& wait_s) {
         .called("SECONDS")
         .within(0, kMost_s)
         .shows_default();
-}
-
-tl::expected<machine::MachineDataDocument, std::vector<std::string>> open_machine_data(
-    const std::string& path, std::span<const machine::Axis> axes, os::NamedBy named_by) {
-    const auto text = os::read_text_file(path, named_by);
-    if (!text) return tl::unexpected(std::vector{text.error()});
-    return machine::MachineDataDocument::read(*text, path, axes);
 }
 
 tl::expected<os::FileLock, std::string> lock_to_change(const std::string& path, double wait_s) {

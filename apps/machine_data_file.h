@@ -1,16 +1,12 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <tl/expected.hpp>
 
 #include "apps/command_line.h"
 #include "base/os/file_lock.h"
-#include "base/os/input_file.h"
-#include "runtime/machine/machine_data_document.h"
 
 namespace gsim::apps {
 
@@ -19,11 +15,6 @@ inline constexpr double kLongestWait_s = 10;
 
 /// --wait.
 void add_wait_option(CommandLine& line, double& wait_s);
-
-/// Reads a file of machine data. The errors are sentences: what is wrong with its lines, each with its place,
-/// or why there is no such file.
-tl::expected<machine::MachineDataDocument, std::vector<std::string>> open_machine_data(
-    const std::string& path, std::span<const machine::Axis> axes, os::NamedBy named_by);
 
 /// For who reads a file, changes it and writes it back: from before the reading until it is written nobody
 /// else does so. The error is a sentence.

@@ -7,6 +7,7 @@
 
 #include "apps/exit_status.h"
 #include "apps/print.h"
+#include "apps/sentence_of.h"
 #include "base/os/output_file.h"
 #include "base/text/letter_case.h"
 #include "base/text/printable.h"
@@ -16,10 +17,6 @@ namespace gsim::apps {
 namespace {
 
 using engine::EnvelopeKind;
-
-std::string sentence_of(const engine::Failure& failure) {
-    return failure.message;
-}
 
 std::string ending_of(const std::string& file) {
     return text::lower(std::filesystem::path(file).extension().string());

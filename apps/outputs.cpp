@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "apps/sentence_of.h"
+
 namespace gsim::apps {
 
 using engine::Document;
@@ -83,8 +85,7 @@ tl::expected<void, std::string> Outputs::add(Document document, const std::strin
     engine::DocumentOptions options = names_.options;
     options.name = name;
     options.bitmap = picture_ && picture_->bitmap();
-    return run.write(document, *std::move(sink), options, robot)
-        .map_error([](const engine::Failure& failure) { return failure.message; });
+    return run.write(document, *std::move(sink), options, robot).map_error(sentence_of);
 }
 
 tl::expected<engine::TextSink, std::string> Outputs::sink_of(Document document, const std::string& name) {

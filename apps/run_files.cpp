@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/machine_data_file.h"
+#include "apps/sentence_of.h"
 #include "base/os/file_identity.h"
 #include "base/os/output_file.h"
 
@@ -134,7 +135,6 @@ tl::expected<void, std::string> KeptFiles::check(const RunArguments& arguments) 
 tl::expected<void, std::string> KeptFiles::write(const RunArguments& arguments,
                                                  const engine::Run& run) const {
     tl::expected<void, std::string> kept;
-    const auto sentence_of = [](const engine::Failure& failure) { return failure.message; };
     if (const std::string& file = arguments.request.variables; !file.empty()) {
         kept = run.variables().map_error(sentence_of).and_then([&](const std::string& text) {
             return save_text(file, text);

@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "engine/files.h"
+#include "engine/plate.h"
 
 namespace gsim::rrs {
 class RcsModule;
@@ -45,6 +46,10 @@ struct Host {
     /// Null: such files are refused.
     std::function<tl::expected<Triangles, std::string>(const std::string& file, double tolerance_mm)>
         read_solid = {};
+    /// The outlines of a flat part in a STEP or IGES file. The error is a sentence. Null: such files are
+    /// refused.
+    std::function<tl::expected<Plate, std::string>(const std::string& file, const PlateChoice& choice)>
+        read_plate = {};
     /// A controller module that plans for the machine. The error is a sentence. Null: none is taken.
     std::function<tl::expected<std::shared_ptr<rrs::RcsModule>, std::string>(const std::string& file,
                                                                              const machine::Machine& machine)>

@@ -5,13 +5,14 @@
 
 #include <tl/expected.hpp>
 
-#include "base/os/input_file.h"
+#include "base/os/files.h"
 #include "cam/drawing/drawing.h"
 
 namespace gsim::drawing {
 
 /// Reads a drawing by the ending of its name, .dxf or .svg. The error names the file.
 tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
-                                                os::NamedBy named_by = os::NamedBy::a_file);
+                                                os::NamedBy named_by = os::NamedBy::a_file,
+                                                const os::Files& files = os::disk());
 
 }  // namespace gsim::drawing

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "base/os/input_file.h"
 #include "base/toml/toml_section.h"
 #include "base/toml/toml_text.h"
 #include "cam/waterjet/embedded_materials.h"
@@ -260,8 +259,9 @@ tl::expected<Materials, std::string> read_materials(std::string_view toml_text, 
     return materials;
 }
 
-tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path, os::NamedBy named_by) {
-    return os::read_text_file(path, named_by).and_then([&](const std::string& text) {
+tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path, os::NamedBy named_by,
+                                                    const os::Files& files) {
+    return files.read_text(path, named_by).and_then([&](const std::string& text) {
         return read_materials(text, path.string());
     });
 }

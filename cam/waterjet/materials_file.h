@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "base/os/input_file.h"
+#include "base/os/files.h"
 #include "cam/waterjet/materials.h"
 
 namespace gsim::waterjet {
@@ -15,9 +15,10 @@ namespace gsim::waterjet {
 /// use is an error, "file:line:column: sentence". `file_name` is for that alone.
 tl::expected<Materials, std::string> read_materials(std::string_view toml_text, std::string_view file_name);
 
-/// read_materials() of a file on disk.
+/// read_materials() of a file.
 tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
-                                                    os::NamedBy named_by = os::NamedBy::a_file);
+                                                    os::NamedBy named_by = os::NamedBy::a_file,
+                                                    const os::Files& files = os::disk());
 
 /// The text of samples/materials.toml, which is compiled in.
 std::string_view built_in_materials_toml();

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "apps/data_json.h"
 #include "engine/inner/aliases.h"
+#include "engine/inner/data_json.h"
 #include "engine/inner/variables_text.h"
 #include "runtime/machine/machine_data_document.h"
 #include "runtime/machine/machine_file.h"
@@ -72,15 +72,15 @@ Outcome check_machine_data(std::string_view text) {
 Outcome check_machine_data_json(std::string_view json) {
     const std::string file = name_beside(".json");
     const std::vector<machine::Axis> axes = data_axes();
-    const auto document = apps::data_from_json(json, file, axes);
+    const auto document = engine::data_from_json(json, file, axes);
     if (!document) {
         if (auto fault = fault_of_sentence(document.error())) return broken(*std::move(fault));
         if (!document.error().starts_with(file))
             return broken("an error without its file: " + document.error());
         return refused();
     }
-    const std::string written = apps::data_to_json(*document).dump();
-    const auto again = apps::data_from_json(written, file, axes);
+    const std::string written = engine::data_to_json(*document).dump();
+    const auto again = engine::data_from_json(written, file, axes);
     if (!again) return broken(fmt::format("what is written is refused: {}\n{}", again.error(), written));
     if (again->data() != document->data()) return broken("what is written means other data:\n" + written);
     if (auto fault = fault_of_data(document->data(), axes)) return broken(*std::move(fault));

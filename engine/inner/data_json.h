@@ -9,7 +9,7 @@
 
 #include "runtime/machine/machine_data_document.h"
 
-namespace gsim::apps {
+namespace gsim::engine {
 
 /// An entry of machine data as JSON: "id", "unit" where the section has lengths, and the fields by their
 /// names; null is a wall that is not there.
@@ -23,4 +23,4 @@ tl::expected<machine::MachineDataDocument, std::string> data_from_json(std::stri
                                                                        const std::string& file_name,
                                                                        std::span<const machine::Axis> axes);
 
-}  // namespace gsim::apps
+}  // namespace gsim::engine

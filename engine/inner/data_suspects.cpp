@@ -1,4 +1,4 @@
-#include "apps/data_check.h"
+#include "engine/inner/data_suspects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,8 @@
 #include "grammar/dialect.h"
 #include "lexer/alias.h"
 
-namespace gsim::apps {
+namespace gsim::engine {
 
-using machine::Axis;
 using machine::DataRow;
 using machine::DataSection;
 using machine::MachineDataDocument;
@@ -20,10 +19,10 @@ namespace {
 
 constexpr std::size_t kMostWarnings = 100;
 
-class Check {
+class SuspectSearch {
   public:
-    Check(const MachineDataDocument& document, std::string file_name,
-          const std::optional<machine::Machine>& machine)
+    SuspectSearch(const MachineDataDocument& document, std::string file_name,
+                  const std::optional<machine::Machine>& machine)
         : document_(document), file_name_(std::move(file_name)), machine_(machine) {}
 
     std::vector<std::string> run() {
@@ -52,7 +51,7 @@ class Check {
         for (std::size_t i = 0; i < rules.positional(); ++i) {
             const auto index = machine_->find(rules.fields[i].name[0]);
             if (!index || !machine::parse_number<double>(row.values[i])) continue;
-            const Axis& axis = machine_->axes[*index];
+            const machine::Axis& axis = machine_->axes[*index];
             const double value = row.number(rules, i);
             if (value >= axis.min && value <= axis.max) continue;
             warn(rules, row, i,
@@ -100,9 +99,9 @@ class Check {
 
 }  // namespace
 
-std::vector<std::string> check_data(const MachineDataDocument& document, const std::string& file_name,
-                                    const std::optional<machine::Machine>& machine) {
-    return Check(document, file_name, machine).run();
+std::vector<std::string> data_suspects(const MachineDataDocument& document, const std::string& file_name,
+                                       const std::optional<machine::Machine>& machine) {
+    return SuspectSearch(document, file_name, machine).run();
 }
 
-}  // namespace gsim::apps
+}  // namespace gsim::engine

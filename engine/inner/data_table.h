@@ -5,7 +5,7 @@
 
 #include "runtime/machine/machine_data_row.h"
 
-namespace gsim::apps {
+namespace gsim::engine {
 
 /// A section for people: its keyword, a line with the names of the fields that are in use, a line for each
 /// entry, in columns.
@@ -14,4 +14,4 @@ std::string data_table(const machine::SectionRules& rules, std::span<const machi
 /// One entry for people: a line for each field that it has, and its unit.
 std::string data_list(const machine::SectionRules& rules, const machine::DataRow& row);
 
-}  // namespace gsim::apps
+}  // namespace gsim::engine

@@ -1,17 +1,16 @@
-#include "apps/data_json.h"
+#include "engine/inner/data_json.h"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-namespace gsim::apps {
+namespace gsim::engine {
 
 using machine::DataField;
 using machine::DataRow;
 using machine::DataSection;
 using machine::FieldForm;
-using machine::LengthUnit;
 using machine::MachineDataDocument;
 using machine::Quantity;
 using machine::SectionRules;
@@ -78,7 +77,7 @@ class JsonReader {
                                                      const std::string& name, const ordered_json& value) {
         if (name == "unit" && rules.has_unit) {
             if (value != "inch" && value != "metric") return Sentence("the unit is \"inch\" or \"metric\"");
-            row.unit = value == "inch" ? LengthUnit::inch : LengthUnit::metric;
+            row.unit = value == "inch" ? machine::LengthUnit::inch : machine::LengthUnit::metric;
             return {};
         }
         const auto index = rules.find(name);
@@ -128,7 +127,7 @@ class JsonReader {
 
 ordered_json row_to_json(const SectionRules& rules, const DataRow& row) {
     ordered_json json{{"id", row.id}};
-    if (rules.has_unit) json["unit"] = row.unit == LengthUnit::inch ? "inch" : "metric";
+    if (rules.has_unit) json["unit"] = row.unit == machine::LengthUnit::inch ? "inch" : "metric";
     for (std::size_t i = 0; i < rules.fields.size(); ++i) {
         if (!row.values[i].empty())
             json[rules.fields[i].name] = value_to_json(rules.fields[i], row.values[i]);
@@ -158,4 +157,4 @@ tl::expected<MachineDataDocument, std::string> data_from_json(std::string_view t
     }
 }
 
-}  // namespace gsim::apps
+}  // namespace gsim::engine

@@ -1,11 +1,11 @@
-#include "apps/data_table.h"
+#include "engine/inner/data_table.h"
 
 #include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
 
-namespace gsim::apps {
+namespace gsim::engine {
 
 using machine::DataRow;
 using machine::SectionRules;
@@ -64,4 +64,4 @@ std::string data_list(const SectionRules& rules, const DataRow& row) {
     return rules.has_unit ? text + fmt::format("UNIT {}\n", unit_name(row.unit)) : text;
 }
 
-}  // namespace gsim::apps
+}  // namespace gsim::engine

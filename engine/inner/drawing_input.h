@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "cam/solid/plate.h"
+#include "engine/drawing_path.h"
+
+namespace gsim::engine {
+
+/// Reads a drawing, or a flat part through the host. The error is a sentence: why it cannot be read, or what
+/// of the choice is not for such a file.
+tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
+                                                           const DrawingChoice& choice);
+
+}  // namespace gsim::engine

@@ -1,0 +1,193 @@
+#include "engine/drawing_path.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cam/cutting/autopath.h"
+#include "cam/solid/mesh.h"
+#include "cam/waterjet/job_report.h"
+#include "engine/inner/cutting_rules.h"
+#include "engine/inner/drawing_input.h"
+#include "engine/inner/guarded.h"
+#include "engine/inner/host_names.h"
+#include "engine/inner/values.h"
+#include "runtime/path/json_writer.h"
+
+namespace gsim::engine {
+
+using text::DiagnosticKind;
+
+namespace {
+
+cutting::AutopathOptions options_of(const DrawingRequest& request) {
+    cutting::AutopathOptions options;
+    options.gap_mm = request.reading.gap_mm;
+    options.lead_mm = request.ways.lead_mm;
+    options.program.name = std::filesystem::path(request.drawing).stem().string();
+    options.program.heights = {request.ways.safe_height_mm, request.ways.cut_height_mm};
+    options.program.origin_mm = request.ways.origin_mm;
+    options.program.bevel_deg = request.ways.bevel_deg;
+    return options;
+}
+
+CuttingFigures figures_of(const cutting::CutSummary& summary) {
+    return {.outlines = summary.outlines,
+            .pierces = summary.pierces,
+            .without_leads = summary.without_leads,
+            .cut_mm = summary.cut_mm,
+            .travel_mm = summary.travel_mm,
+            .cut_s = summary.cut_s};
+}
+
+}  // namespace
+
+class DrawingPath::State {
+  public:
+    State(DrawingRequest request, std::string file, std::optional<waterjet::Materials> materials)
+        : request_(std::move(request)), file_(std::move(file)), materials_(std::move(materials)) {}
+
+    const std::string& file() const { return file_; }
+    const CuttingFigures& figures() const { return figures_; }
+    const path::Program& program() const { return program_; }
+
+    tl::expected<void, Failure> read();
+    tl::expected<void, Failure> make(const Tell& tell);
+    std::optional<JobFigures> job() const;
+    std::string job_report() const;
+
+  private:
+    waterjet::JobPrice price() const {
+        return waterjet::price_job(*cutting_.plan, materials_->prices,
+                                   {figures_.cut_mm, figures_.pierces, figures_.cut_s, 0});
+    }
+
+    DrawingRequest request_;
+    std::string file_;
+    std::optional<waterjet::Materials> materials_;  ///< None where no material is asked for.
+    drawing::Drawing drawing_;
+    SettledCutting cutting_;
+    path::Program program_;
+    CuttingFigures figures_;
+};
+
+tl::expected<void, Failure> DrawingPath::State::read() {
+    auto plate = read_drawing_input(request_.host, file_, request_.reading);
+    if (!plate)
+        return tl::unexpected(failure_of(DiagnosticKind::input_file, plate.error(), request_.drawing));
+    drawing_ = std::move(plate->drawing);
+    if (auto note = other_thickness(request_.cutting, plate->thickness_mm))
+        drawing_.notes.push_back(*std::move(note));
+    auto settled = settle_cutting(request_.cutting, materials_, plate->thickness_mm);
+    if (!settled) return tl::unexpected(failure_of(DiagnosticKind::usage, settled.error()));
+    cutting_ = *std::move(settled);
+    return {};
+}
+
+tl::expected<void, Failure> DrawingPath::State::make(const Tell& tell) {
+    auto made = cutting::autopath(std::move(drawing_), cutting_.rules, options_of(request_));
+    if (!made) {
+        Failure failure = failure_of(DiagnosticKind::path,
+                                     fmt::format("{}: {}", request_.drawing, made.error()), request_.drawing);
+        failure.in_program = true;
+        return tl::unexpected(std::move(failure));
+    }
+    for (const std::string& note : made->notes) {
+        if (!tell) break;
+        tell({.severity = Severity::note,
+              .code = std::string(text::code_of(DiagnosticKind::path)),
+              .file = request_.drawing,
+              .text = note});
+    }
+    program_ = std::move(made->program);
+    figures_ = figures_of(made->summary);
+    return {};
+}
+
+std::optional<JobFigures> DrawingPath::State::job() const {
+    if (!cutting_.plan) return std::nullopt;
+    const waterjet::CuttingPlan& plan = *cutting_.plan;
+    const waterjet::JobPrice price = this->price();
+    return JobFigures{.thickness_mm = plan.thickness_mm,
+                      .quality = plan.quality,
+                      .speed_mm_min = plan.cutting_speed_mm_min,
+                      .kerf_mm = plan.kerf_mm,
+                      .pierce_s = plan.pierce_s,
+                      .jet_s = price.jet_time_s,
+                      .machine_s = price.machine_time_s,
+                      .water_l = price.water_l,
+                      .abrasive_kg = price.abrasive_kg,
+                      .price = price.total,
+                      .currency = materials_->prices.currency};
+}
+
+std::string DrawingPath::State::job_report() const {
+    if (!cutting_.plan) return {};
+    return waterjet::job_report_text({*cutting_.plan, price(), materials_->prices.currency});
+}
+
+tl::expected<DrawingPath, Failure> DrawingPath::open(DrawingRequest request) {
+    return guarded([&]() -> tl::expected<DrawingPath, Failure> {
+        auto file = find_name(request.host, NameKind::sample, request.drawing);
+        if (!file) return tl::unexpected(failure_of(DiagnosticKind::input_file, file.error()));
+        std::optional<waterjet::Materials> materials;
+        if (const CuttingChoice& cutting = request.cutting; !cutting.material.empty()) {
+            auto read = read_materials_input(request.host, cutting.materials);
+            if (!read) {
+                return tl::unexpected(
+                    failure_of(DiagnosticKind::input_file, read.error(), cutting.materials));
+            }
+            materials = *std::move(read);
+        }
+        return DrawingPath(
+            std::make_unique<State>(std::move(request), *std::move(file), std::move(materials)));
+    });
+}
+
+DrawingPath::DrawingPath(std::unique_ptr<State> state) : state_(std::move(state)) {}
+DrawingPath::DrawingPath(DrawingPath&&) noexcept = default;
+DrawingPath& DrawingPath::operator=(DrawingPath&&) noexcept = default;
+DrawingPath::~DrawingPath() = default;
+
+const std::string& DrawingPath::drawing_file() const {
+    return state_->file();
+}
+
+bool DrawingPath::is_solid() const {
+    return solid::is_solid_file(state_->file());
+}
+
+tl::expected<void, Failure> DrawingPath::read() {
+    return guarded([this] { return state_->read(); });
+}
+
+tl::expected<void, Failure> DrawingPath::make(const Tell& tell) {
+    return guarded([&] { return state_->make(tell); });
+}
+
+void DrawingPath::write(const TextSink& sink) const {
+    path::write_json(state_->program(), [&sink, goes_on = true](std::string_view text) mutable {
+        goes_on = goes_on && sink(text);
+    });
+}
+
+const CuttingFigures& DrawingPath::figures() const {
+    return state_->figures();
+}
+
+std::string DrawingPath::summary() const {
+    const CuttingFigures& figures = state_->figures();
+    return fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
+                       figures.outlines, figures.pierces, figures.cut_mm, figures.cut_s, figures.travel_mm);
+}
+
+std::optional<JobFigures> DrawingPath::job() const {
+    return state_->job();
+}
+
+std::string DrawingPath::job_report() const {
+    return state_->job_report();
+}
+
+}  // namespace gsim::engine

@@ -1,0 +1,216 @@
+#include "engine/drawing_path.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/path_translation.h"
+#include "tests/engine/given.h"
+
+namespace gsim::engine::drawing_path_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr double kInch_mm = 25.4;
+
+std::string svg(const std::string& content) {
+    return "<svg width='100mm' height='100mm' viewBox='0 0 100 100'>" + content + "</svg>";
+}
+
+const std::string kPart = svg("<rect width='50' height='30'/><circle cx='20' cy='15' r='5'/>");
+
+/// A drawing and how it is cut, by figures alone.
+DrawingRequest request_of_drawing(const std::string& name, std::map<std::string, std::string> files) {
+    DrawingRequest request;
+    request.drawing = name;
+    request.cutting.speed_mm_min = 300;
+    request.cutting.kerf_mm = 0.8;
+    request.host.files = given(std::move(files));
+    return request;
+}
+
+/// The same by a material.
+DrawingRequest request_of_material(std::map<std::string, std::string> files) {
+    DrawingRequest request = request_of_drawing("part.svg", std::move(files));
+    request.cutting = {.material = "aluminum", .thickness_mm = 12};
+    return request;
+}
+
+/// A square of 20 mm, 8 mm thick, whatever file is asked for.
+tl::expected<Plate, std::string> square_plate(const std::string&, const PlateChoice&) {
+    Plate plate{.sources = {{.kind = "edge"}}, .thickness_mm = 8};
+    Plate::Outline outline{.closed = true};
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {20.0, 0.0}, {20.0, 20.0}, {0.0, 20.0}})
+        outline.vertices.push_back({.position_mm = {x, y}});
+    plate.outlines.push_back(outline);
+    return plate;
+}
+
+tl::expected<DrawingPath, Failure> made(DrawingRequest request, const Tell& tell = {}) {
+    return DrawingPath::open(std::move(request))
+        .and_then([&](DrawingPath path) -> tl::expected<DrawingPath, Failure> {
+            if (auto read = path.read(); !read) return tl::unexpected(read.error());
+            if (auto done = path.make(tell); !done) return tl::unexpected(done.error());
+            return path;
+        });
+}
+
+std::string refusal(DrawingRequest request) {
+    const auto path = made(std::move(request));
+    return path ? "a path" : path.error().code + ": " + path.error().message;
+}
+
+std::string text_of(const DrawingPath& path) {
+    std::string text;
+    path.write([&](std::string_view part) {
+        text += part;
+        return true;
+    });
+    return text;
+}
+
+TEST(DrawingPath, ADrawingFromMemoryBecomesAPathWithItsFigures) {
+    const auto path = made(request_of_drawing("part.svg", {{"part.svg", kPart}}));
+    ASSERT_TRUE(path) << path.error().message;
+    EXPECT_EQ(path->figures().outlines, 2U);
+    EXPECT_EQ(path->figures().pierces, 2U);
+    EXPECT_GT(path->figures().cut_mm, 160 + 31);
+    EXPECT_THAT(path->summary(), StartsWith("2 contours, 2 pierces, "));
+    EXPECT_FALSE(path->is_solid());
+    EXPECT_FALSE(path->job());
+    EXPECT_EQ(path->job_report(), "");
+    EXPECT_EQ(json::parse(text_of(*path))["name"], "part");
+}
+
+TEST(DrawingPath, ItsPathGoesOnToAProgram) {
+    DrawingRequest drawing = request_of_drawing("part.svg", {{"part.svg", kPart}});
+    drawing.ways.origin_mm = {500, 500, 100};
+    const std::string path = text_of(made(drawing).value());
+    PathRequest request;
+    request.path = "part.path.json";
+    request.post = "ab9";
+    request.host.files = given({{"part.path.json", path}});
+    auto program = PathTranslation::open(std::move(request)).value();
+    ASSERT_TRUE(program.read());
+    const auto planned = program.plan();
+    EXPECT_TRUE(planned) << planned.error().message;
+}
+
+TEST(DrawingPath, ASinkThatWantsNoMoreGetsNoMore) {
+    const auto path = made(request_of_drawing("part.svg", {{"part.svg", kPart}})).value();
+    int pieces = 0;
+    path.write([&](std::string_view) { return ++pieces < 1; });
+    EXPECT_EQ(pieces, 1);
+}
+
+TEST(DrawingPath, AUnitCountsInPlaceOfTheDrawings) {
+    const std::string dxf =
+        "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n";
+    DrawingRequest request = request_of_drawing("hole.dxf", {{"hole.dxf", dxf}});
+    request.ways.lead_mm = 0.1;
+    request.reading.unit_mm = 1;
+    const double in_mm = made(request).value().figures().cut_mm;
+    request.reading.unit_mm = kInch_mm;
+    EXPECT_GT(made(request).value().figures().cut_mm, 10 * in_mm);
+}
+
+TEST(DrawingPath, AMaterialGivesFiguresAndPrice) {
+    const auto path = made(request_of_material({{"part.svg", kPart}}));
+    ASSERT_TRUE(path) << path.error().message;
+    const auto job = path->job();
+    ASSERT_TRUE(job);
+    EXPECT_EQ(job->thickness_mm, 12);
+    EXPECT_GT(job->speed_mm_min, 0);
+    EXPECT_GT(job->price, 0);
+    EXPECT_NEAR(job->jet_s, path->figures().cut_s + 2 * job->pierce_s, 1e-9);
+    EXPECT_THAT(path->job_report(), StartsWith("Cutting aluminum, 12 mm\n"));
+}
+
+TEST(DrawingPath, MaterialsComeFromTheSameFiles) {
+    DrawingRequest request =
+        request_of_material({{"part.svg", kPart}, {"mine.toml", "[jet]\nnonsense = 1\n"}});
+    request.cutting.materials = "mine.toml";
+    const auto path = DrawingPath::open(request);
+    ASSERT_FALSE(path);
+    EXPECT_THAT(path.error().message, StartsWith("mine.toml:2:1: unknown key 'nonsense' in [jet]; "));
+    EXPECT_EQ(path.error().file, "mine.toml");
+}
+
+TEST(DrawingPath, WhatDoesNotGoTogetherIsRefused) {
+    DrawingRequest request = request_of_drawing("part.svg", {{"part.svg", kPart}});
+    request.cutting.kerf_mm.reset();
+    EXPECT_EQ(refusal(request), "usage: give --material and --thickness, or --speed and --kerf");
+    request = request_of_drawing("part.svg", {{"part.svg", kPart}});
+    request.reading.flip = true;
+    EXPECT_EQ(refusal(request), "input-file: --up and --flip are for STEP and IGES files");
+    request = request_of_drawing("part.step", {});
+    request.reading.layers = {"0"};
+    EXPECT_EQ(refusal(request),
+              "input-file: --unit and --layer are for drawings; a STEP or IGES file says its unit");
+}
+
+TEST(DrawingPath, ADrawingThatIsNotThereOrNoneIsToldByName) {
+    EXPECT_EQ(refusal(request_of_drawing("none.svg", {})),
+              "input-file: cannot read 'none.svg': there is no such file");
+    EXPECT_EQ(refusal(request_of_drawing("part.txt", {{"part.txt", ""}})),
+              "input-file: 'part.txt' is neither a .dxf nor an .svg file");
+}
+
+TEST(DrawingPath, AMistakeOfTheDrawingIsInTheProgram) {
+    const auto path =
+        made(request_of_drawing("part.svg", {{"part.svg", svg("<path id='p' d='M0 0L10 10L10 0'/>")}}));
+    ASSERT_FALSE(path);
+    EXPECT_TRUE(path.error().in_program);
+    EXPECT_EQ(path.error().code, "path");
+    EXPECT_EQ(path.error().file, "part.svg");
+    EXPECT_THAT(path.error().message, StartsWith("part.svg: "));
+    EXPECT_THAT(path.error().message, HasSubstr("not closed"));
+}
+
+TEST(DrawingPath, WithoutAReaderOfSolidsTheyAreRefusedByName) {
+    EXPECT_EQ(refusal(request_of_drawing("part.step", {})),
+              "input-file: part.step: STEP and IGES files are not read here; DXF and SVG files are");
+}
+
+TEST(DrawingPath, AFlatPartComesFromTheHostWithItsThickness) {
+    DrawingRequest request = request_of_drawing("part.step", {});
+    request.host.read_plate = square_plate;
+    request.cutting = {.material = "aluminum"};
+    const auto path = made(request);
+    ASSERT_TRUE(path) << path.error().message;
+    EXPECT_TRUE(path->is_solid());
+    EXPECT_EQ(path->job()->thickness_mm, 8);
+    EXPECT_EQ(path->figures().outlines, 1U);
+}
+
+TEST(DrawingPath, AnotherThicknessThanTheFlatPartsIsTold) {
+    DrawingRequest request = request_of_drawing("part.step", {});
+    request.host.read_plate = square_plate;
+    request.cutting = {.material = "aluminum", .thickness_mm = 10};
+    std::vector<std::string> told;
+    ASSERT_TRUE(made(request, [&](const Diagnostic& note) { told.push_back(note.file + ": " + note.text); }));
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told.front(), "part.step: the solid is 8 mm thick; --thickness says 10 mm");
+}
+
+TEST(DrawingPath, TheHostIsToldHowThePartIsLookedAt) {
+    PlateChoice asked;
+    DrawingRequest request = request_of_drawing("part.iges", {});
+    request.host.read_plate = [&](const std::string& file, const PlateChoice& choice) {
+        asked = choice;
+        return square_plate(file, choice);
+    };
+    request.reading.up = "-z";
+    request.reading.flip = true;
+    request.reading.curve_tolerance_mm = 0.125;
+    ASSERT_TRUE(made(request));
+    EXPECT_EQ(asked.up, "-z");
+    EXPECT_TRUE(asked.flip);
+    EXPECT_EQ(asked.tolerance_mm, 0.125);
+}
+
+}  // namespace
+}  // namespace gsim::engine::drawing_path_test

@@ -1,0 +1,150 @@
+#include "engine/machine_data.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/engine/given.h"
+
+namespace gsim::engine::machine_data_test {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using Form = MachineData::Form;
+
+const std::string kData =
+    "NCFILE\nOFFSET ; frames\n54 200.000 1 2 # left\n55 1 2 3 inch\nTOOL\n1 50 10 JET\nALIAS\nJetOn M08\n"
+    "ENDFILE\n";
+
+MachineData data_of(const std::string& text = kData) {
+    return MachineData::read(text, "d.txt").value();
+}
+
+std::string changed(const std::string& from, const std::string& to) {
+    std::string text = kData;
+    return text.replace(text.find(from), from.size(), to);
+}
+
+template <typename Value>
+std::string refusal(const tl::expected<Value, Failure>& done) {
+    return done ? "nothing" : done.error().message;
+}
+
+const std::vector<std::string> kX = {"X=1"};
+
+TEST(MachineDataValues, TextComesBackByteForByte) {
+    EXPECT_EQ(data_of().text(), kData);
+    EXPECT_EQ(MachineData("new.txt").text(), "NCFILE\nENDFILE\n");
+}
+
+TEST(MachineDataValues, AreListedInColumnsAndAsJson) {
+    const MachineData data = data_of();
+    EXPECT_EQ(data.list(Form::text, "offset"),
+              "OFFSET\n  ID  X        Y  Z  UNIT\n  54  200.000  1  2  metric\n  55  1        2  3  inch\n");
+    const json all = json::parse(data.list(Form::json).value());
+    EXPECT_EQ(all["TOOL"], json::parse(data.list(Form::json, "TOOL").value()));
+    EXPECT_EQ(all["ALIAS"][0]["CODE"], "M08");
+    EXPECT_EQ(data.list(Form::json, "HOME"), "[]\n");
+}
+
+TEST(MachineDataValues, AnEntryOrAValueIsGot) {
+    const MachineData data = data_of();
+    EXPECT_EQ(data.get(Form::text, "OFFSET", "54"), "X 200.000\nY 1\nZ 2\nUNIT metric\n");
+    EXPECT_EQ(data.get(Form::text, "alias", "JETON", "code"), "M08\n");
+    EXPECT_EQ(data.get(Form::json, "OFFSET", "54", "X"), "200.0\n");
+    EXPECT_EQ(data.get(Form::json, "TOOL", "1", "LENGTH_WEAR"), "null\n");
+}
+
+TEST(MachineDataValues, AChangeIsOneOfWordsInALine) {
+    MachineData data = data_of();
+    const std::vector<std::string> y = {"y=-7.5"};
+    ASSERT_TRUE(data.set("OFFSET", "54", y));
+    EXPECT_EQ(data.text(), changed("200.000 1 2", "200.000 -7.5 2"));
+    ASSERT_TRUE(data.reset("OFFSET", "54"));
+    EXPECT_EQ(data.text(), changed("200.000 1 2", "0 0 0"));
+    data = data_of();
+    const std::vector<std::string> x = {"X=50.8"};
+    ASSERT_TRUE(data.set("offset", "55", x, LengthUnit::mm));
+    EXPECT_EQ(data.text(), changed("1 2 3 inch", "50.8 50.8 76.2 metric"));
+}
+
+TEST(MachineDataValues, AllEntriesAreResetAndConverted) {
+    MachineData data = data_of();
+    ASSERT_TRUE(data.reset_all("tool"));
+    EXPECT_EQ(data.text(), changed("50 10", "0 0"));
+    ASSERT_TRUE(data.reset_all());
+    EXPECT_EQ(data.list(Form::json, "ALIAS"), "[]\n");
+    data = data_of();
+    ASSERT_TRUE(data.convert(LengthUnit::mm));
+    EXPECT_EQ(data.get(Form::text, "OFFSET", "55", "X"), "25.4\n");
+}
+
+TEST(MachineDataValues, WhatIsRefusedHasChangedNothing) {
+    MachineData data = data_of();
+    const std::vector<std::string> far = {"X=1e12"}, no_value = {"X"};
+    EXPECT_EQ(refusal(data.set("OFFSET", "54", far)), "d.txt: 1e12 is not between -1e9 and 1e9");
+    EXPECT_EQ(refusal(data.set("OFFSET", "54", no_value)), "'X' is no FIELD=VALUE");
+    EXPECT_EQ(refusal(data.set("OFFSET", "53", kX)),
+              "d.txt: '53' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
+    EXPECT_EQ(refusal(data.set("OFSET", "54", kX)),
+              "'OFSET' is no section; there are OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, "
+              "SECURITY, WORKING");
+    EXPECT_EQ(refusal(data.set("ALIAS", "JetOn", kX, LengthUnit::inch)),
+              "d.txt: ALIAS has no lengths, hence no unit");
+    EXPECT_EQ(refusal(data.reset("OFFSET", "56")), "d.txt: there is no OFFSET 56 in the file");
+    EXPECT_EQ(refusal(data.get(Form::text, "OFFSET", "56")), "there is no OFFSET 56 in the file");
+    EXPECT_EQ(refusal(data.get(Form::json, "OFFSET", "54", "Q")), "OFFSET has no 'Q'");
+    EXPECT_EQ(refusal(data.list(Form::text, "here")).substr(0, 21), "'here' is no section;");
+    EXPECT_EQ(data.text(), kData);
+}
+
+TEST(MachineDataValues, AllThatIsWrongWithLinesIsTold) {
+    std::vector<std::uint32_t> lines;
+    const auto data = MachineData::read("NCFILE\nOFFSET\n53 1 2 3\n55 1 2 3x\nENDFILE\n", "d.txt", nullptr,
+                                        [&](const Diagnostic& told) { lines.push_back(told.line); });
+    ASSERT_FALSE(data);
+    EXPECT_THAT(lines, ElementsAre(3, 4));
+    EXPECT_TRUE(data.error().in_program);
+    EXPECT_EQ(data.error().message,
+              "d.txt:3:1: '53' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
+}
+
+TEST(MachineDataValues, JsonGoesBothWays) {
+    const MachineData data = data_of();
+    const std::string written = data.to_json().value();
+    EXPECT_EQ(data.list(Form::json), written);
+    const auto again = MachineData::from_json(written, "d.json");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->to_json(), written);
+    EXPECT_EQ(refusal(MachineData::from_json("[", "d.json")), "d.json: byte 2: this is no JSON");
+    EXPECT_EQ(refusal(MachineData::from_json("[]", "d.json")),
+              "d.json: this is no JSON object with a list for each section");
+}
+
+TEST(MachineDataValues, WordsThatAreNotUtf8AreNoJson) {
+    const MachineData data = data_of("NCFILE\nALIAS\nJet\xff M08\nENDFILE\n");
+    EXPECT_EQ(refusal(data.to_json()), "d.txt: JSON is UTF-8, and a word in this file is not");
+    EXPECT_EQ(json::parse(data.list(Form::json).value())["ALIAS"][0]["id"], "Jet\uFFFD");
+}
+
+TEST(MachineDataValues, AMachineNamesAxesAndHasRanges) {
+    const Machine machine = Machine::read({}).value();
+    const std::string text = "NCFILE\nOFFSET\n54 0 0 9e6\nALIAS\nTurn G777\nENDFILE\n";
+    MachineData data = MachineData::read(text, "d.txt", &machine).value();
+    const std::vector<Diagnostic> suspects = data.suspects();
+    ASSERT_EQ(suspects.size(), 2U);
+    EXPECT_EQ(suspects[0].severity, Severity::warning);
+    EXPECT_EQ(suspects[0].line, 3U);
+    EXPECT_EQ(suspects[0].column, 8U);
+    EXPECT_THAT(suspects[0].text, testing::StartsWith("Z of OFFSET 54 is 9000000 mm, beyond the machine's "));
+    EXPECT_THAT(suspects[1].text, testing::StartsWith("Turn stands for 'G777', which is no word of "));
+    const std::vector<std::string> b = {"B=30"};
+    EXPECT_TRUE(data.set("OFFSET", "54", b));
+    EXPECT_EQ(refusal(MachineData("d.txt").set("OFFSET", "54", b)),
+              "d.txt: OFFSET has no 'B'; it has X, Y, Z, AXIS4, AXIS5, AXIS6, AXIS7, AXIS8, AXIS9");
+    EXPECT_EQ(MachineData::read(text, "d.txt")->suspects().size(), 1U) << "no ranges are known";
+}
+
+}  // namespace
+}  // namespace gsim::engine::machine_data_test
