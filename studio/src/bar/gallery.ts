@@ -1,0 +1,74 @@
+// Samples to begin with.
+
+import { element } from "../core/dom";
+import type { Session, Setup } from "../core/session";
+import { emptySetup } from "../core/session";
+import { texts } from "../texts";
+
+interface Sample {
+  title: string;
+  about: string;
+  setup: Partial<Setup>;
+}
+
+const { gallery } = texts.bar;
+
+export const samples: Sample[] = [
+  {
+    ...gallery.wheel,
+    setup: { program: "samples/wheel.nc", machine: "samples/machines/af5-measured.toml" },
+  },
+  {
+    ...gallery.rosette,
+    setup: {
+      program: "samples/rosette.ngc",
+      machine: "samples/machines/linuxcnc-router.toml",
+      dialect: "rs274ngc",
+    },
+  },
+  {
+    ...gallery.collision,
+    setup: { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" },
+  },
+  {
+    ...gallery.robots,
+    setup: { program: "samples/cell/cell.lua", robots: "samples/cell/robots.toml" },
+  },
+  {
+    ...gallery.mill,
+    setup: { program: "samples/wheel.nc", machine: "samples/machines/mill-table-table.toml" },
+  },
+];
+
+/** Takes a sample as it is, whatever was chosen before, and runs it. */
+export function openSample(sample: Sample, session: Session): void {
+  session.change({ ...emptySetup(), ...sample.setup });
+  void session.run();
+}
+
+export function showGallery(session: Session): void {
+  const close = () => dialog.close();
+  const cards = samples.map((sample) =>
+    element(
+      "button",
+      {
+        class: "card",
+        onclick: () => {
+          close();
+          openSample(sample, session);
+        },
+      },
+      element("strong", {}, sample.title),
+      element("span", {}, sample.about),
+    ),
+  );
+  const dialog = element(
+    "dialog",
+    { "aria-label": gallery.title, onclose: () => dialog.remove() },
+    element("h2", {}, gallery.title),
+    element("div", { class: "cards" }, ...cards),
+    element("button", { onclick: close }, texts.bar.close),
+  );
+  document.body.append(dialog);
+  dialog.showModal();
+}

@@ -1,0 +1,56 @@
+// Runs as a person types: when the text has been found to be without errors, and the last run was short.
+
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import { Debounced } from "./dom";
+
+const SHORT_S = 1;
+/** Of a script nothing is known before it runs: it runs when a person pauses. */
+const SCRIPT_PAUSE_MS = 600;
+/** With this option on the check comes sooner. */
+export const CHECK_PAUSE_MS = 150;
+
+export class AutoRun {
+  isOn = false;
+  /** How long the last run took to compute. */
+  private took_s = 0;
+  private began_ms = 0;
+  private isDue = false;
+  private readonly pause = new Debounced(() => this.run());
+
+  constructor(
+    store: Store,
+    private readonly session: Session,
+    private readonly flush: () => void,
+  ) {
+    store.on("running", (running, before) => {
+      if (running && !before) this.began_ms = performance.now();
+    });
+    store.on("run", () => {
+      if (this.began_ms > 0) this.took_s = (performance.now() - this.began_ms) / 1000;
+    });
+  }
+
+  get isTooSlow(): boolean {
+    return this.took_s > SHORT_S;
+  }
+
+  get isActive(): boolean {
+    return this.isOn && !this.isTooSlow && this.session.canRun;
+  }
+
+  edited(isScript: boolean): void {
+    this.isDue = this.isActive;
+    if (this.isDue && isScript) this.pause.after(SCRIPT_PAUSE_MS);
+  }
+
+  checked(hasErrors: boolean): void {
+    if (this.isDue && !hasErrors && this.isActive) this.run();
+  }
+
+  private run(): void {
+    this.isDue = false;
+    this.flush();
+    void this.session.run();
+  }
+}

@@ -1,0 +1,121 @@
+// Checks the text while one types, and shows what a run has said of it.
+
+import { setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import { Debounced } from "./dom";
+import { byPage } from "./editor";
+import { diagnosticOf, findingsOf, findingsOfRun, type Finding } from "./findings";
+import type { SourcePane } from "./source_pane";
+
+const PAUSE_MS = 300;
+/** Longer programs are checked when a person rests for so long. */
+const LONG_LINES = 200_000;
+const LONG_PAUSE_MS = 3000;
+
+export interface Problems {
+  errors: number;
+  warnings: number;
+  /** Whether an answer is awaited. */
+  checking: boolean;
+}
+
+export class Checking {
+  private readonly debounced = new Debounced(() => void this.check());
+  private ofText: Finding[] = [];
+  private ofRun: Finding[] = [];
+  /** Answers to questions of before are dropped. */
+  private version = 0;
+  private isAsking = false;
+
+  /** `answered` is told when the present text has been checked. */
+  constructor(
+    private readonly store: Store,
+    private readonly session: Session,
+    private readonly source: SourcePane,
+    private readonly told: (problems: Problems) => void,
+    private readonly answered: (hasErrors: boolean) => void,
+  ) {}
+
+  /** Another text is shown. */
+  shown(): void {
+    this.ofText = [];
+    this.ranAnew();
+    this.soon();
+  }
+
+  edited(pause_ms = PAUSE_MS): void {
+    this.soon(pause_ms);
+  }
+
+  ranAnew(): void {
+    const run = this.store.get("run");
+    this.ofRun = run ? findingsOfRun(run, this.source.name) : [];
+    this.show();
+  }
+
+  private soon(pause_ms = PAUSE_MS): void {
+    ++this.version;
+    if (!this.session.canRun) return;
+    this.debounced.after(this.source.sheet.doc.lines > LONG_LINES ? LONG_PAUSE_MS : pause_ms);
+  }
+
+  private async check(): Promise<void> {
+    // One question at a time: the next begins when this one is answered, with the text of then.
+    if (this.isAsking) return this.debounced.after(PAUSE_MS / 3);
+    const { version } = this;
+    const { name } = this.source;
+    if (this.source.sheet.doc.length === 0) return this.take([], version);
+    this.isAsking = true;
+    this.source.flush();
+    this.tell();
+    const told = await this.session.check(name);
+    this.isAsking = false;
+    this.take(
+      findingsOf(
+        name,
+        told.map((one) => [one, one.severity]),
+      ),
+      version,
+    );
+  }
+
+  private take(findings: Finding[], version: number): void {
+    if (version !== this.version) return this.tell();
+    this.ofText = findings;
+    this.show();
+    this.answered(findings.some(({ severity }) => severity === "error"));
+  }
+
+  /** Of the run: where lines have not been edited since, and checking has not said it already. */
+  private present(): [Finding, number][] {
+    const { sheet } = this.source;
+    const known = new Set(this.ofText.map(({ line, text }) => `${line} ${text}`));
+    const found = this.ofText.map((finding): [Finding, number] => [finding, finding.line]);
+    for (const finding of this.ofRun) {
+      const line = sheet.touched(finding.line) ? 0 : sheet.lineOfRun(finding.line);
+      if (line > 0 && !known.has(`${line} ${finding.text}`)) found.push([finding, line]);
+    }
+    return found;
+  }
+
+  private show(): void {
+    const { view } = this.source.editor;
+    const { doc } = view.state;
+    const marks: Diagnostic[] = [];
+    for (const [finding, line] of this.present()) {
+      if (line <= doc.lines) marks.push(diagnosticOf(doc, finding, line));
+    }
+    view.dispatch({ ...setDiagnostics(view.state, marks), annotations: byPage.of(true) });
+    this.tell();
+  }
+
+  private tell(): void {
+    const severities = this.present().map(([{ severity }]) => severity);
+    this.told({
+      errors: severities.filter((severity) => severity === "error").length,
+      warnings: severities.filter((severity) => severity === "warning").length,
+      checking: this.isAsking,
+    });
+  }
+}

@@ -1,0 +1,52 @@
+// Lines to remarks and back. RS274/NGC has ';' to the end of the line; in the 9/Series a block may follow it, so
+// there a line goes between '(' and ')', and the brackets of remarks in it become '{' and '}' meanwhile.
+
+import type { EditorState, Line, StateCommand } from "@codemirror/state";
+
+const wrapped = /^(\s*)\((.*)\)\s*$/;
+
+const isRemark = (text: string, isNgc: boolean) => (isNgc ? /^\s*;/.test(text) : isOne(text));
+
+// "(A) G1 (B)" begins and ends as a remark does, and is none.
+function isOne(text: string): boolean {
+  const found = wrapped.exec(text);
+  return found !== null && !found[2].includes("(") && !found[2].includes(")");
+}
+
+function toRemark(text: string, isNgc: boolean): string {
+  if (isNgc) return `; ${text}`;
+  return `(${text.replaceAll("(", "{").replaceAll(")", "}")})`;
+}
+
+function toBlock(text: string, isNgc: boolean): string {
+  if (isNgc) return text.replace(/^(\s*); ?/, "$1");
+  const [, indent, inside] = wrapped.exec(text)!;
+  return indent + inside.replaceAll("{", "(").replaceAll("}", ")");
+}
+
+function selectedLines(state: EditorState): Line[] {
+  const lines = new Map<number, Line>();
+  for (const { from, to } of state.selection.ranges) {
+    for (let at = from; ; ) {
+      const line = state.doc.lineAt(at);
+      if (line.text.trim() !== "") lines.set(line.number, line);
+      if (line.to >= to) break;
+      at = line.to + 1;
+    }
+  }
+  return [...lines.values()];
+}
+
+/** All lines of the selection that are none yet become remarks; where all are, they become blocks again. */
+export function toggleRemark(isNgc: boolean): StateCommand {
+  return ({ state, dispatch }) => {
+    const lines = selectedLines(state);
+    if (state.readOnly || lines.length === 0) return false;
+    const off = lines.every(({ text }) => isRemark(text, isNgc));
+    const changes = lines
+      .filter(({ text }) => off || !isRemark(text, isNgc))
+      .map(({ from, to, text }) => ({ from, to, insert: off ? toBlock(text, isNgc) : toRemark(text, isNgc) }));
+    dispatch(state.update({ changes, userEvent: "input.comment" }));
+    return true;
+  };
+}

@@ -1,0 +1,81 @@
+// A dialect as the editor asks for it: its codes and letters by name, and which dialect a program is in.
+
+import type { Code, Language } from "../core/languages";
+import type { Session } from "../core/session";
+import { texts } from "../texts";
+
+/** Controls whose programs are read as RS274/NGC (docs/language.md); capitals, blanks and . - / do not count. */
+const ngcControls = new Set(
+  "rs274ngc linuxcnc emc2 machinekit eding fluidnc g2core grbl grblhal mach3 mach4 pathpilot tinyg tormach".split(" "),
+);
+
+/** Groups whose codes act once and are then over, so that none of them is in force later on. */
+const momentary = new Set(["program stop", "subprograms", "tool change", "inputs and outputs", "modal state"]);
+
+export const isModal = (code: Code): boolean => code.group !== null && !momentary.has(code.group);
+
+/** "g01" and "G 1" are G1, "G59.10" is G59.1. */
+export const codeName = (letter: string, number: string): string => letter.toUpperCase() + String(Number(number));
+
+export class Dialect {
+  readonly codes = new Map<string, Code>();
+  /** By the name of the function in Lua. */
+  readonly functions = new Map<string, Code>();
+  readonly letters = new Map<string, string>();
+  readonly axes = new Set<string>();
+  readonly initial: readonly string[];
+  /** "RS274/NGC" */
+  readonly title: string;
+
+  /** `language` is null where the page has no engine: then nothing is known of codes. */
+  constructor(
+    readonly name: string,
+    language: Language | null,
+  ) {
+    this.title = language?.title ?? texts.code.dialects[name] ?? name;
+    for (const code of language?.codes ?? []) {
+      this.codes.set(code.code, code);
+      this.functions.set(code.lua, code);
+    }
+    for (const [keys, meaning] of Object.entries(language?.letters ?? {})) {
+      for (const key of keys.split(" ")) {
+        this.letters.set(key, meaning);
+        if (meaning.startsWith("axes")) this.axes.add(key);
+      }
+    }
+    if (!language) for (const axis of "XYZABCUVW") this.axes.add(axis);
+    this.initial = (language?.initial ?? "").split(" ").filter((code) => code !== "");
+  }
+
+  get isNgc(): boolean {
+    return this.name === "rs274ngc";
+  }
+
+  /** Whether the tables say that there is no such code. M100 to M199 of RS274/NGC are its user's. */
+  isUnknown(name: string): boolean {
+    if (this.codes.size === 0 || this.codes.has(name)) return false;
+    return !(this.isNgc && /^M1\d\d$/.test(name));
+  }
+}
+
+function dialectOfControl(control: string): string {
+  return ngcControls.has(control.toLowerCase().replace(/[\s.\-/]/g, "")) ? "rs274ngc" : "ab9";
+}
+
+/** As the setup or its machine file says; "": neither does. */
+function saidDialect(session: Session): string {
+  const { dialect, machine } = session.setup;
+  if (dialect) return dialectOfControl(dialect);
+  const said = machine && /^\s*dialect\s*=\s*["']([^"']+)["']/m.exec(session.documents.text(machine));
+  return said ? dialectOfControl(said[1]) : "";
+}
+
+/** Where nobody says it, the ending of the program's name tells. */
+export function dialectName(session: Session, program: string): string {
+  return saidDialect(session) || (program.toLowerCase().endsWith(".ngc") ? "rs274ngc" : "ab9");
+}
+
+/** Whether the engine, which reads what nobody says as ab9, would read the program in another dialect than it looks. */
+export function isMisread(session: Session, program: string): boolean {
+  return saidDialect(session) === "" && dialectName(session, program) !== "ab9";
+}

@@ -1,0 +1,164 @@
+// One CodeMirror editor with all that programs in G-code and in Lua have in common.
+
+import { closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { bracketMatching } from "@codemirror/language";
+import { lintGutter, lintKeymap } from "@codemirror/lint";
+import { gotoLine, highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import { Annotation, Compartment, EditorState, type Extension } from "@codemirror/state";
+import {
+  EditorView,
+  drawSelection,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  highlightSpecialChars,
+  keymap,
+  lineNumbers,
+  placeholder,
+  type ViewUpdate,
+} from "@codemirror/view";
+import { appearance } from "./appearance";
+import { currentLine, setCurrentLine } from "./current_line";
+import { heatGutter } from "./heat";
+
+/** On what this part of the page does to an editor itself, so that it is not taken for a person's doing. */
+export const byPage = Annotation.define<boolean>();
+
+export interface EditorEvents {
+  updated(update: ViewUpdate): void;
+  /** A click beside a line. */
+  gutterClicked(line: number): void;
+  run(): void;
+  leave(): void;
+}
+
+/** What may change while the text stays. */
+export interface Configuration {
+  language: Extension;
+  readOnly: boolean;
+  /** For people who do not see it. */
+  label: string;
+}
+
+export class Editor {
+  readonly view: EditorView;
+  private readonly configured = new Compartment();
+  private lastHand_ms = -Infinity;
+
+  constructor(
+    host: HTMLElement,
+    private readonly events: EditorEvents,
+    private readonly hint: string,
+  ) {
+    this.view = new EditorView({ parent: host });
+    for (const kind of ["wheel", "touchmove", "pointerdown", "keydown"]) {
+      const noted = () => (this.lastHand_ms = performance.now());
+      this.view.scrollDOM.addEventListener(kind, noted, { passive: true });
+    }
+  }
+
+  /** A state of its own for a text; show() puts it on the screen. */
+  stateOf(text: string, configuration: Configuration): EditorState {
+    return EditorState.create({
+      doc: text,
+      extensions: [this.configured.of(this.extensions(configuration)), this.fixed(text.length < 4_000_000)],
+    });
+  }
+
+  /** Of the text that is shown. */
+  configure(configuration: Configuration): void {
+    const changed = this.configured.reconfigure(this.extensions(configuration));
+    this.view.dispatch({ effects: changed, annotations: byPage.of(true) });
+  }
+
+  show(state: EditorState): void {
+    this.view.setState(state);
+  }
+
+  /** Seconds since a person scrolled, pressed or typed here. */
+  get untouched_s(): number {
+    return (performance.now() - this.lastHand_ms) / 1000;
+  }
+
+  /** Marks the line that the machine is at; 0: none. */
+  mark(line: number): void {
+    this.view.dispatch({ effects: setCurrentLine.of(line), annotations: byPage.of(true) });
+  }
+
+  /** Puts the cursor on a line. */
+  select(line: number): void {
+    const { doc } = this.view.state;
+    if (line < 1 || line > doc.lines) return;
+    this.view.dispatch({ selection: { anchor: doc.line(line).from }, annotations: byPage.of(true) });
+  }
+
+  /**
+   * Scrolls where the line is out of sight or near the edge; a short way smoothly. `height_px`: what is in sight, where
+   * it is less than the editor's height.
+   */
+  reveal(line: number, height_px = Infinity): void {
+    const { doc } = this.view.state;
+    if (line < 1 || line > doc.lines) return;
+    const { scrollDOM } = this.view;
+    const height = Math.min(scrollDOM.clientHeight, height_px);
+    if (height === 0) return;
+    const block = this.view.lineBlockAt(doc.line(line).from);
+    const top = block.top + this.view.documentPadding.top - scrollDOM.scrollTop;
+    const margin = Math.min(3 * block.height, height / 4);
+    if (top >= margin && top + block.height <= height - margin) return;
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const near = top > -height && top < 2 * height && !still;
+    scrollDOM.scrollTo({ top: scrollDOM.scrollTop + top - height / 3, behavior: near ? "smooth" : "instant" });
+  }
+
+  private extensions({ language, readOnly, label }: Configuration): Extension {
+    return [
+      language,
+      EditorState.readOnly.of(readOnly),
+      EditorView.contentAttributes.of({ "aria-label": label, ...(readOnly ? { "aria-readonly": "true" } : {}) }),
+    ];
+  }
+
+  private fixed(short: boolean): Extension {
+    return [
+      lintGutter(),
+      lineNumbers({
+        domEventHandlers: {
+          click: (view, block) => {
+            this.events.gutterClicked(view.state.doc.lineAt(block.from).number);
+            return true;
+          },
+        },
+      }),
+      heatGutter,
+      currentLine,
+      highlightSpecialChars(),
+      history(),
+      drawSelection(),
+      highlightActiveLine(),
+      highlightActiveLineGutter(),
+      short ? [bracketMatching(), highlightSelectionMatches()] : [],
+      closeBrackets(),
+      search({ top: true }),
+      placeholder(this.hint),
+      appearance,
+      this.keys(),
+      EditorView.updateListener.of((update) => this.events.updated(update)),
+    ];
+  }
+
+  private keys(): Extension {
+    const run = () => (this.events.run(), true);
+    const leave = () => (this.events.leave(), true);
+    return keymap.of([
+      { key: "Mod-Enter", run, preventDefault: true },
+      { key: "Mod-g", run: gotoLine, preventDefault: true },
+      ...closeBracketsKeymap,
+      ...searchKeymap,
+      ...historyKeymap,
+      ...lintKeymap,
+      ...defaultKeymap.filter(({ key }) => key !== "Mod-Enter"),
+      { key: "Escape", run: leave },
+    ]);
+  }
+}

@@ -1,0 +1,120 @@
+// Above the editor: which file, whether it is changed, what is shown of it, and Run.
+
+import { texts } from "../texts";
+import { element } from "./dom";
+
+export type Tab = "source" | "lua" | "both";
+
+export interface HeaderState {
+  name: string;
+  /** Files that may be shown; the program first. */
+  files: string[];
+  isModified: boolean;
+  changedSinceRun: boolean;
+  readOnly: boolean;
+  canRun: boolean;
+  /** Share that a run under way has done; null: none is under way; NaN: not known. */
+  running: number | null;
+  tab: Tab;
+  hasTabs: boolean;
+  autoRun: boolean;
+  autoRunTooSlow: boolean;
+  /** The G-code that the shown Lua was made of; "": of none. */
+  origin: string;
+}
+
+export interface HeaderEvents {
+  run(): void;
+  stop(): void;
+  file(name: string): void;
+  tab(tab: Tab): void;
+  autoRun(isOn: boolean): void;
+  toGcode(): void;
+}
+
+const words = texts.code;
+const baseName = (name: string) => name.slice(name.lastIndexOf("/") + 1);
+
+function button(text: string, title: string, action: () => void): HTMLButtonElement {
+  const made = element("button", "", { type: "button", title }, text);
+  made.addEventListener("click", action);
+  return made;
+}
+
+export class Header {
+  readonly dom: HTMLElement;
+  private readonly files = element("select", "code-files", { "aria-label": words.file, title: words.file });
+  private readonly mark = element("span", "code-mark");
+  private readonly runButton: HTMLButtonElement;
+  private readonly tabs: [Tab, HTMLButtonElement][];
+  private readonly tabRow: HTMLElement;
+  private readonly auto = element("input", "", { type: "checkbox" });
+  private readonly autoLabel: HTMLLabelElement;
+  private readonly origin = element("span", "code-grow");
+  private readonly originRow: HTMLElement;
+  private isRunning = false;
+  private listed = "";
+
+  constructor(events: HeaderEvents) {
+    this.runButton = button(words.run, words.runTitle, () => (this.isRunning ? events.stop() : events.run()));
+    this.runButton.classList.add("code-run");
+    this.tabs = (["source", "lua", "both"] as const).map((tab) => [
+      tab,
+      button(words.tabs[tab], words.tabTitles[tab], () => events.tab(tab)),
+    ]);
+    const tabButtons = this.tabs.map(([, one]) => one);
+    this.tabRow = element("div", "code-tabs", { role: "group", "aria-label": words.tabsLabel }, ...tabButtons);
+    this.autoLabel = element("label", "code-auto", {}, this.auto, words.autoRun);
+    const back = button(words.toGcode, words.toGcodeTitle, () => events.toGcode());
+    this.originRow = element("div", "code-strip", {}, this.origin, back);
+    this.files.addEventListener("change", () => events.file(this.files.value));
+    this.auto.addEventListener("change", () => events.autoRun(this.auto.checked));
+    this.dom = element(
+      "header",
+      "code-header",
+      {},
+      element("div", "code-row", {}, this.files, this.mark, this.runButton),
+      element("div", "code-row", {}, this.tabRow, this.autoLabel),
+      this.originRow,
+    );
+  }
+
+  /** Gives the focus to what stands before the editor. */
+  focus(): void {
+    (this.runButton.hidden || this.runButton.disabled ? this.files : this.runButton).focus();
+  }
+
+  show(state: HeaderState): void {
+    this.showFiles(state);
+    this.showRun(state);
+    this.mark.textContent = state.readOnly ? words.readOnly : state.isModified ? words.modified : "";
+    this.tabRow.hidden = !state.hasTabs;
+    for (const [tab, one] of this.tabs) one.setAttribute("aria-pressed", String(tab === state.tab));
+    this.autoLabel.hidden = !state.canRun;
+    this.auto.checked = state.autoRun;
+    this.auto.disabled = state.autoRunTooSlow;
+    this.autoLabel.title = state.autoRunTooSlow ? words.autoRunTooSlow : words.autoRunTitle;
+    this.originRow.hidden = !state.origin;
+    this.origin.textContent = state.origin ? words.luaOf(baseName(state.origin)) : "";
+  }
+
+  private showFiles({ files, name }: HeaderState): void {
+    const listed = files.join("\n");
+    if (listed !== this.listed) {
+      this.files.replaceChildren(...files.map((file) => element("option", "", { value: file }, baseName(file))));
+      this.listed = listed;
+    }
+    this.files.value = name;
+    this.files.title = name;
+  }
+
+  private showRun({ canRun, running, changedSinceRun }: HeaderState): void {
+    this.isRunning = running !== null;
+    this.runButton.hidden = !canRun;
+    this.runButton.textContent =
+      running === null ? words.run : words.stop(Number.isNaN(running) ? "" : `${Math.floor(100 * running)} %`);
+    this.runButton.title = running !== null ? words.stopTitle : changedSinceRun ? words.runChangedTitle : words.runTitle;
+    this.runButton.classList.toggle("primary", running === null);
+    this.runButton.classList.toggle("code-stale", changedSinceRun && running === null);
+  }
+}

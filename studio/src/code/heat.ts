@@ -1,0 +1,58 @@
+// A slim column beside the lines: how long each takes, as a share of the slowest.
+
+import { StateEffect, StateField, type Extension } from "@codemirror/state";
+import { GutterMarker, gutter } from "@codemirror/view";
+
+/** The time of a line in seconds, the slowest line's, and words for it; null: it has not run. */
+export interface Heat {
+  of(line: number): { share: number; text: string } | null;
+}
+
+/** Puts another run's times in place. */
+export const setHeat = StateEffect.define<Heat | null>();
+
+const heatField = StateField.define<Heat | null>({
+  create: () => null,
+  update(heat, { effects }) {
+    for (const effect of effects) if (effect.is(setHeat)) heat = effect.value;
+    return heat;
+  },
+});
+
+const WIDTH_PX = 10;
+
+class HeatMarker extends GutterMarker {
+  constructor(
+    private readonly share: number,
+    private readonly text: string,
+  ) {
+    super();
+  }
+
+  override eq(other: HeatMarker): boolean {
+    return other.share === this.share && other.text === this.text;
+  }
+
+  override toDOM(): Node {
+    const bar = document.createElement("div");
+    bar.className = "cm-heat";
+    bar.title = this.text;
+    bar.style.setProperty("--share", String(this.share));
+    bar.style.width = `${Math.max(1, Math.round(this.share * WIDTH_PX))}px`;
+    return bar;
+  }
+}
+
+export const heatGutter: Extension = [
+  heatField,
+  gutter({
+    class: "cm-heatGutter",
+    lineMarker(view, block) {
+      const heat = view.state.field(heatField);
+      const found = heat?.of(view.state.doc.lineAt(block.from).number);
+      return found ? new HeatMarker(found.share, found.text) : null;
+    },
+    lineMarkerChange: (update) => update.startState.field(heatField) !== update.state.field(heatField),
+    initialSpacer: () => new HeatMarker(1, ""),
+  }),
+];

@@ -1,0 +1,28 @@
+// The times of the shown file's lines in the shown run.
+
+import type { Store } from "../core/store";
+import { timeText } from "../core/units";
+import { texts } from "../texts";
+import type { Heat } from "./heat";
+import { lineTimes } from "./line_times";
+import type { SourcePane } from "./source_pane";
+
+/** Null: the file has not run. */
+export function heatOfRun(store: Store, source: SourcePane): Heat | null {
+  const run = store.get("run");
+  const index = store.get("robot");
+  const robot = run?.robots[index];
+  const file = run?.fileOf(index, source.name) ?? -1;
+  if (!run || !robot || file < 0) return null;
+  const { times_s, slowest_s } = lineTimes(robot, file);
+  if (slowest_s <= 0) return null;
+  const cycle_s = run.end_s;
+  return {
+    of(line) {
+      const time_s = times_s[source.sheet.runLineOf(line)] ?? 0;
+      if (time_s <= 0) return null;
+      const share = ((100 * time_s) / cycle_s).toFixed(1);
+      return { share: time_s / slowest_s, text: texts.code.hover.share(timeText(time_s), share) };
+    },
+  };
+}

@@ -1,0 +1,161 @@
+// What stands beside a word under the pointer: what it does, what its block took, what is in force there.
+
+import { StateEffect, StateField, type Extension } from "@codemirror/state";
+import { closeHoverTooltips, hoverTooltip, keymap, showTooltip, type EditorView, type Tooltip } from "@codemirror/view";
+import type { Code } from "../core/languages";
+import type { Store } from "../core/store";
+import { feedText, lengthText, timeText } from "../core/units";
+import { texts } from "../texts";
+import { blockFacts, type BlockFacts } from "./block_facts";
+import { codeName, type Dialect } from "./dialect";
+import { element } from "./dom";
+import type { ModalState } from "./modal";
+import { isCode, wordsOf } from "./words";
+
+const words = texts.code.hover;
+
+/** What an editor must know for its hovering. */
+export interface HoverContext {
+  store: Store;
+  dialect(): Dialect;
+  /** File and line of the shown run for a line of this text; null: it has not run. */
+  runPlace(line: number): { file: number; line: number } | null;
+  /** In force behind a line; null: nothing is known. */
+  modal(line: number): Promise<ModalState | null>;
+  /** Lua: words are functions of the library. */
+  isLua: boolean;
+}
+
+function wordsTaken(code: Code, dialect: Dialect): string {
+  const letters = [...code.words].map((letter) => ({ "=": "AR=", ",": ",C ,R ,A" })[letter] ?? letter);
+  return [...(code.axes ? [[...dialect.axes].join(" ")] : []), ...letters].join(" ");
+}
+
+/** What a code is and takes. */
+export function codeCard(code: Code, dialect: Dialect): HTMLElement {
+  const card = element("div", "code-card", {}, element("b", "", {}, code.code), ` ${code.meaning}`);
+  const taken = wordsTaken(code, dialect);
+  const lines = [
+    code.group ? words.group(code.group) : words.blockAlone,
+    taken && words.takes(taken),
+    !code.supported && words.refused,
+  ];
+  for (const line of lines) if (line) card.append(element("div", "code-dim", {}, line));
+  return card;
+}
+
+const said = (title: string, text: string) => element("div", "code-card", {}, element("b", "", {}, title), ` ${text}`);
+
+function gcodeWord(line: string, column: number, dialect: Dialect): HTMLElement | null {
+  const word = wordsOf(line, dialect.isNgc).find(({ from, to }) => from <= column && column <= to);
+  if (!word) return null;
+  if (isCode(word)) {
+    const name = codeName(word.letter, word.number);
+    const code = dialect.codes.get(name);
+    if (code) return codeCard(code, dialect);
+    return dialect.isUnknown(name) ? said(name, words.unknown) : null;
+  }
+  const meaning = dialect.letters.get(word.letter);
+  return meaning ? said(word.letter, meaning) : null;
+}
+
+function luaWord(line: string, column: number, dialect: Dialect): HTMLElement | null {
+  for (const { 0: name, index } of line.matchAll(/[A-Za-z_]\w*/g)) {
+    if (column < index || column > index + name.length) continue;
+    const code = dialect.functions.get(name);
+    if (code) return codeCard(code, dialect);
+    const meaning = dialect.letters.get(name.toUpperCase());
+    return meaning ? said(name, meaning) : null;
+  }
+  return null;
+}
+
+function factsCard(facts: BlockFacts, { store }: HoverContext): HTMLElement {
+  const units = store.get("units");
+  const cycle_s = store.get("run")!.end_s;
+  const share = cycle_s > 0 ? (100 * facts.time_s) / cycle_s : 0;
+  const card = element("div", "code-card");
+  const passes = facts.passes > 1 ? ` ${words.passes(facts.passes)}` : "";
+  card.append(element("div", "", {}, `${words.share(timeText(facts.time_s), share.toFixed(1))}${passes}`));
+  if (facts.length_mm > 0) {
+    const length = lengthText(facts.length_mm, units);
+    card.append(element("div", "", {}, words.way(length, feedText(facts.peak_mm_s, units))));
+  }
+  card.append(element("div", "", {}, words.limitedBy(words.limits[facts.limit], facts.limitAxis)));
+  return card;
+}
+
+function modalCard(state: ModalState, dialect: Dialect): HTMLElement {
+  const list = element("div", "code-modal");
+  for (const [group, name] of state.codes) {
+    const meaning = dialect.codes.get(name)?.meaning ?? "";
+    list.append(element("span", "", { title: `${group}: ${meaning}` }, name), " ");
+  }
+  for (const [letter, value] of state.words) list.append(element("span", "", {}, letter + value), " ");
+  const title = state.jumps ? words.inForceByText : words.inForce;
+  return element("div", "code-card", {}, element("div", "code-dim", {}, title), list);
+}
+
+function factsAt(context: HoverContext, line: number): BlockFacts | null {
+  const place = context.runPlace(line);
+  const robot = context.store.get("run")?.robots[context.store.get("robot")];
+  return place && robot ? blockFacts(robot, place.file, place.line) : null;
+}
+
+async function cards(context: HoverContext, view: EditorView, position: number): Promise<HTMLElement | null> {
+  const line = view.state.doc.lineAt(position);
+  if (line.text.trim() === "") return null;
+  const dialect = context.dialect();
+  const column = position - line.from;
+  const word = context.isLua ? luaWord(line.text, column, dialect) : gcodeWord(line.text, column, dialect);
+  const facts = factsAt(context, line.number);
+  const state = await context.modal(line.number);
+  const all = element("div", "code-hover");
+  if (word) all.append(word);
+  if (facts) all.append(factsCard(facts, context));
+  if (state && (state.codes.size > 0 || state.words.size > 0)) all.append(modalCard(state, dialect));
+  return all.childElementCount > 0 ? all : null;
+}
+
+async function tooltip(context: HoverContext, view: EditorView, pos: number): Promise<Tooltip | null> {
+  const dom = await cards(context, view, pos);
+  return dom && { pos, above: true, create: () => ({ dom }) };
+}
+
+const setAtCursor = StateEffect.define<Tooltip | null>();
+
+/** For those without a pointer: the cards of the word at the cursor, until the cursor or the text moves. */
+const atCursor = StateField.define<Tooltip | null>({
+  create: () => null,
+  update(shown, { effects, selection, docChanged }) {
+    if (selection || docChanged) shown = null;
+    for (const effect of effects) if (effect.is(setAtCursor)) shown = effect.value;
+    return shown;
+  },
+  provide: (own) => showTooltip.from(own),
+});
+
+function tellAtCursor(context: HoverContext, view: EditorView): boolean {
+  const { state } = view;
+  void tooltip(context, view, state.selection.main.head).then((told) => {
+    const isSame = view.state.doc === state.doc && view.state.selection.eq(state.selection);
+    if (isSame) view.dispatch({ effects: [closeHoverTooltips, setAtCursor.of(told)] });
+  });
+  return true;
+}
+
+function hide(view: EditorView): boolean {
+  if (!view.state.field(atCursor)) return false;
+  view.dispatch({ effects: setAtCursor.of(null) });
+  return true;
+}
+
+/** The cards as a tooltip of an editor: under the pointer, and at the cursor by Ctrl+I. */
+export const hover = (context: HoverContext): Extension => [
+  hoverTooltip((view, position) => tooltip(context, view, position), { hoverTime: 350, hideOnChange: true }),
+  atCursor,
+  keymap.of([
+    { key: "Mod-i", run: (view) => tellAtCursor(context, view), preventDefault: true },
+    { key: "Escape", run: hide },
+  ]),
+];

@@ -1,0 +1,99 @@
+// What is in force at a line, by the text above it: the last code of each modal group, F, S and T. Kept at every
+// thousandth line, so that a question far down a long program does not read all of it again.
+
+import type { Text } from "@codemirror/state";
+import { codeName, isModal, type Dialect } from "./dialect";
+import { isCode, withoutComments, wordsOf } from "./words";
+
+export interface ModalState {
+  /** By group, the name of its code. */
+  codes: Map<string, string>;
+  /** "F", "S" and "T" as written. */
+  words: Map<string, string>;
+  /** Whether there are subprograms, jumps or loops, so that the text says less than a run. */
+  jumps: boolean;
+}
+
+const STEP = 1000;
+/** Lines between two pauses, in which the page goes on. */
+const SLICE = 20_000;
+/** Programs up to so many lines are looked through to their end for jumps. */
+const SHORT = 20_000;
+
+const jump = /\bM\s*9[89]\b|\bG\s*6[56]\b|\bGOTO\b|\bWHILE\b|^\s*(?:N\d+\s*)?O\s*[<\d#]/i;
+
+const pause = () => new Promise((go) => setTimeout(go));
+
+export class ModalIndex {
+  /** The state before line 1 + STEP * i. */
+  private states: ModalState[];
+  private jumpsInAll: boolean | null = null;
+
+  constructor(private readonly dialect: Dialect) {
+    this.states = [this.atStart()];
+  }
+
+  /** Forgets what a change from this line on may have made wrong. */
+  changed(line: number): void {
+    this.states.length = Math.min(this.states.length, Math.floor((line - 1) / STEP) + 1);
+    this.jumpsInAll = null;
+  }
+
+  /** In force when `line` begins, or behind it. Null: the text has changed meanwhile. */
+  async at(doc: Text, line: number, isStale: () => boolean): Promise<ModalState | null> {
+    const wanted = Math.floor(line / STEP);
+    while (this.states.length <= wanted) {
+      const first = this.states.length;
+      this.states.push(this.read(doc, this.states[first - 1], (first - 1) * STEP + 1, first * STEP));
+      if ((first * STEP) % SLICE !== 0) continue;
+      await pause();
+      if (isStale()) return null;
+    }
+    const state = this.read(doc, this.states[wanted], wanted * STEP + 1, line);
+    if (doc.lines <= SHORT) state.jumps = this.hasJumps(doc);
+    return state;
+  }
+
+  private hasJumps(doc: Text): boolean {
+    if (this.jumpsInAll !== null) return this.jumpsInAll;
+    this.jumpsInAll = false;
+    for (const text of doc.iterLines()) {
+      if (this.isJump(text)) this.jumpsInAll = true;
+    }
+    return this.jumpsInAll;
+  }
+
+  // The number of the program itself is no jump.
+  private isJump(text: string): boolean {
+    const bare = withoutComments(text, this.dialect.isNgc);
+    return jump.test(bare) && !/^\s*O\s*\d+\s*$/i.test(bare);
+  }
+
+  private atStart(): ModalState {
+    const state: ModalState = { codes: new Map(), words: new Map(), jumps: false };
+    for (const name of this.dialect.initial) this.take(state, name);
+    return state;
+  }
+
+  private take(state: ModalState, name: string): void {
+    const code = this.dialect.codes.get(name);
+    if (code && isModal(code)) state.codes.set(code.group!, name);
+  }
+
+  private read(doc: Text, before: ModalState, from: number, to: number): ModalState {
+    const state: ModalState = { codes: new Map(before.codes), words: new Map(before.words), jumps: before.jumps };
+    if (from > to || from > doc.lines) return state;
+    for (const text of doc.iterLines(from, Math.min(to, doc.lines) + 1)) {
+      if (/[GMFST]/i.test(text)) this.readLine(state, text);
+      state.jumps ||= this.isJump(text);
+    }
+    return state;
+  }
+
+  private readLine(state: ModalState, text: string): void {
+    for (const word of wordsOf(text, this.dialect.isNgc)) {
+      if (isCode(word)) this.take(state, codeName(word.letter, word.number));
+      else if ("FST".includes(word.letter)) state.words.set(word.letter, word.number || "[..]");
+    }
+  }
+}

@@ -1,0 +1,80 @@
+// A file in the editor: its text, its history, and how its lines now relate to those of the run.
+
+import { ChangeSet, type ChangeDesc, type EditorState, type Text } from "@codemirror/state";
+
+/** The text at an instant, and what has changed since. */
+interface Mark {
+  text: Text;
+  changes: ChangeDesc;
+}
+
+const markOf = (text: Text): Mark => ({ text, changes: ChangeSet.empty(text.length).desc });
+
+/** A line's start carried along a change of the text; 0: the line is not there. */
+function carry(line: number, from: Text, changes: ChangeDesc, to: Text): number {
+  if (line < 1 || line > from.lines) return 0;
+  if (changes.empty) return line;
+  return to.lineAt(changes.mapPos(from.line(line).from, 1)).number;
+}
+
+export class Sheet {
+  /** As it was opened. */
+  private readonly opened: Text;
+  private ran: Mark;
+  private running: Mark | null = null;
+
+  constructor(
+    readonly name: string,
+    public state: EditorState,
+  ) {
+    this.opened = state.doc;
+    this.ran = markOf(state.doc);
+  }
+
+  get doc(): Text {
+    return this.state.doc;
+  }
+
+  get isModified(): boolean {
+    return !this.doc.eq(this.opened);
+  }
+
+  get changedSinceRun(): boolean {
+    return !this.ran.changes.empty && !this.doc.eq(this.ran.text);
+  }
+
+  changed(changes: ChangeDesc): void {
+    for (const mark of [this.ran, this.running]) if (mark) mark.changes = mark.changes.composeDesc(changes);
+  }
+
+  /** A run of the text as it is has begun. */
+  runBegins(): void {
+    this.running = markOf(this.doc);
+  }
+
+  /** The run that began last is the one that is shown. */
+  runEnds(): void {
+    if (this.running) this.ran = this.running;
+    this.running = null;
+  }
+
+  /** A line of the run as the text has it now; 0: none. */
+  lineOfRun(line: number): number {
+    return carry(line, this.ran.text, this.ran.changes, this.doc);
+  }
+
+  /** A line of the text as the run had it; 0: it is new. */
+  runLineOf(line: number): number {
+    if (this.ran.changes.empty) return line <= this.doc.lines ? line : 0;
+    const back = this.ran.changes.invertedDesc;
+    const old = carry(line, this.doc, back, this.ran.text);
+    return this.lineOfRun(old) === line ? old : 0;
+  }
+
+  /** Whether a line of the run has been edited since. */
+  touched(runLine: number): boolean {
+    if (this.ran.changes.empty || runLine < 1 || runLine > this.ran.text.lines) return false;
+    const { from, to } = this.ran.text.line(runLine);
+    return this.ran.changes.touchesRange(from, to) !== false;
+  }
+}

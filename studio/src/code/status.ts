@@ -1,0 +1,50 @@
+// Below the editor: what is wrong with the text, where the cursor is, and the dialect.
+
+import { nextDiagnostic } from "@codemirror/lint";
+import type { EditorView } from "@codemirror/view";
+import { texts } from "../texts";
+import type { Problems } from "./checking";
+import { element } from "./dom";
+
+const words = texts.code;
+
+export class Status {
+  readonly dom: HTMLElement;
+  private readonly problems = element("button", "code-problems", { type: "button", title: words.problemsTitle });
+  private readonly place = element("span", "code-place");
+  private readonly dialect = element("span", "code-dim");
+  private readonly readAs = element("button", "", { type: "button", title: words.readAsTitle });
+
+  /** `readAs`: the person wants the program read in the dialect that is offered. */
+  constructor(view: () => EditorView, readAs: () => void) {
+    this.readAs.addEventListener("click", readAs);
+    this.problems.addEventListener("click", () => {
+      nextDiagnostic(view());
+      view().focus();
+    });
+    this.dom = element("footer", "code-status", {}, this.problems, this.place, this.dialect, this.readAs);
+    this.problems.hidden = true;
+    this.place.title = words.placeTitle;
+  }
+
+  showProblems({ errors, warnings, checking }: Problems): void {
+    this.problems.textContent = checking ? words.checking : words.problems(errors, warnings);
+    this.problems.disabled = errors + warnings === 0;
+    this.problems.dataset.worst = errors > 0 ? "error" : warnings > 0 ? "warning" : "none";
+    this.problems.hidden = false;
+  }
+
+  /** Line and column of the cursor, from 1 on. */
+  showPlace(line: number, column: number): void {
+    this.place.textContent = words.place(line, column);
+  }
+
+  /** `isOffered`: the program looks like one of that dialect and is read in the other one. */
+  showDialect(title: string, isOffered: boolean): void {
+    this.dialect.hidden = isOffered;
+    this.readAs.hidden = !isOffered;
+    this.readAs.textContent = words.readAs(title);
+    this.dialect.textContent = title;
+    this.dialect.title = words.dialectTitle;
+  }
+}

@@ -1,0 +1,127 @@
+// The program as Lua, beside it or in its place; to be read. Line n of the G-code is line n + 1 here.
+
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import { texts } from "../texts";
+import { element } from "./dom";
+import { Editor, byPage } from "./editor";
+import { hover } from "./hover";
+import { luaLanguage } from "./lua_language";
+import type { SourcePane } from "./source_pane";
+
+export interface TranslationEvents {
+  /** A line of the G-code. */
+  chosen(line: number): void;
+  run(): void;
+  leave(): void;
+  edit(): void;
+  /** Another translation is shown. */
+  shown(): void;
+}
+
+/** Lines of the G-code are so many further down in the Lua. */
+export const OFFSET_LINES = 1;
+
+/** The first line of a translation is of no block. */
+const HEAD_LINE = 1;
+
+export class TranslationPane {
+  readonly editor: Editor;
+  /** The translation; "": there is none. */
+  script = "";
+  private readonly note = element("span", "code-grow");
+  private readonly edit: HTMLButtonElement;
+  private asked = 0;
+  private isStale = true;
+
+  constructor(
+    host: HTMLElement,
+    private readonly store: Store,
+    private readonly session: Session,
+    private readonly source: SourcePane,
+    private readonly events: TranslationEvents,
+  ) {
+    this.edit = element("button", "", { type: "button", title: texts.code.editLuaTitle }, texts.code.editLua);
+    this.edit.addEventListener("click", () => events.edit());
+    const body = element("div", "code-body");
+    // Below the editor, so that lines of both stand at one height.
+    host.append(body, element("div", "code-strip", { role: "status" }, this.note, this.edit));
+    this.editor = new Editor(
+      body,
+      {
+        updated: (update) => {
+          if (update.transactions.some((transaction) => transaction.annotation(byPage))) return;
+          if (update.selectionSet) this.choose(update.state.doc.lineAt(update.state.selection.main.head).number);
+        },
+        gutterClicked: (line) => {
+          this.editor.select(line);
+          this.choose(line);
+        },
+        run: () => events.run(),
+        leave: () => events.leave(),
+      },
+      "",
+    );
+    this.show("");
+  }
+
+  /** The text has changed: what is shown is of an earlier one. */
+  outdate(): void {
+    this.isStale = true;
+    ++this.asked;
+  }
+
+  /** Another program is shown. */
+  clear(): void {
+    this.outdate();
+    this.show("");
+  }
+
+  /** Asks for the translation where the one that is shown is not of the present text. */
+  async renew(): Promise<void> {
+    if (!this.isStale || this.source.isScript || !this.session.canRun) return this.say();
+    this.isStale = false;
+    const asked = ++this.asked;
+    this.note.textContent = texts.code.translating;
+    this.source.flush();
+    const script = await this.session.translate(this.source.name);
+    if (asked !== this.asked) return;
+    if (script !== null) this.show(script);
+    this.say(script === null);
+    this.events.shown();
+  }
+
+  private say(failed = false): void {
+    const { code } = texts;
+    if (!this.session.canRun) this.note.textContent = code.noEngine;
+    else if (failed) this.note.textContent = this.script ? code.translationOld : code.translationFailed;
+    else this.note.textContent = code.translation;
+    this.edit.hidden = failed || !this.script;
+  }
+
+  private choose(line: number): void {
+    if (line > HEAD_LINE) this.events.chosen(line - OFFSET_LINES);
+  }
+
+  private show(script: string): void {
+    const { scrollTop } = this.editor.view.scrollDOM;
+    this.script = script;
+    const configuration = {
+      language: [
+        luaLanguage(this.source.dialect),
+        hover({
+          store: this.store,
+          dialect: () => this.source.dialect,
+          runPlace: (line) => this.source.runPlace(line - OFFSET_LINES),
+          modal: (line) => this.source.modalAt(line - OFFSET_LINES),
+          isLua: true,
+        }),
+      ],
+      readOnly: true,
+      label: texts.code.translationLabel(this.source.name),
+    };
+    this.editor.show(this.editor.stateOf(script, configuration));
+    this.editor.view.scrollDOM.scrollTop = scrollTop;
+    this.edit.hidden = !script;
+  }
+}

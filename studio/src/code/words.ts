@@ -1,0 +1,44 @@
+// The words of a line of G-code: a letter and what stands behind it. What matters to the editor alone; whether a line
+// is right is for the engine to say.
+
+/** Columns count from 0, `to` is behind the last character. */
+export interface Word {
+  from: number;
+  to: number;
+  /** In capitals: "G", "X"; "#" of a setting, "O" of an O-word, "AR=", ",C". */
+  letter: string;
+  /** The number as it is written; "" of an expression or a variable. */
+  number: string;
+}
+
+const commentOrRest = /\([^)]*\)?|;.*/g;
+
+/** The line with its comments blanked, so that columns stay. In the 9/Series a ';' may also end a block: its words count. */
+export function withoutComments(line: string, isNgc: boolean): string {
+  if (!/[(;]/.test(line)) return line;
+  return line.replace(commentOrRest, (found) =>
+    found[0] === ";" && !isNgc && /^;\s*[a-z/#]\s*[\d#[]/i.test(found) ? found : " ".repeat(found.length),
+  );
+}
+
+const wordPattern = /(AR=|,\s*[CRA]|[A-Z@^$])\s*([+-]?(?:\d+\.?\d*|\.\d+))?/gi;
+
+/** Names (#<depth>), keywords and functions are no words. */
+const noWords = /#?<[^>]*>|\[[^\]]*\]|[A-Z_]{2,}(?!=)/gi;
+
+export function wordsOf(line: string, isNgc: boolean): Word[] {
+  const blank = (found: string) => (/^AR$/i.test(found) ? found : " ".repeat(found.length));
+  const text = withoutComments(line, isNgc).replace(noWords, blank);
+  const words: Word[] = [];
+  for (const found of text.matchAll(wordPattern)) {
+    words.push({
+      from: found.index,
+      to: found.index + found[0].trimEnd().length,
+      letter: found[1].toUpperCase().replace(/\s/g, ""),
+      number: found[2] ?? "",
+    });
+  }
+  return words;
+}
+
+export const isCode = (word: Word): boolean => (word.letter === "G" || word.letter === "M") && word.number !== "";

@@ -1,0 +1,34 @@
+// Elements, made in one call.
+
+type Attributes = Record<string, string | number | boolean | ((event: Event) => void) | undefined>;
+
+/** `on...` attributes are listeners, true means an attribute without a value, false and undefined none. */
+export function element<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") made.addEventListener(name.slice(2), value);
+    else if (value === true) made.setAttribute(name, "");
+    else if (value !== false && value !== undefined) made.setAttribute(name, String(value));
+  }
+  made.append(...children);
+  return made;
+}
+
+/** A choice among values, each with what a person reads. */
+export function choice(
+  label: string,
+  options: [value: string, text: string][],
+  value: string,
+  change: (value: string) => void,
+): HTMLSelectElement {
+  const select = element(
+    "select",
+    { "aria-label": label, title: label, onchange: () => change(select.value) },
+    ...options.map(([each, text]) => element("option", { value: each, selected: each === value }, text)),
+  );
+  return select;
+}

@@ -1,0 +1,44 @@
+// What stands in the page's own file: the engine, the samples, or a finished run; each packed with gzip, as base64.
+
+import type { FileContent } from "./core/documents";
+
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+
+async function unpacked(id: string): Promise<ArrayBuffer | null> {
+  const element = document.getElementById(id);
+  if (!element) return null;
+  const packed = bytesOf(element.textContent ?? "");
+  element.remove(); // it is not needed twice, and may be large
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
+
+export const embedded = {
+  has: (id: "engine" | "run"): boolean => document.getElementById(id) !== null,
+
+  async module(): Promise<WebAssembly.Module> {
+    return WebAssembly.compile((await unpacked("engine"))!);
+  },
+
+  async workerUrl(): Promise<string> {
+    return URL.createObjectURL(new Blob([(await unpacked("worker"))!], { type: "text/javascript" }));
+  },
+
+  async samples(): Promise<Map<string, FileContent>> {
+    const bytes = await unpacked("samples");
+    if (!bytes) return new Map();
+    const { texts, others } = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, Record<string, string>>;
+    const files = new Map<string, FileContent>(Object.entries(texts));
+    for (const [name, base64] of Object.entries(others)) files.set(name, bytesOf(base64));
+    return files;
+  },
+
+  /** Frames of a finished run, one behind the other. */
+  async run(): Promise<Uint8Array> {
+    return new Uint8Array((await unpacked("run"))!);
+  },
+};

@@ -1,0 +1,77 @@
+// What the tables say of each block, as columns; made once for each robot of a run.
+
+import type { Robot } from "../../../run/run";
+
+export class BlockTable {
+  readonly count: number;
+  readonly start_s: Float64Array;
+  readonly duration_s: Float64Array;
+  readonly length_mm: Float64Array;
+  /** The highest feed that was asked for, per minute; 0: a rapid or a dwell. */
+  readonly feed_per_min: Float32Array;
+  readonly line: Uint32Array;
+  readonly file: Uint32Array;
+  /** Of the segment that takes longest: as moveKinds and limitKinds count, and the axis of the limit (-1: none). */
+  readonly kind: Uint8Array;
+  readonly limit: Uint8Array;
+  readonly axis: Int8Array;
+  /** The time of all blocks. */
+  total_s = 0;
+
+  constructor(robot: Robot) {
+    const count = robot.blocks.count;
+    this.count = count;
+    this.start_s = new Float64Array(count);
+    this.duration_s = new Float64Array(count);
+    this.length_mm = new Float64Array(count);
+    this.feed_per_min = new Float32Array(count);
+    this.line = new Uint32Array(count);
+    this.file = new Uint32Array(count);
+    this.kind = new Uint8Array(count);
+    this.limit = new Uint8Array(count);
+    this.axis = new Int8Array(count);
+    this.fill(robot);
+  }
+
+  private fill({ blocks, segments }: Robot): void {
+    let block = -1;
+    let next = 0;
+    let longest_s = 0;
+    for (const chunk of segments.chunks) {
+      for (let i = 0; i < chunk.count; ++i) {
+        const duration_s = chunk.duration_s[i];
+        if (chunk.first + i === next) {
+          ++block;
+          next = block + 1 < this.count ? blocks.first.at(block + 1) : segments.count;
+          longest_s = -1;
+          this.start_s[block] = chunk.start_s[i];
+          this.line[block] = chunk.line[i];
+          this.file[block] = chunk.file[i];
+        }
+        this.duration_s[block] += duration_s;
+        this.length_mm[block] += chunk.length_mm[i];
+        this.feed_per_min[block] = Math.max(this.feed_per_min[block], chunk.feed_per_min[i]);
+        this.total_s += duration_s;
+        if (duration_s <= longest_s) continue;
+        longest_s = duration_s;
+        const flags = chunk.flags[i];
+        this.kind[block] = (flags >>> 8) & 15;
+        this.limit[block] = (flags >>> 12) & 15;
+        this.axis[block] = ((flags >>> 16) & 31) - 1;
+      }
+    }
+  }
+
+  /** Along the path, mm/s. */
+  meanSpeed_mm_s(block: number): number {
+    return this.duration_s[block] > 0 ? this.length_mm[block] / this.duration_s[block] : 0;
+  }
+}
+
+const known = new WeakMap<Robot, BlockTable>();
+
+export function blockTableOf(robot: Robot): BlockTable {
+  const table = known.get(robot) ?? new BlockTable(robot);
+  known.set(robot, table);
+  return table;
+}

@@ -1,0 +1,131 @@
+// Which line of one text is which of another.
+
+import type { SourceLines } from "./source_lines";
+
+/** For each line of `after` (by its number) the one of `before` that it is, or was changed from; 0: it is new. */
+export interface Matching {
+  before: Uint32Array;
+  /** 1 where the texts of a pair differ. */
+  changed: Uint8Array;
+}
+
+/** Lines from `from` to before `to`. */
+interface Range {
+  from: number;
+  to: number;
+}
+
+// Above this, a table for the longest common part is too large.
+const MOST_CELLS = 250_000;
+
+class Differ {
+  readonly found: Matching;
+
+  constructor(
+    private readonly a: SourceLines,
+    private readonly b: SourceLines,
+  ) {
+    this.found = { before: new Uint32Array(b.count + 1), changed: new Uint8Array(b.count + 1) };
+  }
+
+  private same(a: number, b: number): boolean {
+    return this.a.line(a) === this.b.line(b);
+  }
+
+  private pair(a: number, b: number, changed = false): void {
+    this.found.before[b] = a;
+    this.found.changed[b] = changed ? 1 : 0;
+  }
+
+  /** Takes what is the same at both ends off, then looks for lines that stand once in both. */
+  match(a: Range, b: Range): void {
+    while (a.from < a.to && b.from < b.to && this.same(a.from, b.from)) this.pair(a.from++, b.from++);
+    while (a.from < a.to && b.from < b.to && this.same(a.to - 1, b.to - 1)) this.pair(--a.to, --b.to);
+    if (a.from === a.to || b.from === b.to) return;
+    const anchors = (a.to - a.from) * (b.to - b.from) > MOST_CELLS ? this.unique(a, b) : this.common(a, b);
+    if (anchors.length === 0) return this.change(a, b);
+    let [lastA, lastB] = [a.from, b.from];
+    for (const [atA, atB] of [...anchors, [a.to, b.to] as const]) {
+      this.match({ from: lastA, to: atA }, { from: lastB, to: atB });
+      if (atB < b.to) this.pair(atA, atB);
+      [lastA, lastB] = [atA + 1, atB + 1];
+    }
+  }
+
+  /** As many lines in the place of as many are those, changed. */
+  private change(a: Range, b: Range): void {
+    if (a.to - a.from !== b.to - b.from) return;
+    for (let i = 0; i < a.to - a.from; ++i) this.pair(a.from + i, b.from + i, true);
+  }
+
+  /** Lines that stand once in both, as many of them as are in the same order (patience). */
+  private unique(a: Range, b: Range): [number, number][] {
+    const inA = once(this.a, a);
+    const inB = once(this.b, b);
+    const pairs: [number, number][] = [];
+    for (const [text, atA] of inA) {
+      const atB = inB.get(text);
+      if (atA > 0 && atB !== undefined && atB > 0) pairs.push([atA, atB]);
+    }
+    return rising(pairs);
+  }
+
+  /** The longest common part, from a table. */
+  private common(a: Range, b: Range): [number, number][] {
+    const [rows, columns] = [a.to - a.from, b.to - b.from];
+    const textA = Array.from({ length: rows }, (_, i) => this.a.line(a.from + i));
+    const textB = Array.from({ length: columns }, (_, j) => this.b.line(b.from + j));
+    const width = columns + 1;
+    const longest = new Uint32Array((rows + 1) * width);
+    for (let i = rows - 1; i >= 0; --i) {
+      for (let j = columns - 1; j >= 0; --j) {
+        longest[i * width + j] =
+          textA[i] === textB[j]
+            ? longest[(i + 1) * width + j + 1] + 1
+            : Math.max(longest[(i + 1) * width + j], longest[i * width + j + 1]);
+      }
+    }
+    const pairs: [number, number][] = [];
+    for (let [i, j] = [0, 0]; i < rows && j < columns; ) {
+      if (textA[i] === textB[j]) pairs.push([a.from + i++, b.from + j++]);
+      else if (longest[(i + 1) * width + j] >= longest[i * width + j + 1]) ++i;
+      else ++j;
+    }
+    return pairs;
+  }
+}
+
+/** For each line's text its number; 0: it stands there more than once. */
+function once(lines: SourceLines, { from, to }: Range): Map<string, number> {
+  const found = new Map<string, number>();
+  for (let number = from; number < to; ++number) {
+    const text = lines.line(number);
+    found.set(text, found.has(text) ? 0 : number);
+  }
+  return found;
+}
+
+/** The longest part of pairs in order of the first in which the second rises, too. */
+function rising(pairs: [number, number][]): [number, number][] {
+  const ends: number[] = [];
+  const previous = new Int32Array(pairs.length).fill(-1);
+  pairs.forEach(([, second], i) => {
+    let [low, high] = [0, ends.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (pairs[ends[middle]][1] < second) low = middle + 1;
+      else high = middle;
+    }
+    if (low > 0) previous[i] = ends[low - 1];
+    ends[low] = i;
+  });
+  const chosen: [number, number][] = [];
+  for (let i = ends.at(-1) ?? -1; i >= 0; i = previous[i]) chosen.push(pairs[i]);
+  return chosen.reverse();
+}
+
+export function matchLines(before: SourceLines, after: SourceLines): Matching {
+  const differ = new Differ(before, after);
+  differ.match({ from: 1, to: before.count + 1 }, { from: 1, to: after.count + 1 });
+  return differ.found;
+}

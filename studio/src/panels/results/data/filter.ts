@@ -1,0 +1,53 @@
+// Which blocks match what a person has typed.
+
+import type { Robot, Run } from "../../../run/run";
+import { limitKinds, moveKinds } from "../../../run/segments";
+import { texts } from "../../../texts";
+import type { BlockTable } from "./block_table";
+import { limitOf, limitText } from "./limit_words";
+import { linesOf } from "./source_lines";
+
+const DWELL = moveKinds.indexOf("dwell");
+
+/** In words what limits a block. */
+export function limitTextOf(table: BlockTable, block: number, letters: readonly string[]): string {
+  if (table.kind[block] === DWELL) return limitText({ kind: "dwell", letter: "" });
+  return limitText(limitOf(table.limit[block], table.axis[block], letters));
+}
+
+/**
+ * "230": that line, or the block N230; "200-260": lines; other words: part of the line's text, of the kind of
+ * motion or of what limits it.
+ */
+export function filterOf(words: string, run: Run, robot: Robot, table: BlockTable): (block: number) => boolean {
+  const wanted = words.trim().toLowerCase();
+  if (wanted === "") return () => true;
+  const [, from, to] = /^(\d+)\s*-\s*(\d+)$/.exec(wanted) ?? [];
+  if (from) return (block) => table.line[block] >= Number(from) && table.line[block] <= Number(to);
+  if (/^\d+$/.test(wanted)) {
+    const byNumber = matchingLines(`n${wanted} `, run, robot);
+    return (block) => table.line[block] === Number(wanted) || byNumber[table.file[block]]?.[table.line[block]] === 1;
+  }
+  const byText = matchingLines(wanted, run, robot);
+  const byKind = moveKinds.map((kind) => texts.panels.kinds[kind].includes(wanted));
+  const byLimit = limitMatches(wanted, robot);
+  const columns = robot.scene.axes.length + 1;
+  return (block) => {
+    if (byText[table.file[block]]?.[table.line[block]] === 1 || byKind[table.kind[block]]) return true;
+    const limit = table.kind[block] === DWELL ? 0 : 1 + table.limit[block] * columns + table.axis[block] + 1;
+    return byLimit[limit];
+  };
+}
+
+const matchingLines = (words: string, run: Run, robot: Robot): Uint8Array[] =>
+  robot.files.map((file) => linesOf(run.sources, file).matching(words));
+
+/** First the dwell, then each limit for no axis and for each axis. */
+function limitMatches(wanted: string, robot: Robot): boolean[] {
+  const letters = robot.scene.axes.map((axis) => axis.letter);
+  const matches = (text: string) => text.toLowerCase().includes(wanted);
+  const all = limitKinds.flatMap((_, limit) =>
+    [-1, ...letters.keys()].map((axis) => matches(limitText(limitOf(limit, axis, letters)))),
+  );
+  return [matches(limitText({ kind: "dwell", letter: "" })), ...all];
+}

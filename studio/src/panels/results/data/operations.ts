@@ -1,0 +1,63 @@
+// Operations of a program: comments that stand alone before motion name what follows.
+
+import type { Run, Robot } from "../../../run/run";
+import type { BlockTable } from "./block_table";
+import { linesOf, type SourceLines } from "./source_lines";
+
+const MOST_COMMENTS = 3;
+// A line that begins a program or subprogram, and one that is a comment and nothing else; the first may name, too.
+const PROGRAM = /^\s*(?:[o:](?:\d+|<[^>]*>))\s*(?:sub|endsub)?\s*(?:\(.*)?$/i;
+const ALONE = /^\s*(?:[o:](?:\d+|<[^>]*>)\s*(?:sub)?\s*)?(?:N\d+\s*)?(?:\(([^)]*)\)|;(.*))\s*$/i;
+
+/** For each line of a source the operation that it is part of, as a number of `names`; 0: that of its caller. */
+export function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
+  const operation = new Uint32Array(lines.count + 1);
+  let comments: string[] = [];
+  let current = 0;
+  for (let number = 1; number <= lines.count; ++number) {
+    operation[number] = current;
+    const first = lines.firstOf(number);
+    if (first === "") continue;
+    const line = "(;oO:nN".includes(first) ? lines.line(number) : "";
+    if (PROGRAM.test(line)) {
+      current = 0;
+      comments = [];
+    }
+    const comment = ALONE.exec(line)?.slice(1).find((text) => text?.trim());
+    if (comment) {
+      comments.push(comment.trim());
+      current = names.push(comments.slice(-MOST_COMMENTS).join(", ")) - 1;
+    } else {
+      comments = [];
+    }
+    operation[number] = current;
+  }
+  return operation;
+}
+
+/** Where an operation begins, and what it takes. */
+export interface Operation {
+  name: string;
+  time_s: number;
+  start_s: number;
+  first: number;
+}
+
+/** In the order in which they begin; empty: the program names none. */
+export function timeByOperation(run: Run, robot: Robot, table: BlockTable, unnamed: string): Operation[] {
+  const names = [unnamed];
+  const byFile = robot.files.map((file) => operationsOf(linesOf(run.sources, file), names));
+  if (names.length === 1) return [];
+  const times_s = new Float64Array(names.length);
+  const first = new Int32Array(names.length).fill(-1);
+  let current = 0;
+  for (let block = 0; block < table.count; ++block) {
+    current = byFile[table.file[block]]?.[table.line[block]] || current;
+    times_s[current] += table.duration_s[block];
+    if (first[current] < 0) first[current] = block;
+  }
+  return names
+    .map((name, i) => ({ name, time_s: times_s[i], start_s: table.start_s[first[i]] ?? 0, first: first[i] }))
+    .filter((operation) => operation.first >= 0)
+    .sort((a, b) => a.first - b.first);
+}

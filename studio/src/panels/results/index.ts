@@ -1,0 +1,57 @@
+// The results of a run: how it went, the slowest blocks, where the time goes, events, the run before.
+
+import "./results.css";
+import { choice, element } from "../../core/dom";
+import type { Store } from "../../core/store";
+import { texts } from "../../texts";
+import { contextOf, type Tab } from "./context";
+import { createStatus } from "./status";
+import { createBlocks } from "./tabs/blocks";
+import { createCompare } from "./tabs/compare";
+import { createEvents } from "./tabs/events";
+import { createShares } from "./tabs/shares";
+import { createSummary } from "./tabs/summary";
+import { createTabs } from "./tab_bar";
+
+const words = texts.panels;
+
+export function createResults(host: HTMLElement, store: Store): void {
+  const blocks = createBlocks(store);
+  const links = {
+    showBlocks: (filter: string) => {
+      blocks.filter(filter);
+      tabs.choose("blocks");
+    },
+  };
+  const all: Record<keyof typeof words.tabs, Tab> = {
+    summary: createSummary(store),
+    blocks,
+    shares: createShares(store, links),
+    events: createEvents(store),
+    compare: createCompare(store),
+  };
+  const stale = new Set<string>();
+  const draw = (name: string) => {
+    const context = contextOf(store);
+    if (context && stale.delete(name)) all[name as keyof typeof all].draw(context);
+  };
+  const tabs = createTabs(words.results, words.tabs, all, draw);
+  const robots = element("div", { class: "robots" });
+  const content = element("div", { class: "tabs" }, tabs.bar, ...tabs.panels);
+  host.append(element("div", { class: "results" }, createStatus(store), robots, content));
+
+  store.watch(["run", "robot"], () => {
+    const run = store.get("run");
+    const options = (run?.robots ?? []).map(({ name }, i): [string, string] => [String(i), name]);
+    robots.hidden = options.length < 2;
+    robots.replaceChildren(
+      element("label", {}, `${words.robot} `),
+      choice(words.robot, options, String(store.get("robot")), (value) => store.set("robot", Number(value))),
+    );
+    content.hidden = !run?.report || run.failure !== null;
+  });
+  store.watch(["run", "robot", "units", "previous"], () => {
+    for (const name of Object.keys(all)) stale.add(name);
+    draw(tabs.chosen);
+  });
+}

@@ -1,0 +1,75 @@
+// A list of marks: where and when each is; choosing one goes there.
+
+import { element } from "../../core/dom";
+import { goTo } from "../../core/go";
+import type { Store } from "../../core/store";
+import { lengthText, timeText } from "../../core/units";
+import type { Mark } from "../../run/marks";
+import { texts } from "../../texts";
+import { countText } from "./format";
+import { beginRows, makeRows } from "./rows";
+
+const words = texts.panels;
+
+/** What a mark says, without its kind. */
+export function markWords({ kind, text, detail, pair, clearance_mm }: Mark, store: Store): string {
+  if (kind === "event") return `${text.replaceAll("_", " ")} ${detail}`.trim();
+  if (kind === "collision") return pair!.join(" – ");
+  if (kind === "near") return words.near(pair!.join(" – "), lengthText(clearance_mm, store.get("units")));
+  return text;
+}
+
+export interface Item {
+  kind: string;
+  text: string;
+  title: string;
+  /** "line 12", "1:02.3" */
+  place: string;
+  choose(): void;
+}
+
+export const markItem = (mark: Mark, store: Store): Item => ({
+  kind: mark.kind,
+  text: markWords(mark, store),
+  title: mark.file ?? "",
+  place: [timeText(mark.t_s, 2), ...(mark.line === null ? [] : [words.atLine(mark.line)])].join(" · "),
+  choose: () => goTo(store, mark, mark.t_s),
+});
+
+const rowOf = (item: Item): HTMLElement =>
+  element(
+    "li",
+    { role: "option", "aria-selected": "false", title: item.title, class: `mark ${item.kind}` },
+    element("span", { class: "mark-place" }, item.place),
+    element("span", { class: "mark-text" }, item.text),
+  );
+
+/** The first of them, and a button for more. */
+export function itemList(label: string, items: Item[], first: number): HTMLElement {
+  const list = element("ul", { class: "rows", role: "listbox", "aria-label": label });
+  const more = element("button", { class: "more", onclick: () => show(list.childElementCount + 10 * first) });
+  const show = (count: number) => {
+    list.append(...items.slice(list.childElementCount, count).map(rowOf));
+    beginRows(list);
+    more.hidden = list.childElementCount >= items.length;
+    more.textContent = words.more(Math.min(items.length - list.childElementCount, 10 * first));
+  };
+  makeRows(list, (row) => {
+    for (const each of list.children) each.setAttribute("aria-selected", "false");
+    list.children[row].setAttribute("aria-selected", "true");
+    items[row].choose();
+  });
+  show(first);
+  return element("div", {}, list, more);
+}
+
+const FIRST_IN_SECTION = 8;
+
+/** A list below a heading with how many there are. */
+export const section = (title: string, kind: string, items: Item[]): HTMLElement =>
+  element(
+    "section",
+    {},
+    element("h3", { class: `heading ${kind}` }, `${title} `, element("small", {}, countText(items.length))),
+    itemList(title, items, FIRST_IN_SECTION),
+  );

@@ -1,0 +1,69 @@
+// What came of a run, in a sentence, with the places of what went wrong.
+
+import { element } from "../../core/dom";
+import { goTo } from "../../core/go";
+import type { Store } from "../../core/store";
+import { timeText } from "../../core/units";
+import type { Report } from "../../run/report";
+import type { Run, Told } from "../../run/run";
+import { texts } from "../../texts";
+import { contextOf } from "./context";
+import { countText } from "./format";
+import { itemList, type Item } from "./mark_list";
+
+const words = texts.panels;
+
+const toldItem = (told: Told, store: Store): Item => ({
+  kind: told.severity,
+  text: told.hint ? `${told.text}. ${told.hint}` : told.text,
+  title: told.file,
+  place: told.line > 0 ? words.atLine(told.line) : words.severities[told.severity],
+  choose: () => goTo(store, { file: told.file || null, line: told.line || null }, null),
+});
+
+/** The sentence, and how bad it is. */
+function sentenceOf(run: Run, report: Report | null): [text: string, severity: string] {
+  if (run.failure) return [words.refused(run.failure.message), "error"];
+  const status = run.report?.status;
+  if (!report || !status) return [words.nothing, ""];
+  const alarm = report.alarm ?? run.report?.alarm;
+  if (status === "alarm") return [words.alarmed(alarm?.message ?? ""), "error"];
+  if (status === "stopped") return [words.stopped(alarm?.message ?? ""), "error"];
+  const violations = report.violation_count ?? 0;
+  const contacts = report.collisions?.length ?? 0;
+  const said = [violations > 0 ? words.violated(violations) : words.completed];
+  if (contacts > 0) said.push(words.collided(contacts));
+  if (report.valid_until_s != null) said.push(words.validUntil(timeText(report.valid_until_s, 1)));
+  return [said.join(" "), violations + contacts > 0 ? "error" : "good"];
+}
+
+export function createStatus(store: Store): HTMLElement {
+  const bar = element("progress", { "aria-label": words.running });
+  const done = element("span", { class: "done" });
+  const running = element("div", { class: "running", role: "status" }, words.running, bar, done);
+  const sentence = element("p", { class: "sentence", role: "status" });
+  const places = element("div", { class: "places" });
+
+  store.watch(["running"], () => {
+    const state = store.get("running");
+    running.hidden = !state;
+    if (!state) return;
+    if (state.total > 0) {
+      bar.max = state.total;
+      bar.value = state.done;
+    } else {
+      bar.removeAttribute("value");
+    }
+    done.textContent = words.runningBlocks(countText(state.done), state.total > 0 ? countText(state.total) : "");
+  });
+  store.watch(["run", "robot"], () => {
+    const context = contextOf(store);
+    const [text, severity] = context ? sentenceOf(context.run, context.report) : [words.nothing, ""];
+    sentence.textContent = text;
+    sentence.className = `sentence ${severity}`;
+    const told = context?.run.told ?? [];
+    const items = told.map((one) => toldItem(one, store));
+    places.replaceChildren(...(items.length > 0 ? [itemList(words.told, items, 20)] : []));
+  });
+  return element("div", { class: "status" }, running, sentence, places);
+}

@@ -1,0 +1,191 @@
+// The blocks of a run in a table: the slowest first, or by another column; those that match some words.
+
+import { kindColours, limitColours } from "../../../core/colours";
+import { element } from "../../../core/dom";
+import type { Store } from "../../../core/store";
+import { feedText, timeText } from "../../../core/units";
+import { moveKinds } from "../../../run/segments";
+import { texts } from "../../../texts";
+import type { Context, Tab } from "../context";
+import { blockTableOf, type BlockTable } from "../data/block_table";
+import { filterOf, limitTextOf } from "../data/filter";
+import { greatest } from "../data/greatest";
+import { limitHint, limitOf } from "../data/limit_words";
+import { linesOf } from "../data/source_lines";
+import { countText, lengthShort, percentText } from "../format";
+import { beginRows, makeRows } from "../rows";
+
+const words = texts.panels;
+const FIRST = 200;
+const TYPING_PAUSE_MS = 150;
+
+const columns = ["line", "duration", "share", "limit", "kind", "length", "speed", "feed"] as const;
+type Column = (typeof columns)[number];
+
+/** What a column is sorted by. */
+function keyOf(column: Column, table: BlockTable): (block: number) => number {
+  switch (column) {
+    case "line":
+      return (block) => table.file[block] * 1e8 + table.line[block];
+    case "limit":
+      return (block) => table.limit[block] * 32 + table.axis[block];
+    case "kind":
+      return (block) => table.kind[block];
+    case "length":
+      return (block) => table.length_mm[block];
+    case "speed":
+      return (block) => table.meanSpeed_mm_s(block);
+    case "feed":
+      return (block) => table.feed_per_min[block];
+    default:
+      return (block) => table.duration_s[block];
+  }
+}
+
+export class BlocksTab implements Tab {
+  private readonly search = element("input", {
+    type: "search",
+    placeholder: words.filter,
+    "aria-label": words.filter,
+    title: words.filterHint,
+    oninput: () => this.typed(),
+  });
+  private readonly heads = columns.map((column) =>
+    element("button", { onclick: () => this.sortBy(column) }, words.blockColumns[column]),
+  );
+  private readonly cells = this.heads.map((head) => element("th", { scope: "col", "aria-sort": "none" }, head));
+  private readonly body = element("tbody");
+  private readonly count = element("p", { class: "note", role: "status" });
+  private readonly more = element("button", { class: "more", onclick: () => this.showMore() });
+  private column: Column = "duration";
+  private descending = true;
+  private most = FIRST;
+  private shown: ArrayLike<number> = [];
+  private context: Context | null = null;
+  private pause = 0;
+  readonly element: HTMLElement;
+
+  constructor(private readonly store: Store) {
+    const head = element("thead", {}, element("tr", {}, ...this.cells));
+    const caption = element("caption", { class: "unseen" }, words.blockCaption);
+    const table = element("table", { class: "blocks" }, caption, head, this.body);
+    this.element = element("div", {}, this.search, this.count, element("div", { class: "wide" }, table), this.more);
+    makeRows(this.body, (row) => this.choose(this.shown[row]));
+    store.on("selection", () => this.showSelection());
+  }
+
+  draw(context: Context): void {
+    this.context = context;
+    this.most = FIRST;
+    this.fill();
+  }
+
+  filter(text: string): void {
+    this.search.value = text;
+    this.most = FIRST;
+    this.fill();
+  }
+
+  private typed(): void {
+    clearTimeout(this.pause);
+    this.pause = setTimeout(() => this.filter(this.search.value), TYPING_PAUSE_MS) as unknown as number;
+  }
+
+  private sortBy(column: Column): void {
+    this.descending = column === this.column ? !this.descending : column !== "line";
+    this.column = column;
+    this.most = FIRST;
+    this.fill();
+  }
+
+  private showMore(): void {
+    this.most *= 2;
+    this.fill();
+  }
+
+  private fill(): void {
+    this.cells.forEach((cell, i) => {
+      const sorted = columns[i] === this.column ? (this.descending ? "descending" : "ascending") : "none";
+      cell.setAttribute("aria-sort", sorted);
+    });
+    const { run, robot } = this.context ?? {};
+    if (!run || !robot) {
+      this.body.replaceChildren();
+      this.count.textContent = words.noBlocks;
+      this.more.hidden = true;
+      return;
+    }
+    const table = blockTableOf(robot);
+    const passes = filterOf(this.search.value, run, robot, table);
+    const key = keyOf(this.column, table);
+    const { indices, passed } = greatest(table.count, this.most, this.descending ? key : (i) => -key(i), passes);
+    this.shown = indices;
+    this.body.replaceChildren(...Array.from(indices, (block) => this.rowOf(block, table)));
+    beginRows(this.body);
+    this.tellCount(table, passed, passes);
+    this.showSelection();
+  }
+
+  private tellCount(table: BlockTable, passed: number, passes: (block: number) => boolean): void {
+    let time_s = 0;
+    for (let block = 0; block < table.count; ++block) if (passes(block)) time_s += table.duration_s[block];
+    const shown = countText(this.shown.length);
+    this.count.textContent =
+      passed === 0 ? words.noBlocks : words.blockCount(shown, countText(passed), timeText(time_s, 2));
+    this.more.hidden = passed <= this.shown.length;
+    this.more.textContent = words.more(Math.min(this.most, passed - this.shown.length));
+  }
+
+  private rowOf(block: number, table: BlockTable): HTMLElement {
+    const { run, robot } = this.context!;
+    const units = this.store.get("units");
+    const letters = robot!.scene.axes.map((axis) => axis.letter);
+    const kind = moveKinds[table.kind[block]];
+    const limit = kind === "dwell" ? ({ kind: "dwell", letter: "" } as const) : limitOf(table.limit[block], table.axis[block], letters);
+    const colour = limit.kind === "dwell" ? kindColours.dwell : limitColours[limit.kind];
+    const feed = table.feed_per_min[block];
+    const moves = table.length_mm[block] > 0;
+    const file = robot!.files[table.file[block]] ?? "";
+    const cells: [text: string, title?: string, colour?: string][] = [
+      [String(table.line[block]), `${file}: ${linesOf(run!.sources, file).line(table.line[block])}`],
+      [timeText(table.duration_s[block])],
+      [`${percentText(table.duration_s[block], table.total_s)} %`],
+      [limitTextOf(table, block, letters), limitHint(limit), colour],
+      [words.kinds[kind], "", kindColours[kind]],
+      [moves ? lengthShort(table.length_mm[block], this.store) : "–"],
+      [moves ? feedText(table.meanSpeed_mm_s(block), units) : "–"],
+      [feed > 0 ? feedText(feed / 60, units) : "–"],
+    ];
+    return element(
+      "tr",
+      { "aria-selected": "false" },
+      ...cells.map(([text, title, dot], i) =>
+        element("td", { title: title ?? false, class: columns[i], style: dot ? `--colour:${dot}` : false }, text),
+      ),
+    );
+  }
+
+  private choose(block: number): void {
+    const { robot } = this.context!;
+    const table = blockTableOf(robot!);
+    this.store.set("time_s", table.start_s[block]);
+    this.store.set("selection", { file: robot!.files[table.file[block]], line: table.line[block], block });
+  }
+
+  /** Rows of the chosen block, or of all blocks of the chosen line. */
+  private showSelection(): void {
+    const selection = this.store.get("selection");
+    const robot = this.context?.robot;
+    if (!robot) return;
+    const table = blockTableOf(robot);
+    const file = selection ? robot.files.indexOf(selection.file) : -1;
+    [...this.body.children].forEach((row, i) => {
+      const block = this.shown[i];
+      const here = selection !== null && table.file[block] === file && table.line[block] === selection.line;
+      const chosen = here && (selection.block < 0 || selection.block === block);
+      row.setAttribute("aria-selected", String(chosen));
+    });
+  }
+}
+
+export const createBlocks = (store: Store): BlocksTab => new BlocksTab(store);

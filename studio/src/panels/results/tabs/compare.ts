@@ -1,0 +1,91 @@
+// The run against the one before it.
+
+import { element } from "../../../core/dom";
+import { blockAt } from "../../../core/go";
+import type { Store } from "../../../core/store";
+import { timeText } from "../../../core/units";
+import { texts } from "../../../texts";
+import type { Context, Tab } from "../context";
+import { compare, type Comparison, type Row } from "../data/comparison";
+import { percentText } from "../format";
+import { beginRows, makeRows } from "../rows";
+
+const words = texts.panels;
+const MOST = 200;
+
+const signed = (difference_s: number): string =>
+  `${difference_s < 0 ? "−" : "+"}${timeText(Math.abs(difference_s))}`;
+
+export function createCompare(store: Store): Tab {
+  const host = element("div", { class: "compare" });
+  const input = element("input", { type: "checkbox", onchange: () => store.set("compare", input.checked) });
+  store.watch(["compare"], () => (input.checked = store.get("compare")));
+  const both = element("label", { class: "check" }, input, words.drawBoth);
+  return {
+    element: host,
+    draw(context) {
+      const previous = store.get("previous");
+      if (!previous) return host.replaceChildren(element("p", { class: "note" }, words.noPrevious));
+      const comparison = compare(previous, context.run, context.index, MOST);
+      if (!comparison) return host.replaceChildren(element("p", { class: "note" }, words.otherMachine));
+      host.replaceChildren(total(comparison), both, ...table(comparison, context, store));
+    },
+  };
+}
+
+function total({ before_s, after_s }: Comparison): HTMLElement {
+  const difference_s = after_s - before_s;
+  const size = timeText(Math.abs(difference_s));
+  const percent = percentText(Math.abs(difference_s), before_s);
+  const same = Math.abs(difference_s) < 1e-6;
+  const faster = difference_s < 0;
+  const sentence = same ? words.same : faster ? words.faster(size, percent) : words.slower(size, percent);
+  return element(
+    "dl",
+    { class: "figures" },
+    element("div", { class: "figure" }, element("dt", {}, words.before), element("dd", {}, timeText(before_s))),
+    element("div", { class: "figure" }, element("dt", {}, words.after), element("dd", {}, timeText(after_s))),
+    element(
+      "div",
+      { class: `figure great ${same ? "" : faster ? "faster" : "slower"}` },
+      element("dt", {}, words.difference),
+      element("dd", {}, sentence),
+    ),
+  );
+}
+
+function table({ rows, count }: Comparison, { robot }: Context, store: Store): HTMLElement[] {
+  if (rows.length === 0) return [element("p", { class: "note" }, words.noDifference)];
+  const heads = [words.blockColumns.line, words.before, words.after, words.difference];
+  const body = element("tbody", {}, ...rows.map(rowOf));
+  makeRows(body, (index) => {
+    const { file, line, change } = rows[index];
+    if (change === "gone" || !robot) return;
+    const [block] = robot.blocks.ofLine(robot.files.indexOf(file), line);
+    if (block !== undefined) store.set("time_s", robot.segments.info(robot.blocks.first.at(block)).start_s);
+    store.set("selection", { file, line, block: blockAt(robot, file, line, store.get("time_s")) });
+  });
+  beginRows(body);
+  return [
+    element("p", { class: "note" }, words.compareCount(rows.length, count)),
+    element(
+      "table",
+      { class: "differences" },
+      element("caption", { class: "unseen" }, words.compareCaption),
+      element("thead", {}, element("tr", {}, ...heads.map((name) => element("th", { scope: "col" }, name)))),
+      body,
+    ),
+  ];
+}
+
+function rowOf({ change, file, line, text, before_s, after_s }: Row): HTMLElement {
+  const difference_s = after_s - before_s;
+  return element(
+    "tr",
+    { class: change, title: `${file}: ${text}` },
+    element("td", {}, `${line} `, element("small", {}, words.changes[change])),
+    element("td", {}, change === "new" ? "–" : timeText(before_s)),
+    element("td", {}, change === "gone" ? "–" : timeText(after_s)),
+    element("td", { class: difference_s < 0 ? "faster" : "slower" }, signed(difference_s)),
+  );
+}

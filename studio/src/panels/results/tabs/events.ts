@@ -1,0 +1,39 @@
+// All that happens in a run, in the order of time.
+
+import { choice, element } from "../../../core/dom";
+import type { Store } from "../../../core/store";
+import { markKinds, marksOf, type Mark } from "../../../run/marks";
+import { texts } from "../../../texts";
+import type { Tab } from "../context";
+import { itemList, markItem } from "../mark_list";
+
+const words = texts.panels;
+
+/** Events by their own kind, all others by what they are. */
+const nameOf = (mark: Mark) => (mark.kind === "event" ? mark.text.replaceAll("_", " ") : words.sections[mark.kind]);
+
+export function createEvents(store: Store): Tab {
+  const host = element("div", {});
+  let wanted = "";
+  return {
+    element: host,
+    draw({ run, index }) {
+      const marks = marksOf(run, index);
+      const rank = (name: string) => markKinds.findIndex((kind) => words.sections[kind] === name);
+      const names = [...new Set(marks.map(nameOf))].sort((a, b) => rank(b) - rank(a) || a.localeCompare(b));
+      if (!names.includes(wanted)) wanted = "";
+      const list = element("div", {});
+      const show = () => {
+        const shown = marks.filter((mark) => wanted === "" || nameOf(mark) === wanted);
+        list.replaceChildren(itemList(words.tabs.events, shown.map((mark) => markItem(mark, store)), 200));
+      };
+      const options: [string, string][] = [["", words.allKinds], ...names.map((name): [string, string] => [name, name])];
+      const kinds = choice(words.eventKind, options, wanted, (value) => {
+        wanted = value;
+        show();
+      });
+      show();
+      host.replaceChildren(...(marks.length > 0 ? [kinds, list] : [element("p", { class: "note" }, words.noEvents)]));
+    },
+  };
+}

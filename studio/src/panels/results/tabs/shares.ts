@@ -1,0 +1,127 @@
+// Where the time goes: by what limits the moves, by kind, tool and operation.
+
+import { kindColours, limitColours, orange } from "../../../core/colours";
+import { element } from "../../../core/dom";
+import type { Store } from "../../../core/store";
+import { timeText } from "../../../core/units";
+import { moveKinds } from "../../../run/segments";
+import { texts } from "../../../texts";
+import type { Context, Links, Tab } from "../context";
+import { blockTableOf, type BlockTable } from "../data/block_table";
+import { limitTextOf } from "../data/filter";
+import { limitHint, limitOf, limitOfReport, limitText, type NamedLimit } from "../data/limit_words";
+import { timeByOperation } from "../data/operations";
+import { timeByTool } from "../data/tools";
+import { percentText } from "../format";
+
+const words = texts.panels;
+
+interface Share {
+  name: string;
+  time_s: number;
+  colour: string;
+  title: string;
+  choose(): void;
+}
+
+const colourOf = ({ kind }: NamedLimit): string => (kind === "dwell" ? kindColours.dwell : limitColours[kind]);
+
+export function createShares(store: Store, links: Links): Tab {
+  const host = element("div", { class: "shares" });
+  return {
+    element: host,
+    draw(context) {
+      const { run, robot, report } = context;
+      host.replaceChildren();
+      if (!robot || !report) return;
+      const table = blockTableOf(robot);
+      const goTo = (t_s: number) => () => store.set("time_s", t_s);
+      const operations = timeByOperation(run, robot, table, words.unnamed).map((operation) => ({
+        name: operation.name,
+        time_s: operation.time_s,
+        colour: orange,
+        title: `${operation.name}: ${words.goThere}`,
+        choose: () => {
+          store.set("time_s", operation.start_s);
+          const file = robot.files[table.file[operation.first]];
+          store.set("selection", { file, line: table.line[operation.first], block: operation.first });
+        },
+      }));
+      const tools = timeByTool(report).map((tool) => ({
+        name: tool.name || words.noTool,
+        time_s: tool.time_s,
+        colour: orange,
+        title: words.goThere,
+        choose: goTo(tool.start_s),
+      }));
+      host.append(
+        ...bars(words.byLimit, "", byLimit(context, table, links), report.cycle_time_s),
+        ...bars(words.byOperation, words.byOperationHint, operations, report.cycle_time_s),
+        ...bars(words.byTool, "", tools, report.cycle_time_s),
+        ...bars(words.byKind, "", byKind(table, links), report.cycle_time_s),
+      );
+    },
+  };
+}
+
+/** As the report has it, which counts each piece of a move by itself; else by the longest piece of each block. */
+function byLimit({ robot, report }: Context, table: BlockTable, links: Links): Share[] {
+  const times = new Map<string, { limit: NamedLimit; time_s: number }>();
+  const add = (limit: NamedLimit, time_s: number) => {
+    const name = limitText(limit);
+    times.set(name, { limit, time_s: (times.get(name)?.time_s ?? 0) + time_s });
+  };
+  if (report?.time_by_limit) {
+    for (const { limited_by, time_s } of report.time_by_limit) add(limitOfReport(limited_by), time_s);
+  } else {
+    addBlocks(table, robot!.scene.axes.map((axis) => axis.letter), add);
+  }
+  return [...times]
+    .map(([name, { limit, time_s }]) => ({
+      name,
+      time_s,
+      colour: colourOf(limit),
+      title: `${limitHint(limit)} ${words.filterBlocks}`,
+      choose: () => links.showBlocks(name),
+    }))
+    .sort((a, b) => b.time_s - a.time_s);
+}
+
+function addBlocks(table: BlockTable, letters: string[], add: (limit: NamedLimit, time_s: number) => void): void {
+  const dwell = limitText({ kind: "dwell", letter: "" });
+  for (let block = 0; block < table.count; ++block) {
+    const isDwell = limitTextOf(table, block, letters) === dwell;
+    const limit = isDwell ? ({ kind: "dwell", letter: "" } as const) : limitOf(table.limit[block], table.axis[block], letters);
+    add(limit, table.duration_s[block]);
+  }
+}
+
+function byKind(table: BlockTable, links: Links): Share[] {
+  const times_s = new Float64Array(moveKinds.length);
+  for (let block = 0; block < table.count; ++block) times_s[table.kind[block]] += table.duration_s[block];
+  return moveKinds
+    .map((kind, i) => ({
+      name: words.kinds[kind],
+      time_s: times_s[i],
+      colour: kindColours[kind],
+      title: words.filterBlocks,
+      choose: () => links.showBlocks(words.kinds[kind]),
+    }))
+    .filter(({ time_s }) => time_s > 0)
+    .sort((a, b) => b.time_s - a.time_s);
+}
+
+/** Nothing where there is nothing to tell apart. */
+function bars(title: string, hint: string, shares: Share[], whole_s: number): HTMLElement[] {
+  if (shares.length === 0) return [];
+  const most_s = Math.max(...shares.map(({ time_s }) => time_s), 1e-12);
+  const rows = shares.map(({ name, time_s, colour, title: tip, choose }) =>
+    element(
+      "button",
+      { class: "share", title: tip, onclick: choose, style: `--colour:${colour};--share:${(100 * time_s) / most_s}%` },
+      element("span", { class: "share-name" }, name),
+      element("span", { class: "share-time" }, `${timeText(time_s, 2)} · ${percentText(time_s, whole_s)} %`),
+    ),
+  );
+  return [element("section", {}, element("h3", { class: "heading", title: hint }, title), ...rows)];
+}

@@ -1,0 +1,119 @@
+// How the run went: times, lengths, travel, and all that there is to see to.
+
+import { kindColours } from "../../../core/colours";
+import { element } from "../../../core/dom";
+import { goTo } from "../../../core/go";
+import type { Store } from "../../../core/store";
+import { axisText, timeText } from "../../../core/units";
+import { marksOf, type Mark, type MarkKind } from "../../../run/marks";
+import type { Report } from "../../../run/report";
+import { texts } from "../../../texts";
+import type { Context, Tab } from "../context";
+import { countText, lengthShort, percentText } from "../format";
+import { markItem, section, type Item } from "../mark_list";
+import { createTravel } from "./travel";
+
+const words = texts.panels;
+
+export function createSummary(store: Store): Tab {
+  const host = element("div", { class: "summary" });
+  return {
+    element: host,
+    draw(context) {
+      const { report } = context;
+      const told = toldOf(context, store);
+      host.replaceChildren();
+      if (!report) return;
+      host.append(...sections(context, grave, store));
+      if (report.cycle_time_s > 0) host.append(figures(report, store));
+      host.append(...sections(context, light, store), ...(told.length > 0 ? [section(words.told, "finding", told)] : []));
+      if (context.robot && report.bounds) host.append(createTravel(context.robot.scene.axes, report.bounds, axisWords));
+    },
+  };
+
+  function axisWords(value: number, rotary: boolean): string {
+    return axisText(value, rotary, store.get("units"));
+  }
+}
+
+// What makes a run useless comes before its figures, what is worth a look behind them.
+const grave: readonly MarkKind[] = ["alarm", "collision", "violation", "zone"];
+const light: readonly MarkKind[] = ["finding", "near"];
+
+function sections({ run, index }: Context, kinds: readonly MarkKind[], store: Store): HTMLElement[] {
+  const byKind = new Map<MarkKind, Mark[]>();
+  for (const mark of marksOf(run, index)) {
+    const known = byKind.get(mark.kind);
+    if (known) known.push(mark);
+    else byKind.set(mark.kind, [mark]);
+  }
+  return kinds
+    .filter((kind) => byKind.has(kind))
+    .map((kind) => section(words.sections[kind], kind, byKind.get(kind)!.map((mark) => markItem(mark, store))));
+}
+
+/** Diagnostics and warnings that no list of their own has. */
+function toldOf({ run, report }: Context, store: Store): Item[] {
+  if (!report || run.failure) return [];
+  const own = ["collision", "near-miss", "axis-limit", "zone", report.alarm?.code];
+  for (const { code } of report.findings ?? []) own.push(code);
+  const diagnostics = (report.diagnostics ?? []).filter(({ code }) => !own.includes(code));
+  const known = new Set(diagnostics.map(({ text }) => text));
+  const common = run.report !== report ? (run.report?.warnings ?? []) : [];
+  const warnings = [...report.warnings, ...common].filter((text) => !known.has(text));
+  return [
+    ...diagnostics.map((one) => ({
+      kind: one.severity,
+      text: one.hint ? `${one.text}. ${one.hint}` : one.text,
+      title: one.file ?? "",
+      place: one.line === null ? words.severities[one.severity] : words.atLine(one.line),
+      choose: () => goTo(store, one, null),
+    })),
+    ...warnings.map((text) => ({ kind: "warning", text, title: "", place: words.severities.warning, choose: () => {} })),
+  ];
+}
+
+const figure = (name: string, value: string, title = ""): HTMLElement =>
+  element("div", { class: "figure", title }, element("dt", {}, name), element("dd", {}, value));
+
+function figures(report: Report & { idle_s?: number }, store: Store): HTMLElement {
+  const { time, length, lower_bound_s: bound_s, cycle_time_s: whole_s } = report;
+  const list = element("dl", { class: "figures" }, figure(words.cycleTime, timeText(whole_s)));
+  list.firstElementChild!.classList.add("great");
+  if (time) list.append(timeBar(time, whole_s));
+  if (bound_s != null && whole_s > 0) {
+    const beyond = words.boundShare(percentText(whole_s - bound_s, whole_s));
+    list.append(figure(words.bound, timeText(bound_s), words.boundHint), element("p", { class: "note" }, beyond));
+  }
+  if (report.idle_s !== undefined) list.append(figure(words.idle, timeText(report.idle_s)));
+  if (length) {
+    list.append(figure(words.feedLength, lengthShort(length.feed_mm, store)));
+    list.append(figure(words.rapidLength, lengthShort(length.rapid_mm, store)));
+    if (length.jet_on_mm > 0) list.append(figure(words.process, lengthShort(length.jet_on_mm, store)));
+  }
+  if (report.blocks !== undefined) list.append(figure(words.blocks, countText(report.blocks)));
+  if (report.moves !== undefined) list.append(figure(words.moves, countText(report.moves)));
+  list.append(figure(words.machine, report.machine), figure(words.controller, report.controller ?? "–"));
+  return list;
+}
+
+/** Time at feed, in rapids and in dwells as parts of one bar. */
+function timeBar(time: NonNullable<Report["time"]>, whole_s: number): HTMLElement {
+  const parts = [
+    { name: words.timeOf.feed, time_s: time.feed_s, kind: "feed" },
+    { name: words.timeOf.rapid, time_s: time.rapid_s, kind: "rapid" },
+    { name: words.timeOf.dwell, time_s: time.dwell_s, kind: "dwell" },
+  ];
+  const bar = element(
+    "div",
+    { class: "time-bar", "aria-hidden": "true" },
+    ...parts.map(({ time_s, kind }) => element("i", { class: kind, style: `flex-grow:${time_s / whole_s}` })),
+  );
+  const figures = parts.map(({ name, time_s, kind }) => {
+    const row = figure(name, `${timeText(time_s)} · ${percentText(time_s, whole_s)} %`);
+    row.classList.add("of-time", kind);
+    return row;
+  });
+  const colours = `--feed:${kindColours.linear};--rapid:${kindColours.rapid};--dwell:${kindColours.dwell}`;
+  return element("div", { class: "time-parts", style: colours }, bar, ...figures);
+}

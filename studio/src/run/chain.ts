@@ -1,0 +1,138 @@
+// The machine's joints to places of its links, and the frames of a cell.
+
+import { Matrix4, Quaternion, Vector3 } from "three";
+import type { Axis, Branch, Drift, Scene } from "./scene";
+
+export const RAD_PER_DEG = Math.PI / 180;
+
+export const axisValue = (axis: Axis, joint: number): number => axis.zero + (axis.rotary ? joint / RAD_PER_DEG : joint);
+export const jointValue = (axis: Axis, value: number): number =>
+  (value - axis.zero) * (axis.rotary ? RAD_PER_DEG : 1);
+
+export const matrixOf = (values: number[]): Matrix4 => new Matrix4().fromArray(values);
+
+interface ChainLink {
+  joint: number;
+  rotary: boolean;
+  before: Matrix4;
+  after: Matrix4;
+}
+
+interface ChainBranch {
+  base: Matrix4;
+  links: ChainLink[];
+  end: Matrix4;
+}
+
+const branchOf = (branch: Branch): ChainBranch => ({
+  base: matrixOf(branch.base),
+  links: branch.links.map((link) => ({ ...link, before: matrixOf(link.before), after: matrixOf(link.after) })),
+  end: matrixOf(branch.end),
+});
+
+/** Where everything is at an instant, in the world (mm). */
+export interface Places {
+  /** Number 0 is the world, number i what joint i - 1 moves. */
+  links: Matrix4[];
+  /** A frame for each joint, which moves along or about its Z. */
+  joints: Matrix4[];
+  /** The tool centre point, without a tool's own offset. */
+  tool: Matrix4;
+  /** In which the drawn way stands. */
+  work: Matrix4;
+  /** Of the cell, as Scene.frames counts them. */
+  frames: Matrix4[];
+}
+
+export class Chain {
+  private readonly toolSide: ChainBranch;
+  private readonly workSide: ChainBranch;
+  /** For each frame its drifts in the order of time; from one's time on those before it do not count. */
+  private readonly drifts = new Map<number, Drift[]>();
+  private readonly base: number;
+
+  constructor(readonly scene: Scene) {
+    this.toolSide = branchOf(scene.tool_side);
+    this.workSide = branchOf(scene.work_side);
+    this.base = scene.frames?.findIndex((frame) => "link" in frame && frame.name === "base") ?? -1;
+    for (const drift of scene.drifts ?? []) {
+      const known = this.drifts.get(drift.frame) ?? [];
+      while (known.length > 0 && known[known.length - 1].from_s >= drift.from_s) known.pop();
+      known.push(drift);
+      this.drifts.set(drift.frame, known);
+    }
+  }
+
+  /** `joints` in mm and rad, at a time of the run. */
+  places(joints: ArrayLike<number>, t_s: number): Places {
+    const count = this.scene.axes.length;
+    const places: Places = {
+      links: Array.from({ length: count + 1 }, () => new Matrix4()),
+      joints: Array.from({ length: count }, () => new Matrix4()),
+      tool: new Matrix4(),
+      work: new Matrix4(),
+      frames: [],
+    };
+    const shift = this.shiftOfBase(t_s);
+    places.tool = follow(this.toolSide, joints, shift, places);
+    const carriesWork = this.workSide.links.length > 0;
+    places.work = follow(this.workSide, joints, carriesWork ? shift : null, places);
+    this.placeFrames(places, t_s);
+    return places;
+  }
+
+  /** Whether something beside the joints moves. */
+  get drifting(): boolean {
+    return this.drifts.size > 0;
+  }
+
+  private driftAt(frame: number, t_s: number): Drift | undefined {
+    return this.drifts.get(frame)?.findLast((drift) => drift.from_s <= t_s);
+  }
+
+  private shiftOfBase(t_s: number): Matrix4 | null {
+    const drift = this.driftAt(this.base, t_s);
+    return drift ? poseAt(drift, t_s).multiply(this.toolSide.base.clone().invert()) : null;
+  }
+
+  private placeFrames(places: Places, t_s: number): void {
+    this.scene.frames?.forEach((frame, i) => {
+      if ("link" in frame) {
+        const moved = i === this.base && this.driftAt(i, t_s);
+        const pose = moved ? poseAt(moved, t_s) : places.links[frame.link].clone().multiply(matrixOf(frame.in_link));
+        places.frames.push(pose);
+      } else {
+        const drift = this.driftAt(i, t_s);
+        const inParent = drift ? poseAt(drift, t_s) : matrixOf(frame.in_parent);
+        places.frames.push(places.frames[frame.parent].clone().multiply(inParent));
+      }
+    });
+  }
+}
+
+function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 | null, places: Places): Matrix4 {
+  const at = branch.base.clone();
+  if (shift) at.premultiply(shift);
+  const motion = new Matrix4();
+  for (const link of branch.links) {
+    at.multiply(link.before);
+    places.joints[link.joint].copy(at);
+    const value = joints[link.joint];
+    at.multiply(link.rotary ? motion.makeRotationZ(value) : motion.makeTranslation(0, 0, value)).multiply(link.after);
+    places.links[link.joint + 1].copy(at);
+  }
+  return at.multiply(branch.end);
+}
+
+/** A drift's frame in the one that it goes in: the origin straight, the turn about an axis through it. */
+export function poseAt(drift: Drift, t_s: number): Matrix4 {
+  const elapsed_s = t_s - drift.from_s;
+  const pose = matrixOf(drift.pose);
+  const [position, turn, scale] = [new Vector3(), new Quaternion(), new Vector3()];
+  pose.decompose(position, turn, scale);
+  position.addScaledVector(new Vector3(...drift.velocity_mm_s), elapsed_s);
+  const spin = new Vector3(...drift.spin_rad_s);
+  const rate = spin.length();
+  if (rate > 0) turn.premultiply(new Quaternion().setFromAxisAngle(spin.divideScalar(rate), rate * elapsed_s));
+  return new Matrix4().compose(position, turn, scale);
+}

@@ -1,0 +1,214 @@
+// Where the joints are in a segment, how fast they go and speed up, from its record (docs/studio.md).
+
+import { ARC_SIZE, arcAt } from "./arc";
+import { HEAD_SIZE, headAt, headLength_rad } from "./head";
+import { addBreaks_s, lawAt, lawDuration_s, lawLength, lawSize, type LawState } from "./law";
+
+export const Flag = { processOn: 1 << 2, arc: 1 << 3, head: 1 << 4, beside: 1 << 5, apart: 1 << 6, timed: 1 << 7 };
+
+/** Values of the joints, mm or rad, with their first and second derivatives by time. */
+export interface JointState {
+  position: Float64Array;
+  velocity: Float64Array;
+  acceleration: Float64Array;
+}
+
+/** The records of one chunk, and how many joints each has. */
+export interface Records {
+  values: Float64Array;
+  joints: number;
+}
+
+export interface Part {
+  at: number;
+  flags: number;
+  duration_s: number;
+}
+
+// Behind its end a law that is shorter than its segment rests.
+function stateOf(values: Float64Array, law: number, waits: boolean, t_s: number): LawState {
+  if (waits && t_s > lawDuration_s(values, law)) return { s: lawLength(values, law), v: 0, a: 0 };
+  return lawAt(values, law, t_s);
+}
+
+/** Offsets of the parts of a record; -1: there is none. */
+interface Layout {
+  lead: number;
+  arc: number;
+  head: number;
+  followers: number;
+  apart: number;
+  beside: Part | null;
+}
+
+function layoutOf({ values, joints }: Records, { at, flags }: Part): Layout {
+  const lead = at + 2 * joints;
+  let next = lead + lawSize(values, lead);
+  const arc = flags & Flag.arc ? next : -1;
+  if (arc >= 0) next += ARC_SIZE;
+  const head = flags & Flag.head ? next : -1;
+  if (head >= 0) next += HEAD_SIZE;
+  const followers = next;
+  next += 1;
+  for (let i = values[followers]; i > 0; --i) next += 2 + lawSize(values, next + 2);
+  const apart = flags & Flag.apart ? next : -1;
+  if (apart >= 0) next += 1;
+  const beside = flags & Flag.beside ? { at: next + 2, flags: values[next], duration_s: values[next + 1] } : null;
+  return { lead, arc, head, followers, apart, beside };
+}
+
+const zeros = (count: number): JointState => ({
+  position: new Float64Array(count),
+  velocity: new Float64Array(count),
+  acceleration: new Float64Array(count),
+});
+
+/** `end`: where the joints are behind the segment, those of a motion beside it added. */
+function putEnd(records: Records, part: Part, beside: Part | null, out: Float64Array): void {
+  const { values, joints } = records;
+  for (let j = 0; j < joints; ++j) out[j] = values[part.at + joints + j];
+  if (!beside) return;
+  for (let j = 0; j < joints; ++j) out[j] += values[beside.at + joints + j] - values[beside.at + j];
+}
+
+function putStraight({ values, joints }: Records, { at }: Part, lead: LawState, scale: number, out: JointState): void {
+  for (let j = 0; j < joints; ++j) {
+    const start = values[at + j];
+    const way = values[at + joints + j] - start;
+    out.position[j] = start + lead.s * scale * way;
+    out.velocity[j] = lead.v * scale * way;
+    out.acceleration[j] = lead.a * scale * way;
+  }
+}
+
+function putArc(values: Float64Array, arc: number, lead: LawState, out: JointState): void {
+  const point = arcAt(values, arc, lead.s, lead.v, lead.a);
+  for (let i = 0; i < 3; ++i) {
+    const joint = values[arc + i];
+    if (joint < 0) continue;
+    out.position[joint] = point.position[i];
+    out.velocity[joint] = point.velocity[i];
+    out.acceleration[joint] = point.acceleration[i];
+  }
+}
+
+function putHead(values: Float64Array, head: number, lead: LawState, scale: number, out: JointState): void {
+  const rate = scale * headLength_rad(values, head);
+  const speed = lead.v * rate;
+  const point = headAt(values, head, lead.s * rate);
+  for (const [joint, [angle, first, second]] of [
+    [point.turnJoint, point.turn],
+    [point.tiltJoint, point.tilt],
+  ] as [number, number[]][]) {
+    out.position[joint] = angle;
+    out.velocity[joint] = first * speed;
+    out.acceleration[joint] = first * lead.a * rate + second * speed * speed;
+  }
+}
+
+function putFollowers(records: Records, part: Part, layout: Layout, t_s: number, out: JointState): void {
+  const { values } = records;
+  let next = layout.followers + 1;
+  for (let i = values[layout.followers]; i > 0; --i) {
+    const joint = values[next];
+    const sign = values[next + 1];
+    const own = stateOf(values, next + 2, layout.apart >= 0, t_s);
+    out.position[joint] = values[part.at + joint] + sign * own.s;
+    out.velocity[joint] = sign * own.v;
+    out.acceleration[joint] = sign * own.a;
+    next += 2 + lawSize(values, next + 2);
+  }
+}
+
+function addBeside(records: Records, beside: Part, t_s: number, out: JointState): void {
+  const other = jointsAt(records, beside, t_s);
+  for (let j = 0; j < records.joints; ++j) {
+    out.position[j] += other.position[j] - records.values[beside.at + j];
+    out.velocity[j] += other.velocity[j];
+    out.acceleration[j] += other.acceleration[j];
+  }
+}
+
+/** The state of the joints `t_s` after the start of a segment; exact at both ends. */
+export function jointsAt(records: Records, part: Part, t_s: number): JointState {
+  const { values, joints } = records;
+  const layout = layoutOf(records, part);
+  const lead = stateOf(values, layout.lead, layout.apart >= 0, t_s);
+  const length = lawLength(values, layout.lead);
+  const scale = length > 0 ? 1 / length : 0;
+  const out = zeros(joints);
+  putStraight(records, part, lead, scale, out);
+  if (layout.arc >= 0) putArc(values, layout.arc, lead, out);
+  if (layout.head >= 0) putHead(values, layout.head, lead, scale, out);
+  putFollowers(records, part, layout, t_s, out);
+  if (layout.beside) addBeside(records, layout.beside, t_s, out);
+  if (t_s >= part.duration_s) putEnd(records, part, layout.beside, out.position);
+  if (t_s <= 0 && part.duration_s > 0) for (let j = 0; j < joints; ++j) out.position[j] = values[part.at + j];
+  return out;
+}
+
+/** Speed of the tool along its path (mm/s): `length_mm` is the segment's, `carriers` the joints of X, Y and Z. */
+export function pathSpeed(records: Records, part: Part, t_s: number, length_mm: number, carriers: number[]): number {
+  const { values } = records;
+  const layout = layoutOf(records, part);
+  if (!layout.beside && layout.apart < 0) {
+    const length = lawLength(values, layout.lead);
+    return length > 0 ? (lawAt(values, layout.lead, t_s).v * length_mm) / length : 0;
+  }
+  const { velocity } = jointsAt(records, part, t_s);
+  const carries = (joint: number) =>
+    layout.apart >= 0 ? ((values[layout.apart] >>> joint) & 1) !== 0 : carriers.includes(joint);
+  return Math.sqrt(velocity.reduce((square, v, joint) => (carries(joint) ? square + v * v : square), 0));
+}
+
+/** Where the law of the lead stands in `values`. */
+export const leadOf = (records: Records, at: number): number => at + 2 * records.joints;
+
+/** Acceleration of the tool along its path (mm/s2); arguments as of pathSpeed. */
+export function pathAcceleration(
+  records: Records,
+  part: Part,
+  t_s: number,
+  length_mm: number,
+  carriers: number[],
+): number {
+  const { values } = records;
+  const layout = layoutOf(records, part);
+  if (!layout.beside && layout.apart < 0) {
+    const length = lawLength(values, layout.lead);
+    return length > 0 ? (lawAt(values, layout.lead, t_s).a * length_mm) / length : 0;
+  }
+  const { velocity, acceleration } = jointsAt(records, part, t_s);
+  let [along, speed2, size2] = [0, 0, 0];
+  for (let joint = 0; joint < records.joints; ++joint) {
+    const carries = layout.apart >= 0 ? (values[layout.apart] >>> joint) & 1 : carriers.includes(joint);
+    if (!carries) continue;
+    along += velocity[joint] * acceleration[joint];
+    speed2 += velocity[joint] ** 2;
+    size2 += acceleration[joint] ** 2;
+  }
+  return speed2 > 0 ? along / Math.sqrt(speed2) : Math.sqrt(size2);
+}
+
+/** Whether all joints go in proportion to the lead's law. */
+export function isProportional(records: Records, part: Part): boolean {
+  if (part.flags & (Flag.arc | Flag.head | Flag.beside | Flag.apart)) return false;
+  const lead = leadOf(records, part.at);
+  return records.values[lead + lawSize(records.values, lead)] === 0;
+}
+
+/** Instants within a segment at which the law of one of its motions changes, as it comes. */
+export function breaksOf_s(records: Records, part: Part): number[] {
+  const { values } = records;
+  const layout = layoutOf(records, part);
+  const breaks_s = layout.beside ? breaksOf_s(records, layout.beside) : [];
+  addBreaks_s(values, layout.lead, breaks_s);
+  let next = layout.followers + 1;
+  for (let i = values[layout.followers]; i > 0; --i) {
+    addBreaks_s(values, next + 2, breaks_s);
+    if (layout.apart >= 0) breaks_s.push(lawDuration_s(values, next + 2));
+    next += 2 + lawSize(values, next + 2);
+  }
+  if (layout.apart >= 0) breaks_s.push(lawDuration_s(values, layout.lead));
+  return breaks_s;
+}

@@ -1,0 +1,48 @@
+// The way of a tilting head's two joints on which the tool turns along a great circle (Clairaut's relation).
+
+/** Of an orientation arc in a record: turning and tilting joint, and thirteen constants. */
+export const HEAD_SIZE = 15;
+
+export interface HeadPoint {
+  turnJoint: number;
+  tiltJoint: number;
+  /** rad, and the first and second derivative by the angle along the circle. */
+  turn: [number, number, number];
+  tilt: [number, number, number];
+}
+
+export const headLength_rad = (values: Float64Array, at: number): number => values[at + 14];
+
+export function headAt(values: Float64Array, at: number, angle_rad: number): HeadPoint {
+  const [turnJoint, tiltJoint, anchorTurn, anchorTilt, , sine, cosine, headingSine, headingCosine, side, clairaut] =
+    values.subarray(at, at + 11);
+  const from = values[at + 13] + angle_rad;
+  const s = Math.sin(from);
+  const c = Math.cos(from);
+  const turn = anchorTurn + values[at + 11] * from;
+  const tilt = anchorTilt + values[at + 12] * from;
+  if (clairaut === 0) {
+    return { turnJoint, tiltJoint, turn: [turn, 0, 0], tilt: [tilt + headingCosine * from, headingCosine, 0] };
+  }
+  const across = c * sine + s * cosine * headingCosine;
+  const aside = s * headingSine;
+  const placeSine = side * Math.max(Math.hypot(across, aside), Math.abs(clairaut));
+  const placeCosine = c * cosine - s * sine * headingCosine;
+  const slope = -s * cosine - c * sine * headingCosine;
+  const cube = placeSine ** 3;
+  const tiltRate = -slope / placeSine;
+  return {
+    turnJoint,
+    tiltJoint,
+    turn: [
+      turn + Math.atan2(side * aside, side * across),
+      clairaut / placeSine ** 2,
+      (-2 * clairaut * placeCosine * tiltRate) / cube,
+    ],
+    tilt: [
+      tilt + Math.atan2(placeSine, placeCosine) - Math.atan2(sine, cosine),
+      tiltRate,
+      (clairaut ** 2 * placeCosine) / cube,
+    ],
+  };
+}

@@ -1,0 +1,88 @@
+// Time laws: how far a motion is on its path at an instant. The same closed forms as the engine's, in 64 bits,
+// so that the page shows the machine where it is and not where a drawing has it.
+
+export interface LawState {
+  /** Distance, speed and acceleration along the path (mm or rad, s). */
+  s: number;
+  v: number;
+  a: number;
+}
+
+/** Of a law in a record: length, duration, end speed, number of pieces; then five numbers for each piece. */
+const HEAD = 4;
+const PIECE = 5;
+
+export const lawSize = (values: Float64Array, at: number): number => HEAD + PIECE * values[at + 3];
+export const lawLength = (values: Float64Array, at: number): number => values[at];
+export const lawDuration_s = (values: Float64Array, at: number): number => values[at + 1];
+
+/** The state of the law that stands at `at`, `t_s` after its start; clamped at both ends. */
+export function lawAt(values: Float64Array, at: number, t_s: number): LawState {
+  const length = values[at];
+  const duration_s = values[at + 1];
+  const count = values[at + 3];
+  if (count === 0) return { s: length, v: values[at + 2], a: 0 };
+  const over = t_s >= duration_s;
+  let t = t_s;
+  let piece = at + HEAD;
+  const last = piece + PIECE * (count - 1);
+  while (piece < last && (over || t > values[piece])) {
+    t -= values[piece];
+    piece += PIECE;
+  }
+  // Counted from the end, the last piece comes to rest exactly, however long the others are.
+  const own_s = values[piece];
+  if (piece === last) t = own_s - (duration_s - t_s);
+  t = Math.min(Math.max(t, 0), own_s);
+  const [s0, v0, a0, jerk] = [values[piece + 1], values[piece + 2], values[piece + 3], values[piece + 4]];
+  const s = s0 + t * (v0 + t * (a0 / 2 + (t * jerk) / 6));
+  return {
+    s: over ? length : Math.min(Math.max(s, 0), length),
+    v: Math.max(v0 + t * (a0 + (t * jerk) / 2), 0),
+    a: a0 + t * jerk,
+  };
+}
+
+/** The highest speed of the law. */
+export function lawPeak(values: Float64Array, at: number): number {
+  const count = values[at + 3];
+  let peak = 0;
+  for (let piece = at + HEAD; piece < at + HEAD + PIECE * count; piece += PIECE) {
+    const [duration_s, , v0, a0, jerk] = values.subarray(piece, piece + PIECE);
+    peak = Math.max(peak, v0, v0 + duration_s * (a0 + (duration_s * jerk) / 2));
+    const turn_s = -a0 / jerk;
+    if (turn_s > 0 && turn_s < duration_s) peak = Math.max(peak, v0 + turn_s * (a0 + (turn_s * jerk) / 2));
+  }
+  return peak;
+}
+
+/** Widens `range` (lowest and highest speed, lowest and highest acceleration) to what the law has. */
+export function widenByLaw(values: Float64Array, at: number, range: Float64Array): void {
+  const end = at + lawSize(values, at);
+  if (end === at + HEAD) widenSpeed(range, values[at + 2]);
+  for (let piece = at + HEAD; piece < end; piece += PIECE) {
+    const duration_s = values[piece];
+    const [v0, a0, jerk] = [values[piece + 2], values[piece + 3], values[piece + 4]];
+    const a1 = a0 + duration_s * jerk;
+    widenSpeed(range, v0);
+    widenSpeed(range, v0 + (duration_s * (a0 + a1)) / 2);
+    if (a0 * a1 < 0) widenSpeed(range, v0 - (a0 * a0) / (2 * jerk));
+    range[2] = Math.min(range[2], a0, a1);
+    range[3] = Math.max(range[3], a0, a1);
+  }
+}
+
+function widenSpeed(range: Float64Array, speed: number): void {
+  const v = Math.max(speed, 0);
+  if (v < range[0]) range[0] = v;
+  if (v > range[1]) range[1] = v;
+}
+
+/** Adds the instants at which one piece of the law gives way to the next, its start and end left out. */
+export function addBreaks_s(values: Float64Array, at: number, breaks_s: number[]): void {
+  let t_s = 0;
+  for (let piece = 0; piece < values[at + 3] - 1; ++piece) {
+    t_s += values[at + HEAD + PIECE * piece];
+    breaks_s.push(t_s);
+  }
+}

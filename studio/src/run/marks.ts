@@ -1,0 +1,67 @@
+// What stands out in a run, in the order of time: events, alarms, what is past limits, contacts, findings.
+
+import type { Placed, Report } from "./report";
+import type { Robot, Run } from "./run";
+
+export const markKinds = ["alarm", "collision", "violation", "zone", "finding", "near", "event"] as const;
+/** The gravest first; "near" is a clearance that is less than asked for. */
+export type MarkKind = (typeof markKinds)[number];
+
+export interface Mark extends Placed {
+  t_s: number;
+  kind: MarkKind;
+  /** Of events their kind, of all others what there is to tell. */
+  text: string;
+  detail: string;
+  /** Of contacts and clearances. */
+  pair: [string, string] | null;
+  clearance_mm: number;
+}
+
+/** The report of one robot of a run. */
+export const reportOf = (run: Run, robot: number): Report | null => run.report?.robots?.[robot] ?? run.report;
+
+const placed = (from: Placed): Placed => ({ file: from.file, line: from.line });
+const plain = { detail: "", pair: null, clearance_mm: 0 };
+
+/** When a line first moves, s. */
+function startOfLine(robot: Robot | undefined, { file, line }: Placed): number {
+  if (!robot || file === null || line === null) return 0;
+  const [block] = robot.blocks.ofLine(robot.files.indexOf(file), line);
+  return block === undefined ? 0 : robot.segments.info(robot.blocks.first.at(block)).start_s;
+}
+
+function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
+  for (const event of report.events ?? []) {
+    yield { ...plain, ...placed(event), t_s: event.t_s, kind: "event", text: event.kind, detail: event.detail ?? "" };
+  }
+  for (const violation of report.violations ?? []) {
+    const kind = violation.zone === null ? "violation" : "zone";
+    yield { ...plain, ...placed(violation), t_s: violation.t_s, kind, text: violation.message };
+  }
+  for (const finding of report.findings ?? []) {
+    yield { ...plain, ...placed(finding), t_s: finding.t_s, kind: "finding", text: finding.message };
+  }
+  for (const { t_s, kind, pair, ...place } of report.collisions ?? []) {
+    yield { ...plain, ...placed(place), t_s, kind: "collision", text: kind, pair };
+  }
+  for (const { clearance_mm, pair, ...place } of report.clearances ?? []) {
+    if (clearance_mm <= 0) continue; // a contact, which is there as such
+    yield { ...plain, ...placed(place), t_s: startOfLine(robot, place), kind: "near", text: "", pair, clearance_mm };
+  }
+  if (report.alarm) {
+    yield { ...plain, ...placed(report.alarm), t_s: report.cycle_time_s, kind: "alarm", text: report.alarm.message };
+  }
+}
+
+/** Of one robot; a clearance, whose time is not told, stands where its line first moves. */
+export function marksOf(run: Run, index: number): Mark[] {
+  const report = reportOf(run, index);
+  if (!report) return [];
+  const marks = [...unordered(report, run.robots[index])];
+  const common = run.report?.robots && !report.alarm ? run.report.alarm : null;
+  if (common) {
+    marks.push({ ...plain, ...placed(common), t_s: run.report!.cycle_time_s, kind: "alarm", text: common.message });
+  }
+  return marks.sort((a, b) => a.t_s - b.t_s);
+}

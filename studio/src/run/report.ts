@@ -1,0 +1,73 @@
+// The report of a run, as gsim run --json has it (docs/report.md); what the page looks at.
+
+export interface Placed {
+  file: string | null;
+  line: number | null;
+}
+
+export interface ReportEvent extends Placed {
+  t_s: number;
+  kind: string;
+  detail?: string;
+}
+
+export interface Violation extends Placed {
+  t_s: number;
+  axis: string;
+  unit: string;
+  value: number;
+  limit: number;
+  zone: string | null;
+  message: string;
+}
+
+export interface Collision extends Placed {
+  t_s: number;
+  pair: [string, string];
+  point_mm: [number, number, number];
+  kind: "penetrating" | "touching";
+}
+
+export interface Clearance extends Placed {
+  clearance_mm: number;
+  pair: [string, string];
+  point_mm: [number, number, number];
+}
+
+export interface ReportDiagnostic extends Placed {
+  severity: "error" | "warning" | "note";
+  code: string;
+  text: string;
+  column?: number | null;
+  end_column?: number | null;
+  hint?: string | null;
+}
+
+export interface Report {
+  program: string;
+  machine: string;
+  controller: string | null;
+  status: "completed" | "violations" | "stopped" | "alarm";
+  alarm: (Placed & { code: string; message: string; axis: string | null }) | null;
+  cycle_time_s: number;
+  /** With violations: from here on the times are not those of the machine. */
+  valid_until_s?: number | null;
+  time?: { rapid_s: number; feed_s: number; dwell_s: number; words_s?: number };
+  length?: { rapid_mm: number; feed_mm: number; jet_on_mm: number };
+  blocks?: number;
+  moves?: number;
+  process?: string;
+  bounds?: Record<string, { min: number; max: number; limit_min: number | null; limit_max: number | null }>;
+  violations?: Violation[];
+  violation_count?: number;
+  events?: ReportEvent[];
+  warnings: string[];
+  diagnostics?: ReportDiagnostic[];
+  findings?: (Placed & { t_s: number; code: string; message: string })[];
+  collisions?: Collision[];
+  clearances?: Clearance[];
+  cell?: { name: string; clearance_mm: number };
+  time_by_limit?: { limited_by: string; time_s: number }[];
+  lower_bound_s?: number | null;
+  robots?: (Report & { name: string; idle_s: number })[];
+}

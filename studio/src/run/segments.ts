@@ -1,0 +1,178 @@
+// The segments of a run, as columns in chunks, in the order of time.
+
+import type { Message } from "../core/message";
+import { Flag, jointsAt, leadOf, pathSpeed, type JointState } from "./evaluate";
+import { lawLength, lawPeak } from "./law";
+
+export const moveKinds = ["rapid", "linear", "arc_cw", "arc_ccw", "dwell", "probe", "thread", "spline"] as const;
+export type MoveKind = (typeof moveKinds)[number];
+
+export const limitKinds = [
+  "feed",
+  "path_speed",
+  "joint_speed",
+  "acceleration",
+  "path_acceleration",
+  "centripetal",
+  "corner",
+  "stop",
+  "jerk",
+  "look_ahead",
+  "time",
+  "rapid_override",
+  "unknown",
+] as const;
+export type LimitKind = (typeof limitKinds)[number];
+
+export interface Chunk {
+  /** Number of its first segment. */
+  first: number;
+  count: number;
+  start_s: Float64Array;
+  duration_s: Float64Array;
+  length_mm: Float64Array;
+  feed_per_min: Float64Array;
+  deviation_mm: Float64Array;
+  line: Uint32Array;
+  file: Uint32Array;
+  flags: Uint32Array;
+  tip: Uint32Array;
+  record: Uint32Array;
+  values: Float64Array;
+  /** x, y, z of the tip on the part for each vertex of the drawn way, its time, its segment in the chunk. */
+  vertex_mm: Float32Array;
+  vertex_s: Float32Array;
+  vertex_segment: Uint32Array;
+}
+
+/** A segment as rows have it. */
+export interface SegmentInfo {
+  index: number;
+  start_s: number;
+  duration_s: number;
+  length_mm: number;
+  /** As programmed, mm/min or deg/min; 0 in rapids and dwells. */
+  feed_per_min: number;
+  deviation_mm: number;
+  line: number;
+  file: number;
+  tip: number;
+  kind: MoveKind;
+  rests: boolean;
+  processOn: boolean;
+  limit: LimitKind;
+  /** The axis of the limit, as an index; -1: none. */
+  limitAxis: number;
+}
+
+const RESTS = 3;
+
+export class Segments {
+  readonly chunks: Chunk[] = [];
+  count = 0;
+
+  constructor(readonly joints: number, readonly carriers: number[]) {}
+
+  add(message: Message): void {
+    const column = <T>(name: string) => message.columns.get(name) as T;
+    const chunk: Chunk = {
+      first: message.header.first as number,
+      count: column<Float64Array>("start_s").length,
+      start_s: column("start_s"),
+      duration_s: column("duration_s"),
+      length_mm: column("length_mm"),
+      feed_per_min: column("feed_per_min"),
+      deviation_mm: column("deviation_mm"),
+      line: column("line"),
+      file: column("file"),
+      flags: column("flags"),
+      tip: column("tip"),
+      record: column("record"),
+      values: column("values"),
+      vertex_mm: column("vertex_mm"),
+      vertex_s: column("vertex_s"),
+      vertex_segment: column("vertex_segment"),
+    };
+    this.chunks.push(chunk);
+    this.count = chunk.first + chunk.count;
+  }
+
+  get end_s(): number {
+    const last = this.chunks.findLast((chunk) => chunk.count > 0);
+    return last ? last.start_s[last.count - 1] + last.duration_s[last.count - 1] : 0;
+  }
+
+  /** The chunk of a segment, and its place there. */
+  locate(index: number): [Chunk, number] {
+    let [low, high] = [0, this.chunks.length - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.chunks[middle].first <= index) low = middle;
+      else high = middle - 1;
+    }
+    return [this.chunks[low], index - this.chunks[low].first];
+  }
+
+  /** The segment under way at a time: of two that meet there the later one; -1: there are none. */
+  at(t_s: number): number {
+    if (this.count === 0) return -1;
+    let [low, high] = [0, this.count - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      const [chunk, i] = this.locate(middle);
+      if (chunk.start_s[i] <= t_s) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  info(index: number): SegmentInfo {
+    const [chunk, i] = this.locate(index);
+    const flags = chunk.flags[i];
+    return {
+      index,
+      start_s: chunk.start_s[i],
+      duration_s: chunk.duration_s[i],
+      length_mm: chunk.length_mm[i],
+      feed_per_min: chunk.feed_per_min[i],
+      deviation_mm: chunk.deviation_mm[i],
+      line: chunk.line[i],
+      file: chunk.file[i],
+      tip: chunk.tip[i],
+      kind: moveKinds[(flags >>> 8) & 15],
+      rests: (flags & 3) === RESTS,
+      processOn: (flags & Flag.processOn) !== 0,
+      limit: limitKinds[(flags >>> 12) & 15],
+      limitAxis: ((flags >>> 16) & 31) - 1,
+    };
+  }
+
+  private part(chunk: Chunk, i: number) {
+    return { at: chunk.record[i], flags: chunk.flags[i], duration_s: chunk.duration_s[i] };
+  }
+
+  /** Joints (mm, rad) at a time of the run. */
+  joints_at(t_s: number): JointState | null {
+    const index = this.at(t_s);
+    if (index < 0) return null;
+    const [chunk, i] = this.locate(index);
+    return jointsAt({ values: chunk.values, joints: this.joints }, this.part(chunk, i), t_s - chunk.start_s[i]);
+  }
+
+  /** Speed of the tool along its path, mm/s; 0 where the run has ended. */
+  speed_at(t_s: number): number {
+    const index = this.at(t_s);
+    if (index < 0 || t_s >= this.end_s) return 0;
+    const [chunk, i] = this.locate(index);
+    const records = { values: chunk.values, joints: this.joints };
+    return pathSpeed(records, this.part(chunk, i), t_s - chunk.start_s[i], chunk.length_mm[i], this.carriers);
+  }
+
+  /** The highest speed of a segment along the tool's path, mm/s. */
+  peakSpeed(index: number): number {
+    const [chunk, i] = this.locate(index);
+    const law = leadOf({ values: chunk.values, joints: this.joints }, chunk.record[i]);
+    const length = lawLength(chunk.values, law);
+    return length > 0 ? (lawPeak(chunk.values, law) * chunk.length_mm[i]) / length : 0;
+  }
+}

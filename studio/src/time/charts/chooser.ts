@@ -1,0 +1,72 @@
+// Which charts there are, of which axes, in which measure.
+
+import { axisColours } from "../../core/colours";
+import { element } from "../../core/dom";
+import type { Axis } from "../../run/scene";
+import { texts } from "../../texts";
+import { chartIds, type ChartId } from "./traces";
+
+const words = texts.time;
+
+export interface Chosen {
+  charts: ChartId[];
+  axes: Set<number>;
+  percent: boolean;
+}
+
+export interface Chooser {
+  element: HTMLElement;
+  readonly chosen: Chosen;
+  /** Of another machine: all its axes are shown. */
+  begin(axes: Axis[]): void;
+}
+
+function check(label: Node | string, title: string, checked: boolean, change: (on: boolean) => void): HTMLElement {
+  const input = element("input", {
+    type: "checkbox",
+    checked,
+    onchange: () => change(input.checked),
+  });
+  return element("label", { title, class: "check" }, input, label);
+}
+
+export function createChooser(changed: (chosen: Chosen) => void): Chooser {
+  const shown = new Set<ChartId>(["speed"]);
+  const hidden = new Set<string>();
+  let letters: string[] = [];
+  let percent = true;
+  const axes = element("div", { class: "axes", role: "group", "aria-label": words.axes });
+
+  const chosen = (): Chosen => ({
+    charts: chartIds.filter((id) => shown.has(id)),
+    axes: new Set(letters.flatMap((letter, i) => (hidden.has(letter) ? [] : [i]))),
+    percent,
+  });
+  const put = <T>(set: Set<T>, value: T, on: boolean) => {
+    if (on) set.add(value);
+    else set.delete(value);
+    changed(chosen());
+  };
+  const charts = chartIds.map((id) =>
+    check(words.charts[id], words.chartHints[id], shown.has(id), (on) => put(shown, id, on)),
+  );
+  const measure = check(words.percent, words.percentHint, percent, (on) => {
+    percent = on;
+    changed(chosen());
+  });
+  return {
+    element: element("div", { class: "chooser", role: "group", "aria-label": words.chooser }, ...charts, axes, measure),
+    get chosen() {
+      return chosen();
+    },
+    begin(all) {
+      letters = all.map((axis) => axis.letter);
+      axes.replaceChildren(
+        ...letters.map((letter, i) => {
+          const name = element("span", { style: `--colour:${axisColours[i % axisColours.length]}` }, letter);
+          return check(name, words.axisHint(letter), !hidden.has(letter), (on) => put(hidden, letter, !on));
+        }),
+      );
+    },
+  };
+}

@@ -1,0 +1,118 @@
+// Curves over a stretch of time: exact samples where there are few segments, lowest and highest values for each
+// column of pixels where there are many.
+
+import type { Segments } from "../../run/segments";
+import type { Leaves } from "./leaves";
+import { BEHIND_S, type Probe, type Spot } from "./probe";
+
+/** Instants of the run (s) in order, and for each channel a value there; NaN: none. */
+export interface Curves {
+  t_s: number[];
+  values: number[][];
+  /** Whether values come in pairs, the lowest and the highest of a column of pixels. */
+  areColumns: boolean;
+}
+
+const empty = (width: number, areColumns = false): Curves => ({
+  t_s: [],
+  values: Array.from({ length: width }, () => []),
+  areColumns,
+});
+
+function push(curves: Curves, t_s: number, values: ArrayLike<number>): void {
+  curves.t_s.push(t_s);
+  for (let j = 0; j < curves.values.length; ++j) curves.values[j].push(values[j]);
+}
+
+/** `columns`: how many pixels the stretch is wide. */
+export function curvesOf(segments: Segments, leaves: Leaves, from_s: number, to_s: number, columns: number): Curves {
+  const first = segments.at(from_s);
+  if (first < 0 || !(to_s > from_s)) return empty(leaves.probe.width);
+  const last = segments.at(to_s);
+  const step_s = (to_s - from_s) / columns;
+  if (last - first < columns / 4) return sampled(leaves.probe, first, last, from_s, to_s, step_s);
+  if (!leaves.ready) return single(segments, leaves.probe, from_s, columns, step_s);
+  return extremes(segments, leaves, from_s, columns, step_s);
+}
+
+function sampled(probe: Probe, first: number, last: number, from_s: number, to_s: number, step_s: number): Curves {
+  const curves = empty(probe.width);
+  const point = new Float64Array(probe.width);
+  for (let index = first; index <= last; ++index) {
+    const spot = probe.spot(index);
+    const start_s = spot.chunk.start_s[spot.i];
+    const begin_s = Math.max(from_s - start_s, 0);
+    const end_s = Math.min(to_s - start_s, spot.part.duration_s);
+    if (!(end_s > begin_s)) continue;
+    for (const t_s of instants(probe, spot, begin_s, end_s, step_s)) {
+      probe.put(spot, t_s, point);
+      push(curves, start_s + t_s, point);
+    }
+  }
+  return curves;
+}
+
+/** One a pixel, and both sides of where a law changes. */
+function instants(probe: Probe, spot: Spot, begin_s: number, end_s: number, step_s: number): number[] {
+  const all = [begin_s, end_s];
+  for (let t_s = begin_s + step_s; t_s < end_s; t_s += step_s) all.push(t_s);
+  for (const t_s of probe.breaks_s(spot)) {
+    if (t_s > begin_s && t_s + BEHIND_S < end_s) all.push(t_s, t_s + BEHIND_S);
+  }
+  return all.sort((a, b) => a - b);
+}
+
+/** One value a pixel, until the extremes are known. */
+function single(segments: Segments, probe: Probe, from_s: number, columns: number, step_s: number): Curves {
+  const curves = empty(probe.width);
+  const point = new Float64Array(probe.width);
+  for (let column = 0; column < columns; ++column) {
+    const t_s = from_s + (column + 0.5) * step_s;
+    const spot = probe.spot(segments.at(t_s));
+    probe.put(spot, t_s - spot.chunk.start_s[spot.i], point);
+    push(curves, t_s, point);
+  }
+  return curves;
+}
+
+function extremes(segments: Segments, leaves: Leaves, from_s: number, columns: number, step_s: number): Curves {
+  const curves = empty(leaves.probe.width, true);
+  const low = new Float32Array(leaves.probe.width);
+  const high = new Float32Array(leaves.probe.width);
+  let here = segments.at(from_s);
+  for (let column = 0; column < columns; ++column) {
+    const begin_s = from_s + column * step_s;
+    const next = segments.at(begin_s + step_s);
+    low.fill(Infinity);
+    high.fill(-Infinity);
+    widenPart(leaves.probe, here, begin_s, begin_s + step_s, low, high);
+    leaves.widen(here + 1, next, low, high);
+    if (next > here) widenPart(leaves.probe, next, begin_s, begin_s + step_s, low, high);
+    // Not in the middle, from where a chart may round to either side and leave a column empty.
+    push(curves, begin_s + step_s / 4, low);
+    push(curves, begin_s + step_s / 4, high);
+    here = next;
+  }
+  for (const values of curves.values) {
+    for (let i = 0; i < values.length; ++i) if (!Number.isFinite(values[i])) values[i] = NaN;
+  }
+  return curves;
+}
+
+/** A segment of which only a part lies in a column; one shorter than a column counts as a whole in both. */
+function widenPart(
+  probe: Probe,
+  index: number,
+  from_s: number,
+  to_s: number,
+  low: Float32Array,
+  high: Float32Array,
+): void {
+  const spot = probe.spot(index);
+  const start_s = spot.chunk.start_s[spot.i];
+  const begin_s = Math.max(from_s - start_s, 0);
+  const end_s = Math.min(to_s - start_s, spot.part.duration_s);
+  if (!(end_s > begin_s)) return;
+  if (spot.part.duration_s <= to_s - from_s) probe.widen(spot, low, high, 0);
+  else probe.widenWithin(spot, begin_s, end_s, low, high, 0);
+}

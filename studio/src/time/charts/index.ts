@@ -1,0 +1,128 @@
+// The charts below the scrubber, and the choice of what they show.
+
+import { element } from "../../core/dom";
+import { onTheme } from "../../core/theme";
+import type { Store } from "../../core/store";
+import type { Mark } from "../../run/marks";
+import type { Robot } from "../../run/run";
+import { texts } from "../../texts";
+import { robotOf } from "../steps";
+import type { TimeWindow } from "../window";
+import { LEFT_PX, RIGHT_PX, Chart } from "./chart";
+import { createChooser, type Chosen } from "./chooser";
+import { curvesOf } from "./curves";
+import { Leaves } from "./leaves";
+import type { Group } from "./probe";
+import { groupOf, tracesOf, type ChartId } from "./traces";
+
+const LEAST_HEIGHT_PX = 100;
+
+export interface Charts {
+  chooser: HTMLElement;
+  list: HTMLElement;
+  /** Of another run or robot. */
+  begin(marks: readonly Mark[]): void;
+}
+
+export function createCharts(store: Store, window: TimeWindow): Charts {
+  const list = element("div", { class: "charts" });
+  const empty = element("p", { class: "hint" }, texts.time.noChart);
+  let charts: { id: ChartId; chart: Chart }[] = [];
+  let violations_s: number[] = [];
+  let robot: Robot | undefined;
+  let leaves = new Map<Group, Leaves>();
+  let hover_s: number | null = null;
+  let frame = 0;
+
+  const later = (what: () => void) => {
+    cancelAnimationFrame(frame);
+    frame = requestAnimationFrame(what);
+  };
+  const leavesOf = (group: Group): Leaves => {
+    const known = leaves.get(group);
+    if (known) return known;
+    const made = new Leaves(robot!.segments, group, () => made === leaves.get(group) && later(draw));
+    leaves.set(group, made);
+    return made;
+  };
+
+  function build(chosen: Chosen): void {
+    for (const { chart } of charts) chart.destroy();
+    charts = [];
+    empty.hidden = !robot || chosen.charts.length > 0;
+    if (!robot) return;
+    const actions = {
+      choose: (t_s: number) => store.set("time_s", Math.min(Math.max(t_s, 0), window.whole_s)),
+      hover: (t_s: number | null) => {
+        hover_s = t_s;
+        point();
+      },
+    };
+    for (const id of chosen.charts) {
+      const traces = tracesOf(id, robot.scene, { ...chosen, units: store.get("units") });
+      if (traces.length === 0) continue;
+      charts.push({ id, chart: new Chart(texts.time.charts[id], traces, window, violations_s, actions) });
+    }
+    list.append(...charts.map(({ chart }) => chart.element));
+    resize();
+    draw();
+  }
+
+  function resize(): void {
+    if (charts.length === 0 || list.clientWidth === 0) return;
+    const height = Math.max(Math.floor(list.clientHeight / charts.length), LEAST_HEIGHT_PX);
+    for (const { chart } of charts) chart.resize(list.clientWidth, height);
+  }
+
+  function draw(): void {
+    if (!robot) return;
+    const columns = Math.max(Math.round((list.clientWidth - LEFT_PX - RIGHT_PX) * devicePixelRatio), 50);
+    const curves = new Map<Group, ReturnType<typeof curvesOf>>();
+    for (const { id, chart } of charts) {
+      const group = groupOf[id];
+      if (!curves.has(group)) {
+        curves.set(group, curvesOf(robot.segments, leavesOf(group), window.start_s, window.end_s, columns));
+      }
+      chart.show(curves.get(group)!);
+    }
+    point();
+  }
+
+  function point(): void {
+    if (!robot || robot.segments.count === 0) return;
+    const now_s = store.get("time_s");
+    const t_s = hover_s ?? now_s;
+    const index = robot.segments.at(t_s);
+    for (const { id, chart } of charts) {
+      const { probe } = leavesOf(groupOf[id]);
+      const values = new Float64Array(probe.width);
+      const spot = probe.spot(index);
+      probe.put(spot, Math.min(t_s - spot.chunk.start_s[spot.i], spot.part.duration_s), values);
+      chart.point(now_s, values);
+    }
+  }
+
+  const chooser = createChooser(build);
+  list.append(empty);
+  window.on(() => later(draw));
+  store.on("time_s", point);
+  store.on("units", () => build(chooser.chosen));
+  onTheme(() => build(chooser.chosen));
+  new ResizeObserver(() => {
+    resize();
+    later(draw);
+  }).observe(list);
+
+  return {
+    chooser: chooser.element,
+    list,
+    begin(marks) {
+      robot = robotOf(store);
+      leaves = new Map();
+      hover_s = null;
+      violations_s = marks.filter(({ kind }) => kind === "violation" || kind === "zone").map(({ t_s }) => t_s);
+      chooser.begin(robot?.scene.axes ?? []);
+      build(chooser.chosen);
+    },
+  };
+}

@@ -1,0 +1,143 @@
+// What charts show of a segment, exactly, from its closed forms.
+
+import { Flag, breaksOf_s, isProportional, jointsAt, leadOf, pathAcceleration, pathSpeed } from "../../run/evaluate";
+import type { Part, Records } from "../../run/evaluate";
+import { lawLength, widenByLaw } from "../../run/law";
+import { moveKinds, type Chunk, type Segments } from "../../run/segments";
+
+/** What is evaluated together: of the path its speed, acceleration and feed asked for; or one value for each joint. */
+export type Group = "path" | "position" | "speed" | "acceleration";
+export const PATH = { speed: 0, acceleration: 1, feed: 2 } as const;
+
+const CURVED_SAMPLES = 8;
+// A law has two values of acceleration where its pieces meet: what is before, and what is behind.
+export const BEHIND_S = 1e-9;
+
+/** One segment, and where it is in its chunk. */
+export interface Spot {
+  chunk: Chunk;
+  i: number;
+  part: Part;
+}
+
+export class Probe {
+  private readonly law = new Float64Array(4);
+  private readonly point: Float64Array;
+  readonly width: number;
+
+  constructor(
+    private readonly segments: Segments,
+    readonly group: Group,
+  ) {
+    this.width = group === "path" ? 3 : segments.joints;
+    this.point = new Float64Array(this.width);
+  }
+
+  spot(index: number): Spot {
+    const [chunk, i] = this.segments.locate(index);
+    return { chunk, i, part: { at: chunk.record[i], flags: chunk.flags[i], duration_s: chunk.duration_s[i] } };
+  }
+
+  private records(chunk: Chunk): Records {
+    return { values: chunk.values, joints: this.segments.joints };
+  }
+
+  /** Values `t_s` after the segment's start, in mm or rad and s; NaN: no feed was asked for. */
+  put({ chunk, i, part }: Spot, t_s: number, out: Float64Array): void {
+    const records = this.records(chunk);
+    if (this.group === "path") {
+      const { carriers } = this.segments;
+      out[PATH.speed] = pathSpeed(records, part, t_s, chunk.length_mm[i], carriers);
+      out[PATH.acceleration] = pathAcceleration(records, part, t_s, chunk.length_mm[i], carriers);
+      out[PATH.feed] = feedOf(chunk, i);
+      return;
+    }
+    const state = jointsAt(records, part, t_s);
+    const { group } = this;
+    out.set(group === "position" ? state.position : group === "speed" ? state.velocity : state.acceleration);
+  }
+
+  /** Instants of a segment where something may jump or be at its highest, in order. */
+  breaks_s({ chunk, part }: Spot): number[] {
+    return breaksOf_s(this.records(chunk), part)
+      .filter((t_s) => t_s > 0 && t_s < part.duration_s)
+      .sort((a, b) => a - b);
+  }
+
+  /** Widens `low` and `high` to all that a segment comes to. */
+  widen(spot: Spot, low: Float32Array, high: Float32Array, at: number): void {
+    const { chunk, part } = spot;
+    if (this.group === "path" && !(part.flags & NOT_BY_LEAD)) return this.widenPath(spot, low, high, at);
+    if (this.group !== "path" && isProportional(this.records(chunk), part)) {
+      return this.widenProportional(spot, low, high, at);
+    }
+    this.widenWithin(spot, 0, part.duration_s, low, high, at);
+  }
+
+  /** The same, of a part of a segment, by samples; where laws change they are exact. */
+  widenWithin(spot: Spot, from_s: number, to_s: number, low: Float32Array, high: Float32Array, at: number): void {
+    const take = (t_s: number) => {
+      this.put(spot, t_s, this.point);
+      for (let j = 0; j < this.width; ++j) widen(low, high, at + j, this.point[j]);
+    };
+    for (const t_s of this.breaks_s(spot)) {
+      if (t_s <= from_s || t_s >= to_s) continue;
+      take(t_s);
+      take(t_s + BEHIND_S);
+    }
+    const samples = isProportional(this.records(spot.chunk), spot.part) ? 1 : CURVED_SAMPLES;
+    for (let i = 0; i <= samples; ++i) take(from_s + ((to_s - from_s) * i) / samples);
+  }
+
+  private readLaw(chunk: Chunk, part: Part): number {
+    const lead = leadOf(this.records(chunk), part.at);
+    this.law.set([Infinity, -Infinity, Infinity, -Infinity]);
+    widenByLaw(chunk.values, lead, this.law);
+    return lawLength(chunk.values, lead);
+  }
+
+  private widenPath({ chunk, i, part }: Spot, low: Float32Array, high: Float32Array, at: number): void {
+    const length = this.readLaw(chunk, part);
+    const scale = length > 0 ? chunk.length_mm[i] / length : 0;
+    this.widenBoth(low, high, at + PATH.speed, 0, scale);
+    this.widenBoth(low, high, at + PATH.acceleration, 2, scale);
+    widen(low, high, at + PATH.feed, feedOf(chunk, i));
+  }
+
+  private widenProportional({ chunk, part }: Spot, low: Float32Array, high: Float32Array, at: number): void {
+    const length = this.group === "position" ? 0 : this.readLaw(chunk, part);
+    for (let j = 0; j < this.width; ++j) {
+      const from = chunk.values[part.at + j];
+      const to = chunk.values[part.at + this.width + j];
+      if (this.group === "position") {
+        widen(low, high, at + j, from);
+        widen(low, high, at + j, to);
+      } else {
+        this.widenBoth(low, high, at + j, this.group === "speed" ? 0 : 2, length > 0 ? (to - from) / length : 0);
+      }
+    }
+  }
+
+  // A factor of 0 is a joint that stands, whatever the law.
+  private widenBoth(low: Float32Array, high: Float32Array, at: number, law: number, factor: number): void {
+    for (let side = law; side < law + 2; ++side) {
+      const value = this.law[side];
+      widen(low, high, at, factor === 0 || !Number.isFinite(value) ? 0 : value * factor);
+    }
+  }
+}
+
+/** With these the speed along the path is not that of the lead alone. */
+const NOT_BY_LEAD = Flag.beside | Flag.apart;
+const RAPID = moveKinds.indexOf("rapid");
+
+function feedOf(chunk: Chunk, i: number): number {
+  const feed = chunk.feed_per_min[i];
+  const rapid = ((chunk.flags[i] >>> 8) & 15) === RAPID;
+  return feed > 0 && !rapid && chunk.length_mm[i] > 0 ? feed / 60 : NaN;
+}
+
+function widen(low: Float32Array, high: Float32Array, at: number, value: number): void {
+  if (value < low[at]) low[at] = value;
+  if (value > high[at]) high[at] = value;
+}

@@ -1,0 +1,142 @@
+// What each chart draws: its curves, in which unit, and the limits that they are held against.
+
+import { axisColours, orange } from "../../core/colours";
+import type { Units } from "../../core/store";
+import { themeColour } from "../../core/theme";
+import { length, lengthUnit } from "../../core/units";
+import { RAD_PER_DEG } from "../../run/chain";
+import type { Axis, Scene } from "../../run/scene";
+import { texts } from "../../texts";
+import { PATH, type Group } from "./probe";
+
+const words = texts.time;
+
+export const chartIds = ["speed", "acceleration", "axis_position", "axis_speed", "axis_acceleration"] as const;
+export type ChartId = (typeof chartIds)[number];
+
+export const groupOf: Record<ChartId, Group> = {
+  speed: "path",
+  acceleration: "path",
+  axis_position: "position",
+  axis_speed: "speed",
+  axis_acceleration: "acceleration",
+};
+
+/** Values that share a unit share a scale. */
+export type ScaleId = "mm" | "deg" | "percent";
+
+export interface Limit {
+  value: number;
+  label: string;
+  colour: string;
+}
+
+export interface Trace {
+  name: string;
+  channel: number;
+  colour: string;
+  dashed: boolean;
+  scale: ScaleId;
+  unit: string;
+  /** Shown is `offset` and `factor` times what the segments have (mm or rad, s). */
+  factor: number;
+  offset: number;
+  /** Whether the scale always shows 0. */
+  fromZero: boolean;
+  limits: Limit[];
+}
+
+export interface Choice {
+  units: Units;
+  /** Axes by index. */
+  axes: ReadonlySet<number>;
+  /** Speeds and accelerations as a share of the axis's limit. */
+  percent: boolean;
+}
+
+/** The unit of a chart's values on a scale. */
+function unitOf(id: ChartId, scale: ScaleId, units: Units): string {
+  if (scale === "percent") return "%";
+  const way = scale === "deg" ? "°" : lengthUnit(units);
+  if (id === "axis_position") return way;
+  return id.endsWith("speed") ? `${way}/min` : `${way}/s²`;
+}
+
+export function tracesOf(id: ChartId, scene: Scene, choice: Choice): Trace[] {
+  if (id === "speed") return speedTraces(scene, choice.units);
+  if (id === "acceleration") return [accelerationTrace(scene, choice.units)];
+  return scene.axes
+    .map((axis, joint) => axisTrace(id, axis, joint, choice))
+    .filter((trace) => choice.axes.has(trace.channel));
+}
+
+function speedTraces(scene: Scene, units: Units): Trace[] {
+  const factor = length(60, units);
+  const unit = unitOf("speed", "mm", units);
+  const common = { scale: "mm", unit, factor, offset: 0, fromZero: true } as const;
+  const limits = [
+    { max: scene.max_feed_mm_s, label: words.maxFeed },
+    { max: scene.max_rapid_mm_s, label: words.maxRapid },
+  ].flatMap(({ max, label }) => (max === null ? [] : [{ value: max * factor, label, colour: orange }]));
+  return [
+    { ...common, name: words.tipSpeed, channel: PATH.speed, colour: themeColour("--accent"), dashed: false, limits },
+    { ...common, name: words.feedAsked, channel: PATH.feed, colour: orange, dashed: true, limits: [] },
+  ];
+}
+
+function accelerationTrace(scene: Scene, units: Units): Trace {
+  const max = scene.max_acceleration_mm_s2;
+  return {
+    name: words.pathAcceleration,
+    channel: PATH.acceleration,
+    colour: themeColour("--accent"),
+    dashed: false,
+    scale: "mm",
+    unit: unitOf("acceleration", "mm", units),
+    factor: length(1, units),
+    offset: 0,
+    fromZero: true,
+    limits: max === null ? [] : bothWays(length(max, units), words.limit, orange),
+  };
+}
+
+const bothWays = (value: number, label: string, colour: string): Limit[] => [
+  { value, label, colour },
+  { value: -value, label, colour },
+];
+
+function axisTrace(id: ChartId, axis: Axis, joint: number, { units, percent }: Choice): Trace {
+  const colour = axisColours[joint % axisColours.length];
+  const label = words.limitOf(axis.letter);
+  const max = id === "axis_speed" ? axis.max_speed : axis.max_acceleration;
+  const asPercent = id !== "axis_position" && percent && max !== null;
+  const scale: ScaleId = asPercent ? "percent" : axis.rotary ? "deg" : "mm";
+  const perSecond = id === "axis_speed" && !asPercent ? 60 : 1;
+  const shown = (value: number) => (axis.rotary ? value : length(value, units)) * perSecond;
+  const scaled = asPercent ? 100 / max : shown(1);
+  const common = {
+    name: axis.letter,
+    channel: joint,
+    colour,
+    dashed: false,
+    scale,
+    unit: unitOf(id, scale, units),
+    fromZero: id !== "axis_position",
+  };
+  const factor = scaled * (axis.rotary ? 1 / RAD_PER_DEG : 1);
+  if (id === "axis_position") {
+    const ends = [axis.min, axis.max].filter((end) => end !== null);
+    const limits = ends.map((end) => ({ value: shown(end), label, colour }));
+    return { ...common, factor, offset: shown(axis.zero), limits };
+  }
+  if (asPercent) return { ...common, factor, offset: 0, limits: bothWays(100, words.limit, orange) };
+  return { ...common, factor, offset: 0, limits: max === null ? [] : bothWays(shown(max), label, colour) };
+}
+
+/** "1,234", "0.0567": four digits or so. */
+export function short(value: number): string {
+  const size = Math.abs(value);
+  if (size >= 1000) return value.toFixed(0);
+  if (size >= 100) return value.toFixed(1);
+  return size >= 1 || size === 0 ? value.toFixed(2) : value.toPrecision(3);
+}

@@ -1,0 +1,140 @@
+// Draws the strip that the scrubber runs along: ticks, marks, kinds of motion, where the process is on.
+
+import { grey, kindColours, orange, purple, vermilion, yellow } from "../core/colours";
+import { themeColour } from "../core/theme";
+import { timeText } from "../core/units";
+import { markKinds, type Mark, type MarkKind } from "../run/marks";
+import { moveKinds, type Segments } from "../run/segments";
+import { isOnWithin } from "./process";
+import { firstAfter } from "./steps";
+import { ticks, type TimeWindow } from "./window";
+
+/** What the strip shows of one robot. */
+export interface Content {
+  segments: Segments;
+  marks: readonly Mark[];
+  process_s: Float64Array;
+}
+
+export const markColours: Record<MarkKind, string> = {
+  alarm: vermilion,
+  collision: vermilion,
+  violation: vermilion,
+  zone: purple,
+  finding: yellow,
+  near: orange,
+  event: grey,
+};
+
+// Rows, px from the top.
+export const STRIP_HEIGHT = 50;
+const TICKS = { top: 0, height: 14 };
+const MARKS = { top: 15, height: 12 };
+const KINDS = { top: 29, height: 11 };
+const PROCESS = { top: 41, height: 6 };
+
+/** Column of pixels of an instant. */
+export const pixelOf = (window: TimeWindow, width: number, t_s: number): number =>
+  window.span_s > 0 ? ((t_s - window.start_s) / window.span_s) * width : 0;
+
+export function drawStrip(canvas: HTMLCanvasElement, window: TimeWindow, content: Content | null): void {
+  const width = canvas.clientWidth;
+  const ratio = devicePixelRatio;
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(STRIP_HEIGHT * ratio);
+  const ctx = canvas.getContext("2d")!;
+  ctx.scale(ratio, ratio);
+  ctx.fillStyle = themeColour("--bg");
+  ctx.fillRect(0, KINDS.top, width, KINDS.height);
+  if (!content || content.segments.count === 0) return;
+  drawTicks(ctx, window, width);
+  drawKinds(ctx, window, width, content.segments);
+  drawProcess(ctx, window, width, content.process_s);
+  drawMarks(ctx, window, width, content.marks);
+}
+
+function drawTicks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number): void {
+  const { at_s, digits } = ticks(window.start_s, window.end_s, width / 90);
+  ctx.font = "11px system-ui, sans-serif";
+  ctx.textBaseline = "top";
+  for (const t_s of at_s) {
+    const x = pixelOf(window, width, t_s);
+    ctx.fillStyle = themeColour("--line");
+    ctx.fillRect(x, TICKS.top, 1, MARKS.top + MARKS.height);
+    ctx.fillStyle = themeColour("--dim");
+    ctx.fillText(timeText(t_s, digits), x + 3, TICKS.top + 1);
+  }
+}
+
+/** Neighbouring columns of one kind are one rectangle. */
+function drawKinds(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number, segments: Segments): void {
+  let from = 0;
+  let kind = -1;
+  for (let x = 0; x <= width; ++x) {
+    const t_s = window.start_s + ((x + 0.5) / width) * window.span_s;
+    const [chunk, i] = segments.locate(segments.at(t_s));
+    const here = x === width || t_s > chunk.start_s[i] + chunk.duration_s[i] ? -1 : (chunk.flags[i] >>> 8) & 15;
+    if (here === kind) continue;
+    if (kind >= 0) {
+      ctx.fillStyle = kindColours[moveKinds[kind]];
+      ctx.fillRect(from, KINDS.top, x - from, KINDS.height);
+    }
+    [from, kind] = [x, here];
+  }
+}
+
+function drawProcess(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number, edges_s: Float64Array): void {
+  ctx.fillStyle = themeColour("--dim");
+  const step_s = window.span_s / width;
+  for (let x = 0; x < width; ++x) {
+    const t_s = window.start_s + x * step_s;
+    if (isOnWithin(edges_s, t_s, t_s + step_s)) ctx.fillRect(x, PROCESS.top, 1, PROCESS.height);
+  }
+}
+
+/** In a column of pixels the gravest alone. */
+function drawMarks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number, marks: readonly Mark[]): void {
+  const gravest = new Map<number, MarkKind>();
+  const rank = (kind: MarkKind) => markKinds.indexOf(kind);
+  for (let i = firstAfter(marks, window.start_s - 1e-9); i < marks.length && marks[i].t_s <= window.end_s; ++i) {
+    const x = Math.round(pixelOf(window, width, marks[i].t_s));
+    const known = gravest.get(x);
+    if (known === undefined || rank(marks[i].kind) < rank(known)) gravest.set(x, marks[i].kind);
+  }
+  const lightFirst = [...gravest].sort((a, b) => rank(b[1]) - rank(a[1]));
+  for (const [x, kind] of lightFirst) drawMark(ctx, x, kind);
+}
+
+/** Shapes tell kinds apart beside colours: bar, triangle, cross, diamond, circle. */
+function drawMark(ctx: CanvasRenderingContext2D, x: number, kind: MarkKind): void {
+  const [top, bottom] = [MARKS.top, MARKS.top + MARKS.height];
+  const middle = (top + bottom) / 2;
+  ctx.fillStyle = ctx.strokeStyle = markColours[kind];
+  ctx.lineWidth = 2;
+  ctx.beginPath();
+  if (kind === "event") ctx.rect(x - 1, top + 2, 2, bottom - top);
+  else if (kind === "collision") lines(ctx, [x - 4, top + 2, x + 4, bottom - 2], [x - 4, bottom - 2, x + 4, top + 2]);
+  else if (kind === "near") ctx.arc(x, middle, 4, 0, 7);
+  else if (kind === "finding") polygon(ctx, [x, top + 1, x + 5, middle, x, bottom - 1, x - 5, middle]);
+  else if (kind === "zone") ctx.rect(x - 4, top + 2, 8, 8);
+  else polygon(ctx, [x - 5, top + 1, x + 5, top + 1, x, bottom]);
+  if (kind === "collision" || kind === "near") return ctx.stroke();
+  ctx.fill();
+  if (kind === "finding") {
+    ctx.strokeStyle = themeColour("--dim");
+    ctx.lineWidth = 1;
+    ctx.stroke();
+  }
+}
+
+function polygon(ctx: CanvasRenderingContext2D, points: number[]): void {
+  for (let i = 0; i < points.length; i += 2) ctx.lineTo(points[i], points[i + 1]);
+  ctx.closePath();
+}
+
+function lines(ctx: CanvasRenderingContext2D, ...all: [number, number, number, number][]): void {
+  for (const [x1, y1, x2, y2] of all) {
+    ctx.moveTo(x1, y1);
+    ctx.lineTo(x2, y2);
+  }
+}

@@ -1,0 +1,85 @@
+// The strip at the bottom: playing, stepping, the scrubber, charts over time.
+
+import "uplot/dist/uPlot.min.css";
+import "./time.css";
+import { element } from "../core/dom";
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import { marksOf, type Mark } from "../run/marks";
+import { texts } from "../texts";
+import { createCharts } from "./charts";
+import { createClock } from "./clock";
+import { createKeyboard } from "./keyboard";
+import { markText } from "./mark_text";
+import { createPlayer } from "./player";
+import { processOn_s } from "./process";
+import { createScrubber } from "./scrubber";
+import { goToEnd, goToStart, robotOf, stepBlock, stepMark } from "./steps";
+import { createTransport, type Actions } from "./transport";
+import { TimeWindow } from "./window";
+
+const words = texts.time;
+
+export function createTime(host: HTMLElement, store: Store, _session: Session): void {
+  const window = new TimeWindow();
+  let marks: Mark[] = [];
+  const told = element("div", { class: "told", role: "status", "aria-live": "polite" });
+  const actions: Actions = {
+    play: () => store.set("playing", !store.get("playing") && store.get("run") !== null),
+    start: () => goToStart(store),
+    end: () => goToEnd(store),
+    block: (by) => stepBlock(store, by),
+    mark: (by) => {
+      const mark = stepMark(store, marks, by);
+      told.textContent = mark ? markText(mark, store.get("units")) : words.noMark;
+    },
+  };
+  const scrubber = createScrubber(store, window);
+  const charts = createCharts(store, window);
+  createPlayer(store);
+  createKeyboard({
+    " ": actions.play,
+    ",": () => actions.block(-1),
+    ".": () => actions.block(1),
+    "[": () => actions.mark(-1),
+    "]": () => actions.mark(1),
+    Home: actions.start,
+    End: actions.end,
+  });
+  const bar = element("div", { class: "bar" }, createTransport(store, actions), createClock(store), told);
+  const left = element("div", { class: "left" }, createZoom(store, window), charts.chooser);
+  host.append(bar, left, scrubber.element, charts.list);
+
+  // What a mark was called does not hold of another instant.
+  store.on("time_s", () => {
+    if (told.textContent) told.textContent = "";
+    if (!window.isWhole) window.show(store.get("time_s"));
+  });
+  store.watch(["run", "robot"], () => {
+    const run = store.get("run");
+    const robot = robotOf(store);
+    marks = run && robot ? marksOf(run, store.get("robot")) : [];
+    window.begin(run?.end_s ?? 0);
+    const content = robot && { segments: robot.segments, marks, process_s: processOn_s(robot.segments) };
+    scrubber.begin(content ?? null);
+    charts.begin(marks);
+    host.classList.toggle("empty", !content);
+  });
+}
+
+function createZoom(store: Store, window: TimeWindow): HTMLElement {
+  const button = (label: string, title: string, click: () => void) =>
+    element("button", { class: "icon", title, "aria-label": title, onclick: click }, label);
+  const zoom = (factor: number) => {
+    const t_s = store.get("time_s");
+    const inside = t_s >= window.start_s && t_s <= window.end_s;
+    window.zoom(inside ? t_s : (window.start_s + window.end_s) / 2, factor);
+  };
+  return element(
+    "div",
+    { class: "zoom", role: "group", "aria-label": words.zoom },
+    button("−", words.zoomOut, () => zoom(2)),
+    button("+", words.zoomIn, () => zoom(0.5)),
+    button("↔", words.zoomWhole, () => window.reset()),
+  );
+}

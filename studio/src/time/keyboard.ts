@@ -1,0 +1,21 @@
+// Keys that work wherever no text is being written.
+
+export type Keys = Record<string, () => void>;
+
+const writes = "input, textarea, select, [contenteditable], .cm-editor";
+// These take Space for themselves.
+const presses = "button, summary, a[href], [role=tab], [role=option], [role=menuitem]";
+
+/** Listens on the page; `keys` by KeyboardEvent.key. */
+export function createKeyboard(keys: Keys): void {
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    const target = event.target as Element;
+    if (target.closest?.(writes)) return;
+    if (event.key === " " && target.closest?.(presses)) return;
+    const act = keys[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+}

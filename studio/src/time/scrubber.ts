@@ -1,0 +1,174 @@
+// The scrubber: a slider over the stretch of time that is shown, with marks and bands; below it what part of the
+// run that is.
+
+import { goTo } from "../core/go";
+import { element } from "../core/dom";
+import { onTheme } from "../core/theme";
+import type { Store } from "../core/store";
+import { timeText } from "../core/units";
+import type { Mark } from "../run/marks";
+import { texts } from "../texts";
+import { drawStrip, pixelOf, type Content } from "./draw";
+import { markText } from "./mark_text";
+import type { TimeWindow } from "./window";
+
+const words = texts.time;
+const NEAR_PX = 6;
+const FINE = 0.1;
+const TOLD_MARKS = 4;
+const WHEEL_STEP = 1 / 1000;
+
+export interface Scrubber {
+  element: HTMLElement;
+  begin(content: Content | null): void;
+}
+
+export function createScrubber(store: Store, window: TimeWindow): Scrubber {
+  const canvas = element("canvas", { "aria-hidden": "true" });
+  const now = element("div", { class: "now" });
+  const tip = element("div", { class: "tip", role: "tooltip" });
+  tip.hidden = true;
+  const track = element("div", { class: "track", role: "slider", tabindex: 0, "aria-label": words.scrubber }, canvas, now);
+  const thumb = element("div", { class: "thumb" });
+  const overview = element("div", { class: "overview", title: words.overview }, thumb);
+  const root = element("div", { class: "scrubber" }, track, overview, tip);
+  let content: Content | null = null;
+  let frame = 0;
+
+  const timeOf = (x: number) => window.start_s + (x / Math.max(track.clientWidth, 1)) * window.span_s;
+  const xOf = (event: MouseEvent) => event.clientX - track.getBoundingClientRect().left;
+  const put = (t_s: number) => store.set("time_s", Math.min(Math.max(t_s, 0), window.whole_s));
+
+  function draw(): void {
+    drawStrip(canvas, window, content);
+    const whole_s = Math.max(window.whole_s, 1e-12);
+    thumb.style.left = `${(100 * window.start_s) / whole_s}%`;
+    thumb.style.width = `${(100 * window.span_s) / whole_s}%`;
+    overview.classList.toggle("whole", window.isWhole);
+    point();
+  }
+
+  const later = () => {
+    cancelAnimationFrame(frame);
+    frame = requestAnimationFrame(draw);
+  };
+
+  function point(): void {
+    const t_s = store.get("time_s");
+    now.style.transform = `translateX(${pixelOf(window, track.clientWidth, t_s)}px)`;
+    now.hidden = t_s < window.start_s || t_s > window.end_s;
+    track.setAttribute("aria-valuemin", "0");
+    track.setAttribute("aria-valuemax", String(window.whole_s));
+    track.setAttribute("aria-valuenow", String(t_s));
+    track.setAttribute("aria-valuetext", timeText(t_s));
+  }
+
+  function near(x: number): Mark[] {
+    if (!content) return [];
+    const distance = (mark: Mark) => Math.abs(pixelOf(window, track.clientWidth, mark.t_s) - x);
+    return content.marks.filter((mark) => distance(mark) <= NEAR_PX).sort((a, b) => distance(a) - distance(b));
+  }
+
+  function tell(x: number): void {
+    const marks = near(x);
+    const told = marks.slice(0, TOLD_MARKS).map((mark) => `${timeText(mark.t_s)}  ${markText(mark, store.get("units"))}`);
+    if (marks.length > TOLD_MARKS) told.push(words.more(marks.length - TOLD_MARKS));
+    tip.textContent = [...told, ...(told.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");
+    tip.hidden = !content;
+    const left = Math.min(Math.max(track.offsetLeft + x - tip.offsetWidth / 2, 0), root.clientWidth - tip.offsetWidth);
+    tip.style.left = `${left}px`;
+  }
+
+  dragOn(track, {
+    begin: (event) => {
+      store.set("playing", false);
+      const [mark] = near(xOf(event));
+      if (mark) goTo(store, mark, mark.t_s);
+      else if (!event.shiftKey) put(timeOf(xOf(event)));
+    },
+    move: (event, by_px) => {
+      if (event.shiftKey) put(store.get("time_s") + ((FINE * by_px) / track.clientWidth) * window.span_s);
+      else put(timeOf(xOf(event)));
+      tell(xOf(event));
+    },
+  });
+  dragOn(overview, {
+    begin: (event) => {
+      const rect = overview.getBoundingClientRect();
+      const t_s = ((event.clientX - rect.left) / rect.width) * window.whole_s;
+      if (t_s < window.start_s || t_s > window.end_s) window.pan(t_s - window.start_s - window.span_s / 2);
+    },
+    move: (_, by_px) => window.pan((by_px / overview.clientWidth) * window.whole_s),
+  });
+  track.addEventListener("pointermove", (event) => tell(xOf(event)));
+  track.addEventListener("pointerleave", () => (tip.hidden = true));
+  track.addEventListener("dblclick", () => window.reset());
+  track.addEventListener("wheel", (event) => onWheel(event, timeOf(xOf(event))), { passive: false });
+  track.addEventListener("keydown", onKey);
+
+  function onWheel(event: WheelEvent, t_s: number): void {
+    event.preventDefault();
+    if (event.ctrlKey) window.zoom(t_s, Math.exp(event.deltaY / 400));
+    else if (event.shiftKey) window.pan((window.span_s * (event.deltaX + event.deltaY)) / 1000);
+    else put(store.get("time_s") + Math.sign(event.deltaY || event.deltaX) * WHEEL_STEP * window.span_s);
+  }
+
+  function onKey(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const t_s = store.get("time_s");
+    const step_s = window.span_s / (event.shiftKey ? 1000 : 100);
+    const acts: Record<string, () => void> = {
+      ArrowLeft: () => put(t_s - step_s),
+      ArrowDown: () => put(t_s - step_s),
+      ArrowRight: () => put(t_s + step_s),
+      ArrowUp: () => put(t_s + step_s),
+      PageDown: () => put(t_s - 10 * step_s),
+      PageUp: () => put(t_s + 10 * step_s),
+      "+": () => window.zoom(t_s, 0.5),
+      "=": () => window.zoom(t_s, 0.5),
+      "-": () => window.zoom(t_s, 2),
+      "0": () => window.reset(),
+    };
+    if (!acts[event.key]) return;
+    event.preventDefault();
+    acts[event.key]();
+    window.show(store.get("time_s"));
+  }
+
+  window.on(later);
+  store.on("time_s", point);
+  onTheme(later);
+  new ResizeObserver(later).observe(track);
+  return {
+    element: root,
+    begin(next) {
+      content = next;
+      track.setAttribute("aria-disabled", String(!next));
+      draw();
+    },
+  };
+}
+
+interface Drag {
+  begin(event: PointerEvent): void;
+  move(event: PointerEvent, by_px: number): void;
+}
+
+/** Follows a pointer from press to release, wherever it goes. */
+function dragOn(element: HTMLElement, drag: Drag): void {
+  let last_px: number | null = null;
+  element.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    element.setPointerCapture(event.pointerId);
+    last_px = event.clientX;
+    drag.begin(event);
+  });
+  element.addEventListener("pointermove", (event) => {
+    if (last_px === null || event.clientX === last_px) return;
+    drag.move(event, event.clientX - last_px);
+    last_px = event.clientX;
+  });
+  const end = () => (last_px = null);
+  element.addEventListener("pointerup", end);
+  element.addEventListener("pointercancel", end);
+}

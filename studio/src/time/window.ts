@@ -1,0 +1,75 @@
+// The stretch of time that scrubber and charts show.
+
+const LEAST_S = 1e-4;
+
+export class TimeWindow {
+  start_s = 0;
+  end_s = 0;
+  whole_s = 0;
+  private readonly listeners = new Set<() => void>();
+
+  get span_s(): number {
+    return this.end_s - this.start_s;
+  }
+
+  get isWhole(): boolean {
+    return this.span_s >= this.whole_s;
+  }
+
+  on(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  /** Of another run, which takes `whole_s`; all of it is shown. */
+  begin(whole_s: number): void {
+    this.whole_s = whole_s;
+    this.put(0, whole_s);
+  }
+
+  reset(): void {
+    this.set(0, this.whole_s);
+  }
+
+  /** Shows as much as can be of it, with the span kept. */
+  set(start_s: number, end_s: number): void {
+    const span_s = Math.min(Math.max(end_s - start_s, Math.min(LEAST_S, this.whole_s)), this.whole_s);
+    const from_s = Math.min(Math.max(start_s, 0), this.whole_s - span_s);
+    if (from_s !== this.start_s || from_s + span_s !== this.end_s) this.put(from_s, from_s + span_s);
+  }
+
+  /** A factor below 1 shows less; what is at `about_s` stays where it is. */
+  zoom(about_s: number, factor: number): void {
+    const start_s = about_s - (about_s - this.start_s) * factor;
+    this.set(start_s, start_s + this.span_s * factor);
+  }
+
+  pan(by_s: number): void {
+    this.set(this.start_s + by_s, this.end_s + by_s);
+  }
+
+  /** Brings an instant into view, a tenth from the edge that it is beyond. */
+  show(t_s: number): void {
+    const margin_s = this.span_s / 10;
+    if (t_s < this.start_s) this.pan(t_s - this.end_s + margin_s);
+    else if (t_s > this.end_s) this.pan(t_s - this.start_s - margin_s);
+  }
+
+  private put(start_s: number, end_s: number): void {
+    this.start_s = start_s;
+    this.end_s = end_s;
+    for (const listener of this.listeners) listener();
+  }
+}
+
+/** "Round" instants in a stretch of time, about `count` of them. */
+export function ticks(start_s: number, end_s: number, count: number): { at_s: number[]; digits: number } {
+  const rough_s = (end_s - start_s) / Math.max(count, 1);
+  if (!(rough_s > 0)) return { at_s: [], digits: 0 };
+  const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 18000, 36000, 86400];
+  const power = 10 ** Math.floor(Math.log10(rough_s));
+  const below = [1, 2, 5, 10].map((step) => step * power).find((step) => step >= rough_s)!;
+  const step_s = rough_s < 1 ? below : (steps.find((step) => step >= rough_s) ?? below);
+  const at_s: number[] = [];
+  for (let i = Math.ceil(start_s / step_s); i * step_s <= end_s; ++i) at_s.push(i * step_s);
+  return { at_s, digits: Math.max(0, Math.ceil(-Math.log10(step_s) - 1e-9)) };
+}

@@ -1,0 +1,55 @@
+// Which bodies have met by an instant, and which come near to each other in the line under way.
+
+import { Vector3 } from "three";
+import type { Clearance, Collision, Report } from "../run/report";
+import type { Run } from "../run/run";
+import type { Role } from "./machine/looks";
+import type { Label } from "./marks/labels";
+
+const MOST_MARKS = 8;
+
+const reportsOf = (report: Report | null): Report[] => (report ? [report, ...(report.robots ?? [])] : []);
+const keyOf = (file: string | null, line: number | null): string => `${file}\n${line}`;
+
+export class Alarms {
+  private readonly collisions: Collision[];
+  private readonly near = new Map<string, Clearance[]>();
+  private met = new Set<string>();
+  private metCount = 0;
+
+  constructor(run: Run | null) {
+    const reports = reportsOf(run?.report ?? null);
+    this.collisions = reports.flatMap((report) => report.collisions ?? []).sort((a, b) => a.t_s - b.t_s);
+    for (const clearance of reports.flatMap((report) => report.clearances ?? [])) {
+      const key = keyOf(clearance.file, clearance.line);
+      this.near.set(key, [...(this.near.get(key) ?? []), clearance]);
+    }
+  }
+
+  /** How a body is lit at a time, while lines are under way; null: none is. */
+  at(t_s: number, lines: { file: string; line: number }[]): ((name: string) => Role | undefined) | null {
+    this.goTo(t_s);
+    const near = new Set(this.nearBy(lines).flatMap(({ pair }) => pair));
+    if (this.met.size === 0 && near.size === 0) return null;
+    return (name) => (this.met.has(name) ? "hit" : near.has(name) ? "near" : undefined);
+  }
+
+  private nearBy(lines: { file: string; line: number }[]): Clearance[] {
+    return lines.flatMap(({ file, line }) => this.near.get(keyOf(file, line)) ?? []);
+  }
+
+  private goTo(t_s: number): void {
+    const after = this.collisions.findIndex((collision) => collision.t_s > t_s);
+    const count = after < 0 ? this.collisions.length : after;
+    if (count === this.metCount) return;
+    this.metCount = count;
+    this.met = new Set(this.collisions.slice(0, count).flatMap(({ pair }) => pair));
+  }
+
+  /** Where bodies have met last, and where they come near. */
+  labels(lines: { file: string; line: number }[]): Label[] {
+    const met = this.collisions.slice(Math.max(0, this.metCount - MOST_MARKS), this.metCount);
+    const mark = (kind: string) => (place: Collision | Clearance) => ({ at: new Vector3(...place.point_mm), text: "", kind });
+    return [...this.nearBy(lines).map(mark("near")), ...met.map(mark("hit"))];
+  }
+}

@@ -1,0 +1,90 @@
+// Mouse, pen and fingers: one turns, two or the right button shift, the wheel or a pinch zooms.
+
+export interface Gestures {
+  orbit(dx_px: number, dy_px: number): void;
+  pan(dx_px: number, dy_px: number): void;
+  /** About a place, px from the middle. */
+  zoom(factor: number, x_px: number, y_px: number): void;
+  /** Pressed and let go at one place, px from the left and from above. */
+  click(x_px: number, y_px: number): void;
+  hover(x_px: number, y_px: number): void;
+  leave(): void;
+}
+
+const STILL_PX = 4;
+
+interface Finger {
+  x: number;
+  y: number;
+}
+
+export function listenToGestures(element: HTMLElement, on: Gestures): void {
+  const fingers = new Map<number, Finger>();
+  let moved_px = 0;
+  let shifts = false;
+
+  const place = (event: MouseEvent) => {
+    const { left, top, width, height } = element.getBoundingClientRect();
+    const [x, y] = [event.clientX - left, event.clientY - top];
+    return { x, y, fromMiddle: [x - width / 2, y - height / 2] as const };
+  };
+  const middle = () => {
+    const all = [...fingers.values()];
+    return { x: (all[0].x + all[1].x) / 2, y: (all[0].y + all[1].y) / 2 };
+  };
+  const spread = () => {
+    const all = [...fingers.values()];
+    return Math.hypot(all[0].x - all[1].x, all[0].y - all[1].y);
+  };
+
+  element.addEventListener("pointerdown", (event) => {
+    element.setPointerCapture(event.pointerId);
+    const { x, y } = place(event);
+    if (fingers.size === 0) {
+      moved_px = 0;
+      shifts = event.button !== 0 || event.shiftKey || event.ctrlKey;
+    } else moved_px = Infinity;
+    fingers.set(event.pointerId, { x, y });
+  });
+
+  element.addEventListener("pointermove", (event) => {
+    const { x, y } = place(event);
+    const finger = fingers.get(event.pointerId);
+    if (!finger) return on.hover(x, y);
+    const [dx, dy] = [x - finger.x, y - finger.y];
+    moved_px += Math.abs(dx) + Math.abs(dy);
+    if (fingers.size === 2) {
+      const [before, wide] = [middle(), spread()];
+      Object.assign(finger, { x, y });
+      const after = middle();
+      on.pan(after.x - before.x, after.y - before.y);
+      const { width, height } = element.getBoundingClientRect();
+      if (spread() > 0) on.zoom(wide / spread(), after.x - width / 2, after.y - height / 2);
+      return;
+    }
+    if (moved_px < STILL_PX) return;
+    Object.assign(finger, { x, y });
+    if (shifts) on.pan(dx, dy);
+    else on.orbit(dx, dy);
+  });
+
+  const end = (event: PointerEvent) => {
+    if (!fingers.delete(event.pointerId)) return;
+    const { x, y } = place(event);
+    if (event.type === "pointerup" && moved_px < STILL_PX && event.button === 0) on.click(x, y);
+  };
+  element.addEventListener("pointerup", end);
+  element.addEventListener("pointercancel", end);
+  element.addEventListener("pointerleave", () => on.leave());
+  element.addEventListener("contextmenu", (event) => event.preventDefault());
+  element.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
+      const [x, y] = place(event).fromMiddle;
+      on.zoom(Math.exp(Math.min(Math.max(event.deltaY * lines, -300), 300) * 0.0012), x, y);
+    },
+    { passive: false },
+  );
+}

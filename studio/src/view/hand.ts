@@ -1,0 +1,110 @@
+// What the pointer does on the picture: turns the eye, chooses blocks, measures.
+
+import type { Store } from "../core/store";
+import { texts } from "../texts";
+import type { Gestures } from "./gestures";
+import { placeAt, timeOf } from "./picking";
+import { Tooltip } from "./tooltip";
+import type { View } from "./view";
+
+const REACH_PX = 4;
+const HOVER_MS = 40;
+
+export class Hand implements Gestures {
+  readonly tooltip = new Tooltip();
+  private waiting = 0;
+  private measured = 0;
+
+  constructor(
+    private readonly view: View,
+    private readonly store: Store,
+    private readonly hint: HTMLElement,
+  ) {
+    store.watch(["measuring", "run"], () => this.begin());
+  }
+
+  orbit(dx_px: number, dy_px: number): void {
+    this.view.rig.orbit(dx_px, dy_px);
+    this.moved();
+  }
+
+  pan(dx_px: number, dy_px: number): void {
+    this.view.rig.pan(dx_px, dy_px);
+    this.moved();
+  }
+
+  zoom(factor: number, x_px: number, y_px: number): void {
+    this.view.rig.zoom(factor, x_px, y_px);
+    this.moved();
+  }
+
+  private moved(): void {
+    this.leave();
+    this.view.turned();
+  }
+
+  leave(): void {
+    clearTimeout(this.waiting);
+    this.tooltip.hide();
+  }
+
+  hover(x_px: number, y_px: number): void {
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => {
+      const hit = this.view.hit(x_px, y_px, REACH_PX);
+      if (!hit) return this.tooltip.hide();
+      const { robot } = this.view.stage.machines[hit.robot];
+      const segment = this.view.stage.paths[hit.robot].segmentOf(hit.vertex);
+      this.tooltip.show(robot, segment, this.store.get("units"), x_px, y_px);
+    }, HOVER_MS);
+  }
+
+  click(x_px: number, y_px: number): void {
+    if (this.store.get("measuring")) this.measure(x_px, y_px);
+    else this.choose(x_px, y_px);
+  }
+
+  private choose(x_px: number, y_px: number): void {
+    const hit = this.view.hit(x_px, y_px, REACH_PX);
+    if (!hit) return this.store.set("selection", null);
+    const { stage } = this.view;
+    const machine = stage.machines[hit.robot];
+    const { robot } = machine;
+    const path = stage.paths[hit.robot];
+    const segment = path.segmentOf(hit.vertex);
+    const { file, line } = robot.segments.info(segment);
+    const t_s = timeOf(path, hit, machine);
+    this.store.set("playing", false);
+    this.store.set("robot", hit.robot);
+    this.store.set("time_s", t_s);
+    this.store.set("selection", { file: robot.files[file] ?? "", line, block: robot.blocks.of(segment) });
+  }
+
+  private measure(x_px: number, y_px: number): void {
+    const { view } = this;
+    const frame = view.shown;
+    if (!frame) return;
+    const hit = view.hit(x_px, y_px, REACH_PX);
+    const works = frame.instants.map(({ places }) => places.work);
+    const place = placeAt(x_px, y_px, view.canvas, hit, view.stage, view.rig, works, frame.work);
+    if (!place) return;
+    view.stage.measure.pick(place);
+    this.measured = (this.measured % 2) + 1;
+    this.say();
+    view.invalidate();
+  }
+
+  private begin(): void {
+    this.measured = 0;
+    this.view.stage.measure.clear();
+    this.say();
+    this.view.invalidate();
+  }
+
+  private say(): void {
+    if (this.store.get("measuring")) {
+      const done = this.view.stage.measure.text(this.store.get("units"), texts.view.distance);
+      this.hint.textContent = this.measured === 1 ? texts.view.measureSecond : done || texts.view.measureFirst;
+    } else this.hint.textContent = this.store.get("run") ? "" : texts.view.empty;
+  }
+}

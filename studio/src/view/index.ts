@@ -1,0 +1,82 @@
+// The view of a run: machine, path, and what one does with them.
+
+import "./view.css";
+import { make } from "../core/element";
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import { texts } from "../texts";
+import type { Stand } from "./camera";
+import { Canvas } from "./canvas";
+import { listenToGestures } from "./gestures";
+import { createLayers } from "./layers";
+import { Hand } from "./hand";
+import { createToolbar, keysOf, listenToKeys, type Actions } from "./toolbar";
+import { View } from "./view";
+
+/** For tests, and for the curious. */
+export interface ViewHandle {
+  fit(all?: boolean): void;
+  stand(name: Stand): void;
+  orbit(dx_px: number, dy_px: number): void;
+  /** How long a frame takes until it is drawn, ms. */
+  frame_ms(kind: "rest" | "orbit" | "empty"): number;
+  /** Whether the whole way is in the kept picture. */
+  complete(): boolean;
+}
+
+/** null: there is no WebGL 2, and a sentence says so. */
+export function createView(host: HTMLElement, store: Store, session: Session): ViewHandle | null {
+  const surface = make("div", { class: "surface", tabindex: 0, role: "application", "aria-label": texts.view.label });
+  const hint = make("div", { class: "hint", role: "status" });
+  host.append(surface);
+  let view: View | null = null;
+  const canvas = Canvas.make(surface, {
+    resized: () => view?.resized(),
+    lost: () => (hint.textContent = texts.view.lost),
+    restored: () => {
+      hint.textContent = "";
+      view?.restored();
+    },
+  });
+  if (!canvas) {
+    surface.replaceWith(make("p", { class: "none", role: "alert" }, texts.view.noWebgl));
+    return null;
+  }
+  view = new View(canvas, store, session, (text) => (hint.textContent = text));
+  const hand = new Hand(view, store, hint);
+  const act = actionsOf(view, store);
+  surface.append(canvas.element, view.labels.element, hand.tooltip.element);
+  host.append(createToolbar(store, act, createLayers(store, view.own, () => view.invalidate())));
+  host.append(view.legend.element, view.triad.element, hint);
+  listenToGestures(surface, hand);
+  listenToKeys(surface, keysOf(store, act));
+  view.resized();
+  return {
+    fit: (all = false) => view.fit(all),
+    stand: (name) => view.stand(name),
+    orbit: act.orbit,
+    frame_ms: (kind) => view.frame_ms(kind),
+    complete: () => view.layer.complete,
+  };
+}
+
+function actionsOf(view: View, store: Store): Actions {
+  const { rig } = view;
+  const moved = <A extends unknown[]>(move: (...by: A) => void) => {
+    return (...by: A) => {
+      move(...by);
+      view.turned();
+    };
+  };
+  return {
+    fit: (all) => view.fit(all),
+    stand: (name) => view.stand(name),
+    orbit: moved((dx, dy) => rig.orbit(dx, dy)),
+    pan: moved((dx, dy) => rig.pan(dx, dy)),
+    zoom: moved((factor) => rig.zoom(factor)),
+    escape: () => {
+      if (store.get("measuring")) store.set("measuring", false);
+      else store.set("selection", null);
+    },
+  };
+}

@@ -1,0 +1,53 @@
+// What is shown: a list of switches behind a button.
+
+import { make } from "../core/element";
+import type { State, Store } from "../core/store";
+import { texts } from "../texts";
+import { icon } from "./icons";
+
+type Shown = "showRapids" | "showDirections" | "showZones" | "showEnvelope" | "compare";
+/** Of this view alone. */
+export interface OwnLayers {
+  machine: boolean;
+  grid: boolean;
+  extents: boolean;
+}
+
+const words = texts.view;
+
+function check(label: string, change: (on: boolean) => void): { row: HTMLElement; box: HTMLInputElement } {
+  const box = make("input", { type: "checkbox" });
+  box.addEventListener("change", () => change(box.checked));
+  return { row: make("label", {}, box, label), box };
+}
+
+export function createLayers(store: Store, own: OwnLayers, changed: () => void): HTMLElement {
+  const list = make("div", { class: "list", role: "group", "aria-label": words.show });
+  for (const name of Object.keys(own) as (keyof OwnLayers)[]) {
+    const { row, box } = check(words.layers[name], (on) => {
+      own[name] = on;
+      changed();
+    });
+    box.checked = own[name];
+    list.append(row);
+  }
+  for (const key of ["showRapids", "showDirections", "showZones", "showEnvelope", "compare"] as Shown[]) {
+    const { row, box } = check(words.layers[key], (on) => store.set(key, on as State[Shown]));
+    store.watch([key], () => (box.checked = store.get(key)));
+    if (key === "compare") store.watch(["previous"], () => (box.disabled = store.get("previous") === null));
+    list.append(row);
+  }
+  const summary = make("summary", { title: words.show, "aria-label": words.show });
+  summary.append(icon("layers"));
+  const details = make("details", { class: "layers" }, summary, list);
+  details.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !details.open) return;
+    details.open = false;
+    summary.focus();
+    event.stopPropagation();
+  });
+  document.addEventListener("pointerdown", (event) => {
+    if (!details.contains(event.target as Node)) details.open = false;
+  });
+  return details;
+}

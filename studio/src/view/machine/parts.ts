@@ -1,0 +1,70 @@
+// Parts of a machine that is drawn from its joints: each is put down where it stands with all joints at 0, and goes
+// with a link from there.
+
+import { BoxGeometry, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, Quaternion, Vector3, type BufferGeometry } from "three";
+import type { Places } from "../../run/chain";
+import type { Looks, Role } from "./looks";
+import { cylinder } from "./shapes";
+
+interface Part {
+  link: number;
+  mesh: Mesh;
+  inLink: Matrix4;
+}
+
+const UP = new Vector3(0, 0, 1);
+
+export class Parts {
+  readonly group = new Group();
+  private readonly parts: Part[] = [];
+
+  constructor(
+    /** Where everything is with all joints at 0. */
+    readonly zero: Places,
+    private readonly looks: Looks,
+  ) {}
+
+  private add(link: number, geometry: BufferGeometry, pose: Matrix4, role: Role): void {
+    const mesh = new Mesh(geometry, this.looks.solid[role]);
+    mesh.matrixAutoUpdate = false;
+    const edges = new LineSegments(new EdgesGeometry(geometry, 30), this.looks.edges);
+    edges.matrixAutoUpdate = false;
+    edges.raycast = () => {};
+    mesh.add(edges);
+    this.group.add(mesh);
+    this.parts.push({ link, mesh, inLink: this.zero.links[link].clone().invert().multiply(pose) });
+  }
+
+  /** A box along two directions and the one square to them. */
+  box(link: number, middle: Vector3, size_mm: [number, number, number], u: Vector3, v: Vector3, role: Role): void {
+    const w = u.clone().cross(v);
+    const pose = new Matrix4().makeBasis(u, v, w).setPosition(middle);
+    this.add(link, new BoxGeometry(...size_mm), pose, role);
+  }
+
+  /** A round bar from one place to another. */
+  bar(link: number, from: Vector3, to: Vector3, radius_mm: number, role: Role): void {
+    const way = to.clone().sub(from);
+    const length_mm = way.length();
+    if (length_mm < 1e-6) return;
+    const turn = new Quaternion().setFromUnitVectors(UP, way.divideScalar(length_mm));
+    const pose = new Matrix4().makeRotationFromQuaternion(turn).setPosition(from.clone().add(to).multiplyScalar(0.5));
+    this.add(link, cylinder(radius_mm, length_mm), pose, role);
+  }
+
+  /** A drum about an axis. */
+  drum(link: number, middle: Vector3, axis: Vector3, radius_mm: number, length_mm: number, role: Role): void {
+    const half = axis.clone().setLength(length_mm / 2);
+    this.bar(link, middle.clone().sub(half), middle.clone().add(half), radius_mm, role);
+  }
+
+  place({ links }: Places): void {
+    for (const { link, mesh, inLink } of this.parts) mesh.matrix.multiplyMatrices(links[link], inLink);
+  }
+
+  dispose(): void {
+    this.group.traverse((part) => {
+      if (part instanceof Mesh || part instanceof LineSegments) part.geometry.dispose();
+    });
+  }
+}

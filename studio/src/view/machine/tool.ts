@@ -1,0 +1,81 @@
+// The tool: a shank from the tool centre point to the tip and beyond, the tip itself, and the jet.
+
+import { ConeGeometry, Group, Matrix4, Mesh, Vector3 } from "three";
+import type { Places } from "../../run/chain";
+import type { Robot } from "../../run/run";
+import type { Looks } from "./looks";
+import { cylinder } from "./shapes";
+
+const JET_MM = 1;
+// Of a round size of the machine's parts; a tool with bodies of its own only gets a point.
+const THICK = 0.16;
+const THIN = 0.04;
+
+/** Which way the tool stands from its tip: up where it can be told no other way. */
+function shankSign(robot: Robot): number {
+  const flange = new Matrix4().fromArray(robot.scene.tool_side.end).invert();
+  const away = flange.elements[14];
+  if (Math.abs(away) > 1) return Math.sign(away);
+  const home = robot.chain.places(new Float64Array(robot.scene.axes.length), 0);
+  return home.tool.elements[10] < -1e-6 ? -1 : 1;
+}
+
+export class Tool {
+  readonly group = new Group();
+  private readonly shank = new Mesh();
+  private readonly point = new Mesh();
+  private readonly jet = new Mesh();
+  private readonly sign: number;
+  private readonly jets: boolean;
+  private readonly radius_mm: number;
+
+  constructor(
+    private readonly robot: Robot,
+    looks: Looks,
+    /** A round size of the machine's parts. */
+    private readonly gauge_mm: number,
+    hasBodies: boolean,
+  ) {
+    this.sign = shankSign(robot);
+    const bodies = robot.scene.bodies ?? [];
+    this.jets = robot.scene.process === "jet" && !bodies.some((body) => body.role === "jet");
+    this.shank.visible = !hasBodies;
+    const radius = (hasBodies ? THIN : THICK) * gauge_mm;
+    this.radius_mm = radius;
+    // A cone that stands on its point.
+    this.point.geometry = new ConeGeometry(radius, 3 * radius, 24).rotateX(-Math.PI / 2).translate(0, 0, 1.5 * radius);
+    this.shank.geometry = cylinder(radius, 1).translate(0, 0, 0.5);
+    this.jet.geometry = cylinder(JET_MM, 1).translate(0, 0, -0.5);
+    this.point.material = this.shank.material = looks.solid.tool;
+    this.jet.material = looks.solid.jet;
+    for (const mesh of [this.shank, this.point, this.jet]) {
+      mesh.matrixAutoUpdate = false;
+      this.group.add(mesh);
+    }
+  }
+
+  /** Where the tip of a tool is in the world. */
+  tip(places: Places, tip: number): Vector3 {
+    return new Vector3(...(this.robot.scene.tips_mm[tip] ?? [0, 0, 0])).applyMatrix4(places.tool);
+  }
+
+  place(places: Places, tip: number, processOn: boolean): void {
+    const offset = new Vector3(...(this.robot.scene.tips_mm[tip] ?? [0, 0, 0]));
+    const stand = places.tool.clone().multiply(new Matrix4().makeTranslation(offset.x, offset.y, offset.z));
+    if (this.sign < 0) stand.multiply(new Matrix4().makeRotationX(Math.PI));
+    this.point.matrix.copy(stand);
+    const radius = this.radius_mm;
+    const beyond = Math.max(0, -this.sign * offset.z) + 1.6 * this.gauge_mm;
+    this.shank.matrix.copy(stand).multiply(stretched(1, 3 * radius, beyond - 3 * radius));
+    this.jet.visible = this.jets && processOn;
+    const width = Math.max(1, 0.02 * this.gauge_mm);
+    this.jet.matrix.copy(stand).multiply(stretched(width, 0, 0.8 * this.gauge_mm));
+  }
+
+  dispose(): void {
+    for (const mesh of [this.shank, this.point, this.jet]) mesh.geometry.dispose();
+  }
+}
+
+const stretched = (across: number, from_mm: number, length_mm: number): Matrix4 =>
+  new Matrix4().makeTranslation(0, 0, from_mm).scale(new Vector3(across, across, length_mm));

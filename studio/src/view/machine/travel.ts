@@ -1,0 +1,25 @@
+// How far axes go in a drawing: their ranges, or where those are wide beside the work, what the run uses of them.
+
+import type { Robot } from "../../run/run";
+import type { Report } from "../../run/report";
+import { jointValue } from "../../run/chain";
+
+/** Lowest and highest value of a joint, mm or rad. */
+export type Travel = [number, number];
+
+// A range beyond this is there so that any program fits, and says nothing of the machine.
+const WIDE_MM = 6000;
+const SPARE_MM = 60;
+
+export function travels(robot: Robot, report: Report | null): Travel[] {
+  return robot.scene.axes.map((axis) => {
+    const used = report?.bounds?.[axis.letter];
+    const [low, high] = [axis.min ?? -Infinity, axis.max ?? Infinity];
+    if (axis.rotary) return [jointValue(axis, low), jointValue(axis, high)];
+    if (high - low <= WIDE_MM) return [jointValue(axis, low), jointValue(axis, high)];
+    const from = used?.min ?? 0;
+    const to = used?.max ?? 0;
+    const spare = SPARE_MM + 0.25 * (to - from);
+    return [jointValue(axis, Math.max(low, from - spare)), jointValue(axis, Math.min(high, to + spare))];
+  });
+}

@@ -1,0 +1,44 @@
+// The axes of the world in a corner, as the eye stands.
+
+import type { Vector3 } from "three";
+import { blue, green, vermilion } from "../../core/colours";
+
+const NAMESPACE = "http://www.w3.org/2000/svg";
+const REACH = 24;
+const axes = [
+  { name: "X", colour: vermilion },
+  { name: "Y", colour: green },
+  { name: "Z", colour: blue },
+];
+
+const part = (tag: string, attributes: Record<string, string>): SVGElement => {
+  const element = document.createElementNS(NAMESPACE, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+};
+
+export class Triad {
+  readonly element = part("svg", { class: "triad", viewBox: "-36 -36 72 72", "aria-hidden": "true" });
+  private readonly parts = axes.map(({ name, colour }) => {
+    const group = part("g", {});
+    const line = part("line", { stroke: colour, "stroke-width": "2.5", "stroke-linecap": "round" });
+    const letter = part("text", { fill: colour });
+    letter.textContent = name;
+    group.append(line, letter);
+    this.element.append(group);
+    return { group, line, letter };
+  });
+
+  turn({ back, right, up }: { back: Vector3; right: Vector3; up: Vector3 }): void {
+    const depths = this.parts.map(({ group, line, letter }, i) => {
+      const [x, y] = [right.getComponent(i), -up.getComponent(i)];
+      line.setAttribute("x2", String(REACH * x));
+      line.setAttribute("y2", String(REACH * y));
+      letter.setAttribute("x", String((REACH + 7) * x));
+      letter.setAttribute("y", String((REACH + 7) * y));
+      return { group, depth: back.getComponent(i) };
+    });
+    depths.sort((a, b) => a.depth - b.depth);
+    for (const { group } of depths) this.element.append(group);
+  }
+}

@@ -1,0 +1,134 @@
+// What the colours of the way say: a class of each segment, or a quantity on a scale.
+
+import { grey, kindColours, limitColours, scaleColour, vermilion, blue } from "../../core/colours";
+import type { ColourMode } from "../../core/store";
+import { Flag } from "../../run/evaluate";
+import { limitKinds, moveKinds, type Chunk, type Segments } from "../../run/segments";
+import { kindCodeOf, ROW, type PathData } from "./path_data";
+
+export type ScaleMode = "feed" | "speed" | "time" | "deviation";
+type ClassMode = Exclude<ColourMode, ScaleMode>;
+
+/** Highest and lowest value on a scale: mm/min, mm/s, s or mm. */
+export interface Scale {
+  low: number;
+  high: number;
+}
+
+/** What a legend tells. */
+export interface Key {
+  mode: ColourMode;
+  scale: Scale | null;
+  /** Names of the classes that occur, in the order of the codes. */
+  classes: string[];
+}
+
+export const processStates = ["off", "on"] as const;
+
+/** Of a vertex, beside its colour. */
+export const RAPID_MARK = 1;
+
+interface Classes {
+  names: readonly string[];
+  code: (flags: number) => number;
+  colours: Record<string, string>;
+}
+
+const classModes: Record<ClassMode, Classes> = {
+  kind: { names: moveKinds, code: kindCodeOf, colours: kindColours },
+  limit: { names: limitKinds, code: (flags) => (flags >>> 12) & 15, colours: limitColours },
+  process: {
+    names: processStates,
+    code: (flags) => (flags & Flag.processOn ? 1 : 0),
+    colours: { off: grey, on: vermilion },
+  },
+};
+
+const isScale = (mode: ColourMode): mode is ScaleMode => !(mode in classModes);
+
+export const classColour = (mode: ColourMode, name: string): string =>
+  isScale(mode) ? blue : classModes[mode].colours[name];
+
+/** The quantity of a segment on a scale; NaN: it has none (the feed of a rapid move). */
+function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
+  switch (mode) {
+    case "feed":
+      return chunk.feed_per_min[i] > 0 ? chunk.feed_per_min[i] : NaN;
+    case "speed":
+      return chunk.duration_s[i] > 0 ? chunk.length_mm[i] / chunk.duration_s[i] : NaN;
+    case "deviation":
+      return chunk.deviation_mm[i];
+    case "time":
+      return chunk.start_s[i];
+  }
+}
+
+function scaleOf(mode: ScaleMode, all: Segments[]): Scale {
+  if (mode === "time") return { low: 0, high: Math.max(0, ...all.map((segments) => segments.end_s)) };
+  const scale = { low: Infinity, high: -Infinity };
+  for (const { chunks } of all) {
+    for (const chunk of chunks) {
+      for (let i = 0; i < chunk.count; ++i) {
+        const value = quantity(mode, chunk, i);
+        if (value < scale.low) scale.low = value;
+        if (value > scale.high) scale.high = value;
+      }
+    }
+  }
+  if (scale.low > scale.high) return { low: 0, high: 0 };
+  // Speeds begin at rest, deviations at none; feeds differ little often enough to want the whole scale.
+  return mode === "feed" ? scale : { low: 0, high: scale.high };
+}
+
+function classesOf({ names, code }: Classes, all: Segments[]): string[] {
+  const seen = new Set<number>();
+  for (const { chunks } of all) {
+    for (const chunk of chunks) for (let i = 0; i < chunk.count; ++i) seen.add(code(chunk.flags[i]));
+  }
+  return names.filter((_, i) => seen.has(i));
+}
+
+export function keyOf(mode: ColourMode, all: Segments[]): Key {
+  if (isScale(mode)) return { mode, scale: scaleOf(mode, all), classes: [] };
+  return { mode, scale: null, classes: classesOf(classModes[mode], all) };
+}
+
+const bytesOf = (hex: string): number[] => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
+
+type Painter = (chunk: Chunk, segment: number, t_s: number) => ArrayLike<number>;
+
+function painter(key: Key): Painter {
+  if (!isScale(key.mode)) {
+    const { names, code, colours } = classModes[key.mode];
+    const table = names.map((name) => bytesOf(colours[name]));
+    return (chunk, i) => table[code(chunk.flags[i])] ?? table[0];
+  }
+  const mode = key.mode;
+  const { low, high } = key.scale!;
+  const steps = 255;
+  const table = Array.from({ length: steps + 1 }, (_, i) => scaleColour(i / steps).map((part) => part * 255));
+  const none = bytesOf(grey);
+  const factor = high > low ? steps / (high - low) : 0;
+  return (chunk, i, t_s) => {
+    const value = mode === "time" ? t_s : quantity(mode, chunk, i);
+    return Number.isNaN(value) ? none : table[Math.min(steps, Math.round((value - low) * factor))];
+  };
+}
+
+/** Red, green and blue of each vertex, and RAPID_MARK where a rapid move ends, for a texture of whole rows. */
+export function colourTexels(data: PathData, key: Key): Uint8Array {
+  const texels = new Uint8Array(4 * ROW * data.rows);
+  const paint = painter(key);
+  let at = 0;
+  for (const chunk of data.segments.chunks) {
+    for (let i = 0; i < chunk.vertex_s.length; ++i, at += 4) {
+      const segment = chunk.vertex_segment[i];
+      const colour = paint(chunk, segment, chunk.vertex_s[i]);
+      texels[at] = colour[0];
+      texels[at + 1] = colour[1];
+      texels[at + 2] = colour[2];
+      texels[at + 3] = kindCodeOf(chunk.flags[segment]) === 0 ? RAPID_MARK : 0;
+    }
+  }
+  return texels;
+}

@@ -1,0 +1,300 @@
+// The ways of all robots on the screen. While the camera rests they are drawn once into a kept picture, which stands
+// with the machine in each frame; while it moves and they are many, fewer pieces are drawn at half the resolution.
+
+import type { Matrix4 } from "three";
+import type { Key } from "./path_colours";
+import type { PathData } from "./path_data";
+import { Program } from "./program";
+import * as shaders from "./shaders";
+import { Strand } from "./strand";
+import { Target } from "./target";
+import { Timer } from "./timer";
+
+/** The run before, for comparing, is drawn as this robot. */
+export const PREVIOUS = 31;
+
+/** What the ways look like in a frame. */
+export interface Look {
+  /** From each robot's work frame to the clip space. */
+  matrices: Matrix4[];
+  width_px: number;
+  height_px: number;
+  pixelRatio: number;
+  rapids: boolean;
+  compare: boolean;
+  compareColour: number[];
+  /** In what each robot's vertices are done, s. */
+  now_s: number[];
+  /** What is left of the way to come, and how much white is mixed into all; 0 to 1. */
+  dimmed: number;
+  lightened: number;
+}
+
+/** Ranges of one robot's vertices to be drawn above all else. */
+export interface Accent {
+  robot: number;
+  ranges: [number, number][];
+  colour: number[];
+  width_px: number;
+  opacity: number;
+}
+
+/** What lies at a pixel: a vertex that ends the piece there, and the time there. */
+export interface Hit {
+  robot: number;
+  vertex: number;
+  t_s: number;
+}
+
+// Pieces that even software draws within a frame or so; up to so many lines have a width.
+const QUICK_PIECES = 40_000;
+const WIDE_PIECES = 300_000;
+const MOVING_PIECES = 60_000;
+const SLICE_PIECES = 200_000;
+const SLOW_MS = 40;
+// The eye rests when it has stood so long.
+const REST_MS = 120;
+
+export type More = "nothing" | "now" | "at rest";
+
+export class PathLayer {
+  private strands: Strand[] = [];
+  private readonly keptThin: Program;
+  private readonly keptWide: Program;
+  private readonly shownWide: Program;
+  private readonly screen: Program;
+  private readonly nothing: WebGLVertexArrayObject;
+  private full: Target | null = null;
+  private coarse: Target | null = null;
+  /** What the full picture shows, and what was asked for last. */
+  private drawn = "";
+  private asked = "";
+  private since_ms = 0;
+  private slice = 0;
+  private shown: Target | null = null;
+  private readonly timer: Timer;
+
+  constructor(private readonly gl: WebGL2RenderingContext) {
+    this.keptThin = new Program(gl, shaders.keptThin);
+    this.keptWide = new Program(gl, shaders.keptWide);
+    this.shownWide = new Program(gl, shaders.shownWide);
+    this.screen = new Program(gl, shaders.screen);
+    this.nothing = gl.createVertexArray();
+    this.timer = new Timer(gl);
+  }
+
+  /** The ways to be shown from now on; `previous` are those of the run before. */
+  take(current: PathData[], previous: PathData[], key: Key): void {
+    for (const strand of this.strands) strand.dispose();
+    this.strands = [
+      ...previous.slice(0, current.length).map((data, robot) => new Strand(this.gl, data, PREVIOUS, robot)),
+      ...current.map((data, robot) => new Strand(this.gl, data, robot, robot)),
+    ];
+    this.timer.forget();
+    this.colour(key);
+  }
+
+  colour(key: Key): void {
+    for (const strand of this.strands) if (strand.robot !== PREVIOUS) strand.colour(key);
+    this.renew();
+  }
+
+  /** The kept picture is drawn anew. */
+  renew(): void {
+    this.drawn = "";
+    this.asked = "";
+  }
+
+  /** Whether the kept picture shows all that was asked for. */
+  get complete(): boolean {
+    return this.drawn !== "" && this.drawn === this.asked;
+  }
+
+  private get pieces(): number {
+    return this.strands.reduce((sum, strand) => sum + strand.data.count, 0);
+  }
+
+  private get slow(): boolean {
+    return this.pieces > QUICK_PIECES && (this.timer.cost_ms ?? Infinity) > SLOW_MS;
+  }
+
+  /** Brings the kept picture up to date; tells when there is more to draw. */
+  prepare(look: Look, time_ms: number): More {
+    const { width_px, height_px, rapids, compare } = look;
+    const matrices = look.matrices.map((matrix) => matrix.elements.join());
+    const wanted = [width_px, height_px, rapids, compare, look.compareColour, ...matrices].join();
+    if (this.asked !== wanted) {
+      this.slice = 0;
+      this.since_ms = time_ms;
+    }
+    this.asked = wanted;
+    const rests = time_ms - this.since_ms > REST_MS;
+    if (this.drawn !== wanted) this.update(look, wanted, rests);
+    if (this.drawn === wanted) return "nothing";
+    return rests ? "now" : "at rest";
+  }
+
+  private update(look: Look, wanted: string, rests: boolean): void {
+    const { width_px, height_px } = look;
+    if (this.full?.width !== width_px || this.full.height !== height_px) this.resize(width_px, height_px);
+    this.setState();
+    if (!this.slow) {
+      this.full!.begin();
+      this.timer.begin();
+      this.paint(look, 0, Infinity, 1, this.pieces <= WIDE_PIECES);
+      this.timer.end(1);
+      this.show(this.full!, wanted);
+    } else if (!rests) {
+      this.coarse!.begin();
+      this.paint(look, 0, Infinity, Math.ceil(this.pieces / MOVING_PIECES), false);
+      this.shown = this.coarse;
+    } else this.refine(look, wanted);
+  }
+
+  // Slice by slice, so that the page answers meanwhile.
+  private refine(look: Look, wanted: string): void {
+    if (this.slice === 0) this.full!.begin();
+    else this.full!.go();
+    this.timer.begin();
+    this.paint(look, this.slice, this.slice + SLICE_PIECES, 1, this.pieces <= WIDE_PIECES);
+    this.timer.end(Math.max(1, this.pieces / SLICE_PIECES));
+    this.slice += SLICE_PIECES;
+    if (this.slice >= this.pieces) this.show(this.full!, wanted);
+  }
+
+  private show(target: Target, wanted: string): void {
+    this.shown = target;
+    this.drawn = wanted;
+    this.slice = 0;
+  }
+
+  private resize(width: number, height: number): void {
+    this.full?.dispose();
+    this.coarse?.dispose();
+    this.full = new Target(this.gl, width, height);
+    this.coarse = new Target(this.gl, Math.ceil(width / 2), Math.ceil(height / 2));
+    this.shown = null;
+    this.slice = 0;
+  }
+
+  private setState(): void {
+    const { gl } = this;
+    gl.bindVertexArray(this.nothing);
+    gl.disable(gl.CULL_FACE);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.disable(gl.STENCIL_TEST);
+    gl.colorMask(true, true, true, true);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    gl.depthMask(true);
+    gl.enable(gl.BLEND);
+    gl.blendEquation(gl.FUNC_ADD);
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  }
+
+  /** Pieces from number `from` to before `to`, counted over all strands. */
+  private paint(look: Look, from: number, to: number, stride: number, wide: boolean): void {
+    const { gl } = this;
+    const program = wide ? this.keptWide : this.keptThin;
+    program.use();
+    const ratio = look.pixelRatio;
+    this.setSize(program, look, 1.4 * ratio);
+    gl.uniform1i(program.place("rapids"), look.rapids ? 1 : 0);
+    let before = 0;
+    this.strands.forEach((strand) => {
+      const { count } = strand.data;
+      const range = [Math.max(from - before, 0), Math.min(to - before, count)];
+      before += count;
+      const old = strand.robot === PREVIOUS;
+      if (range[0] >= range[1] || (old && !look.compare)) return;
+      gl.uniform4fv(program.place("paint"), old ? [...look.compareColour, 1] : [0, 0, 0, 0]);
+      gl.uniform1i(program.place("clean"), old ? 1 : 0);
+      program.set1f("nearer", old ? -2e-5 : 0);
+      strand.draw(program, look.matrices[strand.frame], range[0], range[1], stride, wide);
+    });
+  }
+
+  private setSize(program: Program, look: Look, width_px: number): void {
+    this.gl.uniform2f(program.place("size_px"), look.width_px, look.height_px);
+    program.set1f("width_px", width_px);
+    program.set1f("opacity", 1);
+    program.set1f("dash_px", 8 * look.pixelRatio);
+    program.set1f("join_px", 0.35 * look.pixelRatio);
+  }
+
+  /** Puts the kept picture on the screen, where nothing stands before it. */
+  compose(look: Look): void {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, look.width_px, look.height_px);
+    if (!this.shown || this.strands.length === 0) return;
+    this.setState();
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    this.screen.use();
+    [this.shown.colours, this.shown.known, this.shown.depths].forEach((texture, i) => {
+      gl.activeTexture(gl.TEXTURE0 + i);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+    });
+    this.screen.set1i("kept", 0);
+    this.screen.set1i("known", 1);
+    this.screen.set1i("depth", 2);
+    this.screen.set1f("dimmed", look.dimmed);
+    this.screen.set1f("lightened", look.lightened);
+    const now_s = new Float32Array(32).fill(Infinity);
+    now_s.set(look.now_s);
+    gl.uniform1fv(this.screen.place("now_s"), now_s);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /** Draws ranges above all else; what stands before them lets them through faintly. */
+  accent(accent: Accent, look: Look): void {
+    const { gl } = this;
+    const strand = this.strands.find(({ robot }) => robot === accent.robot);
+    if (!strand || accent.ranges.length === 0) return;
+    this.setState();
+    gl.depthMask(false);
+    const program = this.shownWide;
+    program.use();
+    this.setSize(program, look, accent.width_px * look.pixelRatio);
+    gl.uniform1i(program.place("rapids"), 1);
+    gl.uniform1i(program.place("clean"), 1);
+    gl.uniform4fv(program.place("paint"), [...accent.colour, 1]);
+    program.set1f("nearer", 1e-4);
+    for (const [comparison, share] of [
+      [gl.LEQUAL, 1],
+      [gl.GREATER, 0.35],
+    ]) {
+      gl.depthFunc(comparison);
+      const opacity = accent.opacity * share;
+      program.set1f("opacity", opacity);
+      // Where pieces overlap one would see it through.
+      program.set1f("join_px", opacity < 1 ? 0 : 0.25 * accent.width_px * look.pixelRatio);
+      for (const [from, to] of accent.ranges) {
+        strand.draw(program, look.matrices[strand.frame], from, to, 1, true);
+      }
+    }
+    gl.depthMask(true);
+  }
+
+  /** What is nearest to a place on the screen (0 to 1 from the left and from below), within some pixels. */
+  hit(x: number, y: number, reach_px: number): Hit | null {
+    if (!this.shown || this.strands.length === 0) return null;
+    const { width, height } = this.shown;
+    const reach = this.shown === this.full ? reach_px : Math.ceil(reach_px / 2);
+    const pixels = this.shown.read(Math.floor(x * width), Math.floor(y * height), reach);
+    const side = 2 * reach + 1;
+    let best = -1;
+    let nearest = Infinity;
+    for (let i = 0; i < side * side; ++i) {
+      const id = pixels[4 * i];
+      const away = Math.hypot((i % side) - reach, Math.floor(i / side) - reach);
+      if (id === 0 || (id - 1) >>> 27 === PREVIOUS || away >= nearest) continue;
+      nearest = away;
+      best = i;
+    }
+    if (best < 0) return null;
+    const id = pixels[4 * best] - 1;
+    const t_s = new Float32Array(pixels.buffer, 16 * best + 4, 1)[0];
+    return { robot: id >>> 27, vertex: id & 0x7ffffff, t_s };
+  }
+}

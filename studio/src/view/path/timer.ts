@@ -1,0 +1,42 @@
+// How long the graphics card takes for the whole way; told by a fence, some frames later.
+
+const LOOK_AGAIN_MS = 4;
+// A fence is seen so late even where drawing takes no time.
+const LATE_MS = 12;
+
+export class Timer {
+  /** null: not known yet. */
+  cost_ms: number | null = null;
+  private begun_ms = 0;
+  private round = 0;
+
+  constructor(private readonly gl: WebGL2RenderingContext) {}
+
+  forget(): void {
+    this.cost_ms = null;
+    ++this.round;
+  }
+
+  begin(): void {
+    this.begun_ms = performance.now();
+  }
+
+  /** `share`: how many times as much the whole way is. */
+  end(share: number): void {
+    const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!fence) return;
+    this.gl.flush();
+    this.await(fence, ++this.round, this.begun_ms, share);
+  }
+
+  private await(fence: WebGLSync, round: number, begun_ms: number, share: number): void {
+    const { gl } = this;
+    if (gl.isContextLost()) return;
+    if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+      setTimeout(() => this.await(fence, round, begun_ms, share), LOOK_AGAIN_MS);
+      return;
+    }
+    gl.deleteSync(fence);
+    if (round === this.round) this.cost_ms = share * Math.max(0, performance.now() - begun_ms - LATE_MS);
+  }
+}

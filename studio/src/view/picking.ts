@@ -1,0 +1,89 @@
+// From a place on the screen to the way, the machine or the work plane there.
+
+import { Matrix4, Plane, Raycaster, Vector2, Vector3 } from "three";
+import type { CameraRig } from "./camera";
+import type { Machine } from "./machine/machine";
+import type { PathData } from "./path/path_data";
+import type { Hit } from "./path/path_layer";
+import type { Stage } from "./stage";
+
+const SNAP_PX = 8;
+const HALVINGS = 24;
+
+/** How far along a piece a place is, 0 to 1. */
+export function shareOf(a: Vector3, b: Vector3, place: Vector3): number {
+  const way = b.clone().sub(a);
+  const square = way.lengthSq();
+  return square > 0 ? Math.min(Math.max(place.clone().sub(a).dot(way) / square, 0), 1) : 0;
+}
+
+/** The piece that ends at a vertex, and how far along it a hit is. */
+export function pieceOf(data: PathData, { vertex, t_s }: Hit): { a: Vector3; b: Vector3; share: number } {
+  const from_s = data.time_s(vertex - 1);
+  const to_s = data.time_s(vertex);
+  const share = to_s > from_s ? Math.min(Math.max((t_s - from_s) / (to_s - from_s), 0), 1) : 1;
+  return { a: data.point(vertex - 1), b: data.point(vertex), share };
+}
+
+/** When the tool is at a hit: pieces are drawn evenly in time, but the tool speeds up and slows down in them. */
+export function timeOf(data: PathData, hit: Hit, machine: Machine): number {
+  const { a, b, share } = pieceOf(data, hit);
+  let [from_s, to_s] = [data.time_s(hit.vertex - 1), data.time_s(hit.vertex)];
+  if (a.distanceToSquared(b) === 0) return from_s;
+  for (let i = 0; i < HALVINGS; ++i) {
+    const middle_s = (from_s + to_s) / 2;
+    const { places, tip_mm } = machine.at(middle_s);
+    if (shareOf(a, b, tip_mm.applyMatrix4(places.work.invert())) < share) from_s = middle_s;
+    else to_s = middle_s;
+  }
+  return to_s;
+}
+
+/** The ends of a piece at which a segment ends too; the others are there for an arc to look round. */
+function endsOf(data: PathData, vertex: number): Vector3[] {
+  const segment = data.segmentOf(vertex);
+  const ends: Vector3[] = [];
+  if (vertex === 1 || data.segmentOf(vertex - 1) !== segment) ends.push(data.point(vertex - 1));
+  if (vertex + 1 >= data.count || data.segmentOf(vertex + 1) !== segment) ends.push(data.point(vertex));
+  return ends;
+}
+
+/** A place to measure from, in a work frame: on the way (ends of segments attract), on a body, or on the work plane. */
+export function placeAt(
+  x_px: number,
+  y_px: number,
+  size: { width_px: number; height_px: number },
+  hit: Hit | null,
+  stage: Stage,
+  rig: CameraRig,
+  works: Matrix4[],
+  frame: Matrix4,
+): Vector3 | null {
+  const toFrame = frame.clone().invert();
+  if (hit) {
+    const { a, b, share } = pieceOf(stage.paths[hit.robot], hit);
+    const work = works[hit.robot];
+    const near = endsOf(stage.paths[hit.robot], hit.vertex).find((end) => {
+      const seen = rig.project(end.clone().applyMatrix4(work));
+      return seen && Math.hypot(seen.x - x_px, seen.y - y_px) < SNAP_PX;
+    });
+    return (near ?? a.lerp(b, share)).applyMatrix4(work).applyMatrix4(toFrame);
+  }
+  const ray = new Raycaster();
+  ray.setFromCamera(new Vector2((2 * x_px) / size.width_px - 1, 1 - (2 * y_px) / size.height_px), rig.camera);
+  const body = stage.machinery.visible ? ray.intersectObject(stage.machinery, true)[0] : undefined;
+  if (body) return body.point.applyMatrix4(toFrame);
+  const plane = new Plane(new Vector3(0, 0, 1), 0).applyMatrix4(frame);
+  const place = ray.ray.intersectPlane(plane, new Vector3());
+  return place && place.applyMatrix4(toFrame);
+}
+
+/** Up to what vertex time a way is done: the drawn piece under way is cut where the tool is. */
+export function doneUpTo(data: PathData, t_s: number, tipInWork: Vector3): number {
+  const vertex = data.at(t_s);
+  if (vertex <= 0) return -1;
+  if (vertex >= data.count) return Infinity;
+  const from_s = data.time_s(vertex - 1);
+  const share = shareOf(data.point(vertex - 1), data.point(vertex), tipInWork);
+  return from_s + share * (data.time_s(vertex) - from_s);
+}

@@ -1,0 +1,121 @@
+// All that stands in the scene of a run beside the ways themselves.
+
+import { AmbientLight, Box3, DirectionalLight, Group, Matrix4, Scene, Vector3 } from "three";
+import type { Units } from "../core/store";
+import type { Robot, Run } from "../run/run";
+import { Alarms } from "./alarms";
+import type { CameraRig } from "./camera";
+import { Looks } from "./machine/looks";
+import { Machine, type Instant } from "./machine/machine";
+import { Directions } from "./marks/directions";
+import { Envelope } from "./marks/envelope";
+import { Extents } from "./marks/extents";
+import { Grid } from "./marks/grid";
+import { Measure } from "./marks/measure";
+import { Zones } from "./marks/zones";
+import { PathData } from "./path/path_data";
+import type { Palette } from "./theme";
+
+const EMPTY = new Box3(new Vector3(-100, -100, 0), new Vector3(100, 100, 0));
+
+export class Stage {
+  readonly scene = new Scene();
+  readonly machinery = new Group();
+  readonly grid = new Grid();
+  readonly extents = new Extents();
+  readonly measure = new Measure();
+  readonly zones = new Zones();
+  readonly envelope = new Envelope();
+  readonly directions = new Directions();
+  machines: Machine[] = [];
+  paths: PathData[] = [];
+  alarms = new Alarms(null);
+  private readonly looks = new Looks();
+  private readonly lamp = new DirectionalLight(0xffffff, 2.2);
+  private readonly known = new WeakMap<Robot, PathData>();
+
+  constructor() {
+    this.lamp.target.position.set(0, 0, 0);
+    const parts = [this.machinery, this.grid.group, this.extents.lines, this.measure.lines, this.zones.group];
+    this.scene.add(...parts, this.envelope.group, this.directions.group);
+    this.scene.add(new AmbientLight(0xffffff, 1.5), this.lamp, this.lamp.target);
+    this.grid.lay(EMPTY, "mm");
+  }
+
+  /** The ways of a run's robots; made once for each. */
+  pathsOf(run: Run | null): PathData[] {
+    return (run?.robots ?? []).map((robot) => {
+      const path = this.known.get(robot) ?? new PathData(robot.segments);
+      this.known.set(robot, path);
+      return path;
+    });
+  }
+
+  take(run: Run | null, units: Units): void {
+    for (const machine of this.machines) machine.dispose();
+    this.machinery.clear();
+    const report = run?.report ?? null;
+    this.paths = this.pathsOf(run);
+    this.machines = (run?.robots ?? []).map((robot, i) => new Machine(robot, report?.robots?.[i] ?? report, this.looks));
+    for (const machine of this.machines) this.machinery.add(machine.group);
+    this.alarms = new Alarms(run);
+    this.zones.take(run?.robots ?? [], (robot) => this.pathBox(robot));
+    this.directions.take(this.paths);
+    this.measure.clear();
+    this.extents.take(this.pathBox(0));
+    this.layGrid(units);
+  }
+
+  layGrid(units: Units): void {
+    const box = this.pathBox(0);
+    this.grid.lay(box.isEmpty() ? EMPTY : box, units);
+  }
+
+  /** Of a robot's way in its work frame, without rapid moves where there are others. */
+  pathBox(robot: number): Box3 {
+    const path = this.paths[robot];
+    if (!path) return new Box3();
+    return path.cutBounds.isEmpty() ? path.bounds : path.cutBounds;
+  }
+
+  /** What is to be seen when all of the work is, in the world. */
+  workBox(works: Matrix4[]): Box3 {
+    const box = new Box3();
+    works.forEach((work, i) => {
+      const path = this.pathBox(i);
+      if (!path.isEmpty()) box.union(path.clone().applyMatrix4(work));
+    });
+    return box.isEmpty() ? this.wholeBox() : box;
+  }
+
+  wholeBox(): Box3 {
+    this.machinery.updateMatrixWorld(true);
+    const box = new Box3().setFromObject(this.machinery);
+    return box.isEmpty() ? EMPTY.clone() : box;
+  }
+
+  /** Puts everything where it is at an instant; `frame` is the work frame in which marks stand. */
+  place(instants: Instant[], frame: Matrix4): void {
+    this.machines.forEach((machine, i) => machine.place(instants[i]));
+    for (const part of [this.grid.group, this.extents.lines, this.measure.lines]) part.matrix.copy(frame);
+    this.directions.place(instants.map(({ places }) => places.work));
+  }
+
+  /** Bodies that have met by now, or come near in the lines under way, look so. */
+  light(t_s: number, lines: { file: string; line: number }[]): void {
+    const look = this.alarms.at(t_s, lines) ?? (() => undefined);
+    for (const machine of this.machines) machine.bodies.light(look);
+  }
+
+  /** The lamp goes with the eye. */
+  follow(rig: CameraRig): void {
+    const { back, right, up } = rig.basis();
+    this.lamp.position.copy(back).addScaledVector(up, 0.6).addScaledVector(right, -0.4).multiplyScalar(1000);
+  }
+
+  recolour(colours: Palette): void {
+    this.looks.recolour(colours);
+    const parts = [this.grid, this.extents, this.measure, this.zones, this.envelope, this.directions];
+    for (const part of parts) part.recolour(colours);
+  }
+}

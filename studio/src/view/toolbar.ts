@@ -1,0 +1,94 @@
+// Buttons of the view, and the keys that do the same while the view has the focus.
+
+import { make } from "../core/element";
+import type { State, Store } from "../core/store";
+import { texts } from "../texts";
+import type { Stand } from "./camera";
+import { icon, type Icon } from "./icons";
+
+export interface Actions {
+  fit(all: boolean): void;
+  stand(name: Stand): void;
+  orbit(dx_px: number, dy_px: number): void;
+  pan(dx_px: number, dy_px: number): void;
+  zoom(factor: number): void;
+  /** Ends what is under way. */
+  escape(): void;
+}
+
+type Switch = { [K in keyof State]: State[K] extends boolean ? K : never }[keyof State];
+const words = texts.view;
+
+function button(name: Icon, label: string, key: string, press: () => void): HTMLButtonElement {
+  const title = `${label} (${key})`;
+  const element = make("button", { type: "button", title, "aria-label": label, "aria-keyshortcuts": key, click: press });
+  element.append(icon(name));
+  return element;
+}
+
+function pressed(store: Store, key: Switch, element: HTMLElement): HTMLElement {
+  store.watch([key], () => element.setAttribute("aria-pressed", String(store.get(key))));
+  return element;
+}
+
+const toggle = (store: Store, key: Switch) => () => store.set(key, !store.get(key));
+
+export function createToolbar(store: Store, act: Actions, layers: HTMLElement): HTMLElement {
+  const stands: [Stand, string][] = [
+    ["top", "1"],
+    ["front", "2"],
+    ["side", "3"],
+    ["iso", "4"],
+  ];
+  const bar = make("div", { class: "tools", role: "toolbar", "aria-label": words.tools, "aria-orientation": "vertical" });
+  bar.append(
+    button("fit", words.fit, "F", () => act.fit(false)),
+    ...stands.map(([name, key]) => button(name, words.stands[name], key, () => act.stand(name))),
+    pressed(store, "perspective", button("perspective", words.perspective, "P", toggle(store, "perspective"))),
+    pressed(store, "follow", button("follow", words.follow, "T", toggle(store, "follow"))),
+    pressed(store, "measuring", button("measure", words.measure, "M", toggle(store, "measuring"))),
+    layers,
+  );
+  return bar;
+}
+
+const STEP_PX = 30;
+
+/** Keys by KeyboardEvent.key, letters small; a "+" before it: with Shift. */
+export function keysOf(store: Store, act: Actions): Record<string, () => void> {
+  return {
+    1: () => act.stand("top"),
+    2: () => act.stand("front"),
+    3: () => act.stand("side"),
+    4: () => act.stand("iso"),
+    f: () => act.fit(false),
+    "+f": () => act.fit(true),
+    p: toggle(store, "perspective"),
+    t: toggle(store, "follow"),
+    m: toggle(store, "measuring"),
+    arrowleft: () => act.orbit(STEP_PX, 0),
+    arrowright: () => act.orbit(-STEP_PX, 0),
+    arrowup: () => act.orbit(0, STEP_PX),
+    arrowdown: () => act.orbit(0, -STEP_PX),
+    "+arrowleft": () => act.pan(STEP_PX, 0),
+    "+arrowright": () => act.pan(-STEP_PX, 0),
+    "+arrowup": () => act.pan(0, STEP_PX),
+    "+arrowdown": () => act.pan(0, -STEP_PX),
+    "-": () => act.zoom(1.2),
+    "=": () => act.zoom(1 / 1.2),
+    "++": () => act.zoom(1 / 1.2),
+    "+": () => act.zoom(1 / 1.2),
+    escape: () => act.escape(),
+  };
+}
+
+export function listenToKeys(element: HTMLElement, keys: Record<string, () => void>): void {
+  element.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const key = event.key.toLowerCase();
+    const act = keys[(event.shiftKey ? "+" : "") + key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+}

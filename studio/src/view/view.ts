@@ -1,0 +1,357 @@
+// The view: draws a frame when something has changed, and sleeps else.
+
+import { Matrix4, Scene, SRGBColorSpace, Vector3, type Color } from "three";
+import { onTheme } from "../core/element";
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import { texts } from "../texts";
+import { CameraRig, type Stand } from "./camera";
+import { Canvas } from "./canvas";
+import { chosenRanges, rangeOfBlock, type Range } from "./chosen";
+import type { Frame } from "./frame";
+import type { OwnLayers } from "./layers";
+import { Legend } from "./legend";
+import { Labels } from "./marks/labels";
+import { Triad } from "./marks/triad";
+import { keyOf } from "./path/path_colours";
+import { PathLayer, type Hit, type Look } from "./path/path_layer";
+import { doneUpTo } from "./picking";
+import { Stage } from "./stage";
+import { isDark, palette } from "./theme";
+
+const REST_MS = 150;
+const DIMMED = { dark: 0.34, light: 0.28 };
+const LIGHTENED = { dark: 0.2, light: 0 };
+
+const rgbOf = (colour: Color): number[] => {
+  const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
+  return [r, g, b];
+};
+
+export class View {
+  readonly rig = new CameraRig();
+  readonly stage = new Stage();
+  readonly labels = new Labels();
+  readonly triad = new Triad();
+  readonly legend: Legend;
+  readonly own: OwnLayers = { machine: true, grid: true, extents: false };
+  layer: PathLayer;
+  private colours = palette();
+  private chosen: Range[][] = [];
+  private frame: Frame | null = null;
+  private asked = 0;
+  private resting = 0;
+  private tip: Vector3 | null = null;
+  /** Diagonal of the work when it was fitted. */
+  private fittedSize_mm = 0;
+
+  constructor(
+    readonly canvas: Canvas,
+    private readonly store: Store,
+    private readonly session: Session,
+    /** Says something to who looks; empty: nothing any more. */
+    private readonly notice: (text: string) => void,
+  ) {
+    this.layer = new PathLayer(canvas.gl);
+    this.legend = new Legend(store);
+    this.recolour();
+    onTheme(() => this.recolour());
+    store.watch(["run"], () => this.takeRun());
+    store.watch(["colour", "units"], () => this.explain());
+    store.watch(["compare"], () => this.takePaths());
+    store.watch(["selection", "robot"], () => this.choose());
+    store.watch(["perspective"], () => {
+      this.rig.perspective = store.get("perspective");
+      this.turned();
+    });
+    store.watch(["follow"], () => (this.tip = null));
+    store.watch(["showRapids", "showDirections"], () => this.turned());
+    store.watch(["showEnvelope"], () => void this.showEnvelope());
+    session.on(() => void this.showEnvelope());
+    for (const key of ["time_s", "playing", "showZones", "follow"] as const) store.on(key, () => this.invalidate());
+  }
+
+  /** A frame is drawn soon. */
+  invalidate(): void {
+    this.asked ||= requestAnimationFrame(() => {
+      this.asked = 0;
+      this.draw();
+    });
+  }
+
+  /** The eye has moved; when it rests, marks are laid for what it sees. */
+  turned(): void {
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.layDirections(), REST_MS);
+    this.invalidate();
+  }
+
+  resized(): void {
+    this.rig.resize(this.canvas.width_px, this.canvas.height_px);
+    if (this.stage.paths.length === 0) this.fit(false);
+    // A canvas of another size is empty until it is drawn.
+    this.draw();
+    this.turned();
+  }
+
+  restored(): void {
+    this.layer = new PathLayer(this.canvas.gl);
+    this.takePaths();
+  }
+
+  private recolour(): void {
+    this.colours = palette();
+    this.stage.recolour(this.colours);
+    this.canvas.renderer.setClearColor(this.colours.background);
+    this.layer.renew();
+    this.invalidate();
+  }
+
+  private get run() {
+    return this.store.get("run");
+  }
+
+  private takeRun(): void {
+    const before = this.stage.paths.length > 0;
+    this.stage.take(this.run, this.store.get("units"));
+    this.tip = null;
+    this.takePaths();
+    this.choose();
+    this.survey();
+    if (!before || !this.seesWork()) this.fit(false);
+    this.turned();
+  }
+
+  private key() {
+    const segments = this.stage.paths.map((path) => path.segments);
+    return segments.length > 0 ? keyOf(this.store.get("colour"), segments) : null;
+  }
+
+  private takePaths(): void {
+    const previous = this.store.get("compare") ? this.stage.pathsOf(this.store.get("previous")) : [];
+    const key = this.key() ?? keyOf(this.store.get("colour"), []);
+    this.layer.take(this.stage.paths, previous, key);
+    this.legend.show(this.key(), this.stage.grid.step_mm);
+    this.invalidate();
+  }
+
+  private explain(): void {
+    const key = this.key();
+    if (key) this.layer.colour(key);
+    this.stage.layGrid(this.store.get("units"));
+    this.legend.show(key, this.stage.grid.step_mm);
+    this.invalidate();
+  }
+
+  private choose(): void {
+    const { run, store } = this;
+    const state = { selection: store.get("selection"), robot: store.get("robot") };
+    this.chosen = run ? this.stage.paths.map((data, i) => chosenRanges(run, i, data, state)) : [];
+    this.bringToSight();
+    this.invalidate();
+  }
+
+  /** A selection beside the screen comes to its middle. */
+  private bringToSight(): void {
+    const robot = this.chosen.findIndex((ranges) => ranges.length > 0);
+    if (robot < 0 || !this.frame) return;
+    const [from, to] = this.chosen[robot][0];
+    if (to <= from) return;
+    const work = this.frame.instants[robot]?.places.work ?? new Matrix4();
+    const place = this.stage.paths[robot].point((from + to - 1) >> 1).applyMatrix4(work);
+    const seen = this.rig.project(place);
+    const { width_px, height_px } = this.canvas;
+    if (seen && seen.x > 0 && seen.y > 0 && seen.x < width_px && seen.y < height_px) return;
+    this.rig.target.copy(place);
+    this.turned();
+  }
+
+  private async showEnvelope(): Promise<void> {
+    const { envelope } = this.stage;
+    envelope.group.visible = false;
+    envelope.clear();
+    this.notice("");
+    this.invalidate();
+    if (!this.store.get("showEnvelope")) return;
+    const bytes = await this.session.envelope();
+    if (!this.store.get("showEnvelope")) return;
+    this.notice(bytes ? "" : texts.view.noEnvelope);
+    if (!bytes) return;
+    envelope.take(bytes);
+    envelope.group.visible = true;
+    this.rig.see(this.stage.wholeBox().expandByScalar(2000));
+    this.invalidate();
+  }
+
+  /** Whether the work is on the screen, and about as large as what was fitted last. */
+  private seesWork(): boolean {
+    const box = this.stage.workBox(this.works());
+    const growth = box.getSize(new Vector3()).length() / this.fittedSize_mm;
+    const seen = this.rig.project(box.getCenter(new Vector3()));
+    if (!seen || growth > 2 || growth < 0.5) return false;
+    return seen.x > 0 && seen.y > 0 && seen.x < this.canvas.width_px && seen.y < this.canvas.height_px;
+  }
+
+  private works(): Matrix4[] {
+    return this.frame?.instants.map(({ places }) => places.work) ?? [];
+  }
+
+  /** Shows the whole way; `all`: the machine too. */
+  fit(all: boolean): void {
+    this.survey();
+    this.rig.resize(this.canvas.width_px, this.canvas.height_px);
+    const work = this.stage.workBox(this.works());
+    this.rig.fit(all ? this.stage.wholeBox() : work);
+    this.fittedSize_mm = work.getSize(new Vector3()).length();
+    this.turned();
+  }
+
+  stand(name: Stand): void {
+    this.rig.stand(name);
+    this.fit(false);
+  }
+
+  /** Puts all where it is at the instant that is shown. */
+  private place(): Frame {
+    const t_s = this.store.get("time_s");
+    const instants = this.stage.machines.map((machine) => machine.at(t_s));
+    const work = instants[this.store.get("robot")]?.places.work ?? new Matrix4();
+    this.frame = { t_s, instants, work };
+    this.stage.place(instants, work);
+    return this.frame;
+  }
+
+  /** As place(), and the eye knows how far there is something to be seen. */
+  private survey(): void {
+    this.place();
+    const { stage } = this;
+    if (stage.machines.length === 0) return;
+    const seen = stage.wholeBox().union(stage.workBox(this.works()));
+    this.rig.see(seen.expandByScalar(0.5 * seen.getSize(new Vector3()).length()));
+  }
+
+  private update(): Frame {
+    const { stage, own, store } = this;
+    const frame = this.place();
+    stage.light(frame.t_s, this.linesUnderWay(frame));
+    stage.machinery.visible = own.machine;
+    stage.grid.group.visible = own.grid;
+    stage.extents.lines.visible = own.extents;
+    stage.zones.group.visible = store.get("showZones");
+    stage.directions.group.visible = store.get("showDirections");
+    this.followTool(frame);
+    return frame;
+  }
+
+  private linesUnderWay({ instants }: Frame): { file: string; line: number }[] {
+    return instants.flatMap(({ segment }, i) => {
+      if (segment < 0) return [];
+      const { robot } = this.stage.machines[i];
+      const { file, line } = robot.segments.info(segment);
+      return [{ file: robot.files[file] ?? "", line }];
+    });
+  }
+
+  private followTool({ instants }: Frame): void {
+    const tip = this.store.get("follow") ? instants[this.store.get("robot")]?.tip_mm : undefined;
+    if (tip) this.rig.target.add(this.tip ? tip.clone().sub(this.tip) : tip.clone().sub(this.rig.target));
+    this.tip = tip?.clone() ?? null;
+  }
+
+  private look({ t_s, instants }: Frame): Look {
+    const { camera } = this.rig;
+    const seen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
+    const theme = isDark() ? "dark" : "light";
+    const end_s = this.run?.end_s ?? 0;
+    // Before it begins and behind its end the way is shown as it is.
+    const whole = t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
+    return {
+      ...this.canvas.drawn,
+      matrices: instants.map(({ places }) => seen.clone().multiply(places.work)),
+      pixelRatio: this.canvas.pixelRatio,
+      rapids: this.store.get("showRapids"),
+      compare: this.store.get("compare"),
+      compareColour: rgbOf(this.colours.compare),
+      now_s: instants.map(({ places, tip_mm }, i) =>
+        whole ? Infinity : doneUpTo(this.stage.paths[i], t_s, tip_mm.clone().applyMatrix4(places.work.clone().invert())),
+      ),
+      dimmed: DIMMED[theme],
+      lightened: LIGHTENED[theme],
+    };
+  }
+
+  private draw(): void {
+    if (this.canvas.gl.isContextLost()) return;
+    const { renderer } = this.canvas;
+    const frame = this.update();
+    this.rig.apply();
+    this.stage.follow(this.rig);
+    const look = this.look(frame);
+    const more = this.layer.prepare(look, performance.now());
+    renderer.resetState();
+    renderer.setRenderTarget(null);
+    renderer.clear();
+    renderer.render(this.stage.scene, this.rig.camera);
+    // What is dimmed lets through what is behind it, so that comes first.
+    this.layer.compose(look);
+    this.drawAccents(frame, look);
+    this.annotate(frame);
+    if (more === "now") this.invalidate();
+    else if (more === "at rest") setTimeout(() => this.invalidate(), REST_MS);
+  }
+
+  private drawAccents({ instants }: Frame, look: Look): void {
+    const { stage, layer, colours } = this;
+    instants.forEach(({ segment }, robot) => {
+      if (segment >= 0 && look.now_s[robot] !== Infinity) {
+        const known = stage.machines[robot].robot;
+        const ranges = [rangeOfBlock(known, stage.paths[robot], known.blocks.of(segment))];
+        layer.accent({ robot, ranges, colour: rgbOf(colours.underWay), width_px: 7, opacity: 0.2 }, look);
+      }
+      const ranges = this.chosen[robot] ?? [];
+      layer.accent({ robot, ranges, colour: rgbOf(colours.selected), width_px: 4, opacity: 1 }, look);
+    });
+  }
+
+  private annotate(frame: Frame): void {
+    const units = this.store.get("units");
+    const { stage, rig } = this;
+    this.triad.turn(rig.basis());
+    const marks = stage.alarms.labels(this.linesUnderWay(frame));
+    const measured = stage.measure.labels(units, texts.view.distance, frame.work);
+    this.labels.show([...marks, ...stage.extents.labels(units, frame.work), ...measured], rig);
+  }
+
+  private layDirections(): void {
+    if (!this.store.get("showDirections") || this.stage.paths.length === 0) return;
+    const { stage, rig, canvas } = this;
+    rig.apply();
+    stage.directions.lay(stage.paths, this.works(), rig, canvas, this.store.get("showRapids"));
+    this.invalidate();
+  }
+
+  /** What of the ways is at a place, px from the left and from above. */
+  hit(x_px: number, y_px: number, reach_px: number): Hit | null {
+    const { width_px, height_px, pixelRatio } = this.canvas;
+    return this.layer.hit(x_px / width_px, 1 - y_px / height_px, Math.round(reach_px * pixelRatio));
+  }
+
+  get shown(): Frame | null {
+    return this.frame;
+  }
+
+  /** How long a frame takes until it is drawn: at rest, while the eye turns, or of nothing at all. */
+  frame_ms(kind: "rest" | "orbit" | "empty"): number {
+    const begun_ms = performance.now();
+    if (kind === "empty") {
+      this.canvas.renderer.resetState();
+      this.canvas.renderer.clear();
+      this.canvas.renderer.render(new Scene(), this.rig.camera);
+    } else {
+      if (kind === "orbit") this.rig.orbit(3, 0);
+      this.draw();
+    }
+    this.canvas.finish();
+    return performance.now() - begun_ms;
+  }
+}

@@ -1,0 +1,48 @@
+// The engine's side of the page: runs in a worker, so that the page goes on while the engine works, and can end it.
+
+// @ts-expect-error: written by emscripten (make studio)
+import createEngine from "gsim-engine";
+import type { Ask, FromWorker, ToWorker } from "./core/worker_protocol";
+
+interface Engine {
+  ccall(name: string, result: null, types: string[], values: string[]): void;
+}
+
+declare const self: DedicatedWorkerGlobalScope;
+
+let engine: Promise<Engine> | null = null;
+let answering = 0;
+let files = new Map<string, string | Uint8Array>();
+const encoder = new TextEncoder();
+
+function start(module: WebAssembly.Module): Promise<Engine> {
+  return createEngine({
+    instantiateWasm(imports: WebAssembly.Imports, use: (instance: WebAssembly.Instance) => void) {
+      void WebAssembly.instantiate(module, imports).then(use);
+      return {};
+    },
+    readFile(name: string): Uint8Array | null {
+      const file = files.get(name);
+      if (file === undefined) return null;
+      return typeof file === "string" ? encoder.encode(file) : file;
+    },
+    post(bytes: Uint8Array<ArrayBuffer>) {
+      const message: FromWorker = { id: answering, bytes };
+      self.postMessage(message, [bytes.buffer]);
+    },
+    print() {},
+    printErr() {},
+  });
+}
+
+async function answer(ask: Ask): Promise<void> {
+  const ready = await engine!;
+  answering = ask.id;
+  files = ask.files;
+  ready.ccall("gsim_studio_serve", null, ["string"], [JSON.stringify(ask.request)]);
+}
+
+self.onmessage = (event: MessageEvent<ToWorker>) => {
+  if (event.data.kind === "start") engine = start(event.data.module);
+  else void answer(event.data);
+};
