@@ -45,6 +45,10 @@ class Run::State {
     Documents& documents(std::size_t robot) { return *documents_[robot]; }
     void show_progress(Progress progress) { progress_ = std::move(progress); }
     std::vector<NamedFile> named_files() const;
+    Scene scene(std::size_t robot) const {
+        if (robots_ == nullptr) return scene_of(*simulators_[robot]);
+        return scene_of(*simulators_[robot], robots_->stations()[robot].entry.base);
+    }
 
   private:
     tl::expected<void, Failure> open_one();
@@ -334,7 +338,7 @@ void Run::take_columns(TakeColumns take, std::size_t robot) {
 }
 
 tl::expected<Scene, Failure> Run::scene(std::size_t robot) const {
-    return guarded([&]() -> tl::expected<Scene, Failure> { return scene_of(state_->simulator(robot)); });
+    return guarded([&]() -> tl::expected<Scene, Failure> { return state_->scene(robot); });
 }
 
 const std::vector<std::string>& Run::files(std::size_t robot) const {

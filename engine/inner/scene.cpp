@@ -86,8 +86,7 @@ std::vector<float> triangles_of(const cell::TriangleMesh& mesh) {
     for (const cell::TriangleMesh::Node& node : mesh.nodes()) {
         if (!node.is_leaf()) continue;
         for (const Vector3d& corner : node.triangle.points) {
-            const Vector3d at = node.pose * corner;
-            for (const double value : at) coordinates.push_back(static_cast<float>(value));
+            for (const double value : corner) coordinates.push_back(static_cast<float>(value));
         }
     }
     return coordinates;
@@ -192,7 +191,7 @@ Json zones(const simulation::ZoneWatch& watch) {
 
 }  // namespace
 
-Scene scene_of(const simulation::Simulator& simulator) {
+Scene scene_of(const simulation::Simulator& simulator, const rrs::CartPos& base) {
     const machine::Machine& machine = simulator.machine();
     const auto kinematics = machine::make_kinematics(machine);
     const kinematics::Chain& chain = kinematics->chain();
@@ -200,6 +199,7 @@ Scene scene_of(const simulation::Simulator& simulator) {
     Json json = {
         {"machine", machine.name},
         {"controller", machine.controller.model},
+        {"base", matrix(base)},
         {"axes", axes(machine)},
         {"position_joints", simulation::setup_of_machine(machine).position_joints},
         {"tool_side", branch(chain.tool_side())},

@@ -53,7 +53,7 @@ async function main(): Promise<void> {
   const host = (id: string) => document.getElementById(id)!;
   followTheme(store);
   createBar(host("bar"), store, session);
-  createView(host("view"), store, session);
+  const view = createView(host("view"), store, session);
   createTime(host("time"), store, session);
   createCode(host("code"), store, session);
   createSide(host("side"), store, session);
@@ -61,7 +61,7 @@ async function main(): Promise<void> {
   if (finished) store.set("run", finished);
   else if (session.canRun) openSample(samples[0], session);
   // For tests and for the curious: what the page knows.
-  Object.assign(window, { studio: { store, session, documents } });
+  Object.assign(window, { studio: { store, session, documents, view } });
 }
 
 void main();

@@ -120,6 +120,7 @@ export const texts = {
     noEnvelope: "The reach of this machine cannot be told.",
   },
   time: {
+    grip: "Height of the strip: drag, or arrow keys; double click puts it back",
     transport: "Playing and stepping",
     play: "Play (Space)",
     pause: "Pause (Space)",
@@ -312,9 +313,7 @@ export const texts = {
     },
     told: "Messages",
     severities: { error: "Error", warning: "Warning", note: "Note" },
-    clear: "No alarms, collisions, limits or warnings.",
     more: (count: number) => `Show ${count} more`,
-    shown: (shown: number, of: number) => (shown === of ? `${of}` : `${shown} of ${of}`),
     blockColumns: {
       line: "Line",
       duration: "Time",

@@ -1,4 +1,18 @@
-// To be taken from core/dom (element) and core/theme; stands here for what was written against it.
+// Elements as core/dom makes them, with listeners by the name of their event: make("button", { click: run }, "Run").
 
-export { element as make } from "./dom";
+import { element } from "./dom";
+
 export { onTheme, themeColour } from "./theme";
+
+type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
+
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: (Node | string | null)[]
+): HTMLElementTagNameMap[K] {
+  const named = Object.entries(attributes).map(([name, value]) => {
+    return [typeof value === "function" ? `on${name}` : name, value];
+  });
+  return element(tag, Object.fromEntries(named), ...children.filter((child) => child !== null));
+}

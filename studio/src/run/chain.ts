@@ -32,7 +32,7 @@ const branchOf = (branch: Branch): ChainBranch => ({
 
 /** Where everything is at an instant, in the world (mm). */
 export interface Places {
-  /** Number 0 is the world, number i what joint i - 1 moves. */
+  /** Number 0 is the machine's world, number i what joint i - 1 moves. */
   links: Matrix4[];
   /** A frame for each joint, which moves along or about its Z. */
   joints: Matrix4[];
@@ -45,6 +45,8 @@ export interface Places {
 }
 
 export class Chain {
+  /** The machine's world in that of all robots. */
+  private readonly world: Matrix4;
   private readonly toolSide: ChainBranch;
   private readonly workSide: ChainBranch;
   /** For each frame its drifts in the order of time; from one's time on those before it do not count. */
@@ -52,6 +54,7 @@ export class Chain {
   private readonly base: number;
 
   constructor(readonly scene: Scene) {
+    this.world = matrixOf(scene.base);
     this.toolSide = branchOf(scene.tool_side);
     this.workSide = branchOf(scene.work_side);
     this.base = scene.frames?.findIndex((frame) => "link" in frame && frame.name === "base") ?? -1;
@@ -67,7 +70,7 @@ export class Chain {
   places(joints: ArrayLike<number>, t_s: number): Places {
     const count = this.scene.axes.length;
     const places: Places = {
-      links: Array.from({ length: count + 1 }, () => new Matrix4()),
+      links: Array.from({ length: count + 1 }, () => this.world.clone()),
       joints: Array.from({ length: count }, () => new Matrix4()),
       tool: new Matrix4(),
       work: new Matrix4(),
@@ -99,7 +102,7 @@ export class Chain {
     this.scene.frames?.forEach((frame, i) => {
       if ("link" in frame) {
         const moved = i === this.base && this.driftAt(i, t_s);
-        const pose = moved ? poseAt(moved, t_s) : places.links[frame.link].clone().multiply(matrixOf(frame.in_link));
+        const pose = moved ? poseAt(moved, t_s).premultiply(this.world) : places.links[frame.link].clone().multiply(matrixOf(frame.in_link));
         places.frames.push(pose);
       } else {
         const drift = this.driftAt(i, t_s);
@@ -113,6 +116,7 @@ export class Chain {
 function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 | null, places: Places): Matrix4 {
   const at = branch.base.clone();
   if (shift) at.premultiply(shift);
+  at.premultiply(places.links[0]);
   const motion = new Matrix4();
   for (const link of branch.links) {
     at.multiply(link.before);

@@ -71,6 +71,8 @@ export interface Zone {
 export interface Scene {
   machine: string;
   controller: string;
+  /** Of the machine's world in that of all robots. */
+  base: Matrix;
   axes: Axis[];
   position_joints: [number, number, number];
   tool_side: Branch;

@@ -36,6 +36,7 @@ export function createClock(store: Store): HTMLElement {
     seconds.textContent = `${t_s.toFixed(3)} s`;
     const index = robot ? robot.segments.at(t_s) : -1;
     place.textContent = kind.textContent = feed.textContent = "";
+    kind.hidden = index < 0;
     if (!robot || index < 0) return;
     const info = robot.segments.info(index);
     const speed = feedText(robot.segments.speed_at(t_s), store.get("units"));

@@ -9,6 +9,7 @@ import { marksOf, type Mark } from "../run/marks";
 import { texts } from "../texts";
 import { createCharts } from "./charts";
 import { createClock } from "./clock";
+import { createGrip } from "./grip";
 import { createKeyboard } from "./keyboard";
 import { markText } from "./mark_text";
 import { createPlayer } from "./player";
@@ -48,7 +49,7 @@ export function createTime(host: HTMLElement, store: Store, _session: Session): 
   });
   const bar = element("div", { class: "bar" }, createTransport(store, actions), createClock(store), told);
   const left = element("div", { class: "left" }, createZoom(store, window), charts.chooser);
-  host.append(bar, left, scrubber.element, charts.list);
+  host.append(createGrip(host), bar, left, scrubber.element, charts.list);
 
   // What a mark was called does not hold of another instant.
   store.on("time_s", () => {

@@ -2,9 +2,10 @@
 
 export type Keys = Record<string, () => void>;
 
-const writes = "input, textarea, select, [contenteditable], .cm-editor";
+const boxes = ":is([type=checkbox], [type=radio])";
+const writes = `input:not(${boxes}), textarea, select, [contenteditable], .cm-editor`;
 // These take Space for themselves.
-const presses = "button, summary, a[href], [role=tab], [role=option], [role=menuitem]";
+const presses = `button, summary, a[href], input${boxes}, [role=tab], [role=option], [role=menuitem]`;
 
 /** Listens on the page; `keys` by KeyboardEvent.key. */
 export function createKeyboard(keys: Keys): void {

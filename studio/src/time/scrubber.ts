@@ -8,6 +8,7 @@ import type { Store } from "../core/store";
 import { timeText } from "../core/units";
 import type { Mark } from "../run/marks";
 import { texts } from "../texts";
+import { dragOn } from "./drag";
 import { drawStrip, pixelOf, type Content } from "./draw";
 import { markText } from "./mark_text";
 import type { TimeWindow } from "./window";
@@ -28,7 +29,8 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
   const now = element("div", { class: "now" });
   const tip = element("div", { class: "tip", role: "tooltip" });
   tip.hidden = true;
-  const track = element("div", { class: "track", role: "slider", tabindex: 0, "aria-label": words.scrubber }, canvas, now);
+  const slider = { class: "track", role: "slider", tabindex: 0, "aria-label": words.scrubber };
+  const track = element("div", slider, canvas, now);
   const thumb = element("div", { class: "thumb" });
   const overview = element("div", { class: "overview", title: words.overview }, thumb);
   const root = element("div", { class: "scrubber" }, track, overview, tip);
@@ -71,7 +73,8 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
 
   function tell(x: number): void {
     const marks = near(x);
-    const told = marks.slice(0, TOLD_MARKS).map((mark) => `${timeText(mark.t_s)}  ${markText(mark, store.get("units"))}`);
+    const textOf = (mark: Mark) => `${timeText(mark.t_s)}  ${markText(mark, store.get("units"))}`;
+    const told = marks.slice(0, TOLD_MARKS).map(textOf);
     if (marks.length > TOLD_MARKS) told.push(words.more(marks.length - TOLD_MARKS));
     tip.textContent = [...told, ...(told.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");
     tip.hidden = !content;
@@ -147,28 +150,4 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
       draw();
     },
   };
-}
-
-interface Drag {
-  begin(event: PointerEvent): void;
-  move(event: PointerEvent, by_px: number): void;
-}
-
-/** Follows a pointer from press to release, wherever it goes. */
-function dragOn(element: HTMLElement, drag: Drag): void {
-  let last_px: number | null = null;
-  element.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    element.setPointerCapture(event.pointerId);
-    last_px = event.clientX;
-    drag.begin(event);
-  });
-  element.addEventListener("pointermove", (event) => {
-    if (last_px === null || event.clientX === last_px) return;
-    drag.move(event, event.clientX - last_px);
-    last_px = event.clientX;
-  });
-  const end = () => (last_px = null);
-  element.addEventListener("pointerup", end);
-  element.addEventListener("pointercancel", end);
 }

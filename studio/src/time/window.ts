@@ -20,10 +20,12 @@ export class TimeWindow {
     this.listeners.add(listener);
   }
 
-  /** Of another run, which takes `whole_s`; all of it is shown. */
+  /** Of another run or robot; where it takes another time, all of it is shown. */
   begin(whole_s: number): void {
+    const same = whole_s === this.whole_s;
     this.whole_s = whole_s;
-    this.put(0, whole_s);
+    if (same) this.put(this.start_s, this.end_s);
+    else this.put(0, whole_s);
   }
 
   reset(): void {

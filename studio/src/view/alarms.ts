@@ -1,6 +1,7 @@
 // Which bodies have met by an instant, and which come near to each other in the line under way.
 
 import { Vector3 } from "three";
+import { matrixOf } from "../run/chain";
 import type { Clearance, Collision, Report } from "../run/report";
 import type { Run } from "../run/run";
 import type { Role } from "./machine/looks";
@@ -8,17 +9,31 @@ import type { Label } from "./marks/labels";
 
 const MOST_MARKS = 8;
 
-const reportsOf = (report: Report | null): Report[] => (report ? [report, ...(report.robots ?? [])] : []);
+const reportsOf = (run: Run | null): Report[] => (run?.report ? [run.report, ...(run.report.robots ?? [])] : []);
+
+/** Points of a robot's report are in its machine's own world: where they are in that of all. */
+function pointsOfRobots(run: Run | null): Map<Collision | Clearance, Vector3> {
+  const points = new Map<Collision | Clearance, Vector3>();
+  run?.report?.robots?.forEach((report, i) => {
+    const base = matrixOf(run.robots[i].scene.base);
+    for (const place of [...(report.collisions ?? []), ...(report.clearances ?? [])]) {
+      points.set(place, new Vector3(...place.point_mm).applyMatrix4(base));
+    }
+  });
+  return points;
+}
 const keyOf = (file: string | null, line: number | null): string => `${file}\n${line}`;
 
 export class Alarms {
   private readonly collisions: Collision[];
   private readonly near = new Map<string, Clearance[]>();
+  private readonly points: Map<Collision | Clearance, Vector3>;
   private met = new Set<string>();
   private metCount = 0;
 
   constructor(run: Run | null) {
-    const reports = reportsOf(run?.report ?? null);
+    const reports = reportsOf(run);
+    this.points = pointsOfRobots(run);
     this.collisions = reports.flatMap((report) => report.collisions ?? []).sort((a, b) => a.t_s - b.t_s);
     for (const clearance of reports.flatMap((report) => report.clearances ?? [])) {
       const key = keyOf(clearance.file, clearance.line);
@@ -49,7 +64,7 @@ export class Alarms {
   /** Where bodies have met last, and where they come near. */
   labels(lines: { file: string; line: number }[]): Label[] {
     const met = this.collisions.slice(Math.max(0, this.metCount - MOST_MARKS), this.metCount);
-    const mark = (kind: string) => (place: Collision | Clearance) => ({ at: new Vector3(...place.point_mm), text: "", kind });
+    const mark = (kind: string) => (place: Collision | Clearance) => ({ at: this.points.get(place) ?? new Vector3(...place.point_mm), text: "", kind });
     return [...this.nearBy(lines).map(mark("near")), ...met.map(mark("hit"))];
   }
 }

@@ -22,6 +22,8 @@ export interface ViewHandle {
   frame_ms(kind: "rest" | "orbit" | "empty"): number;
   /** Whether the whole way is in the kept picture. */
   complete(): boolean;
+  /** Where a point of the work (mm, of the robot that is chosen) is in the window, in pixels. */
+  screen_of(point_mm: [number, number, number]): [number, number];
 }
 
 /** null: there is no WebGL 2, and a sentence says so. */
@@ -57,6 +59,7 @@ export function createView(host: HTMLElement, store: Store, session: Session): V
     orbit: act.orbit,
     frame_ms: (kind) => view.frame_ms(kind),
     complete: () => view.layer.complete,
+    screen_of: (point_mm) => view.screenOf(point_mm),
   };
 }
 

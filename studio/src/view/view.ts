@@ -206,6 +206,14 @@ export class View {
     this.turned();
   }
 
+  /** In pixels of the window. */
+  screenOf(point_mm: [number, number, number]): [number, number] {
+    const { work } = this.place();
+    const { x, y } = new Vector3(...point_mm).applyMatrix4(work).project(this.rig.camera);
+    const { left, top, width, height } = this.canvas.element.getBoundingClientRect();
+    return [left + (width * (x + 1)) / 2, top + (height * (1 - y)) / 2];
+  }
+
   stand(name: Stand): void {
     this.rig.stand(name);
     this.fit(false);
@@ -318,7 +326,7 @@ export class View {
     const { stage, rig } = this;
     this.triad.turn(rig.basis());
     const marks = stage.alarms.labels(this.linesUnderWay(frame));
-    const measured = stage.measure.labels(units, texts.view.distance, frame.work);
+    const measured = stage.measure.labels(units, frame.work);
     this.labels.show([...marks, ...stage.extents.labels(units, frame.work), ...measured], rig);
   }
 

@@ -17,5 +17,6 @@ export function lengthShort(mm: number, store: Store): string {
   const units = store.get("units");
   const value = length(mm, units);
   const digits = value >= 1000 ? 0 : units === "inch" ? 3 : 2;
-  return `${value.toLocaleString("en", { minimumFractionDigits: digits, maximumFractionDigits: digits })} ${lengthUnit(units)}`;
+  const text = value.toLocaleString("en", { minimumFractionDigits: digits, maximumFractionDigits: digits });
+  return `${text} ${lengthUnit(units)}`;
 }

@@ -118,6 +118,7 @@ export class Chart {
       stroke: trace.colour,
       fill: trace.colour,
       width: 1.25,
+      pxAlign: 0, // slopes without steps
       dash: trace.dashed ? [5, 3] : undefined,
       points: { show: false },
       paths: (...of) => (this.areColumns && !trace.dashed ? areaPaths(...of) : linePaths(...of)),
@@ -241,7 +242,7 @@ export class Chart {
     this.now.hidden = !inside;
     this.traces.forEach((trace, i) => {
       const value = shownBy(trace, values[trace.channel]);
-      this.values[i].textContent = value === null ? "–" : `${short(value)}${trace.unit.startsWith("°") ? "" : " "}${trace.unit}`;
+      this.values[i].textContent = value === null ? "–" : withUnit(value, trace.unit);
     });
   }
 
@@ -253,3 +254,6 @@ export class Chart {
 
 const shownBy = (trace: Trace, value: number): number | null =>
   Number.isFinite(value) ? trace.offset + trace.factor * value : null;
+
+/** "12.3°", "1234 mm/min" */
+const withUnit = (value: number, unit: string): string => `${short(value)}${unit.startsWith("°") ? "" : " "}${unit}`;

@@ -16,6 +16,7 @@ export const linePaths: uPlot.Series.PathBuilder = (plot, series, first, last) =
 export const areaPaths: uPlot.Series.PathBuilder = (plot, series, first, last) => {
   const [xs, ys] = [plot.data[0], plot.data[series]];
   const scale = plot.series[series].scale!;
+  const yOf = (value: number) => plot.valToPos(value, scale, true);
   const half = HALF_WIDTH * devicePixelRatio;
   const path = new Path2D();
   let stretch: number[] = [];
@@ -26,7 +27,7 @@ export const areaPaths: uPlot.Series.PathBuilder = (plot, series, first, last) =
   for (let i = first - (first % 2); i < last; i += 2) {
     const [low, high] = [ys[i], ys[i + 1]];
     if (low == null || high == null) close();
-    else stretch.push(plot.valToPos(xs[i], "x", true), plot.valToPos(high, scale, true), plot.valToPos(low, scale, true));
+    else stretch.push(plot.valToPos(xs[i], "x", true), yOf(high), yOf(low));
   }
   close();
   return { stroke: null, fill: path };

@@ -11,10 +11,12 @@ const JET_MM = 1;
 const THICK = 0.16;
 const THIN = 0.04;
 
+/** From the tool centre point to what holds the tool, along the tool's Z, mm. */
+const holderOf = (robot: Robot): number => new Matrix4().fromArray(robot.scene.tool_side.end).invert().elements[14];
+
 /** Which way the tool stands from its tip: up where it can be told no other way. */
 function shankSign(robot: Robot): number {
-  const flange = new Matrix4().fromArray(robot.scene.tool_side.end).invert();
-  const away = flange.elements[14];
+  const away = holderOf(robot);
   if (Math.abs(away) > 1) return Math.sign(away);
   const home = robot.chain.places(new Float64Array(robot.scene.axes.length), 0);
   return home.tool.elements[10] < -1e-6 ? -1 : 1;
@@ -65,7 +67,7 @@ export class Tool {
     if (this.sign < 0) stand.multiply(new Matrix4().makeRotationX(Math.PI));
     this.point.matrix.copy(stand);
     const radius = this.radius_mm;
-    const beyond = Math.max(0, -this.sign * offset.z) + 1.6 * this.gauge_mm;
+    const beyond = Math.max(0, -this.sign * offset.z) + Math.max(1.6 * this.gauge_mm, Math.abs(holderOf(this.robot)));
     this.shank.matrix.copy(stand).multiply(stretched(1, 3 * radius, beyond - 3 * radius));
     this.jet.visible = this.jets && processOn;
     const width = Math.max(1, 0.02 * this.gauge_mm);

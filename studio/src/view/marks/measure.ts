@@ -2,7 +2,7 @@
 
 import { BufferGeometry, LineBasicMaterial, LineSegments, type Matrix4, Vector3 } from "three";
 import type { Units } from "../../core/store";
-import { length, lengthUnit } from "../../core/units";
+import { length, lengthText, lengthUnit } from "../../core/units";
 import type { Palette } from "../theme";
 import { setLines } from "./grid";
 import type { Label } from "./labels";
@@ -59,11 +59,11 @@ export class Measure {
     return `${parts.join("  ")}  ${distance} ${number(way.length())} ${lengthUnit(units)}`;
   }
 
-  labels(units: Units, distance: string, frame: Matrix4): Label[] {
+  labels(units: Units, frame: Matrix4): Label[] {
     const [a, b] = this.places;
     const dots = this.places.map((place) => ({ at: place.clone().applyMatrix4(frame), text: "", kind: "dot" }));
     if (!b) return dots;
     const at = a.clone().add(b).multiplyScalar(0.5).applyMatrix4(frame);
-    return [...dots, { at, text: this.text(units, distance), kind: "measured" }];
+    return [...dots, { at, text: lengthText(a.distanceTo(b), units), kind: "measured" }];
   }
 }

@@ -100,7 +100,8 @@ export function compare(beforeRun: Run, afterRun: Run, robot: number, most: numb
     const gone = all.changes[i] === "gone";
     const file = (gone ? before : after).files[all.files[i]];
     const text = linesOf((gone ? beforeRun : afterRun).sources, file).line(all.lines[i]);
-    return { change: all.changes[i], file, line: all.lines[i], text, before_s: all.before_s[i], after_s: all.after_s[i] };
+    const times = { before_s: all.before_s[i], after_s: all.after_s[i] };
+    return { change: all.changes[i], file, line: all.lines[i], text, ...times };
   });
   return { before_s: before.segments.end_s, after_s: after.segments.end_s, rows, count };
 }

@@ -4,16 +4,8 @@ import type { Robot, Run } from "../../../run/run";
 import { limitKinds, moveKinds } from "../../../run/segments";
 import { texts } from "../../../texts";
 import type { BlockTable } from "./block_table";
-import { limitOf, limitText } from "./limit_words";
+import { DWELL, limitOf, limitText } from "./limit_words";
 import { linesOf } from "./source_lines";
-
-const DWELL = moveKinds.indexOf("dwell");
-
-/** In words what limits a block. */
-export function limitTextOf(table: BlockTable, block: number, letters: readonly string[]): string {
-  if (table.kind[block] === DWELL) return limitText({ kind: "dwell", letter: "" });
-  return limitText(limitOf(table.limit[block], table.axis[block], letters));
-}
 
 /**
  * "230": that line, or the block N230; "200-260": lines; other words: part of the line's text, of the kind of
@@ -34,8 +26,8 @@ export function filterOf(words: string, run: Run, robot: Robot, table: BlockTabl
   const columns = robot.scene.axes.length + 1;
   return (block) => {
     if (byText[table.file[block]]?.[table.line[block]] === 1 || byKind[table.kind[block]]) return true;
-    const limit = table.kind[block] === DWELL ? 0 : 1 + table.limit[block] * columns + table.axis[block] + 1;
-    return byLimit[limit];
+    if (moveKinds[table.kind[block]] === "dwell") return byLimit[0];
+    return byLimit[1 + table.limit[block] * columns + table.axis[block] + 1];
   };
 }
 
@@ -49,5 +41,5 @@ function limitMatches(wanted: string, robot: Robot): boolean[] {
   const all = limitKinds.flatMap((_, limit) =>
     [-1, ...letters.keys()].map((axis) => matches(limitText(limitOf(limit, axis, letters)))),
   );
-  return [matches(limitText({ kind: "dwell", letter: "" })), ...all];
+  return [matches(limitText(DWELL)), ...all];
 }

@@ -1,7 +1,9 @@
 // What limits a move, in words.
 
-import { limitKinds, type LimitKind } from "../../../run/segments";
+import { kindColours, limitColours } from "../../../core/colours";
+import { limitKinds, moveKinds, type LimitKind } from "../../../run/segments";
 import { texts } from "../../../texts";
+import type { BlockTable } from "./block_table";
 
 const words = texts.panels;
 
@@ -10,6 +12,8 @@ export interface NamedLimit {
   kind: LimitKind | "dwell";
   letter: string;
 }
+
+export const DWELL: NamedLimit = { kind: "dwell", letter: "" };
 
 /** "acceleration of Y" */
 export function limitText({ kind, letter }: NamedLimit): string {
@@ -20,6 +24,13 @@ export function limitText({ kind, letter }: NamedLimit): string {
 
 /** What a programmer can do about it. */
 export const limitHint = ({ kind }: NamedLimit): string => words.limitHints[kind];
+
+export const limitColour = ({ kind }: NamedLimit): string =>
+  kind === "dwell" ? kindColours.dwell : limitColours[kind];
+
+/** What limits a block, where axes have these letters. */
+export const limitOfBlock = (table: BlockTable, block: number, letters: readonly string[]): NamedLimit =>
+  moveKinds[table.kind[block]] === "dwell" ? DWELL : limitOf(table.limit[block], table.axis[block], letters);
 
 /** Of a segment's limit, where axes have these letters. */
 export const limitOf = (limit: number, axis: number, letters: readonly string[]): NamedLimit => ({

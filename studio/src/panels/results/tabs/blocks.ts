@@ -1,6 +1,6 @@
 // The blocks of a run in a table: the slowest first, or by another column; those that match some words.
 
-import { kindColours, limitColours } from "../../../core/colours";
+import { kindColours } from "../../../core/colours";
 import { element } from "../../../core/dom";
 import type { Store } from "../../../core/store";
 import { feedText, timeText } from "../../../core/units";
@@ -8,9 +8,9 @@ import { moveKinds } from "../../../run/segments";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { blockTableOf, type BlockTable } from "../data/block_table";
-import { filterOf, limitTextOf } from "../data/filter";
+import { filterOf } from "../data/filter";
 import { greatest } from "../data/greatest";
-import { limitHint, limitOf } from "../data/limit_words";
+import { limitColour, limitHint, limitOfBlock, limitText } from "../data/limit_words";
 import { linesOf } from "../data/source_lines";
 import { countText, lengthShort, percentText } from "../format";
 import { beginRows, makeRows } from "../rows";
@@ -141,8 +141,7 @@ export class BlocksTab implements Tab {
     const units = this.store.get("units");
     const letters = robot!.scene.axes.map((axis) => axis.letter);
     const kind = moveKinds[table.kind[block]];
-    const limit = kind === "dwell" ? ({ kind: "dwell", letter: "" } as const) : limitOf(table.limit[block], table.axis[block], letters);
-    const colour = limit.kind === "dwell" ? kindColours.dwell : limitColours[limit.kind];
+    const limit = limitOfBlock(table, block, letters);
     const feed = table.feed_per_min[block];
     const moves = table.length_mm[block] > 0;
     const file = robot!.files[table.file[block]] ?? "";
@@ -150,7 +149,7 @@ export class BlocksTab implements Tab {
       [String(table.line[block]), `${file}: ${linesOf(run!.sources, file).line(table.line[block])}`],
       [timeText(table.duration_s[block])],
       [`${percentText(table.duration_s[block], table.total_s)} %`],
-      [limitTextOf(table, block, letters), limitHint(limit), colour],
+      [limitText(limit), limitHint(limit), limitColour(limit)],
       [words.kinds[kind], "", kindColours[kind]],
       [moves ? lengthShort(table.length_mm[block], this.store) : "–"],
       [moves ? feedText(table.meanSpeed_mm_s(block), units) : "–"],

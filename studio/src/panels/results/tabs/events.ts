@@ -27,7 +27,7 @@ export function createEvents(store: Store): Tab {
         const shown = marks.filter((mark) => wanted === "" || nameOf(mark) === wanted);
         list.replaceChildren(itemList(words.tabs.events, shown.map((mark) => markItem(mark, store)), 200));
       };
-      const options: [string, string][] = [["", words.allKinds], ...names.map((name): [string, string] => [name, name])];
+      const options = [["", words.allKinds], ...names.map((name) => [name, name])] as [string, string][];
       const kinds = choice(words.eventKind, options, wanted, (value) => {
         wanted = value;
         show();

@@ -1,6 +1,6 @@
 // Where the time goes: by what limits the moves, by kind, tool and operation.
 
-import { kindColours, limitColours, orange } from "../../../core/colours";
+import { kindColours, orange } from "../../../core/colours";
 import { element } from "../../../core/dom";
 import type { Store } from "../../../core/store";
 import { timeText } from "../../../core/units";
@@ -8,8 +8,7 @@ import { moveKinds } from "../../../run/segments";
 import { texts } from "../../../texts";
 import type { Context, Links, Tab } from "../context";
 import { blockTableOf, type BlockTable } from "../data/block_table";
-import { limitTextOf } from "../data/filter";
-import { limitHint, limitOf, limitOfReport, limitText, type NamedLimit } from "../data/limit_words";
+import { limitColour, limitHint, limitOfBlock, limitOfReport, limitText, type NamedLimit } from "../data/limit_words";
 import { timeByOperation } from "../data/operations";
 import { timeByTool } from "../data/tools";
 import { percentText } from "../format";
@@ -23,8 +22,6 @@ interface Share {
   title: string;
   choose(): void;
 }
-
-const colourOf = ({ kind }: NamedLimit): string => (kind === "dwell" ? kindColours.dwell : limitColours[kind]);
 
 export function createShares(store: Store, links: Links): Tab {
   const host = element("div", { class: "shares" });
@@ -74,26 +71,18 @@ function byLimit({ robot, report }: Context, table: BlockTable, links: Links): S
   if (report?.time_by_limit) {
     for (const { limited_by, time_s } of report.time_by_limit) add(limitOfReport(limited_by), time_s);
   } else {
-    addBlocks(table, robot!.scene.axes.map((axis) => axis.letter), add);
+    const letters = robot!.scene.axes.map((axis) => axis.letter);
+    for (let block = 0; block < table.count; ++block) add(limitOfBlock(table, block, letters), table.duration_s[block]);
   }
   return [...times]
     .map(([name, { limit, time_s }]) => ({
       name,
       time_s,
-      colour: colourOf(limit),
+      colour: limitColour(limit),
       title: `${limitHint(limit)} ${words.filterBlocks}`,
       choose: () => links.showBlocks(name),
     }))
     .sort((a, b) => b.time_s - a.time_s);
-}
-
-function addBlocks(table: BlockTable, letters: string[], add: (limit: NamedLimit, time_s: number) => void): void {
-  const dwell = limitText({ kind: "dwell", letter: "" });
-  for (let block = 0; block < table.count; ++block) {
-    const isDwell = limitTextOf(table, block, letters) === dwell;
-    const limit = isDwell ? ({ kind: "dwell", letter: "" } as const) : limitOf(table.limit[block], table.axis[block], letters);
-    add(limit, table.duration_s[block]);
-  }
 }
 
 function byKind(table: BlockTable, links: Links): Share[] {

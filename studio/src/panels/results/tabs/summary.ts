@@ -26,7 +26,8 @@ export function createSummary(store: Store): Tab {
       if (!report) return;
       host.append(...sections(context, grave, store));
       if (report.cycle_time_s > 0) host.append(figures(report, store));
-      host.append(...sections(context, light, store), ...(told.length > 0 ? [section(words.told, "finding", told)] : []));
+      host.append(...sections(context, light, store));
+      if (told.length > 0) host.append(section(words.told, "finding", told));
       if (context.robot && report.bounds) host.append(createTravel(context.robot.scene.axes, report.bounds, axisWords));
     },
   };
@@ -69,7 +70,9 @@ function toldOf({ run, report }: Context, store: Store): Item[] {
       place: one.line === null ? words.severities[one.severity] : words.atLine(one.line),
       choose: () => goTo(store, one, null),
     })),
-    ...warnings.map((text) => ({ kind: "warning", text, title: "", place: words.severities.warning, choose: () => {} })),
+    ...warnings.map((text) => {
+      return { kind: "warning", text, title: "", place: words.severities.warning, choose: () => {} };
+    }),
   ];
 }
 

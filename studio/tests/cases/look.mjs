@@ -1,0 +1,117 @@
+// What the page shows.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { join } from "node:path";
+import { comparePicture, countPixels, difference, pictureOfView, run, setState, state, withPage } from "../steps.mjs";
+
+const RED = [0, 150, 90];
+const CELL = { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" };
+
+async function at(page, time_s) {
+  await setState(page, "time_s", time_s);
+}
+
+export default {
+  "the page opens from a disk and runs the wheel": (places) =>
+    withPage(places.studio, async (page) => {
+      assert.match(await page.locator("#side").innerText(), /The program ran to its end/);
+      const report = await page.evaluate(() => window.studio.store.get("run").report);
+      assert.equal(report.cycle_time_s, 129.989152064);
+    }),
+
+  "the wheel looks as it did": (places) =>
+    withPage(places.studio, async (page) => {
+      await at(page, 60);
+      await comparePicture(page, places, "wheel-light");
+      await setState(page, "theme", "dark");
+      await comparePicture(page, places, "wheel-dark");
+    }),
+
+  "machines with arms and mills look as they did": (places) =>
+    withPage(places.studio, async (page) => {
+      for (const machine of ["arm6", "mill-table-table", "router3"]) {
+        await run(page, { program: "samples/wheel.nc", machine: `samples/machines/${machine}.toml` });
+        await at(page, 20);
+        await comparePicture(page, places, machine);
+      }
+    }),
+
+  "at 60 s the axes are those of gsim-run --trajectory": (places) =>
+    withPage(places.studio, async (page) => {
+      const csv = execFileSync(
+        places.gsimRun,
+        ["--quiet", "--machine", "machines/af5-measured.toml", "--trajectory", "-", "--step", "60", "wheel.nc"],
+        { cwd: places.samples, encoding: "utf8" },
+      );
+      const values = csv.split("\n").find((line) => line.startsWith("60,")).split(",").map(Number);
+      const axes = await page.evaluate(() => window.studio.store.get("run").robots[0].axes_at(60));
+      axes.forEach((value, i) => assert.ok(Math.abs(value - values[i + 2]) < 1e-6, `axis ${i}: ${value}, ${values[i + 2]}`));
+    }),
+
+  "scrubbing moves the machine and no other pixel of the way's end": (places) =>
+    withPage(places.studio, async (page) => {
+      await at(page, 30);
+      const before = await pictureOfView(page);
+      await at(page, 90);
+      const after = await pictureOfView(page);
+      assert.ok((await difference(page, before, after)) > 0.005);
+      await at(page, 30);
+      assert.ok((await difference(page, before, await pictureOfView(page))) < 0.002);
+    }),
+
+  "a collision is lit from its instant on": (places) =>
+    withPage(places.studio, async (page) => {
+      const { status } = await run(page, CELL);
+      assert.equal(status, "completed");
+      const [collision] = await page.evaluate(() => window.studio.store.get("run").report.collisions);
+      assert.deepEqual(collision.pair, ["nozzle", "left clamp"]);
+      await at(page, collision.t_s - 0.05);
+      const before = await countPixels(page, await pictureOfView(page), RED);
+      await at(page, collision.t_s + 0.001);
+      const lit = await countPixels(page, await pictureOfView(page), RED);
+      assert.ok(lit > before + 50, `${before} red pixels before, ${lit} behind`);
+    }),
+
+  "several robots are in one picture, and each has its charts": (places) =>
+    withPage(places.studio, async (page) => {
+      await run(page, { program: "samples/cell/cell.lua", robots: "samples/cell/robots.toml" });
+      const names = await page.evaluate(() => window.studio.store.get("run").robots.map((robot) => robot.name));
+      assert.equal(names.length, 2);
+      await at(page, 5);
+      await comparePicture(page, places, "robots");
+    }),
+
+  "inches are shown everywhere at once": (places) =>
+    withPage(places.studio, async (page) => {
+      await page.locator("#bar .preferences button").first().click();
+      assert.equal(await state(page, "units"), "inch");
+      const side = await page.locator("#side").innerText();
+      assert.match(side, /\d in\b/);
+      assert.doesNotMatch(side, /\d mm\b/);
+    }),
+
+  "nothing sticks out of the page of a tablet": (places) =>
+    withPage(
+      places.studio,
+      async (page) => {
+        const [width, height] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+        assert.ok(width <= 1024 && height <= 768, `${width} x ${height}`);
+      },
+      { width: 1024, height: 768 },
+    ),
+
+  "a page of gsim-run --view has the run, and no engine": async (places) => {
+    const file = join(places.build, "view-of-test.html");
+    execFileSync(places.gsimRun, ["--quiet", "--view", file, "wheel.nc"], { cwd: places.samples });
+    await withPage(file, async (page) => {
+      assert.equal(await page.evaluate(() => window.studio.session.canRun), false);
+      assert.equal(await page.locator("#run-button").count(), 0);
+      assert.match(await page.locator("#code").innerText(), /WHEEL/);
+      await at(page, 100);
+      const axes = await page.evaluate(() => window.studio.store.get("run").robots[0].axes_at(100));
+      assert.equal(axes.length, 5);
+      await pictureOfView(page);
+    });
+  },
+};
