@@ -25,13 +25,9 @@ int write_document(const std::string& name, const std::string& text) {
     return kUsage;
 }
 
-text::DiagnosticKind kind_of(const std::string& code) {
-    return text::diagnostic_kind(code).value_or(text::DiagnosticKind::internal);
-}
-
-text::Diagnostic plain(const engine::Diagnostic& told) {
-    return {.severity = static_cast<text::Severity>(told.severity),
-            .kind = kind_of(told.code),
+engine::Diagnostic plain(const text::Diagnostic& told) {
+    return {.severity = static_cast<engine::Severity>(told.severity),
+            .code = std::string(text::code_of(told.kind)),
             .file = told.file,
             .line = told.line,
             .column = told.column,
@@ -74,39 +70,30 @@ void Findings::say(const std::string& text) const {
     }
 }
 
-void Findings::take(const text::Diagnostic& diagnostic) {
-    all_.push_back(diagnostic);
-    say(text::to_text(diagnostic));
+void Findings::take(const engine::Diagnostic& told) {
+    all_.push_back(told);
+    say(engine::text_of(told));
 }
 
-void Findings::take(const engine::Diagnostic& diagnostic) {
-    take(plain(diagnostic));
-}
-
-void Findings::replace(const std::vector<engine::Diagnostic>& diagnostics) {
-    all_.clear();
-    for (const engine::Diagnostic& told : diagnostics) all_.push_back(plain(told));
+void Findings::take(const text::Diagnostic& told) {
+    take(plain(told));
 }
 
 int Findings::fail(const engine::Failure& failure) {
-    return fail(kind_of(failure.code), failure.message, failure.file);
+    all_.push_back(engine::diagnostic_of(failure));
+    if (!options_.json) print_error(text::printable(fmt::format("{}: {}\n", program_, failure.message)));
+    return kUsage;
 }
 
 int Findings::fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file) {
-    text::Diagnostic diagnostic = text::diagnostic_of(kind, sentence);
-    if (diagnostic.file.empty() && !file.empty()) {
-        diagnostic.file = file;
-        const std::string head = fmt::format("{}: ", file);
-        if (diagnostic.text.starts_with(head)) diagnostic.text.erase(0, head.size());
-    }
-    all_.push_back(std::move(diagnostic));
-    if (!options_.json) print_error(text::printable(fmt::format("{}: {}\n", program_, sentence)));
-    return kUsage;
+    return fail({.code = std::string(text::code_of(kind)),
+                 .message = std::string(sentence),
+                 .file = std::string(file)});
 }
 
 int Findings::finish(int status, Stream json_to) {
     if (options_.json) {
-        const std::string document = findings_json(all_, programs_);
+        const std::string document = engine::findings_json(all_, programs_);
         if (json_to == Stream::standard_output) {
             apps::print(document);
         } else if (print_error(document) != kDone && status == kDone) {
@@ -118,7 +105,7 @@ int Findings::finish(int status, Stream json_to) {
 
 int Findings::finish_told(int status) {
     if (options_.sarif.empty()) return status;
-    const std::string document = findings_sarif(all_);
+    const std::string document = engine::findings_sarif(all_);
     if (options_.sarif == os::kStandardStream) {
         apps::print(document);
         return status;

@@ -3,12 +3,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/command_line.h"
-#include "apps/finding_documents.h"
 #include "base/text/diagnostic.h"
 #include "engine/diagnostic.h"
+#include "engine/findings.h"
 
 namespace gsim::apps {
 
@@ -37,16 +38,16 @@ class Findings {
     Findings(std::string program, FindingOptions options, Stream text_to = Stream::standard_error)
         : program_(std::move(program)), options_(std::move(options)), text_to_(text_to) {}
 
-    void take(const text::Diagnostic& diagnostic);
-    void take(const engine::Diagnostic& diagnostic);
+    void take(const engine::Diagnostic& told);
+    void take(const text::Diagnostic& told);
     /// A program has been looked at: for the JSON document.
-    void checked(CheckedProgram program) { programs_.push_back(std::move(program)); }
+    void checked(engine::CheckedProgram program) { programs_.push_back(std::move(program)); }
     /// Another document has told what was taken so far, and these.
-    void replace(const std::vector<engine::Diagnostic>& diagnostics);
-    /// Takes what a reader of files or of options says, as a sentence that may begin with its place, or with
-    /// the name `file`; the exit status for it.
-    int fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file = {});
+    void replace(std::vector<engine::Diagnostic> diagnostics) { all_ = std::move(diagnostics); }
+    /// Takes why something was not done; the exit status for it.
     int fail(const engine::Failure& failure);
+    /// The same of a sentence that may begin with its place, or with the name `file`.
+    int fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file = {});
 
     /// Ends with this status: writes the documents that are wanted. JSON goes to `json_to`: standard error
     /// where the program's product is on standard output. The status, or that of an output that cannot be
@@ -59,14 +60,13 @@ class Findings {
     void say(const std::string& text) const;
 
     const FindingOptions& options() const { return options_; }
-    const std::vector<text::Diagnostic>& all() const { return all_; }
 
   private:
     std::string program_;
     FindingOptions options_;
     Stream text_to_;
-    std::vector<text::Diagnostic> all_;
-    std::vector<CheckedProgram> programs_;
+    std::vector<engine::Diagnostic> all_;
+    std::vector<engine::CheckedProgram> programs_;
 };
 
 }  // namespace gsim::apps

@@ -13,7 +13,6 @@
 #include "apps/findings.h"
 #include "apps/programs.h"
 #include "apps/run_arguments.h"
-#include "apps/run_faults.h"
 #include "engine/machine.h"
 #include "engine/run.h"
 #include "engine/system/host_of_system.h"
@@ -59,8 +58,8 @@ int check_program(engine::Request request, const engine::Machine& machine, Findi
     if (!report) return findings.fail(report.error());
     for (const engine::Diagnostic& found : report->diagnostics) findings.take(found);
     findings.checked({report->program, std::string(name(report->status)), report->cycle_time_s});
-    if (lacks_text(*report)) return kUsage;
-    if (!report->is_clean() || report->process_findings > 0) return kProgramFault;
+    if (report->lacks_file()) return kUsage;
+    if (!report->passes_check()) return kProgramFault;
     findings.say(fmt::format("{}: nothing wrong, {:.3f} s\n", report->program, report->cycle_time_s));
     return kDone;
 }

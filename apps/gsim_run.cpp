@@ -19,7 +19,6 @@
 #include "apps/programs.h"
 #include "apps/progress.h"
 #include "apps/run_arguments.h"
-#include "apps/run_faults.h"
 #include "apps/run_files.h"
 #include "apps/view_page.h"
 #include "base/os/file_lock.h"
@@ -150,7 +149,7 @@ class Run {
     }
 
     static int status_of(const Report& report) {
-        if (apps::lacks_text(report)) return apps::kUsage;
+        if (report.lacks_file()) return apps::kUsage;
         return report.is_clean() ? apps::kDone : apps::kProgramFault;
     }
 
@@ -171,10 +170,10 @@ class Run {
         std::vector<engine::Diagnostic> diagnostics = report.diagnostics;
         for (const Report& robot : report.robots)
             diagnostics.insert(diagnostics.end(), robot.diagnostics.begin(), robot.diagnostics.end());
-        findings_.replace(diagnostics);
+        findings_.replace(std::move(diagnostics));
         if (arguments_.findings.json) return printed(report.json() + '\n', status);
         if (!arguments_.quiet) return printed(report.text(), status);
-        apps::print_faults(report);
+        std::fputs(text::printable(report.faults_text()).c_str(), stderr);
         return status;
     }
 

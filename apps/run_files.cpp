@@ -82,6 +82,13 @@ std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, co
     return std::nullopt;
 }
 
+tl::expected<void, std::string> fault_of_documents(const engine::Run& run, const std::string& code) {
+    for (const engine::Failure& fault : run.faults()) {
+        if (fault.code == code) return tl::unexpected(fault.message);
+    }
+    return {};
+}
+
 tl::expected<RunOutputs, std::string> RunOutputs::open(const RunArguments& arguments, engine::Run& run) {
     RunOutputs all;
     const auto add = [&](const OutputNames& names, std::size_t robot) {

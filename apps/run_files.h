@@ -17,6 +17,9 @@ namespace gsim::apps {
 /// An output that is a file which another file has named, or that two robots would both write, as a sentence.
 std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, const engine::Run& run);
 
+/// The first document that lacks something, of those whose fault has this code, as a sentence.
+tl::expected<void, std::string> fault_of_documents(const engine::Run& run, const std::string& code);
+
 /// The files that a run writes, of all its robots.
 class RunOutputs {
   public:

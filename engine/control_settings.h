@@ -45,7 +45,7 @@ class GSIM_API ControlSettings {
     tl::expected<std::string, Failure> machine_data() const;
 
   private:
-    class State;
+    struct State;
     explicit ControlSettings(std::unique_ptr<State> state);
 
     std::unique_ptr<State> state_;

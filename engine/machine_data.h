@@ -76,7 +76,7 @@ class GSIM_API MachineData {
     tl::expected<void, Failure> convert(LengthUnit unit);
 
   private:
-    class State;
+    struct State;
     explicit MachineData(std::unique_ptr<State> state);
 
     std::unique_ptr<State> state_;

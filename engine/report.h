@@ -107,6 +107,12 @@ struct GSIM_API Report {
 
     /// Nothing went wrong: it completed, within limits and zones, and nothing touched.
     bool is_clean() const;
+    /// Of a check: clean, and the program does nothing that it should not with the process.
+    bool passes_check() const;
+    /// It ended where a file that it needs cannot be read, which is no fault of the program.
+    bool lacks_file() const;
+    /// What went wrong, for people, in whole lines: collisions, violations, why it ended.
+    std::string faults_text() const;
     /// The report as JSON, keys in a fixed order, without a line feed at its end.
     std::string json() const;
     /// A compact table for people, in whole lines.

@@ -62,7 +62,9 @@ tl::expected<SettledCutting, std::string> settle_cutting(const CuttingChoice& ch
     if (!materials) return settle_by_figures(choice);
     return waterjet::plan_cutting(*materials, cutting_request(choice, plate_mm))
         .map([](waterjet::CuttingPlan plan) {
-            return SettledCutting{.rules = rules_of(plan), .plan = std::move(plan)};
+            SettledCutting settled{.rules = rules_of(plan)};
+            settled.plan = std::move(plan);
+            return settled;
         });
 }
 

@@ -24,6 +24,7 @@ std::vector<std::string> document_names() {
     std::sort(words.begin(), words.end(),
               [](const DocumentWord& a, const DocumentWord& b) { return a.document < b.document; });
     std::vector<std::string> names;
+    names.reserve(words.size());
     for (const DocumentWord& each : words) names.emplace_back(each.word);
     return names;
 }

@@ -1,4 +1,4 @@
-#include "apps/finding_documents.h"
+#include "engine/findings.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/version.h"
 #include "base/text/diagnostic_json.h"
+#include "engine/inner/values.h"
+#include "engine/version.h"
 
-namespace gsim::apps {
+namespace gsim::engine {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-using text::Diagnostic;
 
 constexpr const char* kSarifSchema = "https://json.schemastore.org/sarif-2.1.0.json";
 
@@ -38,34 +38,34 @@ std::string as_uri(std::string_view name) {
     return uri;
 }
 
-Json sarif_location(const Diagnostic& diagnostic) {
+Json sarif_location(const Diagnostic& told) {
     Json physical;
-    physical["artifactLocation"] = {{"uri", as_uri(diagnostic.file)}};
-    if (diagnostic.line > 0) {
+    physical["artifactLocation"] = {{"uri", as_uri(told.file)}};
+    if (told.line > 0) {
         Json& region = physical["region"];
-        region["startLine"] = diagnostic.line;
-        if (diagnostic.column > 0) region["startColumn"] = diagnostic.column;
-        if (diagnostic.end_column > diagnostic.column) region["endColumn"] = diagnostic.end_column;
+        region["startLine"] = told.line;
+        if (told.column > 0) region["startColumn"] = told.column;
+        if (told.end_column > told.column) region["endColumn"] = told.end_column;
     }
     return {{"physicalLocation", physical}};
 }
 
-Json sarif_result(const Diagnostic& diagnostic) {
-    const std::string hint = diagnostic.hint.empty() ? "" : "; " + diagnostic.hint;
+Json sarif_result(const Diagnostic& told) {
+    const std::string hint = told.hint.empty() ? "" : "; " + told.hint;
     Json result;
-    result["ruleId"] = text::code_of(diagnostic.kind);
-    result["level"] = text::name(diagnostic.severity);
-    result["message"] = {{"text", diagnostic.text + hint}};
-    if (!diagnostic.file.empty()) result["locations"] = Json::array({sarif_location(diagnostic)});
+    result["ruleId"] = told.code;
+    result["level"] = text::name(static_cast<text::Severity>(told.severity));
+    result["message"] = {{"text", told.text + hint}};
+    if (!told.file.empty()) result["locations"] = Json::array({sarif_location(told)});
     return result;
 }
 
 Json sarif_rules(std::span<const Diagnostic> diagnostics) {
-    std::set<text::DiagnosticKind> kinds;
-    for (const Diagnostic& diagnostic : diagnostics) kinds.insert(diagnostic.kind);
+    std::set<std::string_view> codes;
+    for (const Diagnostic& told : diagnostics) codes.insert(told.code);
     Json rules = Json::array();
     for (const text::DiagnosticKindEntry& entry : text::diagnostic_kinds()) {
-        if (kinds.contains(entry.kind))
+        if (codes.contains(entry.code))
             rules.push_back({{"id", entry.code}, {"shortDescription", {{"text", entry.meaning}}}});
     }
     return rules;
@@ -73,23 +73,40 @@ Json sarif_rules(std::span<const Diagnostic> diagnostics) {
 
 }  // namespace
 
+std::string text_of(const Diagnostic& told) {
+    return text::to_text(inner_diagnostic(told));
+}
+
+Diagnostic diagnostic_of(const Failure& failure) {
+    using text::DiagnosticKind;
+    const auto kind = text::diagnostic_kind(failure.code).value_or(DiagnosticKind::internal);
+    Diagnostic told = diagnostic_of(text::diagnostic_of(kind, failure.message));
+    if (!told.file.empty() || failure.file.empty()) return told;
+    told.file = failure.file;
+    const std::string head = fmt::format("{}: ", failure.file);
+    if (told.text.starts_with(head)) told.text.erase(0, head.size());
+    return told;
+}
+
 std::string findings_json(std::span<const Diagnostic> diagnostics, std::span<const CheckedProgram> programs) {
     Json document;
     for (const CheckedProgram& each : programs) {
         document["programs"].push_back(
             {{"program", each.name}, {"status", each.status}, {"cycle_time_s", each.cycle_time_s}});
     }
-    document["diagnostics"] = text::to_json(diagnostics);
+    std::vector<text::Diagnostic> inner;
+    for (const Diagnostic& told : diagnostics) inner.push_back(inner_diagnostic(told));
+    document["diagnostics"] = text::to_json(inner);
     return as_text(document);
 }
 
 std::string findings_sarif(std::span<const Diagnostic> diagnostics) {
     Json results = Json::array();
-    for (const Diagnostic& diagnostic : diagnostics) results.push_back(sarif_result(diagnostic));
+    for (const Diagnostic& told : diagnostics) results.push_back(sarif_result(told));
     Json driver = {{"name", "gsim"}, {"version", version()}, {"rules", sarif_rules(diagnostics)}};
     Json run = {{"tool", {{"driver", std::move(driver)}}}, {"results", std::move(results)}};
     return as_text(
         {{"$schema", kSarifSchema}, {"version", "2.1.0"}, {"runs", Json::array({std::move(run)})}});
 }
 
-}  // namespace gsim::apps
+}  // namespace gsim::engine
