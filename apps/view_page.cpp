@@ -9,9 +9,9 @@
 
 #include "apps/gzip.h"
 #include "base/os/input_file.h"
+#include "base/os/installation.h"
 #include "base/os/output_file.h"
 #include "base/text/base64.h"
-#include "engine/system/installed_files.h"
 #include "studio/engine/message.h"
 #include "studio/engine/run_messages.h"
 
@@ -23,11 +23,6 @@ constexpr const char* kPage = "studio/view.html";
 constexpr std::string_view kPlace = "<!-- run -->";
 constexpr std::string_view kBefore = "<script type=\"application/octet-stream\" id=\"run\">";
 constexpr std::string_view kBehind = "</script>";
-
-tl::unexpected<std::string> no_page(const std::string& why) {
-    return tl::unexpected(fmt::format(
-        "--view needs the page of the studio, which this build lacks ({}); `make studio` makes it", why));
-}
 
 }  // namespace
 
@@ -80,13 +75,16 @@ ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
 tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& file) {
-    const auto page = engine::find_file(engine::NameKind::sample, kPage);
-    if (!page) return no_page(page.error());
-    auto text = os::read_text_file(*page);
-    if (!text) return no_page(text.error());
-    if (text->find(kPlace) == std::string::npos)
-        return no_page(fmt::format("'{}' has no place for a run", *page));
-    return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
+    std::string why = "it is not known where the program lies";
+    for (const auto& folder : os::data_folders(os::program_folder())) {
+        const std::string page = folder / kPage;
+        auto text = os::read_text_file(page);
+        if (text && text->find(kPlace) != std::string::npos)
+            return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
+        why = text ? fmt::format("'{}' has no place for a run", page) : text.error();
+    }
+    return tl::unexpected(fmt::format(
+        "--view needs the page of the studio, which is not there ({}); `make studio` makes it", why));
 }
 
 tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {

@@ -7,7 +7,7 @@
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
-readonly rooms='base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|apps|bench'
+readonly rooms='base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|bench'
 
 format() {
     local file code=0

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Tries the page of the studio: its closed forms against gsim-run --trajectory, and the page itself in a browser without a window.
+# Tries the page of the studio: what of it needs no browser, its closed forms against gsim-run --trajectory, and the page itself in a browser without a window.
 # Where there is no page, no node or no Chromium it says so and skips (status 77); with --required that is a failure.
 # Closes with "N passed, N failed".
 # Usage: scripts/studio-test.sh BUILD [--required]
@@ -25,14 +25,15 @@ fi
 
 passed=0
 failed=0
-for test in exact page; do
+for test in "units" "exact $build" "page $build"; do
     log=$(mktemp)
-    node "studio/tests/$test.mjs" "$build" 2>&1 | tee "$log"
-    if [[ $(tail -n 1 "$log") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]]; then
+    read -r name arguments <<<"$test"
+    node "studio/tests/$name.mjs" ${arguments:+"$arguments"} 2>&1 | tee "$log"
+    if [[ $(tail -n 1 "$log") =~ ^([1-9][0-9]*)\ passed,\ ([0-9]+)\ failed$ ]]; then
         passed=$((passed + BASH_REMATCH[1]))
         failed=$((failed + BASH_REMATCH[2]))
     else
-        echo "FAILED $test: it did not come to its end"
+        echo "FAILED $name: it did not come to its end"
         failed=$((failed + 1))
     fi
     rm -f "$log"

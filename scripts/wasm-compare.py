@@ -85,6 +85,7 @@ def program_runs():
         for machine in files(SAMPLES, "machines/*.toml"):
             yield Run(SAMPLES, ("run", program, "--dialect", dialect, "--json", "--machine", machine))
     yield Run(SAMPLES / "cell", ("run", Input("cell.lua"), "--robots", Input("robots.toml"), "--json"))
+    yield Run(SAMPLES, ("run", Input("mill/dome.nc"), "--machine", Input("machines/mill-head-table.toml"), "--json"))
     for program in ("left.nc", "clamp.nc"):
         yield Run(SAMPLES / "cell", ("run", Input(program), "--cell", Input("table.toml"), "--json"), (Input("mould.stl"),))
 

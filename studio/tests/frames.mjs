@@ -9,12 +9,11 @@ import * as esbuild from "esbuild";
 
 const sources = fileURLToPath(new URL("../src/", import.meta.url));
 
-/** What run/ and core/ of the page export, by module: {message, run, segments}. */
-export async function loadPage() {
+/** What a module of the page's own that has these contents exports. */
+async function bundled(contents) {
   const folder = mkdtempSync(join(tmpdir(), "gsim-studio-"));
   try {
     const outfile = join(folder, "page.mjs");
-    const contents = ["core/message", "run/run", "run/chain"].map((file) => `export * from "./${file}";`).join("\n");
     await esbuild.build({
       stdin: { contents, resolveDir: sources, loader: "ts" },
       bundle: true,
@@ -27,6 +26,18 @@ export async function loadPage() {
     rmSync(folder, { recursive: true });
   }
 }
+
+const exported = (file, i) => `import * as module${i} from ${JSON.stringify(file)}; export { module${i} };`;
+
+/** Modules of the page by their paths below src/, or of packages by their names; all of them share what they import. */
+export async function loadModules(files) {
+  const all = await bundled(files.map((file, i) => exported(file.startsWith("@") ? file : `./${file}`, i)).join("\n"));
+  return Object.fromEntries(files.map((file, i) => [file, all[`module${i}`]]));
+}
+
+/** What readRun works with. */
+export const loadPage = () =>
+  bundled(["core/message", "run/run", "run/chain"].map((file) => `export * from "./${file}";`).join("\n"));
 
 /** The frames of a finished run in a page's text. */
 export function packedRun(html) {

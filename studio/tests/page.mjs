@@ -29,7 +29,7 @@ for (const file of readdirSync(join(here, "cases")).filter((name) => name.endsWi
       console.log(`ok ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
     } catch (fault) {
       ++failed;
-      console.log(`FAILED ${name}\n  ${String(fault.stack ?? fault).split("\n").slice(0, 6).join("\n  ")}`);
+      console.log(`FAILED ${name}\n  ${String(fault.stack ?? fault).split("\n").slice(0, 12).join("\n  ")}`);
     }
   }
 }

@@ -7,12 +7,13 @@
 
 namespace gsim::apps {
 
-/// The options of a run's files but for the picture, whose name must end as a picture's; the report's is the
-/// first one.
+/// The options of a run's files but for the picture, whose name must end as a picture's, and the page, which
+/// a build may lack; the report's is the first one.
 inline std::vector<std::string> output_options() {
     std::vector<std::string> options;
     for (const OutputNames::File& file : OutputNames::files()) {
-        if (file.document != engine::Document::plot) options.emplace_back(file.option);
+        const bool is_odd = file.document == engine::Document::plot || file.name == &OutputNames::view;
+        if (!is_odd) options.emplace_back(file.option);
     }
     return options;
 }

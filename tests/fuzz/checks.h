@@ -65,4 +65,7 @@ Outcome check_solid_packet(std::string_view bytes);
 /// good, and the run ends.
 Outcome check_rcs_values(std::string_view bytes);
 
+/// Whatever a page asks for, the answer's messages are whole, and its last one says how it ended.
+Outcome check_studio_request(std::string_view json);
+
 }  // namespace gsim::fuzz

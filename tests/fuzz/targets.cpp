@@ -35,6 +35,7 @@ constexpr std::array kTargets{
     Target{"mesh_obj", "mesh_obj", check_mesh_obj},
     Target{"solid_packet", "solid_packet", check_solid_packet},
     Target{"rcs_values", "rcs_values", check_rcs_values},
+    Target{"studio_request", "studio_request", check_studio_request},
 };
 
 }  // namespace

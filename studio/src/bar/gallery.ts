@@ -36,7 +36,7 @@ export const samples: Sample[] = [
   },
   {
     ...gallery.mill,
-    setup: { program: "samples/wheel.nc", machine: "samples/machines/mill-table-table.toml" },
+    setup: { program: "samples/mill/dome.nc", machine: "samples/machines/mill-head-table.toml" },
   },
 ];
 

@@ -1,8 +1,8 @@
 // Runs as a person types: when the text has been found to be without errors, and the last run was short.
 
+import { Debounced } from "../core/debounced";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
-import { Debounced } from "./dom";
 
 const SHORT_S = 1;
 /** Of a script nothing is known before it runs: it runs when a person pauses. */

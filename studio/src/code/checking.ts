@@ -1,9 +1,9 @@
 // Checks the text while one types, and shows what a run has said of it.
 
 import { setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import { Debounced } from "../core/debounced";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
-import { Debounced } from "./dom";
 import { byPage } from "./editor";
 import { diagnosticOf, findingsOf, findingsOfRun, type Finding } from "./findings";
 import type { SourcePane } from "./source_pane";

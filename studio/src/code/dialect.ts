@@ -1,5 +1,6 @@
 // A dialect as the editor asks for it: its codes and letters by name, and which dialect a program is in.
 
+import { dialectOfName } from "../core/kinds";
 import type { Code, Language } from "../core/languages";
 import type { Session } from "../core/session";
 import { texts } from "../texts";
@@ -32,7 +33,7 @@ export class Dialect {
     readonly name: string,
     language: Language | null,
   ) {
-    this.title = language?.title ?? texts.code.dialects[name] ?? name;
+    this.title = language?.title ?? texts.run.dialects[name] ?? name;
     for (const code of language?.codes ?? []) {
       this.codes.set(code.code, code);
       this.functions.set(code.lua, code);
@@ -70,9 +71,9 @@ function saidDialect(session: Session): string {
   return said ? dialectOfControl(said[1]) : "";
 }
 
-/** Where nobody says it, the ending of the program's name tells. */
+/** Where nobody says it, the program's name tells. */
 export function dialectName(session: Session, program: string): string {
-  return saidDialect(session) || (program.toLowerCase().endsWith(".ngc") ? "rs274ngc" : "ab9");
+  return saidDialect(session) || (dialectOfName(program) || "ab9");
 }
 
 /** Whether the engine, which reads what nobody says as ab9, would read the program in another dialect than it looks. */

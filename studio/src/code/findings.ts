@@ -2,13 +2,12 @@
 
 import type { Diagnostic } from "@codemirror/lint";
 import type { Text } from "@codemirror/state";
-import type { Report } from "../run/report";
+import { element } from "../core/dom";
+import type { Placed, Report, Severity } from "../run/report";
 import type { Run } from "../run/run";
-import { texts } from "../texts";
-import { element } from "./dom";
 
 export interface Finding {
-  severity: "error" | "warning" | "note";
+  severity: Severity;
   code: string;
   line: number;
   /** Counted from 1; 0: the whole line. */
@@ -22,11 +21,9 @@ export interface Finding {
 const MOST = 1000;
 const MOST_OF_LINE = 5;
 
-type Somewhere = { file: string | null; line: number | null };
-
 /** What the engine tells has its words in `text`, where reports of a run have them in `message` in other lists. */
-type Worded = Somewhere & {
-  severity?: Finding["severity"];
+type Worded = Placed & {
+  severity?: Severity;
   code?: string;
   column?: number | null;
   end_column?: number | null;
@@ -35,7 +32,7 @@ type Worded = Somewhere & {
   hint?: string | null;
 };
 
-function findingOf(worded: Worded, severity: Finding["severity"]): Finding {
+function findingOf(worded: Worded, severity: Severity): Finding {
   return {
     severity: worded.severity ?? severity,
     code: worded.code ?? "",
@@ -48,7 +45,7 @@ function findingOf(worded: Worded, severity: Finding["severity"]): Finding {
 }
 
 /** Those of a file, each once: what comes later and has the words of one before says nothing new. */
-export function findingsOf(file: string, all: Iterable<[Worded, Finding["severity"]]>): Finding[] {
+export function findingsOf(file: string, all: Iterable<[Worded, Severity]>): Finding[] {
   const found: Finding[] = [];
   const byLine = new Map<number, Finding[]>();
   for (const [worded, severity] of all) {
@@ -64,18 +61,13 @@ export function findingsOf(file: string, all: Iterable<[Worded, Finding["severit
   return found;
 }
 
-function* inReport(report: Report): Generator<[Worded, Finding["severity"]]> {
+/** Diagnostics of a report have all that there is to tell, alarms, limits and collisions among it. */
+function* inReport(report: Report): Generator<[Worded, Severity]> {
   for (const one of report.diagnostics ?? []) yield [one, one.severity];
-  if (report.alarm) yield [report.alarm, "error"];
-  for (const one of report.violations ?? []) yield [{ ...one, code: "violation" }, "error"];
-  for (const one of report.collisions ?? []) {
-    yield [{ ...one, code: "collision", message: texts.code.collision(one.pair) }, "error"];
-  }
-  for (const one of report.findings ?? []) yield [one, "warning"];
   for (const robot of report.robots ?? []) yield* inReport(robot);
 }
 
-function* inRun(run: Run): Generator<[Worded, Finding["severity"]]> {
+function* inRun(run: Run): Generator<[Worded, Severity]> {
   for (const one of run.told) yield [one, one.severity];
   if (run.report) yield* inReport(run.report);
 }
@@ -85,8 +77,8 @@ export const findingsOfRun = (run: Run, file: string): Finding[] => findingsOf(f
 const severities = { error: "error", warning: "warning", note: "info" } as const;
 
 function messageOf({ text, hint }: Finding): Node {
-  const message = element("div", "code-message", {}, text);
-  if (hint) message.append(element("div", "code-hint", {}, hint));
+  const message = element("div", { class: "code-message" }, text);
+  if (hint) message.append(element("div", { class: "code-hint" }, hint));
   return message;
 }
 

@@ -1,16 +1,15 @@
 // Code, time and what is chosen go together: the line that the machine is at is marked and kept in sight, a line that
 // a person chooses is shown to the rest of the page, and one that is chosen elsewhere gets the cursor.
 
-import type { Place, Store } from "../core/store";
-import { startNearest_s } from "./block_facts";
+import { lineAtWork, robotOf } from "../core/shown";
+import type { Store } from "../core/store";
+import type { Place } from "../run/report";
 import type { Editor } from "./editor";
 import type { SourcePane } from "./source_pane";
 import { OFFSET_LINES, type TranslationPane } from "./translation_pane";
 
 /** After a person's own scrolling or typing the code stays where it is for so long. */
 const REST_S = 2;
-/** The end of a run may be later than its last motion by rounding. */
-const AT_END_S = 1e-6;
 
 /** G-code and Lua beside each other: they scroll as one. */
 export interface Split {
@@ -34,6 +33,7 @@ export class Following {
     store.on("robot", () => this.later(false));
     store.on("selection", (place) => {
       if (place && !this.isOwn) this.go(place);
+      this.later(false);
     });
   }
 
@@ -41,15 +41,12 @@ export class Following {
   choose(line: number): void {
     const { store, source } = this;
     const place = source.runPlace(line);
-    const run = store.get("run");
     const isNew = source.sheet.runLineOf(line) === 0;
     this.isOwn = true;
     store.set("selection", isNew ? null : { file: source.name, line: place?.line ?? line, block: -1 });
-    const robot = run?.robots[store.get("robot")];
-    if (place && robot) {
-      const start_s = startNearest_s(robot, place.file, place.line, store.get("time_s"));
-      if (start_s >= 0) store.set("time_s", start_s);
-    }
+    const blocks = robotOf(store)?.blocks;
+    const block = place && blocks ? blocks.nearest(place.file, place.line, store.get("time_s")) : -1;
+    if (blocks && block >= 0) store.set("time_s", blocks.start_s(block));
     this.isOwn = false;
   }
 
@@ -60,7 +57,7 @@ export class Following {
 
   /** Scrolls to the marked line, where a person has asked to see the other pane. */
   reveal(): void {
-    const place = this.present();
+    const place = lineAtWork(this.store);
     if (place?.file === this.source.name) this.revealLine(this.source.sheet.lineOfRun(place.line));
   }
 
@@ -87,23 +84,13 @@ export class Following {
     });
   }
 
-  private present(): Place | null {
-    const robot = this.store.get("run")?.robots[this.store.get("robot")];
-    const time_s = this.store.get("time_s");
-    const segment = robot?.segments.at(time_s) ?? -1;
-    // Of several robots one may be done before the others.
-    if (!robot || segment < 0 || time_s > robot.segments.end_s + AT_END_S) return null;
-    const [chunk, i] = robot.segments.locate(segment);
-    return { file: robot.files[chunk.file[i]], line: chunk.line[i] };
-  }
-
   private get isLeft(): boolean {
     return Math.min(this.source.editor.untouched_s, this.translation.editor.untouched_s) > REST_S;
   }
 
   private follow(mayScroll: boolean): void {
     const { source, translation } = this;
-    const place = this.present();
+    const place = lineAtWork(this.store);
     if (place && place.file !== source.name && mayScroll && this.isLeft && source.has(place.file)) {
       source.show(place.file);
     }

@@ -3,6 +3,7 @@
 import { StreamLanguage, type StringStream } from "@codemirror/language";
 import { codeName, type Dialect } from "./dialect";
 import { tokenTable } from "./tokens";
+import { blockBehind } from "./words";
 
 const word = /^([A-Z@^$])\s*([+-]?(?:\d+\.?\d*|\.\d+))/i;
 const keyword =
@@ -27,7 +28,7 @@ function letterToken(dialect: Dialect, letter: string): string {
 function comment(stream: StringStream, dialect: Dialect): boolean {
   if (stream.match(/^\([^)]*\)?/)) return true;
   if (stream.peek() !== ";") return false;
-  if (!dialect.isNgc && stream.match(/^;\s*[a-z/#]\s*[\d#[]/i, false)) return false;
+  if (!dialect.isNgc && stream.match(blockBehind, false)) return false;
   stream.skipToEnd();
   return true;
 }

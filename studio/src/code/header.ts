@@ -1,7 +1,8 @@
 // Above the editor: which file, whether it is changed, what is shown of it, and Run.
 
+import { check, element } from "../core/dom";
+import { baseName } from "../core/kinds";
 import { texts } from "../texts";
-import { element } from "./dom";
 
 export type Tab = "source" | "lua" | "both";
 
@@ -33,24 +34,19 @@ export interface HeaderEvents {
 }
 
 const words = texts.code;
-const baseName = (name: string) => name.slice(name.lastIndexOf("/") + 1);
 
-function button(text: string, title: string, action: () => void): HTMLButtonElement {
-  const made = element("button", "", { type: "button", title }, text);
-  made.addEventListener("click", action);
-  return made;
-}
+const button = (text: string, title: string, action: () => void): HTMLButtonElement =>
+  element("button", { type: "button", title, onclick: action }, text);
 
 export class Header {
   readonly dom: HTMLElement;
-  private readonly files = element("select", "code-files", { "aria-label": words.file, title: words.file });
-  private readonly mark = element("span", "code-mark");
+  private readonly files = element("select", { class: "code-files", "aria-label": words.file, title: words.file });
+  private readonly mark = element("span", { class: "code-mark" });
   private readonly runButton: HTMLButtonElement;
   private readonly tabs: [Tab, HTMLButtonElement][];
   private readonly tabRow: HTMLElement;
-  private readonly auto = element("input", "", { type: "checkbox" });
-  private readonly autoLabel: HTMLLabelElement;
-  private readonly origin = element("span", "code-grow");
+  private readonly auto: ReturnType<typeof check>;
+  private readonly origin = element("span", { class: "code-grow" });
   private readonly originRow: HTMLElement;
   private isRunning = false;
   private listed = "";
@@ -63,18 +59,16 @@ export class Header {
       button(words.tabs[tab], words.tabTitles[tab], () => events.tab(tab)),
     ]);
     const tabButtons = this.tabs.map(([, one]) => one);
-    this.tabRow = element("div", "code-tabs", { role: "group", "aria-label": words.tabsLabel }, ...tabButtons);
-    this.autoLabel = element("label", "code-auto", {}, this.auto, words.autoRun);
+    this.tabRow = element("div", { class: "code-tabs", role: "group", "aria-label": words.tabsLabel }, ...tabButtons);
+    this.auto = check(words.autoRun, (isOn) => events.autoRun(isOn), { class: "code-auto" });
     const back = button(words.toGcode, words.toGcodeTitle, () => events.toGcode());
-    this.originRow = element("div", "code-strip", {}, this.origin, back);
+    this.originRow = element("div", { class: "code-strip" }, this.origin, back);
     this.files.addEventListener("change", () => events.file(this.files.value));
-    this.auto.addEventListener("change", () => events.autoRun(this.auto.checked));
     this.dom = element(
       "header",
-      "code-header",
-      {},
-      element("div", "code-row", {}, this.files, this.mark, this.runButton),
-      element("div", "code-row", {}, this.tabRow, this.autoLabel),
+      { class: "code-header" },
+      element("div", { class: "code-row" }, this.files, this.mark, this.runButton),
+      element("div", { class: "code-row" }, this.tabRow, this.auto.row),
       this.originRow,
     );
   }
@@ -90,10 +84,10 @@ export class Header {
     this.mark.textContent = state.readOnly ? words.readOnly : state.isModified ? words.modified : "";
     this.tabRow.hidden = !state.hasTabs;
     for (const [tab, one] of this.tabs) one.setAttribute("aria-pressed", String(tab === state.tab));
-    this.autoLabel.hidden = !state.canRun;
-    this.auto.checked = state.autoRun;
-    this.auto.disabled = state.autoRunTooSlow;
-    this.autoLabel.title = state.autoRunTooSlow ? words.autoRunTooSlow : words.autoRunTitle;
+    this.auto.row.hidden = !state.canRun;
+    this.auto.box.checked = state.autoRun;
+    this.auto.box.disabled = state.autoRunTooSlow;
+    this.auto.row.title = state.autoRunTooSlow ? words.autoRunTooSlow : words.autoRunTitle;
     this.originRow.hidden = !state.origin;
     this.origin.textContent = state.origin ? words.luaOf(baseName(state.origin)) : "";
   }
@@ -101,7 +95,7 @@ export class Header {
   private showFiles({ files, name }: HeaderState): void {
     const listed = files.join("\n");
     if (listed !== this.listed) {
-      this.files.replaceChildren(...files.map((file) => element("option", "", { value: file }, baseName(file))));
+      this.files.replaceChildren(...files.map((file) => element("option", { value: file }, baseName(file))));
       this.listed = listed;
     }
     this.files.value = name;

@@ -2,6 +2,7 @@
 
 import { StateEffect, StateField, type Extension } from "@codemirror/state";
 import { GutterMarker, gutter } from "@codemirror/view";
+import { element } from "../core/dom";
 
 /** The time of a line in seconds, the slowest line's, and words for it; null: it has not run. */
 export interface Heat {
@@ -34,9 +35,7 @@ class HeatMarker extends GutterMarker {
   }
 
   override toDOM(): Node {
-    const bar = document.createElement("div");
-    bar.className = "cm-heat";
-    bar.title = this.text;
+    const bar = element("div", { class: "cm-heat", title: this.text });
     bar.style.setProperty("--share", String(this.share));
     bar.style.width = `${Math.max(1, Math.round(this.share * WIDTH_PX))}px`;
     return bar;

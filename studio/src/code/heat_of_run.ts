@@ -1,7 +1,7 @@
 // The times of the shown file's lines in the shown run.
 
 import type { Store } from "../core/store";
-import { timeText } from "../core/units";
+import { percentText, timeText } from "../core/units";
 import { texts } from "../texts";
 import type { Heat } from "./heat";
 import { lineTimes } from "./line_times";
@@ -21,8 +21,8 @@ export function heatOfRun(store: Store, source: SourcePane): Heat | null {
     of(line) {
       const time_s = times_s[source.sheet.runLineOf(line)] ?? 0;
       if (time_s <= 0) return null;
-      const share = ((100 * time_s) / cycle_s).toFixed(1);
-      return { share: time_s / slowest_s, text: texts.code.hover.share(timeText(time_s), share) };
+      const text = texts.code.hover.share(timeText(time_s), percentText(time_s, cycle_s));
+      return { share: time_s / slowest_s, text };
     },
   };
 }

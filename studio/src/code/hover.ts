@@ -2,13 +2,15 @@
 
 import { StateEffect, StateField, type Extension } from "@codemirror/state";
 import { closeHoverTooltips, hoverTooltip, keymap, showTooltip, type EditorView, type Tooltip } from "@codemirror/view";
+import { element } from "../core/dom";
 import type { Code } from "../core/languages";
+import { limitText } from "../core/names";
+import { robotOf } from "../core/shown";
 import type { Store } from "../core/store";
-import { feedText, lengthText, timeText } from "../core/units";
+import { feedText, lengthText, percentText, timeText } from "../core/units";
 import { texts } from "../texts";
 import { blockFacts, type BlockFacts } from "./block_facts";
 import { codeName, type Dialect } from "./dialect";
-import { element } from "./dom";
 import type { ModalState } from "./modal";
 import { isCode, wordsOf } from "./words";
 
@@ -33,18 +35,18 @@ function wordsTaken(code: Code, dialect: Dialect): string {
 
 /** What a code is and takes. */
 export function codeCard(code: Code, dialect: Dialect): HTMLElement {
-  const card = element("div", "code-card", {}, element("b", "", {}, code.code), ` ${code.meaning}`);
+  const card = element("div", { class: "code-card" }, element("b", {}, code.code), ` ${code.meaning}`);
   const taken = wordsTaken(code, dialect);
   const lines = [
     code.group ? words.group(code.group) : words.blockAlone,
     taken && words.takes(taken),
     !code.supported && words.refused,
   ];
-  for (const line of lines) if (line) card.append(element("div", "code-dim", {}, line));
+  for (const line of lines) if (line) card.append(element("div", { class: "code-dim" }, line));
   return card;
 }
 
-const said = (title: string, text: string) => element("div", "code-card", {}, element("b", "", {}, title), ` ${text}`);
+const said = (title: string, text: string) => element("div", { class: "code-card" }, element("b", {}, title), ` ${text}`);
 
 function gcodeWord(line: string, column: number, dialect: Dialect): HTMLElement | null {
   const word = wordsOf(line, dialect.isNgc).find(({ from, to }) => from <= column && column <= to);
@@ -72,33 +74,32 @@ function luaWord(line: string, column: number, dialect: Dialect): HTMLElement | 
 
 function factsCard(facts: BlockFacts, { store }: HoverContext): HTMLElement {
   const units = store.get("units");
-  const cycle_s = store.get("run")!.end_s;
-  const share = cycle_s > 0 ? (100 * facts.time_s) / cycle_s : 0;
-  const card = element("div", "code-card");
+  const share = percentText(facts.time_s, store.get("run")!.end_s);
+  const card = element("div", { class: "code-card" });
   const passes = facts.passes > 1 ? ` ${words.passes(facts.passes)}` : "";
-  card.append(element("div", "", {}, `${words.share(timeText(facts.time_s), share.toFixed(1))}${passes}`));
+  card.append(element("div", {}, `${words.share(timeText(facts.time_s), share)}${passes}`));
   if (facts.length_mm > 0) {
     const length = lengthText(facts.length_mm, units);
-    card.append(element("div", "", {}, words.way(length, feedText(facts.peak_mm_s, units))));
+    card.append(element("div", {}, words.way(length, feedText(facts.peak_mm_s, units))));
   }
-  card.append(element("div", "", {}, words.limitedBy(words.limits[facts.limit], facts.limitAxis)));
+  card.append(element("div", {}, words.limitedBy(limitText(facts.limit))));
   return card;
 }
 
 function modalCard(state: ModalState, dialect: Dialect): HTMLElement {
-  const list = element("div", "code-modal");
+  const list = element("div", { class: "code-modal" });
   for (const [group, name] of state.codes) {
     const meaning = dialect.codes.get(name)?.meaning ?? "";
-    list.append(element("span", "", { title: `${group}: ${meaning}` }, name), " ");
+    list.append(element("span", { title: `${group}: ${meaning}` }, name), " ");
   }
-  for (const [letter, value] of state.words) list.append(element("span", "", {}, letter + value), " ");
+  for (const [letter, value] of state.words) list.append(element("span", {}, letter + value), " ");
   const title = state.jumps ? words.inForceByText : words.inForce;
-  return element("div", "code-card", {}, element("div", "code-dim", {}, title), list);
+  return element("div", { class: "code-card" }, element("div", { class: "code-dim" }, title), list);
 }
 
 function factsAt(context: HoverContext, line: number): BlockFacts | null {
   const place = context.runPlace(line);
-  const robot = context.store.get("run")?.robots[context.store.get("robot")];
+  const robot = robotOf(context.store);
   return place && robot ? blockFacts(robot, place.file, place.line) : null;
 }
 
@@ -110,7 +111,7 @@ async function cards(context: HoverContext, view: EditorView, position: number):
   const word = context.isLua ? luaWord(line.text, column, dialect) : gcodeWord(line.text, column, dialect);
   const facts = factsAt(context, line.number);
   const state = await context.modal(line.number);
-  const all = element("div", "code-hover");
+  const all = element("div", { class: "code-hover" });
   if (word) all.append(word);
   if (facts) all.append(factsCard(facts, context));
   if (state && (state.codes.size > 0 || state.words.size > 0)) all.append(modalCard(state, dialect));

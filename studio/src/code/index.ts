@@ -1,12 +1,13 @@
 // The code: the program and its Lua, in step with the run.
 
 import "./code.css";
+import { Debounced } from "../core/debounced";
+import { element } from "../core/dom";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { AutoRun, CHECK_PAUSE_MS } from "./auto_run";
 import { Checking } from "./checking";
 import { isMisread } from "./dialect";
-import { Debounced, element } from "./dom";
 import { byPage } from "./editor";
 import { Following } from "./following";
 import { Header, type Tab } from "./header";
@@ -27,8 +28,8 @@ const WIDE_PX = 560;
 class CodePart {
   private tab: Tab = "source";
   private readonly panes = {
-    source: element("div", "code-pane code-body"),
-    lua: element("div", "code-pane"),
+    source: element("div", { class: "code-pane code-body" }),
+    lua: element("div", { class: "code-pane" }),
   };
   private readonly header: Header;
   private readonly status: Status;
@@ -62,7 +63,7 @@ class CodePart {
       () => this.source.editor.view,
       () => this.readAs(this.source.dialect.name),
     );
-    host.append(this.header.dom, element("div", "code-panes", {}, this.panes.source, this.panes.lua), this.status.dom);
+    host.append(this.header.dom, element("div", { class: "code-panes" }, this.panes.source, this.panes.lua), this.status.dom);
     this.source = new SourcePane(this.panes.source, store, session, {
       shown: () => this.shown(),
       edited: () => this.edited(),

@@ -3,6 +3,8 @@
 import { toggleComment } from "@codemirror/commands";
 import type { ChangeDesc, Extension } from "@codemirror/state";
 import { keymap, type ViewUpdate } from "@codemirror/view";
+import { Debounced } from "../core/debounced";
+import { isScript } from "../core/kinds";
 import type { Language } from "../core/languages";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
@@ -10,7 +12,6 @@ import { texts } from "../texts";
 import { toggleRemark } from "./comments";
 import { completion } from "./completion";
 import { Dialect, dialectName } from "./dialect";
-import { Debounced } from "./dom";
 import { Editor, byPage, type EditorEvents } from "./editor";
 import { gcodeLanguage } from "./gcode_language";
 import { hover } from "./hover";
@@ -24,8 +25,6 @@ const UNTITLED = "untitled.nc";
 /** Longer texts are handed on when a person pauses. */
 const AT_ONCE_UP_TO = 200_000;
 const PAUSE_MS = 600;
-
-export const isScript = (name: string): boolean => name.toLowerCase().endsWith(".lua");
 
 export interface SourceEvents {
   /** Another file, or another text of it, is shown. */

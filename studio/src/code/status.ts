@@ -2,18 +2,18 @@
 
 import { nextDiagnostic } from "@codemirror/lint";
 import type { EditorView } from "@codemirror/view";
+import { element } from "../core/dom";
 import { texts } from "../texts";
 import type { Problems } from "./checking";
-import { element } from "./dom";
 
 const words = texts.code;
 
 export class Status {
   readonly dom: HTMLElement;
-  private readonly problems = element("button", "code-problems", { type: "button", title: words.problemsTitle });
-  private readonly place = element("span", "code-place");
-  private readonly dialect = element("span", "code-dim");
-  private readonly readAs = element("button", "", { type: "button", title: words.readAsTitle });
+  private readonly problems = element("button", { class: "code-problems", type: "button", title: words.problemsTitle });
+  private readonly place = element("span", { class: "code-place" });
+  private readonly dialect = element("span", { class: "code-dim" });
+  private readonly readAs = element("button", { type: "button", title: words.readAsTitle });
 
   /** `readAs`: the person wants the program read in the dialect that is offered. */
   constructor(view: () => EditorView, readAs: () => void) {
@@ -22,7 +22,7 @@ export class Status {
       nextDiagnostic(view());
       view().focus();
     });
-    this.dom = element("footer", "code-status", {}, this.problems, this.place, this.dialect, this.readAs);
+    this.dom = element("footer", { class: "code-status" }, this.problems, this.place, this.dialect, this.readAs);
     this.problems.hidden = true;
     this.place.title = words.placeTitle;
   }

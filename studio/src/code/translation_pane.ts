@@ -1,9 +1,9 @@
 // The program as Lua, beside it or in its place; to be read. Line n of the G-code is line n + 1 here.
 
+import { element } from "../core/dom";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
-import { element } from "./dom";
 import { Editor, byPage } from "./editor";
 import { hover } from "./hover";
 import { luaLanguage } from "./lua_language";
@@ -29,7 +29,7 @@ export class TranslationPane {
   readonly editor: Editor;
   /** The translation; "": there is none. */
   script = "";
-  private readonly note = element("span", "code-grow");
+  private readonly note = element("span", { class: "code-grow" });
   private readonly edit: HTMLButtonElement;
   private asked = 0;
   private isStale = true;
@@ -41,11 +41,11 @@ export class TranslationPane {
     private readonly source: SourcePane,
     private readonly events: TranslationEvents,
   ) {
-    this.edit = element("button", "", { type: "button", title: texts.code.editLuaTitle }, texts.code.editLua);
-    this.edit.addEventListener("click", () => events.edit());
-    const body = element("div", "code-body");
+    const attributes = { type: "button", title: texts.code.editLuaTitle, onclick: () => events.edit() };
+    this.edit = element("button", attributes, texts.code.editLua);
+    const body = element("div", { class: "code-body" });
     // Below the editor, so that lines of both stand at one height.
-    host.append(body, element("div", "code-strip", { role: "status" }, this.note, this.edit));
+    host.append(body, element("div", { class: "code-strip", role: "status" }, this.note, this.edit));
     this.editor = new Editor(
       body,
       {

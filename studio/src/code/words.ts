@@ -11,13 +11,16 @@ export interface Word {
   number: string;
 }
 
+/** In the 9/Series a ';' may also end a block: what begins so behind it is another one, and no comment. */
+export const blockBehind = /^;\s*[a-z/#]\s*[\d#[]/i;
+
 const commentOrRest = /\([^)]*\)?|;.*/g;
 
-/** The line with its comments blanked, so that columns stay. In the 9/Series a ';' may also end a block: its words count. */
+/** The line with its comments blanked, so that columns stay. */
 export function withoutComments(line: string, isNgc: boolean): string {
   if (!/[(;]/.test(line)) return line;
   return line.replace(commentOrRest, (found) =>
-    found[0] === ";" && !isNgc && /^;\s*[a-z/#]\s*[\d#[]/i.test(found) ? found : " ".repeat(found.length),
+    found[0] === ";" && !isNgc && blockBehind.test(found) ? found : " ".repeat(found.length),
   );
 }
 

@@ -1,6 +1,7 @@
 // Colours that people who see no red or green tell apart (Okabe and Ito, 2008; viridis for scales).
 
-import type { LimitKind, MoveKind } from "../run/segments";
+import type { Held } from "../run/limits";
+import type { MoveKind } from "../run/segments";
 
 export const orange = "#e69f00";
 export const sky = "#56b4e9";
@@ -22,7 +23,7 @@ export const kindColours: Record<MoveKind, string> = {
   spline: vermilion,
 };
 
-export const limitColours: Record<LimitKind, string> = {
+export const limitColours: Record<Held, string> = {
   feed: blue,
   path_speed: sky,
   joint_speed: green,
@@ -36,9 +37,13 @@ export const limitColours: Record<LimitKind, string> = {
   time: grey,
   rapid_override: "#a6761d",
   unknown: grey,
+  dwell: grey,
 };
 
-export const axisColours = [vermilion, green, blue, purple, orange, sky, yellow, grey];
+const axisColours = [vermilion, green, blue, purple, orange, sky, yellow, grey];
+
+/** Of an axis by its number. */
+export const axisColour = (axis: number): string => axisColours[axis % axisColours.length];
 
 const viridis = [
   [68, 1, 84],

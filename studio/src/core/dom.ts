@@ -18,10 +18,28 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** Of a drawing. */
+export function svgElement(tag: string, attributes: Record<string, string> = {}, ...children: Node[]): SVGElement {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+/** A box to tick and what it is for. */
+export function check(
+  label: Node | string,
+  change: (on: boolean) => void,
+  attributes: Attributes = {},
+): { row: HTMLLabelElement; box: HTMLInputElement } {
+  const box = element("input", { type: "checkbox", onchange: () => change(box.checked) });
+  return { row: element("label", { class: "check", ...attributes }, box, label), box };
+}
+
 /** A choice among values, each with what a person reads. */
 export function choice(
   label: string,
-  options: [value: string, text: string][],
+  options: readonly (readonly [value: string, text: string])[],
   value: string,
   change: (value: string) => void,
 ): HTMLSelectElement {

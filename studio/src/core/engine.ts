@@ -13,6 +13,11 @@ export interface Answer {
   message: string;
 }
 
+/** Memory of an engine grows and never shrinks: one that had more bytes of files than this is ended behind its answer. */
+const LARGE_FILES = 4_000_000;
+
+const sizeOf = (files: Files): number => [...files.values()].reduce((sum, { length }) => sum + length, 0);
+
 interface Question {
   id: number;
   take: (message: Message) => void;
@@ -27,6 +32,7 @@ export class Engine {
   private worker: Worker | null = null;
   private readonly open = new Map<number, Question>();
   private next = 1;
+  private grown = false;
 
   constructor(
     private readonly makeWorker: (() => Worker) | null,
@@ -64,10 +70,12 @@ export class Engine {
 
   private send(module: WebAssembly.Module, ask: Ask): void {
     if (!this.worker) this.worker = this.startWorker(module);
+    if (sizeOf(ask.files) > LARGE_FILES) this.grown = true;
     this.worker.postMessage(ask satisfies ToWorker);
   }
 
   private startWorker(module: WebAssembly.Module): Worker {
+    this.grown = false;
     const worker = this.makeWorker!();
     worker.postMessage({ kind: "start", module } satisfies ToWorker);
     worker.onmessage = (event: MessageEvent<FromWorker>) => this.receive(event.data);
@@ -78,10 +86,19 @@ export class Engine {
   private receive({ id, bytes }: FromWorker): void {
     const question = this.open.get(id);
     if (!question) return;
-    const message = readMessage(bytes);
+    let message: Message;
+    try {
+      message = readMessage(bytes);
+    } catch (fault) {
+      return this.fail(String(fault));
+    }
     question.take(message);
     if (message.is !== "done" && message.is !== "failed") return;
     this.open.delete(id);
+    if (this.grown && this.open.size === 0) {
+      this.worker?.terminate();
+      this.worker = null;
+    }
     const header = message.header as { code?: string; message?: string };
     question.end({ ok: message.is === "done", code: header.code ?? "", message: header.message ?? "" });
   }

@@ -16,12 +16,20 @@ function kindOfToml(text: string): FileKind {
   return "other";
 }
 
+const endingOf = (name: string): string => name.toLowerCase().split(".").pop() ?? "";
+
+/** A program in Lua, of which nothing is known before it runs. */
+export const isScript = (name: string): boolean => endingOf(name) === "lua";
+
+/** Without its folders. */
+export const baseName = (name: string): string => name.slice(name.lastIndexOf("/") + 1);
+
 export function kindOfFile(name: string, content: FileContent): FileKind {
-  const ending = name.toLowerCase().split(".").pop() ?? "";
+  const ending = endingOf(name);
   if (ending === "toml") return kindOfToml(headOf(content));
   if (["stl", "obj", "step", "stp", "iges", "igs", "dxf", "svg", "json", "md"].includes(ending)) return "other";
   if (ending === "ini") return "machine";
-  if (ending === "lua") return "program";
+  if (isScript(name)) return "program";
   const head = headOf(content);
   if (/^\s*(#.*\n|;.*\n|\s)*NCFILE\b/.test(head)) return "machine_data";
   if (head.includes("\0") || ["var", "tbl"].includes(ending)) return "other";
@@ -29,4 +37,4 @@ export function kindOfFile(name: string, content: FileContent): FileKind {
 }
 
 /** The language of a program by its name, where nothing else says it. */
-export const dialectOfName = (name: string): string => (name.toLowerCase().endsWith(".ngc") ? "rs274ngc" : "");
+export const dialectOfName = (name: string): string => (endingOf(name) === "ngc" ? "rs274ngc" : "");

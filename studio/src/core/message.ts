@@ -17,15 +17,24 @@ const kinds = {
 
 const aligned = (size: number) => (size + 7) & ~7;
 
+/** Bytes that are no message, or that end too soon. */
+export class BrokenMessage extends Error {}
+
+const HEAD = 8; // bytes before the header
+
 /** One frame. Its columns are views of `bytes`, whose offset is a multiple of 8. */
 export function readMessage(bytes: Uint8Array): Message {
+  if (bytes.length < HEAD) throw new BrokenMessage("a message ends within its head");
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const headerSize = view.getUint32(4, true);
-  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(8, 8 + headerSize)));
+  if (HEAD + headerSize > bytes.length) throw new BrokenMessage("a message ends within its header");
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(HEAD, HEAD + headerSize)));
   const columns = new Map<string, Column>();
-  let at = aligned(8 + headerSize);
+  let at = aligned(HEAD + headerSize);
   for (const [name, kind, count] of (header.columns ?? []) as [string, keyof typeof kinds, number][]) {
     const type = kinds[kind];
+    if (!type) throw new BrokenMessage(`column ${name} is of no known type: ${kind}`);
+    if (at + count * type.BYTES_PER_ELEMENT > bytes.length) throw new BrokenMessage(`a message ends within column ${name}`);
     columns.set(name, new type(bytes.buffer as ArrayBuffer, bytes.byteOffset + at, count));
     at += aligned(count * type.BYTES_PER_ELEMENT);
   }
@@ -36,7 +45,8 @@ export function readMessage(bytes: Uint8Array): Message {
 export function* framesOf(bytes: Uint8Array): Generator<Uint8Array> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   for (let at = 0; at < bytes.length; ) {
-    const size = view.getUint32(at, true);
+    const size = at + HEAD <= bytes.length ? view.getUint32(at, true) : 0;
+    if (size < HEAD || at + size > bytes.length) throw new BrokenMessage(`the message at byte ${at} is cut off`);
     yield bytes.subarray(at, at + size);
     at += size;
   }

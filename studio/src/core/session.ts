@@ -3,6 +3,7 @@
 import { Run, type Told } from "../run/run";
 import type { Documents } from "./documents";
 import type { Answer, Engine } from "./engine";
+import { isScript } from "./kinds";
 import type { Language } from "./languages";
 import type { Store } from "./store";
 
@@ -33,8 +34,6 @@ export const emptySetup = (): Setup => ({
   collisions: true,
   feed_override_percent: 100,
 });
-
-const isScript = (name: string) => name.toLowerCase().endsWith(".lua");
 
 export class Session {
   private readonly listeners = new Set<() => void>();
@@ -104,7 +103,8 @@ export class Session {
     if (before && before.robots.length > 0) this.store.set("previous", before);
     this.store.set("playing", false);
     this.store.set("run", run);
-    this.store.set("time_s", Math.min(this.store.get("time_s"), run.end_s));
+    const sameProgram = before?.report?.program === run.report?.program;
+    this.store.set("time_s", sameProgram ? Math.min(this.store.get("time_s"), run.end_s) : 0);
   }
 
   cancel(): void {

@@ -1,16 +1,11 @@
 // The state of the page: a value for each key, and who wants to know when one changes.
 
+import type { Place } from "../run/report";
 import type { Run } from "../run/run";
 
 export type ColourMode = "kind" | "feed" | "speed" | "process" | "time" | "limit" | "deviation";
 export type Units = "mm" | "inch";
 export type Theme = "light" | "dark";
-
-/** A line of a source. */
-export interface Place {
-  file: string;
-  line: number;
-}
 
 /** How a run is going. */
 export interface Running {

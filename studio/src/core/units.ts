@@ -9,25 +9,63 @@ export const lengthUnit = (units: Units): string => (units === "inch" ? "in" : "
 export const length = (mm: number, units: Units): number => (units === "inch" ? mm / MM_PER_INCH : mm);
 export const mmOf = (value: number, units: Units): number => (units === "inch" ? value * MM_PER_INCH : value);
 
-/** "12.340 mm": as many digits as a control shows. */
-export const lengthText = (mm: number, units: Units): string =>
-  `${length(mm, units).toFixed(units === "inch" ? 4 : 3)} ${lengthUnit(units)}`;
+/** "12.340": as many digits as a control shows. */
+export const lengthNumber = (mm: number, units: Units): string => length(mm, units).toFixed(units === "inch" ? 4 : 3);
+/** "12.340 mm" */
+export const lengthText = (mm: number, units: Units): string => `${lengthNumber(mm, units)} ${lengthUnit(units)}`;
+
+/** As tables have it: "12.34 mm", "1,234 mm". */
+export function lengthShort(mm: number, units: Units): string {
+  const value = length(mm, units);
+  const digits = value >= 1000 ? 0 : units === "inch" ? 3 : 2;
+  const text = value.toLocaleString("en", { minimumFractionDigits: digits, maximumFractionDigits: digits });
+  return `${text} ${lengthUnit(units)}`;
+}
 
 /** A value of an axis with its unit. */
 export const axisText = (value: number, rotary: boolean, units: Units): string =>
   rotary ? `${value.toFixed(3)}°` : lengthText(value, units);
 
+const perMinuteText = (value: number, unit: string): string =>
+  `${value >= 100 || value === 0 ? value.toFixed(0) : value.toPrecision(3)} ${unit}/min`;
+
 /** A speed along the path, as feeds are given: per minute. */
-export const feedText = (mm_s: number, units: Units): string => {
-  const perMinute = length(mm_s * 60, units);
-  return `${perMinute >= 100 ? perMinute.toFixed(0) : perMinute.toPrecision(3)} ${lengthUnit(units)}/min`;
-};
+export const feedText = (mm_s: number, units: Units): string =>
+  perMinuteText(length(mm_s * 60, units), lengthUnit(units));
+
+/** A programmed feed per minute: in degrees, where it takes the tool no way. */
+export const programmedFeedText = (feed_per_min: number, length_mm: number, units: Units): string =>
+  length_mm > 0 ? feedText(feed_per_min / 60, units) : perMinuteText(feed_per_min, "°");
+
+/** Of a time, rounded to so many digits: hours, minutes and seconds, and the fraction with its point. */
+function clockParts(t_s: number, digits: number): [hours: number, minutes: number, seconds: number, fraction: string] {
+  const scale = 10 ** digits;
+  const parts = Math.round(t_s * scale);
+  const whole_s = Math.floor(parts / scale);
+  const fraction = digits > 0 ? `.${String(parts - whole_s * scale).padStart(digits, "0")}` : "";
+  return [Math.floor(whole_s / 3600), Math.floor(whole_s / 60) % 60, whole_s % 60, fraction];
+}
+
+const two = (value: number): string => String(value).padStart(2, "0");
 
 /** "1:02:03.4", "2.345 s" */
 export function timeText(t_s: number, digits = 3): string {
-  if (t_s < 60) return `${t_s.toFixed(digits)} s`;
-  const hours = Math.floor(t_s / 3600);
-  const minutes = Math.floor((t_s % 3600) / 60);
-  const seconds = (t_s % 60).toFixed(digits).padStart(digits > 0 ? digits + 3 : 2, "0");
-  return hours > 0 ? `${hours}:${String(minutes).padStart(2, "0")}:${seconds}` : `${minutes}:${seconds}`;
+  const [hours, minutes, seconds, fraction] = clockParts(t_s, digits);
+  if (hours > 0) return `${hours}:${two(minutes)}:${two(seconds)}${fraction}`;
+  return minutes > 0 ? `${minutes}:${two(seconds)}${fraction}` : `${seconds}${fraction} s`;
+}
+
+/** "0:01:23.456" */
+export function clockText(t_s: number): string {
+  const [hours, minutes, seconds, fraction] = clockParts(t_s, 3);
+  return `${hours}:${two(minutes)}:${two(seconds)}${fraction}`;
+}
+
+/** "1,234" */
+export const countText = (count: number): string => count.toLocaleString("en");
+
+/** "12.3", of a whole; with as many digits as tell small shares apart. */
+export function percentText(part: number, whole: number): string {
+  const percent = whole > 0 ? (100 * part) / whole : 0;
+  return percent >= 10 || percent === 0 ? percent.toFixed(1) : percent.toPrecision(2);
 }

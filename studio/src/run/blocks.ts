@@ -1,6 +1,8 @@
 // The blocks of a run: segments one behind the other that come from the same line. A line that runs again, in a
 // loop or a subprogram, is another block.
 
+import { SAME_TIME_S } from "./report";
+import { lastIndex } from "./search";
 import type { Chunk, Segments } from "./segments";
 
 export interface Block {
@@ -43,9 +45,8 @@ export class Blocks {
 
   get(block: number): Block {
     const first = this.first.at(block);
-    const next = block + 1 < this.count ? this.first.at(block + 1) : this.segments.count;
+    const next = this.end(block);
     const begin = this.segments.info(first);
-    const last = this.segments.info(next - 1);
     let length_mm = 0;
     for (let i = first; i < next; ++i) length_mm += this.segments.info(i).length_mm;
     return {
@@ -54,25 +55,44 @@ export class Blocks {
       first,
       count: next - first,
       start_s: begin.start_s,
-      end_s: last.start_s + last.duration_s,
+      end_s: this.end_s(block),
       length_mm,
     };
   }
 
   /** The block of a segment. */
   of(segment: number): number {
-    let [low, high] = [0, this.count - 1];
-    while (low < high) {
-      const middle = (low + high + 1) >> 1;
-      if (this.first.at(middle) <= segment) low = middle;
-      else high = middle - 1;
-    }
-    return low;
+    return lastIndex(this.count, (block) => this.first.at(block) <= segment);
+  }
+
+  /** The segment behind its last. */
+  end(block: number): number {
+    return block + 1 < this.count ? this.first.at(block + 1) : this.segments.count;
+  }
+
+  start_s(block: number): number {
+    return this.segments.start_s(this.first.at(block));
+  }
+
+  end_s(block: number): number {
+    const [chunk, i] = this.segments.locate(this.end(block) - 1);
+    return chunk.start_s[i] + chunk.duration_s[i];
   }
 
   /** The blocks that come from a line, in the order of time. */
   ofLine(file: number, line: number): readonly number[] {
     return this.byLine.get(file)?.get(line) ?? [];
+  }
+
+  /** The block of a line that is under way at an instant, else the one whose start is nearest; -1: it moves nothing. */
+  nearest(file: number, line: number, t_s: number): number {
+    const blocks = this.ofLine(file, line);
+    if (blocks.length === 0) return -1;
+    const before = lastIndex(blocks.length, (i) => this.start_s(blocks[i]) <= t_s + SAME_TIME_S);
+    const here = blocks[Math.max(before, 0)];
+    if (before < 0 || before + 1 === blocks.length || this.end_s(here) >= t_s - SAME_TIME_S) return here;
+    const next = blocks[before + 1];
+    return this.start_s(next) - t_s < t_s - this.start_s(here) ? next : here;
   }
 }
 

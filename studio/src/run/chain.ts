@@ -129,7 +129,7 @@ function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 |
 }
 
 /** A drift's frame in the one that it goes in: the origin straight, the turn about an axis through it. */
-export function poseAt(drift: Drift, t_s: number): Matrix4 {
+function poseAt(drift: Drift, t_s: number): Matrix4 {
   const elapsed_s = t_s - drift.from_s;
   const pose = matrixOf(drift.pose);
   const [position, turn, scale] = [new Vector3(), new Quaternion(), new Vector3()];

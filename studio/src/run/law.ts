@@ -43,20 +43,10 @@ export function lawAt(values: Float64Array, at: number, t_s: number): LawState {
   };
 }
 
-/** The highest speed of the law. */
-export function lawPeak(values: Float64Array, at: number): number {
-  const count = values[at + 3];
-  let peak = 0;
-  for (let piece = at + HEAD; piece < at + HEAD + PIECE * count; piece += PIECE) {
-    const [duration_s, , v0, a0, jerk] = values.subarray(piece, piece + PIECE);
-    peak = Math.max(peak, v0, v0 + duration_s * (a0 + (duration_s * jerk) / 2));
-    const turn_s = -a0 / jerk;
-    if (turn_s > 0 && turn_s < duration_s) peak = Math.max(peak, v0 + turn_s * (a0 + (turn_s * jerk) / 2));
-  }
-  return peak;
-}
+/** Lowest and highest speed, lowest and highest acceleration, of nothing yet. */
+export const newRange = (): Float64Array => new Float64Array([Infinity, -Infinity, Infinity, -Infinity]);
 
-/** Widens `range` (lowest and highest speed, lowest and highest acceleration) to what the law has. */
+/** Widens a range of speeds and accelerations to what the law has. */
 export function widenByLaw(values: Float64Array, at: number, range: Float64Array): void {
   const end = at + lawSize(values, at);
   if (end === at + HEAD) widenSpeed(range, values[at + 2]);

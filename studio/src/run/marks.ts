@@ -18,9 +18,6 @@ export interface Mark extends Placed {
   clearance_mm: number;
 }
 
-/** The report of one robot of a run. */
-export const reportOf = (run: Run, robot: number): Report | null => run.report?.robots?.[robot] ?? run.report;
-
 const placed = (from: Placed): Placed => ({ file: from.file, line: from.line });
 const plain = { detail: "", pair: null, clearance_mm: 0 };
 
@@ -28,7 +25,7 @@ const plain = { detail: "", pair: null, clearance_mm: 0 };
 function startOfLine(robot: Robot | undefined, { file, line }: Placed): number {
   if (!robot || file === null || line === null) return 0;
   const [block] = robot.blocks.ofLine(robot.files.indexOf(file), line);
-  return block === undefined ? 0 : robot.segments.info(robot.blocks.first.at(block)).start_s;
+  return block === undefined ? 0 : robot.blocks.start_s(block);
 }
 
 function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
@@ -56,7 +53,7 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
 
 /** Of one robot; a clearance, whose time is not told, stands where its line first moves. */
 export function marksOf(run: Run, index: number): Mark[] {
-  const report = reportOf(run, index);
+  const report = run.reportOf(index);
   if (!report) return [];
   const marks = [...unordered(report, run.robots[index])];
   const common = run.report?.robots && !report.alarm ? run.report.alarm : null;

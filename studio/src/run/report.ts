@@ -1,5 +1,17 @@
 // The report of a run, as gsim run --json has it (docs/report.md); what the page looks at.
 
+/** Times of the report are rounded to this. */
+export const SAME_TIME_S = 1e-9;
+
+export type Severity = "error" | "warning" | "note";
+
+/** A line of a source. */
+export interface Place {
+  file: string;
+  line: number;
+}
+
+/** Null: of no line. */
 export interface Placed {
   file: string | null;
   line: number | null;
@@ -35,7 +47,7 @@ export interface Clearance extends Placed {
 }
 
 export interface ReportDiagnostic extends Placed {
-  severity: "error" | "warning" | "note";
+  severity: Severity;
   code: string;
   text: string;
   column?: number | null;

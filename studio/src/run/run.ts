@@ -2,9 +2,10 @@
 
 import type { Message } from "../core/message";
 import { Blocks } from "./blocks";
-import { Chain, axisValue } from "./chain";
-import type { Report } from "./report";
+import { Chain, axisValue, jointValue } from "./chain";
+import { SAME_TIME_S, type Place, type Report, type ReportEvent, type Severity } from "./report";
 import type { Scene } from "./scene";
+import { lastIndex } from "./search";
 import { Segments } from "./segments";
 
 /** One machine of a run. */
@@ -32,11 +33,16 @@ export class Robot {
     this.chain = new Chain(scene);
   }
 
+  /** Of its axes. */
+  get letters(): string[] {
+    return this.scene.axes.map((axis) => axis.letter);
+  }
+
   /** Joints in mm and rad at a time; at home where nothing has moved. */
   joints_at(t_s: number): ArrayLike<number> {
     const state = this.segments.joints_at(t_s);
     if (state) return state.position;
-    return this.scene.axes.map((axis) => (axis.home - axis.zero) * (axis.rotary ? Math.PI / 180 : 1));
+    return this.scene.axes.map((axis) => jointValue(axis, axis.home));
   }
 
   /** Values of the axes in mm and deg. */
@@ -47,7 +53,7 @@ export class Robot {
 }
 
 export interface Told {
-  severity: "error" | "warning" | "note";
+  severity: Severity;
   code: string;
   file: string;
   line: number;
@@ -57,9 +63,6 @@ export interface Told {
   hint: string;
 }
 
-/** Times of the report are rounded to this. */
-const SAME_TIME_S = 1e-9;
-
 export class Run {
   readonly robots: Robot[] = [];
   readonly told: Told[] = [];
@@ -67,6 +70,8 @@ export class Run {
   reportText = "";
   /** Why it was not run. */
   failure: { code: string; message: string } | null = null;
+  /** Of each robot its events in the order of time. */
+  private readonly events = new Map<number, ReportEvent[]>();
   /** The sources as they were when it ran, by name. */
   readonly sources: Map<string, string>;
 
@@ -104,6 +109,7 @@ export class Run {
         return;
       case "report":
         this.report = header.report as Report;
+        this.events.clear();
         this.reportText = header.text as string;
         return;
       case "failed":
@@ -112,22 +118,39 @@ export class Run {
     }
   }
 
-  /** The report of a robot's own; of the only one that of the run. */
+  /** A robot's own report; of the only one that of the run. */
   reportOf(robot: number): Report | null {
     return this.report?.robots?.[robot] ?? this.report;
   }
 
   /**
    * The lines that are at work at a time: those of events at that instant, which stand between moves, else that of the
-   * segment under way.
+   * segment under way; none where the robot is done.
    */
-  placesAt(robot: number, t_s: number): { file: string; line: number }[] {
-    const events = (this.reportOf(robot)?.events ?? []).filter((event) => Math.abs(event.t_s - t_s) <= SAME_TIME_S);
-    const places = events.flatMap(({ file, line }) => (file !== null && line !== null ? [{ file, line }] : []));
+  placesAt(robot: number, t_s: number): Place[] {
+    if (!this.robots[robot]) return [];
+    const places = this.eventsAt(robot, t_s).flatMap(({ file, line }) =>
+      file !== null && line !== null ? [{ file, line }] : [],
+    );
+    const moving = places.length === 0 ? this.placeOfMotion(robot, t_s) : null;
+    return moving ? [moving] : places;
+  }
+
+  /** The line of the segment under way at a time; null: the robot is done, or has not moved at all. */
+  placeOfMotion(robot: number, t_s: number): Place | null {
     const { segments, files } = this.robots[robot] ?? {};
-    if (places.length > 0 || !segments || segments.count === 0) return places;
-    const info = segments.info(segments.at(t_s));
-    return [{ file: files[info.file], line: info.line }];
+    if (!segments || segments.count === 0 || t_s > segments.end_s + SAME_TIME_S) return null;
+    const [chunk, i] = segments.locate(segments.at(t_s));
+    return { file: files[chunk.file[i]], line: chunk.line[i] };
+  }
+
+  private eventsAt(robot: number, t_s: number): ReportEvent[] {
+    const all = this.events.get(robot) ?? [...(this.reportOf(robot)?.events ?? [])].sort((a, b) => a.t_s - b.t_s);
+    this.events.set(robot, all);
+    const end = lastIndex(all.length, (i) => all[i].t_s <= t_s + SAME_TIME_S) + 1;
+    let first = end;
+    while (first > 0 && all[first - 1].t_s >= t_s - SAME_TIME_S) --first;
+    return all.slice(first, end);
   }
 
   /** The index of a source in a robot's list; -1: it has not run. */

@@ -1,8 +1,9 @@
 // The segments of a run, as columns in chunks, in the order of time.
 
 import type { Message } from "../core/message";
-import { Flag, jointsAt, leadOf, pathSpeed, type JointState } from "./evaluate";
-import { lawLength, lawPeak } from "./law";
+import { Flag, jointsAt, leadOf, pathSpeed, type JointState, type Part, type Records } from "./evaluate";
+import { lawLength, newRange, widenByLaw } from "./law";
+import { lastIndex } from "./search";
 
 export const moveKinds = ["rapid", "linear", "arc_cw", "arc_ccw", "dwell", "probe", "thread", "spline"] as const;
 export type MoveKind = (typeof moveKinds)[number];
@@ -23,6 +24,12 @@ export const limitKinds = [
   "unknown",
 ] as const;
 export type LimitKind = (typeof limitKinds)[number];
+
+/** What the flags of a segment say (docs/studio.md): numbers of moveKinds and limitKinds, the limit's axis (-1: none). */
+export const kindCodeOf = (flags: number): number => (flags >>> 8) & 15;
+export const limitCodeOf = (flags: number): number => (flags >>> 12) & 15;
+export const limitAxisOf = (flags: number): number => ((flags >>> 16) & 31) - 1;
+export const isRapid = (flags: number): boolean => moveKinds[kindCodeOf(flags)] === "rapid";
 
 export interface Chunk {
   /** Number of its first segment. */
@@ -104,26 +111,20 @@ export class Segments {
 
   /** The chunk of a segment, and its place there. */
   locate(index: number): [Chunk, number] {
-    let [low, high] = [0, this.chunks.length - 1];
-    while (low < high) {
-      const middle = (low + high + 1) >> 1;
-      if (this.chunks[middle].first <= index) low = middle;
-      else high = middle - 1;
-    }
-    return [this.chunks[low], index - this.chunks[low].first];
+    const { chunks } = this;
+    const chunk = chunks[Math.max(lastIndex(chunks.length, (i) => chunks[i].first <= index), 0)];
+    return [chunk, index - chunk.first];
   }
 
   /** The segment under way at a time: of two that meet there the later one; -1: there are none. */
   at(t_s: number): number {
     if (this.count === 0) return -1;
-    let [low, high] = [0, this.count - 1];
-    while (low < high) {
-      const middle = (low + high + 1) >> 1;
-      const [chunk, i] = this.locate(middle);
-      if (chunk.start_s[i] <= t_s) low = middle;
-      else high = middle - 1;
-    }
-    return low;
+    return Math.max(lastIndex(this.count, (index) => this.start_s(index) <= t_s), 0);
+  }
+
+  start_s(index: number): number {
+    const [chunk, i] = this.locate(index);
+    return chunk.start_s[i];
   }
 
   info(index: number): SegmentInfo {
@@ -139,16 +140,21 @@ export class Segments {
       line: chunk.line[i],
       file: chunk.file[i],
       tip: chunk.tip[i],
-      kind: moveKinds[(flags >>> 8) & 15],
+      kind: moveKinds[kindCodeOf(flags)],
       rests: (flags & 3) === RESTS,
       processOn: (flags & Flag.processOn) !== 0,
-      limit: limitKinds[(flags >>> 12) & 15],
-      limitAxis: ((flags >>> 16) & 31) - 1,
+      limit: limitKinds[limitCodeOf(flags)],
+      limitAxis: limitAxisOf(flags),
     };
   }
 
-  private part(chunk: Chunk, i: number) {
+  /** What a segment's state is evaluated from. */
+  part(chunk: Chunk, i: number): Part {
     return { at: chunk.record[i], flags: chunk.flags[i], duration_s: chunk.duration_s[i] };
+  }
+
+  records(chunk: Chunk): Records {
+    return { values: chunk.values, joints: this.joints };
   }
 
   /** Joints (mm, rad) at a time of the run. */
@@ -156,7 +162,7 @@ export class Segments {
     const index = this.at(t_s);
     if (index < 0) return null;
     const [chunk, i] = this.locate(index);
-    return jointsAt({ values: chunk.values, joints: this.joints }, this.part(chunk, i), t_s - chunk.start_s[i]);
+    return jointsAt(this.records(chunk), this.part(chunk, i), t_s - chunk.start_s[i]);
   }
 
   /** Speed of the tool along its path, mm/s; 0 where the run has ended. */
@@ -164,15 +170,18 @@ export class Segments {
     const index = this.at(t_s);
     if (index < 0 || t_s >= this.end_s) return 0;
     const [chunk, i] = this.locate(index);
-    const records = { values: chunk.values, joints: this.joints };
-    return pathSpeed(records, this.part(chunk, i), t_s - chunk.start_s[i], chunk.length_mm[i], this.carriers);
+    const since_s = t_s - chunk.start_s[i];
+    return pathSpeed(this.records(chunk), this.part(chunk, i), since_s, chunk.length_mm[i], this.carriers);
   }
 
   /** The highest speed of a segment along the tool's path, mm/s. */
   peakSpeed(index: number): number {
     const [chunk, i] = this.locate(index);
-    const law = leadOf({ values: chunk.values, joints: this.joints }, chunk.record[i]);
+    const law = leadOf(this.records(chunk), chunk.record[i]);
     const length = lawLength(chunk.values, law);
-    return length > 0 ? (lawPeak(chunk.values, law) * chunk.length_mm[i]) / length : 0;
+    if (!(length > 0)) return 0;
+    const range = newRange();
+    widenByLaw(chunk.values, law, range);
+    return (range[1] * chunk.length_mm[i]) / length;
   }
 }

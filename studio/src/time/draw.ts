@@ -4,7 +4,8 @@ import { grey, kindColours, orange, purple, vermilion, yellow } from "../core/co
 import { themeColour } from "../core/theme";
 import { timeText } from "../core/units";
 import { markKinds, type Mark, type MarkKind } from "../run/marks";
-import { moveKinds, type Segments } from "../run/segments";
+import { SAME_TIME_S } from "../run/report";
+import { kindCodeOf, moveKinds, type Segments } from "../run/segments";
 import { isOnWithin } from "./process";
 import { firstAfter } from "./steps";
 import { ticks, type TimeWindow } from "./window";
@@ -16,7 +17,7 @@ export interface Content {
   process_s: Float64Array;
 }
 
-export const markColours: Record<MarkKind, string> = {
+const markColours: Record<MarkKind, string> = {
   alarm: vermilion,
   collision: vermilion,
   violation: vermilion,
@@ -27,7 +28,7 @@ export const markColours: Record<MarkKind, string> = {
 };
 
 // Rows, px from the top.
-export const STRIP_HEIGHT = 50;
+const STRIP_HEIGHT = 50;
 const TICKS = { top: 0, height: 14 };
 const MARKS = { top: 15, height: 12 };
 const KINDS = { top: 29, height: 11 };
@@ -73,7 +74,7 @@ function drawKinds(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
   for (let x = 0; x <= width; ++x) {
     const t_s = window.start_s + ((x + 0.5) / width) * window.span_s;
     const [chunk, i] = segments.locate(segments.at(t_s));
-    const here = x === width || t_s > chunk.start_s[i] + chunk.duration_s[i] ? -1 : (chunk.flags[i] >>> 8) & 15;
+    const here = x === width || t_s > chunk.start_s[i] + chunk.duration_s[i] ? -1 : kindCodeOf(chunk.flags[i]);
     if (here === kind) continue;
     if (kind >= 0) {
       ctx.fillStyle = kindColours[moveKinds[kind]];
@@ -96,7 +97,7 @@ function drawProcess(ctx: CanvasRenderingContext2D, window: TimeWindow, width: n
 function drawMarks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number, marks: readonly Mark[]): void {
   const gravest = new Map<number, MarkKind>();
   const rank = (kind: MarkKind) => markKinds.indexOf(kind);
-  for (let i = firstAfter(marks, window.start_s - 1e-9); i < marks.length && marks[i].t_s <= window.end_s; ++i) {
+  for (let i = firstAfter(marks, window.start_s - SAME_TIME_S); i < marks.length && marks[i].t_s <= window.end_s; ++i) {
     const x = Math.round(pixelOf(window, width, marks[i].t_s));
     const known = gravest.get(x);
     if (known === undefined || rank(marks[i].kind) < rank(known)) gravest.set(x, marks[i].kind);

@@ -4,6 +4,7 @@ import "uplot/dist/uPlot.min.css";
 import "./time.css";
 import { element } from "../core/dom";
 import type { Session } from "../core/session";
+import { robotOf } from "../core/shown";
 import type { Store } from "../core/store";
 import { marksOf, type Mark } from "../run/marks";
 import { texts } from "../texts";
@@ -11,11 +12,11 @@ import { createCharts } from "./charts";
 import { createClock } from "./clock";
 import { createGrip } from "./grip";
 import { createKeyboard } from "./keyboard";
-import { markText } from "./mark_text";
+import { fullMarkText } from "./mark_text";
 import { createPlayer } from "./player";
 import { processOn_s } from "./process";
 import { createScrubber } from "./scrubber";
-import { goToEnd, goToStart, robotOf, stepBlock, stepMark } from "./steps";
+import { goToEnd, goToStart, stepBlock, stepMark } from "./steps";
 import { createTransport, type Actions } from "./transport";
 import { TimeWindow } from "./window";
 
@@ -32,7 +33,7 @@ export function createTime(host: HTMLElement, store: Store, _session: Session): 
     block: (by) => stepBlock(store, by),
     mark: (by) => {
       const mark = stepMark(store, marks, by);
-      told.textContent = mark ? markText(mark, store.get("units")) : words.noMark;
+      told.textContent = mark ? fullMarkText(mark, store.get("units")) : words.noMark;
     },
   };
   const scrubber = createScrubber(store, window);

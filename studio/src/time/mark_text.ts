@@ -1,20 +1,13 @@
-// A mark as people read it.
+// A mark as the strip tells it: where it is, of what kind, and what it says.
 
+import { markText } from "../core/names";
 import type { Units } from "../core/store";
-import { lengthText } from "../core/units";
 import type { Mark } from "../run/marks";
 import { texts } from "../texts";
 
-/** "line 14: jet on" */
-export function markText(mark: Mark, units: Units): string {
-  const what = whatOf(mark, units);
-  return mark.line === null ? what : texts.time.atLine(mark.line, what);
-}
-
-function whatOf({ kind, text, detail, pair, clearance_mm }: Mark, units: Units): string {
-  const words = texts.time.marks;
-  if (kind === "event") return `${text.replaceAll("_", " ")} ${detail}`.trim();
-  if (kind === "collision") return `${words.collision}: ${pair!.join(" – ")}`;
-  if (kind === "near") return `${words.near}: ${pair!.join(" – ")}, ${lengthText(clearance_mm, units)}`;
-  return `${words[kind]}: ${text}`;
+/** "line 14: jet on", "line 12: Collision: nozzle – clamp" */
+export function fullMarkText(mark: Mark, units: Units): string {
+  const said = markText(mark, units);
+  const what = mark.kind === "event" ? said : `${texts.time.marks[mark.kind]}: ${said}`;
+  return mark.line === null ? what : `${texts.run.line(mark.line)}: ${what}`;
 }

@@ -1,6 +1,7 @@
 // When the process (jet, spindle, torch) is on.
 
 import { Flag } from "../run/evaluate";
+import { lastIndex } from "../run/search";
 import type { Segments } from "../run/segments";
 
 /** Stretches of time one behind the other, as start and end in turn (s). */
@@ -21,11 +22,6 @@ export function processOn_s(segments: Segments): Float64Array {
 
 /** Whether it is on somewhere from one instant to another. */
 export function isOnWithin(edges_s: Float64Array, from_s: number, to_s: number): boolean {
-  let [low, high] = [0, edges_s.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (edges_s[middle] <= from_s) low = middle + 1;
-    else high = middle;
-  }
-  return low % 2 === 1 || (low < edges_s.length && edges_s[low] < to_s);
+  const next = lastIndex(edges_s.length, (i) => edges_s[i] <= from_s) + 1;
+  return next % 2 === 1 || (next < edges_s.length && edges_s[next] < to_s);
 }

@@ -1,8 +1,8 @@
 // The scrubber: a slider over the stretch of time that is shown, with marks and bands; below it what part of the
 // run that is.
 
-import { goTo } from "../core/go";
 import { element } from "../core/dom";
+import { goTo } from "../core/go";
 import { onTheme } from "../core/theme";
 import type { Store } from "../core/store";
 import { timeText } from "../core/units";
@@ -10,7 +10,7 @@ import type { Mark } from "../run/marks";
 import { texts } from "../texts";
 import { dragOn } from "./drag";
 import { drawStrip, pixelOf, type Content } from "./draw";
-import { markText } from "./mark_text";
+import { fullMarkText } from "./mark_text";
 import type { TimeWindow } from "./window";
 
 const words = texts.time;
@@ -73,7 +73,7 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
 
   function tell(x: number): void {
     const marks = near(x);
-    const textOf = (mark: Mark) => `${timeText(mark.t_s)}  ${markText(mark, store.get("units"))}`;
+    const textOf = (mark: Mark) => `${timeText(mark.t_s)}  ${fullMarkText(mark, store.get("units"))}`;
     const told = marks.slice(0, TOLD_MARKS).map(textOf);
     if (marks.length > TOLD_MARKS) told.push(words.more(marks.length - TOLD_MARKS));
     tip.textContent = [...told, ...(told.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");

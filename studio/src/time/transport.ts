@@ -1,6 +1,6 @@
 // Play, steps and speed.
 
-import { element } from "../core/dom";
+import { choice, element, svgElement } from "../core/dom";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
 
@@ -27,28 +27,18 @@ const icons = {
   nextMark: "M3 2v12l6-6zM8 8l3-4 3 4-3 4z",
 };
 
-function icon(name: keyof typeof icons): SVGElement {
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.setAttribute("viewBox", "0 0 16 16");
-  svg.setAttribute("aria-hidden", "true");
-  const path = document.createElementNS(svg.namespaceURI, "path");
-  path.setAttribute("d", icons[name]);
-  svg.append(path);
-  return svg;
-}
+const icon = (name: keyof typeof icons): SVGElement =>
+  svgElement("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, svgElement("path", { d: icons[name] }));
 
 const button = (name: keyof typeof icons, label: string, click: () => void): HTMLButtonElement =>
   element("button", { class: "icon", "aria-label": label, title: label, onclick: click }, icon(name));
 
 export function createTransport(store: Store, actions: Actions): HTMLElement {
   const play = button("play", words.play, actions.play);
-  const rate = element(
-    "select",
-    { class: "rate", title: words.rate, "aria-label": words.rate },
-    ...rates.map((value) => element("option", { value }, `× ${value}`)),
-  );
-  rate.addEventListener("change", () => store.set("rate", Number(rate.value)));
-  store.watch(["rate"], () => (rate.value = String(nearest(store.get("rate")))));
+  const options = rates.map((value) => [String(value), `× ${value}`] as const);
+  const rate = choice(words.rate, options, String(nearest(store.get("rate"))), (value) => store.set("rate", Number(value)));
+  rate.classList.add("rate");
+  store.on("rate", (value) => (rate.value = String(nearest(value))));
   store.watch(["playing"], () => {
     const playing = store.get("playing");
     const label = playing ? words.pause : words.play;

@@ -2,7 +2,7 @@
 
 import { Vector3 } from "three";
 import { matrixOf } from "../run/chain";
-import type { Clearance, Collision, Report } from "../run/report";
+import type { Clearance, Collision, Place, Placed, Report } from "../run/report";
 import type { Run } from "../run/run";
 import type { Role } from "./machine/looks";
 import type { Label } from "./marks/labels";
@@ -22,7 +22,8 @@ function pointsOfRobots(run: Run | null): Map<Collision | Clearance, Vector3> {
   });
   return points;
 }
-const keyOf = (file: string | null, line: number | null): string => `${file}\n${line}`;
+
+const keyOf = ({ file, line }: Placed): string => `${file}\n${line}`;
 
 export class Alarms {
   private readonly collisions: Collision[];
@@ -36,21 +37,21 @@ export class Alarms {
     this.points = pointsOfRobots(run);
     this.collisions = reports.flatMap((report) => report.collisions ?? []).sort((a, b) => a.t_s - b.t_s);
     for (const clearance of reports.flatMap((report) => report.clearances ?? [])) {
-      const key = keyOf(clearance.file, clearance.line);
+      const key = keyOf(clearance);
       this.near.set(key, [...(this.near.get(key) ?? []), clearance]);
     }
   }
 
   /** How a body is lit at a time, while lines are under way; null: none is. */
-  at(t_s: number, lines: { file: string; line: number }[]): ((name: string) => Role | undefined) | null {
+  at(t_s: number, lines: Place[]): ((name: string) => Role | undefined) | null {
     this.goTo(t_s);
     const near = new Set(this.nearBy(lines).flatMap(({ pair }) => pair));
     if (this.met.size === 0 && near.size === 0) return null;
     return (name) => (this.met.has(name) ? "hit" : near.has(name) ? "near" : undefined);
   }
 
-  private nearBy(lines: { file: string; line: number }[]): Clearance[] {
-    return lines.flatMap(({ file, line }) => this.near.get(keyOf(file, line)) ?? []);
+  private nearBy(lines: Place[]): Clearance[] {
+    return lines.flatMap((place) => this.near.get(keyOf(place)) ?? []);
   }
 
   private goTo(t_s: number): void {
@@ -62,9 +63,11 @@ export class Alarms {
   }
 
   /** Where bodies have met last, and where they come near. */
-  labels(lines: { file: string; line: number }[]): Label[] {
+  labels(lines: Place[]): Label[] {
     const met = this.collisions.slice(Math.max(0, this.metCount - MOST_MARKS), this.metCount);
-    const mark = (kind: string) => (place: Collision | Clearance) => ({ at: this.points.get(place) ?? new Vector3(...place.point_mm), text: "", kind });
+    const mark = (kind: string) => (place: Collision | Clearance) => {
+      return { at: this.points.get(place) ?? new Vector3(...place.point_mm), text: "", kind };
+    };
     return [...this.nearBy(lines).map(mark("near")), ...met.map(mark("hit"))];
   }
 }

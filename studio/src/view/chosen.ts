@@ -9,9 +9,8 @@ export type Range = [number, number];
 // A line in a long loop has more blocks than can be told apart.
 const MOST_RANGES = 500;
 
-export function rangeOfBlock({ blocks, segments }: Robot, data: PathData, block: number): Range {
-  const end = block + 1 < blocks.count ? blocks.first.at(block + 1) : segments.count;
-  return data.rangeOf(blocks.first.at(block), end);
+export function rangeOfBlock({ blocks }: Robot, data: PathData, block: number): Range {
+  return data.rangeOf(blocks.first.at(block), blocks.end(block));
 }
 
 /** Of the selection, for one robot; a block by number is one of the robot that is shown. */

@@ -1,5 +1,6 @@
 // What the pointer does on the picture: turns the eye, chooses blocks, measures.
 
+import { Debounced } from "../core/debounced";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
 import type { Gestures } from "./gestures";
@@ -12,7 +13,8 @@ const HOVER_MS = 40;
 
 export class Hand implements Gestures {
   readonly tooltip = new Tooltip();
-  private waiting = 0;
+  private readonly hovering = new Debounced(() => this.tell());
+  private at = { x_px: 0, y_px: 0 };
   private measured = 0;
 
   constructor(
@@ -44,19 +46,22 @@ export class Hand implements Gestures {
   }
 
   leave(): void {
-    clearTimeout(this.waiting);
+    this.hovering.cancel();
     this.tooltip.hide();
   }
 
   hover(x_px: number, y_px: number): void {
-    clearTimeout(this.waiting);
-    this.waiting = setTimeout(() => {
-      const hit = this.view.hit(x_px, y_px, REACH_PX);
-      if (!hit) return this.tooltip.hide();
-      const { robot } = this.view.stage.machines[hit.robot];
-      const segment = this.view.stage.paths[hit.robot].segmentOf(hit.vertex);
-      this.tooltip.show(robot, segment, this.store.get("units"), x_px, y_px);
-    }, HOVER_MS);
+    this.at = { x_px, y_px };
+    this.hovering.after(HOVER_MS);
+  }
+
+  private tell(): void {
+    const { x_px, y_px } = this.at;
+    const hit = this.view.hit(x_px, y_px, REACH_PX);
+    if (!hit) return this.tooltip.hide();
+    const { robot } = this.view.stage.machines[hit.robot];
+    const segment = this.view.stage.paths[hit.robot].segmentOf(hit.vertex);
+    this.tooltip.show(robot, segment, this.store.get("units"), x_px, y_px);
   }
 
   click(x_px: number, y_px: number): void {

@@ -1,6 +1,7 @@
 // Pictures on buttons: lines in a square of 20.
 
-const NAMESPACE = "http://www.w3.org/2000/svg";
+import { svgElement } from "../core/dom";
+
 const cube = "M10 2 17 6V14L10 18 3 14V6Z M3 6 10 10 17 6 M10 10V18";
 
 const drawings = {
@@ -18,18 +19,8 @@ const drawings = {
 export type Icon = keyof typeof drawings;
 
 export function icon(name: Icon): SVGElement {
-  const svg = document.createElementNS(NAMESPACE, "svg");
-  svg.setAttribute("viewBox", "0 0 20 20");
-  svg.setAttribute("aria-hidden", "true");
   const [lines, filled] = drawings[name];
-  for (const [way, kind] of [
-    [filled, "filled"],
-    [lines, "drawn"],
-  ]) {
-    const path = document.createElementNS(NAMESPACE, "path");
-    path.setAttribute("d", way);
-    path.setAttribute("class", kind);
-    if (way) svg.append(path);
-  }
-  return svg;
+  const parts = [svgElement("path", { d: lines, class: "drawn" })];
+  if (filled) parts.unshift(svgElement("path", { d: filled, class: "filled" }));
+  return svgElement("svg", { viewBox: "0 0 20 20", "aria-hidden": "true" }, ...parts);
 }

@@ -1,7 +1,7 @@
 // The view of a run: machine, path, and what one does with them.
 
 import "./view.css";
-import { make } from "../core/element";
+import { element } from "../core/dom";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
@@ -28,8 +28,8 @@ export interface ViewHandle {
 
 /** null: there is no WebGL 2, and a sentence says so. */
 export function createView(host: HTMLElement, store: Store, session: Session): ViewHandle | null {
-  const surface = make("div", { class: "surface", tabindex: 0, role: "application", "aria-label": texts.view.label });
-  const hint = make("div", { class: "hint", role: "status" });
+  const surface = element("div", { class: "surface", tabindex: 0, role: "application", "aria-label": texts.view.label });
+  const hint = element("div", { class: "hint", role: "status" });
   host.append(surface);
   let view: View | null = null;
   const canvas = Canvas.make(surface, {
@@ -41,7 +41,7 @@ export function createView(host: HTMLElement, store: Store, session: Session): V
     },
   });
   if (!canvas) {
-    surface.replaceWith(make("p", { class: "none", role: "alert" }, texts.view.noWebgl));
+    surface.replaceWith(element("p", { class: "none", role: "alert" }, texts.view.noWebgl));
     return null;
   }
   view = new View(canvas, store, session, (text) => (hint.textContent = text));

@@ -1,6 +1,6 @@
 // What is shown: a list of switches behind a button.
 
-import { make } from "../core/element";
+import { check, element } from "../core/dom";
 import type { State, Store } from "../core/store";
 import { texts } from "../texts";
 import { icon } from "./icons";
@@ -15,14 +15,8 @@ export interface OwnLayers {
 
 const words = texts.view;
 
-function check(label: string, change: (on: boolean) => void): { row: HTMLElement; box: HTMLInputElement } {
-  const box = make("input", { type: "checkbox" });
-  box.addEventListener("change", () => change(box.checked));
-  return { row: make("label", {}, box, label), box };
-}
-
 export function createLayers(store: Store, own: OwnLayers, changed: () => void): HTMLElement {
-  const list = make("div", { class: "list", role: "group", "aria-label": words.show });
+  const list = element("div", { class: "list", role: "group", "aria-label": words.show });
   for (const name of Object.keys(own) as (keyof OwnLayers)[]) {
     const { row, box } = check(words.layers[name], (on) => {
       own[name] = on;
@@ -37,9 +31,8 @@ export function createLayers(store: Store, own: OwnLayers, changed: () => void):
     if (key === "compare") store.watch(["previous"], () => (box.disabled = store.get("previous") === null));
     list.append(row);
   }
-  const summary = make("summary", { title: words.show, "aria-label": words.show });
-  summary.append(icon("layers"));
-  const details = make("details", { class: "layers" }, summary, list);
+  const summary = element("summary", { title: words.show, "aria-label": words.show }, icon("layers"));
+  const details = element("details", { class: "layers" }, summary, list);
   details.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || !details.open) return;
     details.open = false;

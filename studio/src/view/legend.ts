@@ -1,7 +1,7 @@
 // By what the way is coloured, and what the colours mean.
 
 import { scaleColour } from "../core/colours";
-import { make } from "../core/element";
+import { choice, element } from "../core/dom";
 import type { ColourMode, Store, Units } from "../core/store";
 import { feedText, lengthText, timeText } from "../core/units";
 import { texts } from "../texts";
@@ -25,17 +25,23 @@ const quantityText: Partial<Record<ColourMode, (value: number, units: Units) => 
   deviation: lengthText,
 };
 
+const classNames: Partial<Record<ColourMode, Record<string, string>>> = {
+  kind: texts.run.kinds,
+  limit: texts.run.limits,
+  process: words.process,
+};
+
 export class Legend {
-  readonly element = make("div", { class: "legend" });
-  private readonly list = make("div", { class: "key" });
-  private readonly note = make("div", { class: "note" });
+  readonly element = element("div", { class: "legend" });
+  private readonly list = element("div", { class: "key" });
+  private readonly note = element("div", { class: "note" });
 
   constructor(private readonly store: Store) {
-    const choice = make("select", { "aria-label": words.colour, title: words.colour });
-    for (const [mode, name] of Object.entries(words.colours)) choice.append(make("option", { value: mode }, name));
-    choice.addEventListener("change", () => store.set("colour", choice.value as ColourMode));
-    store.watch(["colour"], () => (choice.value = store.get("colour")));
-    this.element.append(choice, this.list, this.note);
+    const modes = choice(words.colour, Object.entries(words.colours), store.get("colour"), (mode) =>
+      store.set("colour", mode as ColourMode),
+    );
+    store.on("colour", (mode) => (modes.value = mode));
+    this.element.append(modes, this.list, this.note);
   }
 
   show(key: Key | null, gridStep_mm: number): void {
@@ -46,14 +52,13 @@ export class Legend {
 
   private entries({ mode, scale, classes }: Key, units: Units): HTMLElement[] {
     if (!scale) {
-      const names: Record<string, string> = words.classes;
       return classes.map((name) => {
-        const swatch = make("i", { style: `background: ${classColour(mode, name)}` });
-        return make("span", {}, swatch, names[name] ?? name);
+        const swatch = element("i", { style: `background: ${classColour(mode, name)}` });
+        return element("span", {}, swatch, classNames[mode]?.[name] ?? name);
       });
     }
     const text = quantityText[mode]!;
-    const ends = make("div", { class: "ends" }, make("span", {}, text(scale.low, units)), make("span", {}, text(scale.high, units)));
-    return [make("div", { class: "scale", style: `background: ${gradient()}` }), ends];
+    const ends = element("div", { class: "ends" }, element("span", {}, text(scale.low, units)), element("span", {}, text(scale.high, units)));
+    return [element("div", { class: "scale", style: `background: ${gradient()}` }), ends];
   }
 }

@@ -2,6 +2,7 @@
 
 import { AmbientLight, Box3, DirectionalLight, Group, Matrix4, Scene, Vector3 } from "three";
 import type { Units } from "../core/store";
+import type { Place } from "../run/report";
 import type { Robot, Run } from "../run/run";
 import { Alarms } from "./alarms";
 import type { CameraRig } from "./camera";
@@ -17,6 +18,9 @@ import { PathData } from "./path/path_data";
 import type { Palette } from "./theme";
 
 const EMPTY = new Box3(new Vector3(-100, -100, 0), new Vector3(100, 100, 0));
+
+/** A way that is shorter, as of a run that ended before it began, is nothing to look at. */
+const LEAST_WORK_MM = 1;
 
 export class Stage {
   readonly scene = new Scene();
@@ -54,9 +58,8 @@ export class Stage {
   take(run: Run | null, units: Units): void {
     for (const machine of this.machines) machine.dispose();
     this.machinery.clear();
-    const report = run?.report ?? null;
     this.paths = this.pathsOf(run);
-    this.machines = (run?.robots ?? []).map((robot, i) => new Machine(robot, report?.robots?.[i] ?? report, this.looks));
+    this.machines = run?.robots.map((robot, i) => new Machine(robot, run.reportOf(i), this.looks)) ?? [];
     for (const machine of this.machines) this.machinery.add(machine.group);
     this.alarms = new Alarms(run);
     this.zones.take(run?.robots ?? [], (robot) => this.pathBox(robot));
@@ -85,7 +88,7 @@ export class Stage {
       const path = this.pathBox(i);
       if (!path.isEmpty()) box.union(path.clone().applyMatrix4(work));
     });
-    return box.isEmpty() ? this.wholeBox() : box;
+    return box.getSize(new Vector3()).length() < LEAST_WORK_MM ? this.wholeBox() : box;
   }
 
   wholeBox(): Box3 {
@@ -102,7 +105,7 @@ export class Stage {
   }
 
   /** Bodies that have met by now, or come near in the lines under way, look so. */
-  light(t_s: number, lines: { file: string; line: number }[]): void {
+  light(t_s: number, lines: Place[]): void {
     const look = this.alarms.at(t_s, lines) ?? (() => undefined);
     for (const machine of this.machines) machine.bodies.light(look);
   }

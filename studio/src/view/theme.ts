@@ -2,7 +2,7 @@
 
 import { Color } from "three";
 import { blue, orange, purple, sky, vermilion, yellow } from "../core/colours";
-import { themeColour } from "../core/element";
+import { themeColour } from "../core/theme";
 
 export const isDark = (): boolean => document.documentElement.dataset.theme === "dark";
 

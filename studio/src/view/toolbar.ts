@@ -1,6 +1,6 @@
 // Buttons of the view, and the keys that do the same while the view has the focus.
 
-import { make } from "../core/element";
+import { element } from "../core/dom";
 import type { State, Store } from "../core/store";
 import { texts } from "../texts";
 import type { Stand } from "./camera";
@@ -21,14 +21,13 @@ const words = texts.view;
 
 function button(name: Icon, label: string, key: string, press: () => void): HTMLButtonElement {
   const title = `${label} (${key})`;
-  const element = make("button", { type: "button", title, "aria-label": label, "aria-keyshortcuts": key, click: press });
-  element.append(icon(name));
-  return element;
+  const attributes = { type: "button", title, "aria-label": label, "aria-keyshortcuts": key, onclick: press };
+  return element("button", attributes, icon(name));
 }
 
-function pressed(store: Store, key: Switch, element: HTMLElement): HTMLElement {
-  store.watch([key], () => element.setAttribute("aria-pressed", String(store.get(key))));
-  return element;
+function pressed(store: Store, key: Switch, made: HTMLElement): HTMLElement {
+  store.watch([key], () => made.setAttribute("aria-pressed", String(store.get(key))));
+  return made;
 }
 
 const toggle = (store: Store, key: Switch) => () => store.set(key, !store.get(key));
@@ -40,8 +39,9 @@ export function createToolbar(store: Store, act: Actions, layers: HTMLElement): 
     ["side", "3"],
     ["iso", "4"],
   ];
-  const bar = make("div", { class: "tools", role: "toolbar", "aria-label": words.tools, "aria-orientation": "vertical" });
-  bar.append(
+  return element(
+    "div",
+    { class: "tools", role: "toolbar", "aria-label": words.tools, "aria-orientation": "vertical" },
     button("fit", words.fit, "F", () => act.fit(false)),
     ...stands.map(([name, key]) => button(name, words.stands[name], key, () => act.stand(name))),
     pressed(store, "perspective", button("perspective", words.perspective, "P", toggle(store, "perspective"))),
@@ -49,7 +49,6 @@ export function createToolbar(store: Store, act: Actions, layers: HTMLElement): 
     pressed(store, "measuring", button("measure", words.measure, "M", toggle(store, "measuring"))),
     layers,
   );
-  return bar;
 }
 
 const STEP_PX = 30;
@@ -82,8 +81,8 @@ export function keysOf(store: Store, act: Actions): Record<string, () => void> {
   };
 }
 
-export function listenToKeys(element: HTMLElement, keys: Record<string, () => void>): void {
-  element.addEventListener("keydown", (event) => {
+export function listenToKeys(surface: HTMLElement, keys: Record<string, () => void>): void {
+  surface.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const key = event.key.toLowerCase();
     const act = keys[(event.shiftKey ? "+" : "") + key];

@@ -1,25 +1,24 @@
 // What the way is under the pointer.
 
-import { make } from "../core/element";
+import { element } from "../core/dom";
+import { baseName } from "../core/kinds";
 import type { Units } from "../core/store";
-import { feedText, timeText } from "../core/units";
+import { programmedFeedText, timeText } from "../core/units";
 import type { Robot } from "../run/run";
 import { texts } from "../texts";
 
-const words = texts.view;
-
 export class Tooltip {
-  readonly element = make("div", { class: "tip", role: "status", hidden: true });
+  readonly element = element("div", { class: "tip", role: "status", hidden: true });
 
   show(robot: Robot, segment: number, units: Units, x_px: number, y_px: number): void {
     const info = robot.segments.info(segment);
-    const file = (robot.files[info.file] ?? "").replace(/^.*\//, "");
-    const what: string[] = [words.classes[info.kind]];
-    if (info.feed_per_min > 0) what.push(feedText(info.feed_per_min / 60, units));
+    const file = baseName(robot.files[info.file] ?? "");
+    const what: string[] = [texts.run.kinds[info.kind]];
+    if (info.feed_per_min > 0) what.push(programmedFeedText(info.feed_per_min, info.length_mm, units));
     this.element.replaceChildren(
-      make("b", {}, `${file}:${info.line}`),
-      make("span", {}, what.join(", ")),
-      make("span", {}, `${timeText(info.start_s)} + ${timeText(info.duration_s)}`),
+      element("b", {}, `${file}:${info.line}`),
+      element("span", {}, what.join(", ")),
+      element("span", {}, `${timeText(info.start_s)} + ${timeText(info.duration_s)}`),
     );
     this.element.hidden = false;
     this.element.style.transform = `translate(${x_px + 14}px, ${y_px + 14}px)`;

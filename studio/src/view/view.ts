@@ -1,9 +1,11 @@
 // The view: draws a frame when something has changed, and sleeps else.
 
 import { Matrix4, Scene, SRGBColorSpace, Vector3, type Color } from "three";
-import { onTheme } from "../core/element";
+import { Debounced } from "../core/debounced";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
+import { onTheme } from "../core/theme";
+import type { Place } from "../run/report";
 import { texts } from "../texts";
 import { CameraRig, type Stand } from "./camera";
 import { Canvas } from "./canvas";
@@ -40,7 +42,7 @@ export class View {
   private chosen: Range[][] = [];
   private frame: Frame | null = null;
   private asked = 0;
-  private resting = 0;
+  private readonly resting = new Debounced(() => this.layDirections());
   private tip: Vector3 | null = null;
   /** Diagonal of the work when it was fitted. */
   private fittedSize_mm = 0;
@@ -81,8 +83,7 @@ export class View {
 
   /** The eye has moved; when it rests, marks are laid for what it sees. */
   turned(): void {
-    clearTimeout(this.resting);
-    this.resting = setTimeout(() => this.layDirections(), REST_MS);
+    this.resting.after(REST_MS);
     this.invalidate();
   }
 
@@ -251,13 +252,8 @@ export class View {
     return frame;
   }
 
-  private linesUnderWay({ instants }: Frame): { file: string; line: number }[] {
-    return instants.flatMap(({ segment }, i) => {
-      if (segment < 0) return [];
-      const { robot } = this.stage.machines[i];
-      const { file, line } = robot.segments.info(segment);
-      return [{ file: robot.files[file] ?? "", line }];
-    });
+  private linesUnderWay({ t_s, instants }: Frame): Place[] {
+    return instants.flatMap((_, i) => this.run?.placesAt(i, t_s) ?? []);
   }
 
   private followTool({ instants }: Frame): void {

@@ -30,9 +30,13 @@ export default {
 
   "machines with arms and mills look as they did": (places) =>
     withPage(places.studio, async (page) => {
-      for (const machine of ["arm6", "mill-table-table", "router3"]) {
-        await run(page, { program: "samples/wheel.nc", machine: `samples/machines/${machine}.toml` });
-        await at(page, 20);
+      const mills = { program: "samples/mill/dome.nc", machine: "samples/machines/mill-head-table.toml" };
+      const arms = { program: "folds.nc", machine: "samples/machines/arm6.toml" };
+      const routers = { program: "samples/rosette.ngc", machine: "samples/machines/linuxcnc-router.toml", dialect: "rs274ngc" };
+      for (const [machine, setup] of Object.entries({ mills, arms, routers })) {
+        const { status } = await run(page, setup, { "folds.nc": "G0 A40 B20 C-70 U10 V50\nG0 A-30 B60 C-90 W90\nM2\n" });
+        assert.equal(status, "completed");
+        await at(page, machine === "mills" ? 20 : 1);
         await comparePicture(page, places, machine);
       }
     }),

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { difference, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
 
-const ENDLESS = "local _ENV = require 'gsim'\nprogram(1, function()\n  while true do G1{x=100, f=6000} G1{x=0} end\nend)\n";
+const ENDLESS = "local _ENV = require 'gsim'\nprogram(1, function()\n  F(6000) while true do G1{x=100} G1{x=0} end\nend)\n";
 
 /** Puts the cursor into a line of the program, by a click on its text. */
 async function clickLine(page, line) {
@@ -126,7 +126,7 @@ export default {
         const { session, documents, store } = window.studio;
         const began = performance.now();
         const name = "samples/wheel.nc";
-        documents.put(name, documents.text(name).replace("Y636.859", "Y630.5"));
+        documents.put(name, documents.text(name).replace("C0 F6350", "C0 F5000"));
         await session.run();
         await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
         return store.get("run").report.status === "completed" ? performance.now() - began : Infinity;

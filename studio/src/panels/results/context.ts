@@ -1,7 +1,6 @@
 // What the tabs work with.
 
 import type { Store } from "../../core/store";
-import { reportOf } from "../../run/marks";
 import type { Report } from "../../run/report";
 import type { Robot, Run } from "../../run/run";
 
@@ -17,8 +16,8 @@ export interface Context {
 export function contextOf(store: Store): Context | null {
   const run = store.get("run");
   if (!run) return null;
-  const index = run.robots.length > store.get("robot") ? store.get("robot") : 0;
-  return { run, index, robot: run.robots[index], report: reportOf(run, index) };
+  const index = store.get("robot");
+  return { run, index, robot: run.robots[index], report: run.reportOf(index) };
 }
 
 /** What a tab shows can be put into other tabs: the blocks that match some words. */

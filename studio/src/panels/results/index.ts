@@ -42,7 +42,9 @@ export function createResults(host: HTMLElement, store: Store): void {
 
   store.watch(["run", "robot"], () => {
     const run = store.get("run");
-    const options = (run?.robots ?? []).map(({ name }, i): [string, string] => [String(i), name]);
+    // The run before may have had more of them.
+    if (store.get("robot") >= (run?.robots.length ?? 0)) store.set("robot", 0);
+    const options = (run?.robots ?? []).map(({ name }, i) => [String(i), name] as const);
     robots.hidden = options.length < 2;
     robots.replaceChildren(
       element("label", {}, `${words.robot} `),

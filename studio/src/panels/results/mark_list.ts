@@ -2,22 +2,14 @@
 
 import { element } from "../../core/dom";
 import { goTo } from "../../core/go";
+import { markText } from "../../core/names";
 import type { Store } from "../../core/store";
-import { lengthText, timeText } from "../../core/units";
+import { countText, timeText } from "../../core/units";
 import type { Mark } from "../../run/marks";
 import { texts } from "../../texts";
-import { countText } from "./format";
 import { beginRows, makeRows } from "./rows";
 
 const words = texts.panels;
-
-/** What a mark says, without its kind. */
-export function markWords({ kind, text, detail, pair, clearance_mm }: Mark, store: Store): string {
-  if (kind === "event") return `${text.replaceAll("_", " ")} ${detail}`.trim();
-  if (kind === "collision") return pair!.join(" – ");
-  if (kind === "near") return words.near(pair!.join(" – "), lengthText(clearance_mm, store.get("units")));
-  return text;
-}
 
 export interface Item {
   kind: string;
@@ -30,9 +22,9 @@ export interface Item {
 
 export const markItem = (mark: Mark, store: Store): Item => ({
   kind: mark.kind,
-  text: markWords(mark, store),
+  text: markText(mark, store.get("units")),
   title: mark.file ?? "",
-  place: [timeText(mark.t_s, 2), ...(mark.line === null ? [] : [words.atLine(mark.line)])].join(" · "),
+  place: [timeText(mark.t_s, 2), ...(mark.line === null ? [] : [texts.run.line(mark.line)])].join(" · "),
   choose: () => goTo(store, mark, mark.t_s),
 });
 

@@ -3,12 +3,11 @@
 import { element } from "../../core/dom";
 import { goTo } from "../../core/go";
 import type { Store } from "../../core/store";
-import { timeText } from "../../core/units";
+import { countText, timeText } from "../../core/units";
 import type { Report } from "../../run/report";
 import type { Run, Told } from "../../run/run";
 import { texts } from "../../texts";
 import { contextOf } from "./context";
-import { countText } from "./format";
 import { itemList, type Item } from "./mark_list";
 
 const words = texts.panels;
@@ -17,7 +16,7 @@ const toldItem = (told: Told, store: Store): Item => ({
   kind: told.severity,
   text: told.hint ? `${told.text}. ${told.hint}` : told.text,
   title: told.file,
-  place: told.line > 0 ? words.atLine(told.line) : words.severities[told.severity],
+  place: told.line > 0 ? texts.run.line(told.line) : words.severities[told.severity],
   choose: () => goTo(store, { file: told.file || null, line: told.line || null }, null),
 });
 

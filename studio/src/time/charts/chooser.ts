@@ -1,7 +1,7 @@
 // Which charts there are, of which axes, in which measure.
 
-import { axisColours } from "../../core/colours";
-import { element } from "../../core/dom";
+import { axisColour } from "../../core/colours";
+import { check, element } from "../../core/dom";
 import type { Axis } from "../../run/scene";
 import { texts } from "../../texts";
 import { chartIds, type ChartId } from "./traces";
@@ -21,13 +21,11 @@ export interface Chooser {
   begin(axes: Axis[]): void;
 }
 
-function check(label: Node | string, title: string, checked: boolean, change: (on: boolean) => void): HTMLElement {
-  const input = element("input", {
-    type: "checkbox",
-    checked,
-    onchange: () => change(input.checked),
-  });
-  return element("label", { title, class: "check" }, input, label);
+/** A box that is ticked or not as it is made. */
+function tick(label: Node | string, title: string, checked: boolean, change: (on: boolean) => void): HTMLElement {
+  const { row, box } = check(label, change, { title });
+  box.checked = checked;
+  return row;
 }
 
 export function createChooser(changed: (chosen: Chosen) => void): Chooser {
@@ -48,9 +46,9 @@ export function createChooser(changed: (chosen: Chosen) => void): Chooser {
     changed(chosen());
   };
   const charts = chartIds.map((id) =>
-    check(words.charts[id], words.chartHints[id], shown.has(id), (on) => put(shown, id, on)),
+    tick(words.charts[id], words.chartHints[id], shown.has(id), (on) => put(shown, id, on)),
   );
-  const measure = check(words.percent, words.percentHint, percent, (on) => {
+  const measure = tick(words.percent, words.percentHint, percent, (on) => {
     percent = on;
     changed(chosen());
   });
@@ -63,8 +61,8 @@ export function createChooser(changed: (chosen: Chosen) => void): Chooser {
       letters = all.map((axis) => axis.letter);
       axes.replaceChildren(
         ...letters.map((letter, i) => {
-          const name = element("span", { style: `--colour:${axisColours[i % axisColours.length]}` }, letter);
-          return check(name, words.axisHint(letter), !hidden.has(letter), (on) => put(hidden, letter, !on));
+          const name = element("span", { style: `--colour:${axisColour(i)}` }, letter);
+          return tick(name, words.axisHint(letter), !hidden.has(letter), (on) => put(hidden, letter, !on));
         }),
       );
     },

@@ -1,12 +1,12 @@
 // The charts below the scrubber, and the choice of what they show.
 
 import { element } from "../../core/dom";
-import { onTheme } from "../../core/theme";
+import { robotOf } from "../../core/shown";
 import type { Store } from "../../core/store";
+import { onTheme } from "../../core/theme";
 import type { Mark } from "../../run/marks";
 import type { Robot } from "../../run/run";
 import { texts } from "../../texts";
-import { robotOf } from "../steps";
 import type { TimeWindow } from "../window";
 import { LEFT_PX, RIGHT_PX, Chart } from "./chart";
 import { createChooser, type Chosen } from "./chooser";

@@ -4,7 +4,7 @@
 import type { Segments } from "../../run/segments";
 import { Probe, type Group } from "./probe";
 
-export const LEAF = 8;
+const LEAF = 8;
 const SLICE_MS = 10;
 
 export class Leaves {

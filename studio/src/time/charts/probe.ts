@@ -1,14 +1,15 @@
 // What charts show of a segment, exactly, from its closed forms.
 
 import { Flag, breaksOf_s, isProportional, jointsAt, leadOf, pathAcceleration, pathSpeed } from "../../run/evaluate";
-import type { Part, Records } from "../../run/evaluate";
-import { lawLength, widenByLaw } from "../../run/law";
-import { moveKinds, type Chunk, type Segments } from "../../run/segments";
+import type { Part } from "../../run/evaluate";
+import { lawLength, newRange, widenByLaw } from "../../run/law";
+import { isRapid, type Chunk, type Segments } from "../../run/segments";
 
 /** What is evaluated together: of the path its speed, acceleration and feed asked for; or one value for each joint. */
 export type Group = "path" | "position" | "speed" | "acceleration";
 export const PATH = { speed: 0, acceleration: 1, feed: 2 } as const;
 
+const NOTHING = newRange();
 const CURVED_SAMPLES = 8;
 // A law has two values of acceleration where its pieces meet: what is before, and what is behind.
 export const BEHIND_S = 1e-9;
@@ -21,7 +22,7 @@ export interface Spot {
 }
 
 export class Probe {
-  private readonly law = new Float64Array(4);
+  private readonly law = newRange();
   private readonly point: Float64Array;
   readonly width: number;
 
@@ -35,16 +36,12 @@ export class Probe {
 
   spot(index: number): Spot {
     const [chunk, i] = this.segments.locate(index);
-    return { chunk, i, part: { at: chunk.record[i], flags: chunk.flags[i], duration_s: chunk.duration_s[i] } };
-  }
-
-  private records(chunk: Chunk): Records {
-    return { values: chunk.values, joints: this.segments.joints };
+    return { chunk, i, part: this.segments.part(chunk, i) };
   }
 
   /** Values `t_s` after the segment's start, in mm or rad and s; NaN: no feed was asked for. */
   put({ chunk, i, part }: Spot, t_s: number, out: Float64Array): void {
-    const records = this.records(chunk);
+    const records = this.segments.records(chunk);
     if (this.group === "path") {
       const { carriers } = this.segments;
       out[PATH.speed] = pathSpeed(records, part, t_s, chunk.length_mm[i], carriers);
@@ -59,7 +56,7 @@ export class Probe {
 
   /** Instants of a segment where something may jump or be at its highest, in order. */
   breaks_s({ chunk, part }: Spot): number[] {
-    return breaksOf_s(this.records(chunk), part)
+    return breaksOf_s(this.segments.records(chunk), part)
       .filter((t_s) => t_s > 0 && t_s < part.duration_s)
       .sort((a, b) => a - b);
   }
@@ -68,7 +65,7 @@ export class Probe {
   widen(spot: Spot, low: Float32Array, high: Float32Array, at: number): void {
     const { chunk, part } = spot;
     if (this.group === "path" && !(part.flags & NOT_BY_LEAD)) return this.widenPath(spot, low, high, at);
-    if (this.group !== "path" && isProportional(this.records(chunk), part)) {
+    if (this.group !== "path" && isProportional(this.segments.records(chunk), part)) {
       return this.widenProportional(spot, low, high, at);
     }
     this.widenWithin(spot, 0, part.duration_s, low, high, at);
@@ -85,13 +82,13 @@ export class Probe {
       take(t_s);
       take(t_s + BEHIND_S);
     }
-    const samples = isProportional(this.records(spot.chunk), spot.part) ? 1 : CURVED_SAMPLES;
+    const samples = isProportional(this.segments.records(spot.chunk), spot.part) ? 1 : CURVED_SAMPLES;
     for (let i = 0; i <= samples; ++i) take(from_s + ((to_s - from_s) * i) / samples);
   }
 
   private readLaw(chunk: Chunk, part: Part): number {
-    const lead = leadOf(this.records(chunk), part.at);
-    this.law.set([Infinity, -Infinity, Infinity, -Infinity]);
+    const lead = leadOf(this.segments.records(chunk), part.at);
+    this.law.set(NOTHING);
     widenByLaw(chunk.values, lead, this.law);
     return lawLength(chunk.values, lead);
   }
@@ -129,12 +126,10 @@ export class Probe {
 
 /** With these the speed along the path is not that of the lead alone. */
 const NOT_BY_LEAD = Flag.beside | Flag.apart;
-const RAPID = moveKinds.indexOf("rapid");
 
 function feedOf(chunk: Chunk, i: number): number {
   const feed = chunk.feed_per_min[i];
-  const rapid = ((chunk.flags[i] >>> 8) & 15) === RAPID;
-  return feed > 0 && !rapid && chunk.length_mm[i] > 0 ? feed / 60 : NaN;
+  return feed > 0 && !isRapid(chunk.flags[i]) && chunk.length_mm[i] > 0 ? feed / 60 : NaN;
 }
 
 function widen(low: Float32Array, high: Float32Array, at: number, value: number): void {

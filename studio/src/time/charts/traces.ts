@@ -1,6 +1,6 @@
 // What each chart draws: its curves, in which unit, and the limits that they are held against.
 
-import { axisColours, orange } from "../../core/colours";
+import { axisColour, orange } from "../../core/colours";
 import type { Units } from "../../core/store";
 import { themeColour } from "../../core/theme";
 import { length, lengthUnit } from "../../core/units";
@@ -106,7 +106,7 @@ const bothWays = (value: number, label: string, colour: string): Limit[] => [
 ];
 
 function axisTrace(id: ChartId, axis: Axis, joint: number, { units, percent }: Choice): Trace {
-  const colour = axisColours[joint % axisColours.length];
+  const colour = axisColour(joint);
   const label = words.limitOf(axis.letter);
   const max = id === "axis_speed" ? axis.max_speed : axis.max_acceleration;
   const asPercent = id !== "axis_position" && percent && max !== null;

@@ -1,6 +1,7 @@
 // Arrows on the way, in spaces that one can read on the screen.
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Vector3, type Matrix4 } from "three";
+import { lastIndex } from "../../run/search";
 import type { CameraRig } from "../camera";
 import type { PathData } from "../path/path_data";
 import type { Palette } from "../theme";
@@ -31,15 +32,8 @@ function waysOf(data: PathData): Float64Array {
   return ways;
 }
 
-function firstBeyond(ways: Float64Array, way: number): number {
-  let [low, high] = [0, ways.length - 1];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (ways[middle] > way) high = middle;
-    else low = middle + 1;
-  }
-  return low;
-}
+const firstBeyond = (ways: Float64Array, way: number): number =>
+  Math.min(lastIndex(ways.length, (i) => ways[i] <= way) + 1, ways.length - 1);
 
 export class Directions {
   readonly group = new Group();

@@ -2,7 +2,7 @@
 
 import { BufferGeometry, LineBasicMaterial, LineSegments, type Matrix4, Vector3 } from "three";
 import type { Units } from "../../core/store";
-import { length, lengthText, lengthUnit } from "../../core/units";
+import { lengthNumber, lengthText, lengthUnit } from "../../core/units";
 import type { Palette } from "../theme";
 import { setLines } from "./grid";
 import type { Label } from "./labels";
@@ -54,7 +54,7 @@ export class Measure {
     const [a, b] = this.places;
     if (!b) return "";
     const way = b.clone().sub(a);
-    const number = (mm: number) => length(mm, units).toFixed(units === "inch" ? 4 : 3);
+    const number = (mm: number) => lengthNumber(mm, units);
     const parts = [`dx ${number(way.x)}`, `dy ${number(way.y)}`, `dz ${number(way.z)}`];
     return `${parts.join("  ")}  ${distance} ${number(way.length())} ${lengthUnit(units)}`;
   }

@@ -15,7 +15,13 @@ export function stlTriangles(bytes: Uint8Array): Float32Array {
   return triangles;
 }
 
+/** Triangles that lack a corner or a number are left out. */
 function textTriangles(text: string): Float32Array {
-  const corners = text.matchAll(/vertex\s+(\S+)\s+(\S+)\s+(\S+)/g);
-  return new Float32Array([...corners].flatMap((corner) => [+corner[1], +corner[2], +corner[3]]));
+  const numbers = [...text.matchAll(/vertex\s+(\S+)\s+(\S+)\s+(\S+)/g)].flatMap(([, x, y, z]) => [+x, +y, +z]);
+  const triangles: number[] = [];
+  for (let at = 0; at + 9 <= numbers.length; at += 9) {
+    const triangle = numbers.slice(at, at + 9);
+    if (triangle.every(Number.isFinite)) triangles.push(...triangle);
+  }
+  return new Float32Array(triangles);
 }

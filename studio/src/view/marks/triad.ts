@@ -2,8 +2,8 @@
 
 import type { Vector3 } from "three";
 import { blue, green, vermilion } from "../../core/colours";
+import { svgElement } from "../../core/dom";
 
-const NAMESPACE = "http://www.w3.org/2000/svg";
 const REACH = 24;
 const axes = [
   { name: "X", colour: vermilion },
@@ -11,18 +11,12 @@ const axes = [
   { name: "Z", colour: blue },
 ];
 
-const part = (tag: string, attributes: Record<string, string>): SVGElement => {
-  const element = document.createElementNS(NAMESPACE, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
-};
-
 export class Triad {
-  readonly element = part("svg", { class: "triad", viewBox: "-36 -36 72 72", "aria-hidden": "true" });
+  readonly element = svgElement("svg", { class: "triad", viewBox: "-36 -36 72 72", "aria-hidden": "true" });
   private readonly parts = axes.map(({ name, colour }) => {
-    const group = part("g", {});
-    const line = part("line", { stroke: colour, "stroke-width": "2.5", "stroke-linecap": "round" });
-    const letter = part("text", { fill: colour });
+    const group = svgElement("g");
+    const line = svgElement("line", { stroke: colour, "stroke-width": "2.5", "stroke-linecap": "round" });
+    const letter = svgElement("text", { fill: colour });
     letter.textContent = name;
     group.append(line, letter);
     this.element.append(group);

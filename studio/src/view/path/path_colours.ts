@@ -3,8 +3,16 @@
 import { grey, kindColours, limitColours, scaleColour, vermilion, blue } from "../../core/colours";
 import type { ColourMode } from "../../core/store";
 import { Flag } from "../../run/evaluate";
-import { limitKinds, moveKinds, type Chunk, type Segments } from "../../run/segments";
-import { kindCodeOf, ROW, type PathData } from "./path_data";
+import {
+  isRapid,
+  kindCodeOf,
+  limitCodeOf,
+  limitKinds,
+  moveKinds,
+  type Chunk,
+  type Segments,
+} from "../../run/segments";
+import { ROW, type PathData } from "./path_data";
 
 export type ScaleMode = "feed" | "speed" | "time" | "deviation";
 type ClassMode = Exclude<ColourMode, ScaleMode>;
@@ -23,7 +31,7 @@ export interface Key {
   classes: string[];
 }
 
-export const processStates = ["off", "on"] as const;
+const processStates = ["off", "on"] as const;
 
 /** Of a vertex, beside its colour. */
 export const RAPID_MARK = 1;
@@ -36,7 +44,7 @@ interface Classes {
 
 const classModes: Record<ClassMode, Classes> = {
   kind: { names: moveKinds, code: kindCodeOf, colours: kindColours },
-  limit: { names: limitKinds, code: (flags) => (flags >>> 12) & 15, colours: limitColours },
+  limit: { names: limitKinds, code: limitCodeOf, colours: limitColours },
   process: {
     names: processStates,
     code: (flags) => (flags & Flag.processOn ? 1 : 0),
@@ -127,7 +135,7 @@ export function colourTexels(data: PathData, key: Key): Uint8Array {
       texels[at] = colour[0];
       texels[at + 1] = colour[1];
       texels[at + 2] = colour[2];
-      texels[at + 3] = kindCodeOf(chunk.flags[segment]) === 0 ? RAPID_MARK : 0;
+      texels[at + 3] = isRapid(chunk.flags[segment]) ? RAPID_MARK : 0;
     }
   }
   return texels;

@@ -1,13 +1,12 @@
 // The drawn way of one robot as the view needs it: vertices counted over all chunks, in the work frame.
 
 import { Box3, Vector3 } from "three";
-import type { Chunk, Segments } from "../../run/segments";
+import { lastIndex } from "../../run/search";
+import { isRapid, type Chunk, type Segments } from "../../run/segments";
 
 /** Vertices in a row of the textures that hold them. */
 export const ROW = 4096;
 
-const RAPID = 0;
-export const kindCodeOf = (flags: number): number => (flags >>> 8) & 15;
 
 export class PathData {
   readonly count: number;
@@ -32,7 +31,7 @@ export class PathData {
     for (let i = 0; i < vertex_segment.length; ++i) {
       point.set(vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]);
       this.bounds.expandByPoint(point);
-      if (kindCodeOf(flags[vertex_segment[i]]) !== RAPID) this.cutBounds.expandByPoint(point);
+      if (!isRapid(flags[vertex_segment[i]])) this.cutBounds.expandByPoint(point);
     }
   }
 
@@ -80,7 +79,7 @@ export class PathData {
 
   isRapid(vertex: number): boolean {
     const [chunk, i] = this.locate(vertex);
-    return kindCodeOf(chunk.flags[chunk.vertex_segment[i]]) === RAPID;
+    return isRapid(chunk.flags[chunk.vertex_segment[i]]);
   }
 
   /** The vertex that ends the piece under way at a time; `count` behind the last. */
@@ -101,15 +100,4 @@ export class PathData {
     const vertices = chunks[k].vertex_segment;
     return this.firsts[k] + lastIndex(vertices.length, (i) => vertices[i] < inside) + 1;
   }
-}
-
-/** The last index below `count` for which it holds, where it holds for all before that too; -1: for none. */
-function lastIndex(count: number, holds: (index: number) => boolean): number {
-  let [low, high] = [-1, count - 1];
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (holds(middle)) low = middle;
-    else high = middle - 1;
-  }
-  return low;
 }

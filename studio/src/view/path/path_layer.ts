@@ -11,7 +11,7 @@ import { Target } from "./target";
 import { Timer } from "./timer";
 
 /** The run before, for comparing, is drawn as this robot. */
-export const PREVIOUS = 31;
+const PREVIOUS = 31;
 
 /** What the ways look like in a frame. */
 export interface Look {

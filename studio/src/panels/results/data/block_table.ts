@@ -1,13 +1,13 @@
 // What the tables say of each block, as columns; made once for each robot of a run.
 
 import type { Robot } from "../../../run/run";
+import { kindCodeOf, limitAxisOf, limitCodeOf } from "../../../run/segments";
 
 export class BlockTable {
   readonly count: number;
-  readonly start_s: Float64Array;
   readonly duration_s: Float64Array;
   readonly length_mm: Float64Array;
-  /** The highest feed that was asked for, per minute; 0: a rapid or a dwell. */
+  /** The highest feed that was asked for, mm/min, or deg/min where the block has no length; 0: a rapid or a dwell. */
   readonly feed_per_min: Float32Array;
   readonly line: Uint32Array;
   readonly file: Uint32Array;
@@ -21,7 +21,6 @@ export class BlockTable {
   constructor(robot: Robot) {
     const count = robot.blocks.count;
     this.count = count;
-    this.start_s = new Float64Array(count);
     this.duration_s = new Float64Array(count);
     this.length_mm = new Float64Array(count);
     this.feed_per_min = new Float32Array(count);
@@ -42,9 +41,8 @@ export class BlockTable {
         const duration_s = chunk.duration_s[i];
         if (chunk.first + i === next) {
           ++block;
-          next = block + 1 < this.count ? blocks.first.at(block + 1) : segments.count;
+          next = blocks.end(block);
           longest_s = -1;
-          this.start_s[block] = chunk.start_s[i];
           this.line[block] = chunk.line[i];
           this.file[block] = chunk.file[i];
         }
@@ -55,9 +53,9 @@ export class BlockTable {
         if (duration_s <= longest_s) continue;
         longest_s = duration_s;
         const flags = chunk.flags[i];
-        this.kind[block] = (flags >>> 8) & 15;
-        this.limit[block] = (flags >>> 12) & 15;
-        this.axis[block] = ((flags >>> 16) & 31) - 1;
+        this.kind[block] = kindCodeOf(flags);
+        this.limit[block] = limitCodeOf(flags);
+        this.axis[block] = limitAxisOf(flags);
       }
     }
   }

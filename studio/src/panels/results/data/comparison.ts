@@ -27,8 +27,8 @@ export interface Comparison {
   count: number;
 }
 
-// Below this (s) two times are the same.
-const SAME_S = 1e-6;
+/** Below this (s) two times are the same. */
+export const SAME_S = 1e-6;
 
 /** For each file the time of each line. */
 function timesOf(run: Run, robot: Robot): Float64Array[] {

@@ -1,10 +1,11 @@
 // Which blocks match what a person has typed.
 
+import { limitText } from "../../../core/names";
+import { DWELL, limitOf } from "../../../run/limits";
 import type { Robot, Run } from "../../../run/run";
 import { limitKinds, moveKinds } from "../../../run/segments";
 import { texts } from "../../../texts";
 import type { BlockTable } from "./block_table";
-import { DWELL, limitOf, limitText } from "./limit_words";
 import { linesOf } from "./source_lines";
 
 /**
@@ -21,7 +22,7 @@ export function filterOf(words: string, run: Run, robot: Robot, table: BlockTabl
     return (block) => table.line[block] === Number(wanted) || byNumber[table.file[block]]?.[table.line[block]] === 1;
   }
   const byText = matchingLines(wanted, run, robot);
-  const byKind = moveKinds.map((kind) => texts.panels.kinds[kind].includes(wanted));
+  const byKind = moveKinds.map((kind) => texts.run.kinds[kind].includes(wanted));
   const byLimit = limitMatches(wanted, robot);
   const columns = robot.scene.axes.length + 1;
   return (block) => {
@@ -36,7 +37,7 @@ const matchingLines = (words: string, run: Run, robot: Robot): Uint8Array[] =>
 
 /** First the dwell, then each limit for no axis and for each axis. */
 function limitMatches(wanted: string, robot: Robot): boolean[] {
-  const letters = robot.scene.axes.map((axis) => axis.letter);
+  const { letters } = robot;
   const matches = (text: string) => text.toLowerCase().includes(wanted);
   const all = limitKinds.flatMap((_, limit) =>
     [-1, ...letters.keys()].map((axis) => matches(limitText(limitOf(limit, axis, letters)))),

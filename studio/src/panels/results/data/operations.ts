@@ -10,7 +10,7 @@ const PROGRAM = /^\s*(?:[o:](?:\d+|<[^>]*>))\s*(?:sub|endsub)?\s*(?:\(.*)?$/i;
 const ALONE = /^\s*(?:[o:](?:\d+|<[^>]*>)\s*(?:sub)?\s*)?(?:N\d+\s*)?(?:\(([^)]*)\)|;(.*))\s*$/i;
 
 /** For each line of a source the operation that it is part of, as a number of `names`; 0: that of its caller. */
-export function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
+function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
   const operation = new Uint32Array(lines.count + 1);
   let comments: string[] = [];
   let current = 0;
@@ -35,11 +35,10 @@ export function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
   return operation;
 }
 
-/** Where an operation begins, and what it takes. */
+/** What an operation takes, and its first block. */
 export interface Operation {
   name: string;
   time_s: number;
-  start_s: number;
   first: number;
 }
 
@@ -57,7 +56,7 @@ export function timeByOperation(run: Run, robot: Robot, table: BlockTable, unnam
     if (first[current] < 0) first[current] = block;
   }
   return names
-    .map((name, i) => ({ name, time_s: times_s[i], start_s: table.start_s[first[i]] ?? 0, first: first[i] }))
+    .map((name, i) => ({ name, time_s: times_s[i], first: first[i] }))
     .filter((operation) => operation.first >= 0)
     .sort((a, b) => a.first - b.first);
 }

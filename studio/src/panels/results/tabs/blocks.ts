@@ -1,18 +1,20 @@
 // The blocks of a run in a table: the slowest first, or by another column; those that match some words.
 
 import { kindColours } from "../../../core/colours";
+import { Debounced } from "../../../core/debounced";
 import { element } from "../../../core/dom";
+import { goToBlock } from "../../../core/go";
+import { limitText } from "../../../core/names";
 import type { Store } from "../../../core/store";
-import { feedText, timeText } from "../../../core/units";
+import { countText, feedText, lengthShort, percentText, programmedFeedText, timeText } from "../../../core/units";
 import { moveKinds } from "../../../run/segments";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { blockTableOf, type BlockTable } from "../data/block_table";
 import { filterOf } from "../data/filter";
 import { greatest } from "../data/greatest";
-import { limitColour, limitHint, limitOfBlock, limitText } from "../data/limit_words";
+import { limitColour, limitHint, limitOfBlock } from "../data/limit_words";
 import { linesOf } from "../data/source_lines";
-import { countText, lengthShort, percentText } from "../format";
 import { beginRows, makeRows } from "../rows";
 
 const words = texts.panels;
@@ -48,7 +50,7 @@ export class BlocksTab implements Tab {
     placeholder: words.filter,
     "aria-label": words.filter,
     title: words.filterHint,
-    oninput: () => this.typed(),
+    oninput: () => this.typing.after(TYPING_PAUSE_MS),
   });
   private readonly heads = columns.map((column) =>
     element("button", { onclick: () => this.sortBy(column) }, words.blockColumns[column]),
@@ -62,7 +64,7 @@ export class BlocksTab implements Tab {
   private most = FIRST;
   private shown: ArrayLike<number> = [];
   private context: Context | null = null;
-  private pause = 0;
+  private readonly typing = new Debounced(() => this.filter(this.search.value));
   readonly element: HTMLElement;
 
   constructor(private readonly store: Store) {
@@ -70,7 +72,7 @@ export class BlocksTab implements Tab {
     const caption = element("caption", { class: "unseen" }, words.blockCaption);
     const table = element("table", { class: "blocks" }, caption, head, this.body);
     this.element = element("div", {}, this.search, this.count, element("div", { class: "wide" }, table), this.more);
-    makeRows(this.body, (row) => this.choose(this.shown[row]));
+    makeRows(this.body, (row) => goToBlock(store, this.shown[row]));
     store.on("selection", () => this.showSelection());
   }
 
@@ -84,11 +86,6 @@ export class BlocksTab implements Tab {
     this.search.value = text;
     this.most = FIRST;
     this.fill();
-  }
-
-  private typed(): void {
-    clearTimeout(this.pause);
-    this.pause = setTimeout(() => this.filter(this.search.value), TYPING_PAUSE_MS) as unknown as number;
   }
 
   private sortBy(column: Column): void {
@@ -139,7 +136,7 @@ export class BlocksTab implements Tab {
   private rowOf(block: number, table: BlockTable): HTMLElement {
     const { run, robot } = this.context!;
     const units = this.store.get("units");
-    const letters = robot!.scene.axes.map((axis) => axis.letter);
+    const { letters } = robot!;
     const kind = moveKinds[table.kind[block]];
     const limit = limitOfBlock(table, block, letters);
     const feed = table.feed_per_min[block];
@@ -150,10 +147,10 @@ export class BlocksTab implements Tab {
       [timeText(table.duration_s[block])],
       [`${percentText(table.duration_s[block], table.total_s)} %`],
       [limitText(limit), limitHint(limit), limitColour(limit)],
-      [words.kinds[kind], "", kindColours[kind]],
-      [moves ? lengthShort(table.length_mm[block], this.store) : "–"],
+      [texts.run.kinds[kind], "", kindColours[kind]],
+      [moves ? lengthShort(table.length_mm[block], units) : "–"],
       [moves ? feedText(table.meanSpeed_mm_s(block), units) : "–"],
-      [feed > 0 ? feedText(feed / 60, units) : "–"],
+      [feed > 0 ? programmedFeedText(feed, table.length_mm[block], units) : "–"],
     ];
     return element(
       "tr",
@@ -162,13 +159,6 @@ export class BlocksTab implements Tab {
         element("td", { title: title ?? false, class: columns[i], style: dot ? `--colour:${dot}` : false }, text),
       ),
     );
-  }
-
-  private choose(block: number): void {
-    const { robot } = this.context!;
-    const table = blockTableOf(robot!);
-    this.store.set("time_s", table.start_s[block]);
-    this.store.set("selection", { file: robot!.files[table.file[block]], line: table.line[block], block });
   }
 
   /** Rows of the chosen block, or of all blocks of the chosen line. */

@@ -1,13 +1,12 @@
 // The run against the one before it.
 
-import { element } from "../../../core/dom";
-import { blockAt } from "../../../core/go";
+import { check, element } from "../../../core/dom";
+import { goTo, goToBlock } from "../../../core/go";
 import type { Store } from "../../../core/store";
-import { timeText } from "../../../core/units";
+import { percentText, timeText } from "../../../core/units";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
-import { compare, type Comparison, type Row } from "../data/comparison";
-import { percentText } from "../format";
+import { compare, SAME_S, type Comparison, type Row } from "../data/comparison";
 import { beginRows, makeRows } from "../rows";
 
 const words = texts.panels;
@@ -18,9 +17,8 @@ const signed = (difference_s: number): string =>
 
 export function createCompare(store: Store): Tab {
   const host = element("div", { class: "compare" });
-  const input = element("input", { type: "checkbox", onchange: () => store.set("compare", input.checked) });
-  store.watch(["compare"], () => (input.checked = store.get("compare")));
-  const both = element("label", { class: "check" }, input, words.drawBoth);
+  const both = check(words.drawBoth, (on) => store.set("compare", on));
+  store.watch(["compare"], () => (both.box.checked = store.get("compare")));
   return {
     element: host,
     draw(context) {
@@ -28,7 +26,7 @@ export function createCompare(store: Store): Tab {
       if (!previous) return host.replaceChildren(element("p", { class: "note" }, words.noPrevious));
       const comparison = compare(previous, context.run, context.index, MOST);
       if (!comparison) return host.replaceChildren(element("p", { class: "note" }, words.otherMachine));
-      host.replaceChildren(total(comparison), both, ...table(comparison, context, store));
+      host.replaceChildren(total(comparison), both.row, ...table(comparison, context, store));
     },
   };
 }
@@ -37,7 +35,7 @@ function total({ before_s, after_s }: Comparison): HTMLElement {
   const difference_s = after_s - before_s;
   const size = timeText(Math.abs(difference_s));
   const percent = percentText(Math.abs(difference_s), before_s);
-  const same = Math.abs(difference_s) < 1e-6;
+  const same = Math.abs(difference_s) < SAME_S;
   const faster = difference_s < 0;
   const sentence = same ? words.same : faster ? words.faster(size, percent) : words.slower(size, percent);
   return element(
@@ -62,8 +60,8 @@ function table({ rows, count }: Comparison, { robot }: Context, store: Store): H
     const { file, line, change } = rows[index];
     if (change === "gone" || !robot) return;
     const [block] = robot.blocks.ofLine(robot.files.indexOf(file), line);
-    if (block !== undefined) store.set("time_s", robot.segments.info(robot.blocks.first.at(block)).start_s);
-    store.set("selection", { file, line, block: blockAt(robot, file, line, store.get("time_s")) });
+    if (block === undefined) goTo(store, { file, line }, null);
+    else goToBlock(store, block);
   });
   beginRows(body);
   return [

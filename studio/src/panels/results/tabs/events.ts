@@ -1,6 +1,7 @@
 // All that happens in a run, in the order of time.
 
 import { choice, element } from "../../../core/dom";
+import { eventText } from "../../../core/names";
 import type { Store } from "../../../core/store";
 import { markKinds, marksOf, type Mark } from "../../../run/marks";
 import { texts } from "../../../texts";
@@ -10,7 +11,7 @@ import { itemList, markItem } from "../mark_list";
 const words = texts.panels;
 
 /** Events by their own kind, all others by what they are. */
-const nameOf = (mark: Mark) => (mark.kind === "event" ? mark.text.replaceAll("_", " ") : words.sections[mark.kind]);
+const nameOf = (mark: Mark) => (mark.kind === "event" ? eventText(mark.text) : words.sections[mark.kind]);
 
 export function createEvents(store: Store): Tab {
   const host = element("div", {});

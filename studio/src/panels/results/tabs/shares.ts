@@ -2,16 +2,18 @@
 
 import { kindColours, orange } from "../../../core/colours";
 import { element } from "../../../core/dom";
+import { goToBlock } from "../../../core/go";
+import { limitText } from "../../../core/names";
 import type { Store } from "../../../core/store";
-import { timeText } from "../../../core/units";
+import { percentText, timeText } from "../../../core/units";
+import { limitOfReport, type NamedLimit } from "../../../run/limits";
 import { moveKinds } from "../../../run/segments";
 import { texts } from "../../../texts";
 import type { Context, Links, Tab } from "../context";
 import { blockTableOf, type BlockTable } from "../data/block_table";
-import { limitColour, limitHint, limitOfBlock, limitOfReport, limitText, type NamedLimit } from "../data/limit_words";
+import { limitColour, limitHint, limitOfBlock } from "../data/limit_words";
 import { timeByOperation } from "../data/operations";
 import { timeByTool } from "../data/tools";
-import { percentText } from "../format";
 
 const words = texts.panels;
 
@@ -32,24 +34,19 @@ export function createShares(store: Store, links: Links): Tab {
       host.replaceChildren();
       if (!robot || !report) return;
       const table = blockTableOf(robot);
-      const goTo = (t_s: number) => () => store.set("time_s", t_s);
       const operations = timeByOperation(run, robot, table, words.unnamed).map((operation) => ({
         name: operation.name,
         time_s: operation.time_s,
         colour: orange,
         title: `${operation.name}: ${words.goThere}`,
-        choose: () => {
-          store.set("time_s", operation.start_s);
-          const file = robot.files[table.file[operation.first]];
-          store.set("selection", { file, line: table.line[operation.first], block: operation.first });
-        },
+        choose: () => goToBlock(store, operation.first),
       }));
       const tools = timeByTool(report).map((tool) => ({
         name: tool.name || words.noTool,
         time_s: tool.time_s,
         colour: orange,
         title: words.goThere,
-        choose: goTo(tool.start_s),
+        choose: () => store.set("time_s", tool.start_s),
       }));
       host.append(
         ...bars(words.byLimit, "", byLimit(context, table, links), report.cycle_time_s),
@@ -71,7 +68,7 @@ function byLimit({ robot, report }: Context, table: BlockTable, links: Links): S
   if (report?.time_by_limit) {
     for (const { limited_by, time_s } of report.time_by_limit) add(limitOfReport(limited_by), time_s);
   } else {
-    const letters = robot!.scene.axes.map((axis) => axis.letter);
+    const { letters } = robot!;
     for (let block = 0; block < table.count; ++block) add(limitOfBlock(table, block, letters), table.duration_s[block]);
   }
   return [...times]
@@ -90,11 +87,11 @@ function byKind(table: BlockTable, links: Links): Share[] {
   for (let block = 0; block < table.count; ++block) times_s[table.kind[block]] += table.duration_s[block];
   return moveKinds
     .map((kind, i) => ({
-      name: words.kinds[kind],
+      name: texts.run.kinds[kind],
       time_s: times_s[i],
       colour: kindColours[kind],
       title: words.filterBlocks,
-      choose: () => links.showBlocks(words.kinds[kind]),
+      choose: () => links.showBlocks(texts.run.kinds[kind]),
     }))
     .filter(({ time_s }) => time_s > 0)
     .sort((a, b) => b.time_s - a.time_s);

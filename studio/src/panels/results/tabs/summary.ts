@@ -4,12 +4,11 @@ import { kindColours } from "../../../core/colours";
 import { element } from "../../../core/dom";
 import { goTo } from "../../../core/go";
 import type { Store } from "../../../core/store";
-import { axisText, timeText } from "../../../core/units";
+import { axisText, countText, lengthShort, percentText, timeText } from "../../../core/units";
 import { marksOf, type Mark, type MarkKind } from "../../../run/marks";
 import type { Report } from "../../../run/report";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
-import { countText, lengthShort, percentText } from "../format";
 import { markItem, section, type Item } from "../mark_list";
 import { createTravel } from "./travel";
 
@@ -67,7 +66,7 @@ function toldOf({ run, report }: Context, store: Store): Item[] {
       kind: one.severity,
       text: one.hint ? `${one.text}. ${one.hint}` : one.text,
       title: one.file ?? "",
-      place: one.line === null ? words.severities[one.severity] : words.atLine(one.line),
+      place: one.line === null ? words.severities[one.severity] : texts.run.line(one.line),
       choose: () => goTo(store, one, null),
     })),
     ...warnings.map((text) => {
@@ -81,6 +80,7 @@ const figure = (name: string, value: string, title = ""): HTMLElement =>
 
 function figures(report: Report & { idle_s?: number }, store: Store): HTMLElement {
   const { time, length, lower_bound_s: bound_s, cycle_time_s: whole_s } = report;
+  const units = store.get("units");
   const list = element("dl", { class: "figures" }, figure(words.cycleTime, timeText(whole_s)));
   list.firstElementChild!.classList.add("great");
   if (time) list.append(timeBar(time, whole_s));
@@ -90,9 +90,9 @@ function figures(report: Report & { idle_s?: number }, store: Store): HTMLElemen
   }
   if (report.idle_s !== undefined) list.append(figure(words.idle, timeText(report.idle_s)));
   if (length) {
-    list.append(figure(words.feedLength, lengthShort(length.feed_mm, store)));
-    list.append(figure(words.rapidLength, lengthShort(length.rapid_mm, store)));
-    if (length.jet_on_mm > 0) list.append(figure(words.process, lengthShort(length.jet_on_mm, store)));
+    list.append(figure(words.feedLength, lengthShort(length.feed_mm, units)));
+    list.append(figure(words.rapidLength, lengthShort(length.rapid_mm, units)));
+    if (length.jet_on_mm > 0) list.append(figure(words.process, lengthShort(length.jet_on_mm, units)));
   }
   if (report.blocks !== undefined) list.append(figure(words.blocks, countText(report.blocks)));
   if (report.moves !== undefined) list.append(figure(words.moves, countText(report.moves)));

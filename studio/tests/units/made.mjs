@@ -1,0 +1,104 @@
+// Runs made by hand: laws, segments and messages as the engine writes them (docs/studio.md).
+
+import assert from "node:assert/strict";
+
+export function near(actual, expected, tolerance = 1e-9, what = "") {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what} ${actual}, not ${expected}`);
+}
+
+/** The slope of a function, by what it is on both sides. */
+export const slope = (of, at, step = 1e-5) => (of(at + step) - of(at - step)) / (2 * step);
+
+/** Numbers of a law from its start speed and pieces [duration, acceleration at its start, jerk]. */
+export function lawOf(speed, pieces) {
+  let [s, v] = [0, speed];
+  const numbers = pieces.flatMap(([t, a, jerk]) => {
+    const piece = [t, s, v, a, jerk];
+    s += t * (v + t * (a / 2 + (t * jerk) / 6));
+    v += t * (a + (t * jerk) / 2);
+    return piece;
+  });
+  return [s, pieces.reduce((sum, [t]) => sum + t, 0), v, pieces.length, ...numbers];
+}
+
+/** A way at one speed, from rest to rest. */
+export const steady = (length, duration_s) => lawOf(length / duration_s, [[duration_s, 0, 0]]);
+
+/** A straight segment's record: two joints go in proportion to the lead. */
+export const straight = (start, end, duration_s) => [
+  ...start,
+  ...end,
+  ...steady(Math.hypot(...start.map((from, i) => end[i] - from)) || 1, duration_s),
+  0,
+];
+
+const plain = { file: 0, kind: 1, limit: 0, axis: -1, feed_per_min: 600, length_mm: 1, processOn: false };
+
+/**
+ * A message of segments of two joints. Each of `moves` has a `line` and a `duration_s`; the rest is as `plain` has it.
+ * The first is number `first`, and begins at `start_s`.
+ */
+export function segmentsMessage(moves, first = 0, start_s = 0) {
+  const all = moves.map((move) => ({ ...plain, ...move }));
+  const columns = new Map();
+  const put = (name, type, of) => columns.set(name, type.from(all, of));
+  let t_s = start_s;
+  put("start_s", Float64Array, ({ duration_s }) => (t_s += duration_s) - duration_s);
+  for (const name of ["duration_s", "length_mm", "feed_per_min"]) put(name, Float64Array, (move) => move[name]);
+  for (const name of ["line", "file"]) put(name, Uint32Array, (move) => move[name]);
+  put("flags", Uint32Array, ({ kind, limit, axis, processOn }) => {
+    return 1 | (processOn ? 4 : 0) | (kind << 8) | (limit << 12) | ((axis + 1) << 16);
+  });
+  const records = all.map(({ duration_s, from = [0, 0], to = [1, 0] }) => straight(from, to, duration_s));
+  let at = 0;
+  columns.set("record", Uint32Array.from(records, (record) => (at += record.length) - record.length));
+  columns.set("values", Float64Array.from(records.flat()));
+  for (const name of ["deviation_mm", "vertex_mm", "vertex_s"]) columns.set(name, new Float32Array(all.length));
+  for (const name of ["tip", "vertex_segment"]) columns.set(name, new Uint32Array(all.length));
+  return { is: "segments", header: { robot: 0, first }, columns };
+}
+
+const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+export const moved = (x, y, z) => [...identity.slice(0, 12), x, y, z, 1];
+
+const axis = (letter, rotary) => ({
+  ...{ letter, rotary, min: null, max: null, max_speed: null, max_acceleration: null, max_jerk: null },
+  ...{ home: 0, zero: 0, carries: "tool" },
+});
+
+/** X goes along the world's Z by its frame, C turns behind it, the tool stands 10 mm out. */
+export const scene = (more = {}) => ({
+  machine: "made",
+  controller: "none",
+  base: identity,
+  axes: [axis("X", false), axis("C", true)],
+  position_joints: [0, -1, -1],
+  tool_side: {
+    base: moved(1, 2, 3),
+    links: [
+      { joint: 0, rotary: false, before: identity, after: identity },
+      { joint: 1, rotary: true, before: identity, after: identity },
+    ],
+    end: moved(10, 0, 0),
+  },
+  work_side: { base: identity, links: [], end: identity },
+  axis_space: null,
+  max_feed_mm_s: null,
+  max_rapid_mm_s: null,
+  max_acceleration_mm_s2: null,
+  process: null,
+  zones: [],
+  tips_mm: [[0, 0, 0]],
+  ...more,
+});
+
+/** A run of one robot: `moves` as of segmentsMessage, `files` its sources by name, `report` what it reports. */
+export function runOf({ Run }, moves, { files = { "a.nc": "" }, report = {}, more = {} } = {}) {
+  const run = new Run(new Map(Object.entries(files)));
+  const header = { robot: 0, name: "one", scene: scene(more), files: Object.keys(files) };
+  run.take({ is: "scene", header, columns: new Map() });
+  run.take(segmentsMessage(moves));
+  const cycle_time_s = moves.reduce((sum, { duration_s }) => sum + duration_s, 0);
+  run.take({ is: "report", header: { report: { cycle_time_s, warnings: [], ...report }, text: "" }, columns: new Map() });
+  return run;
+}

@@ -1,0 +1,61 @@
+// Which part of the page knows which: parts know core/ and run/, and never each other; core/ and run/ know no part.
+
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { dirname, join, relative, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const sources = fileURLToPath(new URL("../../src/", import.meta.url));
+const parts = ["bar", "code", "panels", "time", "view"];
+const shared = ["core", "run", "texts"];
+
+const files = readdirSync(sources, { recursive: true }).filter((name) => name.endsWith(".ts"));
+
+/** The room of a file, by its path below src/: its folder, or its own name. */
+const roomOf = (file) => file.split("/")[0].replace(/\.ts$/, "");
+
+/** What a file imports, by paths below src/; packages left out. */
+function* importsOf(file) {
+  const text = readFileSync(join(sources, file), "utf8");
+  for (const [, from] of text.matchAll(/(?:from|import)\s*\(?\s*"(\.[^"]*)"/g)) {
+    yield relative(sources, resolve(dirname(join(sources, file)), from));
+  }
+}
+
+const mayKnow = (room) => {
+  if (shared.includes(room)) return room === "texts" ? [] : shared;
+  if (parts.includes(room)) return [room, ...shared];
+  return [...parts, ...shared, "embedded", "style.css"];
+};
+
+const offences = files.flatMap((file) =>
+  [...importsOf(file)].filter((used) => !mayKnow(roomOf(file)).includes(roomOf(used))).map((used) => `${file} imports ${used}`),
+);
+
+export default {
+  "all parts are looked at": () => {
+    for (const room of [...parts, ...shared]) assert.ok(files.some((file) => roomOf(file) === room), room);
+    const [first] = importsOf("core/shown.ts");
+    assert.equal(first, "run/report");
+  },
+
+  "no part knows another one, and what they share knows none": () => assert.deepEqual(offences, []),
+
+  "elements are made by core/dom.ts alone": () => {
+    // A canvas that is never shown, a link and a chooser of files that are clicked and thrown away.
+    const own = ["core/dom.ts", "view/canvas.ts", "bar/open_files.ts"];
+    const makers = files.filter((file) => /createElement(NS)?\(/.test(readFileSync(join(sources, file), "utf8")));
+    assert.deepEqual(makers.filter((file) => !own.includes(file)), []);
+  },
+
+  "no file has more than 400 lines, but for the texts": () => {
+    const long = files.filter((file) => readFileSync(join(sources, file), "utf8").split("\n").length > 401);
+    assert.deepEqual(long.filter((file) => file !== "texts.ts"), []);
+  },
+
+  "each text is used": () => {
+    const all = files.filter((file) => file !== "texts.ts").map((file) => readFileSync(join(sources, file), "utf8")).join("\n");
+    const words = readFileSync(join(sources, "texts.ts"), "utf8").matchAll(/^ {4}(\w+):/gm);
+    assert.deepEqual([...words].map(([, key]) => key).filter((key) => !new RegExp(`\\b${key}\\b`).test(all)), []);
+  },
+};

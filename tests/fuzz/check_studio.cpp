@@ -1,0 +1,94 @@
+#include <cstdint>
+#include <cstring>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "studio/engine/session.h"
+#include "tests/fuzz/checks.h"
+#include "tests/fuzz/promises.h"
+
+namespace gsim::fuzz {
+namespace {
+
+/// What a request may name.
+std::optional<std::string> file_of_page(const std::string& name) {
+    static const std::map<std::string, std::string> kFiles{
+        {"part.nc", "G21 G90\nG0 X10\nG1 Y20 F6000\nG2 X30 Y20 I10\nM2\n"},
+        {"part.ngc", "G21 G90\nG64 P0.1\nG1 X10 F600\nY10\nM2\n"},
+        {"part.lua", "local _ENV = require 'gsim'\nG0{x=1}\n"},
+        {"tools.txt", "NCFILE\nTOOL\n1 30 2\nENDFILE\n"},
+        {"broken.toml", "[machine\n"},
+    };
+    const auto found = kFiles.find(name);
+    if (found == kFiles.end()) return std::nullopt;
+    return found->second;
+}
+
+std::uint32_t number_at(const std::string& bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    std::memcpy(&number, bytes.data() + at, sizeof number);
+    return number;
+}
+
+std::size_t aligned(std::size_t size) {
+    return (size + 7) / 8 * 8;
+}
+
+/// The messages of an answer, by the layout that pages read.
+class Messages {
+  public:
+    void take(const std::string& bytes) {
+        if (!fault_) fault_ = look_at(bytes);
+    }
+    std::optional<std::string> fault() const {
+        if (fault_) return fault_;
+        if (ends_ != 1) return fmt::format("an answer has {} ends", ends_);
+        return std::nullopt;
+    }
+    bool done() const { return done_; }
+
+  private:
+    std::optional<std::string> look_at(const std::string& bytes) {
+        if (ends_ > 0) return "a message behind the end";
+        if (bytes.size() < 8 || number_at(bytes, 0) != bytes.size() || bytes.size() % 8 != 0)
+            return "a message has another size than it says";
+        const std::size_t size = number_at(bytes, 4);
+        if (8 + size > bytes.size()) return "a header goes past its message";
+        const auto header = nlohmann::json::parse(bytes.substr(8, size), nullptr, false);
+        if (!header.is_object() || !header.contains("is")) return "a header is no object with a name";
+        static const std::map<std::string, std::size_t> kSizes{{"f64", 8}, {"f32", 4}, {"u32", 4}, {"u8", 1}};
+        std::size_t at = aligned(8 + size);
+        for (const auto& column : header.value("columns", nlohmann::json::array()))
+            at += aligned(kSizes.at(column[1]) * column[2].get<std::size_t>());
+        if (at != bytes.size()) return "columns do not fill their message";
+        if (header["is"] == "done" || header["is"] == "failed") ++ends_;
+        done_ = header["is"] == "done";
+        if (header["is"] == "failed") return fault_of_sentence(header["message"].get<std::string>());
+        return std::nullopt;
+    }
+
+    std::optional<std::string> fault_;
+    int ends_ = 0;
+    bool done_ = false;
+};
+
+/// The volume of a machine's reach takes long for good reason.
+bool takes_long(std::string_view asked) {
+    return asked.find("envelope") != std::string_view::npos || asked.find("\\u") != std::string_view::npos;
+}
+
+}  // namespace
+
+Outcome check_studio_request(std::string_view json) {
+    if (takes_long(json)) return refused();
+    engine::Host host;
+    host.files = engine::Files::given(file_of_page);
+    Messages messages;
+    studio::serve(json, host, [&](const std::string& bytes) { messages.take(bytes); });
+    if (auto fault = messages.fault()) return broken(*std::move(fault));
+    return messages.done() ? accepted() : refused();
+}
+
+}  // namespace gsim::fuzz
