@@ -37,7 +37,7 @@ std::optional<std::string> conflict(const std::vector<Written>& written, const e
     const auto identity = os::identity_of(file.name);
     if (!identity) return std::nullopt;
     for (const Written& output : written) {
-        if (os::identity_of(output.name) != identity) continue;
+        if (output.name.empty() || os::identity_of(output.name) != identity) continue;
         if (file.robot.empty()) {
             return fmt::format("{} '{}' is {}, which would be overwritten; give it another name",
                                output.option, output.name, file.what);
@@ -53,6 +53,8 @@ std::vector<engine::Run::NamedFile> others_of(const RunArguments& arguments, con
                                               const std::string& robot) {
     std::vector<engine::Run::NamedFile> others = {
         {arguments.outputs.report, "the report", robot},
+        {arguments.outputs.view, "the page", robot},
+        {arguments.findings.sarif, "the findings", robot},
         {arguments.request.program, "the program", robot},
         {arguments.request.robots, "the file of robots", robot},
         {arguments.request.setup, "the setup", robot},
@@ -72,6 +74,12 @@ std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, co
             if (auto sentence = conflict(written, file)) return sentence;
         }
         return std::nullopt;
+    }
+    const std::vector<Written> common{{"--report", arguments.outputs.report},
+                                      {"--view", arguments.outputs.view},
+                                      {"--sarif", arguments.findings.sarif}};
+    for (const auto& file : run.named_files()) {
+        if (auto sentence = conflict(common, file)) return sentence;
     }
     for (const std::string& robot : run.robots()) {
         const auto written = written_by(arguments, arguments.outputs.of_robot(robot));

@@ -20,9 +20,17 @@ namespace gsim::apps {
 namespace {
 
 constexpr const char* kPage = "studio/view.html";
+constexpr const char* kPipe = "stdin";  // as the run calls its program then
+constexpr std::size_t kLargestPage = std::size_t{64} << 20U;
+constexpr std::size_t kLargestSource = std::size_t{512} << 20U;
 constexpr std::string_view kPlace = "<!-- run -->";
 constexpr std::string_view kBefore = "<script type=\"application/octet-stream\" id=\"run\">";
 constexpr std::string_view kBehind = "</script>";
+
+tl::expected<void, std::string> with_sentence(const tl::expected<void, engine::Failure>& done) {
+    if (done) return {};
+    return tl::unexpected(done.error().message);
+}
 
 }  // namespace
 
@@ -78,7 +86,7 @@ tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::s
     std::string why = "it is not known where the program lies";
     for (const auto& folder : os::data_folders(os::program_folder())) {
         const std::string page = folder / kPage;
-        auto text = os::read_text_file(page);
+        auto text = os::read_input(page, os::NamedBy::a_file, kLargestPage);
         if (text && text->find(kPlace) != std::string::npos)
             return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
         why = text ? fmt::format("'{}' has no place for a run", page) : text.error();
@@ -88,27 +96,29 @@ tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::s
 }
 
 tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
-    return state_->begin().map([&] { studio::post_run(run, state_->post()); });
+    return state_->begin().and_then([&] { return with_sentence(studio::post_run(run, state_->post())); });
 }
 
-// What came from a pipe can be read once: such a run is shown without its source.
+// What came from a pipe can be read once: such a run is shown without its source. The text is that of the
+// file behind the run, as far as the run may still read it.
 tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const engine::Report& report) {
     std::vector<std::string> sources;
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
         for (const std::string& name : run.files(robot)) {
-            if (std::find(sources.begin(), sources.end(), name) == sources.end()) sources.push_back(name);
+            const bool is_pipe = run.request().program == os::kStandardStream && name == kPipe;
+            if (!is_pipe && std::find(sources.begin(), sources.end(), name) == sources.end())
+                sources.push_back(name);
         }
     }
     for (const std::string& name : sources) {
-        const auto text = os::read_text_file(name);
+        const auto text = os::read_input(name, os::NamedBy::a_file, kLargestSource);
         if (!text) continue;
         studio::Message message("source");
         message.header()["name"] = name;
         message.add("text", *text);
         state_->post()(message.bytes());
     }
-    studio::post_end(run, report, state_->post());
-    return state_->end();
+    return with_sentence(studio::post_end(run, report, state_->post())).and_then([&] { return state_->end(); });
 }
 
 tl::expected<void, std::string> ViewPage::commit() {

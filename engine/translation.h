@@ -21,6 +21,7 @@ struct TranslationRequest {
     std::optional<Text> text = {};  ///< It, where it is no file. Taken by open().
     std::string machine = {};       ///< Dialect and units of its programs; empty: none is said.
     std::string machine_data = {};  ///< Aliases; empty: none.
+    std::string cell = {};  ///< Names machine and machine data that are empty here; itself empty: none.
     LanguageChoice language = {};
     bool annotate = false;  ///< Each whole source block as a trailing comment.
     std::uint64_t max_errors = 100;

@@ -219,6 +219,11 @@ Scene scene_of(const simulation::Simulator& simulator, const rrs::CartPos& base)
         json["frames"] = frames(cell->cell().frames);
         json["bodies"] = bodies(cell->cell(), scene);
         json["drifts"] = drifts(cell->history());
+        json["drifts_whole"] = cell->history_is_whole();
+        Json near = Json::array();
+        for (const std::optional<double>& t_s : cell->near_s())
+            near.push_back(t_s ? Json(*t_s) : Json(nullptr));
+        json["near_s"] = std::move(near);
     }
     scene.json = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     return scene;

@@ -45,6 +45,11 @@ void put(std::vector<double>& values, const motion::OrientationArc& way) {
     values.insert(values.end(), constants.begin(), constants.end());
 }
 
+// What stands in bits of SegmentColumns::flags has room there.
+static_assert(static_cast<unsigned>(simulation::MoveKind::spline) < 16U);
+static_assert(static_cast<unsigned>(motion::LimitKind::unknown) < 16U);
+static_assert(rrs::kMaxJoints < 32);
+
 std::uint32_t forms_of(const motion::Segment& segment) {
     std::uint32_t flags = static_cast<std::uint32_t>(segment.kind);
     if (segment.kind == motion::SegmentKind::circular) flags |= SegmentFlags::kArc;
@@ -92,7 +97,10 @@ class ColumnsOut final : public simulation::RunOutput {
     using RunOutput::take;
     void begin(const rrs::JointPos& start) override { add_vertex(tip_.at(start), 0); }
     void take(const motion::Segment& segment, const simulation::MoveInfo& info) override {
-        if (info.tip != tip_number_) change_tip(info.tip);
+        if (info.tip != tip_number_) {
+            change_tip(info.tip);
+            add_vertex(tip_.at(segment.start), segment.start_s);
+        }
         add_row(segment, info);
         put_record(columns_.values, segment);
         if (segment.kind != motion::SegmentKind::rest) draw(segment);
@@ -124,14 +132,10 @@ class ColumnsOut final : public simulation::RunOutput {
 
     void draw(const motion::Segment& segment) {
         tip_.stand_at(segment.start);
-        const double parts = simulation::least_parts(segment);
-        const auto add = [&](const Vector3d& point_mm, double t_s) {
-            add_vertex(point_mm, segment.start_s + t_s);
-        };
-        for (double i = 0; i < parts; ++i) {
-            simulation::add_tip_curve(segment, tip_, kDrawn_mm, segment.duration_s * i / parts,
-                                      segment.duration_s * (i + 1) / parts, add);
-        }
+        simulation::add_tip_way(
+            segment, tip_, kDrawn_mm,
+            [&](const Vector3d& point_mm, double t_s) { add_vertex(point_mm, segment.start_s + t_s); },
+            [] { return true; });
     }
 
     void add_vertex(const Vector3d& point_mm, double time_s) {

@@ -7,6 +7,7 @@
 #include "engine/inner/host_names.h"
 #include "engine/inner/language.h"
 #include "engine/inner/machine_input.h"
+#include "engine/inner/run_inputs.h"
 #include "engine/inner/translate_program.h"
 #include "engine/inner/values.h"
 
@@ -53,6 +54,19 @@ class Translation::State {
 
 namespace {
 
+tl::expected<void, std::string> take_files_of_cell(TranslationRequest& request) {
+    if (request.cell.empty()) return {};
+    Request run;
+    run.machine = request.machine;
+    run.machine_data = request.machine_data;
+    run.cell = request.cell;
+    run.host = request.host;
+    return with_files_found(std::move(run)).map([&](const FoundRequest& found) {
+        request.machine = found.request.machine;
+        request.machine_data = found.request.machine_data;
+    });
+}
+
 tl::expected<machine::MachineData, std::string> read_data(const TranslationRequest& request) {
     if (request.machine_data.empty()) return machine::MachineData();
     return request.host.files.inner()
@@ -80,6 +94,7 @@ tl::expected<Translation, Failure> Translation::open(TranslationRequest request)
         const auto refused = [](const std::string& sentence, std::string file = {}) {
             return tl::unexpected(failure_of(DiagnosticKind::input_file, sentence, std::move(file)));
         };
+        if (auto taken = take_files_of_cell(request); !taken) return refused(taken.error(), request.cell);
         const auto data = read_data(request);
         if (!data) return refused(data.error(), request.machine_data);
         const auto table = read_table(request);

@@ -101,6 +101,26 @@ Nearness BodyPair::nearest(const SegmentMotion& motion, const MotionPart& part, 
     return best;
 }
 
+// As first_touch().
+std::optional<double> BodyPair::first_within_s(const SegmentMotion& motion, const MotionPart& part,
+                                               double distance_mm) const {
+    constexpr double kSame_mm = 1e-3;
+    constexpr double kShort_s = 1e-6;
+    const double enough_mm = distance_mm + 2 * kSame_mm;
+    std::vector<MotionPart> waiting{part};
+    for (int parts = 0; !waiting.empty() && parts < kMaxMotionParts; ++parts) {
+        const MotionPart next = std::move(waiting.back());
+        waiting.pop_back();
+        if (nearness_in(next, enough_mm).lower_mm > distance_mm + kSame_mm) continue;
+        if (nearness_at(next.from, enough_mm).upper_mm <= distance_mm + kSame_mm) return next.from_s;
+        if (next.to_s - next.from_s <= kShort_s) return next.to_s;
+        const LinkFrames middle = motion.links_at(next.middle_s());
+        waiting.push_back(motion.second_half(next, middle));
+        waiting.push_back(motion.first_half(next, middle));
+    }
+    return std::nullopt;
+}
+
 // The earliest part that may hold a contact is halved until nothing is left of it; those behind it wait.
 std::optional<Touch> BodyPair::first_touch(const SegmentMotion& motion, const MotionPart& part) const {
     constexpr double kLook_mm = 1;  // how far off a normal is still worth to be known

@@ -60,6 +60,10 @@ struct BodyPair {
 
     /// The least distance in a part of a motion, to 1e-4 mm; what is not below `enough_mm` is told as that.
     Nearness nearest(const SegmentMotion& motion, const MotionPart& part, double enough_mm) const;
+    /// When they first are as near as that in a part of a motion, to 1e-3 mm, or 1e-6 s where they pass fast;
+    /// nothing where they never are.
+    std::optional<double> first_within_s(const SegmentMotion& motion, const MotionPart& part,
+                                         double distance_mm) const;
     /// When they first touch in a part of a motion, to 1e-9 s.
     std::optional<Touch> first_touch(const SegmentMotion& motion, const MotionPart& part) const;
 };

@@ -210,12 +210,17 @@ void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole,
             begin_contact(motion, whole, pair);
         }
     }
-    if (!let_near) note(nearness, pair);
+    if (!let_near) note(nearness, pair, motion, whole);
 }
 
-void ClearanceWatch::note(const Nearness& nearness, const Watched& pair) {
+void ClearanceWatch::note(const Nearness& nearness, const Watched& pair, const SegmentMotion& motion,
+                          const MotionPart& whole) {
     const double least_mm = nearest_ ? nearest_->distance_mm : cell_.clearance_mm;
-    if (nearness.upper_mm < least_mm) nearest_ = {nearness.upper_mm, pair.items, nearness.point_mm};
+    if (nearness.upper_mm >= least_mm) return;
+    nearest_ = Clearance{nearness.upper_mm, pair.items, nearness.point_mm};
+    if (!keeps_times_) return;
+    const auto within_s = pair.bodies.first_within_s(motion, whole, nearness.upper_mm);
+    if (within_s) nearest_->t_s = motion.segment().start_s + *within_s;
 }
 
 /// Whether how near a pair comes in a part is the probe's business.
@@ -229,7 +234,7 @@ bool ClearanceWatch::is_let_near(const MotionPart& whole, Watched& pair) const {
 void ClearanceWatch::begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
     const auto touch = pair.bodies.first_touch(motion, whole);
     if (!touch) return;
-    note({0, 0, touch->point_mm}, pair);
+    note({0, 0, touch->point_mm}, pair, motion, whole);
     pair.contact = contacts_.size();
     pair.normal = touch->normal;
     contacts_.push_back({motion.segment().start_s + touch->t_s, pair.items, touch->point_mm, !touch->normal});
@@ -289,7 +294,7 @@ bool ClearanceWatch::goes_deeper(const SegmentMotion& motion, const MotionPart& 
 void ClearanceWatch::go_on_in_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair,
                                       double from_s) {
     Contact& contact = contacts_[*pair.contact];
-    note({0, 0, contact.point_mm}, pair);
+    note({0, 0, contact.point_mm}, pair, motion, whole);
     double look_s = whole.to_s - from_s;
     for (int look = 0; look < kOverlapLooks && !contact.penetrating; ++look, look_s /= 2)
         contact.penetrating = pair.bodies.overlaps(motion.links_at(from_s + look_s), *pair.normal);

@@ -24,7 +24,8 @@ struct Contact {
 struct Clearance {
     double distance_mm;  ///< To 1e-4 mm.
     ItemPair pair;
-    Eigen::Vector3d point_mm;  ///< In the world, on the second item.
+    Eigen::Vector3d point_mm;        ///< In the world, on the second item.
+    std::optional<double> t_s = {};  ///< When, of the run's clock; with keep_times() alone.
 };
 
 /// Looks at a machine's motion through a cell, segment by segment: which bodies touch, and how near they
@@ -44,6 +45,8 @@ class ClearanceWatch {
     void frames_changed();
     /// When that time is used up nothing is looked at any longer. Null: never. `cpu` outlives this.
     void end_by(os::CpuLimit* cpu) { cpu_ = cpu; }
+    /// From now on it is known when the smallest distance of a block is, which takes a search for each.
+    void keep_times() { keeps_times_ = true; }
     /// The segments that follow belong to another block.
     void begin_block() { nearest_.reset(); }
     /// The next segment, with or without the jet; `probing`: of a motion that ends where the probe touches,
@@ -105,7 +108,8 @@ class ClearanceWatch {
     std::vector<DriftingLink> drifting(double time_s);
     void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
     double cutoff_mm() const;
-    void note(const Nearness& nearness, const Watched& pair);
+    void note(const Nearness& nearness, const Watched& pair, const SegmentMotion& motion,
+              const MotionPart& whole);
     bool is_let_near(const MotionPart& whole, Watched& pair) const;
     void begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
     void probe_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
@@ -124,6 +128,7 @@ class ClearanceWatch {
     std::size_t stretch_ = 0;       ///< Counted from 1.
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;
+    bool keeps_times_ = false;
     os::CpuLimit* cpu_ = nullptr;
     bool probing_ = false;  ///< In the segment that is looked at.
 };

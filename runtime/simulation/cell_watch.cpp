@@ -236,6 +236,7 @@ void CellWatch::end_block() {
     const auto& nearest = watch_.nearest();
     if (block_ && nearest) {
         if (findings_.clearances.size() < kMaxListed) {
+            if (keeps_history_) near_s_.push_back(nearest->t_s);
             findings_.clearances.push_back(
                 {*block_, nearest->distance_mm, cell_.items[nearest->pair.first].name,
                  cell_.items[nearest->pair.second].name, array_of(nearest->point_mm)});

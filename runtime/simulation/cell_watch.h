@@ -52,8 +52,16 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     /// TouchSearch.
     tl::expected<cell::TouchSearch, std::string> touch_search(const Eigen::Vector3d& tip_mm, double time_s);
 
-    /// From now on what moves frames is kept, for history().
-    void keep_history() { keeps_history_ = true; }
+    /// From now on what moves frames is kept, for history(), and when blocks come near, for near_s().
+    void keep_history() {
+        keeps_history_ = true;
+        watch_.keep_times();
+    }
+    /// Of more than these there is no history.
+    static constexpr std::size_t kMostDrifts = 100'000;
+    bool history_is_whole() const { return history_is_whole_; }
+    /// When each of CellFindings::clearances is, of the run's clock; nothing where it is not known.
+    std::span<const std::optional<double>> near_s() const { return near_s_; }
     /// In the order in which it was told, which is that of time for each frame; from `from_s` of an entry on
     /// earlier ones of its frame no longer hold.
     std::span<const FrameDrift> history() const { return history_; }
@@ -86,7 +94,11 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     motion::Planned moves_together(std::size_t frame, std::size_t origin) const;
     std::optional<std::size_t> carrier_of(std::size_t frame) const;
     void note(std::size_t frame, const cell::Drift& drift) {
-        if (keeps_history_) history_.push_back({frame, drift});
+        if (!keeps_history_) return;
+        if (history_.size() < kMostDrifts)
+            history_.push_back({frame, drift});
+        else
+            history_is_whole_ = false;
     }
     void look_at(const motion::Segment& segment, const MoveInfo& info);
     void move_frames(double until_s);
@@ -110,7 +122,9 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     std::deque<Waiting> waiting_;
     cell::ClearanceWatch watch_;
     bool keeps_history_ = false;
+    bool history_is_whole_ = true;
     std::vector<FrameDrift> history_;
+    std::vector<std::optional<double>> near_s_;
     CellFindings findings_;
     std::optional<Place> block_;
     std::vector<Place> places_;          ///< Of the watch's contacts,

@@ -169,12 +169,10 @@ void DxfWriter::add(const Round& round) {
 void DxfWriter::add_curve(const Segment& segment) {
     if (round_) flush();
     if (points_.empty()) points_.push_back(tip_.at(segment.start));
-    const double parts = least_parts(segment);
-    const auto add = [this](const Vector3d& point_mm, double /*t_s*/) { add_point(point_mm); };
-    for (double i = 0; i < parts && !cut_short(); ++i) {
-        add_tip_curve(segment, tip_, kTolerance_mm, segment.duration_s * i / parts,
-                      segment.duration_s * (i + 1) / parts, add);
-    }
+    add_tip_way(
+        segment, tip_, kTolerance_mm,
+        [this](const Vector3d& point_mm, double /*t_s*/) { add_point(point_mm); },
+        [this] { return !cut_short(); });
 }
 
 /// A line that goes on straight is one.

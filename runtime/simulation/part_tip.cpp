@@ -1,6 +1,7 @@
 #include "runtime/simulation/part_tip.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/motion/axis_space.h"
 
@@ -42,6 +43,12 @@ bool PartTip::moved_by_position_alone(const motion::PlannerSetup& setup) const {
 
 bool PartTip::turns(const rrs::JointPos& from, const rrs::JointPos& to) const {
     return std::any_of(turning_.begin(), turning_.end(), [&](int joint) { return from[joint] != to[joint]; });
+}
+
+double PartTip::turned_rad(const rrs::JointPos& from, const rrs::JointPos& to) const {
+    double turned_rad = 0;
+    for (const int joint : turning_) turned_rad += std::abs(to[joint] - from[joint]);
+    return turned_rad;
 }
 
 void PartTip::stand_at(const rrs::JointPos& joints) {

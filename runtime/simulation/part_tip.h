@@ -21,6 +21,8 @@ class PartTip {
     bool keeps_distances() const { return keeps_distances_; }
     /// Whether one of them has another value here than there.
     bool turns(const rrs::JointPos& from, const rrs::JointPos& to) const;
+    /// How far joints that turn the tip go from here to there, all of them together.
+    double turned_rad(const rrs::JointPos& from, const rrs::JointPos& to) const;
     /// From now on at() is fast wherever the joints that turn stand as they do here: there the tip goes
     /// straight where the joints do.
     void stand_at(const rrs::JointPos& joints);

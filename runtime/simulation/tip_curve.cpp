@@ -9,17 +9,19 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kSamePoint_mm = 1e-9;
-constexpr double kStep_rad = std::numbers::pi / 4;  // that arcs are looked at by, at least
+constexpr double kStep_rad = std::numbers::pi / 4;  // that turns are looked at by, at least
 constexpr int kLeastOfCurve = 8;
 
 }  // namespace
 
-double least_parts(const motion::Segment& segment) {
-    if (segment.kind == motion::SegmentKind::circular)
-        return std::max<double>(kLeastOfCurve, std::ceil(segment.arc.sweep_rad / kStep_rad));
+double least_parts(const motion::Segment& segment, const PartTip& tip) {
+    double turned_rad = tip.turned_rad(segment.start, segment.end_position());
+    if (segment.kind == motion::SegmentKind::circular) turned_rad += segment.arc.sweep_rad;
+    const double turning = std::min(std::ceil(turned_rad / kStep_rad), kMostParts);
+    if (segment.kind == motion::SegmentKind::circular) return std::max<double>(kLeastOfCurve, turning);
     const bool straight_joints = segment.kind == motion::SegmentKind::linear && !segment.beside &&
                                  segment.followers().empty() && !segment.orientation;
-    return straight_joints ? 1 : kLeastOfCurve;
+    return std::max<double>(straight_joints ? 1 : kLeastOfCurve, turning);
 }
 
 double distance_from_line(const Eigen::Vector3d& point, const Eigen::Vector3d& from,

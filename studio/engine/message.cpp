@@ -2,6 +2,8 @@
 
 #include <bit>
 #include <cstring>
+#include <limits>
+#include <stdexcept>
 
 namespace gsim::studio {
 
@@ -32,6 +34,8 @@ std::string Message::bytes() const {
         bytes += part;
         pad(bytes);
     }
+    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
+        throw std::length_error("a message of more than 4 GB");
     put_number(bytes, 0, bytes.size());
     put_number(bytes, sizeof(std::uint32_t), header.size());
     return bytes;

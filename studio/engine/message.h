@@ -25,7 +25,8 @@ class Message {
     }
 
     /// As bytes: their number and that of the header's (both 32 bits, little end first), the header, and each
-    /// column; header and columns begin at multiples of 8. Less than 4 GB.
+    /// column; header and columns begin at multiples of 8. Throws std::length_error
+    /// past 4 GB.
     std::string bytes() const;
 
   private:

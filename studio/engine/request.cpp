@@ -27,6 +27,8 @@ struct SwitchKey {
 
 constexpr double kMostPercent = 1000;
 constexpr double kMostCount = 1e15;
+constexpr double kMostPasses = 1e6;
+constexpr double kLeastTime_s = 1e-6;
 
 constexpr std::array kTexts = {
     TextKey{"program", [](Request& of) -> std::string& { return of.program; }},
@@ -42,15 +44,16 @@ constexpr std::array kTexts = {
     TextKey{"overrides", [](Request& of) -> std::string& { return of.overrides.file; }},
 };
 constexpr std::array kNumbers = {
-    NumberKey{"machine_s", 0, kMostCount, [](Request& of, double value) { of.limits.machine_s = value; }},
-    NumberKey{"cpu_s", 0, kMostCount, [](Request& of, double value) { of.limits.cpu_s = value; }},
+    NumberKey{"machine_s", kLeastTime_s, kMostCount,
+              [](Request& of, double value) { of.limits.machine_s = value; }},
+    NumberKey{"cpu_s", kLeastTime_s, kMostCount, [](Request& of, double value) { of.limits.cpu_s = value; }},
     NumberKey{"blocks", 1, kMostCount,
               [](Request& of, double value) { of.limits.blocks = static_cast<std::uint64_t>(value); }},
     NumberKey{"steps", 1, kMostCount,
               [](Request& of, double value) { of.limits.steps = static_cast<std::uint64_t>(value); }},
     NumberKey{"memory_bytes", 1, kMostCount,
               [](Request& of, double value) { of.limits.memory_bytes = static_cast<std::uint64_t>(value); }},
-    NumberKey{"passes", 1, kMostCount,
+    NumberKey{"passes", 1, kMostPasses,
               [](Request& of, double value) { of.passes = static_cast<std::uint64_t>(value); }},
     NumberKey{"feed_override_percent", 0, kMostPercent,
               [](Request& of, double value) { of.overrides.feed_percent = value; }},
@@ -64,6 +67,11 @@ constexpr std::array kSwitches = {
     SwitchKey{"block_delete", &Request::block_delete}, SwitchKey{"optional_stop", &Request::optional_stop},
     SwitchKey{"explain", &Request::explain}};
 
+/// A number as it is; of what may be of any length and depth the kind alone.
+std::string shown(const nlohmann::json& value) {
+    return value.is_number() ? value.dump() : fmt::format("of the kind {}", value.type_name());
+}
+
 /// The row of a key; null: there is none.
 template <typename Rows>
 const auto* row_of(const Rows& rows, const std::string& key) {
@@ -75,7 +83,7 @@ const auto* row_of(const Rows& rows, const std::string& key) {
 
 tl::expected<void, std::string> put(Request& request, const std::string& key, const nlohmann::json& value) {
     const auto fault = [&](const std::string& wanted) {
-        return tl::unexpected(fmt::format("'{}' should be {}, not {}", key, wanted, value.dump()));
+        return tl::unexpected(fmt::format("'{}' should be {}, not {}", key, wanted, shown(value)));
     };
     if (const TextKey* text = row_of(kTexts, key)) {
         if (!value.is_string()) return fault("a text");
@@ -115,6 +123,7 @@ engine::TranslationRequest translation_request(const Request& run) {
     request.program = run.program;
     request.machine = run.machine;
     request.machine_data = run.machine_data;
+    request.cell = run.cell;
     request.language = run.language;
     request.cpu_s = run.limits.cpu_s;
     request.host = run.host;

@@ -9,6 +9,10 @@ namespace gsim::studio {
 namespace {
 
 using engine::Run;
+using Done = tl::expected<void, engine::Failure>;
+
+/// Bodies stay as they are: their surfaces are told once.
+enum class Meshes { with, without };
 
 const char* name_of(engine::Severity severity) {
     switch (severity) {
@@ -19,17 +23,18 @@ const char* name_of(engine::Severity severity) {
     return "";
 }
 
-void post_scene(const Run& run, std::size_t robot, const Post& post) {
+Done post_scene(const Run& run, std::size_t robot, Meshes meshes, const Post& post) {
     const auto scene = run.scene(robot);
-    if (!scene) return;
+    if (!scene) return tl::unexpected(scene.error());
     Message message("scene");
     message.header()["robot"] = robot;
     message.header()["name"] = run.robots()[robot];
     message.header()["scene"] = nlohmann::ordered_json::parse(scene->json);
     message.header()["files"] = run.files(robot);
-    for (std::size_t i = 0; i < scene->meshes_mm.size(); ++i)
+    for (std::size_t i = 0; meshes == Meshes::with && i < scene->meshes_mm.size(); ++i)
         message.add(fmt::format("mesh{}", i).c_str(), scene->meshes_mm[i]);
     post(message.bytes());
+    return {};
 }
 
 void post_columns(const engine::SegmentColumns& columns, std::size_t robot, const Post& post) {
@@ -68,18 +73,22 @@ void post_told(const engine::Diagnostic& told, const Post& post) {
     post(message.bytes());
 }
 
-void post_run(Run& run, const Post& post) {
+Done post_run(Run& run, const Post& post) {
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
-        post_scene(run, robot, post);
+        if (auto told = post_scene(run, robot, Meshes::with, post); !told) return told;
         run.take_columns(
             [robot, &post](const engine::SegmentColumns& columns) { post_columns(columns, robot, post); },
             robot);
     }
+    return {};
 }
 
-void post_end(const Run& run, const engine::Report& report, const Post& post) {
-    for (std::size_t robot = 0; robot < run.robots().size(); ++robot) post_scene(run, robot, post);
+Done post_end(const Run& run, const engine::Report& report, const Post& post) {
+    for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
+        if (auto told = post_scene(run, robot, Meshes::without, post); !told) return told;
+    }
     post_report(report, post);
+    return {};
 }
 
 void post_report(const engine::Report& report, const Post& post) {

@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include <tl/expected.hpp>
+
 #include "engine/run.h"
 
 namespace gsim::studio {
@@ -14,11 +16,12 @@ using Post = std::function<void(const std::string& bytes)>;
 void post_told(const engine::Diagnostic& told, const Post& post);
 
 /// Between prepare() and go(): what stands in the world, and from now on all that moves. `post` must outlive
-/// the run.
-void post_run(engine::Run& run, const Post& post);
+/// the run. The failure: a lack of memory.
+tl::expected<void, engine::Failure> post_run(engine::Run& run, const Post& post);
 
 /// Behind go(): what is known now of frames and tools, and the report.
-void post_end(const engine::Run& run, const engine::Report& report, const Post& post);
+tl::expected<void, engine::Failure> post_end(const engine::Run& run, const engine::Report& report,
+                                             const Post& post);
 
 /// The report alone: of a program with errors.
 void post_report(const engine::Report& report, const Post& post);

@@ -29,7 +29,7 @@ Done run_one(engine::Request request, const Post& post) {
         if (prepared.error().in_program) post_report(run->report_of(prepared.error()), post);
         return prepared;
     }
-    post_run(*run, post);
+    if (auto told = post_run(*run, post); !told) return told;
     run->show_progress([&post](std::uint64_t done, std::uint64_t total) {
         Message message("progress");
         message.header().update({{"done", done}, {"total", total}});
@@ -37,8 +37,7 @@ Done run_one(engine::Request request, const Post& post) {
     });
     const auto report = run->go();
     if (!report) return tl::unexpected(report.error());
-    post_end(*run, *report, post);
-    return {};
+    return post_end(*run, *report, post);
 }
 
 Done translate(const engine::Request& request, bool wants_script, const Post& post) {
@@ -89,7 +88,10 @@ Done answer(const nlohmann::json& asked, const engine::Host& host, const Post& p
     auto request = run_request(asked);
     if (!request) return tl::unexpected(failure(request.error()));
     request->host = host;
-    const std::string what = asked.value("do", "");
+    const auto told = asked.find("do");
+    if (told == asked.end() || !told->is_string())
+        return tl::unexpected(failure("'do' should be a text: run, check, translate, envelope or languages"));
+    const auto what = told->get<std::string>();
     if (what == "run") return run_one(*std::move(request), post);
     if (what == "check" || what == "translate") return translate(*request, what == "translate", post);
     if (what == "envelope") return envelope(*request, post);
@@ -109,24 +111,24 @@ void end(const Done& done, const Post& post) {
     post(message.bytes());
 }
 
+/// What an answer throws is a failure of it: a lack of memory, say.
 template <typename Answer>
-void guarded(const Answer& answer, const Post& post) {
+Done guarded(const Answer& answer) {
     try {
-        end(answer(), post);
+        return answer();
     } catch (const std::exception& fault) {
-        end(tl::unexpected(Failure{.code = "internal", .message = fault.what()}), post);
+        return tl::unexpected(Failure{.code = "internal", .message = fault.what()});
     }
 }
 
 }  // namespace
 
 void serve(std::string_view asked, const engine::Host& host, const Post& post) {
-    guarded(
-        [&]() -> Done {
+    end(guarded([&]() -> Done {
             const auto json = nlohmann::json::parse(asked, nullptr, false);
             if (json.is_discarded()) return tl::unexpected(failure("a request should be JSON"));
             return answer(json, host, post);
-        },
+        }),
         post);
 }
 

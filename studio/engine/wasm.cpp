@@ -13,13 +13,14 @@ EM_JS(char*, studio_read, (const char* name, double* size), {
     const bytes = Module["readFile"](UTF8ToString(name));
     if (!bytes) return 0;
     const place = _malloc(bytes.length + 1);
+    if (!place) throw new Error("out of memory: a file of " + bytes.length + " bytes");
     HEAPU8.set(bytes, place);
     HEAPF64[size >> 3] = bytes.length;
     return place;
 });
 
 EM_JS(void, studio_post, (const char* bytes, double size),
-      { Module["post"](HEAPU8.slice(bytes, bytes + size)); });
+      { Module["post"](HEAPU8.slice(bytes >>> 0, (bytes >>> 0) + size)); });
 
 namespace {
 

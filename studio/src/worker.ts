@@ -42,7 +42,14 @@ async function answer(ask: Ask): Promise<void> {
   ready.ccall("gsim_studio_serve", null, ["string"], [JSON.stringify(ask.request)]);
 }
 
+/** What the engine did not survive is told as an error of the worker: the page starts another one. */
+function fail(fault: unknown): void {
+  setTimeout(() => {
+    throw fault;
+  });
+}
+
 self.onmessage = (event: MessageEvent<ToWorker>) => {
   if (event.data.kind === "start") engine = start(event.data.module);
-  else void answer(event.data);
+  else void answer(event.data).catch(fail);
 };

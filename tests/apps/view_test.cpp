@@ -76,11 +76,43 @@ TEST_F(ViewOutput, HasTheRunItsSourceAndItsReport) {
 
 TEST_F(ViewOutput, OfAProgramFromAPipeHasNoSource) {
     install(kPage);
+    write("stdin", "G0 X999\n");  // which is another program
     const Ended ended = view({"--quiet", "--view", "out.html", "-"}, kPart);
     ASSERT_EQ(ended.status, 0) << ended.err;
     const auto all = frames("out.html");
     EXPECT_NE(find(all, "segments"), nullptr);
     EXPECT_EQ(find(all, "source"), nullptr);
+}
+
+TEST_F(ViewOutput, HasSourcesThatAreLong) {
+    install(kPage);
+    std::string part = "G21 G90\n";
+    while (part.size() < 5'000'000) part += "(A REMARK THAT MAKES THE PROGRAM LONGER)\n";
+    part += "G0 X10\nM2\n";
+    const Ended ended = view({"--quiet", "--view", "out.html", write("part.nc", part)});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const auto all = frames("out.html");
+    const Frame* source = find(all, "source");
+    ASSERT_NE(source, nullptr);
+    EXPECT_EQ(source->columns.at("text").size(), part.size());
+}
+
+TEST_F(ViewOutput, IsNoFileThatRobotsWriteOrRead) {
+    install(kPage);
+    write("robots.toml", "[[robot]]\nname = \"left\"\nmachine = \"left.toml\"\n");
+    write("cell.lua",
+          "local _ENV = require \"gsim\"\nprocess(\"a\", function() local _ENV = robot \"left\" G0{x=10} "
+          "end)\n");
+    const Ended machine = run_program((folder_ / "here/bin/gsim-run").string(), {"--print-machine"}, folder_);
+    write("left.toml", machine.out);
+    const Ended over_machine =
+        view({"--quiet", "--view", "left.toml", "--robots", "robots.toml", "cell.lua"});
+    EXPECT_EQ(over_machine.status, 2);
+    EXPECT_EQ(read("left.toml"), machine.out);
+    const Ended over_moves = view({"--quiet", "--view", "moves.left.jsonl", "--moves", "moves.jsonl",
+                                   "--robots", "robots.toml", "cell.lua"});
+    EXPECT_EQ(over_moves.status, 2) << over_moves.err;
+    EXPECT_TRUE(holds(over_moves.err, "moves.left.jsonl")) << over_moves.err;
 }
 
 TEST_F(ViewOutput, TwiceIsTheSame) {
@@ -115,7 +147,7 @@ TEST_F(ViewOutput, NothingIsLeftOfAProgramThatIsRefused) {
     EXPECT_FALSE(exists("out.html"));
 }
 
-TEST_F(ViewOutput, AFullDiskIsToldAndLeavesTheFileThatWasThere) {
+TEST_F(ViewOutput, AFullDiskIsTold) {
     install(kPage);
     const Ended ended = view({"--quiet", "--view", "/dev/full", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);

@@ -78,6 +78,25 @@ TEST(ClearanceWatch, APassAtOneMillimetreIsThatFar) {
     EXPECT_FALSE(run.watch.nearest());  // sqrt(150^2 + ...) away
 }
 
+TEST(ClearanceWatch, WhenItIsNearestIsKnownWhereThatIsWanted) {
+    const std::string post =
+        "[[object]]\nname = \"post\"\nshape = { cylinder_mm = [20, 100] }\nframe = { x_mm = 500, y_mm = 500 "
+        "}\n";
+    for (const bool wanted : {false, true}) {
+        Watched run(cell_of(ball_at_tip(10) + post));
+        if (wanted) run.watch.keep_times();
+        run.line_to(joints(200, 100, 0), joints(200, 484, 0), {508, 490});
+        const double before_s = run.time_s;
+        run.line_to(joints(200, 484, 0), joints(800, 484, 0), {508, 490});
+        ASSERT_TRUE(run.watch.nearest());
+        EXPECT_NEAR(run.watch.nearest()->distance_mm, 1, 1e-4);
+        ASSERT_EQ(run.watch.nearest()->t_s.has_value(), wanted);
+        // Where the distance is within 1e-3 mm of its least: 0.2 mm before the middle of the way.
+        if (!wanted) continue;
+        EXPECT_NEAR(*run.watch.nearest()->t_s, (before_s + run.time_s) / 2, 0.25 / 508);
+    }
+}
+
 TEST(ClearanceWatch, AnArcRoundAPostKeepsItsDistance) {
     const std::string post =
         "[[object]]\nname = \"post\"\nshape = { cylinder_mm = [20, 100] }\nframe = { x_mm = 500, y_mm = 500 "
@@ -259,6 +278,7 @@ TEST(ClearanceWatch, RandomMotionsAreAsNearAsTheirSamples) {
                                  motion::TimeLaw::in_time(std::abs(way), segment.duration_s, 100));
         }
         ClearanceWatch watch(cell, machine);
+        watch.keep_times();
         watch.take(segment, false);
         const SegmentMotion motion(*kinematics, segment);
         const BodyPair pair{{&cell.items[0].shape, cell.frames.link(cell.items[0].frame),
@@ -277,6 +297,10 @@ TEST(ClearanceWatch, RandomMotionsAreAsNearAsTheirSamples) {
         const double found = watch.nearest() ? watch.nearest()->distance_mm : 200;
         EXPECT_LE(found, least + 1e-4);
         EXPECT_GE(found, least - 0.6);
+        if (watch.nearest()) {
+            const double at = pair.nearness_at(motion.links_at(*watch.nearest()->t_s), 1000).upper_mm;
+            EXPECT_NEAR(at, found, 2e-3);
+        }
         if (first_s < 0) continue;
         ++touching;
         ASSERT_EQ(watch.contacts().size(), 1U);

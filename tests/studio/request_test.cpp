@@ -34,7 +34,7 @@ TEST(RunRequest, TakesWhatAPageMayAskFor) {
 TEST(RunRequest, NamesTheKeyThatItDoesNotTake) {
     EXPECT_EQ(fault_of({{"programme", "part.nc"}}), "there is no key 'programme' of a run");
     EXPECT_EQ(fault_of({{"program", 3}}), "'program' should be a text, not 3");
-    EXPECT_EQ(fault_of({{"blocks", "many"}}), "'blocks' should be a number, not \"many\"");
+    EXPECT_EQ(fault_of({{"blocks", "many"}}), "'blocks' should be a number, not of the kind string");
     EXPECT_EQ(fault_of({{"blocks", 0}}), "'blocks' should be from 1 to 1000000000000000, not 0");
     EXPECT_EQ(fault_of({{"feed_override_percent", 2000}}),
               "'feed_override_percent' should be from 0 to 1000, not 2000");

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <map>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -88,10 +90,48 @@ TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
     ASSERT_EQ(segments.column<std::uint32_t>("tip"), (std::vector<std::uint32_t>{0, 1}))
         << last(frames).header;
     EXPECT_NEAR(vertices.back(), 100, 1e-4);  // the axis goes to 130
+    // The new tip begins where it is when it is taken: 30 mm below the old one.
+    ASSERT_GE(vertices.size(), 6U);
+    EXPECT_NEAR(vertices[vertices.size() - 4], 70, 1e-4);
     const auto tips = of_kind(frames, "scene").back().header["scene"]["tips_mm"];
     ASSERT_EQ(tips.size(), 2U);
     EXPECT_NEAR(std::hypot(tips[1][0].get<double>(), tips[1][1].get<double>(), tips[1][2].get<double>()), 30,
                 1e-9);
+}
+
+TEST(Session, TheDrawnWayWindsWithATurningTable) {
+    std::ifstream file(GSIM_SAMPLES "/machines/mill-table-table.toml");
+    std::string machine((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::string shortest = "turning = \"shortest\"";
+    machine.erase(machine.find(shortest), shortest.size());  // whole turns are made
+    const auto frames =
+        answers(R"({"do": "run", "program": "part.nc", "machine": "mill.toml"})",
+                {{"part.nc", "G21 G90\nG1 X100 Y0 F100000\nG1 C1440 F100000\nM2\n"}, {"mill.toml", machine}});
+    const Frame segments = of_kind(frames, "segments").at(0);
+    const auto vertices = segments.column<float>("vertex_mm");
+    const auto of = segments.column<std::uint32_t>("vertex_segment");
+    double turned_rad = 0;
+    for (std::size_t i = 1; i < of.size(); ++i) {
+        if (of[i] != of.back()) continue;
+        const auto angle = [&](std::size_t vertex) {
+            return std::atan2(vertices[3 * vertex + 1], vertices[3 * vertex]);
+        };
+        turned_rad += std::abs(std::remainder(angle(i) - angle(i - 1), 2 * std::numbers::pi));
+    }
+    EXPECT_NEAR(turned_rad, 8 * std::numbers::pi, 1e-3);
+}
+
+TEST(Session, AProgramIsCheckedInTheLanguageOfItsCellsMachine) {
+    const Files files{
+        {"part.nc", "G64 P0.1\n#<a> = 3\nG1 X[#<a>] F100\nM2\n"},
+        {"cell.toml", "[cell]\nname = \"c\"\nmachine = \"mine.toml\"\n"},
+        {"mine.toml",
+         "[machine]\nname = \"m\"\n[program]\ndialect = \"rs274ngc\"\n[[axis]]\nletter = \"X\"\nkind = "
+         "\"linear\"\nmin_mm = 0.0\nmax_mm = 10.0\ndirection = \"x\"\n"}};
+    EXPECT_EQ(of_kind(answers(R"({"do": "check", "program": "part.nc", "cell": "cell.toml"})", files), "told")
+                  .size(),
+              0U);
+    EXPECT_GT(of_kind(answers(R"({"do": "check", "program": "part.nc"})", files), "told").size(), 0U);
 }
 
 TEST(Session, WhatIsWrongIsToldWithItsPlace) {
@@ -122,6 +162,12 @@ TEST(Session, ARefusedProgramHasAReportAndFails) {
 
 TEST(Session, WhatCannotBeDoneFailsInASentence) {
     EXPECT_EQ(last(answers("{")).header["message"], "a request should be JSON");
+    EXPECT_EQ(last(answers(R"({"do": 3})")).header["message"],
+              "'do' should be a text: run, check, translate, envelope or languages");
+    EXPECT_EQ(
+        last(answers(R"({"do": "run", "program": )" + std::string(100, '[') + std::string(100, ']') + "}"))
+            .header["message"],
+        "'program' should be a text, not of the kind array");
     EXPECT_EQ(last(answers(R"({"do": "fly"})")).header["message"], "nothing is known of how to do 'fly'");
     EXPECT_EQ(last(answers(kRun)).is(), "failed");
     EXPECT_NE(last(answers(kRun)).header["message"].get<std::string>().find("part.nc"), std::string::npos);

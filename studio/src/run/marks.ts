@@ -42,16 +42,16 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
   for (const { t_s, kind, pair, ...place } of report.collisions ?? []) {
     yield { ...plain, ...placed(place), t_s, kind: "collision", text: kind, pair };
   }
-  for (const { clearance_mm, pair, ...place } of report.clearances ?? []) {
+  for (const { t_s, clearance_mm, pair, ...place } of report.clearances ?? []) {
     if (clearance_mm <= 0) continue; // a contact, which is there as such
-    yield { ...plain, ...placed(place), t_s: startOfLine(robot, place), kind: "near", text: "", pair, clearance_mm };
+    yield { ...plain, ...placed(place), t_s: t_s ?? startOfLine(robot, place), kind: "near", text: "", pair, clearance_mm };
   }
   if (report.alarm) {
     yield { ...plain, ...placed(report.alarm), t_s: report.cycle_time_s, kind: "alarm", text: report.alarm.message };
   }
 }
 
-/** Of one robot; a clearance, whose time is not told, stands where its line first moves. */
+/** Of one robot; a clearance whose time is not known stands where its line first moves. */
 export function marksOf(run: Run, index: number): Mark[] {
   const report = run.reportOf(index);
   if (!report) return [];

@@ -41,6 +41,8 @@ export interface Collision extends Placed {
 }
 
 export interface Clearance extends Placed {
+  /** When; missing where it is not known. */
+  t_s?: number;
   clearance_mm: number;
   pair: [string, string];
   point_mm: [number, number, number];

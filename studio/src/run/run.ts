@@ -3,7 +3,7 @@
 import type { Message } from "../core/message";
 import { Blocks } from "./blocks";
 import { Chain, axisValue, jointValue } from "./chain";
-import { SAME_TIME_S, type Place, type Report, type ReportEvent, type Severity } from "./report";
+import { SAME_TIME_S, type Clearance, type Place, type Report, type ReportEvent, type Severity } from "./report";
 import type { Scene } from "./scene";
 import { lastIndex } from "./search";
 import { Segments } from "./segments";
@@ -63,6 +63,11 @@ export interface Told {
   hint: string;
 }
 
+/** Times of clearances, which reports do not have, since each takes a search. */
+function tellWhen(clearances: Clearance[] = [], near_s: (number | null)[] = []): void {
+  clearances.forEach((clearance, i) => (clearance.t_s = near_s[i] ?? undefined));
+}
+
 export class Run {
   readonly robots: Robot[] = [];
   readonly told: Told[] = [];
@@ -109,6 +114,7 @@ export class Run {
         return;
       case "report":
         this.report = header.report as Report;
+        this.robots.forEach((each, i) => tellWhen(this.reportOf(i)?.clearances, each.scene.near_s));
         this.events.clear();
         this.reportText = header.text as string;
         return;

@@ -91,4 +91,6 @@ export interface Scene {
   frames?: Frame[];
   bodies?: Body[];
   drifts?: Drift[];
+  /** When each of the report's clearances is. */
+  near_s?: (number | null)[];
 }
