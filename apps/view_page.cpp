@@ -118,7 +118,9 @@ tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const e
         message.add("text", *text);
         state_->post()(message.bytes());
     }
-    return with_sentence(studio::post_end(run, report, state_->post())).and_then([&] { return state_->end(); });
+    return with_sentence(studio::post_end(run, report, state_->post())).and_then([&] {
+        return state_->end();
+    });
 }
 
 tl::expected<void, std::string> ViewPage::commit() {
