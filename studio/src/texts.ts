@@ -57,7 +57,14 @@ export const texts = {
     robots: "Robots",
     feedOverride: "Feed override, %",
     collisions: "Look for collisions",
-    more: "More",
+    aside: (taken: number, names: string[]) => {
+      const listed = names.slice(0, 3).join(", ") + (names.length > 3 ? ` and ${names.length - 3} more` : "");
+      return taken > 0 ? `Also opened: ${listed}` : `Not a program, machine, cell or machine data: ${listed}`;
+    },
+    unread: (why: string) => `The files could not be read: ${why}`,
+    cancelled: (shown: string) => (shown ? `Cancelled. What is shown is the run of ${shown}` : "Cancelled"),
+    changed: (count: number) => (count > 0 ? `More (${count})` : "More"),
+    dismiss: "Dismiss",
     none: "none",
     noCell: "no cell",
     builtInMachine: "AF gantry (built in)",
@@ -78,7 +85,10 @@ export const texts = {
       ["P", "in the view: perspective or parallel"],
       ["T", "in the view: follow the tool"],
       ["M", "in the view: measure"],
-      ["Escape", "leave the editor, so that Tab goes on"],
+      ["F8", "in the editor: the next problem"],
+      ["Ctrl+I", "in the editor: about the word at the cursor"],
+      ["Ctrl+/", "in the editor: a line to a remark and back"],
+      ["Escape", "leave the editor"],
       ["Ctrl+F, Ctrl+G", "in the editor: find, go to a line"],
     ] as [string, string][],
     gallery: {
@@ -251,6 +261,9 @@ export const texts = {
   panels: {
     tabs: { summary: "Summary", blocks: "Blocks", shares: "Time", events: "Events", compare: "Compare" },
     results: "Results",
+    ofProgram: (program: string, machine: string) => `${program} on ${machine}`,
+    unfinished: "This run did not come to its end: there is nothing to compare.",
+    otherProgram: (program: string) => `The run before was of another program (${program}).`,
     robot: "Robot",
     nothing: "Nothing has run yet. Open a program and run it.",
     running: "Running…",

@@ -2,7 +2,7 @@
 
 import "./bar.css";
 import { element } from "../core/dom";
-import type { Session } from "../core/session";
+import { emptySetup, type Session, type Setup } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
 import { showGallery } from "./gallery";
@@ -71,7 +71,7 @@ function choices(session: Session): HTMLElement {
     const open = host.querySelector("details")?.open ?? false;
     host.replaceChildren(
       ...mainChoices(session),
-      element("details", { open }, element("summary", {}, t.more), element("div", {}, ...moreChoices(session))),
+      element("details", { open }, element("summary", {}, t.changed(changedSettings(session.setup))), element("div", {}, ...moreChoices(session))),
     );
   };
   session.on(draw);
@@ -81,6 +81,31 @@ function choices(session: Session): HTMLElement {
   });
   draw();
   return host;
+}
+
+/** How many of the settings behind "More" are not as they are at first: what is out of sight is at work, too. */
+function changedSettings(setup: Readonly<Setup>): number {
+  const first = emptySetup();
+  const hidden = ["dialect", "machine_data", "robots", "feed_override_percent", "collisions"] as const;
+  return hidden.filter((key) => setup[key] !== first[key]).length;
+}
+
+/** A sentence below the bar, until it is dismissed or the next run begins. */
+function noticeLine(store: Store): HTMLElement {
+  const host = element("div", { class: "notice", role: "status" });
+  store.watch(["notice"], () => {
+    const text = store.get("notice");
+    host.hidden = !text;
+    host.replaceChildren(text, element("button", { onclick: () => store.set("notice", ""), "aria-label": t.dismiss }, "×"));
+  });
+  return host;
+}
+
+/** What was typed and not saved is asked for before the page goes. */
+function guardEdits(session: Session): void {
+  addEventListener("beforeunload", (event) => {
+    if (session.documents.unsaved) event.preventDefault();
+  });
 }
 
 export function createBar(host: HTMLElement, store: Store, session: Session): void {
@@ -98,6 +123,8 @@ export function createBar(host: HTMLElement, store: Store, session: Session): vo
     runControls(store, session),
     preferences(store),
   );
+  host.append(noticeLine(store));
+  guardEdits(session);
   acceptDrops(session);
   document.addEventListener("keydown", (event) => {
     if (!event.defaultPrevented && event.key === "Enter" && (event.ctrlKey || event.metaKey)) void session.run();

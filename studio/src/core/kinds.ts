@@ -32,7 +32,7 @@ export function kindOfFile(name: string, content: FileContent): FileKind {
   if (isScript(name)) return "program";
   const head = headOf(content);
   if (/^\s*(#.*\n|;.*\n|\s)*NCFILE\b/.test(head)) return "machine_data";
-  if (head.includes("\0") || ["var", "tbl"].includes(ending)) return "other";
+  if ((typeof content !== "string" && head.includes("\0")) || ["var", "tbl"].includes(ending)) return "other";
   return "program";
 }
 

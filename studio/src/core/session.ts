@@ -5,6 +5,7 @@ import type { Documents } from "./documents";
 import type { Answer, Engine } from "./engine";
 import { isScript } from "./kinds";
 import type { Language } from "./languages";
+import { texts } from "../texts";
 import type { Store } from "./store";
 
 /** What a run is made of, as names of documents; empty: none. */
@@ -34,6 +35,12 @@ export const emptySetup = (): Setup => ({
   collisions: true,
   feed_override_percent: 100,
 });
+
+/** Of a run in the page, each of which takes some 300 bytes: an endless program ends before memory does. */
+const MOST_BLOCKS = 4_000_000;
+
+/** Whether a run came to its end, so that its time means something beside another's. */
+const isComparable = ({ report }: Run): boolean => report?.status === "completed" || report?.status === "violations";
 
 export class Session {
   private readonly listeners = new Set<() => void>();
@@ -73,7 +80,7 @@ export class Session {
 
   /** Runs the program, in place of a run under way. The run before stays for comparing. */
   async run(): Promise<void> {
-    this.cancel();
+    if (this.store.get("running")) this.cancel();
     const { store, documents, current } = this;
     const run = new Run(this.sources());
     const running = { done: 0, total: 0 };
@@ -84,12 +91,15 @@ export class Session {
       collisions: current.collisions,
       feed_override_percent: current.feed_override_percent,
       explain: true,
+      blocks: MOST_BLOCKS,
     };
+    store.set("notice", "");
     const answer = await this.runner.ask(request, documents.files(), (message) => {
       if (message.is === "progress") {
         store.set("running", { done: message.header.done as number, total: message.header.total as number });
       } else {
         run.take(message);
+        if (message.is === "segments") this.showMotion(run);
       }
     });
     if (answer.code === "cancelled") return;
@@ -97,10 +107,17 @@ export class Session {
     this.show(run, answer);
   }
 
+  /** Programs of loops tell no progress by their lines: what has moved does. */
+  private showMotion(run: Run): void {
+    const running = this.store.get("running");
+    if (!running || running.total > 0) return;
+    this.store.set("running", { done: Math.max(running.done, run.robots[0]?.blocks.count ?? 0), total: 0 });
+  }
+
   private show(run: Run, answer: Answer): void {
     if (!answer.ok) run.failure ??= { code: answer.code, message: answer.message };
     const before = this.store.get("run");
-    if (before && before.robots.length > 0) this.store.set("previous", before);
+    if (before && isComparable(before)) this.store.set("previous", before);
     this.store.set("playing", false);
     this.store.set("run", run);
     const sameProgram = before?.report?.program === run.report?.program;
@@ -111,6 +128,7 @@ export class Session {
     if (!this.store.get("running")) return;
     this.runner.cancel();
     this.store.set("running", null);
+    this.store.set("notice", texts.bar.cancelled(this.store.get("run")?.report?.program ?? ""));
   }
 
   /** What is wrong with a program's text; of a script in Lua nothing is known before it runs. */

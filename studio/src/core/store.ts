@@ -40,6 +40,8 @@ export interface State {
   showDirections: boolean;
   measuring: boolean;
   compare: boolean;
+  /** A sentence to who uses the page; empty: none. */
+  notice: string;
 }
 
 type Listener<K extends keyof State> = (value: State[K], before: State[K]) => void;
@@ -96,4 +98,5 @@ export const initialState = (): State => ({
   showDirections: true,
   measuring: false,
   compare: false,
+  notice: "",
 });

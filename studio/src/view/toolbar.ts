@@ -19,7 +19,7 @@ export interface Actions {
 type Switch = { [K in keyof State]: State[K] extends boolean ? K : never }[keyof State];
 const words = texts.view;
 
-function button(name: Icon, label: string, key: string, press: () => void): HTMLButtonElement {
+function button(name: Icon, label: string, key: string, press: (event: Event) => void): HTMLButtonElement {
   const title = `${label} (${key})`;
   const attributes = { type: "button", title, "aria-label": label, "aria-keyshortcuts": key, onclick: press };
   return element("button", attributes, icon(name));
@@ -42,7 +42,7 @@ export function createToolbar(store: Store, act: Actions, layers: HTMLElement): 
   return element(
     "div",
     { class: "tools", role: "toolbar", "aria-label": words.tools, "aria-orientation": "vertical" },
-    button("fit", words.fit, "F", () => act.fit(false)),
+    button("fit", words.fit, "F", (event) => act.fit((event as MouseEvent).shiftKey)),
     ...stands.map(([name, key]) => button(name, words.stands[name], key, () => act.stand(name))),
     pressed(store, "perspective", button("perspective", words.perspective, "P", toggle(store, "perspective"))),
     pressed(store, "follow", button("follow", words.follow, "T", toggle(store, "follow"))),

@@ -98,6 +98,40 @@ export default {
       assert.equal((await page.evaluate(() => window.studio.store.get("run").report)).status, "completed");
     }),
 
+  "files dropped on a page from a disk are opened": (places) =>
+    withPage(places.studio, async (page) => {
+      const session = await page.context().newCDPSession(page);
+      const files = [join(places.samples, "cell/clamp.nc"), join(places.samples, "cell/mould.stl")];
+      const data = { items: [], files, dragOperationsMask: 1 };
+      for (const type of ["dragEnter", "dragOver", "drop"]) {
+        await session.send("Input.dispatchDragEvent", { type, x: 640, y: 300, data });
+      }
+      await page.waitForFunction(() => window.studio.store.get("run")?.report?.program === "clamp.nc", null, { timeout: 20_000 });
+      assert.match(await page.locator("#bar .notice").innerText(), /Also opened: mould\.stl/);
+    }),
+
+  "a file of no use is said to be": (places) =>
+    withPage(places.studio, async (page) => {
+      const chooser = page.waitForEvent("filechooser");
+      await page.locator("#open-button").click();
+      await (await chooser).setFiles({ name: "picture.png", mimeType: "image/png", buffer: Buffer.from([0x89, 0x50, 0, 1]) });
+      await page.waitForFunction(() => window.studio.store.get("notice") !== "");
+      assert.match(await page.locator("#bar .notice").innerText(), /Not a program.*picture\.png/);
+    }),
+
+  "a cancelled run says whose results are shown": (places) =>
+    withPage(places.studio, async (page) => {
+      await page.evaluate((text) => {
+        const { session, documents } = window.studio;
+        documents.put("endless.lua", text);
+        session.change({ program: "endless.lua" });
+        void session.run();
+      }, ENDLESS);
+      await page.waitForFunction(() => window.studio.store.get("running")?.done > 0, null, { timeout: 20_000 });
+      await page.locator("#cancel-button").click();
+      assert.match(await page.locator("#bar .notice").innerText(), /Cancelled.*samples\/wheel\.nc/);
+    }),
+
   "a file that is no program is refused in words": (places) =>
     withPage(places.studio, async (page) => {
       const { failure } = await run(page, { program: "nonsense.nc" }, { "nonsense.nc": "\u0000\u0001 what is this" });

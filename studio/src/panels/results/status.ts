@@ -41,6 +41,7 @@ export function createStatus(store: Store): HTMLElement {
   const done = element("span", { class: "done" });
   const running = element("div", { class: "running", role: "status" }, words.running, bar, done);
   const sentence = element("p", { class: "sentence", role: "status" });
+  const of = element("p", { class: "of" });
   const places = element("div", { class: "places" });
 
   store.watch(["running"], () => {
@@ -59,10 +60,12 @@ export function createStatus(store: Store): HTMLElement {
     const context = contextOf(store);
     const [text, severity] = context ? sentenceOf(context.run, context.report) : [words.nothing, ""];
     sentence.textContent = text;
+    const report = context?.run.report;
+    of.textContent = report?.program ? words.ofProgram(report.program, context?.robot?.scene.machine ?? "") : "";
     sentence.className = `sentence ${severity}`;
     const told = context?.run.told ?? [];
     const items = told.map((one) => toldItem(one, store));
     places.replaceChildren(...(items.length > 0 ? [itemList(words.told, items, 20)] : []));
   });
-  return element("div", { class: "status" }, running, sentence, places);
+  return element("div", { class: "status" }, running, of, sentence, places);
 }

@@ -24,6 +24,13 @@ export function createCompare(store: Store): Tab {
     draw(context) {
       const previous = store.get("previous");
       if (!previous) return host.replaceChildren(element("p", { class: "note" }, words.noPrevious));
+      const status = context.run.report?.status;
+      if (status !== "completed" && status !== "violations") {
+        return host.replaceChildren(element("p", { class: "note" }, words.unfinished));
+      }
+      if (previous.report?.program !== context.run.report?.program) {
+        return host.replaceChildren(element("p", { class: "note" }, words.otherProgram(previous.report?.program ?? "")));
+      }
       const comparison = compare(previous, context.run, context.index, MOST);
       if (!comparison) return host.replaceChildren(element("p", { class: "note" }, words.otherMachine));
       host.replaceChildren(total(comparison), both.row, ...table(comparison, context, store));

@@ -1,0 +1,53 @@
+// Texts of files: how their bytes are read, and written back as they were.
+
+/** How a file's text is written: what reads it has to write it so. */
+export interface Writing {
+  encoding: "utf-8" | "windows-1252" | "utf-16le";
+  /** A mark of the encoding in front. */
+  marked: boolean;
+  /** Lines end in CR LF. */
+  crlf: boolean;
+}
+
+const MARK = "\ufeff";
+
+/** Programs of older controls are in the letters of their country: what is no UTF-8 is taken as windows-1252. */
+export function readText(bytes: Uint8Array): { text: string; writing: Writing } {
+  const [first, second] = bytes;
+  const encoding = first === 0xff && second === 0xfe ? "utf-16le" : isUtf8(bytes) ? "utf-8" : "windows-1252";
+  const whole = new TextDecoder(encoding, { ignoreBOM: true }).decode(bytes);
+  const marked = whole.startsWith(MARK);
+  const text = marked ? whole.slice(1) : whole;
+  return { text, writing: { encoding, marked, crlf: text.includes("\r\n") } };
+}
+
+function isUtf8(bytes: Uint8Array): boolean {
+  try {
+    new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Bytes of a text as the file had them; a letter that its encoding lacks makes the file UTF-8. */
+export function writeText(text: string, writing: Writing): Uint8Array<ArrayBuffer> {
+  const lines = writing.crlf ? text.replace(/\r?\n/g, "\r\n") : text;
+  const whole = writing.marked ? MARK + lines : lines;
+  if (writing.encoding === "utf-16le") return new Uint8Array(Uint16Array.from(whole, (c) => c.charCodeAt(0)).buffer);
+  const narrow = writing.encoding === "windows-1252" ? narrowBytes(whole) : null;
+  return narrow ?? new TextEncoder().encode(whole);
+}
+
+function narrowBytes(text: string): Uint8Array<ArrayBuffer> | null {
+  const codes = new Map<string, number>();
+  const all = new TextDecoder("windows-1252").decode(Uint8Array.from({ length: 256 }, (_, code) => code));
+  for (let code = 0; code < 256; ++code) codes.set(all[code], code);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) {
+    const code = codes.get(text[i]);
+    if (code === undefined) return null;
+    bytes[i] = code;
+  }
+  return bytes;
+}
