@@ -27,12 +27,33 @@ async function bundle(entry, options = {}) {
     write: false,
     outdir: "out",
     logLevel: "warning",
-    legalComments: "none",
+    legalComments: "none", // licences() has them whole
+    metafile: true,
     ...options,
   });
   const text = (ending) => built.outputFiles.find((file) => file.path.endsWith(ending))?.text ?? "";
-  return { js: text(".js"), css: text(".css") };
+  return { js: text(".js"), css: text(".css"), inputs: Object.keys(built.metafile.inputs) };
 }
+
+/** Of the packages that are bundled, and of the libraries in the engine (Debian's, by name): the terms go with the page. */
+function licences(inputs, libraries) {
+  const bundled = inputs.flatMap((file) => file.match(/node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[1] ?? []);
+  const texts = [...new Set(bundled)].sort().map((name) => {
+    const folder = join(here, "node_modules", name);
+    const file = readdirSync(folder).find((each) => /^licen[sc]e/i.test(each));
+    if (!file) throw new Error(`${name} has no licence`);
+    return `${name}\n\n${readFileSync(join(folder, file), "utf8")}`;
+  });
+  for (const name of libraries) texts.push(`${name}\n\n${readFileSync(`/usr/share/doc/${name}/copyright`, "utf8")}`);
+  const own = readFileSync(join(here, "../LICENSE"), "utf8");
+  return `<script type="text/plain" id="licences">${inline([`gsim\n\n${own}`, ...texts].join("\n\n"))}</script>`;
+}
+
+/** What is compiled into the engine. */
+const libraries = ["libeigen3-dev", "libexpected-dev", "libfast-float-dev", "libfmt-dev", "liblua5.4-dev", "libpugixml-dev"].concat([
+  "libtomlplusplus-dev",
+  "nlohmann-json3-dev",
+]);
 
 function* filesBelow(folder) {
   for (const name of readdirSync(folder).sort()) {
@@ -74,9 +95,10 @@ const withEngine = fill({
     data("worker", packed(worker.js)),
     data("engine", packed(readFileSync(`${engine}.wasm`))),
     data("samples", packed(samples())),
+    licences(page.inputs, libraries),
   ].join("\n"),
 });
-const withoutEngine = fill({ ...parts, data: "<!-- run -->" });
+const withoutEngine = fill({ ...parts, data: `<!-- run -->\n${licences(page.inputs, [])}` });
 writeFileSync(join(outputFolder, "studio.html"), withEngine);
 writeFileSync(join(outputFolder, "view.html"), withoutEngine);
 for (const [name, text] of Object.entries({ "studio.html": withEngine, "view.html": withoutEngine })) {

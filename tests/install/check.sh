@@ -85,6 +85,11 @@ for name in gsim "${names[@]}"; do
     check "$name(1)" present present "$share/man/man1/$name.1"
     check "completion of $name" present present "$share/bash-completion/completions/$name" "$share/fish/vendor_completions.d/$name.fish"
 done
+# A page with a finished run in it, where the page of the studio has been installed.
+page_of_a_run() {
+    bare "$bin/gsim" run --quiet --view "$scratch/run.html" "$samples/wheel.nc" && grep -c 'id="run">H4sI' "$scratch/run.html"
+}
+
 check 'completion for zsh' present present "$share"/zsh/*/_gsim
 check samples present present "$share/doc/gsim/samples/wheel.nc" "$share/doc/gsim/lua_lib/init.lua"
 check wheel '^cycle time  129\.9[89]' bare "$bin/gsim-run" --machine "$samples/machines/af5-measured.toml" "$samples/wheel.nc"
@@ -110,6 +115,9 @@ if [[ -e $prefix/libexec/gsim/gsim-solid ]]; then
     check 'reader of solids' 'part\.step' no_solid
 else
     check 'no reader of solids' "gsim-solid, which reads STEP and IGES files, is neither in '$bin' nor in\|scripts/setup.sh step" no_solid
+fi
+if [[ -e $share/gsim/studio/studio.html ]]; then
+    check 'page of a run' '^1$' page_of_a_run
 fi
 if [[ -e $share/doc/gsim/README.md ]]; then
     check documentation present present "$share/doc/gsim/docs/machine-file.md" "$share/doc/gsim/docs/path.schema.json"
