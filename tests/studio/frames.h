@@ -20,7 +20,7 @@ struct Frame {
     std::vector<Value> column(const std::string& name) const {
         const std::string& bytes = columns.at(name);
         std::vector<Value> values(bytes.size() / sizeof(Value));
-        std::memcpy(values.data(), bytes.data(), bytes.size());
+        if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
         return values;
     }
 };
