@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/os/installation.h"
 #include "base/os/output_file.h"
 #include "engine/run.h"
 
@@ -95,6 +96,18 @@ tl::expected<void, std::string> confine_to(std::span<const std::string> files,
         if (!file.empty() && file != os::kStandardStream) allowed.read.emplace_back(file);
     }
     for (const std::string& output : outputs) add_output(output, allowed);
+    return give_up_all_but(std::move(allowed));
+}
+
+tl::expected<void, std::string> confine_to_folders(std::span<const fs::path> folders) {
+    os::Allowed allowed;
+    allowed.read.assign(folders.begin(), folders.end());
+    add_programs_of_system(allowed);
+    const fs::path programs = os::program_folder();
+    allowed.run.push_back(programs);
+    allowed.run.push_back(programs.parent_path() / "libexec");
+    std::error_code ignored;
+    allowed.changed.push_back(fs::temp_directory_path(ignored));  // long texts are kept there meanwhile
     return give_up_all_but(std::move(allowed));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -26,6 +27,10 @@ tl::expected<void, std::string> confine_run(const RunArguments& arguments, const
 /// have read all else that their options name. The error is a sentence.
 tl::expected<void, std::string> confine_to(std::span<const std::string> files,
                                            std::span<const std::string> outputs);
+
+/// Confines the process to files of these folders, which may be read, and to the programs of the system and
+/// our own (gsim-solid). The error is a sentence.
+tl::expected<void, std::string> confine_to_folders(std::span<const std::filesystem::path> folders);
 
 /// --no-confine of such programs; in the group begun last.
 void add_confine_option(CommandLine& line, bool& no_confine);

@@ -17,6 +17,7 @@
 #include "apps/parse.h"
 #include "apps/print.h"
 #include "apps/programs.h"
+#include "apps/studio_answer.h"
 #include "apps/suggestion.h"
 #include "apps/usage_error.h"
 #include "apps/version.h"
@@ -38,6 +39,9 @@ struct OwnCommand {
 constexpr OwnCommand kHelp{"help", "tell what gsim, or a command, can be told"};
 constexpr OwnCommand kCompletion{"completion", "print the completion for a shell: bash, zsh or fish"};
 constexpr OwnCommand kManual{"manual", "print the man page of a command, for man -l -"};
+
+// What gsim-serve calls, and nobody else.
+constexpr const char* kStudioAnswer = "studio-answer";
 
 int printed(const std::string& text) {
     print(text);
@@ -153,6 +157,7 @@ int run_command(Arguments arguments) {
     if (word == "--version") return printed(version_text(kFront));
     if (word == kManual.name) return print_manual(rest);
     if (word == kCompletion.name) return print_completion(rest);
+    if (word == kStudioAnswer) return answer_studio(rest);
     const ProgramEntry* entry = find_program(word);
     return entry == nullptr ? unknown_command(word) : run_program(*entry, rest);
 }

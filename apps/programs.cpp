@@ -6,9 +6,10 @@ namespace gsim::apps {
 
 namespace {
 
-constexpr std::array<ProgramEntry, 6> kPrograms{{
+constexpr std::array<ProgramEntry, 7> kPrograms{{
     {"gsim-run", "run", make_gsim_run},
     {"gsim-check", "check", make_gsim_check},
+    {"gsim-studio", "studio", make_gsim_studio},
     {"gcode2lua", "translate", make_gcode2lua},
     {"autopath", "path", make_autopath},
     {"path2gcode", "write", make_path2gcode},

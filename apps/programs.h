@@ -14,6 +14,7 @@ std::unique_ptr<Program> make_gcode2lua();
 std::unique_ptr<Program> make_path2gcode();
 std::unique_ptr<Program> make_autopath();
 std::unique_ptr<Program> make_gsim_data();
+std::unique_ptr<Program> make_gsim_studio();
 
 /// A program in the list of all: everything that is made for each of them (links, man pages, completions) is
 /// made from this list.

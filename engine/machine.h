@@ -39,6 +39,8 @@ class GSIM_API Machine {
 
     /// What of a control's settings is not taken over, in sentences.
     const std::vector<std::string>& notes() const;
+    /// The machine file, which the request or the cell names; empty: the one built in.
+    const std::string& machine_file() const;
     /// Of machine data, which the request or the cell names; empty: none.
     const std::string& machine_data_file() const;
     /// As a machine file.

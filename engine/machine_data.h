@@ -12,6 +12,7 @@
 
 #include "engine/api.h"
 #include "engine/diagnostic.h"
+#include "engine/host.h"
 #include "engine/machine.h"
 
 namespace gsim::engine {
@@ -34,9 +35,40 @@ class GSIM_API MachineData {
         json,  ///< Each an object with "id", "unit" and its fields; null is a wall that is not there.
     };
 
+    /// What a value is.
+    enum class Quantity : std::uint8_t {
+        length,   ///< In the unit of its entry.
+        angle,    ///< deg
+        unknown,  ///< A length or an angle: of an axis of a machine that is not known.
+        number,   ///< Without unit.
+        whole,    ///< A whole number from `least` to `greatest`.
+        text,     ///< A word; where there are choices, one of them.
+    };
+    /// One value of the entries of a section.
+    struct Field {
+        std::string name = {};
+        Quantity quantity = Quantity::length;
+        std::string meaning = {};  ///< For people: "length along Z".
+        bool required = false;     ///< It is written even where it is 0 or no wall.
+        bool may_be_open = false;  ///< "-" may stand for it: there is no such wall.
+        int least = 0;
+        int greatest = 0;
+        std::vector<std::string> choices = {};  ///< The first one holds where none is given.
+    };
+    struct Section {
+        std::string name = {};   ///< "OFFSET"
+        std::string title = {};  ///< For people: "Frames".
+        std::string ids = {};    ///< Which ids entries have: "1 to 99999".
+        bool has_unit = false;   ///< Its entries have lengths.
+        std::vector<Field> fields = {};
+    };
+
     /// Data without entries. `name`: of the file, for messages. `machine`: names the axes behind X, Y and Z,
     /// and has the ranges that suspects() looks at; null: not known. It may go before the data.
     explicit MachineData(std::string name, const Machine* machine = nullptr);
+    /// The data of a file; of a name that no file has: data without entries. Names are those of files alone.
+    static tl::expected<MachineData, Failure> open(const Host& host, const std::string& name,
+                                                   const Machine* machine = nullptr, const Tell& tell = {});
     /// The data of a text. `tell` gets all that is wrong with its lines, the failure has the first of it.
     static tl::expected<MachineData, Failure> read(std::string_view text, std::string name,
                                                    const Machine* machine = nullptr, const Tell& tell = {});
@@ -49,6 +81,8 @@ class GSIM_API MachineData {
 
     /// The file.
     std::string text() const;
+    /// All sections that there are, with their fields for this machine.
+    std::vector<Section> sections() const;
     /// All entries, as list() has them. The failure: a word is not UTF-8, which list() shows as a replacement
     /// character.
     tl::expected<std::string, Failure> to_json() const;

@@ -34,6 +34,9 @@ struct LanguageChoice {
 /// Names that LanguageChoice::dialect takes.
 GSIM_API std::vector<std::string> control_names();
 
+/// Why LanguageChoice::dialect does not take a name, in a sentence; nothing where it does.
+GSIM_API std::optional<std::string> why_no_control(const std::string& name);
+
 /// What the operator turns the overrides to; nothing: 100 %.
 struct OverrideChoice {
     std::optional<double> feed_percent = {};

@@ -52,7 +52,7 @@ changed() {
     local base=$1 file
     git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
         if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi
-    done | grep -E "^($rooms|tests)/" | sort -u
+    done | sed -nE "\\#^($rooms|tests)/#p" | sort -u
 }
 
 alone() {

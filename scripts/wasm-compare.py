@@ -79,13 +79,20 @@ def golden_runs():
                            Input(f"conditions/{dialect}.lua"), "--max-blocks", "2000", "--max-steps", "200000"))
 
 
+def bodies_left_out(program, machine):
+    """The wheel's letters are not those of this machine, whose head goes into its tank; when bodies touch is known to 1e-6 mm of their
+    way, and not to the last digit of the time."""
+    return ("--no-collisions",) if (program, machine) == ("wheel.nc", "machines/af5-table-letters.toml") else ()
+
+
 def program_runs():
     for program, dialect in programs(SAMPLES):
         yield Run(SAMPLES, ("translate", program, "--dialect", dialect, "--output", OUTPUT))
         for machine in files(SAMPLES, "machines/*.toml"):
-            yield Run(SAMPLES, ("run", program, "--dialect", dialect, "--json", "--machine", machine))
+            yield Run(SAMPLES, ("run", program, "--dialect", dialect, "--json", "--machine", machine, *bodies_left_out(program, machine)))
     yield Run(SAMPLES / "cell", ("run", Input("cell.lua"), "--robots", Input("robots.toml"), "--json"))
     yield Run(SAMPLES, ("run", Input("mill/dome.nc"), "--machine", Input("machines/mill-head-table.toml"), "--json"))
+    yield Run(SAMPLES, ("run", Input("wheel.nc"), "--cell", Input("cell/wheel.toml"), "--json"), (Input("cell/wheel.obj"),))
     for program in ("left.nc", "clamp.nc"):
         yield Run(SAMPLES / "cell", ("run", Input(program), "--cell", Input("table.toml"), "--json"), (Input("mould.stl"),))
 

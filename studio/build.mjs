@@ -1,12 +1,13 @@
 // Makes the page: one file with everything in it. Usage: node build.mjs ENGINE_FOLDER SAMPLES_FOLDER OUTPUT_FOLDER
 // The engine's folder holds gsim-studio-engine.js and .wasm (preset wasm). Written are studio.html, with the engine and
-// the samples, and view.html, into which gsim-run --view puts a run.
+// the samples, view.html, into which gsim-run --view puts a run, and served.html, which gsim-studio serves beside its own engine.
 
 import { gzipSync } from "node:zlib";
 import { mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import * as esbuild from "esbuild";
+import { textsOfForms } from "./texts_of_forms.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const [engineFolder, samplesFolder, outputFolder] = process.argv.slice(2).map((name) => resolve(name));
@@ -34,6 +35,15 @@ async function bundle(entry, options = {}) {
   const text = (ending) => built.outputFiles.find((file) => file.path.endsWith(ending))?.text ?? "";
   return { js: text(".js"), css: text(".css"), inputs: Object.keys(built.metafile.inputs) };
 }
+
+/** A page without forms does not have what they say. */
+const withoutForms = {
+  name: "without-forms",
+  setup: (build) =>
+    build.onLoad({ filter: new RegExp(`/src/texts/(${textsOfForms.join("|")})\\.ts$`) }, ({ path }) => ({
+      contents: `export const ${path.match(/(\w+)\.ts$/)[1]} = {};`,
+    })),
+};
 
 /** Of the packages that are bundled, and of the libraries in the engine (Debian's, by name): the terms go with the page. */
 function licences(inputs, libraries) {
@@ -80,17 +90,18 @@ function samples() {
 const data = (id, text) => `<script type="application/octet-stream" id="${id}">${text}</script>`;
 
 const engine = join(engineFolder, "gsim-studio-engine");
-const [page, worker] = await Promise.all([
+const [page, viewer, worker] = await Promise.all([
   bundle("main.ts"),
+  bundle("look.ts", { plugins: [withoutForms] }),
   bundle("worker.ts", { alias: { "gsim-engine": `${engine}.js` } }),
 ]);
 const fill = (parts) =>
   readFileSync(join(here, "src/page.html"), "utf8").replace(/<!-- ([a-z]+) -->/g, (_, name) => parts[name] ?? "");
 
-const parts = { style: `<style>${page.css}</style>`, script: `<script>${inline(page.js)}</script>` };
+const partsOf = ({ css, js }) => ({ style: `<style>${css}</style>`, script: `<script>${inline(js)}</script>` });
 mkdirSync(outputFolder, { recursive: true });
 const withEngine = fill({
-  ...parts,
+  ...partsOf(page),
   data: [
     data("worker", packed(worker.js)),
     data("engine", packed(readFileSync(`${engine}.wasm`))),
@@ -98,9 +109,17 @@ const withEngine = fill({
     licences(page.inputs, libraries),
   ].join("\n"),
 });
-const withoutEngine = fill({ ...parts, data: `<!-- run -->\n${licences(page.inputs, [])}` });
-writeFileSync(join(outputFolder, "studio.html"), withEngine);
-writeFileSync(join(outputFolder, "view.html"), withoutEngine);
-for (const [name, text] of Object.entries({ "studio.html": withEngine, "view.html": withoutEngine })) {
+const withoutEngine = fill({ ...partsOf(viewer), data: `<!-- run -->\n${licences(viewer.inputs, [])}` });
+const served = fill({
+  ...partsOf(page),
+  policy: "; connect-src 'self'",
+  data: [
+    `<script type="application/json" id="server"><!-- server --></script>`,
+    data("samples", packed(samples())),
+    licences(page.inputs, []),
+  ].join("\n"),
+});
+for (const [name, text] of Object.entries({ "studio.html": withEngine, "view.html": withoutEngine, "served.html": served })) {
+  writeFileSync(join(outputFolder, name), text);
   console.log(`${name}: ${text.length} bytes, ${gzipSync(text, { level: 9 }).length} with gzip`);
 }

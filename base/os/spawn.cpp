@@ -3,6 +3,7 @@
 #include <cerrno>
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,17 +11,50 @@ extern char** environ;
 
 namespace gsim::os {
 
+namespace {
+
+/// The signals and the group of a process that is begun.
+class SpawnAttributes {
+  public:
+    explicit SpawnAttributes(ProcessGroup group) {
+        ::posix_spawnattr_init(&attributes_);
+        sigset_t none;
+        sigemptyset(&none);
+        ::posix_spawnattr_setsigmask(&attributes_, &none);
+        sigset_t usual = none;
+        sigaddset(&usual, SIGPIPE);
+        ::posix_spawnattr_setsigdefault(&attributes_, &usual);
+        ::posix_spawnattr_setpgroup(&attributes_, 0);  // one that has its own number
+        const int own = group == ProcessGroup::own ? POSIX_SPAWN_SETPGROUP : 0;
+        ::posix_spawnattr_setflags(&attributes_,
+                                   static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | own));
+    }
+    SpawnAttributes(const SpawnAttributes&) = delete;
+    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+    ~SpawnAttributes() { ::posix_spawnattr_destroy(&attributes_); }
+
+    const posix_spawnattr_t* get() const { return &attributes_; }
+
+  private:
+    posix_spawnattr_t attributes_{};
+};
+
+}  // namespace
+
 void SpawnActions::read_nothing(int descriptor) {
     ::posix_spawn_file_actions_addopen(&actions_, descriptor, "/dev/null", O_RDONLY, 0);
 }
 
-tl::expected<pid_t, int> spawn(const std::vector<std::string>& command, const SpawnActions& actions) {
+tl::expected<pid_t, int> spawn(const std::vector<std::string>& command, const SpawnActions& actions,
+                               ProcessGroup group) {
     std::vector<char*> arguments;
     arguments.reserve(command.size() + 1);
     for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
     arguments.push_back(nullptr);
+    const SpawnAttributes attributes(group);
     pid_t child = 0;
-    const int error = ::posix_spawnp(&child, arguments[0], actions.get(), nullptr, arguments.data(), environ);
+    const int error =
+        ::posix_spawnp(&child, arguments[0], actions.get(), attributes.get(), arguments.data(), environ);
     if (error != 0) return tl::unexpected(error);
     return child;
 }

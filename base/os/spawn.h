@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,14 @@ class SpawnActions {
     posix_spawn_file_actions_t actions_{};
 };
 
-/// Begins a process: a program, looked for in PATH unless its name has a slash, and its arguments. The error
-/// is that of errno.
-tl::expected<pid_t, int> spawn(const std::vector<std::string>& command, const SpawnActions& actions);
+/// Whether what a terminal sends to all that was begun there (Ctrl+C) reaches a process that is begun.
+enum class ProcessGroup : std::uint8_t { ours, own };
+
+/// Begins a process: a program, looked for in PATH unless its name has a slash, and its arguments. No signal
+/// is blocked in it, and SIGPIPE ends it, whatever holds here; other signals that are ignored here (nohup)
+/// are so there. The error is that of errno.
+tl::expected<pid_t, int> spawn(const std::vector<std::string>& command, const SpawnActions& actions,
+                               ProcessGroup group = ProcessGroup::ours);
 
 /// Waits until a child ends; its status as of waitpid(), or errno.
 tl::expected<int, int> wait_for(pid_t child);

@@ -18,6 +18,21 @@ void put_group(std::string_view bytes, std::string& text) {
     }
 }
 
+/// Three bytes of four digits, fewer where padding stands at their end; false: they are none.
+bool take_group(std::string_view digits, std::string& bytes) {
+    const std::size_t padding = digits.ends_with("==") ? 2 : digits.ends_with('=') ? 1 : 0;
+    unsigned value = 0;
+    for (const char digit : digits.substr(0, digits.size() - padding)) {
+        const std::size_t number = kDigits.find(digit);
+        if (number == std::string_view::npos) return false;
+        value = value << 6U | static_cast<unsigned>(number);
+    }
+    value <<= 6U * padding;
+    for (std::size_t i = 0; i < kGroup - padding; ++i)
+        bytes.push_back(static_cast<char>(value >> (16U - 8U * i) & 0xffU));
+    return (value & ((1U << (8U * padding)) - 1U)) == 0;
+}
+
 }  // namespace
 
 void Base64::add(std::string_view bytes, std::string& text) {
@@ -36,6 +51,19 @@ void Base64::add(std::string_view bytes, std::string& text) {
 void Base64::end(std::string& text) {
     if (!rest_.empty()) put_group(rest_, text);
     rest_.clear();
+}
+
+std::optional<std::string> bytes_of_base64(std::string_view text) {
+    constexpr std::size_t kDigitsOfGroup = 4;
+    if (text.size() % kDigitsOfGroup != 0) return std::nullopt;
+    std::string bytes;
+    bytes.reserve(text.size() / kDigitsOfGroup * kGroup);
+    for (; !text.empty(); text.remove_prefix(kDigitsOfGroup)) {
+        const std::string_view group = text.substr(0, kDigitsOfGroup);
+        if (group.find('=') != std::string_view::npos && text.size() > kDigitsOfGroup) return std::nullopt;
+        if (!take_group(group, bytes)) return std::nullopt;
+    }
+    return bytes;
 }
 
 }  // namespace gsim::text

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,8 @@ class Base64 {
   private:
     std::string rest_;
 };
+
+/// The bytes of base64 with its padding; nothing where it is none.
+std::optional<std::string> bytes_of_base64(std::string_view text);
 
 }  // namespace gsim::text

@@ -1,5 +1,8 @@
 #include "base/text/utf8.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace gsim::text {
 
 namespace {
@@ -16,6 +19,10 @@ constexpr Lead kLeads[] = {
 constexpr std::uint32_t kLastCharacter = 0x10ffff;
 constexpr unsigned kBitsOfNext = 6;
 
+bool is_character(std::uint32_t code) {
+    return code <= kLastCharacter && (code < 0xd800 || code > 0xdfff);  // those between are surrogates
+}
+
 }  // namespace
 
 Character first_character(std::string_view text) {
@@ -27,11 +34,23 @@ Character first_character(std::string_view text) {
             if ((byte_at(i) & 0xc0U) != 0x80U) return {};
             code = (code << kBitsOfNext) | (byte_at(i) & 0x3fU);
         }
-        const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-        if (code < lead.least || code > kLastCharacter || surrogate) return {};
+        if (code < lead.least || !is_character(code)) return {};
         return {code, lead.bytes};
     }
     return {};
+}
+
+std::string utf8(std::uint32_t code) {
+    if (!is_character(code)) return {};
+    const auto lead = std::find_if(std::rbegin(kLeads), std::rend(kLeads),
+                                   [&](const Lead& each) { return code >= each.least; });
+    std::string text(lead->bytes, '\0');
+    for (std::size_t i = lead->bytes - 1; i > 0; --i) {
+        text[i] = static_cast<char>(0x80U | (code & 0x3fU));
+        code >>= kBitsOfNext;
+    }
+    text[0] = static_cast<char>(lead->mark | code);
+    return text;
 }
 
 bool is_utf8(std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace gsim::text {
@@ -14,6 +15,9 @@ struct Character {
 
 /// The first character of a text that is not empty: the shortest form, no surrogate, at most U+10FFFF.
 Character first_character(std::string_view text);
+
+/// A character as text; nothing where there is none of this code.
+std::string utf8(std::uint32_t code);
 
 /// Whether all of a text is UTF-8.
 bool is_utf8(std::string_view text);

@@ -20,26 +20,35 @@
 
 namespace gsim::base {
 
-/// Keeps the first error of a file, as "file:line:column: sentence". Reading goes on with fall-back values,
-/// and whoever started it looks here at the end.
+/// Keeps the first error of a file, as "file:line:column: sentence", and those of other places. Reading goes
+/// on with fall-back values, and whoever started it looks here at the end.
 class FirstError {
   public:
     explicit FirstError(std::string_view file_name) : file_name_(file_name) {}
 
     void report(const toml::source_position& where, std::string_view sentence) {
-        if (text_) return;
-        text_ = fmt::format("{}:{}:{}: {}", file_name_, std::max<unsigned>(1, where.line),
-                            std::max<unsigned>(1, where.column), in_one_line(sentence));
+        std::string place = fmt::format("{}:{}:{}: ", file_name_, std::max<unsigned>(1, where.line),
+                                        std::max<unsigned>(1, where.column));
+        // A second one at a place comes of the first.
+        const auto is_there = [&](const std::string& text) { return text.starts_with(place); };
+        if (!std::any_of(all_.begin(), all_.end(), is_there)) keep(place + in_one_line(sentence));
     }
 
     /// Takes over the error of another file, which says where it is itself.
-    void adopt(std::string text) {
-        if (!text_) text_ = std::move(text);
-    }
+    void adopt(std::string text) { keep(std::move(text)); }
 
-    const std::optional<std::string>& text() const { return text_; }
+    const std::optional<std::string>& text() const { return first_; }
+    /// One for each place, the first one first.
+    const std::vector<std::string>& all() const { return all_; }
 
   private:
+    static constexpr std::size_t kMostErrors = 100;
+
+    void keep(std::string text) {
+        if (!first_) first_ = text;
+        if (all_.size() < kMostErrors) all_.push_back(std::move(text));
+    }
+
     // What is quoted from a file may hold line breaks.
     static std::string in_one_line(std::string_view sentence) {
         std::string line(sentence);
@@ -49,7 +58,8 @@ class FirstError {
     }
 
     std::string_view file_name_;
-    std::optional<std::string> text_;
+    std::optional<std::string> first_;
+    std::vector<std::string> all_;
 };
 
 /// The tables of a file; where it is no TOML, none and an error.

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/os/descriptor.h"
+#include "base/os/installation.h"
 #include "base/os/spawn.h"
 #include "cam/solid/packet.h"
 
@@ -28,20 +29,10 @@ std::string message(int error) {
     return std::generic_category().message(error);
 }
 
-// It stands beside the program that runs, as in a build folder, or where an installation keeps it.
 tl::expected<std::filesystem::path, std::string> reader_program() {
-    std::error_code error;
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (error) return Fault(fmt::format("cannot tell where gsim-solid is: {}", error.message()));
-    const std::filesystem::path beside = self.parent_path();
-    const std::filesystem::path installed = beside.parent_path() / "libexec" / "gsim";
-    for (const std::filesystem::path& folder : {beside, installed}) {
-        const std::filesystem::path reader = folder / "gsim-solid";
-        if (std::filesystem::exists(reader, error)) return reader;
-    }
-    return Fault(
-        fmt::format("the program gsim-solid, which reads STEP and IGES files, is neither in '{}' nor in '{}'",
-                    beside.string(), installed.string()));
+    return os::helper_program(os::program_folder(), "gsim-solid").map_error([](const std::string& sentence) {
+        return sentence + "; it reads STEP and IGES files";
+    });
 }
 
 tl::expected<void, std::string> check_file(const std::filesystem::path& file) {

@@ -39,19 +39,16 @@ Fault find_fault(const CuttingRequest& request) {
 
 double settle_machinability(Settlement& settlement, const Materials& file, const Material& material) {
     constexpr std::string_view kName = "machinability";
-    if (material.machinability)
-        return settlement.from_file(kName, {}, *material.machinability, material.source);
+    const double machinability = machinability_of(file, material);
+    if (material.machinability) return settlement.from_file(kName, {}, machinability, material.source);
     if (const auto& cut = material.measured) {
         return settlement.inferred(
             kName, {},
-            {machinability_of_cut(cut->jet, cut->speed_mm_min, cut->thickness_mm, cut->quality),
-             fmt::format("a measured cut of {} mm at {} mm/min, quality {}", cut->thickness_mm,
-                         cut->speed_mm_min, cut->quality)});
+            {machinability, fmt::format("a measured cut of {} mm at {} mm/min, quality {}", cut->thickness_mm,
+                                        cut->speed_mm_min, cut->quality)});
     }
-    const Material& other = **find_material(file, material.like);  // the reader saw to that
     const std::string why = material.source.empty() ? std::string() : fmt::format(" ({})", material.source);
-    return settlement.inferred(kName, {},
-                               {other.machinability.value_or(0), fmt::format("{}{}", other.name, why)});
+    return settlement.inferred(kName, {}, {machinability, fmt::format("{}{}", material.like, why)});
 }
 
 JetSetting settle_jet(Settlement& settlement, const JetRule& rule, const CuttingRequest& request,

@@ -1,24 +1,25 @@
 #include "cam/waterjet/job_price.h"
 
+#include "base/units.h"
+
 namespace gsim::waterjet {
 
 namespace {
 
-constexpr double kSecondsInMinute = 60;
 constexpr double kSecondsInHour = 3600;
 
 void add_times(JobPrice& price, const CuttingPlan& plan, const JobQuantities& job) {
     price.cut_length_mm = job.cut_length_mm;
     price.pierces = job.pierces;
     price.cut_time_s =
-        job.cut_time_s.value_or(job.cut_length_mm / plan.cutting_speed_mm_min * kSecondsInMinute);
+        job.cut_time_s.value_or(job.cut_length_mm / plan.cutting_speed_mm_min * kSecondsPerMinute);
     price.pierce_time_s = static_cast<double>(job.pierces) * plan.pierce_s;
     price.jet_time_s = price.cut_time_s + price.pierce_time_s;
     price.machine_time_s = price.jet_time_s + job.other_time_s;
 }
 
 void add_consumption(JobPrice& price, const CuttingPlan& plan, const PriceRule& prices) {
-    const double jet_time_min = price.jet_time_s / kSecondsInMinute;
+    const double jet_time_min = price.jet_time_s / kSecondsPerMinute;
     const double jet_time_h = price.jet_time_s / kSecondsInHour;
     price.water_l = plan.water_l_min * jet_time_min;
     price.abrasive_kg = plan.jet.abrasive_g_min * jet_time_min / 1000;

@@ -24,4 +24,12 @@ tl::expected<const Material*, std::string> find_material(const Materials& materi
     return tl::unexpected(fmt::format("unknown material {}; {}", base::toml_string(name), hint));
 }
 
+double machinability_of(const Materials& materials, const Material& material) {
+    if (material.machinability) return *material.machinability;
+    if (const auto& cut = material.measured)
+        return machinability_of_cut(cut->jet, cut->speed_mm_min, cut->thickness_mm, cut->quality);
+    const auto other = find_material(materials, material.like);
+    return other ? (*other)->machinability.value_or(0) : 0;
+}
+
 }  // namespace gsim::waterjet

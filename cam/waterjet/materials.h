@@ -81,4 +81,8 @@ struct Materials {
 /// The material of that name; the error names the nearest one.
 tl::expected<const Material*, std::string> find_material(const Materials& materials, std::string_view name);
 
+/// How well a material of these can be cut: its own number, that of the material it is like, or what follows
+/// from its measured cut.
+double machinability_of(const Materials& materials, const Material& material);
+
 }  // namespace gsim::waterjet

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/units.h"
+
 namespace gsim::codegen {
 
 namespace {
 
 constexpr std::size_t kEnough = std::size_t{1} << 16;
 constexpr std::uint64_t kGreatestNumber = 99'999;
-constexpr double kSecondsPerMinute = 60;
 constexpr int kSignificantDigits = 7;
 constexpr int kDecimals = 6;  // of numbers that are no places
 constexpr double kPerUnit = 1e6;

@@ -1,5 +1,8 @@
 #include "engine/inner/language.h"
 
+#include <optional>
+#include <string>
+
 #include "engine/inner/aliases.h"
 #include "grammar/control_name.h"
 
@@ -37,6 +40,12 @@ tl::expected<Language, std::string> language_of(const LanguageChoice& choice,
 
 std::vector<std::string> control_names() {
     return grammar::control_names();
+}
+
+std::optional<std::string> why_no_control(const std::string& name) {
+    const auto control = grammar::control_named(name);
+    if (control) return std::nullopt;
+    return control.error();
 }
 
 double start_unit_mm(const Language& language) {

@@ -115,6 +115,10 @@ const std::vector<std::string>& Machine::notes() const {
     return state_->parts().input.notes;
 }
 
+const std::string& Machine::machine_file() const {
+    return state_->parts().found.request.machine;
+}
+
 const std::string& Machine::machine_data_file() const {
     return state_->parts().found.request.machine_data;
 }

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "base/os/files.h"
 #include "engine/inner/data_json.h"
+#include "engine/inner/data_sections.h"
 #include "engine/inner/data_suspects.h"
 #include "engine/inner/data_table.h"
 #include "engine/inner/guarded.h"
@@ -111,6 +113,17 @@ MachineData::MachineData(std::string name, const Machine* machine)
     state_->document = MachineDataDocument(axes_of(state_->machine));
 }
 
+tl::expected<MachineData, Failure> MachineData::open(const Host& host, const std::string& name,
+                                                     const Machine* machine, const Tell& tell) {
+    return guarded([&]() -> tl::expected<MachineData, Failure> {
+        const os::Files& files = host.files.inner();
+        if (files.is_absent(name)) return MachineData(name, machine);
+        const auto text = files.read_text(name);
+        if (!text) return tl::unexpected(failure_of(DiagnosticKind::file, text.error()));
+        return read(*text, name, machine, tell);
+    });
+}
+
 tl::expected<MachineData, Failure> MachineData::read(std::string_view text, std::string name,
                                                      const Machine* machine, const Tell& tell) {
     return guarded([&]() -> tl::expected<MachineData, Failure> {
@@ -143,6 +156,10 @@ tl::expected<MachineData, Failure> MachineData::from_json(std::string_view json,
 
 std::string MachineData::text() const {
     return state_->document.text();
+}
+
+std::vector<MachineData::Section> MachineData::sections() const {
+    return data_sections(state_->document.rules());
 }
 
 tl::expected<std::string, Failure> MachineData::to_json() const {

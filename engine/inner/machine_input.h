@@ -21,9 +21,11 @@ struct MachineInput {
     std::vector<std::string> notes;            ///< What of the settings is not taken over, in sentences.
 };
 
-/// Reads it; an empty name is the machine that is built in. The error is a sentence.
+/// Reads it; an empty name is the machine that is built in. The error is a sentence; `faults`, where given,
+/// gets all that there are, the first one first.
 tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
-                                                           os::NamedBy named_by);
+                                                           os::NamedBy named_by,
+                                                           std::vector<std::string>* faults = nullptr);
 
 /// Of that only what it says of programs: a machine file is not read any further.
 tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,

@@ -53,6 +53,15 @@ Nearness BodyPair::nearness_at(const LinkFrames& links, double enough_mm) const 
     return {gap.lower_mm, gap.upper_mm, fixed * gap.on_second};
 }
 
+double BodyPair::boxes_apart_mm(const LinkFrames& links) const {
+    const Isometry3d pose = second.in_world(links).inverse() * first.in_world(links);
+    const auto apart_mm = [](const Shape& moving, const Isometry3d& at, const Shape& fixed) {
+        return distance_mm(box_of(moving, at), box_of(fixed, Isometry3d::Identity()));
+    };
+    return std::max(apart_mm(*first.shape, pose, *second.shape),
+                    apart_mm(*second.shape, pose.inverse(), *first.shape));
+}
+
 Nearness BodyPair::nearness_in(const MotionPart& part, double enough_mm) const {
     const Isometry3d fixed = second.in_world(part.from);
     const Isometry3d from = fixed.inverse() * first.in_world(part.from);

@@ -52,6 +52,8 @@ struct BodyPair {
     }
     /// At one instant.
     Nearness nearness_at(const LinkFrames& links, double enough_mm) const;
+    /// At one instant, by the boxes of the bodies, seen along the axes of either: no nearer than this.
+    double boxes_apart_mm(const LinkFrames& links) const;
     /// In a part of a motion, as well as one look can tell: the second is met by the hull of the first one's
     /// places at both ends, as far as the bend reaches.
     Nearness nearness_in(const MotionPart& part, double enough_mm) const;

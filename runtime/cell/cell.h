@@ -32,6 +32,7 @@ struct Cell {
     std::vector<Item> items = {};
     /// Frames that go by themselves, in the order of their links.
     std::vector<CarriedFrame> carried = {};
+    std::size_t replaced = 0;  ///< Shapes of the machine file in whose place the cell has others.
     /// Pairs of items, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
 

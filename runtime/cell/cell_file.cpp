@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "base/toml/toml_section.h"
 #include "runtime/cell/machine_shapes.h"
@@ -61,6 +62,7 @@ class CellReader {
         for (const toml::table* table : tables(file, "frame")) read_frame(*table);
         for (const toml::table* table : tables(file, "object")) read_object(*table);
         for (const toml::table* table : tables(file, "shape")) read_link_shape(*table);
+        if (error_.text()) return std::move(cell_);  // an object that is not read has a name, too
         const auto ignored = machine::read_ignored(error_, file, root,
                                                    [this](std::string_view name) { return find_item(name); });
         cell_.ignored.insert(cell_.ignored.end(), ignored.begin(), ignored.end());
@@ -165,6 +167,39 @@ class CellReader {
     std::map<std::string, std::size_t, std::less<>> items_by_name_;  ///< The first of a name.
 };
 
+/// The places on which a cell's [[shape]]s are, whether or not the tables are right.
+std::set<std::string, std::less<>> places_of_shapes(const toml::table& root) {
+    std::set<std::string, std::less<>> places;
+    const toml::array* shapes = root.get_as<toml::array>("shape");
+    if (shapes == nullptr) return places;
+    for (const toml::node& node : *shapes) {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) continue;
+        if (const auto on = table->get_as<std::string>("on")) places.insert(on->get());
+    }
+    return places;
+}
+
+/// A cell that has a tool has it in place of the machine file's, and so with the jet.
+machine::Machine without_replaced(const machine::Machine& machine, const toml::table& root) {
+    const auto places = places_of_shapes(root);
+    machine::Machine left = machine;
+    left.shapes.clear();
+    std::map<std::size_t, std::size_t> numbers;
+    for (std::size_t i = 0; i < machine.shapes.size(); ++i) {
+        const std::string& on = machine.shapes[i].on;
+        if ((on == "tool" || on == "jet") && places.contains(on)) continue;
+        numbers.emplace(i, left.shapes.size());
+        left.shapes.push_back(machine.shapes[i]);
+    }
+    left.ignored.clear();
+    for (const auto& [a, b] : machine.ignored) {
+        if (numbers.contains(a) && numbers.contains(b))
+            left.ignored.emplace_back(numbers.at(a), numbers.at(b));
+    }
+    return left;
+}
+
 }  // namespace
 
 tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name) {
@@ -184,14 +219,18 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
 
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
                                           const machine::Machine& machine,
-                                          std::span<const std::string> conveyors, const MeshFiles& files) {
+                                          std::span<const std::string> conveyors, const MeshFiles& files,
+                                          std::vector<std::string>* faults) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
-    auto bare = cell_of_machine(machine, files);
+    const machine::Machine equipped = without_replaced(machine, root);
+    auto bare = cell_of_machine(equipped, files);
     if (!bare) return bare;
+    bare->replaced = machine.shapes.size() - equipped.shapes.size();
     CellReader reader(error, std::filesystem::path(file_name).parent_path(), files, *std::move(bare));
     for (const std::string& conveyor : conveyors) reader.add_conveyor(conveyor, root);
     Cell cell = reader.read(root);
+    if (faults != nullptr) *faults = error.all();
     if (error.text()) return tl::unexpected(*error.text());
     return cell;
 }

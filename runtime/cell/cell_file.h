@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -24,10 +25,12 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
 
 /// Reads a cell file (docs/cell-file.md) for a machine, strictly: what it does not know or does not
 /// understand is an error. Reads the meshes that it names, too. `conveyors` are names of frames, in the world
-/// where those stand at 0, to which things may be attached; Cell::carried begins with them.
+/// where those stand at 0, to which things may be attached; Cell::carried begins with them. `faults`, where
+/// given, gets all that is wrong, each as an error and the first one first.
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
                                           const machine::Machine& machine,
                                           std::span<const std::string> conveyors = {},
-                                          const MeshFiles& files = {});
+                                          const MeshFiles& files = {},
+                                          std::vector<std::string>* faults = nullptr);
 
 }  // namespace gsim::cell

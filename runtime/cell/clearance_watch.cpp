@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -15,6 +16,10 @@ namespace {
 
 constexpr double kLeastCutoff_mm = 2 * kContact_mm;
 constexpr int kOverlapLooks = 24;
+// Where leeway is sought, for so many motions like this one,
+constexpr double kMotionsAhead = 64;
+// and at the latest after so many looks.
+constexpr int kLongestPause = 64;
 
 }  // namespace
 
@@ -90,6 +95,7 @@ void ClearanceWatch::switch_off(Crowd& crowd) {
 }
 
 void ClearanceWatch::frames_changed() {
+    go_on_far();
     kinematics_ = placed_kinematics(machine_kinematics_, cell_.frames);
     if (parents_.size() != cell_.carried.size()) return make_pairs();
     for (Watched& pair : pairs_) {
@@ -104,6 +110,11 @@ void ClearanceWatch::frames_changed() {
 void ClearanceWatch::take(const motion::Segment& segment, bool jet_on, bool probing) {
     if (has_ended()) return;
     probing_ = probing;
+    if (is_far(segment, jet_on)) {
+        ++stretch_;
+        return;
+    }
+    go_on_far();
     double from_s = 0;
     double to_s = 0;
     do {
@@ -115,9 +126,51 @@ void ClearanceWatch::take(const motion::Segment& segment, bool jet_on, bool prob
     } while (to_s < segment.duration_s);
 }
 
+bool ClearanceWatch::is_far(const motion::Segment& segment, bool jet_on) {
+    return jet_on == leeway_with_jet_ && leeway_.take(travel_of(segment, 0, segment.duration_s));
+}
+
+/// What has gone on far from everything counts for all pairs.
+void ClearanceWatch::go_on_far() {
+    const double gone_mm = leeway_.release_gone_mm();
+    leeway_.clear();
+    for (Crowd& crowd : crowds_) crowd.gone_mm += gone_mm;
+}
+
+/// Next to something there is none, which is found out the more seldom the longer it is so. What goes by
+/// itself is not counted.
+bool ClearanceWatch::seeks_leeway() {
+    if (!cell_.carried.empty() || leeway_pause_-- > 0) return false;
+    leeway_pause_ = next_pause_;
+    next_pause_ = std::min(2 * next_pause_, kLongestPause);
+    return true;
+}
+
+/// How far all may go after a stretch before one of the pairs is due.
+void ClearanceWatch::find_leeway(const MotionPart& stretch, bool jet_on) {
+    const double near_mm = std::max(cell_.clearance_mm, kLeastCutoff_mm);
+    double slack_mm = std::numeric_limits<double>::infinity();
+    double way_mm = 0;
+    for (const Crowd& crowd : crowds_) {
+        if (crowd.is_off) continue;
+        slack_mm = std::min(slack_mm, crowd.due.top().at_mm - crowd.gone_mm - near_mm);
+        way_mm = std::max(way_mm, crowd.way_mm);
+    }
+    if (!Leeway::pays(slack_mm, way_mm)) return;
+    JointReach reach_mm{};
+    for (const Crowd& crowd : crowds_) {
+        if (!crowd.is_off) stretch.chain.widen(reach_mm, crowd.body.ball(stretch.from), crowd.between);
+    }
+    leeway_.set(slack_mm, reach_mm, way_mm);
+    leeway_with_jet_ = jet_on;
+    leeway_pause_ = 0;
+    next_pause_ = 1;
+}
+
 void ClearanceWatch::take_stretch(const SegmentMotion& motion, const MotionPart& stretch, bool jet_on) {
     ++stretch_;
-    collect_due(stretch, jet_on);
+    const bool seeks = seeks_leeway();
+    collect_due(stretch, jet_on, seeks);
     for (const std::size_t i : due_) {
         Watched& pair = pairs_[i];
         Crowd& crowd = crowds_[pair.crowd];
@@ -126,27 +179,33 @@ void ClearanceWatch::take_stretch(const SegmentMotion& motion, const MotionPart&
         watch(motion, stretch, pair);
         crowd.due.push({crowd.gone_mm + pair.at_least_mm, i});
     }
+    if (seeks) find_leeway(stretch, jet_on);
 }
 
 /// Takes the pairs that may come near in a stretch out of their crowds.
-void ClearanceWatch::collect_due(const MotionPart& stretch, bool jet_on) {
+void ClearanceWatch::collect_due(const MotionPart& stretch, bool jet_on, bool early) {
     due_.clear();
+    double longest_mm = 0;
     for (Crowd& crowd : crowds_) {
         if (crowd.with_jet && !jet_on) {
             switch_off(crowd);
-        } else {
-            crowd.is_off = false;
-            collect_due(stretch, crowd);
+            continue;
         }
+        crowd.is_off = false;
+        crowd.way_mm = stretch.chain.bound(crowd.body.ball(stretch.from), crowd.between).way_mm;
+        longest_mm = std::max(longest_mm, crowd.way_mm);
+    }
+    early_mm_ = early ? kMotionsAhead * longest_mm : 0;
+    for (Crowd& crowd : crowds_) {
+        if (!crowd.is_off) collect_due(crowd);
     }
     std::sort(due_.begin(), due_.end());
 }
 
-void ClearanceWatch::collect_due(const MotionPart& stretch, Crowd& crowd) {
-    crowd.way_mm = stretch.chain.bound(crowd.body.ball(stretch.from), crowd.between).way_mm;
+void ClearanceWatch::collect_due(Crowd& crowd) {
     const double before_mm = crowd.gone_mm;
     crowd.gone_mm += crowd.way_mm;
-    const double near_mm = cutoff_mm();
+    const double near_mm = cutoff_mm() + early_mm_;
     for (; !crowd.due.empty() && crowd.due.top().at_mm - crowd.gone_mm <= near_mm; crowd.due.pop()) {
         const Due& due = crowd.due.top();
         pairs_[due.pair].at_least_mm = due.at_mm - before_mm;
@@ -197,7 +256,7 @@ void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole,
     if (pair.at_least_mm - way_mm > near_mm) {
         pair.at_least_mm -= way_mm;
         pair.probed = false;
-        return;
+        return look_ahead(whole, pair);
     }
     if (has_ended()) return;
     const Nearness nearness = pair.bodies.nearest(motion, whole, near_mm);
@@ -211,6 +270,14 @@ void ClearanceWatch::watch(const SegmentMotion& motion, const MotionPart& whole,
         }
     }
     if (!let_near) note(nearness, pair, motion, whole);
+    if (nearness.lower_mm >= near_mm) look_ahead(whole, pair);
+}
+
+/// At the end of a part: how far a pair that is not near may go until it has to be looked at, as far as that
+/// is sought.
+void ClearanceWatch::look_ahead(const MotionPart& whole, Watched& pair) const {
+    if (!(early_mm_ > 0) || pair.at_least_mm >= cutoff_mm() + early_mm_) return;
+    pair.at_least_mm = std::max(pair.at_least_mm, pair.bodies.boxes_apart_mm(whole.to));
 }
 
 void ClearanceWatch::note(const Nearness& nearness, const Watched& pair, const SegmentMotion& motion,

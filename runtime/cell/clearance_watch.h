@@ -8,6 +8,7 @@
 
 #include "base/os/cpu_limit.h"
 #include "runtime/cell/cell.h"
+#include "runtime/cell/leeway.h"
 #include "runtime/cell/meeting_pairs.h"
 
 namespace gsim::cell {
@@ -53,6 +54,8 @@ class ClearanceWatch {
     /// or ceases to.
     void take(const motion::Segment& segment, bool jet_on, bool probing = false);
 
+    /// How many pairs can meet.
+    std::size_t pair_count() const { return pairs_.size(); }
     /// All so far, in the order of segments; within one they may stand in any order.
     const std::vector<Contact>& contacts() const { return contacts_; }
     /// The smallest distance of the block so far, where it is below the cell's clearance.
@@ -102,11 +105,16 @@ class ClearanceWatch {
     void forget_distances(Crowd& crowd);
     void switch_off(Crowd& crowd);
     void take_stretch(const SegmentMotion& motion, const MotionPart& stretch, bool jet_on);
-    void collect_due(const MotionPart& stretch, bool jet_on);
-    void collect_due(const MotionPart& stretch, Crowd& crowd);
+    void collect_due(const MotionPart& stretch, bool jet_on, bool early);
+    void collect_due(Crowd& crowd);
+    bool is_far(const motion::Segment& segment, bool jet_on);
+    void go_on_far();
+    bool seeks_leeway();
+    void find_leeway(const MotionPart& stretch, bool jet_on);
     double stretch_end_s(const motion::Segment& segment, double from_s) const;
     std::vector<DriftingLink> drifting(double time_s);
     void watch(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
+    void look_ahead(const MotionPart& whole, Watched& pair) const;
     double cutoff_mm() const;
     void note(const Nearness& nearness, const Watched& pair, const SegmentMotion& motion,
               const MotionPart& whole);
@@ -126,6 +134,11 @@ class ClearanceWatch {
     std::vector<Crowd> crowds_;
     std::vector<std::size_t> due_;  ///< The pairs to look at in a stretch, in their order.
     std::size_t stretch_ = 0;       ///< Counted from 1.
+    Leeway leeway_;                 ///< Of all pairs that count while the jet is as it was.
+    bool leeway_with_jet_ = false;
+    int leeway_pause_ = 0;  ///< Looks until it is sought again,
+    int next_pause_ = 1;    ///< and then the next time, where nothing was found.
+    double early_mm_ = 0;   ///< Pairs that are due within that much more are looked at in this stretch.
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;
     bool keeps_times_ = false;

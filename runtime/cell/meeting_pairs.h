@@ -24,7 +24,7 @@ struct MeetingPair {
 };
 
 /// The most pairs of bodies that are watched, some 500 bytes each.
-inline constexpr std::size_t kMostMeetingPairs = 400'000;
+inline constexpr std::size_t kMostMeetingPairs = 1'000'000;
 
 /// Why these are too many items, as a sentence: the pairs that stand on different links may meet. Nothing
 /// where they are not.

@@ -1,5 +1,6 @@
 #include "runtime/cell/motion_bound.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gsim::cell {
@@ -7,6 +8,11 @@ namespace gsim::cell {
 namespace {
 
 constexpr double kOrthogonal = 1e-9;
+
+/// How far a body's points are from an axis at most.
+double reach(const Ball& body, const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis) {
+    return axis.cross(body.middle_mm - point_mm).norm() + body.radius_mm;
+}
 
 /// Prismatic joints that follow each other: together they go as their ways add up at right angles, or, where
 /// they are not at right angles, one behind the other.
@@ -32,12 +38,9 @@ class Slides {
         sum_ += way_mm;
         square_ += way_mm * way_mm;
     }
-    double way_mm() const { return orthogonal_ ? std::sqrt(square_) : kSkewed * sum_; }
+    double way_mm() const { return orthogonal_ ? std::sqrt(square_) : kSkewedArc * sum_; }
 
   private:
-    // An arc of joints that are not at right angles: no longer than all three of them together.
-    static constexpr double kSkewed = 1.7320508075688774;
-
     std::array<Eigen::Vector3d, 3> directions_;
     int count_ = 0;
     bool orthogonal_ = true;
@@ -66,10 +69,10 @@ class BoundSum {
     }
     void turn(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis, double angle, double bend) {
         end_slides();
-        const double reach = axis.cross(body_.middle_mm - point_mm).norm() + body_.radius_mm + bound_.way_mm;
-        second_order_ += angle * (2 * bound_.way_mm + angle * reach);
-        bound_.bend_mm += bend * reach;
-        bound_.way_mm += angle * reach;
+        const double reach_mm = reach(body_, point_mm, axis) + bound_.way_mm;
+        second_order_ += angle * (2 * bound_.way_mm + angle * reach_mm);
+        bound_.bend_mm += bend * reach_mm;
+        bound_.way_mm += angle * reach_mm;
     }
     MotionBound result() {
         end_slides();
@@ -113,6 +116,15 @@ MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) c
         }
     }
     return sum.result();
+}
+
+void ChainMotion::widen(JointReach& reach_mm, const Ball& body, std::span<const int> between) const {
+    for (const int joint : between) {
+        const auto index = static_cast<std::size_t>(joint);
+        if (index >= axes_.size() || axes_[index].kind == rrs::JointKind::prismatic) continue;
+        reach_mm[index] =
+            std::max(reach_mm[index], reach(body, axes_[index].point_mm, axes_[index].direction));
+    }
 }
 
 }  // namespace gsim::cell

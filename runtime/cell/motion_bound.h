@@ -8,6 +8,10 @@
 
 namespace gsim::cell {
 
+/// An arc of three joints that are not at right angles is no longer than this times its length in them: no
+/// longer than all three together.
+inline constexpr double kSkewedArc = 1.7320508075688774;
+
 /// What no point of a body passes in a part of a motion, in mm.
 struct MotionBound {
     double way_mm = 0;  ///< The length of the point's way.
@@ -21,6 +25,10 @@ struct Ball {
     Eigen::Vector3d middle_mm;
     double radius_mm;
 };
+
+/// How far from the axis of each joint that turns the points of bodies are at most that it moves, in mm; 0
+/// where it moves none, and of joints that slide.
+using JointReach = std::array<double, rrs::kMaxJoints>;
 
 /// How far a link goes by itself, straight and evenly: the two joints of its own (joints_to()).
 struct DriftTravel {
@@ -42,6 +50,8 @@ class ChainMotion {
     /// bend is that of x(q) by its second derivatives, an eighth of their bound, with that of the joints' own
     /// ways.
     MotionBound bound(const Ball& body, std::span<const int> between) const;
+    /// Makes the reaches of the machine's joints among these as great as where the motion begins.
+    void widen(JointReach& reach_mm, const Ball& body, std::span<const int> between) const;
 
   private:
     std::vector<JointAxis> axes_;

@@ -20,7 +20,6 @@ using Done = tl::expected<void, std::string>;
 constexpr std::string_view kGrblModel = "grbl-1.1";
 constexpr std::string_view kLetters = "XYZABC";
 constexpr std::size_t kLeastAxes = 3;
-constexpr double kSecondsPerMinute = 60;
 
 // Numbers of settings; those of axes are for X, the others follow.
 constexpr int kJunctionDeviation = 11;

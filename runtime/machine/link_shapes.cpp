@@ -102,6 +102,7 @@ void read_link_shapes(FirstError& error, TomlSection& file, const toml::table& r
     if (file.has("shape")) {
         for (const toml::table* table : file.tables("shape")) reader.read(*table);
     }
+    if (error.text()) return;  // a shape that is not read has a name, too
     machine.ignored =
         read_ignored(error, file, root, [&](std::string_view name) { return find_shape(machine, name); });
 }

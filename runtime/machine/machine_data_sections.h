@@ -49,13 +49,16 @@ struct DataField {
     int least = 0;             ///< Of whole numbers.
     int greatest = 0;
     std::vector<std::string_view> choices = {};  ///< Upper case; the first one holds where none is given.
+    std::string meaning = {};                    ///< For people: "angle of the front edge".
 };
 
 /// What the entries of a section are.
 struct SectionRules {
     DataSection section = DataSection::offset;
     std::string_view keyword = {};  ///< The line that begins the section.
+    std::string_view title = {};    ///< For people: "Fixed points".
     std::string_view what = {};     ///< An entry: "fixed point".
+    std::string_view ids = {};      ///< Which numbers, codes or names entries have: "1 to 99999".
     std::string_view lacking = {};  ///< The sentence where required values are missing; for points: empty.
     bool has_unit = false;          ///< INCH or METRIC may end a line.
     bool holds_points = false;      ///< X, Y, Z and the further axes of the machine.

@@ -1,5 +1,6 @@
 #include "runtime/machine/machine_file.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/toml/toml_section.h"
@@ -24,6 +25,7 @@ using std::string_view_literals::operator""sv;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr std::string_view kLetters = "ABCUVWXYZ";
+constexpr char kNoLetter = '?';  // of an axis that could not be read
 
 constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "tool"sv,   "work"sv,
                                       "controller"sv, "axis"sv,    "shape"sv, "ignore"sv, "process"sv,
@@ -117,7 +119,7 @@ char read_letter(TomlSection& section) {
     const std::string letter = section.text("letter");
     if (letter.size() == 1 && kLetters.find(letter[0]) != std::string_view::npos) return letter[0];
     section.fail("letter", fmt::format("'letter' must be one of {}", fmt::join(kLetters, " ")));
-    return '?';
+    return kNoLetter;
 }
 
 void check_in_range(TomlSection& section, std::string_view key, const Axis& axis, double value) {
@@ -177,6 +179,7 @@ Turning read_turning(TomlSection& section, const AxisKeys& keys, const Axis& axi
 Axis read_axis(FirstError& error, const toml::table& table) {
     Axis axis;
     const auto kind = read_axis_kind(error, table);
+    axis.letter = kNoLetter;
     if (!kind) return axis;
     axis.kind = *kind;
     const AxisKeys& keys = axis.kind == AxisKind::linear ? kLinearKeys : kRotaryKeys;
@@ -206,10 +209,10 @@ std::vector<Axis> read_axes(FirstError& error, TomlSection& file) {
     std::vector<toml::source_position> places;
     for (const toml::table* table : file.tables("axis")) {
         const Axis axis = read_axis(error, *table);
-        if (error.text()) return axes;
-        const toml::source_position place = table->get("letter")->source().begin;
+        const toml::node* letter = table->get("letter");
+        const auto place = (letter == nullptr ? table : letter)->source().begin;
         for (std::size_t i = 0; i < axes.size(); ++i) {
-            if (axes[i].letter != axis.letter) continue;
+            if (axes[i].letter != axis.letter || axis.letter == kNoLetter) continue;
             error.report(place, fmt::format("the letter {} is given twice; first in line {}", axis.letter,
                                             places[i].line));
         }
@@ -246,8 +249,11 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     machine.process = read_process(error, file);
     machine.times = read_times(error, file.table("times"));
     machine.axes = read_axes(error, file);
-    if (error.text()) return machine;
+    const bool has_letters = std::none_of(machine.axes.begin(), machine.axes.end(),
+                                          [](const Axis& axis) { return axis.letter == kNoLetter; });
+    if (machine.axes.empty() || !has_letters) return machine;
     read_link_shapes(error, file, root, folder, files, machine);
+    if (error.text()) return machine;
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;
     if (const auto fault = find_controller_fault(machine)) file.fail("controller", *fault);
@@ -257,10 +263,11 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
 }  // namespace
 
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
-                                                const os::Files& files) {
+                                                const os::Files& files, std::vector<std::string>* faults) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path(), files);
+    if (faults != nullptr) *faults = error.all();
     if (error.text()) return tl::unexpected(*error.text());
     return machine;
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -14,9 +15,11 @@ namespace gsim::machine {
 /// Reads a machine file (docs/machine-file.md) strictly: what it does not know or does not understand is an
 /// error. The error is "file:line:column: sentence". `file_name` is for that, and for a controller file of
 /// one's own and the meshes of shapes, which are looked for in the folder of the machine file. Of meshes it
-/// is told whether they are there; they are not read. `files` has them.
+/// is told whether they are there; they are not read. `files` has them. `faults`, where given, gets all that
+/// is wrong, each as an error and the first one first.
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
-                                                const os::Files& files = os::disk());
+                                                const os::Files& files = os::disk(),
+                                                std::vector<std::string>* faults = nullptr);
 
 /// read_machine() of a file.
 tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path,

@@ -29,6 +29,10 @@ std::string_view name_of(StopRule rule) {
 
 }  // namespace
 
+std::span<const std::string_view> stop_words() {
+    return kWords;
+}
+
 void read_stops(TomlSection& controller, rrs::ControllerRules& rules) {
     auto section = controller.section(kStopsKey, "[controller.stops]", kWords);
     if (!section) return;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "base/toml/toml_text.h"
 #include "runtime/rrs/controller_rules.h"
 
@@ -11,6 +14,9 @@ namespace gsim::machine {
 
 /// The table of a controller section that says which words stop the control.
 inline constexpr std::string_view kStopsKey = "stops";
+
+/// The words that it may have.
+std::span<const std::string_view> stop_words();
 
 /// Reads it over what `rules` have.
 void read_stops(base::TomlSection& controller, rrs::ControllerRules& rules);

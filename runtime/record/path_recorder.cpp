@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "runtime/path/validate.h"
 #include "runtime/record/action_name.h"
 

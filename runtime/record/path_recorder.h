@@ -60,7 +60,6 @@ class PathRecorder final : public simulation::ProgramObserver {
         std::string work_offset;
     };
 
-    static constexpr double kSecondsPerMinute = 60;
     static constexpr double kDegPerMm = 1e-6;        ///< A tip that goes less than so much of a turn stands.
     static constexpr double kTolerance_mm = 0.0005;  ///< Of lines in place of another motion of the tip.
 

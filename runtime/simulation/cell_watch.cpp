@@ -23,6 +23,20 @@ std::array<double, 3> array_of(const Eigen::Vector3d& point) {
     return {point.x(), point.y(), point.z()};
 }
 
+LookedAt looked_at(const cell::Cell& cell, std::size_t pairs) {
+    LookedAt looked{.pairs = pairs, .may_touch = cell.ignored.size(), .replaced = cell.replaced};
+    for (const cell::Item& item : cell.items) {
+        if (item.role == cell::Role::machine) {
+            ++looked.of_machine;
+        } else if (item.role == cell::Role::jet) {
+            ++looked.jets;
+        } else {
+            ++looked.objects;
+        }
+    }
+    return looked;
+}
+
 }  // namespace
 
 CellWatch::CellWatch(cell::Cell cell, const machine::Machine& machine, CellUse use)
@@ -250,6 +264,7 @@ void CellWatch::end_block() {
 void CellWatch::end(double /*end_s*/) {
     know_until(std::numeric_limits<double>::infinity());
     end_block();
+    findings_.looked_at = looked_at(cell_, watch_.pair_count());
     const std::vector<cell::Contact>& contacts = watch_.contacts();
     const std::size_t listed = std::min(contacts.size(), kMaxListed);
     findings_.dropped += contacts.size() - listed;

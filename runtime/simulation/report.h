@@ -180,10 +180,21 @@ struct BlockClearance {
     std::array<double, 3> point_mm = {};  ///< On the second body, in the world.
 };
 
+/// The bodies of which each pair that can meet was looked at, on all of its way.
+struct LookedAt {
+    std::size_t of_machine = 0;  ///< Shapes of the machine and of what it carries.
+    std::size_t jets = 0;
+    std::size_t objects = 0;
+    std::size_t pairs = 0;
+    std::size_t may_touch = 0;  ///< Pairs that were left out, as machine and cell say so.
+    std::size_t replaced = 0;   ///< Shapes of the machine file in whose place the cell has others.
+};
+
 /// What a run did in its cell.
 struct CellFindings {
     std::string name;
     double clearance_mm = 0;  ///< That is asked for.
+    LookedAt looked_at = {};
     std::vector<Collision> collisions;
     std::vector<BlockClearance> clearances;
     std::uint64_t dropped = 0;  ///< Entries past the most that a report lists.

@@ -162,6 +162,12 @@ Json point(const std::array<double, 3>& point_mm) {
     return Json::array({number(point_mm[0]), number(point_mm[1]), number(point_mm[2])});
 }
 
+Json looked_at(const LookedAt& looked) {
+    return {{"of_machine", looked.of_machine}, {"jets", looked.jets},
+            {"objects", looked.objects},       {"pairs", looked.pairs},
+            {"may_touch", looked.may_touch},   {"replaced", looked.replaced}};
+}
+
 Json collisions(const Report& report) {
     Json list = Json::array();
     for (const Collision& collision : report.cell->collisions) {
@@ -283,7 +289,9 @@ Json object(const Report& report) {
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);
     }
     if (report.cell) {
-        json["cell"] = {{"name", report.cell->name}, {"clearance_mm", number(report.cell->clearance_mm)}};
+        json["cell"] = {{"name", report.cell->name},
+                        {"clearance_mm", number(report.cell->clearance_mm)},
+                        {"looked_at", looked_at(report.cell->looked_at)}};
         json["collisions"] = collisions(report);
         json["clearances"] = clearances(report);
     }

@@ -257,11 +257,27 @@ std::string pair_text(std::string_view first, std::string_view second) {
     return fmt::format("{} and {}", shortened(first, 22), shortened(second, 22));
 }
 
+std::string counted(std::size_t count, std::string_view one, std::string_view more) {
+    return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
+void add_looked_at(Text& out, const LookedAt& looked) {
+    std::string of = counted(looked.of_machine, "body of the machine", "bodies of the machine");
+    if (looked.jets > 0) of += ", " + counted(looked.jets, "jet", "jets");
+    if (looked.objects > 0) of += ", " + counted(looked.objects, "object", "objects");
+    std::string pairs = counted(looked.pairs, "pair", "pairs");
+    if (looked.may_touch > 0) pairs += fmt::format(", but for {} that may touch", looked.may_touch);
+    out.line("{:<12}looked at: {}; {}", "", of, pairs);
+    if (looked.replaced > 0)
+        out.line("{:<12}in place of {} of the machine file", "", counted(looked.replaced, "shape", "shapes"));
+}
+
 void add_collisions(Text& out, const Report& report) {
     const std::vector<Collision>& collisions = report.cell->collisions;
     out.blank();
     out.line("{:<12}{} in {}", "collisions", collisions.empty() ? "none" : std::to_string(collisions.size()),
              shortened(report.cell->name, 60));
+    add_looked_at(out, report.cell->looked_at);
     for (std::size_t i = 0; i < std::min(collisions.size(), kShownCollisions); ++i) {
         const Collision& collision = collisions[i];
         const auto [x, y, z] = collision.point_mm;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "studio/engine/keys.h"
+
 namespace gsim::studio {
 
 namespace {
@@ -67,11 +69,6 @@ constexpr std::array kSwitches = {
     SwitchKey{"block_delete", &Request::block_delete}, SwitchKey{"optional_stop", &Request::optional_stop},
     SwitchKey{"explain", &Request::explain}};
 
-/// A number as it is; of what may be of any length and depth the kind alone.
-std::string shown(const nlohmann::json& value) {
-    return value.is_number() ? value.dump() : fmt::format("of the kind {}", value.type_name());
-}
-
 /// The row of a key; null: there is none.
 template <typename Rows>
 const auto* row_of(const Rows& rows, const std::string& key) {
@@ -112,8 +109,18 @@ tl::expected<Request, std::string> run_request(const nlohmann::json& asked) {
     if (!asked.is_object()) return tl::unexpected(std::string("a request should be an object"));
     Request request;
     for (const auto& [key, value] : asked.items()) {
-        if (key == "do") continue;
         if (auto done = put(request, key, value); !done) return tl::unexpected(done.error());
+    }
+    return request;
+}
+
+tl::expected<Request, std::string> form_request(nlohmann::json& asked) {
+    Request request;
+    for (const char* key : {"machine", "machine_data", "cell"}) {
+        const auto value = asked.find(key);
+        if (value == asked.end()) continue;
+        if (auto done = put(request, key, *value); !done) return tl::unexpected(done.error());
+        asked.erase(value);
     }
     return request;
 }

@@ -1,102 +1,81 @@
 #include "studio/engine/session.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <exception>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "engine/language.h"
-#include "engine/machine.h"
-#include "engine/run.h"
-#include "engine/translation.h"
+#include "studio/engine/answer.h"
 #include "studio/engine/message.h"
 #include "studio/engine/request.h"
-#include "studio/engine/run_messages.h"
 
 namespace gsim::studio {
 
 namespace {
 
 using engine::Failure;
-using engine::Run;
-using Done = tl::expected<void, Failure>;
+using nlohmann::json;
 
-Done run_one(engine::Request request, const Post& post) {
-    auto run =
-        Run::open(std::move(request), [&post](const engine::Diagnostic& told) { post_told(told, post); });
-    if (!run) return tl::unexpected(run.error());
-    if (auto prepared = run->prepare(); !prepared) {
-        if (prepared.error().in_program) post_report(run->report_of(prepared.error()), post);
-        return prepared;
-    }
-    if (auto told = post_run(*run, post); !told) return told;
-    run->show_progress([&post](std::uint64_t done, std::uint64_t total) {
-        Message message("progress");
-        message.header().update({{"done", done}, {"total", total}});
-        post(message.bytes());
-    });
-    const auto report = run->go();
-    if (!report) return tl::unexpected(report.error());
-    return post_end(*run, *report, post);
+/// Which keys a request has beside its own: all of a run, or what forms need of it.
+enum class Common : std::uint8_t { of_run, of_form };
+
+/// What a page can ask for.
+struct Row {
+    const char* word;
+    Common common;
+    Answer answer;
+};
+
+constexpr std::array kRows = {
+    Row{"run", Common::of_run, answer_run},
+    Row{"check", Common::of_run, answer_check},
+    Row{"translate", Common::of_run, answer_translate},
+    Row{"envelope", Common::of_run, answer_envelope},
+    Row{"languages", Common::of_run, answer_languages},
+    Row{"data", Common::of_form, answer_data},
+    Row{"drawing", Common::of_form, answer_drawing},
+    Row{"materials", Common::of_form, answer_materials},
+    Row{"toml", Common::of_form, answer_toml},
+    Row{"keys", Common::of_form, answer_keys},
+    Row{"machine", Common::of_form, answer_machine},
+    Row{"pose", Common::of_form, answer_pose},
+    Row{"write", Common::of_form, answer_write},
+    Row{"posts", Common::of_form, answer_posts},
+};
+
+Failure fault_of_word(const json& word) {
+    if (word.is_string())
+        return usage_failure(fmt::format("nothing is known of how to do '{}'", word.get<std::string>()));
+    std::string words;
+    for (const Row& row : kRows) words += fmt::format("{}{}", words.empty() ? "" : ", ", row.word);
+    return usage_failure(fmt::format("'do' should be a text, one of {}", words));
 }
 
-Done translate(const engine::Request& request, bool wants_script, const Post& post) {
-    auto translation = engine::Translation::open(translation_request(request));
-    if (!translation) return tl::unexpected(translation.error());
-    if (auto made = translation->make([&post](const engine::Diagnostic& told) { post_told(told, post); });
-        !made) {
-        if (made.error().in_program) return {};  // the page has been told what is wrong
-        return made;
-    }
-    if (!wants_script) return {};
-    std::string script;
-    auto written = translation->write([&](std::string_view part) {
-        script += part;
-        return true;
-    });
-    if (!written) return written;
-    Message message("script");
-    message.add("lua", script);
-    post(message.bytes());
-    return {};
-}
-
-Done envelope(const engine::Request& request, const Post& post) {
-    auto machine = engine::Machine::read(request);
-    if (!machine) return tl::unexpected(machine.error());
-    auto surface = machine->envelope(engine::EnvelopeKind::volume_stl);
-    if (!surface) return tl::unexpected(surface.error());
-    Message message("envelope");
-    message.header()["summary"] = machine->envelope_summary();
-    message.add("stl", *surface);
-    post(message.bytes());
-    return {};
-}
-
-Done languages(const Post& post) {
-    Message message("languages");
-    message.header()["languages"] = nlohmann::ordered_json::parse(engine::languages_json());
-    post(message.bytes());
-    return {};
-}
-
-Failure failure(std::string sentence) {
-    return {.code = "usage", .message = std::move(sentence)};
-}
-
-Done answer(const nlohmann::json& asked, const engine::Host& host, const Post& post) {
-    auto request = run_request(asked);
-    if (!request) return tl::unexpected(failure(request.error()));
+Done answer(json asked, const engine::Host& host, const Post& post) {
+    if (!asked.is_object()) return tl::unexpected(usage_failure("a request should be an object"));
+    const json word = asked.value("do", json());
+    const auto* const row =
+        std::find_if(kRows.begin(), kRows.end(), [&](const Row& each) { return word == each.word; });
+    if (row == kRows.end()) return tl::unexpected(fault_of_word(word));
+    asked.erase("do");
+    auto request = row->common == Common::of_run ? run_request(asked) : form_request(asked);
+    if (!request) return tl::unexpected(usage_failure(request.error()));
     request->host = host;
-    const auto told = asked.find("do");
-    if (told == asked.end() || !told->is_string())
-        return tl::unexpected(failure("'do' should be a text: run, check, translate, envelope or languages"));
-    const auto what = told->get<std::string>();
-    if (what == "run") return run_one(*std::move(request), post);
-    if (what == "check" || what == "translate") return translate(*request, what == "translate", post);
-    if (what == "envelope") return envelope(*request, post);
-    if (what == "languages") return languages(post);
-    return tl::unexpected(failure(fmt::format("nothing is known of how to do '{}'", what)));
+    return row->answer(asked, *request, post);
+}
+
+/// Names in a sentence may have any characters; the sentence stays one line.
+std::string one_line(const std::string& sentence) {
+    std::string line;
+    for (const char c : sentence) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_control = byte < 0x20 || byte == 0x7f;
+        line += is_control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+    }
+    return line;
 }
 
 /// The last message.
@@ -104,7 +83,7 @@ void end(const Done& done, const Post& post) {
     Message message(done ? "done" : "failed");
     if (!done) {
         message.header().update({{"code", done.error().code},
-                                 {"message", done.error().message},
+                                 {"message", one_line(done.error().message)},
                                  {"file", done.error().file},
                                  {"in_program", done.error().in_program}});
     }
@@ -112,10 +91,10 @@ void end(const Done& done, const Post& post) {
 }
 
 /// What an answer throws is a failure of it: a lack of memory, say.
-template <typename Answer>
-Done guarded(const Answer& answer) {
+template <typename Work>
+Done guarded(const Work& work) {
     try {
-        return answer();
+        return work();
     } catch (const std::exception& fault) {
         return tl::unexpected(Failure{.code = "internal", .message = fault.what()});
     }
@@ -123,11 +102,19 @@ Done guarded(const Answer& answer) {
 
 }  // namespace
 
+Failure usage_failure(std::string sentence) {
+    return {.code = "usage", .message = std::move(sentence)};
+}
+
+Done end_of(Keys& keys) {
+    return keys.end().map_error(usage_failure);
+}
+
 void serve(std::string_view asked, const engine::Host& host, const Post& post) {
     end(guarded([&]() -> Done {
-            const auto json = nlohmann::json::parse(asked, nullptr, false);
-            if (json.is_discarded()) return tl::unexpected(failure("a request should be JSON"));
-            return answer(json, host, post);
+            auto read = json::parse(asked, nullptr, false);
+            if (read.is_discarded()) return tl::unexpected(usage_failure("a request should be JSON"));
+            return answer(std::move(read), host, post);
         }),
         post);
 }

@@ -17,6 +17,14 @@ async function unpacked(id: string): Promise<ArrayBuffer | null> {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
+/** What gsim-studio tells the page that it serves. */
+export interface Served {
+  /** The folder, as it is called. */
+  name: string;
+  /** What was asked for, as names of files: keys of Setup, empty where nothing was. */
+  setup: Record<string, string>;
+}
+
 export const embedded = {
   has: (id: "engine" | "run"): boolean => document.getElementById(id) !== null,
 
@@ -35,6 +43,14 @@ export const embedded = {
     const files = new Map<string, FileContent>(Object.entries(texts));
     for (const [name, base64] of Object.entries(others)) files.set(name, bytesOf(base64));
     return files;
+  },
+
+  /** null: the page stands alone, be it because it was opened from a disk. */
+  served(): Served | null {
+    const text = document.getElementById("server")?.textContent ?? "";
+    if (!text.startsWith("{")) return null;
+    const { folder, setup } = JSON.parse(text) as { folder: string; setup: Record<string, string> };
+    return { name: folder, setup };
   },
 
   /** Frames of a finished run, one behind the other. */

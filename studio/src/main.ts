@@ -1,67 +1,40 @@
-// Puts the page together.
+// The page to work in.
 
-import "./style.css";
 import { createBar } from "./bar";
-import { openSample, samples } from "./bar/gallery";
-import { Documents } from "./core/documents";
-import { Engine } from "./core/engine";
-import { framesOf, readMessage } from "./core/message";
-import { Session } from "./core/session";
-import { Store, initialState } from "./core/store";
+import { samples, setupOf } from "./bar/gallery";
+import { noEngine } from "./core/engine";
+import { Folder } from "./core/folder";
+import { RemoteEngine } from "./core/remote_engine";
+import { Server } from "./core/server";
+import { WorkerEngine } from "./core/worker_engine";
 import { embedded } from "./embedded";
-import { createCode } from "./code";
+import { start } from "./page";
 import { createSide } from "./panels";
-import { Run } from "./run/run";
-import { createTime } from "./time";
-import { createView } from "./view";
+import { openServed } from "./served";
+import { createBeside } from "./view/beside";
+import { createHandles } from "./view/handles";
+import { createHeadset } from "./view/xr";
 
-async function engines(): Promise<[Engine, Engine]> {
-  if (!embedded.has("engine")) return [new Engine(null, null), new Engine(null, null)];
-  const module = embedded.module();
-  const url = await embedded.workerUrl();
-  const make = () => new Worker(url);
-  return [new Engine(make, module), new Engine(make, module)];
-}
+const served = embedded.served();
+const server = served && new Server(new URL(".", document.baseURI));
 
-/** The run that stands in the page, where one does. */
-async function finishedRun(): Promise<Run | null> {
-  if (!embedded.has("run")) return null;
-  const run = new Run();
-  for (const frame of framesOf(await embedded.run())) {
-    const message = readMessage(frame.slice());
-    if (message.is === "source") {
-      run.sources.set(message.header.name as string, new TextDecoder().decode(message.columns.get("text") as Uint8Array));
-    }
-    else run.take(message);
-  }
-  return run;
-}
-
-/** As the system has it, until a person chooses. */
-function followTheme(store: Store): void {
-  if (matchMedia("(prefers-color-scheme: dark)").matches) store.set("theme", "dark");
-  store.watch(["theme"], () => {
-    document.documentElement.dataset.theme = store.get("theme");
-  });
-}
-
-async function main(): Promise<void> {
-  const store = new Store(initialState());
-  const documents = new Documents(await embedded.samples());
-  const [runner, checker] = await engines();
-  const session = new Session(store, documents, runner, checker);
-  const host = (id: string) => document.getElementById(id)!;
-  followTheme(store);
-  createBar(host("bar"), store, session);
-  const view = createView(host("view"), store, session);
-  createTime(host("time"), store, session);
-  createCode(host("code"), store, session);
-  createSide(host("side"), store, session);
-  const finished = await finishedRun();
-  if (finished) store.set("run", finished);
-  else if (session.canRun) openSample(samples[0], session);
-  // For tests and for the curious: what the page knows.
-  Object.assign(window, { studio: { store, session, documents, view } });
-}
-
-void main();
+void start({
+  engineMaker: async () => {
+    if (server) return () => new RemoteEngine(server);
+    if (!embedded.has("engine")) return () => noEngine;
+    const module = embedded.module();
+    const url = await embedded.workerUrl();
+    return () => new WorkerEngine(() => new Worker(url), module);
+  },
+  isServed: server !== null,
+  openFolder: (session) => server && new Folder(server, session),
+  createBar,
+  createSide,
+  viewParts: { createHolds: createHandles, createHeadset, createBeside },
+  begin: async (session, folder) => {
+    if (folder && served) return openServed(session, folder, served);
+    if (!session.canRun) return;
+    session.change(setupOf(samples[0]));
+    void session.run();
+  },
+});

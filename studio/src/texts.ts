@@ -1,13 +1,47 @@
 // All that the page says, in one place, so that it can be said in another language. Each part of the page has a
 // section of its own.
 
+import { bar } from "./texts/bar";
+import { data } from "./texts/data";
+import { folder } from "./texts/folder";
+import { machine } from "./texts/machine";
+import { paths } from "./texts/paths";
+import { teach } from "./texts/teach";
+import { variants } from "./texts/variants";
+import { view } from "./texts/view";
+
 export const texts = {
+  side: {
+    label: "Results and forms",
+    tabs: { run: "Run", data: "Data", machine: "Machine", teach: "Teach", paths: "Paths", variants: "Variants" },
+  },
+  bar,
+  data,
+  folder,
+  machine,
+  paths,
+  teach,
+  variants,
+  view,
   page: {
     title: "gsim studio",
+  },
+  /** What is wrong with a text that should be JSON. */
+  json: {
+    tooDeep: "values are nested too deep",
+    endsTooSoon: "the text ends too soon",
+    value: "a value is expected here",
+    key: "a key in quotes is expected here",
+    colon: "':' is expected here",
+    commaOr: (close: string) => `',' or '${close}' is expected here`,
+    behindEnd: "nothing may stand behind the end",
+    noMember: (name: string) => `there is no ${name}`,
   },
   /** What is in a run, wherever the page tells of it. */
   run: {
     line: (line: number) => `line ${line}`,
+    controlOfRobots: "Robots have the controls of their own machine files",
+    controlOfCell: "Another control needs a machine that is chosen: the cell's keeps its own",
     dialects: { ab9: "Allen-Bradley 9/Series", rs274ngc: "RS274/NGC (LinuxCNC)" } as Record<string, string>,
     kinds: {
       rapid: "rapid",
@@ -19,6 +53,7 @@ export const texts = {
       thread: "thread",
       spline: "spline",
     },
+    notHere: "What is shown is still being fetched: try again in a moment",
     speedOf: (letter: string) => `speed of ${letter}`,
     accelerationOf: (letter: string) => `acceleration of ${letter}`,
     limits: {
@@ -38,106 +73,6 @@ export const texts = {
       dwell: "dwell",
     },
   },
-  bar: {
-    samples: "Samples",
-    open: "Open…",
-    openTitle: "Open programs, machines, cells, meshes; or drop them on the page",
-    save: "Save",
-    saveTitle: "Save the program as a file",
-    run: "Run",
-    runTitle: "Run the program (Ctrl+Enter)",
-    running: "Running",
-    cancel: "Cancel",
-    blocks: (count: number) => `${count.toLocaleString("en")} blocks`,
-    program: "Program",
-    machine: "Machine",
-    cell: "Cell",
-    language: "Language",
-    machineData: "Machine data",
-    robots: "Robots",
-    feedOverride: "Feed override, %",
-    collisions: "Look for collisions",
-    aside: (taken: number, names: string[]) => {
-      const listed = names.slice(0, 3).join(", ") + (names.length > 3 ? ` and ${names.length - 3} more` : "");
-      return taken > 0 ? `Also opened: ${listed}` : `Not a program, machine, cell or machine data: ${listed}`;
-    },
-    unread: (why: string) => `The files could not be read: ${why}`,
-    cancelled: (shown: string) => (shown ? `Cancelled. What is shown is the run of ${shown}` : "Cancelled"),
-    changed: (count: number) => (count > 0 ? `More (${count})` : "More"),
-    dismiss: "Dismiss",
-    none: "none",
-    noCell: "no cell",
-    builtInMachine: "AF gantry (built in)",
-    asTheMachineSays: "as the machine file says",
-    unitsTitle: "Millimetres or inches",
-    themeTitle: "Light or dark",
-    helpTitle: "Keys",
-    close: "Close",
-    private: "Nothing that you open leaves this page: it works without a network.",
-    keys: [
-      ["Space", "play and pause"],
-      [", .", "previous and next block"],
-      ["[ ]", "previous and next event"],
-      ["Home End", "start and end"],
-      ["Ctrl+Enter", "run"],
-      ["1 2 3 4", "in the view: top, front, side, isometric"],
-      ["F", "in the view: fit"],
-      ["P", "in the view: perspective or parallel"],
-      ["T", "in the view: follow the tool"],
-      ["M", "in the view: measure"],
-      ["F8", "in the editor: the next problem"],
-      ["Ctrl+I", "in the editor: about the word at the cursor"],
-      ["Ctrl+/", "in the editor: a line to a remark and back"],
-      ["Escape", "leave the editor"],
-      ["Ctrl+F, Ctrl+G", "in the editor: find, go to a line"],
-    ] as [string, string][],
-    gallery: {
-      title: "Samples",
-      wheel: { title: "The wheel", about: "Five-axis waterjet: the test part of a thesis, 129.99 s on its gantry." },
-      rosette: { title: "A rosette", about: "RS274/NGC with O-words on a router, blended as LinuxCNC does." },
-      collision: { title: "A clamp in the way", about: "A cell with table, sheet and clamps: what touches is found at its exact time." },
-      robots: { title: "Two robots", about: "Two machines and a conveyor on one clock." },
-      mill: { title: "A dome", about: "A five-axis mill: the tip is led (G43.4), the table turns and the head leans." },
-    },
-  },
-  view: {
-    label: "Machine and path. Arrows turn, Shift and arrows shift, plus and minus zoom, 1 to 4 stand, F fits.",
-    tools: "View",
-    fit: "Fit the path; with Shift all",
-    stands: { top: "From the top", front: "From the front", side: "From the right", iso: "From a corner" },
-    perspective: "Perspective",
-    follow: "Follow the tool",
-    measure: "Measure between two points",
-    show: "Show",
-    layers: {
-      machine: "Machine",
-      grid: "Grid",
-      extents: "Extents",
-      showRapids: "Rapid moves",
-      showDirections: "Directions",
-      showZones: "Zones",
-      showEnvelope: "Reach of the tool",
-      compare: "Run before",
-    },
-    colour: "Colour of the path",
-    colours: {
-      kind: "Kind of move",
-      feed: "Feed, programmed",
-      speed: "Speed, mean of a segment",
-      process: "Process on or off",
-      time: "Time",
-      limit: "What limits the speed",
-      deviation: "Deviation from the program",
-    },
-    process: { on: "on", off: "off" },
-    distance: "distance",
-    measureFirst: "Click the first point on the path or a body. Esc ends.",
-    measureSecond: "Click the second point. Esc ends.",
-    noWebgl: "The view needs WebGL 2, which this browser does not offer. Everything else works.",
-    lost: "The graphics card has dropped the picture; it comes back by itself.",
-    empty: "Run a program to see it here.",
-    noEnvelope: "The reach of this machine cannot be told.",
-  },
   time: {
     grip: "Height of the strip: drag, or arrow keys; double click puts it back",
     transport: "Playing and stepping",
@@ -154,6 +89,8 @@ export const texts = {
     clock: "Time of the run, hours:minutes:seconds",
     whole: "Time of the whole run",
     feedOf: (had: string, asked: string) => `${had} of ${asked}`,
+    rough: "Lowest and highest mean speed of blocks; zoom in for exact curves",
+    notHere: "The move that is under way here is still being fetched, or cannot be had",
     feedHint: "Speed of the tool, of the feed that is programmed",
     marks: {
       alarm: "Alarm",
@@ -200,8 +137,11 @@ export const texts = {
     limitOf: (letter: string) => `limit ${letter}`,
   },
   code: {
+    typed: (name: string) => `typing in ${name}`,
+    readingAs: (dialect: string) => `reading as ${dialect}`,
     placeholder: "Drop a program here, or type",
     editorLabel: (name: string) => `Program ${name}. Control and Enter runs it, Control and I tells about the word at the cursor, Escape leaves the editor.`,
+    textLabel: (name: string) => `Text of ${name}. Control and Enter runs the program, Escape leaves the editor.`,
     translationLabel: (name: string) => `Lua translation of ${name}, read-only. Control and I tells about the word at the cursor, Escape leaves the editor.`,
     file: "File",
     modified: "● edited",
@@ -244,6 +184,8 @@ export const texts = {
     readAsTitle: "The program looks like this dialect, and is read as Allen-Bradley 9/Series",
     dialectTitle: "The language that the program is read in",
     move: "the modal motion, with these words",
+    noTimes: "No times of lines: a long run",
+    noTimesTitle: "The run is too long for the page to hold: how long each of its lines takes is not known here",
     hover: {
       group: (group: string) => `Modal, group: ${group}`,
       blockAlone: "Acts in its block alone",
@@ -254,6 +196,7 @@ export const texts = {
       share: (time: string, percent: string) => `${time}, ${percent} % of the cycle`,
       way: (length: string, speed: string) => `${length}, up to ${speed}`,
       limitedBy: (limit: string) => `Limited by: ${limit}`,
+      notHere: "The run is too long for the page to hold: what this line takes is not known here",
       inForce: "In force after this line",
       inForceByText: "In force after this line, by the text (calls and jumps may differ)",
     },
@@ -271,6 +214,7 @@ export const texts = {
     refused: (message: string) => `The program was not run: ${message}`,
     alarmed: (message: string) => `The run ended with an alarm: ${message}`,
     stopped: (message: string) => `The run was stopped: ${message}`,
+    longerRuns: "gsim studio, which has the engine beside the page, runs up to 20,000,000 blocks.",
     completed: "The program ran to its end.",
     violated: (count: number) =>
       `The program ran to its end, but past limits or zones in ${count === 1 ? "one place" : `${count} places`}.`,
@@ -349,6 +293,8 @@ export const texts = {
     allKinds: "All kinds",
     eventKind: "Kind",
     noEvents: "No events.",
+    tooLong: "Runs of more than a million moves are not compared.",
+    onlyFirst: "This run is too long for the page to hold: here are its first million moves.",
     noPrevious: "There is no run before this one. Change something and run again: both are compared here.",
     otherMachine: "The run before has no such robot.",
     before: "Before",

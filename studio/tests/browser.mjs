@@ -4,8 +4,9 @@ import { chromium } from "playwright-core";
 
 const EXECUTABLE = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
-/** Opens a file in a browser of its own; what goes wrong in the page is kept in `faults`. */
-export async function openPage(file, { width = 1280, height = 800, dark = false } = {}) {
+/** Opens a file, or an address, in a browser of its own; `before` is run in the page before its own code; what goes wrong in the page is kept in `faults`. */
+export async function openPage(file, { width = 1280, height = 800, dark = false, before } = {}) {
+  const isAddress = file.startsWith("http:");
   const browser = await chromium.launch({
     executablePath: EXECUTABLE,
     args: ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader"],
@@ -18,8 +19,10 @@ export async function openPage(file, { width = 1280, height = 800, dark = false 
     if (message.type() === "error") faults.push(message.text());
   });
   page.on("request", (request) => {
-    if (!/^(file|blob|data):/.test(request.url())) faults.push(`asked for ${request.url()}`);
+    const isOwn = /^(file|blob|data):/.test(request.url()) || (isAddress && request.url().startsWith(file));
+    if (!isOwn) faults.push(`asked for ${request.url()}`);
   });
-  await page.goto(`file://${file}`);
+  if (before) await page.addInitScript(before.script, before.argument);
+  await page.goto(isAddress ? file : `file://${file}`);
   return { browser, page, faults };
 }

@@ -31,7 +31,7 @@ const exported = (file, i) => `import * as module${i} from ${JSON.stringify(file
 
 /** Modules of the page by their paths below src/, or of packages by their names; all of them share what they import. */
 export async function loadModules(files) {
-  const all = await bundled(files.map((file, i) => exported(file.startsWith("@") ? file : `./${file}`, i)).join("\n"));
+  const all = await bundled(files.map((file, i) => exported(file.startsWith("@") || file === "three" ? file : `./${file}`, i)).join("\n"));
   return Object.fromEntries(files.map((file, i) => [file, all[`module${i}`]]));
 }
 

@@ -1,5 +1,6 @@
 // Tries the page in Chromium, without a window, as a person uses it. Usage: node page.mjs BUILD [PART-OF-A-NAME]
 // GSIM_RENEW_PICTURES=1 writes the kept pictures anew: look at them before they are committed. Times are printed, and fail nothing.
+// LANES=2 tries two cases at once, each in a browser of its own, which times then suffer from.
 // Closes with "N passed, N failed".
 
 import { readdirSync } from "node:fs";
@@ -17,21 +18,28 @@ export const places = {
   pictures: join(here, "pictures"),
 };
 
-let [passed, failed] = [0, 0];
+const cases = [];
 for (const file of readdirSync(join(here, "cases")).filter((name) => name.endsWith(".mjs")).sort()) {
-  const { default: cases } = await import(join(here, "cases", file));
-  for (const [name, test] of Object.entries(cases)) {
-    if (!name.includes(wanted)) continue;
-    const began = performance.now();
-    try {
-      await test(places);
-      ++passed;
-      console.log(`ok ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
-    } catch (fault) {
-      ++failed;
-      console.log(`FAILED ${name}\n  ${String(fault.stack ?? fault).split("\n").slice(0, 12).join("\n  ")}`);
-    }
+  const { default: those } = await import(join(here, "cases", file));
+  cases.push(...Object.entries(those).filter(([name]) => name.includes(wanted)));
+}
+
+let [passed, failed] = [0, 0];
+async function tryCase([name, test]) {
+  const began = performance.now();
+  try {
+    await test(places);
+    ++passed;
+    console.log(`ok ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
+  } catch (fault) {
+    ++failed;
+    console.log(`FAILED ${name}\n  ${String(fault.stack ?? fault).split("\n").slice(0, 12).join("\n  ")}`);
   }
 }
+
+async function lane() {
+  for (let next = cases.shift(); next; next = cases.shift()) await tryCase(next);
+}
+await Promise.all(Array.from({ length: Number(process.env.LANES ?? 1) }, lane));
 console.log(`${passed} passed, ${failed} failed`);
 process.exitCode = failed > 0 ? 1 : 0;

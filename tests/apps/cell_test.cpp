@@ -1,5 +1,7 @@
 // gsim-run --cell: collisions and near misses.
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -124,9 +126,54 @@ TEST_F(Cell, TheSampleRunsWithItsMachine) {
     const std::string cell = fmt::format("{}/samples/cell/table.toml", GSIM_SOURCE);
     const Ended e = gsim_run({part, "--cell", cell});
     EXPECT_EQ(e.status, 1);
-    EXPECT_TRUE(holds(e.out, "nozzle and mould")) << e.out;
+    EXPECT_TRUE(holds(e.out, "nozzle end and mould")) << e.out;
     const Ended quiet = gsim_run({part, "--cell", cell, "--quiet"});
     EXPECT_TRUE(holds(quiet.err, "collisions: ")) << quiet.err;
+}
+
+/// Each clamp of a cell file text in turn, moved along its own X.
+std::string with_clamp_moved(std::string text, int clamp, double by_mm) {
+    const std::string head = fmt::format("name = \"clamp {}\"\n", clamp);
+    const std::size_t frame = text.find("frame = {", text.find(head));
+    const double angle = (45 + 90 * (clamp - 1)) * M_PI / 180;
+    const double at_mm = 300 + by_mm;
+    return text.replace(frame, text.find(", z_mm", frame) - frame,
+                        fmt::format("frame = {{ x_mm = {:.4f}, y_mm = {:.4f}", at_mm * std::cos(angle),
+                                    at_mm * std::sin(angle)));
+}
+
+// The rim is cut on a circle of 215.9 mm; a clamp's end is 240 mm from its middle, and the nozzle has 7.14
+// mm.
+TEST_F(Cell, TheTestPartIsCutInItsCellAndAClampInTheWayIsFound) {
+    const std::string samples = fmt::format("{}/samples/", GSIM_SOURCE);
+    const auto run = [&](const std::string& cell, int status) {
+        const Ended e = gsim_run({samples + "wheel.nc", "--cell", cell, "--json"});
+        EXPECT_EQ(e.status, status) << e.err;
+        return json::parse(e.out);
+    };
+    const json clean = run(samples + "cell/wheel.toml", 0);
+    EXPECT_EQ(clean["collisions"].size() + clean["clearances"].size(), 0U);
+    const json& looked = clean["cell"]["looked_at"];
+    EXPECT_EQ(looked["objects"], 12);
+    EXPECT_EQ(looked["jets"], 1);
+    EXPECT_GT(looked["pairs"], 300);
+
+    std::string text = read(samples + "cell/wheel.toml");
+    for (const auto& [from, to] : {std::pair("\"../machines/", samples + "machines/"),
+                                   std::pair("\"wheel.obj", samples + "cell/wheel.obj")}) {
+        const std::string_view word(from);
+        text.replace(text.find(word), word.size(), "\"" + to);
+    }
+    for (const int clamp : {1, 2, 3, 4}) {
+        EXPECT_EQ(run(write("nearer.toml", with_clamp_moved(text, clamp, -19)), 0)["collisions"].size(), 0U);
+        const json hit = run(write("hit.toml", with_clamp_moved(text, clamp, -30)), 1)["collisions"];
+        ASSERT_EQ(hit.size(), 3U);
+        EXPECT_EQ(hit[0]["pair"], json::array({"nozzle", fmt::format("clamp {}", clamp)}));
+        EXPECT_EQ(hit[0]["line"], clamp == 2 || clamp == 3 ? 15 : 16);
+        const double x = hit[0]["point_mm"][0].get<double>() - 500;
+        const double y = hit[0]["point_mm"][1].get<double>() - 500;
+        EXPECT_NEAR(std::hypot(x, y), 215.9, 7.14 / 2 + 1e-3);
+    }
 }
 
 TEST_F(Cell, FaultsOfTheFileAreErrorsOfUsage) {

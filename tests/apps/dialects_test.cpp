@@ -37,6 +37,9 @@ TEST_F(Dialects, Rs274ngcRunsDirectlyAndByItsLua) {
 TEST_F(Dialects, AnUnknownOneIsAUsageError) {
     EXPECT_EQ(gsim_run({"--dialect", "iso", write("part.nc", "G0 X1\n")}).status, 2);
     EXPECT_EQ(gcode2lua({"--unknown", "ignore", "part.nc"}).status, 2);
+    const Ended studio = run_program(GSIM_FRONT, {"studio", "--no-browser", "--dialect", "iso"}, folder_);
+    EXPECT_EQ(studio.status, 2);
+    EXPECT_TRUE(holds(studio.err, "there is no dialect or control 'iso'")) << studio.err;
 }
 
 TEST_F(Dialects, ACodeOfTheOtherOneIsNamed) {

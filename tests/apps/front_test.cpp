@@ -17,8 +17,8 @@ class Front : public Apps {
     const std::string wrong_ = write("wrong.nc", "G0 X5000\n");
 };
 
-constexpr const char* kPrograms[] = {"gsim-run", "gsim-check", "gcode2lua",
-                                     "autopath", "path2gcode", "gsim-data"};
+constexpr const char* kPrograms[] = {"gsim-run",   "gsim-check", "gcode2lua",  "autopath",
+                                     "path2gcode", "gsim-data",  "gsim-studio"};
 
 TEST_F(Front, ACommandIsTheProgramByItsOwnName) {
     const Ended by_command = gsim({"run", part_, "--json"});

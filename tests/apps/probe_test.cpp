@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/apps/bare_machine.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::probe_test {
@@ -54,7 +55,10 @@ TEST_F(Probe, EndsWhereItTouchesABodyOfTheCell) {
         "G21 F600\nG0 X50 Y200\nG38.2 X300\n(debug,%.4f#5061 #5070 #<_x>)\nG38.4 X50\n(debug,%.4f#5061 #5070 "
         "#<_x>)\nG0 X20\nM2\n";
     for (const bool ball : {true, false}) {
-        const json r = report(program, {"--cell", cell(ball)});
+        const json r = report(
+            program,
+            {"--machine", write("bare.toml", without_bodies(read(GSIM_SOURCE "/samples/machines/af5.toml"))),
+             "--cell", cell(ball)});
         const double at_mm = ball ? 195 : 200;
         EXPECT_EQ(debugs(r), fmt::format("{:.4f} 1.0000 {:.4f}\n{:.4f} 1.0000 {:.4f}\n", at_mm,
                                          at_mm + kBraking_mm, at_mm, at_mm - kBraking_mm));
@@ -62,6 +66,14 @@ TEST_F(Probe, EndsWhereItTouchesABodyOfTheCell) {
         EXPECT_TRUE(r["clearances"].empty()) << r["clearances"];
         EXPECT_TRUE(r["warnings"].empty()) << r["warnings"];
     }
+}
+
+// The nozzle of the machine that is built in, 7.14 mm wide.
+TEST_F(Probe, IsTheMachinesToolWhereTheCellHasNone) {
+    const json r =
+        report("G21 F600\nG0 X50 Y200\nG38.2 X300\n(debug,%.4f#5061)\nG0 X20\nM2\n", {"--cell", cell(false)});
+    EXPECT_EQ(debugs(r), "196.4300\n");
+    EXPECT_TRUE(r["collisions"].empty()) << r["collisions"];
 }
 
 TEST_F(Probe, ATurnedWorkCoordinateSystemInInchesFindsTheSamePlace) {
@@ -74,8 +86,11 @@ TEST_F(Probe, ATurnedWorkCoordinateSystemInInchesFindsTheSamePlace) {
 }
 
 TEST_F(Probe, AMoveThatGoesDeeperCollides) {
-    const json r =
-        report("G21 F600\nG0 X50 Y200\nG38.2 X300\nG1 X210\nG0 X20\nM2\n", {"--cell", cell(true)}, 1);
+    const json r = report(
+        "G21 F600\nG0 X50 Y200\nG38.2 X300\nG1 X210\nG0 X20\nM2\n",
+        {"--machine", write("bare.toml", without_bodies(read(GSIM_SOURCE "/samples/machines/af5.toml"))),
+         "--cell", cell(true)},
+        1);
     ASSERT_EQ(r["collisions"].size(), 1U);
     EXPECT_EQ(r["collisions"][0]["line"], 4);
     EXPECT_EQ(r["collisions"][0]["kind"], "penetrating");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/apps/bare_machine.h"
 #include "tests/apps/run_program.h"
 
 namespace gsim::apps::robots_test {
@@ -108,8 +109,10 @@ name = "tip"
 on = "tool"
 shape = { sphere_mm = 10.0 }
 )");
+    write("bare.toml", without_bodies(read(GSIM_SOURCE "/samples/machines/af5.toml")));
     write("belt.toml",
-          "[[robot]]\nname = \"left\"\ncell = \"cell.toml\"\n[[robot]]\nname = \"right\"\n"
+          "[[robot]]\nname = \"left\"\nmachine = \"bare.toml\"\ncell = \"cell.toml\"\n[[robot]]\nname = "
+          "\"right\"\n"
           "base = { x_mm = 3000.0, roll_deg = 90.0 }\ncell = \"cell.toml\"\n"
           "[[conveyor]]\nname = \"belt\"\ndirection = { y = 1.0 }\nspeed_mm_s = 50.0\n");
     const std::string script = write("cell.lua",

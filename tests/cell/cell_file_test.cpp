@@ -145,6 +145,29 @@ TEST(CellFile, ANameOfTheMachineFileIsTaken) {
     EXPECT_EQ(cell.error(), "c.toml:32:8: the name 'bed' is taken by a [[shape]] of the machine file");
 }
 
+TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {
+    const std::string tool = "[[shape]]\nname = \"hull\"\non = \"tool\"\nshape = { sphere_mm = 6 }\n";
+    const auto cell = read_cell(with(tool), "c.toml", with_body());
+    ASSERT_TRUE(cell) << cell.error();
+    ASSERT_EQ(cell->items.size(), 6U);
+    EXPECT_EQ(cell->items[0].name, "bed");
+    EXPECT_EQ(cell->items[5].name, "hull");
+    EXPECT_EQ(cell->items[5].shape.radius_mm(), 3);
+    EXPECT_EQ(cell->replaced, 1U);
+    EXPECT_TRUE(cell->ignored.empty());
+
+    // Its jet does not take the place of the tool, nor what it has on an axis.
+    machine::Machine machine = with_body();
+    machine.shapes.push_back({"spray", "jet", machine::SphereShape{1}, {}});
+    machine.ignored = {{1, 2}, {0, 1}};
+    const auto with_jet = read_cell(kWhole, "c.toml", machine);
+    ASSERT_TRUE(with_jet) << with_jet.error();
+    EXPECT_EQ(with_jet->items[0].name, "hull");
+    EXPECT_EQ(with_jet->items.size(), 6U);
+    EXPECT_EQ(with_jet->replaced, 1U);
+    EXPECT_EQ(with_jet->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
+}
+
 TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {
     machine::Machine machine = with_body();
     machine.shapes[1].form = machine::MeshShape{"none.stl"};
@@ -165,12 +188,12 @@ TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
     const auto cell = read_cell(text, "c.toml", machine);
     ASSERT_TRUE(cell) << cell.error();
     EXPECT_EQ(meeting_pairs(*cell, *machine::make_kinematics(machine)).size(), 80'000U);
-    for (int i = 2; i < 11; ++i) text += fmt::format(fmt::runtime(heads), i);
+    for (int i = 2; i < 26; ++i) text += fmt::format(fmt::runtime(heads), i);
     const auto too_many = read_cell(text, "c.toml", machine);
     ASSERT_FALSE(too_many);
     EXPECT_THAT(
         too_many.error(),
-        HasSubstr("40011 bodies are 440000 pairs on parts that move against each other; up to 400000"));
+        HasSubstr("40026 bodies are 1040000 pairs on parts that move against each other; up to 1000000"));
 }
 
 // Whatever is done to a file, it is read, or refused with a place.

@@ -67,6 +67,38 @@ TEST(ClearanceWatch, AThinPlateIsFoundAtFullSpeed) {
     EXPECT_EQ(run.watch.nearest()->distance_mm, 0);
 }
 
+// Far from everything steps are not looked at one by one.
+TEST(ClearanceWatch, ManySmallStepsMeetWhatOneMoveMeets) {
+    Watched run(cell_of(ball_at_tip(1) + box_at("plate", {0.1, 1000, 1000}, {500, 500, 0})));
+    for (int step = 0; step < 4000; ++step)
+        run.line_to(joints(0.25 * step, 500, 0), joints(0.25 * (step + 1), 500, 0), {508});
+    ASSERT_EQ(run.watch.contacts().size(), 1U);
+    EXPECT_NEAR(run.watch.contacts()[0].t_s, (500 - 0.05 - 0.5) / 508, 2e-8);
+}
+
+TEST(ClearanceWatch, ManySmallTurnsMeetWhatOneTurnMeets) {
+    // The tool's end, 200 mm above the tip, goes down on a circle to a plate at its height at 60 degrees.
+    const std::string end =
+        "[[shape]]\nname = \"end\"\non = \"tool\"\nshape = { sphere_mm = 2 }\nframe = { z_mm = 200 }\n";
+    Watched run(cell_of(end + box_at("plate", {1000, 1000, 10}, {500, 500, 94})));
+    const int steps = 3000;
+    const double most_rad = 80 * M_PI / 180;
+    for (int step = 0; step < steps; ++step)
+        run.line_to(joints(500, 500, 0, 0, most_rad * step / steps),
+                    joints(500, 500, 0, 0, most_rad * (step + 1) / steps), {1});
+    ASSERT_EQ(run.watch.contacts().size(), 1U);
+    EXPECT_NEAR(run.watch.contacts()[0].t_s, M_PI / 3, 2e-8);  // 200 cos 60 = 94 + 5 + 1
+}
+
+TEST(ClearanceWatch, AJetThatIsTurnedOnFarFromAllIsLookedAt) {
+    const std::string jet = "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { cylinder_mm = [1, 300] }\n";
+    Watched run(cell_of(ball_at_tip(1) + jet + box_at("post", {10, 10, 10}, {500, 500, -100})));
+    for (int step = 0; step < 1000; ++step)
+        run.line_to(joints(step, 500, 0), joints(step + 1, 500, 0), {100}, step == 498 || step > 900);
+    ASSERT_EQ(run.watch.contacts().size(), 1U);
+    EXPECT_NEAR(run.watch.contacts()[0].t_s, 4.98, 1e-9);
+}
+
 TEST(ClearanceWatch, APassAtOneMillimetreIsThatFar) {
     Watched run(cell_of(ball_at_tip(10) + box_at("box", {100, 100, 100}, {500, 500, 50})));
     run.line_to(joints(300, 444, 50), joints(700, 444, 50), {508, 490});

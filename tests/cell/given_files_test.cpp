@@ -48,8 +48,8 @@ TEST(GivenFiles, GiveAMachineItsControllerAndItsMeshes) {
     EXPECT_EQ(machine->controller.rest_s, 0.25);
     const auto cell = cell_of_machine(*machine, {.files = given.files});
     ASSERT_TRUE(cell) << cell.error();
-    ASSERT_EQ(cell->items.size(), 1U);
-    EXPECT_EQ(cell->items[0].shape.triangles()->triangle_count(), 4U);
+    ASSERT_EQ(cell->items.back().name, "cover");
+    EXPECT_EQ(cell->items.back().shape.triangles()->triangle_count(), 4U);
     EXPECT_THAT(given.asked, ElementsAre("rules/own.toml", "shop/af5.toml", "shop/cover.obj"));
 }
 
@@ -70,7 +70,7 @@ TEST(GivenFiles, GiveACellItsMeshesAndSolidsByWhoReadsThem) {
         "shop/cell.toml", machine, {}, {given.files, read_solid});
     ASSERT_TRUE(cell) << cell.error();
     EXPECT_EQ(asked, "shop/mould.step");
-    EXPECT_EQ(cell->items[1].shape.triangles()->triangle_count(), 1U);
+    EXPECT_EQ(cell->items.back().shape.triangles()->triangle_count(), 1U);
 }
 
 TEST(GivenFiles, WhatIsNotGivenIsNamed) {

@@ -3,10 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/cell/segment_motion.h"
-#include "runtime/kinematics/chain.h"
-#include "runtime/kinematics/chain_kinematics.h"
-#include "tests/cell/meshes.h"
-#include "tests/cell/segments.h"
+#include "tests/cell/random_motion.h"
 
 namespace gsim::cell::motion_bound_test {
 namespace {
@@ -47,43 +44,12 @@ MotionBound measured(const SegmentMotion& motion, const MotionPart& part, const 
     return most;
 }
 
-/// Six joints, some of which carry the work.
-kinematics::ChainKinematics random_chain(std::mt19937& random, int tool_joints) {
-    kinematics::Branch tool_side{random_pose(random, 100), {}, random_pose(random, 100)};
-    kinematics::Branch work_side{random_pose(random, 100), {}, random_pose(random, 100)};
-    for (int joint = 0; joint < 6; ++joint) {
-        kinematics::Branch& branch = joint < tool_joints ? tool_side : work_side;
-        const auto kind = random() % 2 == 0 ? rrs::JointKind::prismatic : rrs::JointKind::revolute;
-        branch.links.push_back({joint, kind, random_pose(random, 100), random_pose(random, 100)});
-    }
-    return kinematics::ChainKinematics(kinematics::Chain(tool_side, work_side));
-}
-
-rrs::JointPos random_joints(std::mt19937& random, const rrs::JointPos& about, double most) {
-    rrs::JointPos values = about;
-    for (double& value : values) value += between(random, -most, most);
-    return values;
-}
-
-/// A line with some joints that follow laws of their own, or an arc of three prismatic or revolute joints.
-Segment random_segment(std::mt19937& random) {
-    const rrs::JointPos start = random_joints(random, rrs::JointPos::Zero(6), 2);
-    Segment segment = line(0, start, random_joints(random, start, 1), {1, between(random, 0.5, 20)});
-    for (int joint = 0; joint < 6; ++joint) {
-        if (random() % 4 != 0) continue;
-        const double way = std::abs(segment.end[joint] - segment.start[joint]);
-        segment.add_follower(joint, segment.end[joint] < segment.start[joint] ? -1 : 1,
-                             motion::TimeLaw::in_time(way, segment.duration_s, 100 * way));
-    }
-    return segment;
-}
-
 TEST(MotionBound, HoldsForRandomChainsAndMotions) {
     std::mt19937 random(11);
     for (int i = 0; i < 60; ++i) {
         const int tool_joints = 3 + i % 4;
         const auto chain = random_chain(random, tool_joints);
-        Segment segment = random_segment(random);
+        Segment segment = random_segment(random, random_start(random));
         if (i % 4 == 3) segment.beside = std::make_shared<const Segment>(segment);
         const SegmentMotion motion(chain, segment);
         const int link = 1 + static_cast<int>(random() % 6);
@@ -109,7 +75,7 @@ TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
     std::mt19937 random(17);
     for (int i = 0; i < 60; ++i) {
         const auto chain = random_chain(random, 3 + i % 4);
-        const Segment segment = random_segment(random);
+        const Segment segment = random_segment(random, random_start(random));
         const std::array<int, 3> parents{0, 1 + i % 6, 7};
         std::vector<DriftingLink> drifting;
         for (const int parent : parents) {

@@ -1,9 +1,13 @@
 #include "engine/machine_data.h"
 
+#include <fstream>
+#include <iterator>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "runtime/machine/machine_data_sections.h"
 #include "tests/engine/given.h"
 
 namespace gsim::engine::machine_data_test {
@@ -11,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using Form = MachineData::Form;
 
 const std::string kData =
@@ -46,6 +51,53 @@ TEST(MachineDataValues, AreListedInColumnsAndAsJson) {
     EXPECT_EQ(all["TOOL"], json::parse(data.list(Form::json, "TOOL").value()));
     EXPECT_EQ(all["ALIAS"][0]["CODE"], "M08");
     EXPECT_EQ(data.list(Form::json, "HOME"), "[]\n");
+}
+
+TEST(MachineDataValues, SectionsAreThoseOfTheTableAndThePage) {
+    const std::vector<MachineData::Section> sections = data_of().sections();
+    ASSERT_EQ(sections.size(), machine::kDataSections.size());
+    const machine::DataRules rules;
+    std::ifstream file(GSIM_DOCS "/machine-data.md");
+    const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    for (const machine::DataSection each : machine::kDataSections) {
+        const MachineData::Section& section = sections[static_cast<std::size_t>(each)];
+        EXPECT_EQ(section.name, machine::keyword(each));
+        EXPECT_FALSE(section.title.empty());
+        EXPECT_THAT(page, HasSubstr("| `" + section.name + "` | " + section.ids + " |"));
+        const std::vector<machine::DataField>& fields = rules.of(each).fields;
+        ASSERT_EQ(section.fields.size(), fields.size());
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            EXPECT_EQ(section.fields[i].name, fields[i].name);
+            EXPECT_FALSE(section.fields[i].meaning.empty()) << section.name << ' ' << fields[i].name;
+        }
+    }
+}
+
+TEST(MachineDataValues, FieldsSayWhatTheyTake) {
+    const std::vector<MachineData::Section> sections = data_of().sections();
+    const auto field = [&](std::size_t section, const std::string& name) {
+        for (const MachineData::Field& each : sections[section].fields) {
+            if (each.name == name) return each;
+        }
+        return MachineData::Field();
+    };
+    constexpr std::size_t kTool = 4, kZone = 7;
+    EXPECT_EQ(field(kTool, "LENGTH").quantity, MachineData::Quantity::length);
+    EXPECT_EQ(field(kTool, "B").quantity, MachineData::Quantity::angle);
+    EXPECT_THAT(field(kTool, "KIND").choices, ElementsAre("", "CUTTER", "JET"));
+    EXPECT_TRUE(field(kZone, "XMIN").may_be_open);
+    EXPECT_TRUE(field(kZone, "XMIN").required);
+    EXPECT_FALSE(field(kZone, "ZMIN").required);
+    EXPECT_EQ(field(kZone, "SWITCH").greatest, 99);
+    EXPECT_EQ(field(0, "AXIS4").quantity, MachineData::Quantity::unknown);
+}
+
+TEST(MachineDataValues, OfANameWithoutAFileAreNone) {
+    Host host;
+    host.files = given({{"d.txt", kData}});
+    EXPECT_EQ(MachineData::open(host, "d.txt")->text(), kData);
+    EXPECT_EQ(MachineData::open(host, "new.txt")->text(), "NCFILE\nENDFILE\n");
+    EXPECT_EQ(refusal(MachineData::open(Host(), "/")), "cannot read '/': Is a directory");
 }
 
 TEST(MachineDataValues, AnEntryOrAValueIsGot) {

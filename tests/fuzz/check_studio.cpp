@@ -20,6 +20,23 @@ std::optional<std::string> file_of_page(const std::string& name) {
         {"part.lua", "local _ENV = require 'gsim'\nG0{x=1}\n"},
         {"tools.txt", "NCFILE\nTOOL\n1 30 2\nENDFILE\n"},
         {"broken.toml", "[machine\n"},
+        {"router.toml",
+         "[machine]\nname = \"r\"\ninverse = \"gantry\"\n"
+         "[[axis]]\nletter = \"X\"\nkind = \"linear\"\nmin_mm = 0.0\nmax_mm = 500.0\ndirection = \"x\"\n"
+         "[[axis]]\nletter = \"Y\"\nkind = \"linear\"\nmin_mm = 0.0\nmax_mm = 500.0\ndirection = \"y\"\n"
+         "[[axis]]\nletter = \"Z\"\nkind = \"linear\"\nmin_mm = -90.0\nmax_mm = 90.0\ndirection = \"z\"\n"
+         "[[shape]]\nname = \"cutter\"\non = \"tool\"\nshape = { sphere_mm = 8.0 }\n"},
+        {"cell.toml",
+         "[cell]\nname = \"c\"\nmachine = \"router.toml\"\n"
+         "[[object]]\nname = \"block\"\nshape = { box_mm = [90.0, 90.0, 9.0] }\n"},
+        {"square.svg",
+         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"90mm\" height=\"90mm\" viewBox=\"0 0 90 90\">"
+         "<path d=\"M20,20 h50 v50 h-50 z\"/></svg>"},
+        {"part.step", "ISO-10303-21;"},
+        {"way.json",
+         "{\"name\": \"w\", \"root\": \"w\", \"paths\": [{\"name\": \"w\", \"targets\": ["
+         "{\"motion\": \"rapid\", \"position_mm\": [10, 20, 30], \"tool_axis\": [0, 0, 1]}, "
+         "{\"position_mm\": [60, 20, 30], \"feed_mm_min\": 900}]}]}"},
     };
     const auto found = kFiles.find(name);
     if (found == kFiles.end()) return std::nullopt;

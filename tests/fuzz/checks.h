@@ -33,6 +33,9 @@ Outcome check_post(std::string_view toml);
 /// Plans by a table of materials have finite figures.
 Outcome check_materials(std::string_view toml);
 
+/// Changes of a document are made as they are asked for, or refused and change nothing.
+Outcome check_toml_edit(std::string_view bytes);
+
 /// Paths are written and read back the same. By the posts that are built in they become programs that the
 /// posts' dialects read.
 Outcome check_path_json(std::string_view json);
@@ -67,5 +70,6 @@ Outcome check_rcs_values(std::string_view bytes);
 
 /// Whatever a page asks for, the answer's messages are whole, and its last one says how it ended.
 Outcome check_studio_request(std::string_view json);
+Outcome check_server_request(std::string_view sent);
 
 }  // namespace gsim::fuzz

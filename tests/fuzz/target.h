@@ -31,6 +31,9 @@ struct Target {
     std::string_view family;
     /// Reads any bytes whatever and looks at what must hold for all of them.
     Outcome (*check)(std::string_view input);
+    /// Whether the system refuses files beyond those of the fuzzer. Not where what refuses them is ours, and
+    /// is tried.
+    bool confined = true;
 };
 
 /// All of them.

@@ -19,6 +19,7 @@ constexpr std::array kTargets{
     Target{"overrides", "overrides", check_overrides},
     Target{"post", "post", check_post},
     Target{"materials", "materials", check_materials},
+    Target{"toml_edit", "toml_edit", check_toml_edit},
     Target{"path_json", "path_json", check_path_json},
     Target{"path_script", "path_script", check_path_script},
     Target{"machine_data", "machine_data", check_machine_data},
@@ -36,6 +37,7 @@ constexpr std::array kTargets{
     Target{"solid_packet", "solid_packet", check_solid_packet},
     Target{"rcs_values", "rcs_values", check_rcs_values},
     Target{"studio_request", "studio_request", check_studio_request},
+    Target{"server_request", "server_request", check_server_request, false},
 };
 
 }  // namespace

@@ -79,7 +79,7 @@ no_solid() {
     ! bare "$bin/autopath" "$scratch/part.step" --material aluminum --thickness 12
 }
 
-readonly names=(gsim-run gsim-check gcode2lua autopath path2gcode gsim-data)
+readonly names=(gsim-run gsim-check gcode2lua autopath path2gcode gsim-data gsim-studio)
 for name in gsim "${names[@]}"; do
     check "$name --version" "^$name [0-9]" bare "$bin/$name" --version
     check "$name(1)" present present "$share/man/man1/$name.1"
@@ -88,6 +88,26 @@ done
 # A page with a finished run in it, where the page of the studio has been installed.
 page_of_a_run() {
     bare "$bin/gsim" run --quiet --view "$scratch/run.html" "$samples/wheel.nc" && grep -c 'id="run">H4sI' "$scratch/run.html"
+}
+
+# By its address alone, which is the first thing that is said.
+served_page() {
+    local address host
+    (exec env -i PATH=/usr/bin:/bin HOME="$scratch" LC_ALL=C "$bin/gsim" studio --no-browser "$samples" >"$scratch/address" 2>"$scratch/refused") &
+    local server=$!
+    for _ in {1..100}; do
+        [[ -s $scratch/address ]] && break
+        sleep 0.1
+    done
+    address=$(head -n 1 "$scratch/address")
+    [[ $address =~ ^http://(127\.0\.0\.1):([0-9]+)(/[0-9a-f]{32}/)$ ]] || { cat "$scratch/refused"; return 1; }
+    host=${BASH_REMATCH[1]}:${BASH_REMATCH[2]}
+    exec 5<>"/dev/tcp/${BASH_REMATCH[1]}/${BASH_REMATCH[2]}"
+    printf 'GET %s HTTP/1.1\r\nHost: %s\r\n\r\n' "${BASH_REMATCH[3]}" "$host" >&5
+    head -n 1 <&5
+    exec 5>&-
+    kill "$server"
+    wait "$server"
 }
 
 check 'completion for zsh' present present "$share"/zsh/*/_gsim
@@ -114,10 +134,13 @@ fi
 if [[ -e $prefix/libexec/gsim/gsim-solid ]]; then
     check 'reader of solids' 'part\.step' no_solid
 else
-    check 'no reader of solids' "gsim-solid, which reads STEP and IGES files, is neither in '$bin' nor in\|scripts/setup.sh step" no_solid
+    check 'no reader of solids' "gsim-solid is neither in '$bin' nor in\|scripts/setup.sh step" no_solid
 fi
 if [[ -e $share/gsim/studio/studio.html ]]; then
     check 'page of a run' '^1$' page_of_a_run
+fi
+if [[ -e $share/gsim/studio/served.html && -e $prefix/libexec/gsim/gsim-serve ]]; then
+    check 'served page' '^HTTP/1.1 200' served_page
 fi
 if [[ -e $share/doc/gsim/README.md ]]; then
     check documentation present present "$share/doc/gsim/docs/machine-file.md" "$share/doc/gsim/docs/path.schema.json"

@@ -12,7 +12,7 @@ readonly build here scratch prefix=$scratch/installed
 # In components: a whole installation would overwrite the manifest of one that somebody may want to take back.
 install_into() {
     local component
-    for component in programs development solid docs licence; do
+    for component in programs studio development solid docs licence; do
         cmake --install "$build" --component "$component" --prefix "$1" >>"$scratch/log" || return
         # Without OpenCASCADE there is nothing of solid, and no manifest of it or an empty one.
         [[ ! -s $build/install_manifest_$component.txt ]] || grep . "$build/install_manifest_$component.txt" >>"$scratch/manifest"

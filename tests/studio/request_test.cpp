@@ -13,8 +13,7 @@ std::string fault_of(const json& asked) {
 }
 
 TEST(RunRequest, TakesWhatAPageMayAskFor) {
-    const auto request = run_request({{"do", "run"},
-                                      {"program", "part.nc"},
+    const auto request = run_request({{"program", "part.nc"},
                                       {"machine", "mine.toml"},
                                       {"dialect", "rs274ngc"},
                                       {"feed_override_percent", 80},

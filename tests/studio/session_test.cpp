@@ -2,42 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "tests/studio/frames.h"
+#include "tests/studio/asked.h"
 
 namespace gsim::studio {
 namespace {
-
-using Files = std::map<std::string, std::string>;
-
-std::vector<Frame> answers(const std::string& asked, const Files& files = {}) {
-    engine::Host host;
-    host.files = engine::Files::given([&](const std::string& name) -> std::optional<std::string> {
-        const auto found = files.find(name);
-        if (found == files.end()) return std::nullopt;
-        return found->second;
-    });
-    std::vector<Frame> frames;
-    serve(asked, host, [&](const std::string& bytes) { frames.push_back(read_frame(bytes)); });
-    return frames;
-}
-
-std::vector<Frame> of_kind(const std::vector<Frame>& frames, const std::string& kind) {
-    std::vector<Frame> found;
-    std::copy_if(frames.begin(), frames.end(), std::back_inserter(found),
-                 [&](const Frame& frame) { return frame.is() == kind; });
-    return found;
-}
-
-const Frame& last(const std::vector<Frame>& frames) {
-    return frames.back();
-}
 
 constexpr const char* kRun = R"({"do": "run", "program": "part.nc"})";
 
@@ -100,8 +72,7 @@ TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
 }
 
 TEST(Session, TheDrawnWayWindsWithATurningTable) {
-    std::ifstream file(GSIM_SAMPLES "/machines/mill-table-table.toml");
-    std::string machine((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    std::string machine = sample("machines/mill-table-table.toml");
     const std::string shortest = "turning = \"shortest\"";
     machine.erase(machine.find(shortest), shortest.size());  // whole turns are made
     const auto frames =
@@ -162,12 +133,20 @@ TEST(Session, ARefusedProgramHasAReportAndFails) {
 
 TEST(Session, WhatCannotBeDoneFailsInASentence) {
     EXPECT_EQ(last(answers("{")).header["message"], "a request should be JSON");
-    EXPECT_EQ(last(answers(R"({"do": 3})")).header["message"],
-              "'do' should be a text: run, check, translate, envelope or languages");
+    EXPECT_EQ(last(answers("[]")).header["message"], "a request should be an object");
+    EXPECT_NE(last(answers(R"({"do": 3})"))
+                  .header["message"]
+                  .get<std::string>()
+                  .find("'do' should be a text, one of run, check, translate, envelope, languages"),
+              std::string::npos);
+    EXPECT_EQ(last(answers(R"({"do": "run", "tool_mm": 3})")).header["message"],
+              "there is no key 'tool_mm' of a run");
     EXPECT_EQ(
         last(answers(R"({"do": "run", "program": )" + std::string(100, '[') + std::string(100, ']') + "}"))
             .header["message"],
         "'program' should be a text, not of the kind array");
+    EXPECT_EQ(last(answers(R"({"do": "\nfly"})")).header["message"],
+              "nothing is known of how to do '\\x0afly'");
     EXPECT_EQ(last(answers(R"({"do": "fly"})")).header["message"], "nothing is known of how to do 'fly'");
     EXPECT_EQ(last(answers(kRun)).is(), "failed");
     EXPECT_NE(last(answers(kRun)).header["message"].get<std::string>().find("part.nc"), std::string::npos);

@@ -1,8 +1,8 @@
 // Samples to begin with.
 
 import { element } from "../core/dom";
-import type { Session, Setup } from "../core/session";
-import { emptySetup } from "../core/session";
+import type { Session } from "../core/session";
+import { emptySetup, type Setup } from "../core/setup";
 import { texts } from "../texts";
 
 interface Sample {
@@ -40,11 +40,8 @@ export const samples: Sample[] = [
   },
 ];
 
-/** Takes a sample as it is, whatever was chosen before, and runs it. */
-export function openSample(sample: Sample, session: Session): void {
-  session.change({ ...emptySetup(), ...sample.setup });
-  void session.run();
-}
+/** A sample as it is, whatever was chosen before. */
+export const setupOf = (sample: Sample): Setup => ({ ...emptySetup(), ...sample.setup });
 
 export function showGallery(session: Session): void {
   const close = () => dialog.close();
@@ -55,7 +52,8 @@ export function showGallery(session: Session): void {
         class: "card",
         onclick: () => {
           close();
-          openSample(sample, session);
+          session.history.edit(gallery.opened(sample.title), { setup: setupOf(sample) });
+          void session.run();
         },
       },
       element("strong", {}, sample.title),

@@ -3,9 +3,11 @@
 import { element } from "../core/dom";
 import { texts } from "../texts";
 
-export function showHelp(): void {
+/** `isServed`: the page talks to gsim-studio. */
+export function showHelp(isServed: boolean): void {
   const t = texts.bar;
-  const rows = t.keys.map(([keys, what]) =>
+  const keys = isServed ? [...t.keys, texts.folder.saveKey] : t.keys;
+  const rows = keys.map(([keys, what]) =>
     element("tr", {}, element("th", { scope: "row" }, element("kbd", {}, keys)), element("td", {}, what)),
   );
   const dialog = element(
@@ -13,7 +15,7 @@ export function showHelp(): void {
     { "aria-label": t.helpTitle, onclose: () => dialog.remove() },
     element("h2", {}, t.helpTitle),
     element("table", {}, element("tbody", {}, ...rows)),
-    element("p", {}, t.private),
+    element("p", {}, isServed ? texts.folder.private : t.private),
     element("button", { onclick: () => dialog.close() }, t.close),
   );
   document.body.append(dialog);

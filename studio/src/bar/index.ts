@@ -2,129 +2,81 @@
 
 import "./bar.css";
 import { element } from "../core/dom";
-import { emptySetup, type Session, type Setup } from "../core/session";
+import type { Folder } from "../core/folder";
+import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
+import { createFolderControls } from "./folder";
 import { showGallery } from "./gallery";
-import { showHelp } from "./help";
-import { acceptDrops, chooseFiles, saveFile } from "./open_files";
-import { mainChoices, moreChoices } from "./setup";
+import { acceptDrops, chooseFiles } from "./open_files";
+import { preferences } from "./preferences";
+import { createChoices } from "./setup";
+import { createUndo } from "./undo";
 
 const t = texts.bar;
 
-function toggle(label: string, title: string, pressed: () => boolean, flip: () => void): HTMLButtonElement {
-  return element("button", { title, "aria-label": title, "aria-pressed": String(pressed()), onclick: flip }, label);
-}
-
 /** Run, or cancel and how far it is. */
 function runControls(store: Store, session: Session): HTMLElement {
-  const host = element("span", { class: "run" });
+  const run = element("button", { class: "primary", id: "run-button", title: t.runTitle, onclick: () => void session.run() }, t.run);
+  const cancel = element("button", { id: "cancel-button", onclick: () => session.cancel() }, t.cancel);
+  const progress = element("progress", { "aria-label": t.running, max: 1 });
+  const done = element("span", { class: "done" });
   const draw = () => {
     const running = store.get("running");
-    if (!running) {
-      const run = element(
-        "button",
-        { class: "primary", id: "run-button", title: t.runTitle, disabled: !session.setup.program, onclick: () => void session.run() },
-        t.run,
-      );
-      host.replaceChildren(run);
-      return;
-    }
-    const progress = element("progress", { "aria-label": t.running, max: 1 });
+    const hadFocus = [run, cancel].includes(document.activeElement as HTMLButtonElement);
+    run.disabled = !session.setup.program;
+    run.hidden = running !== null;
+    for (const each of [cancel, progress, done]) each.hidden = running === null;
+    // The one takes the other's place, for the keyboard, too.
+    if (hadFocus) (running ? cancel : run).focus();
+    if (!running) return;
     if (running.total > 0) progress.value = Math.min(1, running.done / running.total);
-    const done = element("span", { class: "done" }, running.done > 0 ? t.blocks(running.done) : t.running);
-    host.replaceChildren(element("button", { id: "cancel-button", onclick: () => session.cancel() }, t.cancel), progress, done);
+    else progress.removeAttribute("value");
+    done.textContent = running.done > 0 ? t.blocks(running.done) : t.running;
   };
   store.watch(["running"], draw);
   session.on(draw);
-  return host;
+  return element("span", { class: "run" }, run, cancel, progress, done);
 }
 
-/** What a page with a finished run says in place of choices. */
-function titleOfRun(store: Store): HTMLElement {
-  const host = element("span", { class: "of-run" });
-  store.watch(["run"], () => {
-    const report = store.get("run")?.report;
-    host.textContent = report ? `${report.program} · ${report.machine ?? ""}` : "";
-  });
-  return host;
-}
-
-function preferences(store: Store): HTMLElement {
-  const host = element("span", { class: "preferences" });
-  const draw = () => {
-    const inch = store.get("units") === "inch";
-    const dark = store.get("theme") === "dark";
-    host.replaceChildren(
-      toggle(inch ? "inch" : "mm", t.unitsTitle, () => inch, () => store.set("units", inch ? "mm" : "inch")),
-      toggle(dark ? "☾" : "☀", t.themeTitle, () => dark, () => store.set("theme", dark ? "light" : "dark")),
-      element("button", { title: t.helpTitle, "aria-label": t.helpTitle, onclick: showHelp }, "?"),
-    );
-  };
-  store.watch(["units", "theme"], draw);
-  return host;
-}
-
-function choices(session: Session): HTMLElement {
-  const host = element("span", { class: "choices" });
-  const draw = () => {
-    const open = host.querySelector("details")?.open ?? false;
-    host.replaceChildren(
-      ...mainChoices(session),
-      element("details", { open }, element("summary", {}, t.changed(changedSettings(session.setup))), element("div", {}, ...moreChoices(session))),
-    );
-  };
-  session.on(draw);
-  session.documents.on((name) => {
-    // A name that is new belongs into the choices; what changes in a file does not.
-    if (!host.querySelector(`option[value="${CSS.escape(name)}"]`)) draw();
-  });
-  draw();
-  return host;
-}
-
-/** How many of the settings behind "More" are not as they are at first: what is out of sight is at work, too. */
-function changedSettings(setup: Readonly<Setup>): number {
-  const first = emptySetup();
-  const hidden = ["dialect", "machine_data", "robots", "feed_override_percent", "collisions"] as const;
-  return hidden.filter((key) => setup[key] !== first[key]).length;
-}
-
-/** A sentence below the bar, until it is dismissed or the next run begins. */
+/** A sentence below the bar, until it is dismissed or a person runs the program. */
 function noticeLine(store: Store): HTMLElement {
-  const host = element("div", { class: "notice", role: "status" });
+  const text = element("span", {});
+  const dismiss = element("button", { onclick: () => store.set("notice", ""), "aria-label": t.dismiss }, "×");
+  const host = element("div", { class: "notice", role: "status" }, text, dismiss);
   store.watch(["notice"], () => {
-    const text = store.get("notice");
-    host.hidden = !text;
-    host.replaceChildren(text, element("button", { onclick: () => store.set("notice", ""), "aria-label": t.dismiss }, "×"));
+    text.textContent = store.get("notice");
+    host.hidden = !text.textContent;
   });
   return host;
 }
 
 /** What was typed and not saved is asked for before the page goes. */
-function guardEdits(session: Session): void {
+function guardEdits(session: Session, folder: Folder | null): void {
   addEventListener("beforeunload", (event) => {
-    if (session.documents.unsaved) event.preventDefault();
+    session.history.keepTyped();
+    if (session.documents.unsaved || (folder?.marked().size ?? 0) > 0) event.preventDefault();
   });
 }
 
-export function createBar(host: HTMLElement, store: Store, session: Session): void {
-  const name = element("strong", { class: "name" }, texts.page.title);
-  if (!session.canRun) {
-    host.append(name, titleOfRun(store), preferences(store));
-    return;
-  }
+/** `folder`: the one that gsim-studio serves; null: the page stands alone. */
+export function createBar(host: HTMLElement, store: Store, session: Session, folder: Folder | null): void {
+  const controls = folder && createFolderControls(session, folder);
+  const choices = createChoices(session, controls?.markOf ?? (() => ""));
+  folder?.on(() => choices.renew());
+  const save = element("button", { title: t.saveTitle, onclick: () => void session.save(session.setup.program) }, t.save);
   host.append(
-    name,
+    element("strong", { class: "name" }, texts.page.title),
     element("button", { id: "gallery-button", onclick: () => showGallery(session) }, t.samples),
     element("button", { id: "open-button", title: t.openTitle, onclick: () => chooseFiles(session) }, t.open),
-    element("button", { title: t.saveTitle, onclick: () => saveFile(session.setup.program, session.documents) }, t.save),
-    choices(session),
+    controls?.buttons ?? save,
+    createUndo(store, session),
+    choices.element,
     runControls(store, session),
-    preferences(store),
+    preferences(store, folder !== null),
   );
-  host.append(noticeLine(store));
-  guardEdits(session);
+  host.append(element("div", { class: "notices" }, ...(controls ? [controls.standing] : []), noticeLine(store)));
+  guardEdits(session, folder);
   acceptDrops(session);
   document.addEventListener("keydown", (event) => {
     if (!event.defaultPrevented && event.key === "Enter" && (event.ctrlKey || event.metaKey)) void session.run();

@@ -1,8 +1,11 @@
 // Files that a person drops on the page or chooses: they become documents, and the setup takes those that it can use.
 
-import type { Documents } from "../core/documents";
+import type { FileContent } from "../core/documents";
+import { askForFiles } from "../core/files";
 import { baseName, dialectOfName, kindOfFile, type FileKind } from "../core/kinds";
-import type { Session, Setup } from "../core/session";
+import type { Session } from "../core/session";
+import type { Setup } from "../core/setup";
+import type { Store } from "../core/store";
 import { texts } from "../texts";
 
 const words = texts.bar;
@@ -20,11 +23,11 @@ const keyOf: Partial<Record<FileKind, keyof Setup>> = {
   program: "program",
 };
 
-/** Puts files into the setup, each where it belongs; of several programs the first. */
-export function takeFiles(names: string[], documents: Documents): Partial<Setup> {
+/** What of the setup becomes of files, each where it belongs; of several programs the first. */
+function setupOf(files: Record<string, FileContent>): Partial<Setup> {
   const change: Record<string, string> = {};
-  for (const name of names) {
-    const kind = kindOfFile(name, documents.get(name) ?? "");
+  for (const [name, content] of Object.entries(files)) {
+    const kind = kindOfFile(name, content);
     const key = keyOf[kind];
     if (!key || change[key]) continue;
     change[key] = name;
@@ -34,23 +37,36 @@ export function takeFiles(names: string[], documents: Documents): Partial<Setup>
   return change;
 }
 
+/** Path files and drawings go to the form of paths, variants to theirs; of several the first. Returns those that are taken. */
+function takeForForms(files: Record<string, FileContent>, store: Store): string[] {
+  const first = (wanted: FileKind) => Object.keys(files).find((name) => kindOfFile(name, files[name]) === wanted);
+  const [path, drawing] = [first("path"), first("drawing")];
+  if (path) store.set("pathFile", path);
+  // The same one again is wanted again.
+  if (drawing) for (const name of ["", drawing]) store.set("drawing", name);
+  if (path || drawing) store.set("form", "paths");
+  const variants = first("variants");
+  if (variants) store.set("variantsFile", variants);
+  if (variants) store.set("form", "variants");
+  return [path, drawing, variants].filter((name) => name !== undefined);
+}
+
 /** Which of several programs runs: one of the upper folders before those below, by name. */
 const byFolder = (a: Opened, b: Opened): number =>
   a.name.split("/").length - b.name.split("/").length || a.name.localeCompare(b.name);
 
 async function open(opened: Opened[], session: Session): Promise<void> {
-  const { documents, store } = session;
+  const { documents, history, store } = session;
   opened.sort(byFolder);
-  for (const { name, file } of opened) documents.open(name, new Uint8Array(await file.arrayBuffer()));
-  const names = opened.map(({ name }) => name);
-  const change = takeFiles(names, documents);
-  const taken = new Set<unknown>(Object.values(change));
+  const files: Record<string, FileContent> = {};
+  for (const { name, file } of opened) files[name] = documents.read(name, new Uint8Array(await file.arrayBuffer()));
+  const names = Object.keys(files);
+  const setup = setupOf(files);
+  if (names.length > 0) history.edit(words.opened(names.map(baseName)), { documents: files, setup });
+  const taken = new Set<unknown>([...Object.values(setup), ...takeForForms(files, store)]);
   const aside = names.filter((name) => !taken.has(name));
   const said = aside.length > 0 ? words.aside(names.length - aside.length, aside) : "";
-  if (taken.size > 0) {
-    session.change(change);
-    if (session.setup.program) await session.run();
-  }
+  if (Object.keys(setup).length > 0 && session.setup.program) await session.run();
   store.set("notice", said);
 }
 
@@ -98,7 +114,9 @@ function filesOfItem(item: DataTransferItem): Promise<Opened[]> {
 /** What is dropped anywhere on the page is opened. */
 export function acceptDrops(session: Session): void {
   const body = document.body;
+  const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
   body.addEventListener("dragover", (event) => {
+    if (!hasFiles(event)) return;
     event.preventDefault();
     body.dataset.dropping = "";
   });
@@ -106,6 +124,7 @@ export function acceptDrops(session: Session): void {
     if (event.relatedTarget === null) delete body.dataset.dropping;
   });
   body.addEventListener("drop", (event) => {
+    if (!hasFiles(event)) return;
     event.preventDefault();
     delete body.dataset.dropping;
     const items = [...(event.dataTransfer?.items ?? [])].filter((item) => item.kind === "file");
@@ -117,23 +136,9 @@ export function acceptDrops(session: Session): void {
 
 /** Asks for files by the system's dialog. */
 export function chooseFiles(session: Session): void {
-  const input = document.createElement("input");
-  input.type = "file";
-  input.multiple = true;
-  input.onchange = () => {
-    const opened = [...(input.files ?? [])].map((file) => ({ name: file.name, file }));
-    open(opened, session).catch((fault: unknown) => session.store.set("notice", words.unread(String(fault))));
-  };
-  input.click();
-}
-
-/** Gives a document to the person as a file. */
-export function saveFile(name: string, documents: Documents): void {
-  const bytes = documents.save(name);
-  if (bytes === undefined) return;
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([bytes as BlobPart]));
-  link.download = baseName(name);
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  askForFiles(true, (files) => {
+    open(files.map((file) => ({ name: file.name, file })), session).catch((fault: unknown) =>
+      session.store.set("notice", words.unread(String(fault))),
+    );
+  });
 }

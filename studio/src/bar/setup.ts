@@ -1,89 +1,161 @@
-// What is run on what: the choices in the bar, and the rarer ones behind "More".
+// What is run on what: the choices in the bar, and the rarer ones behind "More". Each is made once and follows the setup.
 
+import { Debounced } from "../core/debounced";
 import type { Documents } from "../core/documents";
-import { choice, element } from "../core/dom";
-import { dialectOfName, kindOfFile, type FileKind } from "../core/kinds";
-import type { Session, Setup } from "../core/session";
+import { choice, element, offer } from "../core/dom";
+import { dialectOfName, namesOfKind, shortName, type FileKind } from "../core/kinds";
+import { controlNames } from "../core/other_control";
+import type { Session } from "../core/session";
+import { MOST_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../core/setup";
 import { texts } from "../texts";
 
 const t = texts.bar;
 
-/** Names of documents of a kind, own ones first. */
-function namesOf(kind: FileKind, documents: Documents): string[] {
-  const all = [...documents.ownNames(), ...[...documents.samples.keys()].filter((name) => !documents.isOwn(name))];
-  return all.filter((name) => kindOfFile(name, documents.get(name) ?? "") === kind);
+/** A choice with what brings it up to date. */
+interface Choice {
+  element: HTMLElement;
+  renew(): void;
 }
 
-const shown = (name: string): string => name.replace(/^samples\/(machines|cell)\//, "").replace(/^samples\//, "");
+/** What a person chooses can be taken back; `label` says what it was. */
+function choose(session: Session, label: string, setup: Partial<Setup>): void {
+  session.history.edit(label, { setup });
+  if (session.setup.program) void session.run();
+}
 
-function fileChoice(label: string, key: keyof Setup, kind: FileKind, none: string | null, session: Session): HTMLElement {
-  const names = namesOf(kind, session.documents);
-  const value = session.setup[key] as string;
-  const options: [string, string][] = names.map((name) => [name, shown(name)]);
-  if (none !== null) options.unshift(["", none]);
-  const select = choice(label, options, value, (name) => {
+const labelled = (label: string, control: HTMLElement): HTMLElement =>
+  element("label", {}, element("span", {}, label), control);
+
+/** What stands behind a name in choices. */
+export type MarkOf = (name: string) => string;
+
+/** `none` says what it is without a file; null: there has to be one. */
+function fileChoice(label: string, key: FileKind & keyof Setup, none: string | null, session: Session, mark: MarkOf): Choice {
+  const select = choice(label, [], "", (name) => {
     // A program brings its language along, by its name; what the one before needed is not its.
-    session.change(key === "program" ? { program: name, dialect: dialectOfName(name), robots: "" } : { [key]: name });
-    if (session.setup.program) void session.run();
+    const setup = key === "program" ? { program: name, dialect: dialectOfName(name), robots: "" } : { [key]: name };
+    choose(session, t.chosen(label, name ? shortName(name) : (none ?? "")), setup);
   });
-  return element("label", {}, element("span", {}, label), select);
+  const renew = () => {
+    const value = session.setup[key];
+    const names = namesOfKind(key, session.documents);
+    // What is set is shown, also where no such file is here any more.
+    if (value && !names.includes(value)) names.push(value);
+    const options = names.map((name): [string, string] => {
+      // A sample's may be that of another file, too.
+      const shown = names.includes(shortName(name)) ? name : shortName(name);
+      return [name, `${shown} ${mark(name)}`.trim()];
+    });
+    offer(select, none !== null || !value ? [["", none ?? ""], ...options] : options, value);
+  };
+  return { element: labelled(label, select), renew };
 }
 
-function dialectChoice(session: Session): HTMLElement {
-  const options: [string, string][] = [
-    ["", t.asTheMachineSays],
-    ["ab9", "Allen-Bradley 9/Series"],
-    ["rs274ngc", "RS274/NGC (LinuxCNC)"],
-  ];
-  const select = choice(t.language, options, session.setup.dialect, (dialect) => {
-    session.change({ dialect });
-    void session.run();
-  });
-  return element("label", {}, element("span", {}, t.language), select);
+function dialectChoice(session: Session): Choice {
+  const options: [string, string][] = [["", t.asTheMachineSays], ...Object.entries(texts.run.dialects)];
+  const select = choice(t.language, options, "", (dialect) =>
+    choose(session, t.chosen(t.language, texts.run.dialects[dialect] ?? t.asTheMachineSays), { dialect }),
+  );
+  return { element: labelled(t.language, select), renew: () => offer(select, options, session.setup.dialect) };
 }
 
-export function mainChoices(session: Session): HTMLElement[] {
-  return [
-    fileChoice(t.program, "program", "program", session.setup.program ? null : "", session),
-    fileChoice(t.machine, "machine", "machine", t.builtInMachine, session),
-    fileChoice(t.cell, "cell", "cell", t.noCell, session),
-  ];
+/** In place of the machine file's: one that is built in, or a file. */
+function controlChoice(session: Session): Choice {
+  const select = choice(t.control, [], "", (controller) =>
+    choose(session, t.chosen(t.control, controller ? shortName(controller) : t.asTheMachineSays), { controller }),
+  );
+  const renew = () => {
+    const { controller } = session.setup;
+    const names = controlNames(session.documents);
+    if (controller && !names.includes(controller)) names.push(controller);
+    offer(select, [["", t.asTheMachineSays], ...names.map((name): [string, string] => [name, shortName(name)])], controller);
+  };
+  return { element: labelled(t.control, select), renew };
 }
 
-function feedOverride(session: Session): HTMLElement {
+function override(key: (typeof overrideKeys)[number], session: Session): Choice {
+  const label = t.overrides[key];
   const input = element("input", {
     type: "number",
     min: 0,
-    max: 1000,
+    max: MOST_OVERRIDE_PERCENT,
     step: 5,
-    value: session.setup.feed_override_percent,
     onchange: () => {
-      const percent = Math.min(1000, Math.max(0, Number(input.value) || 0));
-      session.change({ feed_override_percent: percent });
-      void session.run();
+      const percent = Math.min(MOST_OVERRIDE_PERCENT, Math.max(0, Number(input.value) || 0));
+      choose(session, t.chosen(label, String(percent)), { [key]: percent });
+      renew();
     },
   });
-  return element("label", {}, element("span", {}, t.feedOverride), input);
+  const renew = () => (input.value = String(session.setup[key]));
+  return { element: labelled(label, input), renew };
 }
 
-function collisions(session: Session): HTMLElement {
+function collisions(session: Session): Choice {
   const input = element("input", {
     type: "checkbox",
-    checked: session.setup.collisions,
-    onchange: () => {
-      session.change({ collisions: input.checked });
-      void session.run();
-    },
+    onchange: () => choose(session, t.chosen(t.collisions, input.checked ? t.yes : t.no), { collisions: input.checked }),
   });
-  return element("label", {}, input, element("span", {}, t.collisions));
+  const row = element("label", {}, input, element("span", {}, t.collisions));
+  return { element: row, renew: () => (input.checked = session.setup.collisions) };
 }
 
-export function moreChoices(session: Session): HTMLElement[] {
-  return [
+/** How many of the settings behind "More" are not as they are at first: what is out of sight is at work, too. */
+function changedSettings(setup: Readonly<Setup>): number {
+  const first = emptySetup();
+  const hidden = ["dialect", "controller", "machine_data", "robots", ...overrideKeys, "collisions"] as const;
+  return hidden.filter((key) => setup[key] !== first[key]).length;
+}
+
+/** What opens below its word, until Escape or a click elsewhere. */
+function createMore(summary: HTMLElement, ...content: HTMLElement[]): HTMLElement {
+  const details = element("details", {}, summary, element("div", {}, ...content));
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || event.defaultPrevented || !details.open) return;
+    if (details.contains(document.activeElement)) summary.focus();
+    details.open = false;
+  });
+  document.addEventListener("pointerdown", (event) => {
+    if (!details.contains(event.target as Node)) details.open = false;
+  });
+  return details;
+}
+
+/** Whether a name is in the choices as it should be: what changes in a file makes no other choice. */
+const isListed = (host: HTMLElement, name: string, documents: Documents): boolean =>
+  documents.get(name) !== undefined && host.querySelector(`option[value="${CSS.escape(name)}"]`) !== null;
+
+export interface Choices {
+  element: HTMLElement;
+  /** Soon, once for many calls. */
+  renew(): void;
+}
+
+export function createChoices(session: Session, mark: MarkOf): Choices {
+  const main = [
+    fileChoice(t.program, "program", null, session, mark),
+    fileChoice(t.machine, "machine", t.builtInMachine, session, mark),
+    fileChoice(t.cell, "cell", t.noCell, session, mark),
+  ];
+  const rare = [
     dialectChoice(session),
-    fileChoice(t.machineData, "machine_data", "machine_data", t.none, session),
-    fileChoice(t.robots, "robots", "robots", t.none, session),
-    feedOverride(session),
+    controlChoice(session),
+    fileChoice(t.machineData, "machine_data", t.none, session, mark),
+    fileChoice(t.robots, "robots", t.none, session, mark),
+    ...overrideKeys.map((key) => override(key, session)),
     collisions(session),
   ];
+  const elements = (choices: Choice[]) => choices.map((each) => each.element);
+  const summary = element("summary", {});
+  const host = element("span", { class: "choices" }, ...elements(main), createMore(summary, ...elements(rare)));
+  const renew = () => {
+    for (const each of [...main, ...rare]) each.renew();
+    summary.textContent = t.changed(changedSettings(session.setup));
+  };
+  const soon = new Debounced(renew);
+  session.on(renew);
+  session.documents.on((name) => {
+    if (!isListed(host, name, session.documents)) soon.after(0);
+  });
+  renew();
+  return { element: host, renew: () => soon.after(0) };
 }

@@ -27,7 +27,8 @@ export class AutoRun {
       if (running && !before) this.began_ms = performance.now();
     });
     store.on("run", () => {
-      if (this.began_ms > 0) this.took_s = (performance.now() - this.began_ms) / 1000;
+      // One that had been made before took no time by now.
+      if (store.get("running")) this.took_s = (performance.now() - this.began_ms) / 1000;
     });
   }
 

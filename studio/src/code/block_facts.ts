@@ -17,18 +17,23 @@ export interface BlockFacts {
 /** Beyond so many segments of a line the rest is left out of what is told of it. */
 const ENOUGH = 20_000;
 
-/** Null: the line has not run. */
+/** Whether a line has run, and not all that it has is here. */
+export function lacksFacts({ blocks, segments }: Robot, file: number, line: number): boolean {
+  return segments.isLong && !blocks.behindTable({ file, line }).next().done;
+}
+
+/** Null: the line has not run, or not all that it has is here. */
 export function blockFacts(robot: Robot, file: number, line: number): BlockFacts | null {
   const { blocks, segments, letters } = robot;
   const numbers = blocks.ofLine(file, line);
-  if (numbers.length === 0) return null;
+  if (numbers.length === 0 || lacksFacts(robot, file, line)) return null;
   const facts = { passes: numbers.length, time_s: 0, length_mm: 0, peak_mm_s: 0 };
-    const held = new Map<string, { time_s: number; limit: NamedLimit }>();
+  const held = new Map<string, { time_s: number; limit: NamedLimit }>();
   let seen = 0;
   for (const number of numbers) {
     const end = blocks.end(number);
-    for (let i = blocks.first.at(number); i < end && seen < ENOUGH; ++i, ++seen) {
-      const [chunk, at] = segments.locate(i);
+    for (let i = blocks.first(number); i < end && seen < ENOUGH; ++i, ++seen) {
+      const [chunk, at] = segments.locate(i)!;
       const limit = limitOfFlags(chunk.flags[at], letters);
       const key = `${limit.kind} ${limit.letter}`;
       const sum = held.get(key) ?? { time_s: 0, limit };
@@ -36,7 +41,7 @@ export function blockFacts(robot: Robot, file: number, line: number): BlockFacts
       held.set(key, sum);
       facts.time_s += chunk.duration_s[at];
       facts.length_mm += chunk.length_mm[at];
-      facts.peak_mm_s = Math.max(facts.peak_mm_s, segments.peakSpeed(i));
+      facts.peak_mm_s = Math.max(facts.peak_mm_s, segments.peakSpeed(chunk, at));
     }
     if (seen >= ENOUGH) break;
   }

@@ -18,6 +18,8 @@ export interface Problems {
   warnings: number;
   /** Whether an answer is awaited. */
   checking: boolean;
+  /** The text is not in the page. */
+  isElsewhere: boolean;
 }
 
 export class Checking {
@@ -69,7 +71,7 @@ export class Checking {
     this.isAsking = true;
     this.source.flush();
     this.tell();
-    const told = await this.session.check(name);
+    const told = await (this.source.isProgram ? this.session.check(name) : this.session.checkFile(name));
     this.isAsking = false;
     this.take(
       findingsOf(
@@ -116,6 +118,7 @@ export class Checking {
       errors: severities.filter((severity) => severity === "error").length,
       warnings: severities.filter((severity) => severity === "warning").length,
       checking: this.isAsking,
+      isElsewhere: this.source.isElsewhere,
     });
   }
 }

@@ -38,6 +38,8 @@ export interface Configuration {
   readOnly: boolean;
   /** For people who do not see it. */
   label: string;
+  /** What stands in place of a text that is empty. */
+  hint: string;
 }
 
 export class Editor {
@@ -48,7 +50,6 @@ export class Editor {
   constructor(
     host: HTMLElement,
     private readonly events: EditorEvents,
-    private readonly hint: string,
   ) {
     this.view = new EditorView({ parent: host });
     for (const kind of ["wheel", "touchmove", "pointerdown", "keydown"]) {
@@ -111,10 +112,11 @@ export class Editor {
     scrollDOM.scrollTo({ top: scrollDOM.scrollTop + top - height / 3, behavior: near ? "smooth" : "instant" });
   }
 
-  private extensions({ language, readOnly, label }: Configuration): Extension {
+  private extensions({ language, readOnly, label, hint }: Configuration): Extension {
     return [
       language,
       EditorState.readOnly.of(readOnly),
+      placeholder(hint),
       EditorView.contentAttributes.of({ "aria-label": label, ...(readOnly ? { "aria-readonly": "true" } : {}) }),
     ];
   }
@@ -140,7 +142,6 @@ export class Editor {
       short ? [bracketMatching(), highlightSelectionMatches()] : [],
       closeBrackets(),
       search({ top: true }),
-      placeholder(this.hint),
       appearance,
       this.keys(),
       EditorView.updateListener.of((update) => this.events.updated(update)),

@@ -1,6 +1,7 @@
 // Code, time and what is chosen go together: the line that the machine is at is marked and kept in sight, a line that
 // a person chooses is shown to the rest of the page, and one that is chosen elsewhere gets the cursor.
 
+import { showStart } from "../core/go";
 import { lineAtWork, robotOf } from "../core/shown";
 import type { Store } from "../core/store";
 import type { Place } from "../run/report";
@@ -31,6 +32,7 @@ export class Following {
   ) {
     store.on("time_s", () => this.later(!this.isOwn));
     store.on("robot", () => this.later(false));
+    store.on("fetched", () => this.later(!this.isOwn));
     store.on("selection", (place) => {
       if (place && !this.isOwn) this.go(place);
       this.later(false);
@@ -44,9 +46,8 @@ export class Following {
     const isNew = source.sheet.runLineOf(line) === 0;
     this.isOwn = true;
     store.set("selection", isNew ? null : { file: source.name, line: place?.line ?? line, block: -1 });
-    const blocks = robotOf(store)?.blocks;
-    const block = place && blocks ? blocks.nearest(place.file, place.line, store.get("time_s")) : -1;
-    if (blocks && block >= 0) store.set("time_s", blocks.start_s(block));
+    const block = place ? (robotOf(store)?.blocks.nearest(place.file, place.line, store.get("time_s")) ?? -1) : -1;
+    if (block >= 0) showStart(store, block);
     this.isOwn = false;
   }
 
@@ -91,7 +92,8 @@ export class Following {
   private follow(mayScroll: boolean): void {
     const { source, translation } = this;
     const place = lineAtWork(this.store);
-    if (place && place.file !== source.name && mayScroll && this.isLeft && source.has(place.file)) {
+    const mayLeave = mayScroll && this.isLeft && source.isProgram;
+    if (place && place.file !== source.name && mayLeave && source.has(place.file)) {
       source.show(place.file);
     }
     const line = place?.file === source.name ? source.sheet.lineOfRun(place.line) : 0;

@@ -7,13 +7,20 @@ import type { Heat } from "./heat";
 import { lineTimes } from "./line_times";
 import type { SourcePane } from "./source_pane";
 
-/** Null: the file has not run. */
+/** Whether the shown file has run, and its lines have no times as not all of the run is here. */
+export function lacksTimes(store: Store, source: SourcePane): boolean {
+  const run = store.get("run");
+  const index = store.get("robot");
+  return run !== null && run.fileOf(index, source.name) >= 0 && (run.robots[index]?.segments.isLong ?? false);
+}
+
+/** Null: the file has not run, or the run is so long that not all of it is here. */
 export function heatOfRun(store: Store, source: SourcePane): Heat | null {
   const run = store.get("run");
   const index = store.get("robot");
   const robot = run?.robots[index];
   const file = run?.fileOf(index, source.name) ?? -1;
-  if (!run || !robot || file < 0) return null;
+  if (!run || !robot || file < 0 || robot.segments.isLong) return null;
   const { times_s, slowest_s } = lineTimes(robot, file);
   if (slowest_s <= 0) return null;
   const cycle_s = run.end_s;

@@ -9,7 +9,7 @@ import { robotOf } from "../core/shown";
 import type { Store } from "../core/store";
 import { feedText, lengthText, percentText, timeText } from "../core/units";
 import { texts } from "../texts";
-import { blockFacts, type BlockFacts } from "./block_facts";
+import { blockFacts, lacksFacts, type BlockFacts } from "./block_facts";
 import { codeName, type Dialect } from "./dialect";
 import type { ModalState } from "./modal";
 import { isCode, wordsOf } from "./words";
@@ -97,10 +97,14 @@ function modalCard(state: ModalState, dialect: Dialect): HTMLElement {
   return element("div", { class: "code-card" }, element("div", { class: "code-dim" }, title), list);
 }
 
-function factsAt(context: HoverContext, line: number): BlockFacts | null {
+/** What the block of a line took, or why that is not told; null: it has not run. */
+function factsAt(context: HoverContext, line: number): HTMLElement | null {
   const place = context.runPlace(line);
   const robot = robotOf(context.store);
-  return place && robot ? blockFacts(robot, place.file, place.line) : null;
+  if (!place || !robot) return null;
+  if (lacksFacts(robot, place.file, place.line)) return element("div", { class: "code-card code-dim" }, words.notHere);
+  const facts = blockFacts(robot, place.file, place.line);
+  return facts && factsCard(facts, context);
 }
 
 async function cards(context: HoverContext, view: EditorView, position: number): Promise<HTMLElement | null> {
@@ -113,7 +117,7 @@ async function cards(context: HoverContext, view: EditorView, position: number):
   const state = await context.modal(line.number);
   const all = element("div", { class: "code-hover" });
   if (word) all.append(word);
-  if (facts) all.append(factsCard(facts, context));
+  if (facts) all.append(facts);
   if (state && (state.codes.size > 0 || state.words.size > 0)) all.append(modalCard(state, dialect));
   return all.childElementCount > 0 ? all : null;
 }

@@ -5,6 +5,8 @@ import { Debounced } from "../core/debounced";
 import { element } from "../core/dom";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
+import type { Place } from "../run/report";
+import { texts } from "../texts";
 import { AutoRun, CHECK_PAUSE_MS } from "./auto_run";
 import { Checking } from "./checking";
 import { isMisread } from "./dialect";
@@ -12,12 +14,14 @@ import { byPage } from "./editor";
 import { Following } from "./following";
 import { Header, type Tab } from "./header";
 import { setHeat } from "./heat";
-import { heatOfRun } from "./heat_of_run";
+import { heatOfRun, lacksTimes } from "./heat_of_run";
 import { LuaOfOwn } from "./lua_of_own";
 import { scrollTogether } from "./scroll_together";
 import { SourcePane } from "./source_pane";
 import { Status } from "./status";
 import { TranslationPane } from "./translation_pane";
+
+const words = texts.code;
 
 /** Longer programs are translated when a person asks to see the Lua, and not while they type. */
 const LONG_LINES = 200_000;
@@ -71,6 +75,7 @@ class CodePart {
       moved: () => this.showPlace(),
       renewed: () => this.showDialect(),
       run,
+      fromHere: (line) => this.fromHere(line),
       leave,
     });
     this.translation = new TranslationPane(this.panes.lua, store, session, this.source, {
@@ -100,15 +105,21 @@ class CodePart {
 
   private listen(host: HTMLElement): void {
     const { store, session } = this;
+    session.tellInForceBy((file, line) => this.source.inForce(file, line));
     session.on(() => this.setupChanged());
     store.on("running", (running, before) => {
       if (running && !before) this.source.runBegins();
       this.renewHeader();
     });
     store.on("run", () => this.ranAnew());
+    store.on("textAsked", (place) => {
+      if (place) this.showPlaceAsked(place);
+    });
     store.watch(["robot"], () => this.renewHeat());
     new ResizeObserver(() => host.classList.toggle("code-wide", host.clientWidth >= WIDE_PX)).observe(host);
     host.addEventListener("keydown", (event) => {
+      // What is saved by it has to be handed on.
+      if (event.key.toLowerCase() === "s" && (event.ctrlKey || event.metaKey)) this.source.flush();
       if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey) || event.defaultPrevented) return;
       event.preventDefault();
       this.run();
@@ -118,6 +129,16 @@ class CodePart {
   private open(program: string): void {
     this.program = program;
     this.source.show(program);
+  }
+
+  private showPlaceAsked({ file, line }: Place): void {
+    this.store.set("textAsked", null);
+    if (!this.source.has(file)) return;
+    this.source.show(file);
+    this.showTab("source");
+    this.source.editor.select(line);
+    this.source.editor.view.focus();
+    requestAnimationFrame(() => this.source.editor.reveal(line));
   }
 
   private setupChanged(): void {
@@ -158,7 +179,7 @@ class CodePart {
     const { program } = this.session.setup;
     const ran = this.store.get("run")?.report?.program ?? "";
     if (!program && ran && this.source.has(ran) && this.source.name !== ran) this.source.show(ran);
-    this.source.runEnds();
+    this.source.runEnds(this.store.get("running") !== null);
     this.checking.ranAnew();
     this.renewHeat();
     this.following.renew();
@@ -170,8 +191,15 @@ class CodePart {
     if (this.session.canRun && this.session.setup.program) void this.session.run();
   }
 
+  private fromHere(line: number): void {
+    if (!this.session.canRun) return;
+    this.following.choose(line);
+    this.store.set("form", "variants");
+    this.store.set("hereAsked", true);
+  }
+
   private readAs(dialect: string): void {
-    this.session.change({ dialect });
+    this.session.history.edit(words.readingAs(this.source.dialect.title), { setup: { dialect } });
     this.run();
   }
 
@@ -180,13 +208,17 @@ class CodePart {
     if (isOn && this.source.sheet.changedSinceRun) this.run();
   }
 
+  private get hasTranslation(): boolean {
+    return this.source.isProgram && !this.source.isScript;
+  }
+
   private get showsLua(): boolean {
-    return this.tab !== "source" && !this.source.isScript;
+    return this.tab !== "source" && this.hasTranslation;
   }
 
   private showTab(tab: Tab): void {
     this.tab = tab;
-    this.panes.source.hidden = tab === "lua" && !this.source.isScript;
+    this.panes.source.hidden = tab === "lua" && this.hasTranslation;
     this.panes.lua.hidden = !this.showsLua;
     if (this.showsLua) void this.translation.renew();
     this.renewHeader();
@@ -208,22 +240,24 @@ class CodePart {
   }
 
   private editLua(): void {
-    const name = this.own.make(this.source.name, this.translation.script);
-    this.session.change({ program: name });
+    const { name, script } = this.own.make(this.source.name, this.translation.script);
+    this.session.history.edit(words.editLua, { documents: { [name]: script }, setup: { program: name } });
   }
 
   private toGcode(): void {
     const origin = this.own.originOf(this.source.name);
-    if (origin) this.session.change({ program: origin });
+    if (origin) this.session.history.edit(words.toGcode, { setup: { program: origin } });
   }
 
   private renewHeat(): void {
     const heat = heatOfRun(this.store, this.source);
     this.source.editor.view.dispatch({ effects: setHeat.of(heat), annotations: byPage.of(true) });
+    this.status.showTimes(lacksTimes(this.store, this.source));
   }
 
   private showDialect(): void {
     const { isScript, dialect, name } = this.source;
+    if (!this.source.isProgram) return this.status.showDialect(/\.toml$/i.test(name) ? "TOML" : "", false);
     const isOffered = !isScript && this.session.canRun && isMisread(this.session, name);
     this.status.showDialect(isScript ? "Lua" : dialect.title, isOffered);
   }
@@ -236,9 +270,9 @@ class CodePart {
   }
 
   private files(): string[] {
-    const { program } = this.session.setup;
+    const { program, machine, cell, machine_data, robots: file } = this.session.setup;
     const robots = this.store.get("run")?.robots ?? [];
-    const all = new Set([program, ...robots.flatMap(({ files }) => files), this.source.name]);
+    const all = new Set([program, ...robots.flatMap(({ files }) => files), machine, cell, machine_data, file, this.source.name]);
     return [...all].filter((name) => name === this.source.name || (name !== "" && this.source.has(name)));
   }
 
@@ -254,7 +288,7 @@ class CodePart {
       canRun: session.canRun,
       running: running && (running.total > 0 ? running.done / running.total : NaN),
       tab: this.tab,
-      hasTabs: !source.isScript && session.canRun,
+      hasTabs: this.hasTranslation && session.canRun,
       autoRun: this.autoRun.isOn,
       autoRunTooSlow: this.autoRun.isTooSlow,
       origin: this.own.originOf(source.name) ?? "",

@@ -16,7 +16,7 @@ function lastLine(robot: Robot, file: number): number {
   return last;
 }
 
-/** One pass over all segments: to be kept for as long as the run is shown. */
+/** One pass over all segments, which are here: to be kept for as long as the run is shown. */
 export function lineTimes(robot: Robot, file: number): LineTimes {
   const times_s = new Float64Array(lastLine(robot, file) + 1);
   for (const { count, file: files, line, duration_s } of robot.segments.chunks) {

@@ -13,15 +13,14 @@ export class LuaOfOwn {
 
   constructor(private readonly documents: Documents) {}
 
-  /** Puts the script under a name that is free, or has this very text; returns it. */
-  make(program: string, translation: string): string {
+  /** A script of one's own, with a name that is free, or has this very text. */
+  make(program: string, translation: string): { name: string; script: string } {
     const script = translation.replace(lineMark, "");
     const stem = program.replace(ending, "");
     let name = `${stem}.lua`;
     for (let i = 2; this.isTaken(name, script); ++i) name = `${stem}-${i}.lua`;
-    this.documents.put(name, script);
     this.origins.set(name, program);
-    return name;
+    return { name, script };
   }
 
   /** Undefined: it was opened as it is. */

@@ -18,8 +18,8 @@ function carry(line: number, from: Text, changes: ChangeDesc, to: Text): number 
 }
 
 export class Sheet {
-  /** As it was opened. */
-  private readonly opened: Text;
+  /** As it was opened, or saved last. */
+  private kept: Text;
   private ran: Mark;
   private running: Mark | null = null;
 
@@ -27,7 +27,7 @@ export class Sheet {
     readonly name: string,
     public state: EditorState,
   ) {
-    this.opened = state.doc;
+    this.kept = state.doc;
     this.ran = markOf(state.doc);
   }
 
@@ -36,11 +36,16 @@ export class Sheet {
   }
 
   get isModified(): boolean {
-    return !this.doc.eq(this.opened);
+    return !this.doc.eq(this.kept);
   }
 
   get changedSinceRun(): boolean {
     return !this.ran.changes.empty && !this.doc.eq(this.ran.text);
+  }
+
+  /** It is on a disk as it is, or a sample. */
+  saved(): void {
+    this.kept = this.doc;
   }
 
   changed(changes: ChangeDesc): void {
@@ -52,9 +57,9 @@ export class Sheet {
     this.running = markOf(this.doc);
   }
 
-  /** The run that began last is the one that is shown. */
-  runEnds(): void {
-    if (this.running) this.ran = this.running;
+  /** The run that began last is the one that is shown; of one that had been made before, the text is as it is now. */
+  runEnds(wasBegun: boolean): void {
+    this.ran = wasBegun && this.running ? this.running : markOf(this.doc);
     this.running = null;
   }
 

@@ -1,10 +1,13 @@
 // The program that is shown and edited: G-code, or a script in Lua.
 
-import { toggleComment } from "@codemirror/commands";
-import type { ChangeDesc, Extension } from "@codemirror/state";
+import { isolateHistory, toggleComment } from "@codemirror/commands";
+import { Transaction, type ChangeDesc, type Extension, type Text } from "@codemirror/state";
 import { keymap, type ViewUpdate } from "@codemirror/view";
 import { Debounced } from "../core/debounced";
-import { isScript } from "../core/kinds";
+import { SHOWN_BYTES, UNTITLED } from "../core/documents";
+import type { Change } from "../core/history";
+import type { InForce } from "../core/in_force";
+import { baseName, isProgram, isScript } from "../core/kinds";
 import type { Language } from "../core/languages";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
@@ -18,17 +21,23 @@ import { hover } from "./hover";
 import { luaLanguage } from "./lua_language";
 import { ModalIndex, type ModalState } from "./modal";
 import { Sheet } from "./sheet";
-
-/** What a new program is called. */
-const UNTITLED = "untitled.nc";
+import { textChange } from "./text_change";
+import { tomlLanguage } from "./toml_language";
 
 /** Longer texts are handed on when a person pauses. */
 const AT_ONCE_UP_TO = 200_000;
 const PAUSE_MS = 600;
 
+/** What kind of edit it was, where such edits one behind the other are one step for undo; empty: each is one. */
+function kindOf(update: ViewUpdate): string {
+  const events = update.transactions.map((transaction) => transaction.annotation(Transaction.userEvent) ?? "");
+  return /^(?:input\.type|delete\.(?:back|for)ward|undo|redo)/.exec(events.find((event) => event !== "") ?? "")?.[0] ?? "";
+}
+
 export interface SourceEvents {
-  /** Another file, or another text of it, is shown. */
+  /** Another file is shown. */
   shown(): void;
+  /** Its text is another one, by a person or by another part of the page. */
   edited(): void;
   /** A person has put the cursor on a line. */
   chosen(line: number): void;
@@ -37,6 +46,8 @@ export interface SourceEvents {
   /** The cursor is elsewhere. */
   moved(): void;
   run(): void;
+  /** Asks for a run that goes on from a line. */
+  fromHere(line: number): void;
   leave(): void;
 }
 
@@ -49,6 +60,8 @@ export class SourcePane {
   private readonly sheets = new Map<string, Sheet>();
   private readonly putting = new Debounced(() => this.put());
   private isPutting = false;
+  /** What no document has yet. */
+  private typed: { text: Text; kind: string } | null = null;
 
   constructor(
     host: HTMLElement,
@@ -56,11 +69,12 @@ export class SourcePane {
     private readonly session: Session,
     private readonly events: SourceEvents,
   ) {
-    this.editor = new Editor(host, this.editorEvents(), texts.code.placeholder);
+    this.editor = new Editor(host, this.editorEvents());
     this.dialect = new Dialect("ab9", null);
     this.modal = new ModalIndex(this.dialect);
     this.sheet = this.sheetOf(UNTITLED);
     session.documents.on((name) => this.replaced(name));
+    session.history.onStep(() => this.flush());
     void session.languages().then((languages) => {
       this.languages = languages;
       this.renew();
@@ -76,9 +90,19 @@ export class SourcePane {
     return isScript(this.name);
   }
 
+  /** Machines, cells and data are shown as text alone. */
+  get isProgram(): boolean {
+    return this.isProgramNamed(this.name);
+  }
+
   get readOnly(): boolean {
     const isKnown = this.name === UNTITLED || this.session.documents.get(this.name) !== undefined;
     return !this.session.canRun || !isKnown;
+  }
+
+  /** It runs, but its text is not in the page. */
+  get isElsewhere(): boolean {
+    return this.session.documents.sizeElsewhere(this.name) !== undefined;
   }
 
   /** Whether there is a text of that name. */
@@ -91,6 +115,7 @@ export class SourcePane {
     this.flush();
     this.sheet = this.sheetOf(name || UNTITLED);
     this.editor.show(this.sheet.state);
+    this.store.set("document", this.name);
     this.renew();
     this.events.shown();
   }
@@ -114,8 +139,8 @@ export class SourcePane {
     for (const sheet of this.sheets.values()) sheet.runBegins();
   }
 
-  runEnds(): void {
-    for (const sheet of this.sheets.values()) sheet.runEnds();
+  runEnds(wasBegun: boolean): void {
+    for (const sheet of this.sheets.values()) sheet.runEnds(wasBegun);
   }
 
   /** File and line of the shown run for a line of the text; null: it has not run. */
@@ -125,11 +150,20 @@ export class SourcePane {
     return file >= 0 && ran > 0 ? { file, line: ran } : null;
   }
 
-  /** In force behind a line of the G-code. */
+  /** In force behind a line of the G-code; line 0: at the start. */
   modalAt(line: number): Promise<ModalState | null> {
-    if (this.isScript) return Promise.resolve(null);
+    if (this.isScript || !this.isProgram) return Promise.resolve(null);
     const { doc } = this.editor.view.state;
     return this.modal.at(doc, line, () => this.editor.view.state.doc !== doc);
+  }
+
+  /** In force where a line of the shown run begins; null: its text is not the one that is shown, or no G-code. */
+  async inForce(file: string, runLine: number): Promise<InForce | null> {
+    const line = file === this.name ? this.sheet.lineOfRun(runLine) : 0;
+    const state = line > 0 ? await this.modalAt(line - 1) : null;
+    if (!state) return null;
+    const codes = [...state.codes].map(([group, name]) => ({ name, group, meaning: this.dialect.codes.get(name)?.meaning ?? "" }));
+    return { codes, words: [...state.words].map(([letter, value]) => letter + value), jumps: state.jumps };
   }
 
   private sheetOf(name: string): Sheet {
@@ -143,11 +177,25 @@ export class SourcePane {
     return sheet;
   }
 
+  private isProgramNamed(name: string): boolean {
+    return isProgram(name, this.session.documents.get(name) ?? "");
+  }
+
   private configuration(name: string) {
+    const readOnly = this.sheet !== undefined && this.readOnly;
+    if (this.isProgramNamed(name)) return { language: this.ofProgram(name), readOnly, label: texts.code.editorLabel(name), hint: this.hintOf(name) };
+    const language = [
+      name.toLowerCase().endsWith(".toml") ? tomlLanguage : [],
+      keymap.of([{ key: "Mod-/", run: toggleComment, preventDefault: true }]),
+    ];
+    return { language, readOnly, label: texts.code.textLabel(name), hint: this.hintOf(name) };
+  }
+
+  private ofProgram(name: string): Extension {
     const isLua = isScript(name);
     const language = isLua ? luaLanguage(this.dialect) : gcodeLanguage(this.dialect);
     const toggle = isLua ? toggleComment : toggleRemark(this.dialect.isNgc);
-    const extensions: Extension = [
+    return [
       language,
       completion(this.dialect, isLua),
       hover({
@@ -157,10 +205,17 @@ export class SourcePane {
         modal: (line) => this.modalAt(line),
         isLua,
       }),
-      keymap.of([{ key: "Mod-/", run: toggle, preventDefault: true }]),
+      keymap.of([
+        { key: "Mod-/", run: toggle, preventDefault: true },
+        { key: "Mod-Shift-Enter", run: () => this.fromHere(), preventDefault: true },
+      ]),
     ];
-    const readOnly = this.sheet !== undefined && this.readOnly;
-    return { language: extensions, readOnly, label: texts.code.editorLabel(name) };
+  }
+
+  private hintOf(name: string): string {
+    const bytes = this.session.documents.sizeElsewhere(name);
+    if (bytes === undefined) return texts.code.placeholder;
+    return bytes > SHOWN_BYTES ? texts.folder.tooLarge(bytes) : texts.folder.loading;
   }
 
   private editorEvents(): EditorEvents {
@@ -169,20 +224,36 @@ export class SourcePane {
       gutterClicked: (line) => {
         this.editor.select(line);
         this.editor.view.focus();
-        this.events.chosen(line);
+        if (this.isProgram) this.events.chosen(line);
       },
       run: () => this.events.run(),
       leave: () => this.events.leave(),
     };
   }
 
+  private fromHere(): boolean {
+    const { state } = this.editor.view;
+    this.events.fromHere(state.doc.lineAt(state.selection.main.head).number);
+    return true;
+  }
+
   private updated(update: ViewUpdate): void {
     this.sheet.state = update.state;
     if (update.selectionSet || update.docChanged) this.events.moved();
     if (update.transactions.some((transaction) => transaction.annotation(byPage))) return;
-    if (update.docChanged) return this.changed(update.changes.desc);
+    if (update.docChanged) return this.edited(update);
     const { main } = update.state.selection;
+    if (!this.isProgram) return;
     if (update.selectionSet && main.empty) this.events.chosen(update.state.doc.lineAt(main.head).number);
+  }
+
+  private edited(update: ViewUpdate): void {
+    const kind = kindOf(update);
+    if (this.typed && this.typed.kind !== kind) this.flush();
+    this.typed = { text: update.state.doc, kind };
+    this.putting.after(PAUSE_MS);
+    if (update.state.doc.length <= AT_ONCE_UP_TO) this.flush();
+    this.changed(update.changes.desc);
   }
 
   private changed(changes: ChangeDesc): void {
@@ -190,25 +261,55 @@ export class SourcePane {
     let first = this.sheet.doc.length;
     changes.iterChangedRanges((_fromA, _toA, from) => (first = Math.min(first, from)));
     this.modal.changed(this.sheet.doc.lineAt(first).number);
-    this.putting.after(PAUSE_MS);
-    if (this.sheet.doc.length <= AT_ONCE_UP_TO) this.putting.flush();
     this.events.edited();
   }
 
   private put(): void {
+    if (!this.typed) return;
+    const { name, session } = this;
+    const { text, kind } = this.typed;
+    this.typed = null;
+    const before: Change = { documents: { [name]: session.documents.own(name) ?? null } };
     this.isPutting = true;
-    this.session.documents.put(this.name, this.sheet.doc.toString());
+    session.documents.put(name, text.toString());
     this.isPutting = false;
-    if (this.session.setup.program === "") this.session.change({ program: this.name });
+    if (text === this.sheet.doc && !session.documents.isUnsaved(name)) this.sheet.saved();
+    if (session.setup.program === "" && this.isProgram) {
+      before.setup = { program: "" };
+      session.change({ program: name });
+    }
+    session.history.made(texts.code.typed(baseName(name)), before, kind && `${kind} ${name}`);
   }
 
-  // By another part of the page, as when a file is dropped on it.
+  // By another part of the page, as when a file is dropped on it or a step is taken back: what is the same stays, and the
+  // editor's own undo goes on.
   private replaced(name: string): void {
     if (this.isPutting) return;
     if (name === this.session.setup.machine) this.renew();
-    this.sheets.delete(name);
-    if (name !== this.name) return;
-    this.putting.cancel();
-    this.show(name);
+    const sheet = this.sheets.get(name);
+    if (!sheet) return;
+    const { documents } = this.session;
+    // It may have been saved, or taken away, while a person typed.
+    if (name === this.name) this.flush();
+    if (documents.get(name) === undefined && name !== UNTITLED) {
+      this.sheets.delete(name);
+      if (name === this.name) this.show(this.has(name) ? name : this.session.setup.program);
+      return;
+    }
+    this.rewrite(sheet, documents.text(name));
+    // It was not in the page before.
+    if (name === this.name && sheet.state.readOnly && !this.readOnly) this.renew();
+    if (!documents.isUnsaved(name)) sheet.saved();
+    if (name === this.name) this.events.edited();
+  }
+
+  private rewrite(sheet: Sheet, text: string): void {
+    const change = textChange(sheet.doc, text);
+    if (!change) return;
+    const transaction = sheet.state.update({ changes: change, annotations: [byPage.of(true), isolateHistory.of("full")] });
+    if (sheet === this.sheet) this.editor.view.dispatch(transaction);
+    else sheet.state = transaction.state;
+    sheet.changed(transaction.changes.desc);
+    if (sheet === this.sheet) this.modal.changed(sheet.doc.lineAt(change.from).number);
   }
 }

@@ -12,6 +12,7 @@ export class Status {
   readonly dom: HTMLElement;
   private readonly problems = element("button", { class: "code-problems", type: "button", title: words.problemsTitle });
   private readonly place = element("span", { class: "code-place" });
+  private readonly times = element("span", { class: "code-dim", title: words.noTimesTitle, hidden: true }, words.noTimes);
   private readonly dialect = element("span", { class: "code-dim" });
   private readonly readAs = element("button", { type: "button", title: words.readAsTitle });
 
@@ -22,16 +23,22 @@ export class Status {
       nextDiagnostic(view());
       view().focus();
     });
-    this.dom = element("footer", { class: "code-status" }, this.problems, this.place, this.dialect, this.readAs);
+    this.dom = element("footer", { class: "code-status" }, this.problems, this.times, this.place, this.dialect, this.readAs);
     this.problems.hidden = true;
     this.place.title = words.placeTitle;
   }
 
-  showProblems({ errors, warnings, checking }: Problems): void {
-    this.problems.textContent = checking ? words.checking : words.problems(errors, warnings);
+  showProblems({ errors, warnings, checking, isElsewhere }: Problems): void {
+    const found = isElsewhere && errors + warnings === 0 ? texts.folder.notChecked : words.problems(errors, warnings);
+    this.problems.textContent = checking ? words.checking : found;
     this.problems.disabled = errors + warnings === 0;
     this.problems.dataset.worst = errors > 0 ? "error" : warnings > 0 ? "warning" : "none";
     this.problems.hidden = false;
+  }
+
+  /** Whether times of lines are lacking. */
+  showTimes(areLacking: boolean): void {
+    this.times.hidden = !areLacking;
   }
 
   /** Line and column of the cursor, from 1 on. */

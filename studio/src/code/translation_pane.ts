@@ -60,7 +60,6 @@ export class TranslationPane {
         run: () => events.run(),
         leave: () => events.leave(),
       },
-      "",
     );
     this.show("");
   }
@@ -79,7 +78,7 @@ export class TranslationPane {
 
   /** Asks for the translation where the one that is shown is not of the present text. */
   async renew(): Promise<void> {
-    if (!this.isStale || this.source.isScript || !this.session.canRun) return this.say();
+    if (!this.isStale || this.source.isScript || !this.session.canRun || this.source.isElsewhere) return this.say();
     this.isStale = false;
     const asked = ++this.asked;
     this.note.textContent = texts.code.translating;
@@ -94,6 +93,7 @@ export class TranslationPane {
   private say(failed = false): void {
     const { code } = texts;
     if (!this.session.canRun) this.note.textContent = code.noEngine;
+    else if (this.source.isElsewhere) this.note.textContent = texts.folder.notTranslated;
     else if (failed) this.note.textContent = this.script ? code.translationOld : code.translationFailed;
     else this.note.textContent = code.translation;
     this.edit.hidden = failed || !this.script;
@@ -119,6 +119,7 @@ export class TranslationPane {
       ],
       readOnly: true,
       label: texts.code.translationLabel(this.source.name),
+      hint: "",
     };
     this.editor.show(this.editor.stateOf(script, configuration));
     this.editor.view.scrollDOM.scrollTop = scrollTop;

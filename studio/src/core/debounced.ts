@@ -5,6 +5,11 @@ export class Debounced {
 
   constructor(private readonly action: () => void) {}
 
+  /** Whether it waits to be done. */
+  get isDue(): boolean {
+    return this.timer !== null;
+  }
+
   /** Does it after a time; of several calls the last one counts. */
   after(delay_ms: number): void {
     this.cancel();

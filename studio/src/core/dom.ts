@@ -50,3 +50,25 @@ export function choice(
   );
   return select;
 }
+
+/** Gives a choice other values, where they are others, and chooses one; the focus stays. */
+export function offer(
+  select: HTMLSelectElement,
+  options: readonly (readonly [value: string, text: string])[],
+  value: string,
+): void {
+  const listed = [...select.options].map((option) => [option.value, option.text]);
+  if (JSON.stringify(listed) !== JSON.stringify(options)) {
+    select.replaceChildren(...options.map(([each, text]) => element("option", { value: each }, text)));
+  }
+  select.value = value;
+}
+
+/** Makes these the children; those that stand where they should are not touched, so that the focus in them stays. */
+export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): void {
+  const wanted = new Set<Node>(children);
+  for (const child of [...parent.childNodes]) if (!wanted.has(child)) child.remove();
+  children.forEach((child, i) => {
+    if (parent.childNodes[i] !== child) parent.insertBefore(child, parent.childNodes[i] ?? null);
+  });
+}

@@ -17,11 +17,26 @@ export function goTo(store: Store, { file, line }: Placed, t_s: number | null): 
   store.set("selection", { file, line, block: blockAt(store, { file, line }, store.get("time_s")) });
 }
 
-/** Shows where a block of the robot that is shown begins, and chooses it. */
+/** Shows where a block of the robot that is shown begins; what is chosen stays. */
+export function showStart(store: Store, block: number): void {
+  const robot = robotOf(store);
+  if (!robot) return;
+  const { blocks, segments } = robot;
+  const first = blocks.first(block);
+  const t_s = blocks.start_s(block);
+  store.set("time_s", t_s);
+  if (segments.locate(first)) return;
+  // By vertices it is some milliseconds off.
+  void segments.need(first).then((isHere) => {
+    if (isHere && robotOf(store) === robot && store.get("time_s") === t_s) store.set("time_s", blocks.start_s(block));
+  });
+}
+
+/** As showStart(), and chooses the block. */
 export function goToBlock(store: Store, block: number): void {
   const robot = robotOf(store);
   if (!robot) return;
-  const { file, line, start_s } = robot.blocks.get(block);
-  store.set("time_s", start_s);
+  const { file, line } = robot.blocks.get(block);
+  showStart(store, block);
   store.set("selection", { file: robot.files[file] ?? "", line, block });
 }

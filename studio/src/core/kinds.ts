@@ -1,8 +1,8 @@
 // What a file is, by its name and what stands in it.
 
-import type { FileContent } from "./documents";
+import type { Documents, FileContent } from "./documents";
 
-export type FileKind = "program" | "machine" | "cell" | "robots" | "machine_data" | "other";
+export type FileKind = "program" | "machine" | "cell" | "robots" | "machine_data" | "path" | "drawing" | "variants" | "other";
 
 const HEAD = 20_000; // bytes that are looked at
 
@@ -18,16 +18,24 @@ function kindOfToml(text: string): FileKind {
 
 const endingOf = (name: string): string => name.toLowerCase().split(".").pop() ?? "";
 
+/** By its name a program, whatever stands in it. */
+export const isLikeProgram = (name: string): boolean => /\.(nc|ngc|tap|cnc|gcode|g|mpf|eia|txt|lua)$/i.test(name);
+
 /** A program in Lua, of which nothing is known before it runs. */
 export const isScript = (name: string): boolean => endingOf(name) === "lua";
 
 /** Without its folders. */
 export const baseName = (name: string): string => name.slice(name.lastIndexOf("/") + 1);
 
-export function kindOfFile(name: string, content: FileContent): FileKind {
+/** Of a file that is not in the page (undefined) the name alone tells. */
+export function kindOfFile(name: string, content: FileContent | undefined): FileKind {
+  if (content === undefined) return isLikeProgram(name) ? "program" : "other";
   const ending = endingOf(name);
   if (ending === "toml") return kindOfToml(headOf(content));
-  if (["stl", "obj", "step", "stp", "iges", "igs", "dxf", "svg", "json", "md"].includes(ending)) return "other";
+  if (["dxf", "svg"].includes(ending)) return "drawing";
+  if (/\.variants\.json$/i.test(name)) return "variants";
+  if (ending === "json" && (/\.path\.json$/i.test(name) || /"targets"\s*:/.test(headOf(content)))) return "path";
+  if (["stl", "obj", "step", "stp", "iges", "igs", "json", "md"].includes(ending)) return "other";
   if (ending === "ini") return "machine";
   if (isScript(name)) return "program";
   const head = headOf(content);
@@ -36,5 +44,15 @@ export function kindOfFile(name: string, content: FileContent): FileKind {
   return "program";
 }
 
+/** Texts that are no programs are shown as they are, and checked by what reads them. */
+export const isProgram = (name: string, content: FileContent): boolean => kindOfFile(name, content) === "program";
+
 /** The language of a program by its name, where nothing else says it. */
 export const dialectOfName = (name: string): string => (endingOf(name) === "ngc" ? "rs274ngc" : "");
+
+/** Documents of a kind, a person's own first. */
+export const namesOfKind = (kind: FileKind, documents: Documents): string[] =>
+  documents.names().filter((name) => documents.kindOf(name) === kind);
+
+/** As a list shows a name: without the folders that all samples are in. */
+export const shortName = (name: string): string => name.replace(/^samples\/((machines|cell)\/)?/, "");

@@ -1,51 +1,65 @@
 // What is run, and with what: asks the engine and puts what comes of it into the store.
 
 import { Run, type Told } from "../run/run";
-import type { Documents } from "./documents";
-import type { Answer, Engine } from "./engine";
-import { isScript } from "./kinds";
+import type { Documents, FileContent } from "./documents";
+import type { Answer, Engine, Files, Keeper } from "./engine";
+import { faultsOf } from "./faults";
+import { isScript, kindOfFile, type FileKind } from "./kinds";
+import { Debounced } from "./debounced";
+import { saveFile } from "./files";
+import { GrowingRun } from "./growing_run";
+import { History } from "./history";
 import type { Language } from "./languages";
+import type { Message } from "./message";
+import type { InForce, TellInForce } from "./in_force";
+import { isOfRun } from "./of_run";
+import { changedSince, originOf, type Origin, type Versions } from "./origin";
+import { BUILT_IN_MACHINE, withOtherControl } from "./other_control";
+import { emptySetup, type Setup } from "./setup";
 import { texts } from "../texts";
-import type { Store } from "./store";
-
-/** What a run is made of, as names of documents; empty: none. */
-export interface Setup {
-  program: string;
-  /** Empty: the machine of the cell, or the one built in. */
-  machine: string;
-  /** "ab9", "rs274ngc"; empty: as the machine file says. */
-  dialect: string;
-  cell: string;
-  machine_data: string;
-  robots: string;
-  /** Of a control other than the machine file's: its name; empty: as the machine file says. */
-  controller: string;
-  collisions: boolean;
-  feed_override_percent: number;
-}
-
-export const emptySetup = (): Setup => ({
-  program: "",
-  machine: "",
-  dialect: "",
-  cell: "",
-  machine_data: "",
-  robots: "",
-  controller: "",
-  collisions: true,
-  feed_override_percent: 100,
-});
+import type { Running, Store } from "./store";
 
 /** Of a run in the page, each of which takes some 300 bytes: an endless program ends before memory does. */
-const MOST_BLOCKS = 4_000_000;
+export const MOST_BLOCKS = 4_000_000;
 
 /** Whether a run came to its end, so that its time means something beside another's. */
 const isComparable = ({ report }: Run): boolean => report?.status === "completed" || report?.status === "violations";
 
+const doneOf = ({ header }: Message): Running => ({ done: header.done as number, total: header.total as number });
+
+/** Why a run was none; what the engine has told by itself stays. */
+function refused(run: Run, message: string, code = "refused"): Run {
+  run.failure ??= { code, message };
+  return run;
+}
+
+/** Behind a change by a form the program runs anew, when no further one comes within this time. */
+const RUN_PAUSE_MS = 400;
+
+/** An answer with all that was told in it. */
+export interface Answered extends Answer {
+  messages: Message[];
+}
+
 export class Session {
+  /** What forms have changed. */
+  readonly history: History;
   private readonly listeners = new Set<() => void>();
+  private readonly soon = new Debounced(() => {
+    if (this.current.program) void this.begin();
+  });
   private current = emptySetup();
+  private readonly growing: GrowingRun;
+  private readonly origins = new WeakMap<Run, Origin>();
+  /** Counts runs that were begun or ended, so that one that is out of turn knows it. */
+  private turn = 0;
+  private isAsking = false;
+  /** Whether the page's own run was ended by one beside it, and is made behind that. */
+  private isOwed = false;
   private known: Promise<Language[]> | null = null;
+  private teller: TellInForce = () => Promise.resolve(null);
+  private versions: () => Versions = () => new Map();
+  private saver = async (name: string): Promise<void> => saveFile(name, this.documents);
 
   /** Two engines, so that checking while one types does not wait for a run. */
   constructor(
@@ -53,7 +67,15 @@ export class Session {
     readonly documents: Documents,
     private readonly runner: Engine,
     private readonly checker: Engine,
-  ) {}
+  ) {
+    this.growing = new GrowingRun(store);
+    this.history = new History(documents, this);
+    this.history.on((applied) => {
+      if (!applied) return;
+      if (Object.keys(applied.setup ?? {}).length > 0) this.runSoon();
+      else this.changed(Object.keys(applied.documents ?? {}));
+    });
+  }
 
   get setup(): Readonly<Setup> {
     return this.current;
@@ -73,62 +95,211 @@ export class Session {
     this.listeners.add(listener);
   }
 
-  private request(what: string, program: string): Record<string, unknown> {
-    const { machine, dialect, cell, machine_data } = this.current;
+  /** Runs when no further change comes for a moment. */
+  runSoon(): void {
+    this.soon.after(RUN_PAUSE_MS);
+  }
+
+  /** Asks the engine what forms want to know (docs/studio.md), with documents at hand, and `more`, which are none yet. */
+  async question(
+    request: Record<string, unknown>,
+    more: Record<string, FileContent> = {},
+    documents: Files = this.documents.files(),
+  ): Promise<Answered> {
+    const messages: Message[] = [];
+    const files = new Map([...documents, ...Object.entries(more)]);
+    const answer = await this.checker.ask(request, files, (message) => messages.push(message));
+    return { ...answer, messages };
+  }
+
+  /** Saves a document where the page saves: as a file that the person gets, or into the folder. */
+  save(name: string): Promise<void> {
+    return this.saver(name);
+  }
+
+  /** Documents are saved in another way from now on. */
+  saveBy(saver: (name: string) => Promise<void>): void {
+    this.saver = saver;
+  }
+
+  /** The folder, where there is one, tells which versions its files are. */
+  versionsBy(versions: () => Versions): void {
+    this.versions = versions;
+  }
+
+  /** What is in force where a line begins; null: nothing is known of it. */
+  inForce(file: string, line: number): Promise<InForce | null> {
+    return this.teller(file, line);
+  }
+
+  /** The part of the page that knows the texts tells it. */
+  tellInForceBy(teller: TellInForce): void {
+    this.teller = teller;
+  }
+
+  /** Runs anew where the run is another one by these documents; returns whether it is. */
+  changed(names: string[]): boolean {
+    const ran = this.store.get("run");
+    if (!names.some((name) => isOfRun(name, this.documents.kindOf(name), this.current, ran))) return false;
+    this.runSoon();
+    return true;
+  }
+
+  private request(what: string, program: string, setup: Readonly<Setup> = this.current): Record<string, unknown> {
+    const { machine, dialect, cell, machine_data } = setup;
     return { do: what, program, machine, dialect, cell, machine_data };
   }
 
   /** Runs the program, in place of a run under way. The run before stays for comparing. */
   async run(): Promise<void> {
-    if (this.store.get("running")) this.cancel();
-    const { store, documents, current } = this;
-    const run = new Run(this.sources());
-    const running = { done: 0, total: 0 };
-    store.set("running", running);
-    const request = {
-      ...this.request("run", current.program),
-      robots: current.robots,
-      collisions: current.collisions,
-      feed_override_percent: current.feed_override_percent,
-      explain: true,
-      blocks: MOST_BLOCKS,
+    this.store.set("notice", "");
+    await this.begin();
+  }
+
+  // A run that comes by itself leaves what the page has said.
+  private async begin(keeper = this.runner.keeper): Promise<void> {
+    this.end();
+    this.isOwed = false;
+    const { store, current } = this;
+    store.set("running", { done: 0, total: 0 });
+    const told = (run: Run, message: Message) => {
+      if (message.is === "progress") store.set("running", doneOf(message));
+      else if (message.is === "segments") this.growing.show(run);
     };
-    store.set("notice", "");
-    const answer = await this.runner.ask(request, documents.files(), (message) => {
-      if (message.is === "progress") {
-        store.set("running", { done: message.header.done as number, total: message.header.total as number });
-      } else {
-        run.take(message);
-        if (message.is === "segments") this.showMotion(run);
-      }
+    const run = await this.execute(current, told, keeper);
+    if (!run) return;
+    if (run.failure?.code === "no-room") {
+      store.set("notice", texts.folder.notKept(run.failure.message));
+      return this.begin(null);
+    }
+    // Whoever is told of a run that was begun here can tell it from one that had been made before.
+    const { turn } = this;
+    this.show(run);
+    if (turn === this.turn) store.set("running", null);
+  }
+
+  /**
+   * Runs another set-up than the page's, in place of any run under way, and shows nothing of it. Null: another run, or
+   * cancelRun(), has ended it. A run of the page's own that was due or under way comes behind it, or behind those that
+   * follow it at once.
+   */
+  async runBeside(setup: Readonly<Setup>, progress: (running: Running) => void): Promise<Run | null> {
+    this.putOff();
+    const running = this.execute(setup, (_, message) => {
+      if (message.is === "progress") progress(doneOf(message));
     });
-    if (answer.code === "cancelled") return;
-    store.set("running", null);
-    this.show(run, answer);
+    const { turn } = this;
+    try {
+      return await running;
+    } finally {
+      if (turn === this.turn) this.runOwed();
+    }
   }
 
-  /** Programs of loops tell no progress by their lines: what has moved does. */
-  private showMotion(run: Run): void {
-    const running = this.store.get("running");
-    if (!running || running.total > 0) return;
-    this.store.set("running", { done: Math.max(running.done, run.robots[0]?.blocks.count ?? 0), total: 0 });
+  /** Ends what runs; a run of the page's own is made later. */
+  private putOff(): void {
+    this.isOwed ||= this.soon.isDue || this.store.get("running") !== null;
+    this.end();
   }
 
-  private show(run: Run, answer: Answer): void {
-    if (!answer.ok) run.failure ??= { code: answer.code, message: answer.message };
+  private runOwed(): void {
+    if (this.isOwed) this.runSoon();
+    this.isOwed = false;
+  }
+
+  /** Documents that a run would read otherwise today, by name; of one that came with the page nothing is known. */
+  changedSince(run: Run): string[] {
+    const origin = this.origins.get(run);
+    return origin ? changedSince(run, origin, this.documents, this.versions()) : [];
+  }
+
+  /** What a run was made of; undefined: it came with the page. */
+  origin(run: Run): Origin | undefined {
+    return this.origins.get(run);
+  }
+
+  /** With a keeper the run may be too long for the page; without it is whole. */
+  private async execute(
+    setup: Readonly<Setup>,
+    told: (run: Run, message: Message) => void,
+    keeper: Keeper | null = null,
+  ): Promise<Run | null> {
+    const turn = ++this.turn;
+    const origin = originOf(setup, this.documents, this.versions());
+    const run = keeper ? this.growing.begin(origin.texts, keeper) : new Run(origin.texts);
+    this.origins.set(run, origin);
+    let files = this.documents.files();
+    if (setup.controller) {
+      const other = await withOtherControl(setup, (request) => this.question(request));
+      if (turn !== this.turn) return null;
+      if ("refusal" in other) return refused(run, other.refusal);
+      files = new Map([...files, [other.machine, other.text]]);
+    }
+    const { robots, collisions, feed_override_percent, rapid_override_percent, spindle_override_percent } = setup;
+    const request = {
+      ...this.request("run", setup.program, setup),
+      ...(setup.controller && { machine: setup.machine || BUILT_IN_MACHINE }),
+      ...{ robots, collisions, feed_override_percent, rapid_override_percent, spindle_override_percent },
+      explain: true,
+      blocks: keeper?.blocks ?? MOST_BLOCKS,
+    };
+    this.isAsking = true;
+    const take = (message: Message) => {
+      if (message.is !== "progress") run.take(message);
+      told(run, message);
+    };
+    const answer = await this.runner.ask(request, files, take, run.keptAs);
+    if (turn === this.turn) this.isAsking = false;
+    if (answer.code === "cancelled") return null;
+    return answer.ok ? run : refused(run, answer.message, answer.code);
+  }
+
+  private show(run: Run): void {
     const before = this.store.get("run");
-    if (before && isComparable(before)) this.store.set("previous", before);
+    if (run.isLong || before?.isLong) this.store.set("previous", null);
+    else if (before && isComparable(before)) this.store.set("previous", before);
+    this.put(run, before?.report?.program === run.report?.program);
+  }
+
+  /** The run goes on where the one before stood, where it is of the same program. */
+  private put(run: Run, goesOn: boolean): void {
     this.store.set("playing", false);
     this.store.set("run", run);
-    const sameProgram = before?.report?.program === run.report?.program;
-    this.store.set("time_s", sameProgram ? Math.min(this.store.get("time_s"), run.end_s) : 0);
+    this.growing.end();
+    this.store.set("time_s", goesOn ? Math.min(this.store.get("time_s"), run.end_s) : 0);
+  }
+
+  /** Shows a run that has been made already, of documents as they are now; the page takes its set-up by a step that `label` names. */
+  showRun(run: Run, label: string): void {
+    const origin = this.origins.get(run);
+    if (!origin) return;
+    if (this.store.get("running")) this.end();
+    this.history.edit(label, { setup: origin.setup });
+    this.soon.cancel();
+    this.isOwed = false;
+    const before = this.store.get("run");
+    if (run !== before) this.put(run, before?.report?.program === run.report?.program);
   }
 
   cancel(): void {
     if (!this.store.get("running")) return;
-    this.runner.cancel();
-    this.store.set("running", null);
+    this.end();
     this.store.set("notice", texts.bar.cancelled(this.store.get("run")?.report?.program ?? ""));
+  }
+
+  /** Ends a run beside the page's own. */
+  cancelRun(): void {
+    this.putOff();
+    this.runOwed();
+  }
+
+  private end(): void {
+    this.soon.cancel();
+    ++this.turn;
+    if (this.isAsking) this.runner.cancel();
+    this.isAsking = false;
+    this.growing.end();
+    this.store.set("running", null);
   }
 
   /** What is wrong with a program's text; of a script in Lua nothing is known before it runs. */
@@ -137,6 +308,19 @@ export class Session {
     if (!program || isScript(program)) return told;
     await this.ask("check", program, (header) => told.push(header as unknown as Told));
     return told;
+  }
+
+  /** What is wrong with a file that is no program, by what reads such files. */
+  async checkFile(name: string): Promise<Told[]> {
+    const { machine, cell } = this.current;
+    const requests: Partial<Record<FileKind, Record<string, unknown>>> = {
+      machine: { do: "machine", machine: name },
+      cell: { do: "machine", machine, cell: name },
+      machine_data: { do: "data", file: name },
+      other: machine || cell ? { do: "machine", machine, cell } : undefined,
+    };
+    const request = requests[kindOfFile(name, this.documents.get(name) ?? "")];
+    return request ? faultsOf(await this.question(request)) : [];
   }
 
   /** A program as Lua; nothing where it has errors, or is Lua. */
@@ -174,10 +358,5 @@ export class Session {
     return this.checker.ask(this.request(what, program), this.documents.files(), (message) => {
       if (message.is === "told") told(message.header);
     });
-  }
-
-  private sources(): Map<string, string> {
-    const names = [this.current.program, ...this.documents.ownNames()].filter((name) => name !== "");
-    return new Map(names.map((name) => [name, this.documents.text(name)]));
   }
 }

@@ -7,6 +7,9 @@ import type { Store } from "./store";
 /** Undefined: nothing has moved. */
 export const robotOf = (store: Store): Robot | undefined => store.get("run")?.robots[store.get("robot")];
 
+/** When the clock ends: with the run that is shown, or with the one beside it, whichever takes longer. */
+export const end_sOf = (store: Store): number => Math.max(store.get("run")?.end_s ?? 0, store.get("beside")?.run.end_s ?? 0);
+
 /**
  * The line that is at work at the instant that is shown: an event's before that of the motion which begins there, but
  * where a person has chosen one of them, that one. Null: none is.

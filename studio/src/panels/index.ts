@@ -1,9 +1,54 @@
-// The side of the page: the results of a run.
+// The side of the page: the results of a run, and the forms by which it is changed.
 
+import "./side.css";
+import { element } from "../core/dom";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
+import { texts } from "../texts";
+import { createData } from "./data";
+import { createMachineForm } from "./machine";
+import { createPaths } from "./paths";
 import { createResults } from "./results";
+import { createTeach } from "./teach";
+import { createVariants } from "./variants";
+import { createTabs } from "./tab_bar";
 
-export function createSide(host: HTMLElement, store: Store, _session: Session): void {
-  createResults(host, store);
+/** A form; `shown` is called each time that it comes to be looked at, `hidden` when it no longer is. */
+export interface Form {
+  element: HTMLElement;
+  shown?(): void;
+  hidden?(): void;
+}
+
+export function createSide(host: HTMLElement, store: Store, session: Session): void {
+  const results = element("div", {});
+  createResults(results, store);
+  const forms: Record<keyof typeof texts.side.tabs, Form> = {
+    run: { element: results },
+    data: createData(store, session),
+    machine: createMachineForm(store, session),
+    teach: createTeach(store, session),
+    paths: createPaths(store, session),
+    variants: createVariants(store, session),
+  };
+  let last: Form | null = null;
+  /** How far each form was scrolled when it was left. */
+  const scrolled_px = new Map<Form, number>();
+  const tabs = createTabs(texts.side.label, texts.side.tabs, forms, "side", (name) => {
+    const next = forms[name];
+    if (last && last !== next) {
+      scrolled_px.set(last, host.scrollTop);
+      last.hidden?.();
+      host.scrollTop = scrolled_px.get(next) ?? 0;
+    }
+    last = next;
+    last.shown?.();
+  });
+  tabs.bar.classList.add("side-bar");
+  store.on("form", (name) => {
+    if (!name) return;
+    tabs.choose(name as keyof typeof forms);
+    store.set("form", "");
+  });
+  host.append(tabs.bar, ...tabs.panels);
 }

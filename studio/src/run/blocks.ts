@@ -1,9 +1,11 @@
 // The blocks of a run: segments one behind the other that come from the same line. A line that runs again, in a
-// loop or a subprogram, is another block.
+// loop or a subprogram, is another block. Those of segments that are here for good are in a table; behind them a
+// block's number counts segments up to its first one.
 
 import { SAME_TIME_S } from "./report";
 import { lastIndex } from "./search";
-import type { Chunk, Segments } from "./segments";
+import type { Segments } from "./segments";
+import type { Chunk, Line } from "./stretch";
 
 export interface Block {
   file: number;
@@ -13,20 +15,22 @@ export interface Block {
   count: number;
   start_s: number;
   end_s: number;
-  length_mm: number;
 }
 
 export class Blocks {
-  readonly first = new Growing(Uint32Array);
-  /** For each file and line the number of each of its blocks. */
-  private readonly byLine = new Map<number, Map<number, number[]>>();
+  private readonly firsts = new Growing(Uint32Array);
+  /** For each file the blocks in the table by their lines; made when it is asked for. */
+  private byLine: Map<number, ByLine> | null = null;
   private lastFile = -1;
   private lastLine = -1;
+  /** Segments that the table has. */
+  private tabledSegments = 0;
 
   constructor(private readonly segments: Segments) {}
 
-  get count(): number {
-    return this.first.length;
+  /** How many the table has. */
+  get tabled(): number {
+    return this.firsts.length;
   }
 
   add(chunk: Chunk): void {
@@ -34,58 +38,120 @@ export class Blocks {
       const [file, line] = [chunk.file[i], chunk.line[i]];
       if (file === this.lastFile && line === this.lastLine) continue;
       [this.lastFile, this.lastLine] = [file, line];
-      const lines = this.byLine.get(file) ?? new Map<number, number[]>();
-      this.byLine.set(file, lines);
-      const blocks = lines.get(line) ?? [];
-      lines.set(line, blocks);
-      blocks.push(this.first.length);
-      this.first.push(chunk.first + i);
+      this.firsts.push(chunk.first + i);
     }
+    this.byLine = null;
+    this.tabledSegments = chunk.first + chunk.count;
   }
 
   get(block: number): Block {
-    const first = this.first.at(block);
-    const next = this.end(block);
-    const begin = this.segments.info(first);
-    let length_mm = 0;
-    for (let i = first; i < next; ++i) length_mm += this.segments.info(i).length_mm;
-    return {
-      file: begin.file,
-      line: begin.line,
-      first,
-      count: next - first,
-      start_s: begin.start_s,
-      end_s: this.end_s(block),
-      length_mm,
-    };
+    const first = this.first(block);
+    const end = this.end(block);
+    return { ...this.segments.lineOf(first), first, count: end - first, start_s: this.start_s(block), end_s: this.end_s(block) };
   }
 
   /** The block of a segment. */
   of(segment: number): number {
-    return lastIndex(this.count, (block) => this.first.at(block) <= segment);
+    if (segment < this.tabledSegments) return lastIndex(this.tabled, (block) => this.firsts.at(block) <= segment);
+    return this.numberOf(this.about(segment)[0]);
+  }
+
+  private numberOf(first: number): number {
+    return this.tabled + first - this.tabledSegments;
+  }
+
+  /** Behind the table: the first segment of a block, and the one behind its last. */
+  private about(segment: number): [number, number] {
+    const { segments } = this;
+    const line = segments.lineOf(segment);
+    const isOf = (other: number) => {
+      const own = segments.lineOf(other);
+      return own.file === line.file && own.line === line.line;
+    };
+    let [begin, end] = segments.stretchOf(segment).blockAbout(segment);
+    while (begin > this.tabledSegments && isOf(begin - 1)) [begin] = segments.stretchOf(begin - 1).blockAbout(begin - 1);
+    while (end < segments.count && isOf(end)) [, end] = segments.stretchOf(end).blockAbout(end);
+    return [begin, end];
+  }
+
+  /** Its first segment. */
+  first(block: number): number {
+    return block < this.tabled ? this.firsts.at(block) : this.tabledSegments + block - this.tabled;
   }
 
   /** The segment behind its last. */
   end(block: number): number {
-    return block + 1 < this.count ? this.first.at(block + 1) : this.segments.count;
+    if (block >= this.tabled) return this.about(this.first(block))[1];
+    return block + 1 < this.tabled ? this.firsts.at(block + 1) : this.tabledSegments;
+  }
+
+  /** The one behind a block; -1: it is the last. */
+  after(block: number): number {
+    const end = this.end(block);
+    return end < this.segments.count ? this.of(end) : -1;
+  }
+
+  /** The one before; -1: it is the first. */
+  before(block: number): number {
+    return block > 0 ? this.of(this.first(block) - 1) : -1;
   }
 
   start_s(block: number): number {
-    return this.segments.start_s(this.first.at(block));
+    return this.segments.start_s(this.first(block));
   }
 
   end_s(block: number): number {
-    const [chunk, i] = this.segments.locate(this.end(block) - 1);
-    return chunk.start_s[i] + chunk.duration_s[i];
+    return this.segments.end_s_of(this.end(block) - 1);
   }
 
-  /** The blocks that come from a line, in the order of time. */
-  ofLine(file: number, line: number): readonly number[] {
-    return this.byLine.get(file)?.get(line) ?? [];
+  /** The blocks in the table that come from a line, in the order of time. */
+  ofLine(file: number, line: number): Uint32Array {
+    this.byLine ??= this.sortByLine();
+    return this.byLine.get(file)?.of(line) ?? new Uint32Array();
+  }
+
+  private sortByLine(): Map<number, ByLine> {
+    const lines = new Map<number, [blocks: Growing, lines: Growing]>();
+    for (let block = 0; block < this.tabled; ++block) {
+      const { file, line } = this.segments.lineOf(this.firsts.at(block));
+      const [blocks, of] = lines.get(file) ?? [new Growing(Uint32Array), new Growing(Uint32Array)];
+      lines.set(file, [blocks, of]);
+      blocks.push(block);
+      of.push(line);
+    }
+    return new Map([...lines].map(([file, [blocks, of]]) => [file, new ByLine(blocks, of)]));
+  }
+
+  /** Those behind the table. */
+  *behindTable(line: Line): Generator<number> {
+    const { stretches, chunks } = this.segments;
+    let end = 0;
+    for (let i = chunks.length; i < stretches.length; ++i) {
+      for (const segment of stretches[i].segmentsOf(line)) {
+        if (segment < end) continue;
+        const about = this.about(segment);
+        end = about[1];
+        yield this.numberOf(about[0]);
+      }
+    }
+  }
+
+  /** The first block that comes from a line; -1: it moves nothing. */
+  firstOf(file: number, line: number): number {
+    return this.ofLine(file, line)[0] ?? (this.behindTable({ file, line }).next().value as number | undefined) ?? -1;
   }
 
   /** The block of a line that is under way at an instant, else the one whose start is nearest; -1: it moves nothing. */
   nearest(file: number, line: number, t_s: number): number {
+    const found = [this.nearestInTable(file, line, t_s), ...this.nearBehindTable({ file, line }, t_s)].filter((block) => block >= 0);
+    const away_s = (block: number) => {
+      const start_s = this.start_s(block);
+      return t_s >= start_s && t_s <= this.end_s(block) ? -1 : Math.abs(t_s - start_s);
+    };
+    return found.length < 2 ? (found[0] ?? -1) : found.reduce((best, block) => (away_s(block) < away_s(best) ? block : best));
+  }
+
+  private nearestInTable(file: number, line: number, t_s: number): number {
     const blocks = this.ofLine(file, line);
     if (blocks.length === 0) return -1;
     const before = lastIndex(blocks.length, (i) => this.start_s(blocks[i]) <= t_s + SAME_TIME_S);
@@ -93,6 +159,38 @@ export class Blocks {
     if (before < 0 || before + 1 === blocks.length || this.end_s(here) >= t_s - SAME_TIME_S) return here;
     const next = blocks[before + 1];
     return this.start_s(next) - t_s < t_s - this.start_s(here) ? next : here;
+  }
+
+  /** In the nearest stretches on both sides that have the line. */
+  private nearBehindTable(line: Line, t_s: number): number[] {
+    const { stretches, chunks } = this.segments;
+    const here = Math.max(lastIndex(stretches.length, (i) => stretches[i].start_s <= t_s), chunks.length);
+    const blocksIn = (i: number) => [...new Set([...(stretches[i]?.segmentsOf(line) ?? [])].map((segment) => this.of(segment)))];
+    let [before, behind] = [here, here + 1];
+    while (before >= chunks.length && blocksIn(before).length === 0) --before;
+    while (behind < stretches.length && blocksIn(behind).length === 0) ++behind;
+    return [...(before >= chunks.length ? blocksIn(before) : []), ...blocksIn(behind)];
+  }
+}
+
+/** Numbers of blocks line by line, those of a line in order: an object for each line would take ten times the memory. */
+class ByLine {
+  private readonly starts: Uint32Array;
+  private readonly sorted: Uint32Array;
+
+  constructor(blocks: Growing, lines: Growing) {
+    let last = 0;
+    for (let i = 0; i < lines.length; ++i) last = Math.max(last, lines.at(i));
+    this.starts = new Uint32Array(last + 2);
+    for (let i = 0; i < lines.length; ++i) ++this.starts[lines.at(i) + 1];
+    for (let line = 0; line <= last; ++line) this.starts[line + 1] += this.starts[line];
+    this.sorted = new Uint32Array(blocks.length);
+    const next = this.starts.slice();
+    for (let i = 0; i < blocks.length; ++i) this.sorted[next[lines.at(i)]++] = blocks.at(i);
+  }
+
+  of(line: number): Uint32Array {
+    return this.sorted.subarray(this.starts[line] ?? 0, this.starts[line + 1] ?? 0);
   }
 }
 

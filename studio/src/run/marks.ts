@@ -24,8 +24,8 @@ const plain = { detail: "", pair: null, clearance_mm: 0 };
 /** When a line first moves, s. */
 function startOfLine(robot: Robot | undefined, { file, line }: Placed): number {
   if (!robot || file === null || line === null) return 0;
-  const [block] = robot.blocks.ofLine(robot.files.indexOf(file), line);
-  return block === undefined ? 0 : robot.blocks.start_s(block);
+  const block = robot.blocks.firstOf(robot.files.indexOf(file), line);
+  return block < 0 ? 0 : robot.blocks.start_s(block);
 }
 
 function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {

@@ -3,6 +3,7 @@
 import type { Message } from "../core/message";
 import { Blocks } from "./blocks";
 import { Chain, axisValue, jointValue } from "./chain";
+import { Laws, type FetchLaws } from "./laws";
 import { SAME_TIME_S, type Clearance, type Place, type Report, type ReportEvent, type Severity } from "./report";
 import type { Scene } from "./scene";
 import { lastIndex } from "./search";
@@ -21,8 +22,9 @@ export class Robot {
     public scene: Scene,
     /** Of bodies that are surfaces: nine coordinates (mm) for a triangle. */
     readonly meshes: Float32Array[],
+    laws: Laws | null = null,
   ) {
-    this.segments = new Segments(scene.axes.length, scene.position_joints);
+    this.segments = new Segments(scene.axes.length, scene.position_joints, laws);
     this.blocks = new Blocks(this.segments);
     this.chain = new Chain(scene);
   }
@@ -38,17 +40,28 @@ export class Robot {
     return this.scene.axes.map((axis) => axis.letter);
   }
 
-  /** Joints in mm and rad at a time; at home where nothing has moved. */
-  joints_at(t_s: number): ArrayLike<number> {
-    const state = this.segments.joints_at(t_s);
+  /** Joints in mm and rad at a time; at home where nothing has moved; null: they are not here yet. */
+  joints_at(t_s: number): ArrayLike<number> | null {
+    const { segments } = this;
+    const state = segments.joints_at(t_s);
     if (state) return state.position;
+    return segments.count > 0 ? null : this.home;
+  }
+
+  get home(): number[] {
     return this.scene.axes.map((axis) => jointValue(axis, axis.home));
   }
 
-  /** Values of the axes in mm and deg. */
-  axes_at(t_s: number): number[] {
+  /** The tip in use at a time, by its number in the scene; null: it is not here yet. */
+  tip_at(t_s: number): number | null {
+    const segment = this.segments.at(t_s);
+    return segment >= 0 ? (this.segments.info(segment)?.tip ?? null) : 0;
+  }
+
+  /** Values of the axes in mm and deg; null: they are not here yet. */
+  axes_at(t_s: number): number[] | null {
     const joints = this.joints_at(t_s);
-    return this.scene.axes.map((axis, i) => axisValue(axis, joints[i]));
+    return joints && this.scene.axes.map((axis, i) => axisValue(axis, joints[i]));
   }
 }
 
@@ -77,11 +90,33 @@ export class Run {
   failure: { code: string; message: string } | null = null;
   /** Of each robot its events in the order of time. */
   private readonly events = new Map<number, ReportEvent[]>();
-  /** The sources as they were when it ran, by name. */
-  readonly sources: Map<string, string>;
+  /** Of a run that may be too long for the page: what is not here. */
+  readonly laws: Laws | null;
+  /** Messages of segments that have come. */
+  private parts = 0;
 
-  constructor(sources: Map<string, string> = new Map()) {
-    this.sources = sources;
+  constructor(
+    /** The sources as they were when it ran, by name. */
+    readonly sources: Map<string, string> = new Map(),
+    fetchLaws: FetchLaws | null = null,
+    /** What the engine keeps it as; empty: it does not. */
+    readonly keptAs = "",
+  ) {
+    this.laws = fetchLaws && new Laws(fetchLaws);
+  }
+
+  /** Whether not all of it is here. */
+  get isLong(): boolean {
+    return this.robots.some(({ segments }) => segments.isLong);
+  }
+
+  /** Fetches what is shown at a time; `ahead`: and what comes behind it. */
+  want(t_s: number, ahead = false): void {
+    if (!this.isLong) return;
+    const all = this.robots.map(({ segments }) => segments);
+    const now = all.flatMap((segments) => segments.lacking(t_s) ?? []);
+    const next = all.flatMap((segments) => segments.lacking(segments.stretchAt(t_s)?.end_s ?? 0) ?? []);
+    this.laws?.want(ahead ? [...now, ...next] : now);
   }
 
   get end_s(): number {
@@ -99,14 +134,15 @@ export class Run {
         if (robot) return robot.renew(scene, files);
         const meshes: Float32Array[] = [];
         for (let i = 0; columns.has(`mesh${i}`); ++i) meshes.push(columns.get(`mesh${i}`) as Float32Array);
-        const added = new Robot(header.name as string, scene, meshes);
+        const added = new Robot(header.name as string, scene, meshes, this.laws);
         added.files = files;
         this.robots.push(added);
         return;
       }
       case "segments": {
-        robot.segments.add(message);
-        robot.blocks.add(robot.segments.chunks[robot.segments.chunks.length - 1]);
+        robot.segments.add(message, this.parts++);
+        const chunk = robot.segments.chunks.at(-1);
+        if (chunk && chunk.first === header.first && !header.lean) robot.blocks.add(chunk);
         return;
       }
       case "told":
@@ -142,12 +178,12 @@ export class Run {
     return moving ? [moving] : places;
   }
 
-  /** The line of the segment under way at a time; null: the robot is done, or has not moved at all. */
+  /** The line of the segment under way at a time; null: the robot is done, has not moved at all, or what it does is not here. */
   placeOfMotion(robot: number, t_s: number): Place | null {
     const { segments, files } = this.robots[robot] ?? {};
     if (!segments || segments.count === 0 || t_s > segments.end_s + SAME_TIME_S) return null;
-    const [chunk, i] = segments.locate(segments.at(t_s));
-    return { file: files[chunk.file[i]], line: chunk.line[i] };
+    const at = segments.lineAt(t_s);
+    return at && { file: files[at.file], line: at.line };
   }
 
   private eventsAt(robot: number, t_s: number): ReportEvent[] {

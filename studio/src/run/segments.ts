@@ -3,7 +3,9 @@
 import type { Message } from "../core/message";
 import { Flag, jointsAt, leadOf, pathSpeed, type JointState, type Part, type Records } from "./evaluate";
 import { lawLength, newRange, widenByLaw } from "./law";
+import type { Laws } from "./laws";
 import { lastIndex } from "./search";
+import { Stretch, type Chunk, type Line, type MaybeUnderWay } from "./stretch";
 
 export const moveKinds = ["rapid", "linear", "arc_cw", "arc_ccw", "dwell", "probe", "thread", "spline"] as const;
 export type MoveKind = (typeof moveKinds)[number];
@@ -31,27 +33,6 @@ export const limitCodeOf = (flags: number): number => (flags >>> 12) & 15;
 export const limitAxisOf = (flags: number): number => ((flags >>> 16) & 31) - 1;
 export const isRapid = (flags: number): boolean => moveKinds[kindCodeOf(flags)] === "rapid";
 
-export interface Chunk {
-  /** Number of its first segment. */
-  first: number;
-  count: number;
-  start_s: Float64Array;
-  duration_s: Float64Array;
-  length_mm: Float64Array;
-  feed_per_min: Float64Array;
-  deviation_mm: Float64Array;
-  line: Uint32Array;
-  file: Uint32Array;
-  flags: Uint32Array;
-  tip: Uint32Array;
-  record: Uint32Array;
-  values: Float64Array;
-  /** x, y, z of the tip on the part for each vertex of the drawn way, its time, its segment in the chunk. */
-  vertex_mm: Float32Array;
-  vertex_s: Float32Array;
-  vertex_segment: Uint32Array;
-}
-
 /** A segment as rows have it. */
 export interface SegmentInfo {
   index: number;
@@ -74,61 +55,144 @@ export interface SegmentInfo {
 
 const RESTS = 3;
 
+/** Segments of which one is under way, from the first to the last: by a chunk it is one. */
+interface UnderWay extends MaybeUnderWay {
+  stretch: Stretch;
+  chunk: Chunk | null;
+}
+
+/**
+ * Of a long run what a segment's state is evaluated from is not here until it is fetched: what needs it is null then,
+ * and what is told by vertices is so within 32 bits.
+ */
 export class Segments {
+  /** All, in the order of time. */
+  readonly stretches: Stretch[] = [];
+  /** Of those that are here for good, which come first. */
   readonly chunks: Chunk[] = [];
   count = 0;
 
-  constructor(readonly joints: number, readonly carriers: number[]) {}
+  constructor(
+    readonly joints: number,
+    readonly carriers: number[],
+    private readonly laws: Laws | null = null,
+  ) {}
 
-  add(message: Message): void {
-    const column = <T>(name: string) => message.columns.get(name) as T;
-    const chunk: Chunk = {
-      first: message.header.first as number,
-      count: column<Float64Array>("start_s").length,
-      start_s: column("start_s"),
-      duration_s: column("duration_s"),
-      length_mm: column("length_mm"),
-      feed_per_min: column("feed_per_min"),
-      deviation_mm: column("deviation_mm"),
-      line: column("line"),
-      file: column("file"),
-      flags: column("flags"),
-      tip: column("tip"),
-      record: column("record"),
-      values: column("values"),
-      vertex_mm: column("vertex_mm"),
-      vertex_s: column("vertex_s"),
-      vertex_segment: column("vertex_segment"),
-    };
-    this.chunks.push(chunk);
-    this.count = chunk.first + chunk.count;
+  /** `number`: how many messages of segments the engine told before. */
+  add(message: Message, number = this.stretches.length): void {
+    const stretch = new Stretch(message.header.first as number, message, number, this.stretches.at(-1));
+    if (stretch.count === 0 && stretch.vertices === 0) return;
+    this.stretches.push(stretch);
+    if (stretch.whole) this.chunks.push(stretch.whole);
+    this.count = stretch.first + stretch.count;
+  }
+
+  /** Whether there is more than what is here for good. */
+  get isLong(): boolean {
+    return this.chunks.length < this.stretches.length;
   }
 
   get end_s(): number {
-    const last = this.chunks.findLast((chunk) => chunk.count > 0);
-    return last ? last.start_s[last.count - 1] + last.duration_s[last.count - 1] : 0;
+    return this.stretches.at(-1)?.end_s ?? 0;
   }
 
-  /** The chunk of a segment, and its place there. */
-  locate(index: number): [Chunk, number] {
-    const { chunks } = this;
-    const chunk = chunks[Math.max(lastIndex(chunks.length, (i) => chunks[i].first <= index), 0)];
-    return [chunk, index - chunk.first];
+  /** The stretch of a segment. */
+  stretchOf(index: number): Stretch {
+    const { stretches } = this;
+    return stretches[Math.max(lastIndex(stretches.length, (i) => stretches[i].first <= index), 0)];
   }
 
-  /** The segment under way at a time: of two that meet there the later one; -1: there are none. */
+  /** The stretch under way at a time; undefined: nothing moves. */
+  stretchAt(t_s: number): Stretch | undefined {
+    const { stretches } = this;
+    if (this.count === 0) return undefined;
+    return stretches[Math.max(lastIndex(stretches.length, (i) => stretches[i].start_s <= t_s), 0)];
+  }
+
+  private chunk(stretch: Stretch): Chunk | null {
+    return stretch.whole ?? this.laws?.get(stretch) ?? null;
+  }
+
+  /** The chunk of a segment, and its place there; null: it is not here. */
+  locate(index: number): [Chunk, number] | null {
+    const stretch = this.stretchOf(index);
+    const chunk = this.chunk(stretch);
+    return chunk && [chunk, index - stretch.first];
+  }
+
+  /** The stretch under way at a time where it is not here. */
+  lacking(t_s: number): Stretch | null {
+    const stretch = this.stretchAt(t_s);
+    return stretch && !this.chunk(stretch) ? stretch : null;
+  }
+
+  /** Fetches all of a segment; whether it is here then. */
+  async need(index: number): Promise<boolean> {
+    const stretch = this.stretchOf(index);
+    return stretch.whole !== null || ((await this.laws?.need(stretch)) ?? false);
+  }
+
+  /** What is under way at a time: of two that meet there the later one; undefined: nothing moves. */
+  private underWay(t_s: number): UnderWay | undefined {
+    const stretch = this.stretchAt(t_s);
+    if (!stretch) return undefined;
+    const chunk = this.chunk(stretch);
+    if (!chunk) return { stretch, chunk, ...stretch.underWay(t_s) };
+    const index = chunk.first + Math.max(lastIndex(chunk.count, (i) => chunk.start_s[i] <= t_s), 0);
+    return { stretch, chunk, from: index, to: index, vertex: -1 };
+  }
+
+  /** The segment under way at a time; -1: there are none. Where it is not here, and may wait, the one behind that. */
   at(t_s: number): number {
-    if (this.count === 0) return -1;
-    return Math.max(lastIndex(this.count, (index) => this.start_s(index) <= t_s), 0);
+    return this.underWay(t_s)?.to ?? -1;
   }
 
+  /** The flags of the segment under way, as far as they are here (Stretch.flagsOf); null: there is none, or it is not known. */
+  flags_at(t_s: number): number | null {
+    const now = this.underWay(t_s);
+    if (!now || t_s > now.stretch.end_s) return null;
+    const { stretch, chunk, vertex } = now;
+    if (!chunk) return vertex < 0 ? null : stretch.flagsOf(vertex);
+    const i = now.to - chunk.first;
+    return t_s > chunk.start_s[i] + chunk.duration_s[i] ? null : chunk.flags[i];
+  }
+
+  /** Where the segment under way comes from; null: there is none, or it is not known. */
+  lineAt(t_s: number): Line | null {
+    const now = this.underWay(t_s);
+    if (!now) return null;
+    const [line, last] = [this.lineOf(now.from), this.lineOf(now.to)];
+    return line.file === last.file && line.line === last.line ? line : null;
+  }
+
+  /** Where the tip is at a time by the drawn way (mm, in the work frame); null: nothing moves. */
+  tip_mm(t_s: number): number[] | null {
+    return this.stretchAt(t_s)?.tip_mm(t_s) ?? null;
+  }
+
+  /** When a segment begins; by vertices where it is not here. */
   start_s(index: number): number {
-    const [chunk, i] = this.locate(index);
-    return chunk.start_s[i];
+    const stretch = this.stretchOf(index);
+    const chunk = this.chunk(stretch);
+    return chunk ? chunk.start_s[index - stretch.first] : stretch.roughStart_s(index);
   }
 
-  info(index: number): SegmentInfo {
-    const [chunk, i] = this.locate(index);
+  /** When it ends, as start_s(). */
+  end_s_of(index: number): number {
+    const here = this.locate(index);
+    if (here) return here[0].start_s[here[1]] + here[0].duration_s[here[1]];
+    const stretch = this.stretchOf(index);
+    return index + 1 < stretch.first + stretch.count ? stretch.roughStart_s(index + 1) : stretch.end_s;
+  }
+
+  lineOf(index: number): Line {
+    return this.stretchOf(index).lineOf(index);
+  }
+
+  info(index: number): SegmentInfo | null {
+    const here = this.locate(index);
+    if (!here) return null;
+    const [chunk, i] = here;
     const flags = chunk.flags[i];
     return {
       index,
@@ -157,26 +221,31 @@ export class Segments {
     return { values: chunk.values, joints: this.joints };
   }
 
-  /** Joints (mm, rad) at a time of the run. */
+  /** Joints (mm, rad) at a time of the run; null: there are none, or they are not here. */
   joints_at(t_s: number): JointState | null {
-    const index = this.at(t_s);
-    if (index < 0) return null;
-    const [chunk, i] = this.locate(index);
+    const here = this.hereAt(t_s);
+    if (!here) return null;
+    const [chunk, i] = here;
     return jointsAt(this.records(chunk), this.part(chunk, i), t_s - chunk.start_s[i]);
   }
 
-  /** Speed of the tool along its path, mm/s; 0 where the run has ended. */
-  speed_at(t_s: number): number {
+  private hereAt(t_s: number): [Chunk, number] | null {
     const index = this.at(t_s);
-    if (index < 0 || t_s >= this.end_s) return 0;
-    const [chunk, i] = this.locate(index);
+    return index < 0 ? null : this.locate(index);
+  }
+
+  /** Speed of the tool along its path, mm/s; 0 where the run has ended; null: it is not here. */
+  speed_at(t_s: number): number | null {
+    if (this.count === 0 || t_s >= this.end_s) return 0;
+    const here = this.hereAt(t_s);
+    if (!here) return null;
+    const [chunk, i] = here;
     const since_s = t_s - chunk.start_s[i];
     return pathSpeed(this.records(chunk), this.part(chunk, i), since_s, chunk.length_mm[i], this.carriers);
   }
 
   /** The highest speed of a segment along the tool's path, mm/s. */
-  peakSpeed(index: number): number {
-    const [chunk, i] = this.locate(index);
+  peakSpeed(chunk: Chunk, i: number): number {
     const law = leadOf(this.records(chunk), chunk.record[i]);
     const length = lawLength(chunk.values, law);
     if (!(length > 0)) return 0;

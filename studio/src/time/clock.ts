@@ -2,7 +2,7 @@
 
 import { kindColours } from "../core/colours";
 import { element } from "../core/dom";
-import { lineAtWork, robotOf } from "../core/shown";
+import { end_sOf, lineAtWork, robotOf } from "../core/shown";
 import type { Store } from "../core/store";
 import { clockText, feedText, programmedFeedText } from "../core/units";
 import { texts } from "../texts";
@@ -18,23 +18,26 @@ export function createClock(store: Store): HTMLElement {
   const feed = element("span", { class: "feed", title: words.feedHint });
   const root = element("div", { class: "clock-row" }, clock, whole, seconds, place, kind, feed);
 
-  store.watch(["time_s", "run", "robot", "units", "selection"], () => {
-    const run = store.get("run");
+  store.watch(["time_s", "run", "beside", "robot", "units", "selection", "fetched"], () => {
     const t_s = store.get("time_s");
     const robot = robotOf(store);
     clock.textContent = clockText(t_s);
-    whole.textContent = `/ ${clockText(run?.end_s ?? 0)}`;
+    whole.textContent = `/ ${clockText(end_sOf(store))}`;
     seconds.textContent = `${t_s.toFixed(3)} s`;
     const index = robot ? robot.segments.at(t_s) : -1;
     place.textContent = kind.textContent = feed.textContent = "";
     kind.hidden = index < 0;
     if (!robot || index < 0) return;
     const info = robot.segments.info(index);
-    const units = store.get("units");
-    const speed = feedText(robot.segments.speed_at(t_s), units);
+    const speed_mm_s = robot.segments.speed_at(t_s);
     const here = lineAtWork(store);
     place.textContent = here ? texts.run.line(here.line) : "";
     place.title = here?.file ?? "";
+    kind.hidden = info === null;
+    feed.title = info ? words.feedHint : words.notHere;
+    if (!info || speed_mm_s === null) return void (feed.textContent = "…");
+    const units = store.get("units");
+    const speed = feedText(speed_mm_s, units);
     kind.textContent = texts.run.kinds[info.kind];
     kind.style.setProperty("--colour", kindColours[info.kind]);
     const asked = info.feed_per_min > 0 ? programmedFeedText(info.feed_per_min, info.length_mm, units) : "";

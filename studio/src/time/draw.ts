@@ -73,8 +73,8 @@ function drawKinds(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
   let kind = -1;
   for (let x = 0; x <= width; ++x) {
     const t_s = window.start_s + ((x + 0.5) / width) * window.span_s;
-    const [chunk, i] = segments.locate(segments.at(t_s));
-    const here = x === width || t_s > chunk.start_s[i] + chunk.duration_s[i] ? -1 : kindCodeOf(chunk.flags[i]);
+    const flags = x === width ? null : segments.flags_at(t_s);
+    const here = flags === null ? -1 : kindCodeOf(flags);
     if (here === kind) continue;
     if (kind >= 0) {
       ctx.fillStyle = kindColours[moveKinds[kind]];

@@ -3,8 +3,9 @@
 import "uplot/dist/uPlot.min.css";
 import "./time.css";
 import { element } from "../core/dom";
+import type { Frames } from "../core/frames";
 import type { Session } from "../core/session";
-import { robotOf } from "../core/shown";
+import { end_sOf, robotOf } from "../core/shown";
 import type { Store } from "../core/store";
 import { marksOf, type Mark } from "../run/marks";
 import { texts } from "../texts";
@@ -22,7 +23,7 @@ import { TimeWindow } from "./window";
 
 const words = texts.time;
 
-export function createTime(host: HTMLElement, store: Store, _session: Session): void {
+export function createTime(host: HTMLElement, store: Store, _session: Session, frames: Frames): void {
   const window = new TimeWindow();
   let marks: Mark[] = [];
   const told = element("div", { class: "told", role: "status", "aria-live": "polite" });
@@ -38,7 +39,7 @@ export function createTime(host: HTMLElement, store: Store, _session: Session): 
   };
   const scrubber = createScrubber(store, window);
   const charts = createCharts(store, window);
-  createPlayer(store);
+  createPlayer(store, frames);
   createKeyboard({
     " ": actions.play,
     ",": () => actions.block(-1),
@@ -57,11 +58,11 @@ export function createTime(host: HTMLElement, store: Store, _session: Session): 
     if (told.textContent) told.textContent = "";
     if (!window.isWhole) window.show(store.get("time_s"));
   });
-  store.watch(["run", "robot"], () => {
+  store.watch(["run", "beside", "robot"], () => {
     const run = store.get("run");
     const robot = robotOf(store);
     marks = run && robot ? marksOf(run, store.get("robot")) : [];
-    window.begin(run?.end_s ?? 0);
+    window.begin(end_sOf(store));
     const content = robot && { segments: robot.segments, marks, process_s: processOn_s(robot.segments) };
     scrubber.begin(content ?? null);
     charts.begin(marks);

@@ -8,13 +8,17 @@ import type { Segments } from "../run/segments";
 export function processOn_s(segments: Segments): Float64Array {
   const edges: number[] = [];
   let on = false;
+  const take = (flags: number, start_s: number) => {
+    const now = (flags & Flag.processOn) !== 0;
+    if (now !== on) edges.push(start_s);
+    on = now;
+  };
   for (const { count, flags, start_s } of segments.chunks) {
-    for (let i = 0; i < count; ++i) {
-      const now = (flags[i] & Flag.processOn) !== 0;
-      if (now === on) continue;
-      edges.push(start_s[i]);
-      on = now;
-    }
+    for (let i = 0; i < count; ++i) take(flags[i], start_s[i]);
+  }
+  for (const stretch of segments.stretches.slice(segments.chunks.length)) {
+    const { vertices, start_s } = stretch;
+    for (let i = 0; i < vertices; ++i) take(stretch.flagsOf(i), i > 0 ? stretch.time_s(i - 1) : start_s);
   }
   if (on) edges.push(segments.end_s);
   return Float64Array.from(edges);

@@ -1,10 +1,11 @@
 // Steps from block to block and from mark to mark.
 
-import { goTo } from "../core/go";
-import { robotOf } from "../core/shown";
+import { goTo, showStart } from "../core/go";
+import { end_sOf, robotOf } from "../core/shown";
 import type { Store } from "../core/store";
 import type { Mark } from "../run/marks";
 import { SAME_TIME_S } from "../run/report";
+import type { Robot } from "../run/run";
 import { lastIndex } from "../run/search";
 
 export function goToStart(store: Store): void {
@@ -12,20 +13,30 @@ export function goToStart(store: Store): void {
 }
 
 export function goToEnd(store: Store): void {
-  store.set("time_s", store.get("run")?.end_s ?? 0);
+  store.set("time_s", end_sOf(store));
 }
 
 /** To the start of the block before or behind; from within a block back to its own start. */
 export function stepBlock(store: Store, by: 1 | -1): void {
   const robot = robotOf(store);
   if (!robot || robot.segments.count === 0) return;
-  const { blocks, segments } = robot;
+  const { segments } = robot;
+  const t_s = store.get("time_s");
+  store.set("playing", false);
+  const here = segments.at(t_s);
+  if (segments.locate(here)) return stepFrom(store, robot, by);
+  void segments.need(here).then(() => {
+    if (robotOf(store) === robot && store.get("time_s") === t_s) stepFrom(store, robot, by);
+  });
+}
+
+function stepFrom(store: Store, { blocks, segments }: Robot, by: 1 | -1): void {
   const t_s = store.get("time_s");
   let block = blocks.of(segments.at(t_s));
-  if (by > 0) while (block < blocks.count && blocks.start_s(block) <= t_s + SAME_TIME_S) ++block;
-  else while (block > 0 && blocks.start_s(block) >= t_s - SAME_TIME_S) --block;
-  store.set("playing", false);
-  store.set("time_s", block < blocks.count ? blocks.start_s(block) : segments.end_s);
+  if (by > 0) while (block >= 0 && blocks.start_s(block) <= t_s + SAME_TIME_S) block = blocks.after(block);
+  else while (blocks.before(block) >= 0 && blocks.start_s(block) >= t_s - SAME_TIME_S) block = blocks.before(block);
+  if (block >= 0) showStart(store, block);
+  else goToEnd(store);
 }
 
 /** The first mark that is later than an instant, by its number; `marks.length`: there is none. */

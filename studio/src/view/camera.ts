@@ -82,6 +82,14 @@ export class CameraRig {
     camera.updateMatrixWorld();
   }
 
+  /** From the same side and as far away as another eye, beside what that looks at. */
+  lookAs(other: CameraRig, beside: Vector3): void {
+    this.target.copy(other.target).add(beside);
+    this.azimuth = other.azimuth;
+    this.elevation = other.elevation;
+    this.distance_mm = other.distance_mm;
+  }
+
   /** By pixels on the screen. */
   orbit(dx_px: number, dy_px: number): void {
     this.azimuth -= dx_px * 0.007;

@@ -65,7 +65,9 @@ export class Canvas {
     return { width_px: this.element.width, height_px: this.element.height };
   }
 
-  private fill(): void {
+  /** As large as the page has it; not while the renderer is lent to a headset. */
+  fill(): void {
+    if (this.renderer.xr.isPresenting) return;
     this.width_px = Math.max(this.host.clientWidth, 1);
     this.height_px = Math.max(this.host.clientHeight, 1);
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_RATIO));

@@ -10,7 +10,7 @@ export type Range = [number, number];
 const MOST_RANGES = 500;
 
 export function rangeOfBlock({ blocks }: Robot, data: PathData, block: number): Range {
-  return data.rangeOf(blocks.first.at(block), blocks.end(block));
+  return data.rangeOf(blocks.first(block), blocks.end(block));
 }
 
 /** Of the selection, for one robot; a block by number is one of the robot that is shown. */
@@ -19,12 +19,26 @@ export function chosenRanges(run: Run, robot: number, data: PathData, state: Pic
   if (!selection) return [];
   const known = run.robots[robot];
   if (selection.block >= 0) {
-    const own = robot === state.robot && selection.block < known.blocks.count;
+    const own = robot === state.robot && known.blocks.first(selection.block) < known.segments.count;
     return own ? [rangeOfBlock(known, data, selection.block)] : [];
   }
-  const blocks = known.blocks.ofLine(run.fileOf(robot, selection.file), selection.line);
-  const step = Math.ceil(blocks.length / MOST_RANGES) || 1;
-  const ranges: Range[] = [];
-  for (let i = 0; i < blocks.length; i += step) ranges.push(rangeOfBlock(known, data, blocks[i]));
-  return ranges;
+  const [file, line] = [run.fileOf(robot, selection.file), selection.line];
+  return someOf([known.blocks.ofLine(file, line), known.blocks.behindTable({ file, line })]).map((block) =>
+    rangeOfBlock(known, data, block),
+  );
+}
+
+/** All of a few, of many about so many at even steps. */
+function someOf(all: Iterable<number>[]): number[] {
+  let some: number[] = [];
+  let [step, count] = [1, 0];
+  for (const each of all) {
+    for (const value of each) {
+      if (count++ % step === 0) some.push(value);
+      if (some.length <= MOST_RANGES) continue;
+      some = some.filter((_, i) => i % 2 === 0);
+      step *= 2;
+    }
+  }
+  return some;
 }

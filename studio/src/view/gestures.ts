@@ -1,6 +1,15 @@
 // Mouse, pen and fingers: one turns, two or the right button shift, the wheel or a pinch zooms.
 
+/** Something that the pointer holds until it is let go. */
+export interface Grabbed {
+  drag(x_px: number, y_px: number): void;
+  drop(): void;
+  cancel(): void;
+}
+
 export interface Gestures {
+  /** Pressed at a place, px from the left and from above; null: there is nothing to hold. */
+  grab(x_px: number, y_px: number): Grabbed | null;
   orbit(dx_px: number, dy_px: number): void;
   pan(dx_px: number, dy_px: number): void;
   /** About a place, px from the middle. */
@@ -22,6 +31,7 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
   const fingers = new Map<number, Finger>();
   let moved_px = 0;
   let shifts = false;
+  let grabbed: Grabbed | null = null;
 
   const place = (event: MouseEvent) => {
     const { left, top, width, height } = element.getBoundingClientRect();
@@ -43,6 +53,7 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
     if (fingers.size === 0) {
       moved_px = 0;
       shifts = event.button !== 0 || event.shiftKey || event.ctrlKey;
+      grabbed = shifts ? null : on.grab(x, y);
     } else moved_px = Infinity;
     fingers.set(event.pointerId, { x, y });
   });
@@ -53,6 +64,10 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
     if (!finger) return on.hover(x, y);
     const [dx, dy] = [x - finger.x, y - finger.y];
     moved_px += Math.abs(dx) + Math.abs(dy);
+    if (grabbed) {
+      if (moved_px >= STILL_PX) grabbed.drag(x, y);
+      return;
+    }
     if (fingers.size === 2) {
       const [before, wide] = [middle(), spread()];
       Object.assign(finger, { x, y });
@@ -71,6 +86,10 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
   const end = (event: PointerEvent) => {
     if (!fingers.delete(event.pointerId)) return;
     const { x, y } = place(event);
+    const held = grabbed;
+    grabbed = null;
+    if (held && event.type === "pointerup" && moved_px >= STILL_PX) return held.drop();
+    held?.cancel();
     if (event.type === "pointerup" && moved_px < STILL_PX && event.button === 0) on.click(x, y);
   };
   element.addEventListener("pointerup", end);

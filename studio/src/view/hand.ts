@@ -2,14 +2,25 @@
 
 import { Debounced } from "../core/debounced";
 import type { Store } from "../core/store";
+import { kindCodeOf, moveKinds } from "../run/segments";
 import { texts } from "../texts";
-import type { Gestures } from "./gestures";
-import { placeAt, timeOf } from "./picking";
+import type { Gestures, Grabbed } from "./gestures";
+import type { Hold } from "./holds";
+import { bodyAt, placeAt, timeOf } from "./picking";
 import { Tooltip } from "./tooltip";
 import type { View } from "./view";
 
 const REACH_PX = 4;
 const HOVER_MS = 40;
+
+/** The first answer that is one. */
+function firstOf<A>(holds: Hold[], ask: (hold: Hold) => A): A | undefined {
+  for (const hold of holds) {
+    const answer = ask(hold);
+    if (answer) return answer;
+  }
+  return undefined;
+}
 
 export class Hand implements Gestures {
   readonly tooltip = new Tooltip();
@@ -23,6 +34,12 @@ export class Hand implements Gestures {
     private readonly hint: HTMLElement,
   ) {
     store.watch(["measuring", "run"], () => this.begin());
+  }
+
+  grab(x_px: number, y_px: number): Grabbed | null {
+    const grabbed = this.store.get("measuring") ? null : firstOf(this.view.holds, (hold) => hold.grab(x_px, y_px)) ?? null;
+    if (grabbed) this.leave();
+    return grabbed;
   }
 
   orbit(dx_px: number, dy_px: number): void {
@@ -57,32 +74,45 @@ export class Hand implements Gestures {
 
   private tell(): void {
     const { x_px, y_px } = this.at;
+    const cursor = firstOf(this.view.holds, (hold) => hold.hover(x_px, y_px)) ?? "";
+    this.view.canvas.element.style.cursor = cursor;
+    if (cursor) return this.tooltip.hide();
     const hit = this.view.hit(x_px, y_px, REACH_PX);
     if (!hit) return this.tooltip.hide();
     const { robot } = this.view.stage.machines[hit.robot];
-    const segment = this.view.stage.paths[hit.robot].segmentOf(hit.vertex);
-    this.tooltip.show(robot, segment, this.store.get("units"), x_px, y_px);
+    const path = this.view.stage.paths[hit.robot];
+    const kind = moveKinds[kindCodeOf(path.flagsOf(hit.vertex))];
+    this.tooltip.show(robot, path.segmentOf(hit.vertex), kind, this.store.get("units"), x_px, y_px);
   }
 
   click(x_px: number, y_px: number): void {
     if (this.store.get("measuring")) this.measure(x_px, y_px);
-    else this.choose(x_px, y_px);
+    else if (!firstOf(this.view.holds, (hold) => hold.click?.(x_px, y_px))) this.choose(x_px, y_px);
   }
 
   private choose(x_px: number, y_px: number): void {
     const hit = this.view.hit(x_px, y_px, REACH_PX);
-    if (!hit) return this.store.set("selection", null);
+    if (!hit) {
+      this.store.set("selection", null);
+      return this.store.set("body", bodyAt(x_px, y_px, this.view.canvas, this.view.stage, this.view.rig));
+    }
     const { stage } = this.view;
     const machine = stage.machines[hit.robot];
     const { robot } = machine;
     const path = stage.paths[hit.robot];
     const segment = path.segmentOf(hit.vertex);
-    const { file, line } = robot.segments.info(segment);
-    const t_s = timeOf(path, hit, machine);
+    const { file, line } = robot.segments.lineOf(segment);
+    const selection = { file: robot.files[file] ?? "", line, block: robot.blocks.of(segment) };
     this.store.set("playing", false);
     this.store.set("robot", hit.robot);
+    const t_s = timeOf(path, hit, machine);
     this.store.set("time_s", t_s);
-    this.store.set("selection", { file: robot.files[file] ?? "", line, block: robot.blocks.of(segment) });
+    this.store.set("selection", selection);
+    if (robot.segments.locate(segment)) return;
+    void robot.segments.need(segment).then((isHere) => {
+      const isSame = this.store.get("selection") === selection && this.store.get("time_s") === t_s;
+      if (isHere && isSame) this.store.set("time_s", timeOf(path, hit, machine));
+    });
   }
 
   private measure(x_px: number, y_px: number): void {

@@ -2,19 +2,32 @@
 
 import "./view.css";
 import { element } from "../core/dom";
+import type { Frames } from "../core/frames";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
+import type { CreateBeside } from "./beside_place";
 import type { Stand } from "./camera";
 import { Canvas } from "./canvas";
 import { listenToGestures } from "./gestures";
 import { createLayers } from "./layers";
 import { Hand } from "./hand";
+import type { CreateHeadset } from "./headset_place";
+import type { CreateHolds } from "./holds";
 import { createToolbar, keysOf, listenToKeys, type Actions } from "./toolbar";
 import { View } from "./view";
+import { watchEnvelope } from "./envelope_shown";
+
+/** What not every page has in its view. */
+export interface ViewParts {
+  createHolds: CreateHolds;
+  createHeadset: CreateHeadset;
+  createBeside: CreateBeside;
+}
 
 /** For tests, and for the curious. */
 export interface ViewHandle {
+  readonly view: View;
   fit(all?: boolean): void;
   stand(name: Stand): void;
   orbit(dx_px: number, dy_px: number): void;
@@ -27,7 +40,7 @@ export interface ViewHandle {
 }
 
 /** null: there is no WebGL 2, and a sentence says so. */
-export function createView(host: HTMLElement, store: Store, session: Session): ViewHandle | null {
+export function createView(host: HTMLElement, store: Store, session: Session, frames: Frames, parts: ViewParts): ViewHandle | null {
   const surface = element("div", { class: "surface", tabindex: 0, role: "application", "aria-label": texts.view.label });
   const hint = element("div", { class: "hint", role: "status" });
   host.append(surface);
@@ -44,16 +57,23 @@ export function createView(host: HTMLElement, store: Store, session: Session): V
     surface.replaceWith(element("p", { class: "none", role: "alert" }, texts.view.noWebgl));
     return null;
   }
-  view = new View(canvas, store, session, (text) => (hint.textContent = text));
+  view = new View(canvas, store, session, parts.createHolds);
+  watchEnvelope(store, session, view, (text) => (hint.textContent = text));
   const hand = new Hand(view, store, hint);
   const act = actionsOf(view, store);
   surface.append(canvas.element, view.labels.element, hand.tooltip.element);
-  host.append(createToolbar(store, act, createLayers(store, view.own, () => view.invalidate())));
+  const toolbar = createToolbar(store, act, createLayers(store, view.own, () => view.invalidate()));
+  host.append(toolbar);
   host.append(view.legend.element, view.triad.element, hint);
   listenToGestures(surface, hand);
   listenToKeys(surface, keysOf(store, act));
+  // Its Escape is the surface's.
+  store.on("measuring", (isOn) => isOn && surface.focus({ preventScroll: true }));
   view.resized();
+  void parts.createHeadset({ view, store, frames, toolbar });
+  parts.createBeside({ host, view, store, session, frames });
   return {
+    view,
     fit: (all = false) => view.fit(all),
     stand: (name) => view.stand(name),
     orbit: act.orbit,
@@ -78,6 +98,7 @@ function actionsOf(view: View, store: Store): Actions {
     pan: moved((dx, dy) => rig.pan(dx, dy)),
     zoom: moved((factor) => rig.zoom(factor)),
     escape: () => {
+      if (view.holds.some((hold) => hold.escape())) return;
       if (store.get("measuring")) store.set("measuring", false);
       else store.set("selection", null);
     },

@@ -9,6 +9,8 @@ type Shown = "showRapids" | "showDirections" | "showZones" | "showEnvelope" | "c
 /** Of this view alone. */
 export interface OwnLayers {
   machine: boolean;
+  /** Objects of the cell: what is cut, and what stands around. */
+  cell: boolean;
   grid: boolean;
   extents: boolean;
 }

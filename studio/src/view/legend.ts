@@ -50,7 +50,7 @@ export class Legend {
     this.note.textContent = gridStep_mm > 0 ? `${words.layers.grid} ${lengthText(gridStep_mm, units)}` : "";
   }
 
-  private entries({ mode, scale, classes }: Key, units: Units): HTMLElement[] {
+  private entries({ mode, scale, classes, isPartial }: Key, units: Units): HTMLElement[] {
     if (!scale) {
       return classes.map((name) => {
         const swatch = element("i", { style: `background: ${classColour(mode, name)}` });
@@ -59,6 +59,6 @@ export class Legend {
     }
     const text = quantityText[mode]!;
     const ends = element("div", { class: "ends" }, element("span", {}, text(scale.low, units)), element("span", {}, text(scale.high, units)));
-    return [element("div", { class: "scale", style: `background: ${gradient()}` }), ends];
+    return [element("div", { class: "scale", style: `background: ${gradient()}` }), ends, ...(isPartial ? [element("div", { class: "note" }, words.partial)] : [])];
   }
 }

@@ -1,6 +1,6 @@
 // From a place on the screen to the way, the machine or the work plane there.
 
-import { Matrix4, Plane, Raycaster, Vector2, Vector3 } from "three";
+import { type Intersection, Matrix4, type Object3D, Plane, Raycaster, Vector2, Vector3 } from "three";
 import type { CameraRig } from "./camera";
 import type { Machine } from "./machine/machine";
 import type { PathData } from "./path/path_data";
@@ -25,7 +25,10 @@ export function pieceOf(data: PathData, { vertex, t_s }: Hit): { a: Vector3; b: 
   return { a: data.point(vertex - 1), b: data.point(vertex), share };
 }
 
-/** When the tool is at a hit: pieces are drawn evenly in time, but the tool speeds up and slows down in them. */
+/**
+ * When the tool is at a hit: pieces are drawn evenly in time, but the tool speeds up and slows down in them. Where its
+ * joints are not here it is as drawn.
+ */
 export function timeOf(data: PathData, hit: Hit, machine: Machine): number {
   const { a, b, share } = pieceOf(data, hit);
   let [from_s, to_s] = [data.time_s(hit.vertex - 1), data.time_s(hit.vertex)];
@@ -48,11 +51,36 @@ function endsOf(data: PathData, vertex: number): Vector3[] {
   return ends;
 }
 
+interface Size {
+  width_px: number;
+  height_px: number;
+}
+
+function rayAt(x_px: number, y_px: number, size: Size, rig: CameraRig): Raycaster {
+  const ray = new Raycaster();
+  ray.setFromCamera(new Vector2((2 * x_px) / size.width_px - 1, 1 - (2 * y_px) / size.height_px), rig.camera);
+  return ray;
+}
+
+function isSeen(object: Object3D): boolean {
+  return object.visible && (object.parent === null || isSeen(object.parent));
+}
+
+/** What of machines and cells that is shown a ray meets first. */
+function firstBody(ray: Raycaster, stage: Stage): Intersection | undefined {
+  return ray.intersectObject(stage.machinery, true).find(({ object }) => isSeen(object));
+}
+
+/** The name of the body at a place; null: there is none, or it has no name. */
+export function bodyAt(x_px: number, y_px: number, size: Size, stage: Stage, rig: CameraRig): string | null {
+  return firstBody(rayAt(x_px, y_px, size, rig), stage)?.object.name || null;
+}
+
 /** A place to measure from, in a work frame: on the way (ends of segments attract), on a body, or on the work plane. */
 export function placeAt(
   x_px: number,
   y_px: number,
-  size: { width_px: number; height_px: number },
+  size: Size,
   hit: Hit | null,
   stage: Stage,
   rig: CameraRig,
@@ -69,9 +97,8 @@ export function placeAt(
     });
     return (near ?? a.lerp(b, share)).applyMatrix4(work).applyMatrix4(toFrame);
   }
-  const ray = new Raycaster();
-  ray.setFromCamera(new Vector2((2 * x_px) / size.width_px - 1, 1 - (2 * y_px) / size.height_px), rig.camera);
-  const body = stage.machinery.visible ? ray.intersectObject(stage.machinery, true)[0] : undefined;
+  const ray = rayAt(x_px, y_px, size, rig);
+  const body = firstBody(ray, stage);
   if (body) return body.point.applyMatrix4(toFrame);
   const plane = new Plane(new Vector3(0, 0, 1), 0).applyMatrix4(frame);
   const place = ray.ray.intersectPlane(plane, new Vector3());

@@ -6,12 +6,14 @@ import type { Place } from "../run/report";
 import type { Robot, Run } from "../run/run";
 import { Alarms } from "./alarms";
 import type { CameraRig } from "./camera";
+import type { Frame } from "./frame";
 import { Looks } from "./machine/looks";
 import { Machine, type Instant } from "./machine/machine";
 import { Directions } from "./marks/directions";
 import { Envelope } from "./marks/envelope";
 import { Extents } from "./marks/extents";
 import { Grid } from "./marks/grid";
+import { LateTips } from "./marks/late_tips";
 import { Measure } from "./marks/measure";
 import { Zones } from "./marks/zones";
 import { PathData } from "./path/path_data";
@@ -31,6 +33,7 @@ export class Stage {
   readonly zones = new Zones();
   readonly envelope = new Envelope();
   readonly directions = new Directions();
+  private readonly lateTips = new LateTips();
   machines: Machine[] = [];
   paths: PathData[] = [];
   alarms = new Alarms(null);
@@ -41,7 +44,7 @@ export class Stage {
   constructor() {
     this.lamp.target.position.set(0, 0, 0);
     const parts = [this.machinery, this.grid.group, this.extents.lines, this.measure.lines, this.zones.group];
-    this.scene.add(...parts, this.envelope.group, this.directions.group);
+    this.scene.add(...parts, this.envelope.group, this.directions.group, this.lateTips.group);
     this.scene.add(new AmbientLight(0xffffff, 1.5), this.lamp, this.lamp.target);
     this.grid.lay(EMPTY, "mm");
   }
@@ -104,6 +107,16 @@ export class Stage {
     this.directions.place(instants.map(({ places }) => places.work));
   }
 
+  /** Machines alone, what stands in their cells alone, both, or neither. */
+  show(of: { machine: boolean; cell: boolean }): void {
+    for (const machine of this.machines) machine.show(of);
+  }
+
+  /** Where tips are by their ways, while the joints are not here. */
+  markTips({ instants }: Frame, mmPerPixelAt: (place: Vector3) => number): void {
+    this.lateTips.put(instants.flatMap(({ isLate, tip_mm }) => (isLate ? tip_mm : [])), mmPerPixelAt);
+  }
+
   /** Bodies that have met by now, or come near in the lines under way, look so. */
   light(t_s: number, lines: Place[]): void {
     const look = this.alarms.at(t_s, lines) ?? (() => undefined);
@@ -111,14 +124,14 @@ export class Stage {
   }
 
   /** The lamp goes with the eye. */
-  follow(rig: CameraRig): void {
+  follow(rig: Pick<CameraRig, "basis">): void {
     const { back, right, up } = rig.basis();
     this.lamp.position.copy(back).addScaledVector(up, 0.6).addScaledVector(right, -0.4).multiplyScalar(1000);
   }
 
   recolour(colours: Palette): void {
     this.looks.recolour(colours);
-    const parts = [this.grid, this.extents, this.measure, this.zones, this.envelope, this.directions];
+    const parts = [this.grid, this.extents, this.measure, this.zones, this.envelope, this.directions, this.lateTips];
     for (const part of parts) part.recolour(colours);
   }
 }

@@ -1,6 +1,6 @@
 // Colours of what is drawn beside the way, for a light page and a dark one.
 
-import { Color } from "three";
+import { Color, SRGBColorSpace } from "three";
 import { blue, orange, purple, sky, vermilion, yellow } from "../core/colours";
 import { themeColour } from "../core/theme";
 
@@ -26,6 +26,7 @@ export interface Palette {
   outside: Color;
   compare: Color;
   measure: Color;
+  handPath: Color;
 }
 
 export function palette(): Palette {
@@ -50,5 +51,12 @@ export function palette(): Palette {
     outside: new Color(vermilion),
     compare: pick("#7a5195", "#cc79a7"),
     measure: pick("#a3195b", "#ff9ad0"),
+    handPath: pick("#a3195b", "#ff9ad0"),
   };
+}
+
+/** As shaders of our own take it. */
+export function rgbOf(colour: Color): number[] {
+  const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
+  return [r, g, b];
 }

@@ -5,20 +5,24 @@ import { baseName } from "../core/kinds";
 import type { Units } from "../core/store";
 import { programmedFeedText, timeText } from "../core/units";
 import type { Robot } from "../run/run";
+import type { MoveKind } from "../run/segments";
 import { texts } from "../texts";
 
 export class Tooltip {
   readonly element = element("div", { class: "tip", role: "status", hidden: true });
 
-  show(robot: Robot, segment: number, units: Units, x_px: number, y_px: number): void {
-    const info = robot.segments.info(segment);
-    const file = baseName(robot.files[info.file] ?? "");
-    const what: string[] = [texts.run.kinds[info.kind]];
-    if (info.feed_per_min > 0) what.push(programmedFeedText(info.feed_per_min, info.length_mm, units));
+  /** `kind` is the move's, which is known before all of it is here. */
+  show(robot: Robot, segment: number, kind: MoveKind, units: Units, x_px: number, y_px: number): void {
+    const { segments } = robot;
+    const info = segments.info(segment);
+    const { file, line } = segments.lineOf(segment);
+    const start_s = segments.start_s(segment);
+    const what: string[] = [texts.run.kinds[info?.kind ?? kind]];
+    if (info && info.feed_per_min > 0) what.push(programmedFeedText(info.feed_per_min, info.length_mm, units));
     this.element.replaceChildren(
-      element("b", {}, `${file}:${info.line}`),
+      element("b", {}, `${baseName(robot.files[file] ?? "")}:${line}`),
       element("span", {}, what.join(", ")),
-      element("span", {}, `${timeText(info.start_s)} + ${timeText(info.duration_s)}`),
+      element("span", {}, info ? `${timeText(start_s)} + ${timeText(info.duration_s)}` : timeText(start_s, 1)),
     );
     this.element.hidden = false;
     this.element.style.transform = `translate(${x_px + 14}px, ${y_px + 14}px)`;

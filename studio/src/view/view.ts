@@ -1,16 +1,17 @@
 // The view: draws a frame when something has changed, and sleeps else.
 
-import { Matrix4, Scene, SRGBColorSpace, Vector3, type Color } from "three";
+import { Box3, Matrix4, Scene, Vector3 } from "three";
 import { Debounced } from "../core/debounced";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { onTheme } from "../core/theme";
 import type { Place } from "../run/report";
-import { texts } from "../texts";
+import type { Run } from "../run/run";
 import { CameraRig, type Stand } from "./camera";
 import { Canvas } from "./canvas";
 import { chosenRanges, rangeOfBlock, type Range } from "./chosen";
 import type { Frame } from "./frame";
+import type { CreateHolds, Hold } from "./holds";
 import type { OwnLayers } from "./layers";
 import { Legend } from "./legend";
 import { Labels } from "./marks/labels";
@@ -19,16 +20,11 @@ import { keyOf } from "./path/path_colours";
 import { PathLayer, type Hit, type Look } from "./path/path_layer";
 import { doneUpTo } from "./picking";
 import { Stage } from "./stage";
-import { isDark, palette } from "./theme";
+import { isDark, palette, rgbOf } from "./theme";
 
 const REST_MS = 150;
 const DIMMED = { dark: 0.34, light: 0.28 };
 const LIGHTENED = { dark: 0.2, light: 0 };
-
-const rgbOf = (colour: Color): number[] => {
-  const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
-  return [r, g, b];
-};
 
 export class View {
   readonly rig = new CameraRig();
@@ -36,29 +32,42 @@ export class View {
   readonly labels = new Labels();
   readonly triad = new Triad();
   readonly legend: Legend;
-  readonly own: OwnLayers = { machine: true, grid: true, extents: false };
+  readonly own: OwnLayers = { machine: true, cell: true, grid: true, extents: false };
+  readonly holds: Hold[];
   layer: PathLayer;
   private colours = palette();
   private chosen: Range[][] = [];
   private frame: Frame | null = null;
   private asked = 0;
+  /** A headset draws, and the page's picture rests. */
+  private lent = false;
+  /** Told of each move of the eye. */
+  readonly watchers = new Set<() => void>();
   private readonly resting = new Debounced(() => this.layDirections());
   private tip: Vector3 | null = null;
+  /** A run that is under way, of which a part is shown. */
+  private taken: Run | null = null;
   /** Diagonal of the work when it was fitted. */
   private fittedSize_mm = 0;
 
   constructor(
     readonly canvas: Canvas,
     private readonly store: Store,
-    private readonly session: Session,
-    /** Says something to who looks; empty: nothing any more. */
-    private readonly notice: (text: string) => void,
+    session: Session,
+    createHolds: CreateHolds,
   ) {
     this.layer = new PathLayer(canvas.gl);
     this.legend = new Legend(store);
+    const { stage, rig } = this;
+    this.holds = createHolds({
+      ...{ store, session, stage, rig, size: canvas },
+      changed: () => this.invalidate(),
+      moved: () => this.turned(),
+      outOfSight: () => this.fit(false),
+    });
     this.recolour();
     onTheme(() => this.recolour());
-    store.watch(["run"], () => this.takeRun());
+    store.watch(["run", "growing"], () => this.takeRun());
     store.watch(["colour", "units"], () => this.explain());
     store.watch(["compare"], () => this.takePaths());
     store.watch(["selection", "robot"], () => this.choose());
@@ -68,9 +77,7 @@ export class View {
     });
     store.watch(["follow"], () => (this.tip = null));
     store.watch(["showRapids", "showDirections"], () => this.turned());
-    store.watch(["showEnvelope"], () => void this.showEnvelope());
-    session.on(() => void this.showEnvelope());
-    for (const key of ["time_s", "playing", "showZones", "follow"] as const) store.on(key, () => this.invalidate());
+    for (const key of ["time_s", "playing", "showZones", "follow", "jog", "fetched"] as const) store.on(key, () => this.invalidate());
   }
 
   /** A frame is drawn soon. */
@@ -85,12 +92,27 @@ export class View {
   turned(): void {
     this.resting.after(REST_MS);
     this.invalidate();
+    for (const watcher of this.watchers) watcher();
   }
 
   resized(): void {
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
     if (this.stage.paths.length === 0) this.fit(false);
     // A canvas of another size is empty until it is drawn.
+    this.draw();
+    this.resting.after(REST_MS);
+  }
+
+  /** From now on the renderer and the scene are another picture's, until takeBack(). */
+  lend(): void {
+    this.lent = true;
+  }
+
+  /** The page's picture is drawn as if nothing had been. */
+  takeBack(): void {
+    this.lent = false;
+    this.canvas.fill();
+    this.rig.resize(this.canvas.width_px, this.canvas.height_px);
     this.draw();
     this.turned();
   }
@@ -103,16 +125,22 @@ export class View {
   private recolour(): void {
     this.colours = palette();
     this.stage.recolour(this.colours);
+    for (const hold of this.holds) hold.recolour(this.colours);
     this.canvas.renderer.setClearColor(this.colours.background);
     this.layer.renew();
     this.invalidate();
   }
 
+  /** Of a long run what there is of it is shown before its end. */
   private get run() {
-    return this.store.get("run");
+    return this.store.get("growing")?.run ?? this.store.get("run");
   }
 
   private takeRun(): void {
+    const { run } = this;
+    const isGrowing = this.store.get("growing") !== null;
+    if (isGrowing && run === this.taken) return this.grow();
+    this.taken = isGrowing ? run : null;
     const before = this.stage.paths.length > 0;
     this.stage.take(this.run, this.store.get("units"));
     this.tip = null;
@@ -120,6 +148,17 @@ export class View {
     this.choose();
     this.survey();
     if (!before || !this.seesWork()) this.fit(false);
+    this.turned();
+  }
+
+  /** There is more of the run that is shown. */
+  private grow(): void {
+    for (const path of this.stage.paths) path.grow();
+    const key = this.key();
+    if (key) this.layer.grow(key);
+    this.legend.show(key, this.stage.grid.step_mm);
+    this.survey();
+    if (!this.seesWork()) this.fit(false);
     this.turned();
   }
 
@@ -167,23 +206,6 @@ export class View {
     this.turned();
   }
 
-  private async showEnvelope(): Promise<void> {
-    const { envelope } = this.stage;
-    envelope.group.visible = false;
-    envelope.clear();
-    this.notice("");
-    this.invalidate();
-    if (!this.store.get("showEnvelope")) return;
-    const bytes = await this.session.envelope();
-    if (!this.store.get("showEnvelope")) return;
-    this.notice(bytes ? "" : texts.view.noEnvelope);
-    if (!bytes) return;
-    envelope.take(bytes);
-    envelope.group.visible = true;
-    this.rig.see(this.stage.wholeBox().expandByScalar(2000));
-    this.invalidate();
-  }
-
   /** Whether the work is on the screen, and about as large as what was fitted last. */
   private seesWork(): boolean {
     const box = this.stage.workBox(this.works());
@@ -202,6 +224,8 @@ export class View {
     this.survey();
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
     const work = this.stage.workBox(this.works());
+    const frame = this.place().work;
+    for (const hold of this.holds) work.union(hold.box?.(frame) ?? new Box3());
     this.rig.fit(all ? this.stage.wholeBox() : work);
     this.fittedSize_mm = work.getSize(new Vector3()).length();
     this.turned();
@@ -222,9 +246,14 @@ export class View {
 
   /** Puts all where it is at the instant that is shown. */
   private place(): Frame {
-    const t_s = this.store.get("time_s");
-    const instants = this.stage.machines.map((machine) => machine.at(t_s));
-    const work = instants[this.store.get("robot")]?.places.work ?? new Matrix4();
+    const t_s = this.taken ? 0 : this.store.get("time_s");
+    const robot = this.store.get("robot");
+    const jog = this.store.get("jog");
+    const instants = this.stage.machines.map((machine, i) => {
+      const isJogged = i === robot && jog?.length === machine.robot.scene.axes.length;
+      return machine.at(t_s, isJogged ? jog : null);
+    });
+    const work = instants[robot]?.places.work ?? new Matrix4();
     this.frame = { t_s, instants, work };
     this.stage.place(instants, work);
     return this.frame;
@@ -243,7 +272,7 @@ export class View {
     const { stage, own, store } = this;
     const frame = this.place();
     stage.light(frame.t_s, this.linesUnderWay(frame));
-    stage.machinery.visible = own.machine;
+    stage.show(own);
     stage.grid.group.visible = own.grid;
     stage.extents.lines.visible = own.extents;
     stage.zones.group.visible = store.get("showZones");
@@ -267,12 +296,13 @@ export class View {
     const seen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
     const theme = isDark() ? "dark" : "light";
     const end_s = this.run?.end_s ?? 0;
-    // Before it begins and behind its end the way is shown as it is.
-    const whole = t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
+    // Before it begins and behind its end the way is shown as it is, and where joints are moved by hand.
+    const whole = this.taken !== null || this.store.get("jog") !== null || t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
     return {
       ...this.canvas.drawn,
       matrices: instants.map(({ places }) => seen.clone().multiply(places.work)),
       pixelRatio: this.canvas.pixelRatio,
+      mmPerPixel: this.rig.mmPerPixel / this.canvas.pixelRatio,
       rapids: this.store.get("showRapids"),
       compare: this.store.get("compare"),
       compareColour: rgbOf(this.colours.compare),
@@ -284,12 +314,18 @@ export class View {
     };
   }
 
+  /** Puts all where it is at the instant that is shown, and tells how the ways look then. */
+  arrange(): Look {
+    return this.look(this.update());
+  }
+
   private draw(): void {
-    if (this.canvas.gl.isContextLost()) return;
+    if (this.lent || this.canvas.gl.isContextLost()) return;
     const { renderer } = this.canvas;
     const frame = this.update();
     this.rig.apply();
     this.stage.follow(this.rig);
+    this.stage.markTips(frame, (place) => this.rig.mmPerPixelAt(place));
     const look = this.look(frame);
     const more = this.layer.prepare(look, performance.now());
     renderer.resetState();
@@ -299,6 +335,7 @@ export class View {
     // What is dimmed lets through what is behind it, so that comes first.
     this.layer.compose(look);
     this.drawAccents(frame, look);
+    for (const hold of this.holds) hold.draw(renderer, frame.work);
     this.annotate(frame);
     if (more === "now") this.invalidate();
     else if (more === "at rest") setTimeout(() => this.invalidate(), REST_MS);
@@ -327,15 +364,17 @@ export class View {
   }
 
   private layDirections(): void {
+    this.rig.apply();
+    for (const hold of this.holds) hold.lay?.();
+    this.invalidate();
     if (!this.store.get("showDirections") || this.stage.paths.length === 0) return;
     const { stage, rig, canvas } = this;
-    rig.apply();
     stage.directions.lay(stage.paths, this.works(), rig, canvas, this.store.get("showRapids"));
-    this.invalidate();
   }
 
   /** What of the ways is at a place, px from the left and from above. */
   hit(x_px: number, y_px: number, reach_px: number): Hit | null {
+    if (this.taken) return null; // its instants and lines are not shown yet
     const { width_px, height_px, pixelRatio } = this.canvas;
     return this.layer.hit(x_px / width_px, 1 - y_px / height_px, Math.round(reach_px * pixelRatio));
   }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
-import { comparePicture, countPixels, difference, pictureOfView, run, setState, state, withPage } from "../steps.mjs";
+import { comparePicture, countPixels, difference, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
 
 const RED = [0, 150, 90];
 const CELL = { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" };
@@ -69,12 +69,51 @@ export default {
       const { status } = await run(page, CELL);
       assert.equal(status, "completed");
       const [collision] = await page.evaluate(() => window.studio.store.get("run").report.collisions);
-      assert.deepEqual(collision.pair, ["nozzle", "left clamp"]);
+      assert.deepEqual(collision.pair, ["nozzle end", "left clamp"]);
       await at(page, collision.t_s - 0.05);
       const before = await countPixels(page, await pictureOfView(page), RED);
       await at(page, collision.t_s + 0.001);
       const lit = await countPixels(page, await pictureOfView(page), RED);
       assert.ok(lit > before + 50, `${before} red pixels before, ${lit} behind`);
+    }),
+
+  "the machine and its cell are hidden each by itself, and what is hidden is not clicked": (places) =>
+    withPage(places.studio, async (page) => {
+      await run(page, CELL);
+      await at(page, 20);
+      await page.evaluate(() => window.studio.view.stand("top"));
+      // Beside the way, where the head stands over the sheet.
+      const clicked = async () => {
+        await settled(page);
+        const [x, y] = await page.evaluate(() => {
+          const { store, view } = window.studio;
+          const [x_mm, y_mm] = store.get("run").robots[0].axes_at(store.get("time_s"));
+          return view.screen_of([x_mm + 70, y_mm, 0]);
+        });
+        await page.mouse.click(x, y);
+        return state(page, "body");
+      };
+      const show = async (layer) => {
+        await page.locator("#view .layers summary").click();
+        await page.locator("#view .layers").getByLabel(layer, { exact: true }).click();
+        await page.keyboard.press("Escape");
+      };
+      assert.equal(await clicked(), "turntable");
+      await show("Machine");
+      assert.equal(await clicked(), "sheet");
+      await show("Cell");
+      assert.equal(await clicked(), null);
+      await show("Machine");
+      assert.equal(await clicked(), "turntable");
+    }),
+
+  "Escape ends measuring from the button on": (places) =>
+    withPage(places.studio, async (page) => {
+      await run(page, { program: "samples/wheel.nc" });
+      await page.getByRole("button", { name: "Measure between two points" }).click();
+      assert.equal(await state(page, "measuring"), true);
+      await page.keyboard.press("Escape");
+      assert.equal(await state(page, "measuring"), false);
     }),
 
   "several robots are in one picture, and each has its charts": (places) =>

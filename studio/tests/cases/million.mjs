@@ -1,31 +1,10 @@
 // A million blocks. Times are printed and written down in bench/RESULTS.md; they fail nothing.
 
 import assert from "node:assert/strict";
-import { readFileSync, readdirSync } from "node:fs";
+import { memoryOfBrowser } from "../memory.mjs";
 import { settled, withPage } from "../steps.mjs";
 
 const GIGABYTE = 1e9;
-
-/** What all processes below this one hold, but for what they share, in bytes. */
-function memoryOfBrowser() {
-  const parents = new Map();
-  const sizes = new Map();
-  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name))) {
-    try {
-      const status = readFileSync(`/proc/${pid}/status`, "utf8");
-      parents.set(pid, status.match(/PPid:\s+(\d+)/)[1]);
-      const anonymous = status.match(/RssAnon:\s+(\d+)/);
-      if (status.includes("chromium") && anonymous) sizes.set(pid, 1024 * Number(anonymous[1]));
-    } catch {
-      // It has ended meanwhile.
-    }
-  }
-  const isOurs = (pid) => {
-    for (let at = pid; at && at !== "0"; at = parents.get(at)) if (at === String(process.pid)) return true;
-    return false;
-  };
-  return Math.max(0, ...[...sizes].filter(([pid]) => isOurs(pid)).map(([, size]) => size));
-}
 
 const frames = (page, count, turn) =>
   page.evaluate(

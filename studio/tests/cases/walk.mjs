@@ -26,7 +26,7 @@ export default {
         await picture("opened");
 
         await page.getByRole("tab", { name: "Blocks" }).click();
-        const slowest = page.locator("#side [role=tabpanel]:visible tbody tr").first();
+        const slowest = page.locator("#results-panel-blocks tbody tr").first();
         assert.match(await slowest.innerText(), /20\.031/);
         await slowest.click();
         await page.waitForFunction(() => window.studio.store.get("selection")?.line === 6);

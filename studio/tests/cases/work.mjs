@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { difference, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
+import { difference, dropFiles, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
 
 const ENDLESS = "local _ENV = require 'gsim'\nprogram(1, function()\n  F(6000) while true do G1{x=100} G1{x=0} end\nend)\n";
 
@@ -32,9 +32,9 @@ export default {
       const point = await page.evaluate(() => {
         const { store, view } = window.studio;
         const { segments } = store.get("run").robots[0];
-        const [chunk, i] = segments.locate(20);
-        const vertex = chunk.vertex_segment.findIndex((of) => of === i);
-        return { line: chunk.line[i], at: view.screen_of([...chunk.vertex_mm.subarray(3 * vertex, 3 * vertex + 3)]) };
+        const stretch = segments.stretchOf(20);
+        const vertex = stretch.firstVertexOf(20);
+        return { line: segments.lineOf(20).line, at: view.screen_of([...stretch.vertex_mm.subarray(3 * vertex, 3 * vertex + 3)]) };
       });
       await page.mouse.click(point.at[0], point.at[1]);
       await page.waitForFunction(() => window.studio.store.get("selection") !== null);
@@ -100,12 +100,7 @@ export default {
 
   "files dropped on a page from a disk are opened": (places) =>
     withPage(places.studio, async (page) => {
-      const session = await page.context().newCDPSession(page);
-      const files = [join(places.samples, "cell/clamp.nc"), join(places.samples, "cell/mould.stl")];
-      const data = { items: [], files, dragOperationsMask: 1 };
-      for (const type of ["dragEnter", "dragOver", "drop"]) {
-        await session.send("Input.dispatchDragEvent", { type, x: 640, y: 300, data });
-      }
+      await dropFiles(page, join(places.samples, "cell/clamp.nc"), join(places.samples, "cell/mould.stl"));
       await page.waitForFunction(() => window.studio.store.get("run")?.report?.program === "clamp.nc", null, { timeout: 20_000 });
       assert.match(await page.locator("#bar .notice").innerText(), /Also opened: mould\.stl/);
     }),

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 
 export const modules = [
-  ...["code/words", "code/modal", "code/comments", "code/dialect", "code/sheet", "code/findings", "code/lua_of_own"],
+  ...["code/words", "code/modal", "code/comments", "code/dialect", "code/sheet", "code/findings", "code/lua_of_own", "code/text_change"],
   ...["core/documents", "@codemirror/state"],
 ];
 
@@ -131,8 +131,12 @@ export default {
     assert.deepEqual([sheet.isModified, sheet.changedSinceRun, sheet.touched(1), sheet.touched(3)], [true, true, false, false]);
     sheet.runBegins();
     edit(0, 0, "more\n");
-    sheet.runEnds();
+    sheet.runEnds(true);
     assert.deepEqual([1, 2].map((line) => sheet.lineOfRun(line)), [2, 3]);
+    // One that had been made before is shown while its texts are what they were.
+    sheet.runEnds(false);
+    assert.deepEqual([1, 2].map((line) => sheet.lineOfRun(line)), [1, 2]);
+    assert.equal(sheet.changedSinceRun, false);
   },
 
   "findings of a file are told once, of a run those of all its robots": ({ findingsOf, findingsOfRun, diagnosticOf, Text }) => {
@@ -146,14 +150,36 @@ export default {
     assert.deepEqual([mark.from, mark.to], [6, 10]);
   },
 
+  "a text is edited until it is as it was kept last": ({ Sheet, EditorState }) => {
+    const sheet = new Sheet("a.nc", EditorState.create({ doc: "one" }));
+    const put = (text) => (sheet.state = sheet.state.update({ changes: { from: 0, to: sheet.doc.length, insert: text } }).state);
+    assert.equal(sheet.isModified, false);
+    put("two");
+    assert.equal(sheet.isModified, true);
+    sheet.saved();
+    assert.equal(sheet.isModified, false);
+    put("one");
+    assert.equal(sheet.isModified, true);
+  },
+
+  "of another text the least is changed, whatever ends its lines": ({ textChange, Text }) => {
+    const changed = (before, after) => textChange(Text.of(before.split("\n")), after);
+    assert.equal(changed("a\nb", "a\r\nb"), null);
+    assert.deepEqual(changed("G1 X10\nG1 Y2", "G1 X15\nG1 Y2"), { from: 5, to: 6, insert: "5" });
+    assert.deepEqual(changed("aa", "aaa"), { from: 2, to: 2, insert: "a" });
+    assert.deepEqual(changed("aaa", "aa"), { from: 2, to: 3, insert: "" });
+    assert.deepEqual(changed("", "x"), { from: 0, to: 0, insert: "x" });
+    assert.deepEqual(changed("x", ""), { from: 0, to: 1, insert: "" });
+  },
+
   "Lua of one's own gets a name that is free": ({ LuaOfOwn, Documents }) => {
     const documents = new Documents(new Map([["a.lua", "of somebody"]]));
     const own = new LuaOfOwn(documents);
     const mark = "-- from a.nc; line n there is line n+1 here; hash 12ab";
-    assert.equal(own.make("a.nc", mark), "a-2.lua");
-    assert.equal(documents.text("a-2.lua"), "-- from a.nc");
-    assert.equal(own.make("a.nc", mark), "a-2.lua", "the same text again");
-    assert.equal(own.make("a.nc", `${mark}\nG1{}`), "a-3.lua");
+    assert.deepEqual(own.make("a.nc", mark), { name: "a-2.lua", script: "-- from a.nc" });
+    documents.put("a-2.lua", "-- from a.nc");
+    assert.equal(own.make("a.nc", mark).name, "a-2.lua", "the same text again");
+    assert.equal(own.make("a.nc", `${mark}\nG1{}`).name, "a-3.lua");
     assert.deepEqual([own.originOf("a-3.lua"), own.originOf("a.lua")], ["a.nc", undefined]);
   },
 };

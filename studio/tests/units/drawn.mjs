@@ -86,7 +86,7 @@ export default {
     assert.deepEqual([-1, 0, 0.5, 5.5, 6, 9].map((t_s) => data.at(t_s)), [0, 1, 1, 6, 7, 7]);
     assert.deepEqual([data.isRapid(2), data.isRapid(3)], [false, true]);
     assert.deepEqual(data.bounds.max.toArray(), [4, 9, 0]);
-    assert.deepEqual(data.texels().slice(4 * 3, 4 * 4), Float32Array.from([2, 5, 0, 3]));
+    assert.deepEqual(data.texels(0, 7).slice(4 * 3, 4 * 4), Float32Array.from([2, 5, 0, 3]));
   },
 
   "a hit is as far along its piece as its time says": (page) => {
@@ -107,7 +107,7 @@ export default {
     assert.deepEqual(page.keyOf("time", [data.segments]).scale, { low: 0, high: 6 });
     assert.deepEqual(page.keyOf("feed", [data.segments]).scale, { low: 600, high: 600 });
     assert.deepEqual(page.keyOf("feed", []).scale, { low: 0, high: 0 });
-    const texels = page.colourTexels(data, page.keyOf("kind", [data.segments]));
+    const texels = page.colourTexels(data, page.keyOf("kind", [data.segments]), 0, 7);
     assert.deepEqual([texels[4 * 2 + 3], texels[4 * 3 + 3]], [0, page.RAPID_MARK]);
     assert.notDeepEqual([...texels.slice(8, 11)], [...texels.slice(12, 15)]);
   },

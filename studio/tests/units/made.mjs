@@ -58,6 +58,68 @@ export function segmentsMessage(moves, first = 0, start_s = 0) {
   return { is: "segments", header: { robot: 0, first }, columns };
 }
 
+/**
+ * The same without all but the way and the lines (docs/studio-server.md): a vertex at the end of each segment, x its
+ * number; those that `rests` have none.
+ */
+export function leanMessage(moves, first = 0, start_s = 0) {
+  const { columns } = segmentsMessage(moves, first, start_s);
+  const [starts_s, durations_s] = [columns.get("start_s"), columns.get("duration_s")];
+  const [line, file] = [columns.get("line"), columns.get("file")];
+  const codeOf = (length_mm, duration_s) => (length_mm > 0 && duration_s > 0 ? Math.round(8 * Math.log2(length_mm / duration_s)) + 17 : 0);
+  const lines = [];
+  moves.forEach((_, i) => {
+    const [row, of, from, step] = lines.slice(-4);
+    const isFirst = i === row + 1 && of === file[i] && lines.length > 0;
+    if (isFirst) lines[lines.length - 1] = line[i] - line[i - 1];
+    else if (of !== file[i] || line[i] !== from + step * (i - row)) lines.push(i, file[i], line[i], 0);
+  });
+  const drawn = moves.flatMap(({ rests }, i) => (rests ? [] : [i]));
+  const vertices = new Map([
+    ["vertex_mm", Float32Array.from(drawn.flatMap((i) => [first + i + 1, 0, 0]))],
+    ["vertex_s", Float32Array.from(drawn, (i) => starts_s[i] + durations_s[i] - starts_s[0])],
+    [
+      "vertex_segment",
+      Uint32Array.from(drawn, (i) => {
+        const flags = columns.get("flags")[i];
+        const look = ((flags >>> 8) & 0xff) | (((flags >>> 2) & 1) << 8) | (codeOf(columns.get("length_mm")[i], durations_s[i]) << 9);
+        return (i | (look << 16)) >>> 0;
+      }),
+    ],
+    ["lines", Uint32Array.from(lines)],
+  ]);
+  const last = moves.length - 1;
+  const header = { robot: 0, first, lean: true, count: moves.length, start_s: starts_s[0], end_s: starts_s[last] + durations_s[last] };
+  return { is: "segments", header, columns: vertices };
+}
+
+/**
+ * A long run: `parts` of moves as of segmentsMessage, of which the first `whole` are here for good; `fetched(number)`
+ * is told of each that is asked for, and may throw.
+ */
+export function longRunOf({ Run }, parts, { whole = 1, files = ["a.nc", "b.nc"], fetched = () => {} } = {}) {
+  const wholes = [];
+  const run = new Run(new Map(), async (number) => {
+    fetched(number);
+    return wholes[number];
+  });
+  run.take({ is: "scene", header: { robot: 0, name: "one", scene: scene(), files }, columns: new Map() });
+  let [first, start_s] = [0, 0];
+  parts.forEach((moves, i) => {
+    const [all, lean] = [segmentsMessage(moves, first, start_s), leanMessage(moves, first, start_s)];
+    all.columns.set("vertex_mm", lean.columns.get("vertex_mm"));
+    const at_s = start_s;
+    all.columns.set("vertex_s", lean.columns.get("vertex_s").map((since_s) => at_s + since_s));
+    all.columns.set("vertex_segment", lean.columns.get("vertex_segment").map((packed) => packed & 0xffff));
+    wholes.push(all);
+    run.take(i < whole ? all : lean);
+    first += moves.length;
+    start_s += moves.reduce((sum, { duration_s }) => sum + duration_s, 0);
+  });
+  run.take({ is: "report", header: { report: { cycle_time_s: start_s, warnings: [] }, text: "" }, columns: new Map() });
+  return run;
+}
+
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 export const moved = (x, y, z) => [...identity.slice(0, 12), x, y, z, 1];
 

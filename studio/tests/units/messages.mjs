@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-export const modules = ["core/message", "core/engine", "core/debounced", "view/marks/stl"];
+export const modules = ["core/message", "core/engine", "core/worker_engine", "core/debounced", "view/marks/stl"];
 
 const padded = (size) => (size + 7) & ~7;
 
@@ -43,9 +43,9 @@ function binaryStl(triangles) {
 const textStl = (...corners) => new TextEncoder().encode(`solid a\n${corners.map((corner) => `vertex ${corner}`).join("\n")}\nendsolid`);
 
 /** An engine whose worker answers with `bytes`. */
-function engineThatSays(Engine, bytes) {
+function engineThatSays(WorkerEngine, bytes) {
   const worker = { terminate() {}, postMessage: ({ kind, id }) => kind === "ask" && setTimeout(() => worker.onmessage({ data: { id, bytes } })) };
-  return new Engine(() => worker, Promise.resolve(null));
+  return new WorkerEngine(() => worker, Promise.resolve(null));
 }
 
 export default {
@@ -78,23 +78,22 @@ export default {
     assert.throws(() => readMessage(frame({ is: "x", columns: [["a", "f64", 1e6]] })), BrokenMessage);
   },
 
-  "a question is answered by its last message": async ({ Engine }) => {
+  "a question is answered by its last message": async ({ WorkerEngine }) => {
     const told = [];
-    const answer = await engineThatSays(Engine, frame({ is: "done" })).ask({}, new Map(), ({ is }) => told.push(is));
+    const answer = await engineThatSays(WorkerEngine, frame({ is: "done" })).ask({}, new Map(), ({ is }) => told.push(is));
     assert.deepEqual([answer.ok, told], [true, ["done"]]);
-    const failed = await engineThatSays(Engine, frame({ is: "failed", code: "c", message: "m" })).ask({}, new Map(), () => {});
+    const failed = await engineThatSays(WorkerEngine, frame({ is: "failed", code: "c", message: "m" })).ask({}, new Map(), () => {});
     assert.deepEqual(failed, { ok: false, code: "c", message: "m" });
   },
 
-  "a broken message ends the question, and does not hang": async ({ Engine }) => {
-    const { ok, code } = await engineThatSays(Engine, new Uint8Array(5)).ask({}, new Map(), () => {});
+  "a broken message ends the question, and does not hang": async ({ WorkerEngine }) => {
+    const { ok, code } = await engineThatSays(WorkerEngine, new Uint8Array(5)).ask({}, new Map(), () => {});
     assert.deepEqual([ok, code], [false, "internal"]);
   },
 
-  "a page without an engine says so": async ({ Engine }) => {
-    const engine = new Engine(null, null);
-    assert.equal(engine.available, false);
-    assert.equal((await engine.ask({}, new Map(), () => {})).code, "unavailable");
+  "a page without an engine says so": async ({ noEngine }) => {
+    assert.equal(noEngine.available, false);
+    assert.equal((await noEngine.ask({}, new Map(), () => {})).code, "unavailable");
   },
 
   "what is debounced is done once, at once, or not at all": async ({ Debounced }) => {

@@ -53,13 +53,15 @@ export default {
 
   "segments of a line one behind the other are a block, and each pass of a loop is one": (page) => {
     const { blocks } = looped(page).robots[0];
-    assert.equal(blocks.count, 10);
+    assert.equal(blocks.tabled, 10);
     assert.deepEqual([...blocks.ofLine(0, 2)], [0, 3, 6]);
     assert.deepEqual([...blocks.ofLine(1, 6)], [5]);
     assert.deepEqual([...blocks.ofLine(0, 77)], []);
     assert.deepEqual([0, 1, 2, 3, 12].map((segment) => blocks.of(segment)), [0, 0, 1, 2, 9]);
-    const { line, first, count, start_s, end_s, length_mm } = blocks.get(3);
-    assert.deepEqual({ line, first, count, start_s, end_s, length_mm }, { line: 2, first: 4, count: 2, start_s: 5, end_s: 7, length_mm: 2 });
+    const { line, first, count, start_s, end_s } = blocks.get(3);
+    assert.deepEqual({ line, first, count, start_s, end_s }, { line: 2, first: 4, count: 2, start_s: 5, end_s: 7 });
+    assert.deepEqual([blocks.after(3), blocks.before(3), blocks.after(9), blocks.before(0)], [4, 2, -1, -1]);
+    assert.deepEqual([blocks.firstOf(0, 3), blocks.firstOf(0, 77)], [1, -1]);
     assert.equal(blocks.end_s(9), 19);
   },
 

@@ -86,6 +86,11 @@ export default {
       "data.txt": ["; of the control\nNCFILE 1", "machine_data"],
       "part.STL": ["solid", "other"],
       "tool.tbl": ["T1 P1", "other"],
+      "part.path.json": ["{}", "path"],
+      "plate.JSON": ['{"paths": [{"name": "a", "targets": []}]}', "path"],
+      "settings.json": ['{"a": 1}', "other"],
+      "plate.svg": ["<svg/>", "drawing"],
+      "PLATE.DXF": ["0\nSECTION", "drawing"],
     };
     for (const [name, [text, kind]] of Object.entries(kinds)) {
       assert.equal(kindOfFile(name, text), kind, name);

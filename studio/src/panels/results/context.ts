@@ -29,4 +29,6 @@ export interface Links {
 export interface Tab {
   element: HTMLElement;
   draw(context: Context): void;
+  /** Another run is shown, and this is not looked at: what a tab still held of the one before would fill the page's memory. */
+  forget?(): void;
 }

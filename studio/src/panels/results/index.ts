@@ -11,7 +11,7 @@ import { createCompare } from "./tabs/compare";
 import { createEvents } from "./tabs/events";
 import { createShares } from "./tabs/shares";
 import { createSummary } from "./tabs/summary";
-import { createTabs } from "./tab_bar";
+import { createTabs } from "../tab_bar";
 
 const words = texts.panels;
 
@@ -35,7 +35,7 @@ export function createResults(host: HTMLElement, store: Store): void {
     const context = contextOf(store);
     if (context && stale.delete(name)) all[name as keyof typeof all].draw(context);
   };
-  const tabs = createTabs(words.results, words.tabs, all, draw);
+  const tabs = createTabs(words.results, words.tabs, all, "results", draw);
   const robots = element("div", { class: "robots" });
   const content = element("div", { class: "tabs" }, tabs.bar, ...tabs.panels);
   host.append(element("div", { class: "results" }, createStatus(store), robots, content));
@@ -53,7 +53,11 @@ export function createResults(host: HTMLElement, store: Store): void {
     content.hidden = !run?.report || run.failure !== null;
   });
   store.watch(["run", "robot", "units", "previous"], () => {
-    for (const name of Object.keys(all)) stale.add(name);
+    const isLookedAt = (name: string) => name === tabs.chosen && contextOf(store) !== null;
+    for (const [name, tab] of Object.entries(all) as [string, Tab][]) {
+      stale.add(name);
+      if (!isLookedAt(name)) tab.forget?.();
+    }
     draw(tabs.chosen);
   });
 }

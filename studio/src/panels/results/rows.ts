@@ -1,7 +1,11 @@
 // Rows that are one stop of the Tab key: arrows go among them, Enter chooses.
 
-/** `rows` are children of `container`; `choose` gets the number of one. */
-export function makeRows(container: HTMLElement, choose: (row: number) => void): void {
+/** `rows` are children of `container`; `choose` gets the number of one. `keys` do something else than choosing. */
+export function makeRows(
+  container: HTMLElement,
+  choose: (row: number) => void,
+  keys: Record<string, (row: number) => void> = {},
+): void {
   const rows = () => [...container.children] as HTMLElement[];
   const indexOf = (target: EventTarget | null) => rows().findIndex((row) => row.contains(target as Node));
   const focus = (row: number) => {
@@ -31,7 +35,8 @@ export function makeRows(container: HTMLElement, choose: (row: number) => void):
       Enter: () => choose(row),
       " ": () => choose(row),
     };
-    const act = acts[event.key];
+    const own = keys[event.key];
+    const act = own ? () => own(row) : acts[event.key];
     if (!act) return;
     event.preventDefault();
     act();

@@ -27,7 +27,10 @@ function sentenceOf(run: Run, report: Report | null): [text: string, severity: s
   if (!report || !status) return [words.nothing, ""];
   const alarm = report.alarm ?? run.report?.alarm;
   if (status === "alarm") return [words.alarmed(alarm?.message ?? ""), "error"];
-  if (status === "stopped") return [words.stopped(alarm?.message ?? ""), "error"];
+  if (status === "stopped") {
+    const isOfPage = alarm?.code === "run-limit" && /--max-blocks/.test(alarm.message) && run.keptAs === "";
+    return [words.stopped(alarm?.message ?? "") + (isOfPage ? ` ${words.longerRuns}` : ""), "error"];
+  }
   const violations = report.violation_count ?? 0;
   const contacts = report.collisions?.length ?? 0;
   const said = [violations > 0 ? words.violated(violations) : words.completed];

@@ -19,12 +19,12 @@ const empty = (width: number, areColumns = false): Curves => ({
   areColumns,
 });
 
-function push(curves: Curves, t_s: number, values: ArrayLike<number>): void {
+export function push(curves: Curves, t_s: number, values: ArrayLike<number>): void {
   curves.t_s.push(t_s);
   for (let j = 0; j < curves.values.length; ++j) curves.values[j].push(values[j]);
 }
 
-/** `columns`: how many pixels the stretch is wide. */
+/** `columns`: how many pixels the stretch is wide. What is not here is left out. */
 export function curvesOf(segments: Segments, leaves: Leaves, from_s: number, to_s: number, columns: number): Curves {
   const first = segments.at(from_s);
   if (first < 0 || !(to_s > from_s)) return empty(leaves.probe.width);
@@ -40,6 +40,7 @@ function sampled(probe: Probe, first: number, last: number, from_s: number, to_s
   const point = new Float64Array(probe.width);
   for (let index = first; index <= last; ++index) {
     const spot = probe.spot(index);
+    if (!spot) continue;
     const start_s = spot.chunk.start_s[spot.i];
     const begin_s = Math.max(from_s - start_s, 0);
     const end_s = Math.min(to_s - start_s, spot.part.duration_s);
@@ -69,6 +70,7 @@ function single(segments: Segments, probe: Probe, from_s: number, columns: numbe
   for (let column = 0; column < columns; ++column) {
     const t_s = from_s + (column + 0.5) * step_s;
     const spot = probe.spot(segments.at(t_s));
+    if (!spot) continue;
     probe.put(spot, t_s - spot.chunk.start_s[spot.i], point);
     push(curves, t_s, point);
   }
@@ -109,6 +111,7 @@ function widenPart(
   high: Float32Array,
 ): void {
   const spot = probe.spot(index);
+  if (!spot) return;
   const start_s = spot.chunk.start_s[spot.i];
   const begin_s = Math.max(from_s - start_s, 0);
   const end_s = Math.min(to_s - start_s, spot.part.duration_s);

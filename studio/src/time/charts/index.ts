@@ -10,8 +10,9 @@ import { texts } from "../../texts";
 import type { TimeWindow } from "../window";
 import { LEFT_PX, RIGHT_PX, Chart } from "./chart";
 import { createChooser, type Chosen } from "./chooser";
-import { curvesOf } from "./curves";
+import { curvesOf, type Curves } from "./curves";
 import { Leaves } from "./leaves";
+import { fetchWithin, isTooMuch, overviewOf } from "./overview";
 import type { Group } from "./probe";
 import { groupOf, tracesOf, type ChartId } from "./traces";
 
@@ -27,6 +28,7 @@ export interface Charts {
 export function createCharts(store: Store, window: TimeWindow): Charts {
   const list = element("div", { class: "charts" });
   const empty = element("p", { class: "hint" }, texts.time.noChart);
+  const about = element("p", { class: "hint rough", role: "status", hidden: true });
   let charts: { id: ChartId; chart: Chart }[] = [];
   let violations_s: number[] = [];
   let robot: Robot | undefined;
@@ -64,24 +66,32 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
       charts.push({ id, chart: new Chart(texts.time.charts[id], traces, window, violations_s, actions) });
     }
     list.append(...charts.map(({ chart }) => chart.element));
-    resize();
     draw();
   }
 
   function resize(): void {
     if (charts.length === 0 || list.clientWidth === 0) return;
-    const height = Math.max(Math.floor(list.clientHeight / charts.length), LEAST_HEIGHT_PX);
+    const height = Math.max(Math.floor((list.clientHeight - about.offsetHeight) / charts.length), LEAST_HEIGHT_PX);
     for (const { chart } of charts) chart.resize(list.clientWidth, height);
   }
 
   function draw(): void {
     if (!robot) return;
     const columns = Math.max(Math.round((list.clientWidth - LEFT_PX - RIGHT_PX) * devicePixelRatio), 50);
-    const curves = new Map<Group, ReturnType<typeof curvesOf>>();
+    const curves = new Map<Group, Curves>();
+    const { segments } = robot;
+    const { start_s, end_s } = window;
+    const isRough = isTooMuch(segments, start_s, end_s);
+    about.hidden = !isRough || charts.length === 0;
+    about.textContent = isRough ? texts.time.rough : "";
+    resize();
+    if (!isRough) fetchWithin(segments, start_s, end_s);
     for (const { id, chart } of charts) {
       const group = groupOf[id];
       if (!curves.has(group)) {
-        curves.set(group, curvesOf(robot.segments, leavesOf(group), window.start_s, window.end_s, columns));
+        const { width } = leavesOf(group).probe;
+        const rough = () => overviewOf(segments, group, width, start_s, end_s, columns);
+        curves.set(group, isRough ? rough() : curvesOf(segments, leavesOf(group), start_s, end_s, columns));
       }
       chart.show(curves.get(group)!);
     }
@@ -97,15 +107,20 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
       const { probe } = leavesOf(groupOf[id]);
       const values = new Float64Array(probe.width);
       const spot = probe.spot(index);
-      probe.put(spot, Math.min(t_s - spot.chunk.start_s[spot.i], spot.part.duration_s), values);
+      if (spot) probe.put(spot, Math.min(t_s - spot.chunk.start_s[spot.i], spot.part.duration_s), values);
+      else values.fill(NaN);
       chart.point(now_s, values);
     }
   }
 
   const chooser = createChooser(build);
-  list.append(empty);
+  list.append(empty, about);
   window.on(() => later(draw));
   store.on("time_s", point);
+  store.on("fetched", () => {
+    if (robot && isTooMuch(robot.segments, window.start_s, window.end_s)) point();
+    else later(draw);
+  });
   store.on("units", () => build(chooser.chosen));
   onTheme(() => build(chooser.chosen));
   new ResizeObserver(() => {

@@ -21,7 +21,8 @@ export class Leaves {
     private readonly done: () => void,
   ) {
     this.probe = new Probe(segments, group);
-    this.count = Math.ceil(segments.count / LEAF);
+    // Of a long run they would be made of what is not here.
+    this.count = segments.isLong ? 0 : Math.ceil(segments.count / LEAF);
     this.low = new Float32Array(this.count * this.probe.width).fill(Infinity);
     this.high = new Float32Array(this.count * this.probe.width).fill(-Infinity);
     this.slice();
@@ -50,7 +51,7 @@ export class Leaves {
     const last = Math.min((leaf + 1) * LEAF, this.segments.count);
     for (let index = leaf * LEAF; index < last; ++index) {
       const spot = probe.spot(index);
-      if (spot.part.duration_s > 0) probe.widen(spot, this.low, this.high, leaf * probe.width);
+      if (spot && spot.part.duration_s > 0) probe.widen(spot, this.low, this.high, leaf * probe.width);
     }
   }
 
@@ -58,12 +59,12 @@ export class Leaves {
   widen(first: number, end: number, low: Float32Array, high: Float32Array): void {
     let index = first;
     while (index < end) {
-      if (index % LEAF === 0 && index + LEAF <= end) {
+      if (this.count > 0 && index % LEAF === 0 && index + LEAF <= end) {
         this.addLeaf(index / LEAF, low, high);
         index += LEAF;
       } else {
         const spot = this.probe.spot(index++);
-        if (spot.part.duration_s > 0) this.probe.widen(spot, low, high, 0);
+        if (spot && spot.part.duration_s > 0) this.probe.widen(spot, low, high, 0);
       }
     }
   }

@@ -3,7 +3,8 @@
 import { Flag, breaksOf_s, isProportional, jointsAt, leadOf, pathAcceleration, pathSpeed } from "../../run/evaluate";
 import type { Part } from "../../run/evaluate";
 import { lawLength, newRange, widenByLaw } from "../../run/law";
-import { isRapid, type Chunk, type Segments } from "../../run/segments";
+import { isRapid, type Segments } from "../../run/segments";
+import type { Chunk } from "../../run/stretch";
 
 /** What is evaluated together: of the path its speed, acceleration and feed asked for; or one value for each joint. */
 export type Group = "path" | "position" | "speed" | "acceleration";
@@ -34,9 +35,10 @@ export class Probe {
     this.point = new Float64Array(this.width);
   }
 
-  spot(index: number): Spot {
-    const [chunk, i] = this.segments.locate(index);
-    return { chunk, i, part: this.segments.part(chunk, i) };
+  /** Null: it is not here. */
+  spot(index: number): Spot | null {
+    const here = this.segments.locate(index);
+    return here && { chunk: here[0], i: here[1], part: this.segments.part(...here) };
   }
 
   /** Values `t_s` after the segment's start, in mm or rad and s; NaN: no feed was asked for. */

@@ -1,6 +1,6 @@
 // The bodies of a scene, in their frames.
 
-import { EdgesGeometry, Group, LineSegments, Mesh } from "three";
+import { EdgesGeometry, Group, LineSegments, Mesh, type Matrix4 } from "three";
 import type { Places } from "../../run/chain";
 import type { Robot } from "../../run/run";
 import type { Body } from "../../run/scene";
@@ -17,14 +17,18 @@ interface Standing {
 export class Bodies {
   readonly group = new Group();
   private readonly standing: Standing[] = [];
+  /** Frames that are moved by hand, and how far. */
+  private readonly carried = new Set<number>();
+  private way: Matrix4 | null = null;
 
   constructor(
-    robot: Robot,
+    private readonly robot: Robot,
     private readonly looks: Looks,
   ) {
     for (const body of robot.scene.bodies ?? []) {
       const mesh = new Mesh(geometryOf(body.shape, robot.meshes), looks.solid[body.role]);
       mesh.matrixAutoUpdate = false;
+      mesh.name = body.name;
       if (body.role !== "jet") this.addEdges(mesh, body);
       this.group.add(mesh);
       this.standing.push({ body, mesh });
@@ -42,8 +46,25 @@ export class Bodies {
   place({ frames }: Places, processOn: boolean): void {
     for (const { body, mesh } of this.standing) {
       mesh.matrix.copy(frames[body.frame]);
+      if (this.way && this.carried.has(body.frame)) mesh.matrix.premultiply(this.way);
       if (body.role === "jet") mesh.visible = processOn;
     }
+  }
+
+  show({ machine, cell }: { machine: boolean; cell: boolean }): void {
+    for (const { body, mesh } of this.standing) {
+      if (body.role === "jet") mesh.visible &&= machine;
+      else mesh.visible = body.role === "machine" ? machine : cell;
+    }
+  }
+
+  /** What is in a frame, or attached to what is, stands elsewhere from now on; null: where it is. */
+  carry(frame: number, way: Matrix4 | null): void {
+    this.way = way;
+    this.carried.clear();
+    this.robot.scene.frames?.forEach((each, i) => {
+      if (i === frame || ("parent" in each && this.carried.has(each.parent))) this.carried.add(i);
+    });
   }
 
   /** `look` tells how a body looks now, by its name; undefined: as its role does. */

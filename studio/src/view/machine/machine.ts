@@ -2,6 +2,7 @@
 
 import { Group, Vector3 } from "three";
 import type { Places } from "../../run/chain";
+import { Flag } from "../../run/evaluate";
 import type { Report } from "../../run/report";
 import type { Robot } from "../../run/run";
 import { Bodies } from "./bodies";
@@ -20,6 +21,8 @@ export interface Instant {
   tip: number;
   tip_mm: Vector3;
   processOn: boolean;
+  /** Whether the joints are not here yet: the machine stands as it was known last, the tip is where the way is. */
+  isLate: boolean;
 }
 
 const toolHasBodies = ({ scene }: Robot): boolean => {
@@ -35,6 +38,9 @@ export class Machine {
   readonly bodies: Bodies;
   private readonly standIn: Parts | null;
   private readonly tool: Tool;
+  /** As they were known last. */
+  private joints: ArrayLike<number>;
+  private tip = 0;
 
   constructor(
     readonly robot: Robot,
@@ -43,6 +49,7 @@ export class Machine {
   ) {
     this.bodies = new Bodies(robot, looks);
     this.standIn = standInFor(robot, report, looks);
+    this.joints = robot.home;
     const zero = robot.chain.places(new Float64Array(robot.scene.axes.length), 0);
     const { gauge_mm } = skeletonOf(robot.scene, zero, travels(robot, report));
     this.tool = new Tool(robot, looks, gauge_mm, toolHasBodies(robot));
@@ -51,20 +58,31 @@ export class Machine {
     this.group.matrixAutoUpdate = false;
   }
 
-  at(t_s: number): Instant {
+  /** At an instant of the run; `jog`: with other joints (mm, rad), at rest. */
+  at(t_s: number, jog: ArrayLike<number> | null = null): Instant {
     const { robot } = this;
-    const places = robot.chain.places(robot.joints_at(t_s), t_s);
+    const known = jog ?? robot.joints_at(t_s);
+    this.joints = known ?? this.joints;
+    const places = robot.chain.places(this.joints, t_s);
     const segment = robot.segments.at(t_s);
-    const info = segment >= 0 ? robot.segments.info(segment) : null;
-    const tip = info?.tip ?? 0;
-    const during = info !== null && t_s < info.start_s + info.duration_s;
-    return { places, segment, tip, tip_mm: this.tool.tip(places, tip), processOn: during && info.processOn };
+    this.tip = robot.tip_at(t_s) ?? this.tip;
+    const flags = jog === null && t_s < robot.segments.end_s ? robot.segments.flags_at(t_s) : null;
+    const drawn = known ? null : robot.segments.tip_mm(t_s);
+    const tip_mm = drawn ? new Vector3(...drawn).applyMatrix4(places.work) : this.tool.tip(places, this.tip);
+    const processOn = flags !== null && (flags & Flag.processOn) !== 0;
+    return { places, segment, tip: this.tip, tip_mm, processOn, isLate: !known };
   }
 
   place({ places, tip, processOn }: Instant): void {
     this.bodies.place(places, processOn);
     this.standIn?.place(places);
     this.tool.place(places, tip, processOn);
+  }
+
+  show(of: { machine: boolean; cell: boolean }): void {
+    this.bodies.show(of);
+    this.tool.group.visible = of.machine;
+    if (this.standIn) this.standIn.group.visible = of.machine;
   }
 
   dispose(): void {

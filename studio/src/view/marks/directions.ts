@@ -16,30 +16,50 @@ interface Screen {
   height_px: number;
 }
 
-/** Ways along a path up to each vertex, mm. */
-function waysOf(data: PathData): Float64Array {
-  const ways = new Float64Array(data.count);
-  let at = 0;
-  let [x, y, z] = [NaN, NaN, NaN];
-  for (const { vertex_mm, vertex_s } of data.segments.chunks) {
-    for (let i = 0; i < vertex_s.length; ++i, ++at) {
-      const [x1, y1, z1] = [vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]];
-      const step = Math.sqrt((x1 - x) ** 2 + (y1 - y) ** 2 + (z1 - z) ** 2);
-      ways[at] = at === 0 ? 0 : ways[at - 1] + step;
-      [x, y, z] = [x1, y1, z1];
-    }
-  }
-  return ways;
-}
+/** How far a path has gone up to each so many vertices, mm: of ten million one could not keep all. */
+class Ways {
+  private static readonly STEP = 64;
+  private readonly ways: Float64Array;
+  readonly total: number;
 
-const firstBeyond = (ways: Float64Array, way: number): number =>
-  Math.min(lastIndex(ways.length, (i) => ways[i] <= way) + 1, ways.length - 1);
+  constructor(private readonly data: PathData) {
+    this.ways = new Float64Array(Math.ceil(data.count / Ways.STEP));
+    let way = 0;
+    let [x, y, z] = [NaN, NaN, NaN];
+    for (const { stretch, vertex } of data.vertices(0, data.count)) {
+      const { vertex_mm, vertices } = stretch;
+      for (let i = 0; i < vertices; ++i) {
+        const [x1, y1, z1] = [vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]];
+        if (vertex + i > 0) way += Math.sqrt((x1 - x) ** 2 + (y1 - y) ** 2 + (z1 - z) ** 2);
+        if ((vertex + i) % Ways.STEP === 0) this.ways[(vertex + i) / Ways.STEP] = way;
+        [x, y, z] = [x1, y1, z1];
+      }
+    }
+    this.total = way;
+  }
+
+  /** The vertex that ends the piece where the path has gone so far, and how far along the piece that is, 0 to 1. */
+  at(way: number): [vertex: number, share: number] {
+    const { data } = this;
+    const known = Math.max(lastIndex(this.ways.length, (i) => this.ways[i] <= way), 0);
+    let vertex = known * Ways.STEP;
+    let left = way - this.ways[known];
+    const [a, b] = [data.point(vertex), new Vector3()];
+    while (++vertex < data.count) {
+      const step = a.distanceTo(data.point(vertex, b));
+      if (left < step) return [vertex, left / step];
+      left -= step;
+      a.copy(b);
+    }
+    return [data.count - 1, 1];
+  }
+}
 
 export class Directions {
   readonly group = new Group();
   private readonly material = new MeshBasicMaterial({ side: DoubleSide });
   private meshes: Mesh[] = [];
-  private readonly ways = new Map<PathData, Float64Array>();
+  private readonly ways = new Map<PathData, [number, Ways]>();
 
   take(all: PathData[]): void {
     for (const mesh of this.meshes) mesh.geometry.dispose();
@@ -85,18 +105,18 @@ export class Directions {
     taken: Set<number>,
     corners: number[],
   ): void {
-    const ways = this.ways.get(data) ?? waysOf(data);
-    this.ways.set(data, ways);
-    const total = ways[ways.length - 1];
+    const known = this.ways.get(data);
+    const ways = known?.[0] === data.count ? known[1] : new Ways(data);
+    this.ways.set(data, [data.count, ways]);
+    const { total } = ways;
     const space = Math.max(SPACE_PX * rig.mmPerPixel, total / MOST_TRIED);
     const [a, b, world] = [new Vector3(), new Vector3(), new Vector3()];
     const { back } = rig.basis();
     for (let way = space / 2; way < total && taken.size < MOST; way += space) {
-      const vertex = firstBeyond(ways, way);
+      const [vertex, share] = ways.at(way);
       if (!rapids && data.isRapid(vertex)) continue;
       data.point(vertex - 1, a);
       data.point(vertex, b);
-      const share = (way - ways[vertex - 1]) / (ways[vertex] - ways[vertex - 1]);
       const along = b.clone().sub(a).normalize();
       world.lerpVectors(a, b, share).applyMatrix4(frame);
       const seen = rig.project(world);
@@ -110,7 +130,7 @@ export class Directions {
 }
 
 /** A pyramid with its middle on a place. */
-function putArrow(corners: number[], at: Vector3, along: Vector3, length_mm: number, back: Vector3): void {
+export function putArrow(corners: number[], at: Vector3, along: Vector3, length_mm: number, back: Vector3): void {
   const side = Math.abs(along.dot(back)) < 0.98 ? along.clone().cross(back) : along.clone().cross(new Vector3(1, 0.3, 0.2));
   side.setLength(0.32 * length_mm);
   const other = along.clone().cross(side).setLength(0.32 * length_mm);

@@ -21,7 +21,7 @@ export class Grid {
   /** Between lines, mm. */
   step_mm = 0;
   private readonly fine = new LineSegments(new BufferGeometry(), pale(0.4));
-  private readonly bold = new LineSegments(new BufferGeometry(), pale(0.75));
+  readonly bold = new LineSegments(new BufferGeometry(), pale(0.75));
 
   constructor() {
     this.group.matrixAutoUpdate = false;

@@ -9,10 +9,10 @@ import {
   limitCodeOf,
   limitKinds,
   moveKinds,
-  type Chunk,
   type Segments,
 } from "../../run/segments";
-import { ROW, type PathData } from "./path_data";
+import type { Chunk, Stretch } from "../../run/stretch";
+import { ROW, rowsOf, type PathData } from "./path_data";
 
 export type ScaleMode = "feed" | "speed" | "time" | "deviation";
 type ClassMode = Exclude<ColourMode, ScaleMode>;
@@ -29,6 +29,8 @@ export interface Key {
   scale: Scale | null;
   /** Names of the classes that occur, in the order of the codes. */
   classes: string[];
+  /** Whether it is not known of all of a long run. */
+  isPartial: boolean;
 }
 
 const processStates = ["off", "on"] as const;
@@ -57,6 +59,9 @@ const isScale = (mode: ColourMode): mode is ScaleMode => !(mode in classModes);
 export const classColour = (mode: ColourMode, name: string): string =>
   isScale(mode) ? blue : classModes[mode].colours[name];
 
+/** Of a long run these are here for what is here for good. */
+const isOfColumns = (mode: ScaleMode): boolean => mode === "feed" || mode === "deviation";
+
 /** The quantity of a segment on a scale; NaN: it has none (the feed of a rapid move). */
 function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
   switch (mode) {
@@ -71,17 +76,21 @@ function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
   }
 }
 
+/** Stretches of which vertices tell all that is here. */
+const leanOf = (all: Segments[]): Stretch[] => all.flatMap(({ stretches, chunks }) => stretches.slice(chunks.length));
+
 function scaleOf(mode: ScaleMode, all: Segments[]): Scale {
   if (mode === "time") return { low: 0, high: Math.max(0, ...all.map((segments) => segments.end_s)) };
   const scale = { low: Infinity, high: -Infinity };
+  const widen = (value: number) => {
+    if (value < scale.low) scale.low = value;
+    if (value > scale.high) scale.high = value;
+  };
   for (const { chunks } of all) {
-    for (const chunk of chunks) {
-      for (let i = 0; i < chunk.count; ++i) {
-        const value = quantity(mode, chunk, i);
-        if (value < scale.low) scale.low = value;
-        if (value > scale.high) scale.high = value;
-      }
-    }
+    for (const chunk of chunks) for (let i = 0; i < chunk.count; ++i) widen(quantity(mode, chunk, i));
+  }
+  for (const stretch of isOfColumns(mode) ? [] : leanOf(all)) {
+    for (let i = 0; i < stretch.vertices; ++i) widen(stretch.speedOf_mm_s(i));
   }
   if (scale.low > scale.high) return { low: 0, high: 0 };
   // Speeds begin at rest, deviations at none; feeds differ little often enough to want the whole scale.
@@ -93,23 +102,36 @@ function classesOf({ names, code }: Classes, all: Segments[]): string[] {
   for (const { chunks } of all) {
     for (const chunk of chunks) for (let i = 0; i < chunk.count; ++i) seen.add(code(chunk.flags[i]));
   }
+  for (const stretch of leanOf(all)) for (let i = 0; i < stretch.vertices; ++i) seen.add(code(stretch.flagsOf(i)));
   return names.filter((_, i) => seen.has(i));
 }
 
 export function keyOf(mode: ColourMode, all: Segments[]): Key {
-  if (isScale(mode)) return { mode, scale: scaleOf(mode, all), classes: [] };
-  return { mode, scale: null, classes: classesOf(classModes[mode], all) };
+  if (!isScale(mode)) return { mode, scale: null, classes: classesOf(classModes[mode], all), isPartial: false };
+  const isPartial = isOfColumns(mode) && all.some((segments) => segments.isLong);
+  return { mode, scale: scaleOf(mode, all), classes: [], isPartial };
 }
+
+/** Whether vertices have the same colours by both. */
+export const areSameColours = (a: Key, b: Key | null): boolean =>
+  a.mode === b?.mode && a.scale?.low === b.scale?.low && a.scale?.high === b.scale?.high;
 
 const bytesOf = (hex: string): number[] => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 
-type Painter = (chunk: Chunk, segment: number, t_s: number) => ArrayLike<number>;
+type Painter = (stretch: Stretch, vertex: number) => ArrayLike<number>;
+
+/** NaN: it has none, or it is not here. */
+function quantityAt(mode: ScaleMode, stretch: Stretch, vertex: number): number {
+  if (mode === "time") return stretch.time_s(vertex);
+  if (stretch.whole) return quantity(mode, stretch.whole, stretch.segmentOf(vertex) - stretch.first);
+  return mode === "speed" ? stretch.speedOf_mm_s(vertex) : NaN;
+}
 
 function painter(key: Key): Painter {
   if (!isScale(key.mode)) {
     const { names, code, colours } = classModes[key.mode];
     const table = names.map((name) => bytesOf(colours[name]));
-    return (chunk, i) => table[code(chunk.flags[i])] ?? table[0];
+    return (stretch, i) => table[code(stretch.flagsOf(i))] ?? table[0];
   }
   const mode = key.mode;
   const { low, high } = key.scale!;
@@ -117,25 +139,24 @@ function painter(key: Key): Painter {
   const table = Array.from({ length: steps + 1 }, (_, i) => scaleColour(i / steps).map((part) => part * 255));
   const none = bytesOf(grey);
   const factor = high > low ? steps / (high - low) : 0;
-  return (chunk, i, t_s) => {
-    const value = mode === "time" ? t_s : quantity(mode, chunk, i);
+  return (stretch, i) => {
+    const value = quantityAt(mode, stretch, i);
     return Number.isNaN(value) ? none : table[Math.min(steps, Math.round((value - low) * factor))];
   };
 }
 
-/** Red, green and blue of each vertex, and RAPID_MARK where a rapid move ends, for a texture of whole rows. */
-export function colourTexels(data: PathData, key: Key): Uint8Array {
-  const texels = new Uint8Array(4 * ROW * data.rows);
+/** Of vertices from one to before another red, green and blue, and RAPID_MARK where a rapid move ends, for a texture of whole rows. */
+export function colourTexels(data: PathData, key: Key, from: number, to: number): Uint8Array {
+  const texels = new Uint8Array(4 * ROW * rowsOf(to - from));
   const paint = painter(key);
-  let at = 0;
-  for (const chunk of data.segments.chunks) {
-    for (let i = 0; i < chunk.vertex_s.length; ++i, at += 4) {
-      const segment = chunk.vertex_segment[i];
-      const colour = paint(chunk, segment, chunk.vertex_s[i]);
+  for (const { stretch, from: begin, to: end, vertex } of data.vertices(from, to)) {
+    let at = 4 * (vertex - from);
+    for (let i = begin; i < end; ++i, at += 4) {
+      const colour = paint(stretch, i);
       texels[at] = colour[0];
       texels[at + 1] = colour[1];
       texels[at + 2] = colour[2];
-      texels[at + 3] = isRapid(chunk.flags[segment]) ? RAPID_MARK : 0;
+      texels[at + 3] = isRapid(stretch.flagsOf(i)) ? RAPID_MARK : 0;
     }
   }
   return texels;

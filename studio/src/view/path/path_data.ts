@@ -1,85 +1,111 @@
-// The drawn way of one robot as the view needs it: vertices counted over all chunks, in the work frame.
+// The drawn way of one robot as the view needs it: vertices counted over all stretches, in the work frame.
 
 import { Box3, Vector3 } from "three";
 import { lastIndex } from "../../run/search";
-import { isRapid, type Chunk, type Segments } from "../../run/segments";
+import { isRapid, type Segments } from "../../run/segments";
+import type { Stretch } from "../../run/stretch";
 
 /** Vertices in a row of the textures that hold them. */
 export const ROW = 4096;
 
+/** Vertices of one stretch: from one to before another, the first of which is number `vertex` of all. */
+export interface Vertices {
+  stretch: Stretch;
+  from: number;
+  to: number;
+  vertex: number;
+}
 
 export class PathData {
-  readonly count: number;
+  count = 0;
   /** Of all vertices, and of those that no rapid move ends at (mm). */
   readonly bounds = new Box3();
   readonly cutBounds = new Box3();
-  /** Number of the first vertex of each chunk. */
+  /** Number of the first vertex of each stretch. */
   private readonly firsts: number[] = [];
 
   constructor(readonly segments: Segments) {
-    let count = 0;
-    for (const chunk of segments.chunks) {
-      this.firsts.push(count);
-      count += chunk.vertex_s.length;
-      this.include(chunk);
-    }
-    this.count = count;
+    this.grow();
   }
 
-  private include({ vertex_mm, vertex_segment, flags }: Chunk): void {
+  /** Takes what has come since. */
+  grow(): void {
+    const { stretches } = this.segments;
+    for (let k = this.firsts.length; k < stretches.length; ++k) {
+      this.firsts.push(this.count);
+      this.count += stretches[k].vertices;
+      this.include(stretches[k]);
+    }
+  }
+
+  private include(stretch: Stretch): void {
+    const { vertex_mm } = stretch;
     const point = new Vector3();
-    for (let i = 0; i < vertex_segment.length; ++i) {
+    for (let i = 0; i < stretch.vertices; ++i) {
       point.set(vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]);
       this.bounds.expandByPoint(point);
-      if (!isRapid(flags[vertex_segment[i]])) this.cutBounds.expandByPoint(point);
+      if (!isRapid(stretch.flagsOf(i))) this.cutBounds.expandByPoint(point);
     }
   }
 
-  /** x, y, z (mm) and time (s) of each vertex, for a texture of whole rows. */
-  texels(): Float32Array {
-    const texels = new Float32Array(4 * ROW * this.rows);
-    this.segments.chunks.forEach((chunk, k) => {
-      let at = 4 * this.firsts[k];
-      for (let i = 0; i < chunk.vertex_s.length; ++i, at += 4) {
-        texels[at] = chunk.vertex_mm[3 * i];
-        texels[at + 1] = chunk.vertex_mm[3 * i + 1];
-        texels[at + 2] = chunk.vertex_mm[3 * i + 2];
-        texels[at + 3] = chunk.vertex_s[i];
+  /** Vertices from one to before another, stretch by stretch. */
+  *vertices(from: number, to: number): Generator<Vertices> {
+    const { stretches } = this.segments;
+    const first = Math.max(lastIndex(this.firsts.length, (i) => this.firsts[i] <= from), 0);
+    for (let k = first; k < this.firsts.length && this.firsts[k] < to; ++k) {
+      const begin = Math.max(from, this.firsts[k]);
+      const end = Math.min(to, this.firsts[k] + stretches[k].vertices);
+      if (begin < end) yield { stretch: stretches[k], from: begin - this.firsts[k], to: end - this.firsts[k], vertex: begin };
+    }
+  }
+
+  /** x, y, z (mm) and time (s) of vertices from one to before another, for a texture of whole rows. */
+  texels(from: number, to: number): Float32Array {
+    const texels = new Float32Array(4 * ROW * rowsOf(to - from));
+    for (const { stretch, from: begin, to: end, vertex } of this.vertices(from, to)) {
+      const { vertex_mm } = stretch;
+      let at = 4 * (vertex - from);
+      for (let i = begin; i < end; ++i, at += 4) {
+        texels[at] = vertex_mm[3 * i];
+        texels[at + 1] = vertex_mm[3 * i + 1];
+        texels[at + 2] = vertex_mm[3 * i + 2];
+        texels[at + 3] = stretch.time_s(i);
       }
-    });
+    }
     return texels;
   }
 
-  get rows(): number {
-    return Math.max(1, Math.ceil(this.count / ROW));
-  }
-
-  /** The chunk of a vertex, and its place there. */
-  private locate(vertex: number): [Chunk, number] {
-    const { chunks } = this.segments;
-    const k = lastIndex(chunks.length, (i) => this.firsts[i] <= vertex);
-    return [chunks[k], vertex - this.firsts[k]];
+  /** The stretch of a vertex, and its place there. */
+  private locate(vertex: number): [Stretch, number] {
+    const { stretches } = this.segments;
+    const k = lastIndex(this.firsts.length, (i) => this.firsts[i] <= vertex);
+    return [stretches[k], vertex - this.firsts[k]];
   }
 
   point(vertex: number, into = new Vector3()): Vector3 {
-    const [chunk, i] = this.locate(vertex);
-    return into.fromArray(chunk.vertex_mm, 3 * i);
+    const [stretch, i] = this.locate(vertex);
+    return into.fromArray(stretch.vertex_mm, 3 * i);
   }
 
   time_s(vertex: number): number {
-    const [chunk, i] = this.locate(vertex);
-    return chunk.vertex_s[i];
+    const [stretch, i] = this.locate(vertex);
+    return stretch.time_s(i);
   }
 
   /** The segment whose way the piece before a vertex belongs to. */
   segmentOf(vertex: number): number {
-    const [chunk, i] = this.locate(vertex);
-    return chunk.first + chunk.vertex_segment[i];
+    const [stretch, i] = this.locate(vertex);
+    return stretch.segmentOf(i);
+  }
+
+  /** Flags of that segment, as far as they are here. */
+  flagsOf(vertex: number): number {
+    const [stretch, i] = this.locate(vertex);
+    return stretch.flagsOf(i);
   }
 
   isRapid(vertex: number): boolean {
-    const [chunk, i] = this.locate(vertex);
-    return isRapid(chunk.flags[chunk.vertex_segment[i]]);
+    return isRapid(this.flagsOf(vertex));
   }
 
   /** The vertex that ends the piece under way at a time; `count` behind the last. */
@@ -93,11 +119,12 @@ export class PathData {
   }
 
   private firstOf(segment: number): number {
-    const { chunks, count } = this.segments;
+    const { stretches, count } = this.segments;
     if (segment >= count) return this.count;
-    const k = lastIndex(chunks.length, (i) => chunks[i].first <= segment);
-    const inside = segment - chunks[k].first;
-    const vertices = chunks[k].vertex_segment;
-    return this.firsts[k] + lastIndex(vertices.length, (i) => vertices[i] < inside) + 1;
+    const k = lastIndex(stretches.length, (i) => stretches[i].first <= segment);
+    return this.firsts[k] + stretches[k].firstVertexOf(segment);
   }
 }
+
+/** Rows of a texture of so many vertices. */
+export const rowsOf = (count: number): number => Math.max(1, Math.ceil(count / ROW));

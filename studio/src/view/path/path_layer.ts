@@ -2,16 +2,16 @@
 // with the machine in each frame; while it moves and they are many, fewer pieces are drawn at half the resolution.
 
 import type { Matrix4 } from "three";
-import type { Key } from "./path_colours";
+import { areSameColours, type Key } from "./path_colours";
 import type { PathData } from "./path_data";
 import { Program } from "./program";
 import * as shaders from "./shaders";
-import { Strand } from "./strand";
+import { Strand, type Draw } from "./strand";
 import { Target } from "./target";
 import { Timer } from "./timer";
 
 /** The run before, for comparing, is drawn as this robot. */
-const PREVIOUS = 31;
+export const PREVIOUS = 31;
 
 /** What the ways look like in a frame. */
 export interface Look {
@@ -20,6 +20,8 @@ export interface Look {
   width_px: number;
   height_px: number;
   pixelRatio: number;
+  /** At the middle of what is seen, of pixels of the screen. */
+  mmPerPixel: number;
   rapids: boolean;
   compare: boolean;
   compareColour: number[];
@@ -51,6 +53,9 @@ const QUICK_PIECES = 40_000;
 const WIDE_PIECES = 300_000;
 const MOVING_PIECES = 60_000;
 const SLICE_PIECES = 200_000;
+const ACCENT_PIECES = 100_000;
+// A step that is shorter shows no corner between its ends.
+const SMALL_PX = 1;
 const SLOW_MS = 40;
 // The eye rests when it has stood so long.
 const REST_MS = 120;
@@ -70,7 +75,11 @@ export class PathLayer {
   private drawn = "";
   private asked = "";
   private since_ms = 0;
+  /** What shows the whole way, and how much of that has been drawn. */
+  private plan: Draw[] = [];
+  private planned = 0;
   private slice = 0;
+  private key: Key | null = null;
   private shown: Target | null = null;
   private readonly timer: Timer;
 
@@ -85,16 +94,36 @@ export class PathLayer {
 
   /** The ways to be shown from now on; `previous` are those of the run before. */
   take(current: PathData[], previous: PathData[], key: Key): void {
-    for (const strand of this.strands) strand.dispose();
+    const before = this.strands;
+    const strandOf = (data: PathData, robot: number, frame: number) =>
+      before.find((strand) => strand.data === data && strand.robot === robot && strand.frame === frame) ??
+      new Strand(this.gl, data, robot, frame);
     this.strands = [
-      ...previous.slice(0, current.length).map((data, robot) => new Strand(this.gl, data, PREVIOUS, robot)),
-      ...current.map((data, robot) => new Strand(this.gl, data, robot, robot)),
+      ...previous.slice(0, current.length).map((data, robot) => strandOf(data, PREVIOUS, robot)),
+      ...current.map((data, robot) => strandOf(data, robot, robot)),
     ];
+    for (const strand of before) if (!this.strands.includes(strand)) strand.dispose();
     this.timer.forget();
-    this.colour(key);
+    const isSame = areSameColours(key, this.key);
+    for (const strand of this.strands) {
+      strand.grow(isSame ? key : null);
+      if (strand.robot !== PREVIOUS && !(isSame && before.includes(strand))) strand.colour(key);
+    }
+    this.key = key;
+    this.renew();
+  }
+
+  /** Takes what has come of the ways since. */
+  grow(key: Key): void {
+    const isSame = areSameColours(key, this.key);
+    for (const strand of this.strands) strand.grow(isSame ? key : null);
+    this.strands = [...this.strands]; // they have other sheets
+    if (isSame) this.renew();
+    else this.colour(key);
   }
 
   colour(key: Key): void {
+    this.key = key;
     for (const strand of this.strands) if (strand.robot !== PREVIOUS) strand.colour(key);
     this.renew();
   }
@@ -105,17 +134,18 @@ export class PathLayer {
     this.asked = "";
   }
 
+  /** Another list whenever other ways are shown. */
+  get shownStrands(): readonly Strand[] {
+    return this.strands;
+  }
+
   /** Whether the kept picture shows all that was asked for. */
   get complete(): boolean {
     return this.drawn !== "" && this.drawn === this.asked;
   }
 
-  private get pieces(): number {
-    return this.strands.reduce((sum, strand) => sum + strand.data.count, 0);
-  }
-
   private get slow(): boolean {
-    return this.pieces > QUICK_PIECES && (this.timer.cost_ms ?? Infinity) > SLOW_MS;
+    return this.planned > QUICK_PIECES && (this.timer.cost_ms ?? Infinity) > SLOW_MS;
   }
 
   /** Brings the kept picture up to date; tells when there is more to draw. */
@@ -124,6 +154,7 @@ export class PathLayer {
     const matrices = look.matrices.map((matrix) => matrix.elements.join());
     const wanted = [width_px, height_px, rapids, compare, look.compareColour, ...matrices].join();
     if (this.asked !== wanted) {
+      this.layPlan(look);
       this.slice = 0;
       this.since_ms = time_ms;
     }
@@ -134,32 +165,40 @@ export class PathLayer {
     return rests ? "now" : "at rest";
   }
 
+  private layPlan(look: Look): void {
+    const { width_px, height_px } = look;
+    const shown = this.strands.filter(({ robot }) => robot !== PREVIOUS || look.compare);
+    this.plan = shown.flatMap((strand) => strand.plan(look.matrices[strand.frame], width_px, height_px));
+    this.planned = this.plan.reduce((sum, { from, to, stride }) => sum + (to - from) / stride, 0);
+  }
+
   private update(look: Look, wanted: string, rests: boolean): void {
     const { width_px, height_px } = look;
     if (this.full?.width !== width_px || this.full.height !== height_px) this.resize(width_px, height_px);
     this.setState();
+    const isWide = this.planned <= WIDE_PIECES;
     if (!this.slow) {
       this.full!.begin();
       this.timer.begin();
-      this.paint(look, 0, Infinity, 1, this.pieces <= WIDE_PIECES);
+      this.paint(look, 0, Infinity, 1, isWide);
       this.timer.end(1);
       this.show(this.full!, wanted);
     } else if (!rests) {
       this.coarse!.begin();
-      this.paint(look, 0, Infinity, Math.ceil(this.pieces / MOVING_PIECES), false);
+      this.paint(look, 0, Infinity, Math.ceil(this.planned / MOVING_PIECES), false);
       this.shown = this.coarse;
-    } else this.refine(look, wanted);
+    } else this.refine(look, wanted, isWide);
   }
 
   // Slice by slice, so that the page answers meanwhile.
-  private refine(look: Look, wanted: string): void {
+  private refine(look: Look, wanted: string, isWide: boolean): void {
     if (this.slice === 0) this.full!.begin();
     else this.full!.go();
     this.timer.begin();
-    this.paint(look, this.slice, this.slice + SLICE_PIECES, 1, this.pieces <= WIDE_PIECES);
-    this.timer.end(Math.max(1, this.pieces / SLICE_PIECES));
+    this.paint(look, this.slice, this.slice + SLICE_PIECES, 1, isWide);
+    this.timer.end(Math.max(1, this.planned / SLICE_PIECES));
     this.slice += SLICE_PIECES;
-    if (this.slice >= this.pieces) this.show(this.full!, wanted);
+    if (this.slice >= this.planned) this.show(this.full!, wanted);
   }
 
   private show(target: Target, wanted: string): void {
@@ -192,8 +231,8 @@ export class PathLayer {
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
 
-  /** Pieces from number `from` to before `to`, counted over all strands. */
-  private paint(look: Look, from: number, to: number, stride: number, wide: boolean): void {
+  /** Of what shows the whole way pieces from number `from` to before `to`; of those each `coarser`-th. */
+  private paint(look: Look, from: number, to: number, coarser: number, wide: boolean): void {
     const { gl } = this;
     const program = wide ? this.keptWide : this.keptThin;
     program.use();
@@ -201,17 +240,18 @@ export class PathLayer {
     this.setSize(program, look, 1.4 * ratio);
     gl.uniform1i(program.place("rapids"), look.rapids ? 1 : 0);
     let before = 0;
-    this.strands.forEach((strand) => {
-      const { count } = strand.data;
-      const range = [Math.max(from - before, 0), Math.min(to - before, count)];
-      before += count;
+    for (const { strand, from: first, to: end, stride } of this.plan) {
+      const begin = first + Math.ceil(Math.max(from - before, 0)) * stride;
+      const last = Math.min(end, first + Math.ceil(Math.max(to - before, 0)) * stride);
+      before += (end - first) / stride;
+      if (begin >= last) continue;
       const old = strand.robot === PREVIOUS;
-      if (range[0] >= range[1] || (old && !look.compare)) return;
       gl.uniform4fv(program.place("paint"), old ? [...look.compareColour, 1] : [0, 0, 0, 0]);
       gl.uniform1i(program.place("clean"), old ? 1 : 0);
       program.set1f("nearer", old ? -2e-5 : 0);
-      strand.draw(program, look.matrices[strand.frame], range[0], range[1], stride, wide);
-    });
+      program.set1f("small_mm", stride > 1 ? SMALL_PX * look.mmPerPixel : 0);
+      strand.draw(program, look.matrices[strand.frame], begin, last, stride * coarser, wide);
+    }
   }
 
   private setSize(program: Program, look: Look, width_px: number): void {
@@ -269,8 +309,9 @@ export class PathLayer {
       program.set1f("opacity", opacity);
       // Where pieces overlap one would see it through.
       program.set1f("join_px", opacity < 1 ? 0 : 0.25 * accent.width_px * look.pixelRatio);
+      program.set1f("small_mm", 0);
       for (const [from, to] of accent.ranges) {
-        strand.draw(program, look.matrices[strand.frame], from, to, 1, true);
+        strand.draw(program, look.matrices[strand.frame], from, to, Math.ceil((to - from) / ACCENT_PIECES) || 1, true);
       }
     }
     gl.depthMask(true);
@@ -295,6 +336,14 @@ export class PathLayer {
     if (best < 0) return null;
     const id = pixels[4 * best] - 1;
     const t_s = new Float32Array(pixels.buffer, 16 * best + 4, 1)[0];
-    return { robot: id >>> 27, vertex: id & 0x7ffffff, t_s };
+    const [robot, vertex] = [id >>> 27, id & 0x7ffffff];
+    return { robot, vertex: this.pieceAt(robot, vertex, t_s), t_s };
+  }
+
+  /** One step may stand for several pieces up to a vertex: its time tells which of them. */
+  private pieceAt(robot: number, vertex: number, t_s: number): number {
+    const draw = this.plan.find(({ strand, from, to }) => strand.robot === robot && from <= vertex && vertex < to);
+    if (!draw || (draw.stride === 1 && this.shown === this.full)) return vertex;
+    return Math.max(Math.min(vertex, draw.strand.data.at(t_s)), 1);
   }
 }

@@ -1,18 +1,22 @@
 // Programs of the way. Vertices lie in textures, so that one buffer serves lines of any width and any level of
-// detail: piece k goes from vertex first + k * stride - 1 to the next one drawn.
+// detail: piece k goes from vertex first + k * stride - 1 of a sheet to the next one drawn.
 
-const header = `#version 300 es
-precision highp float;
+const precise = `precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
 `;
+
+const header = `#version 300 es
+${precise}`;
 
 const vertexOfPieces = `
 uniform sampler2D points;
 uniform sampler2D colours;
 uniform mat4 matrix;
 uniform int first;
+uniform int base;
+uniform float small_mm;
 uniform int stride;
 uniform vec2 size_px;
 uniform float width_px;
@@ -27,15 +31,19 @@ flat out uint id;
 flat out int dash;
 out float t_s;
 out float side_px;
+out float along_mm;
 
 ivec2 place(int i) { return ivec2(i & 4095, i >> 12); }
 
-// Where the way hardly turns, a step over several vertices shows it; else one piece stands for them.
+// Where the way hardly turns, or not so that it is seen, a step over several vertices shows it; else one piece stands
+// for them.
 int lastOf(int from, vec3 a) {
   if (stride == 1) return from + 1;
   vec3 b = texelFetch(points, place(from + stride), 0).xyz;
   vec3 middle = texelFetch(points, place(from + stride / 2), 0).xyz;
-  return distance(middle, 0.5 * (a + b)) < 0.2 * distance(a, b) ? from + stride : from + 1;
+  float long_mm = distance(a, b);
+  bool straight = distance(middle, 0.5 * (a + b)) < 0.2 * long_mm;
+  return straight || long_mm < small_mm ? from + stride : from + 1;
 }
 
 void main() {
@@ -46,6 +54,7 @@ void main() {
   vec4 b = texelFetch(points, place(to), 0);
   vec4 look = texelFetch(colours, place(to), 0);
   bool rapid = look.a > 0.0;
+  vec3 begin = a.xyz;
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   if (rapid && !rapids) return;
   vec4 p = matrix * vec4(a.xyz, 1.0);
@@ -59,10 +68,11 @@ void main() {
   vec2 way_px = (q.xy / q.w - p.xy / p.w) * 0.5 * size_px;
   dash = rapid && !clean ? (abs(way_px.x) > abs(way_px.y) ? 1 : 2) : 0;
   colour = mix(look.rgb, paint.rgb, paint.a);
-  id = ((robot << 27) | uint(to)) + 1u;
+  id = ((robot << 27) | uint(base + to)) + 1u;
   bool end = END;
   side_px = SIDE * (0.5 * width_px + 0.5);
   t_s = end ? b.w : a.w;
+  along_mm = distance(begin, (end ? b : a).xyz);
   gl_Position = end ? q : p;
   float long_px = length(way_px);
   vec2 along = long_px > 0.0 ? way_px / long_px : vec2(1.0, 0.0);
@@ -113,6 +123,26 @@ const fragmentShown = `
 layout(location = 0) out vec4 seen;
 void main() { seen = vec4(colour, covered()); }`;
 
+// An eye of a headset: what is to come is dimmed at once, and dashes lie on the way, where both eyes see them.
+const fragmentOfEye = `
+flat in vec3 colour;
+flat in int dash;
+in float t_s;
+in float side_px;
+in float along_mm;
+uniform float width_px;
+uniform float dash_mm;
+uniform float now_s;
+uniform float dimmed;
+uniform float lightened;
+layout(location = 0) out vec4 seen;
+void main() {
+  if (dash != 0 && mod(along_mm, dash_mm) > 0.6 * dash_mm) discard;
+  float share = clamp(0.5 * width_px + 0.5 - abs(side_px), 0.0, 1.0);
+  if (share < 0.05) discard;
+  seen = vec4(mix(colour, vec3(1.0), lightened), share * (t_s > now_s ? dimmed : 1.0));
+}`;
+
 const vertexOfScreen = `
 out vec2 at;
 void main() {
@@ -143,4 +173,6 @@ void main() {
 export const keptThin = [header + thin + vertexOfPieces, header + coverage + fragmentKept] as const;
 export const keptWide = [header + wide + vertexOfPieces, header + coverage + fragmentKept] as const;
 export const shownWide = [header + wide + vertexOfPieces, header + coverage + fragmentShown] as const;
+/** For three.js, which says the version itself. */
+export const eyes = [precise + wide + vertexOfPieces, precise + fragmentOfEye] as const;
 export const screen = [header + vertexOfScreen, header + fragmentOfScreen] as const;

@@ -1,13 +1,22 @@
-// One robot's way in the graphics card: a texture of vertices and one of colours.
+// One robot's way in the graphics card, sheet by sheet.
 
 import type { Matrix4 } from "three";
-import { colourTexels, type Key } from "./path_colours";
-import { ROW, type PathData } from "./path_data";
+import type { Key } from "./path_colours";
+import type { PathData } from "./path_data";
+import { MOST_STRIDE, stridesOf } from "./plan";
 import type { Program } from "./program";
+import { SHEET_PIECES, Sheet } from "./sheet";
+
+/** Pieces that end at vertices from one to before another, each `stride`-th of them. */
+export interface Draw {
+  strand: Strand;
+  from: number;
+  to: number;
+  stride: number;
+}
 
 export class Strand {
-  private readonly points: WebGLTexture;
-  private readonly colours: WebGLTexture;
+  readonly sheets: Sheet[] = [];
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
@@ -17,51 +26,78 @@ export class Strand {
     /** The robot in whose work frame it stands. */
     readonly frame: number,
   ) {
-    this.points = this.texture();
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, ROW, data.rows, 0, gl.RGBA, gl.FLOAT, data.texels());
-    this.colours = this.texture();
+    this.grow(null);
   }
 
-  private texture(): WebGLTexture {
-    const { gl } = this;
-    const texture = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    return texture;
+  /** Takes vertices that have come since; `key`: their colours. */
+  grow(key: Key | null): void {
+    const { gl, data, sheets } = this;
+    if (sheets.at(-1)?.end === data.count) return;
+    sheets.pop()?.dispose();
+    for (let first = sheets.length * SHEET_PIECES; first + 1 < data.count || first === 0; first += SHEET_PIECES) {
+      const sheet = new Sheet(gl, data, first, Math.min(first + SHEET_PIECES + 1, data.count));
+      sheets.push(sheet);
+      if (key) sheet.colour(data, key);
+    }
   }
 
   colour(key: Key): void {
-    const { gl, data } = this;
-    gl.bindTexture(gl.TEXTURE_2D, this.colours);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, ROW, data.rows, 0, gl.RGBA, gl.UNSIGNED_BYTE, colourTexels(data, key));
+    for (const sheet of this.sheets) sheet.colour(this.data, key);
+  }
+
+  /** What of it shows the whole way on a screen. */
+  plan(matrix: Matrix4, width_px: number, height_px: number): Draw[] {
+    const draws: Draw[] = [];
+    const rows = this.sheets.flatMap((sheet) => sheet.rows);
+    const strides = stridesOf(rows, matrix, width_px, height_px);
+    let row = 0;
+    for (const sheet of this.sheets) {
+      let from = sheet.first + 1;
+      for (const { pieces } of sheet.rows) {
+        const [stride, to] = [strides[row++], from + pieces];
+        const last = draws.at(-1);
+        if (last?.to === from && last.stride === stride) last.to = to;
+        else if (stride > 0) draws.push({ strand: this, from, to, stride });
+        from = to;
+      }
+    }
+    return draws;
   }
 
   /** Draws the pieces that end at vertices from `from` to before `to`, each `stride`-th of them. */
   draw(program: Program, matrix: Matrix4, from: number, to: number, stride: number, wide: boolean): void {
     const { gl } = this;
-    const first = Math.max(from, 1);
-    const pieces = Math.floor((to - first) / stride);
-    if (pieces <= 0) return;
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.points);
-    gl.activeTexture(gl.TEXTURE1);
-    gl.bindTexture(gl.TEXTURE_2D, this.colours);
     program.set1i("points", 0);
     program.set1i("colours", 1);
-    program.set1i("first", first);
     program.set1i("stride", stride);
     gl.uniform1ui(program.place("robot"), this.robot);
     gl.uniformMatrix4fv(program.place("matrix"), false, matrix.elements);
-    if (wide) gl.drawArrays(gl.TRIANGLES, 0, 6 * pieces);
-    else gl.drawArrays(gl.LINES, 0, 2 * pieces);
+    for (let k = Math.floor((Math.max(from, 1) - 1) / SHEET_PIECES); k < this.sheets.length; ++k) {
+      const sheet = this.sheets[k];
+      const [begin, end] = [Math.max(from - sheet.first, 1), Math.min(to, sheet.end) - sheet.first];
+      if (sheet.first + 1 >= to) break;
+      const pieces = Math.floor((end - begin) / stride);
+      if (pieces < 0) continue;
+      sheet.bind();
+      program.set1i("first", begin);
+      program.set1i("base", sheet.first);
+      this.drawPieces(pieces, wide);
+      // What is left behind the last step, but while the eye moves.
+      const rest = end - begin - pieces * stride;
+      if (rest === 0 || stride > MOST_STRIDE) continue;
+      program.set1i("stride", 1);
+      program.set1i("first", end - rest);
+      this.drawPieces(rest, wide);
+      program.set1i("stride", stride);
+    }
+  }
+
+  private drawPieces(count: number, wide: boolean): void {
+    if (wide) this.gl.drawArrays(this.gl.TRIANGLES, 0, 6 * count);
+    else if (count > 0) this.gl.drawArrays(this.gl.LINES, 0, 2 * count);
   }
 
   dispose(): void {
-    this.gl.deleteTexture(this.points);
-    this.gl.deleteTexture(this.colours);
+    for (const sheet of this.sheets) sheet.dispose();
   }
 }

@@ -19,7 +19,7 @@ export class BlockTable {
   total_s = 0;
 
   constructor(robot: Robot) {
-    const count = robot.blocks.count;
+    const count = robot.blocks.tabled;
     this.count = count;
     this.duration_s = new Float64Array(count);
     this.length_mm = new Float64Array(count);

@@ -42,7 +42,7 @@ function timesOf(run: Run, robot: Robot): Float64Array[] {
 }
 
 /** The file of the run before that this one is: of the same name, or the program as this one is. */
-function counterpart(name: string, index: number, before: Robot, after: Robot): number {
+export function counterpart(name: string, index: number, before: Robot, after: Robot): number {
   const found = before.files.indexOf(name);
   if (found >= 0 || index > 0) return found;
   return after.files.includes(before.files[0]) ? -1 : 0;

@@ -58,6 +58,7 @@ export class BlocksTab implements Tab {
   private readonly cells = this.heads.map((head) => element("th", { scope: "col", "aria-sort": "none" }, head));
   private readonly body = element("tbody");
   private readonly count = element("p", { class: "note", role: "status" });
+  private readonly partial = element("p", { class: "note", hidden: true }, words.onlyFirst);
   private readonly more = element("button", { class: "more", onclick: () => this.showMore() });
   private column: Column = "duration";
   private descending = true;
@@ -71,7 +72,7 @@ export class BlocksTab implements Tab {
     const head = element("thead", {}, element("tr", {}, ...this.cells));
     const caption = element("caption", { class: "unseen" }, words.blockCaption);
     const table = element("table", { class: "blocks" }, caption, head, this.body);
-    this.element = element("div", {}, this.search, this.count, element("div", { class: "wide" }, table), this.more);
+    this.element = element("div", {}, this.search, this.partial, this.count, element("div", { class: "wide" }, table), this.more);
     makeRows(this.body, (row) => goToBlock(store, this.shown[row]));
     store.on("selection", () => this.showSelection());
   }
@@ -79,6 +80,11 @@ export class BlocksTab implements Tab {
   draw(context: Context): void {
     this.context = context;
     this.most = FIRST;
+    this.fill();
+  }
+
+  forget(): void {
+    this.context = null;
     this.fill();
   }
 
@@ -106,6 +112,7 @@ export class BlocksTab implements Tab {
       cell.setAttribute("aria-sort", sorted);
     });
     const { run, robot } = this.context ?? {};
+    this.partial.hidden = !robot?.segments.isLong;
     if (!run || !robot) {
       this.body.replaceChildren();
       this.count.textContent = words.noBlocks;

@@ -21,8 +21,10 @@ export function createCompare(store: Store): Tab {
   store.watch(["compare"], () => (both.box.checked = store.get("compare")));
   return {
     element: host,
+    forget: () => host.replaceChildren(),
     draw(context) {
       const previous = store.get("previous");
+      if (context.run.isLong) return host.replaceChildren(element("p", { class: "note" }, words.tooLong));
       if (!previous) return host.replaceChildren(element("p", { class: "note" }, words.noPrevious));
       const status = context.run.report?.status;
       if (status !== "completed" && status !== "violations") {

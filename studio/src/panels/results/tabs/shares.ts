@@ -48,11 +48,14 @@ export function createShares(store: Store, links: Links): Tab {
         title: words.goThere,
         choose: () => store.set("time_s", tool.start_s),
       }));
+      const isLong = robot.segments.isLong;
+      const tabled_s = isLong ? table.total_s : report.cycle_time_s;
       host.append(
         ...bars(words.byLimit, "", byLimit(context, table, links), report.cycle_time_s),
-        ...bars(words.byOperation, words.byOperationHint, operations, report.cycle_time_s),
         ...bars(words.byTool, "", tools, report.cycle_time_s),
-        ...bars(words.byKind, "", byKind(table, links), report.cycle_time_s),
+        ...(isLong ? [element("p", { class: "note" }, words.onlyFirst)] : []),
+        ...bars(words.byOperation, words.byOperationHint, operations, tabled_s),
+        ...bars(words.byKind, "", byKind(table, links), tabled_s),
       );
     },
   };

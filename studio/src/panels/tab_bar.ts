@@ -1,6 +1,6 @@
 // Tabs: arrows go among them, what is chosen is shown.
 
-import { element } from "../../core/dom";
+import { element } from "../core/dom";
 
 export interface Tabs<Name extends string> {
   bar: HTMLElement;
@@ -9,11 +9,12 @@ export interface Tabs<Name extends string> {
   choose(name: Name): void;
 }
 
-/** `shown` is told of each tab that comes to be looked at. */
+/** Ids begin with `prefix`; `shown` is told of each tab that comes to be looked at. */
 export function createTabs<Name extends string>(
   label: string,
   titles: Record<Name, string>,
   contents: Record<Name, { element: HTMLElement }>,
+  prefix: string,
   shown: (name: Name) => void,
 ): Tabs<Name> {
   const names = Object.keys(titles) as Name[];
@@ -21,14 +22,14 @@ export function createTabs<Name extends string>(
   const tabs = names.map((name) =>
     element(
       "button",
-      { role: "tab", id: `tab-${name}`, "aria-controls": `panel-${name}`, onclick: () => choose(name) },
+      { role: "tab", id: `${prefix}-tab-${name}`, "aria-controls": `${prefix}-panel-${name}`, onclick: () => choose(name) },
       titles[name],
     ),
   );
   const panels = names.map((name) =>
     element(
       "div",
-      { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}`, class: "panel" },
+      { role: "tabpanel", id: `${prefix}-panel-${name}`, "aria-labelledby": `${prefix}-tab-${name}`, class: "panel" },
       contents[name].element,
     ),
   );

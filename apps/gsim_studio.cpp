@@ -1,0 +1,170 @@
+// gsim-studio: the page of the studio with the engine of this machine behind it.
+
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "apps/exit_status.h"
+#include "apps/programs.h"
+#include "apps/served_names.h"
+#include "apps/usage_error.h"
+#include "apps/version.h"
+#include "base/os/installation.h"
+#include "engine/request.h"
+
+namespace gsim::apps {
+
+namespace {
+
+namespace fs = std::filesystem;
+using engine::NameKind;
+
+constexpr const char* kStudio = "gsim-studio";
+constexpr const char* kServedPage = "studio/served.html";
+constexpr double kHighestPort = 65535;
+
+struct StudioArguments {
+    std::vector<std::string> named;
+    std::string machine, machine_data, cell, robots, dialect, module;
+    std::uint64_t port = 0;
+    bool no_browser = false;
+};
+
+void add_studio_options(CommandLine& line, StudioArguments& a) {
+    line.add("part.nc|part.lua|folder", &a.named, "a program to begin with, a folder to work in, or both")
+        .of_file(FileKind::input, {".nc", ".ngc", ".lua"});
+    line.begin_group("What it begins with");
+    line.add("--machine", &a.machine, "machine file, or settings of a control")
+        .of_file(FileKind::input, {".toml", ".ini"})
+        .or_name();
+    line.add("--machine-data", &a.machine_data, "what the control stores").of_file(FileKind::input, {".txt"});
+    line.add("--cell", &a.cell, "what stands round the machine").of_file(FileKind::input, {".toml"});
+    line.add("--robots", &a.robots, "several robots on one clock").of_file(FileKind::input, {".toml"});
+    line.add("--dialect", &a.dialect,
+             "language of part programs: ab9, rs274ngc, or the name of a control; without it that of the "
+             "machine file, else ab9")
+        .suggests(engine::control_names());
+    line.add("--rcs", &a.module, "controller module that plans the motion")
+        .of_file(FileKind::input)
+        .or_name();
+    line.begin_group("Server");
+    line.add("--port", &a.port, "of this machine; 0: one that is free")
+        .within(0, kHighestPort)
+        .shows_default();
+    line.add("--no-browser", &a.no_browser, "print the address, and open nothing");
+    line.add_example("gsim studio part.nc", "run a program, see it, change it; in a browser");
+    line.add_example("gsim studio --machine mine.toml ~/programs", "work in a folder");
+    line.add_note(
+        "The page is served to this machine alone, at an address that nobody can guess, and reads and writes "
+        "files of the folder alone (of the program, where none is named; links are not followed). Ctrl+C "
+        "ends "
+        "it.");
+}
+
+struct Named {
+    std::string program, folder;
+};
+
+tl::expected<Named, std::string> sorted(const std::vector<std::string>& all) {
+    Named named;
+    for (const std::string& name : all) {
+        std::error_code ignored;
+        std::string& place = fs::is_directory(name, ignored) ? named.folder : named.program;
+        if (!place.empty())
+            return tl::unexpected(
+                fmt::format("'{}' and '{}': one program and one folder are enough", place, name));
+        place = name;
+    }
+    return named;
+}
+
+tl::expected<nlohmann::ordered_json, std::string> setup_of(const StudioArguments& arguments,
+                                                           const std::string& program,
+                                                           const fs::path& folder) {
+    nlohmann::ordered_json setup{{"dialect", arguments.dialect}};
+    struct File {
+        const char* key;
+        NameKind kind;
+        const std::string& name;
+    };
+    for (const File& file :
+         {File{"program", NameKind::sample, program}, File{"machine", NameKind::machine, arguments.machine},
+          File{"machine_data", NameKind::sample, arguments.machine_data},
+          File{"cell", NameKind::sample, arguments.cell},
+          File{"robots", NameKind::sample, arguments.robots}}) {
+        if (file.name.empty()) continue;
+        auto name = served_name(folder, file.kind, file.name);
+        if (!name) return tl::unexpected(name.error());
+        setup[file.key] = *name;
+    }
+    return setup;
+}
+
+tl::expected<fs::path, std::string> page_of_installation() {
+    for (const fs::path& folder : os::data_folders(os::program_folder())) {
+        std::error_code ignored;
+        if (fs::exists(folder / kServedPage, ignored)) return folder / kServedPage;
+    }
+    return tl::unexpected(std::string("this build has no page of the studio; make studio makes it"));
+}
+
+/// What gsim-serve is told, and where it is.
+tl::expected<std::vector<std::string>, std::string> command_of(const StudioArguments& arguments) {
+    if (!arguments.dialect.empty()) {
+        if (const auto why = engine::why_no_control(arguments.dialect)) return tl::unexpected(*why);
+    }
+    const auto named = sorted(arguments.named);
+    if (!named) return tl::unexpected(named.error());
+    std::error_code error;
+    const fs::path folder = fs::canonical(served_folder(named->folder, named->program), error);
+    if (error) return tl::unexpected(fmt::format("'{}' is no folder: {}", named->folder, error.message()));
+    const auto setup = setup_of(arguments, named->program, folder);
+    if (!setup) return tl::unexpected(setup.error());
+    const auto page = page_of_installation();
+    if (!page) return tl::unexpected(page.error());
+    const fs::path programs = os::program_folder();
+    const auto server = os::helper_program(programs, "gsim-serve");
+    if (!server) return tl::unexpected(server.error());
+    nlohmann::ordered_json engine{(programs / "gsim").string(), "studio-answer", "--folder", folder.string()};
+    if (!arguments.module.empty()) {
+        const auto module = served_module(arguments.module);
+        if (!module) return tl::unexpected(module.error());
+        engine.push_back("--rcs");
+        engine.push_back(*module);
+    }
+    const nlohmann::ordered_json told{
+        {"folder", folder.filename().string()}, {"setup", *setup}, {"version", version()}};
+    const nlohmann::ordered_json all{{"folder", folder.string()}, {"port", arguments.port},
+                                     {"page", page->string()},    {"told", told},
+                                     {"engine", engine},          {"browser", !arguments.no_browser}};
+    using Json = nlohmann::ordered_json;
+    return std::vector<std::string>{server->string(),
+                                    all.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+int serve(const StudioArguments& arguments) {
+    auto command = command_of(arguments);
+    if (!command) return usage_error(kStudio, command.error());
+    std::vector<char*> words;
+    for (std::string& word : *command) words.push_back(word.data());
+    words.push_back(nullptr);
+    ::execv(words.front(), words.data());
+    return usage_error(kStudio, fmt::format("{} cannot be begun: {}", command->front(),
+                                            std::generic_category().message(errno)));
+}
+
+}  // namespace
+
+std::unique_ptr<Program> make_gsim_studio() {
+    return std::make_unique<ProgramOf<StudioArguments>>(
+        kStudio, "Shows a machine run a program, and changes both, in a browser", add_studio_options, serve);
+}
+
+}  // namespace gsim::apps

@@ -1,0 +1,135 @@
+#include "base/toml/toml_layout.h"
+
+#include <map>
+#include <utility>
+
+#include "base/toml/toml_bounds.h"
+#include "base/toml/toml_scanner.h"
+
+namespace gsim::base {
+
+namespace {
+
+using Kind = TomlStatement::Kind;
+
+/// Goes over the lines of a document.
+class LayoutReader {
+  public:
+    explicit LayoutReader(std::string_view text) : text_(text), scanner_(text) {}
+
+    std::optional<TomlLayout> read() {
+        constexpr std::string_view kMark = "\xEF\xBB\xBF";
+        if (text_.starts_with(kMark)) layout_.begin = kMark.size();
+        scanner_.go_to(layout_.begin);
+        while (!scanner_.at_end()) {
+            const std::size_t line = scanner_.at();
+            scanner_.skip_blanks();
+            if (scanner_.at_end() || scanner_.at_line_end()) {
+                end_comments(line);
+                scanner_.skip_line();
+            } else if (scanner_.peek() == '#') {
+                if (!comments_) comments_ = line;
+                scanner_.skip_line();
+            } else if (!read_statement(line)) {
+                return std::nullopt;
+            }
+        }
+        end_comments(text_.size());
+        return std::move(layout_);
+    }
+
+  private:
+    // A blank line, or the end: comments in front of it are no statement's that follows.
+    void end_comments(std::size_t at) {
+        if (comments_ && touches_) layout_.statements.back().below = at;
+        comments_.reset();
+        touches_ = false;
+    }
+
+    bool read_statement(std::size_t line) {
+        TomlStatement statement;
+        statement.begin = line;
+        statement.above = comments_.value_or(line);
+        if (scanner_.peek() == '[' ? !read_head(statement) : !read_pair(statement)) return false;
+        scanner_.skip_blanks();
+        if (!scanner_.at_end() && !scanner_.at_line_end() && scanner_.peek() != '#') return false;
+        scanner_.skip_line();
+        statement.end = statement.below = scanner_.at();
+        layout_.statements.push_back(std::move(statement));
+        if (!layout_.statements.back().is_pair()) head_ = layout_.statements.size() - 1;
+        comments_.reset();
+        touches_ = true;
+        return true;
+    }
+
+    bool read_head(TomlStatement& statement) {
+        scanner_.skip(1);
+        statement.kind = scanner_.take('[') ? Kind::entry : Kind::table;
+        const auto key = scanner_.read_key();
+        if (!key || !scanner_.take(']') || (statement.kind == Kind::entry && !scanner_.take(']')))
+            return false;
+        statement.head = layout_.statements.size();
+        statement.address = address_of(*key, statement.kind);
+        return true;
+    }
+
+    // Names of tables go through the newest entry of an array of tables.
+    TomlPath address_of(const TomlPath& key, Kind kind) {
+        TomlPath address;
+        for (std::size_t i = 0; i < key.size(); ++i) {
+            address.push_back(key[i]);
+            const bool new_entry = kind == Kind::entry && i + 1 == key.size();
+            if (new_entry) ++entries_[address];
+            if (const auto found = entries_.find(address); found != entries_.end())
+                address.emplace_back(found->second - 1);
+        }
+        return address;
+    }
+
+    bool read_pair(TomlStatement& statement) {
+        auto item = scanner_.read_pair();
+        if (!item) return false;
+        statement.head = head_;
+        if (head_ != TomlLayout::kNoHead) statement.address = layout_.statements[head_].address;
+        statement.address.insert(statement.address.end(), item->key.begin(), item->key.end());
+        statement.item = *std::move(item);
+        return true;
+    }
+
+    std::string_view text_;
+    TomlScanner scanner_;
+    TomlLayout layout_;
+    std::map<TomlPath, std::size_t> entries_;  ///< How many each array of tables has so far.
+    std::size_t head_ = TomlLayout::kNoHead;
+    std::optional<std::size_t>
+        comments_;          ///< Where comments begin that go down to here without a blank line.
+    bool touches_ = false;  ///< And there is none between them and the statement above.
+};
+
+}  // namespace
+
+std::optional<TomlLayout> lay_out(std::string_view toml_text) {
+    if (find_toml_excess(toml_text)) return std::nullopt;
+    return LayoutReader(toml_text).read();
+}
+
+bool is_blank(std::string_view text) {
+    return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+const TomlSpot* find_within(const TomlSpot& spot, const TomlPath& steps) {
+    if (steps.empty()) return &spot;
+    if (spot.kind == TomlSpot::Kind::array) {
+        const auto* index = std::get_if<std::size_t>(&steps.front());
+        if (index == nullptr || *index >= spot.items.size()) return nullptr;
+        return find_within(spot.items[*index].value, TomlPath(steps.begin() + 1, steps.end()));
+    }
+    for (const TomlItem& item : spot.items) {
+        if (!leads_through(steps, item.key)) continue;
+        const auto on = steps.begin() + static_cast<std::ptrdiff_t>(item.key.size());
+        return find_within(item.value, TomlPath(on, steps.end()));
+    }
+    return nullptr;
+}
+
+}  // namespace gsim::base

@@ -1,0 +1,133 @@
+#include "base/toml/toml_match.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace gsim::base {
+
+namespace {
+
+using nlohmann::json;
+
+/// Of longer lists the same values are looked for at both ends alone.
+constexpr std::size_t kMostComparisons = std::size_t{1} << 20U;
+
+/// Goes from both ends inwards.
+class Matching {
+  public:
+    Matching(const json& old, const json& wanted)
+        : old_(old), wanted_(wanted), found_(wanted.size()), taken_(old.size()) {}
+
+    std::vector<std::optional<std::size_t>> find() {
+        match_ends();
+        if ((old_end_ - begin_) * (wanted_end_ - begin_) <= kMostComparisons) {
+            match_in_order();
+            match_moved();
+        }
+        match_between();
+        return std::move(found_);
+    }
+
+  private:
+    void match(std::size_t old, std::size_t wanted) {
+        found_[wanted] = old;
+        taken_[old] = true;
+    }
+
+    void match_ends() {
+        old_end_ = old_.size();
+        wanted_end_ = wanted_.size();
+        while (begin_ < std::min(old_end_, wanted_end_) && old_[begin_] == wanted_[begin_]) {
+            match(begin_, begin_);
+            ++begin_;
+        }
+        while (std::min(old_end_, wanted_end_) > begin_ && old_[old_end_ - 1] == wanted_[wanted_end_ - 1]) {
+            match(--old_end_, --wanted_end_);
+        }
+    }
+
+    // The longest common subsequence: entry (i, j) is its length from there on.
+    void match_in_order() {
+        const std::size_t rows = old_end_ - begin_;
+        const std::size_t columns = wanted_end_ - begin_;
+        std::vector<std::uint32_t> lengths((rows + 1) * (columns + 1));
+        const auto length = [&](std::size_t i, std::size_t j) -> std::uint32_t& {
+            return lengths[i * (columns + 1) + j];
+        };
+        const auto same = [&](std::size_t i, std::size_t j) {
+            return old_[begin_ + i] == wanted_[begin_ + j];
+        };
+        for (std::size_t i = rows; i-- > 0;) {
+            for (std::size_t j = columns; j-- > 0;) {
+                length(i, j) =
+                    same(i, j) ? length(i + 1, j + 1) + 1 : std::max(length(i + 1, j), length(i, j + 1));
+            }
+        }
+        std::size_t i = 0;
+        std::size_t j = 0;
+        while (i < rows && j < columns) {
+            if (same(i, j)) {
+                anchors_.push_back(begin_ + j);
+                match(begin_ + i++, begin_ + j++);
+            } else if (length(i + 1, j) >= length(i, j + 1)) {
+                ++i;
+            } else {
+                ++j;
+            }
+        }
+    }
+
+    void match_moved() {
+        for (std::size_t j = begin_; j < wanted_end_; ++j) {
+            for (std::size_t i = begin_; i < old_end_ && !found_[j]; ++i) {
+                if (!taken_[i] && old_[i] == wanted_[j]) match(i, j);
+            }
+        }
+    }
+
+    // From one value that stays in its order to the next.
+    void match_between() {
+        std::size_t old = begin_;
+        std::size_t wanted = begin_;
+        for (const std::size_t anchor : anchors_) {
+            match_gap(old, *found_[anchor], wanted, anchor);
+            old = *found_[anchor] + 1;
+            wanted = anchor + 1;
+        }
+        match_gap(old, old_end_, wanted, wanted_end_);
+    }
+
+    void match_gap(std::size_t old, std::size_t old_end, std::size_t wanted, std::size_t wanted_end) {
+        std::vector<std::size_t> gone;
+        std::vector<std::size_t> come;
+        for (; old < old_end; ++old) {
+            if (!taken_[old]) gone.push_back(old);
+        }
+        for (; wanted < wanted_end; ++wanted) {
+            if (!found_[wanted]) come.push_back(wanted);
+        }
+        const auto is_structured = [&](std::size_t i) {
+            return old_[gone[i]].is_structured() && old_[gone[i]].type() == wanted_[come[i]].type();
+        };
+        for (std::size_t i = 0; i < std::min(gone.size(), come.size()); ++i) {
+            if (gone.size() == come.size() || is_structured(i)) match(gone[i], come[i]);
+        }
+    }
+
+    const json& old_;
+    const json& wanted_;
+    std::vector<std::optional<std::size_t>> found_;
+    std::vector<bool> taken_;
+    std::vector<std::size_t> anchors_;  ///< Elements wanted that stay in their order.
+    std::size_t begin_ = 0;
+    std::size_t old_end_ = 0;
+    std::size_t wanted_end_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::optional<std::size_t>> match_elements(const json& old, const json& wanted) {
+    return Matching(old, wanted).find();
+}
+
+}  // namespace gsim::base

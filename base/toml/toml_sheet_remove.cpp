@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <utility>
+
+#include "base/toml/toml_sheet.h"
+
+namespace gsim::base {
+
+void TomlSheet::remove(const TomlPath& path) {
+    if (remove_within(path)) return;
+    std::vector<TomlBytes> bytes = bytes_of(path);
+    std::string text = text_;
+    for (auto each = bytes.rbegin(); each != bytes.rend(); ++each) {
+        const TomlBytes all = with_blank_lines(*each);
+        text.erase(all.begin, all.end - all.begin);
+    }
+    change({0, text_.size()}, text);
+}
+
+// Out of brackets or braces, where it stands in such.
+bool TomlSheet::remove_within(const TomlPath& path) {
+    for (std::size_t size = path.size(); size-- > 0;) {
+        const auto dot = path.begin() + static_cast<std::ptrdiff_t>(size);
+        const TomlPath outer(path.begin(), dot);
+        const TomlPath inner(dot, path.end());
+        const TomlSpot* spot = find(outer);
+        if (spot == nullptr) continue;
+        if (spot->kind == TomlSpot::Kind::array) {
+            remove_item(*spot, std::get<std::size_t>(inner.front()));
+            return true;
+        }
+        for (std::size_t i = spot->items.size(); i-- > 0;) {
+            if (!leads_through(spot->items[i].key, inner)) continue;
+            remove_item(*spot, i);
+            spot = find(outer);
+            if (spot == nullptr) break;
+        }
+        return true;
+    }
+    return false;
+}
+
+// A comment above several keys may be about all of them: it goes with the last one.
+TomlBytes TomlSheet::lines_with(const TomlStatement& statement) const {
+    const std::string_view after = between(statement.end, text_.size());
+    const bool alone = is_blank(after.substr(0, after.find('\n'))) || statement.below > statement.end;
+    return {alone && statement.above > layout_.begin ? statement.above : statement.begin, statement.end};
+}
+
+// A comment at the head of the file is about the file.
+TomlBytes TomlSheet::section_bytes(std::size_t head) const {
+    const TomlStatement& first = layout_.statements[head];
+    std::size_t end = first.below;
+    for (std::size_t i = head + 1; i < layout_.statements.size() && layout_.statements[i].is_pair(); ++i)
+        end = layout_.statements[i].below;
+    return {first.above > layout_.begin ? first.above : first.begin, end};
+}
+
+/// Of blank lines on both sides one side's stay; at the end of the file none does.
+TomlBytes TomlSheet::with_blank_lines(TomlBytes bytes) const {
+    const std::string_view before = between(layout_.begin, bytes.begin);
+    if (is_blank(between(bytes.end, text_.size()))) {
+        const std::size_t last = before.find_last_not_of(" \t\r\n");
+        if (last == std::string_view::npos) return {layout_.begin, text_.size()};
+        return {layout_.begin + before.find('\n', last) + 1, text_.size()};
+    }
+    const std::string_view line = between(line_begin(bytes.begin == 0 ? 0 : bytes.begin - 1), bytes.begin);
+    if (!is_blank(line)) return bytes;
+    while (true) {
+        const std::size_t end = text_.find('\n', bytes.end);
+        if (end == std::string::npos || !is_blank(between(bytes.end, end))) return bytes;
+        bytes.end = end + 1;
+    }
+}
+
+/// The lines of a table with all below it, or of keys.
+std::vector<TomlBytes> TomlSheet::bytes_of(const TomlPath& path) const {
+    std::vector<TomlBytes> all;
+    for (std::size_t i = 0; i < layout_.statements.size(); ++i) {
+        const TomlStatement& statement = layout_.statements[i];
+        if (!leads_through(statement.address, path)) continue;
+        const bool of_head = statement.is_pair() && statement.head != TomlLayout::kNoHead &&
+                             leads_through(layout_.statements[statement.head].address, path);
+        if (of_head) continue;
+        const TomlBytes bytes = statement.is_pair() ? lines_with(statement) : section_bytes(i);
+        const bool follows = !all.empty() && is_blank(between(all.back().end, bytes.begin));
+        if (follows) {
+            all.back().end = bytes.end;
+        } else {
+            all.push_back(bytes);
+        }
+    }
+    return all;
+}
+
+std::size_t TomlSheet::end_of(const TomlPath& path) const {
+    std::size_t end = text_.size();
+    for (std::size_t i = 0; i < layout_.statements.size(); ++i) {
+        if (leads_through(layout_.statements[i].address, path)) end = layout_.statements[i].below;
+    }
+    return end;
+}
+
+std::string TomlSheet::block_of(const TomlPath& entry) const {
+    std::string block;
+    for (const TomlBytes& bytes : bytes_of(entry)) {
+        if (!block.empty()) block += line_end();
+        block += between(bytes.begin, bytes.end);
+        if (!block.ends_with('\n')) block += line_end();
+    }
+    return block;
+}
+
+void TomlSheet::move(const TomlPath& list, std::size_t from, std::size_t to) {
+    if (const TomlSpot* const spot = find(list)) return move_item(*spot, from, to);
+    const auto is_entry = [&](const TomlStatement& each, std::size_t index) {
+        return each.kind == TomlStatement::Kind::entry && each.address == below(list, index);
+    };
+    const auto apart =
+        std::any_of(layout_.statements.begin(), layout_.statements.end(), [&](const TomlStatement& each) {
+            return is_entry(each, std::max<std::size_t>(from, 1)) &&
+                   is_blank(between(line_begin(each.above - 1), each.above));
+        });
+    const std::string block = block_of(below(list, from));
+    remove(below(list, from));
+    std::size_t at = end_of(list);
+    for (const TomlStatement& each : layout_.statements) {
+        if (is_entry(each, to)) at = each.above > layout_.begin ? each.above : each.begin;
+    }
+    add_block(at, block, apart);
+}
+
+}  // namespace gsim::base

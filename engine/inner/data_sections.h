@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/machine_data.h"
+#include "runtime/machine/machine_data_sections.h"
+
+namespace gsim::engine {
+
+/// The rules of all sections, as users of this library take them.
+std::vector<MachineData::Section> data_sections(const machine::DataRules& rules);
+
+}  // namespace gsim::engine

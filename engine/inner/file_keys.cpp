@@ -1,0 +1,87 @@
+#include "engine/file_keys.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/cell/cell_guide.h"
+#include "runtime/machine/key_guide.h"
+
+namespace gsim::engine {
+
+namespace {
+
+using machine::GuideKey;
+using machine::GuideTable;
+using machine::KeyKind;
+using machine::NumberRange;
+using nlohmann::ordered_json;
+
+constexpr std::array kKinds{"number", "text", "switch", "list", "table"};  // in the order of KeyKind
+
+const char* name_of(KeyKind kind) {
+    return kKinds.at(static_cast<std::size_t>(kind));
+}
+
+void add_range(ordered_json& json, const NumberRange& range) {
+    json[range.above_least ? "above" : "least"] = range.least;
+    json[range.below_greatest ? "below" : "most"] = range.greatest;
+    auto others = ordered_json::array();
+    if (range.or_zero) others.push_back(0);
+    if (range.or_infinite) others.push_back("inf");
+    if (range.or_infinite && range.least < 0) others.push_back("-inf");
+    if (!others.empty()) json["or"] = std::move(others);
+    if (range.whole) json["whole"] = true;
+}
+
+/// A number that is not finite as in the answer to `toml`.
+ordered_json value_json(const std::string& written) {
+    const auto value = ordered_json::parse(written, nullptr, false);
+    return value.is_discarded() ? ordered_json(written) : value;
+}
+
+ordered_json key_json(const GuideKey& key) {
+    ordered_json json{{"name", key.name}, {"kind", name_of(key.kind)}, {"meaning", key.meaning}};
+    const bool numbers =
+        key.kind == KeyKind::number || (key.kind == KeyKind::list && key.elements == KeyKind::number);
+    if (const std::string unit = machine::unit_of_key(key.name); numbers && !unit.empty())
+        json["unit"] = unit;
+    if (numbers) add_range(json, key.range);
+    if (key.kind == KeyKind::list) json["elements"] = name_of(key.elements);
+    if (key.count > 0) json["count"] = key.count;
+    if (!key.fallback.empty()) json["default"] = value_json(key.fallback);
+    if (!key.choices.empty()) json["choices"] = key.choices;
+    if (key.open) json["open"] = true;
+    if (key.required) json["required"] = true;
+    if (key.many) json["pattern"] = "^M[0-9]{1,3}$";
+    return json;
+}
+
+ordered_json table_json(const GuideTable& table) {
+    ordered_json json{{"at", table.at}, {"many", table.many}, {"meaning", table.meaning}};
+    if (!table.where_key.empty()) json["where"] = {{table.where_key, table.where_value}};
+    json["keys"] = ordered_json::array();
+    for (const GuideKey& key : table.keys) json["keys"].push_back(key_json(key));
+    return json;
+}
+
+std::vector<GuideTable> guide_of(KeyedFile file) {
+    switch (file) {
+        case KeyedFile::machine: return machine::machine_guide();
+        case KeyedFile::cell: return cell::cell_guide();
+        case KeyedFile::controller: return machine::controller_guide();
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string file_keys_json(KeyedFile file) {
+    auto tables = ordered_json::array();
+    for (const GuideTable& table : guide_of(file)) tables.push_back(table_json(table));
+    return tables.dump();
+}
+
+}  // namespace gsim::engine

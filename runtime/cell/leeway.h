@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "runtime/cell/joint_travel.h"
+#include "runtime/cell/motion_bound.h"
+
+namespace gsim::cell {
+
+/// How far a machine may go before any of its bodies can come near another one, so that motion far from
+/// everything need not be looked at body by body.
+class Leeway {
+  public:
+    /// No two bodies come near each other before they have gone `slack_mm` against each other. Since the
+    /// reaches were measured no point of a body has gone more than `since_mm`.
+    void set(double slack_mm, const JointReach& reach_mm, double since_mm);
+    void clear() { slack_mm_ = 0; }
+    /// Whether that motion uses up no more than is left; then it is counted as gone.
+    bool take(const JointTravel& travel);
+    /// Whether there is so much that it pays to use it for motion that goes as far as that.
+    static bool pays(double slack_mm, double way_mm) { return slack_mm > kLeastMotions * way_mm; }
+    /// How far all bodies may have gone in motion that was taken, and from now on 0.
+    double release_gone_mm();
+
+  private:
+    static constexpr double kLeastMotions = 4;
+
+    double slack_mm_ = 0;
+    double gone_mm_ = 0;
+    double since_mm_ = 0;
+    JointReach reach_mm_{};
+};
+
+}  // namespace gsim::cell

@@ -1,0 +1,171 @@
+#include "studio/engine/lean_message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "studio/engine/message.h"
+
+namespace gsim::studio {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kHead = 8;
+
+std::size_t aligned(std::size_t size) {
+    return (size + kHead - 1) / kHead * kHead;
+}
+
+std::size_t header_size(std::string_view message) {
+    std::uint32_t size = 0;
+    if (message.size() >= kHead) std::memcpy(&size, message.data() + kHead / 2, sizeof size);
+    if (kHead + size > message.size()) throw std::invalid_argument("a message ends within its header");
+    return size;
+}
+
+/// The header of a message of segments; null of another one.
+json segments_header(std::string_view message) {
+    json header = json::parse(message.substr(kHead, header_size(message)), nullptr, false);
+    if (!header.is_object()) throw std::invalid_argument("a message has no header");
+    return header.value("is", "") == "segments" ? header : json();
+}
+
+/// Columns by their names, where they lie in the message.
+class Columns {
+  public:
+    Columns(std::string_view message, const json& header) {
+        static const std::map<std::string, std::size_t> kSizes{{"f64", 8}, {"f32", 4}, {"u32", 4}, {"u8", 1}};
+        std::size_t at = aligned(kHead + header_size(message));
+        for (const json& column : header.at("columns")) {
+            const std::size_t size = kSizes.at(column.at(1)) * column.at(2).get<std::size_t>();
+            if (at + size > message.size()) throw std::invalid_argument("a message ends within a column");
+            columns_[column.at(0)] = message.substr(at, size);
+            at += aligned(size);
+        }
+    }
+
+    template <typename Value>
+    std::span<const Value> get(const char* name) const {
+        const std::string_view bytes = columns_.at(name);  // at a multiple of 8
+        return {reinterpret_cast<const Value*>(bytes.data()), bytes.size() / sizeof(Value)};
+    }
+
+  private:
+    std::map<std::string, std::string_view> columns_;
+};
+
+// The upper half of an entry of vertex_segment.
+constexpr std::size_t kMostSegments = std::size_t{1} << 16U;
+constexpr int kSpeedsPerOctave = 8;
+constexpr int kOneMmPerSecond = 17;
+constexpr int kMostSpeed = 127;
+
+/// The mean speed along the path in steps of an eighth of an octave, as a page draws it; 0: nothing moves.
+std::uint32_t speed_code(double length_mm, double duration_s) {
+    if (!(length_mm > 0 && duration_s > 0)) return 0;
+    const double steps = std::round(kSpeedsPerOctave * std::log2(length_mm / duration_s)) + kOneMmPerSecond;
+    return static_cast<std::uint32_t>(std::clamp(steps, 1.0, static_cast<double>(kMostSpeed)));
+}
+
+/// What is drawn of each segment: move, limit, process and mean speed, in bits 16 to 31.
+std::vector<std::uint32_t> looks_of(const Columns& columns) {
+    const auto flags = columns.get<std::uint32_t>("flags");
+    const auto length_mm = columns.get<double>("length_mm");
+    const auto duration_s = columns.get<double>("duration_s");
+    std::vector<std::uint32_t> looks(flags.size());
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const std::uint32_t move_and_limit = flags[i] >> 8U & 0xffU;
+        const std::uint32_t process_on = flags[i] >> 2U & 1U;
+        looks[i] = (move_and_limit | process_on << 8U | speed_code(length_mm[i], duration_s[i]) << 9U) << 16U;
+    }
+    return looks;
+}
+
+/// Times of vertices since the message's start: on the clock of the run 32 bits tell no two blocks of a long
+/// one apart.
+std::vector<float> times_of(const Columns& columns) {
+    const auto start_s = columns.get<double>("start_s");
+    const auto duration_s = columns.get<double>("duration_s");
+    const auto vertex_s = columns.get<float>("vertex_s");
+    const auto segments = columns.get<std::uint32_t>("vertex_segment");
+    std::vector<float> times;
+    times.reserve(vertex_s.size());
+    for (std::size_t i = 0; i < vertex_s.size(); ++i) {
+        const std::size_t segment = segments[i];
+        if (segment >= start_s.size()) {  // nothing moves
+            times.push_back(0);
+            continue;
+        }
+        const double end_s = start_s[segment] + duration_s[segment];
+        const bool ends = i + 1 == vertex_s.size() || segments[i + 1] != segment;
+        const double time_s =
+            ends ? end_s : std::clamp(static_cast<double>(vertex_s[i]), start_s[segment], end_s);
+        times.push_back(static_cast<float>(time_s - start_s.front()));
+    }
+    return times;
+}
+
+/// Stretches of segments of one file whose lines go on by the same step: for each its first segment, the
+/// file, the first line and the step (modulo 2^32).
+std::vector<std::uint32_t> lines_of(const Columns& columns) {
+    const auto line = columns.get<std::uint32_t>("line");
+    const auto file = columns.get<std::uint32_t>("file");
+    std::vector<std::uint32_t> lines;
+    for (std::size_t first = 0; first < line.size();) {
+        std::size_t end = first + 1;
+        const std::uint32_t step =
+            end < line.size() && file[end] == file[first] ? line[end] - line[first] : 0;
+        while (end < line.size() && file[end] == file[first] && line[end] - line[end - 1] == step) ++end;
+        lines.insert(lines.end(), {static_cast<std::uint32_t>(first), file[first], line[first], step});
+        first = end;
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::optional<std::string> lean_message(std::string_view message) {
+    const json header = segments_header(message);
+    if (header.is_null()) return std::nullopt;
+    const Columns columns(message, header);
+    const auto start_s = columns.get<double>("start_s");
+    const auto duration_s = columns.get<double>("duration_s");
+    if (start_s.size() > kMostSegments) throw std::invalid_argument("a message has too many segments");
+    Message lean("segments");
+    auto& told = lean.header();
+    told.update({{"lean", true},
+                 {"robot", header.at("robot")},
+                 {"first", header.at("first")},
+                 {"count", start_s.size()}});
+    if (!start_s.empty()) {
+        told.update({{"start_s", start_s.front()}, {"end_s", start_s.back() + duration_s.back()}});
+    }
+    const auto looks = looks_of(columns);
+    const auto segments = columns.get<std::uint32_t>("vertex_segment");
+    std::vector<std::uint32_t> packed(segments.begin(), segments.end());
+    for (std::uint32_t& segment : packed) {
+        if (segment < looks.size()) segment |= looks[segment];
+    }
+    lean.add("vertex_mm", columns.get<float>("vertex_mm"));
+    lean.add("vertex_s", times_of(columns));
+    lean.add("vertex_segment", packed);
+    lean.add("lines", lines_of(columns));
+    return lean.bytes();
+}
+
+std::optional<std::uint64_t> first_segment(std::string_view message) {
+    const json header = segments_header(message);
+    if (header.is_null()) return std::nullopt;
+    return header.at("first").get<std::uint64_t>();
+}
+
+}  // namespace gsim::studio

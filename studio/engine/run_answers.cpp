@@ -1,0 +1,85 @@
+#include <utility>
+
+#include "engine/language.h"
+#include "engine/machine.h"
+#include "engine/run.h"
+#include "engine/translation.h"
+#include "studio/engine/answer.h"
+#include "studio/engine/message.h"
+#include "studio/engine/request.h"
+
+namespace gsim::studio {
+
+using engine::Run;
+
+namespace {
+
+Done translate(const engine::Request& request, bool wants_script, const Post& post) {
+    auto translation = engine::Translation::open(translation_request(request));
+    if (!translation) return tl::unexpected(translation.error());
+    if (auto made = translation->make([&post](const engine::Diagnostic& told) { post_told(told, post); });
+        !made) {
+        if (made.error().in_program) return {};  // the page has been told what is wrong
+        return made;
+    }
+    if (!wants_script) return {};
+    std::string script;
+    auto written = translation->write([&](std::string_view part) {
+        script += part;
+        return true;
+    });
+    if (!written) return written;
+    Message message("script");
+    message.add("lua", script);
+    post(message.bytes());
+    return {};
+}
+
+}  // namespace
+
+Done answer_run(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {
+    auto run = Run::open(request, [&post](const engine::Diagnostic& told) { post_told(told, post); });
+    if (!run) return tl::unexpected(run.error());
+    if (auto prepared = run->prepare(); !prepared) {
+        if (prepared.error().in_program) post_report(run->report_of(prepared.error()), post);
+        return prepared;
+    }
+    if (auto told = post_run(*run, post); !told) return told;
+    run->show_progress([&post](std::uint64_t done, std::uint64_t total) {
+        Message message("progress");
+        message.header().update({{"done", done}, {"total", total}});
+        post(message.bytes());
+    });
+    const auto report = run->go();
+    if (!report) return tl::unexpected(report.error());
+    return post_end(*run, *report, post);
+}
+
+Done answer_check(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {
+    return translate(request, false, post);
+}
+
+Done answer_translate(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {
+    return translate(request, true, post);
+}
+
+Done answer_envelope(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {
+    auto machine = engine::Machine::read(request);
+    if (!machine) return tl::unexpected(machine.error());
+    auto surface = machine->envelope(engine::EnvelopeKind::volume_stl);
+    if (!surface) return tl::unexpected(surface.error());
+    Message message("envelope");
+    message.header()["summary"] = machine->envelope_summary();
+    message.add("stl", *surface);
+    post(message.bytes());
+    return {};
+}
+
+Done answer_languages(const nlohmann::json& /*own*/, const engine::Request& /*request*/, const Post& post) {
+    Message message("languages");
+    message.header()["languages"] = nlohmann::ordered_json::parse(engine::languages_json());
+    post(message.bytes());
+    return {};
+}
+
+}  // namespace gsim::studio

@@ -1,0 +1,28 @@
+// Machines, cells and controllers in forms: files of TOML that people wrote, and changes of them.
+
+#include <string>
+
+#include "engine/toml_edit.h"
+#include "studio/engine/answer.h"
+#include "studio/engine/keys.h"
+#include "studio/engine/message.h"
+
+namespace gsim::studio {
+
+Done answer_toml(const nlohmann::json& own, const engine::Request& request, const Post& post) {
+    std::string file;
+    Keys keys(own, "toml");
+    keys.needed_text("file", file);
+    const nlohmann::json* changes = keys.list("changes");
+    if (auto read = end_of(keys); !read) return read;
+    const auto edited = engine::edited_toml(request.host, file, changes == nullptr ? "[]" : changes->dump(),
+                                            [&](const engine::Diagnostic& told) { post_told(told, post); });
+    if (!edited) return tl::unexpected(edited.error());
+    Message message("toml");
+    message.header()["value"] = nlohmann::ordered_json::parse(edited->json);
+    message.add("text", edited->text);
+    post(message.bytes());
+    return {};
+}
+
+}  // namespace gsim::studio

@@ -1,0 +1,72 @@
+#include "studio/server/browser_page.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/os/descriptor.h"
+#include "base/os/spawn.h"
+
+namespace gsim::studio {
+
+namespace {
+
+void tell(const std::string& what, int error) {
+    std::fprintf(stderr, "gsim-studio: %s: %s; open the address above in a browser\n", what.c_str(),
+                 std::generic_category().message(error).c_str());
+}
+
+/// Its folder is the user's own where there is one, else one for all, in which the file is the user's own.
+std::string name_of_file() {
+    const char* const own = std::getenv("XDG_RUNTIME_DIR");
+    std::error_code ignored;
+    const auto folder = own != nullptr && std::filesystem::is_directory(own, ignored)
+                            ? std::filesystem::path(own)
+                            : std::filesystem::temp_directory_path(ignored);
+    return (folder / fmt::format("gsim-studio-{}.html", ::getpid())).string();
+}
+
+bool write_page(int file, const std::string& address) {
+    const std::string page = fmt::format(
+        "<!doctype html><meta charset=utf-8><meta http-equiv=refresh content='0;url={0}'><a href='{0}'>gsim "
+        "studio</a>\n",
+        address);
+    return ::write(file, page.data(), page.size()) == static_cast<ssize_t>(page.size());
+}
+
+}  // namespace
+
+std::optional<BrowserPage> BrowserPage::open(const std::string& address) {
+    const std::string name = name_of_file();
+    const os::SignalsHeld held;
+    auto kept = os::TemporaryName::kept(name);
+    const os::Descriptor file(
+        ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+    if (file.number() < 0) {
+        tell("no page for the browser can be made", errno);
+        return std::nullopt;
+    }
+    os::TemporaryName page(std::move(kept));
+    if (!write_page(file.number(), address)) {
+        tell("no page for the browser can be made", errno);
+        return std::nullopt;
+    }
+    os::SpawnActions actions;
+    actions.read_nothing(STDIN_FILENO);
+    actions.redirect(STDERR_FILENO, STDOUT_FILENO);  // standard output has the address alone
+    // Ctrl+C in the terminal ends this server, and not the person's browser.
+    if (const auto begun = os::spawn({"xdg-open", name}, actions, os::ProcessGroup::own); !begun) {
+        tell("xdg-open cannot be begun", begun.error());
+        return std::nullopt;
+    }
+    return BrowserPage(std::move(page));
+}
+
+}  // namespace gsim::studio

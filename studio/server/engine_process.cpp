@@ -1,0 +1,90 @@
+#include "studio/server/engine_process.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/os/spawn.h"
+
+namespace gsim::studio {
+
+namespace {
+
+constexpr std::size_t kPiece = std::size_t{256} << 10U;
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+/// What is asked, as a file in memory: a process that reads slowly holds nobody up. Or errno.
+tl::expected<os::Descriptor, int> file_of(std::string_view text) {
+    os::Descriptor file(::memfd_create("asked", MFD_CLOEXEC));
+    if (file.number() < 0) return tl::unexpected(errno);
+    while (!text.empty()) {
+        const ssize_t written = ::write(file.number(), text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return tl::unexpected(errno);
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::lseek(file.number(), 0, SEEK_SET) != 0) return tl::unexpected(errno);
+    return file;
+}
+
+}  // namespace
+
+tl::expected<EngineProcess, std::string> EngineProcess::begin(const std::vector<std::string>& command,
+                                                              std::string_view asked, int kept) {
+    const auto input = file_of(asked);
+    std::array<int, 2> ends{};
+    if (!input || ::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return tl::unexpected("the engine cannot be begun: " + reason(input ? errno : input.error()));
+    os::Descriptor output(ends[0]);
+    const os::Descriptor theirs(ends[1]);
+    os::SpawnActions actions;
+    actions.redirect(input->number(), STDIN_FILENO);
+    actions.redirect(theirs.number(), STDOUT_FILENO);
+    if (kept >= 0) actions.redirect(kept, kKeptDescriptor);
+    const auto child = os::spawn(command, actions);
+    if (!child) return tl::unexpected("the engine cannot be begun: " + reason(child.error()));
+    return EngineProcess(*child, std::move(output));
+}
+
+EngineProcess::EngineProcess(EngineProcess&& other) noexcept
+    : child_(std::exchange(other.child_, -1)), output_(std::move(other.output_)) {}
+
+EngineProcess::~EngineProcess() {
+    if (child_ < 0) return;
+    ::kill(child_, SIGKILL);
+    os::wait_for(child_);
+}
+
+std::optional<std::string> EngineProcess::read(int longest_wait_ms) {
+    pollfd asked{output_.number(), POLLIN, 0};
+    const int ready = ::poll(&asked, 1, longest_wait_ms);
+    if (ready <= 0) return std::string();
+    std::string piece(kPiece, '\0');
+    const ssize_t got = ::read(output_.number(), piece.data(), piece.size());
+    if (got < 0 && errno == EINTR) return std::string();
+    if (got <= 0) return std::nullopt;
+    piece.resize(static_cast<std::size_t>(got));
+    return piece;
+}
+
+std::string EngineProcess::fault() {
+    const auto status = os::wait_for(std::exchange(child_, -1));
+    if (!status) return "the engine was lost: " + reason(status.error());
+    if (WIFSIGNALED(*status)) return fmt::format("the engine was ended by signal {}", WTERMSIG(*status));
+    if (WEXITSTATUS(*status) == 0) return {};
+    return fmt::format("the engine ended with status {}", WEXITSTATUS(*status));
+}
+
+}  // namespace gsim::studio

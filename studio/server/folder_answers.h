@@ -1,0 +1,27 @@
+#pragma once
+
+#include <httplib.h>
+
+#include "base/os/bound_folder.h"
+#include "studio/server/folder_changes.h"
+
+namespace gsim::studio {
+
+/// What a page asks of the folder that is served: which files there are, their bytes, what other programs
+/// change, and saving (docs/studio.md). Calls may come from several threads.
+class FolderAnswers {
+  public:
+    explicit FolderAnswers(const os::BoundFolder& folder) : folder_(folder), changes_(folder) {}
+
+    void list(httplib::Response& response) const;
+    void read(const std::string& name, httplib::Response& response) const;
+    void write(const std::string& name, const httplib::Request& request, httplib::Response& response,
+               const httplib::ContentReader& content) const;
+    void changes(const httplib::Request& request, httplib::Response& response);
+
+  private:
+    os::BoundFolder folder_;
+    FolderChanges changes_;
+};
+
+}  // namespace gsim::studio

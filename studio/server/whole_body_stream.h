@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include <httplib.h>
+
+namespace gsim::studio {
+
+/// The stream of one request, whose body is read to its end before anything is answered: a browser looks for
+/// the answer when it has sent all, and a connection that is closed with bytes unread loses its answer.
+class WholeBodyStream final : public httplib::Stream {
+  public:
+    explicit WholeBodyStream(httplib::Stream& stream) : stream_(stream) {}
+
+    /// The head has been read, and so many bytes follow it.
+    void expect_body(std::uint64_t bytes) { left_ = bytes; }
+
+    bool is_readable() const override { return stream_.is_readable(); }
+    bool is_writable() const override { return stream_.is_writable(); }
+    ssize_t read(char* bytes, std::size_t size) override;
+    ssize_t write(const char* bytes, std::size_t size) override;
+    void get_remote_ip_and_port(std::string& ip, int& port) const override {
+        stream_.get_remote_ip_and_port(ip, port);
+    }
+    void get_local_ip_and_port(std::string& ip, int& port) const override {
+        stream_.get_local_ip_and_port(ip, port);
+    }
+    socket_t socket() const override { return stream_.socket(); }
+
+  private:
+    httplib::Stream& stream_;
+    std::uint64_t left_ = 0;  // of the body; 0, too, where it has ended too soon
+};
+
+}  // namespace gsim::studio

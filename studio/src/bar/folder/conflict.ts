@@ -1,0 +1,61 @@
+// Two versions of a file, one typed here and one written by another program: a person decides between them.
+
+import type { Documents } from "../../core/documents";
+import { element } from "../../core/dom";
+import type { Folder } from "../../core/folder";
+import { texts } from "../../texts";
+import { showDialog } from "../dialog";
+
+export type Decision = "mine" | "theirs" | "other" | "later";
+
+const words = texts.folder;
+const LONGEST = 120;
+
+const linesOf = (text: string): string[] => text.split(/\r?\n/);
+
+/** Where two texts differ first. */
+function difference(mine: string, theirs: string): Node[] {
+  const [here, there] = [linesOf(mine), linesOf(theirs)];
+  const most = Math.max(here.length, there.length);
+  let i = 0;
+  while (i < most && here[i] === there[i]) ++i;
+  if (i === most) return [element("p", {}, words.noDifference)];
+  const row = (label: string, line: string | undefined) =>
+    element("div", {}, element("dt", {}, label), element("dd", {}, line === undefined ? words.noLine : line.slice(0, LONGEST)));
+  return [
+    element("p", {}, words.firstDifference(i + 1)),
+    element("dl", { class: "versions" }, row(words.here, here[i]), row(words.onDisk, there[i])),
+  ];
+}
+
+export async function decide(name: string, folder: Folder, documents: Documents): Promise<Decision> {
+  const theirs = await folder.theirs(name).catch(() => null);
+  const mine = documents.get(name);
+  const shown = typeof mine === "string" && typeof theirs?.content === "string" ? difference(mine, theirs.content) : [];
+  return new Promise((answer) => {
+    let decision: Decision = "later";
+    const button = (what: Decision, text: string, title: string) =>
+      element(
+        "button",
+        {
+          title,
+          onclick: () => {
+            decision = what;
+            dialog.close();
+          },
+        },
+        text,
+      );
+    const buttons = element(
+      "div",
+      { class: "answers" },
+      button("mine", words.keepMine, words.keepMineTitle),
+      button("theirs", words.takeTheirs, words.takeTheirsTitle),
+      button("other", words.saveOther, words.saveOther),
+      button("later", words.later, words.later),
+    );
+    const dialog = showDialog(words.conflictTitle(name), [element("p", {}, words.conflictAbout), ...shown, buttons], () =>
+      answer(decision),
+    );
+  });
+}

@@ -1,0 +1,21 @@
+// The bar of a page with a finished run: what it is of, and preferences.
+
+import "./bar.css";
+import { element } from "../core/dom";
+import type { Store } from "../core/store";
+import { texts } from "../texts";
+import { preferences } from "./preferences";
+
+/** What a page with a finished run says in place of choices. */
+function titleOfRun(store: Store): HTMLElement {
+  const host = element("span", { class: "of-run" });
+  store.watch(["run"], () => {
+    const report = store.get("run")?.report;
+    host.textContent = report ? `${report.program} · ${report.machine ?? ""}` : "";
+  });
+  return host;
+}
+
+export function createLookBar(host: HTMLElement, store: Store): void {
+  host.append(element("strong", { class: "name" }, texts.page.title), titleOfRun(store), preferences(store, false));
+}

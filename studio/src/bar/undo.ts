@@ -1,0 +1,58 @@
+// Taking back and doing again: two buttons, and keys wherever no text is being written.
+
+import { element } from "../core/dom";
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import { texts } from "../texts";
+
+const t = texts.bar;
+
+// These have an undo of their own.
+const boxes = ":is([type=checkbox], [type=radio], [type=range], [type=button])";
+const writes = `input:not(${boxes}), textarea, [contenteditable], .cm-editor`;
+
+/** Which of the two a key asks for. */
+function askedBy(event: KeyboardEvent): "undo" | "redo" | null {
+  if (event.defaultPrevented || event.altKey || !(event.ctrlKey || event.metaKey)) return null;
+  const key = event.key.toLowerCase();
+  if (key === "z") return event.shiftKey ? "redo" : "undo";
+  return key === "y" && !event.shiftKey ? "redo" : null;
+}
+
+export function createUndo(store: Store, session: Session): HTMLElement {
+  const { history } = session;
+  let said = "";
+  const go = (way: "undo" | "redo") => {
+    const label = way === "undo" ? history.undoLabel : history.redoLabel;
+    if (!label) return;
+    history[way]();
+    said = way === "undo" ? t.undone(label) : t.redone(label);
+    store.set("notice", said);
+  };
+  // They keep the focus when there is nothing left: so they are never disabled.
+  const button = (way: "undo" | "redo", sign: string) => element("button", { id: `${way}-button`, onclick: () => go(way) }, sign);
+  const [undo, redo] = [button("undo", "↶"), button("redo", "↷")];
+  const show = (one: HTMLElement, title: string, label: string) => {
+    one.title = title;
+    one.setAttribute("aria-label", title);
+    one.setAttribute("aria-disabled", String(!label));
+  };
+  const renew = () => {
+    show(undo, t.undoTitle(history.undoLabel), history.undoLabel);
+    show(redo, t.redoTitle(history.redoLabel), history.redoLabel);
+  };
+  history.on(() => {
+    renew();
+    // What was said of a step before does not hold of this one.
+    if (said && store.get("notice") === said) store.set("notice", "");
+  });
+  renew();
+  document.addEventListener("keydown", (event) => {
+    const way = askedBy(event);
+    // A dialog is about something that the page behind it has to leave as it is.
+    if (!way || (event.target as Element).closest?.(writes) || document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    go(way);
+  });
+  return element("span", { class: "undo" }, undo, redo);
+}

@@ -1,0 +1,28 @@
+// Files of a person's disk: chosen by the system's dialog, and given back.
+
+import type { Documents } from "./documents";
+import { element } from "./dom";
+import { baseName } from "./kinds";
+
+/** Asks for one file, or for several. */
+export function askForFiles(several: boolean, take: (files: File[]) => void): void {
+  const input = element("input", { type: "file", multiple: several, onchange: () => take([...(input.files ?? [])]) });
+  input.click();
+}
+
+/** Gives a document to the person as a file, and takes it as saved. */
+export function saveFile(name: string, documents: Documents): void {
+  give(name, documents.save(name));
+}
+
+/** The same, of a document whose place is elsewhere. */
+export function download(name: string, documents: Documents): void {
+  give(name, documents.toSave(name));
+}
+
+function give(name: string, bytes: Uint8Array | undefined): void {
+  if (bytes === undefined) return;
+  const url = URL.createObjectURL(new Blob([bytes as BlobPart]));
+  element("a", { href: url, download: baseName(name) }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}

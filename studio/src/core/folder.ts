@@ -1,0 +1,343 @@
+// The folder that gsim-studio serves: its files as documents, how they are saved, and what other programs do to them meanwhile.
+
+import { SHOWN_BYTES, type FileContent } from "./documents";
+import { readText } from "./encoding";
+import { texts } from "../texts";
+import { Refused, type FolderChange, type Listed, type Server } from "./server";
+import type { Session } from "./session";
+import { Turns } from "./turns";
+
+/** Unsaved: typed here and not written; conflict: another program has written it meanwhile; gone: taken from the folder. */
+export type FileMark = "" | "unsaved" | "conflict" | "gone";
+
+export type Saved = { kind: "saved" } | { kind: "conflict" } | { kind: "failed"; why: string };
+
+interface Entry {
+  bytes: number;
+  /** Of the version on the disk; null: it is gone. */
+  tag: string | null;
+  /** Of the version that the document comes from; null: of none. */
+  base: string | null;
+}
+
+/** Files up to so many bytes all together are read when the page begins, the small ones first. */
+const BEGIN_BYTES = 32_000_000;
+const BEGIN_FILES = 2000;
+const AT_ONCE = 3;
+const AGAIN_MS = 2000;
+
+const pause = (ms: number) => new Promise((go) => setTimeout(go, ms));
+
+export class Folder {
+  /** Whether the server has ended. */
+  isLost = false;
+  private readonly files = new Map<string, Entry>();
+  /** Writing a file, reading it and what other programs do to it never come between each other. */
+  private readonly turns = new Turns();
+  private readonly reading = new Set<string>();
+  private readonly listeners = new Set<() => void>();
+
+  constructor(
+    private readonly server: Server,
+    private readonly session: Session,
+  ) {
+    session.on(() => this.readChosen());
+    session.documents.on((name) => {
+      if (this.isTakenBack(name)) void this.readAll([name]);
+      this.tell();
+    });
+  }
+
+  /** Reads the names of what is in the folder. */
+  async open(): Promise<void> {
+    await this.relist();
+  }
+
+  /** Reads all that is of a size to be read, and follows what other programs do. */
+  async follow(): Promise<void> {
+    void this.readAll(this.namesToBegin());
+    for (;;) {
+      const changed = (change: FolderChange) => void this.changed(change);
+      await this.server.follow(() => void this.relist().catch(() => {}), changed);
+      this.setLost(true);
+      await pause(AGAIN_MS);
+    }
+  }
+
+  /** Told of each change of what is said here. */
+  on(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  has(name: string): boolean {
+    return this.files.get(name)?.tag != null;
+  }
+
+  /** Of each file the version on the disk, by name. */
+  versions(): Map<string, string> {
+    return new Map([...this.files].flatMap(([name, { tag }]) => (tag === null ? [] : [[name, tag] as const])));
+  }
+
+  markOf(name: string): FileMark {
+    const entry = this.files.get(name);
+    if (entry && entry.tag === null) return "gone";
+    if (!this.session.documents.isUnsaved(name)) return "";
+    return entry && entry.base !== entry.tag ? "conflict" : "unsaved";
+  }
+
+  /** Names with a mark. */
+  marked(): Map<string, FileMark> {
+    const names = this.session.documents.ownNames();
+    return new Map(names.map((name) => [name, this.markOf(name)] as const).filter(([, mark]) => mark !== ""));
+  }
+
+  /** Writes a document into the folder, in place of the version that it comes from. */
+  save(name: string): Promise<Saved> {
+    return this.turns.take(name, async () => {
+      const entry = this.files.get(name);
+      // Another version is on the disk than the one that is here: also where that could not be read.
+      if (entry && entry.tag !== null && entry.base !== entry.tag) return { kind: "conflict" };
+      return this.saveOver(name, entry?.tag ?? null);
+    });
+  }
+
+  /** Writes a document under another name, where there is no file yet, and takes that in its place from now on. */
+  async saveAs(name: string, to: string): Promise<Saved> {
+    const { documents, history } = this.session;
+    history.keepTyped();
+    const content = documents.get(name);
+    const bytes = documents.toSave(name);
+    if (bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
+    const isTaken = this.has(to) || (to !== name && documents.own(to) !== undefined);
+    const saved = isTaken ? ({ kind: "conflict" } as const) : await this.turns.take(to, () => this.write(to, bytes, null));
+    if (saved.kind === "conflict") return { kind: "failed", why: texts.folder.exists };
+    if (saved.kind === "failed") return saved;
+    history.keepTyped();
+    documents.take(to, bytes);
+    const chosen = Object.entries(this.session.setup).filter(([, value]) => value === name);
+    const setup = Object.fromEntries(chosen.map(([key]) => [key, to]));
+    const left: Record<string, null> = this.has(name) ? {} : { [name]: null };
+    // Typed while it was written.
+    const now = documents.get(name);
+    const typed = now === undefined || now === content ? {} : { [to]: now };
+    history.edit(texts.folder.savedAs(name, to), { setup, documents: { ...left, ...typed } });
+    return saved;
+  }
+
+  /** The version on the disk, of which there are two; null: it is gone meanwhile. */
+  async theirs(name: string): Promise<{ content: FileContent; bytes: Uint8Array; tag: string } | null> {
+    const read = await this.server.read(name);
+    if (!read) return null;
+    const isText = typeof this.session.documents.get(name) === "string";
+    return { ...read, content: isText ? readText(read.bytes).text : read.bytes };
+  }
+
+  /** This page's version goes over the one on the disk, which can be had back by undo. */
+  keepMine(name: string): Promise<Saved> {
+    return this.turns.take(name, async () => {
+      try {
+        const theirs = await this.theirs(name);
+        const saved = await this.saveOver(name, theirs?.tag ?? null);
+        if (saved.kind === "saved" && theirs) this.keepOther(name, theirs.content);
+        return saved;
+      } catch (fault) {
+        return { kind: "failed", why: sentenceOfFault(fault) };
+      }
+    });
+  }
+
+  /** The version on the disk is shown in place of this page's, which can be had back by undo. */
+  takeTheirs(name: string): Promise<void> {
+    return this.turns.take(name, async () => {
+      try {
+        const theirs = await this.theirs(name);
+        if (theirs) this.putTheirs(name, theirs);
+        else this.isGone(name);
+      } catch (fault) {
+        this.session.store.set("notice", texts.folder.unread(name, sentenceOfFault(fault)));
+      }
+    });
+  }
+
+  private putTheirs(name: string, theirs: { bytes: Uint8Array; tag: string }): void {
+    const { documents, history } = this.session;
+    history.keepTyped();
+    const mine = documents.own(name);
+    this.isHere(name, theirs);
+    documents.take(name, theirs.bytes);
+    history.made(texts.folder.replaced(name), { documents: { [name]: mine ?? null } });
+    this.session.changed([name]);
+    this.tell();
+  }
+
+  /** The version of the folder is the one that the document comes from. */
+  private isHere(name: string, { bytes, tag }: { bytes: Uint8Array; tag: string }): void {
+    this.files.set(name, { bytes: bytes.length, tag, base: tag });
+  }
+
+  private keepOther(name: string, content: FileContent): void {
+    this.session.history.made(texts.folder.overwritten(name), { documents: { [name]: content } });
+  }
+
+  private async saveOver(name: string, tag: string | null): Promise<Saved> {
+    const { documents, history } = this.session;
+    history.keepTyped();
+    const content = documents.get(name);
+    const bytes = documents.toSave(name);
+    if (content === undefined || bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
+    const saved = await this.write(name, bytes, tag);
+    if (saved.kind !== "saved") return saved;
+    history.keepTyped();
+    documents.list(name, bytes.length);
+    documents.saved(name, content, bytes);
+    return saved;
+  }
+
+  private async write(name: string, bytes: Uint8Array, tag: string | null): Promise<Saved> {
+    try {
+      let written = await this.server.write(name, bytes, tag);
+      // What has been taken away meanwhile is written anew.
+      if (!written.ok && written.tag === null && tag !== null) written = await this.server.write(name, bytes, null);
+      const base = written.ok ? written.tag : (this.files.get(name)?.base ?? null);
+      this.files.set(name, { bytes: bytes.length, tag: written.tag, base });
+      return { kind: written.ok ? "saved" : "conflict" };
+    } catch (fault) {
+      return { kind: "failed", why: sentenceOfFault(fault) };
+    } finally {
+      this.tell();
+    }
+  }
+
+  private async relist(): Promise<void> {
+    const { files, cut } = await this.server.list();
+    this.setLost(false);
+    if (cut) this.session.store.set("notice", texts.folder.cut);
+    const before = [...this.files.keys()];
+    const present = new Set(files.map(({ name }) => name));
+    for (const file of files) {
+      if (this.files.has(file.name)) await this.changed(file);
+      else this.add(file);
+    }
+    // What a list that was cut leaves out may be there all the same.
+    if (!cut) for (const name of before.filter((each) => !present.has(each))) await this.changed({ name, tag: null });
+    this.tell();
+  }
+
+  private add({ name, bytes, tag }: Listed): void {
+    this.files.set(name, { bytes, tag, base: null });
+    this.session.documents.list(name, bytes);
+  }
+
+  /** By another program, or what this page has written itself. */
+  private changed(change: FolderChange): Promise<void> {
+    return this.turns.take(change.name, () => this.takeChange(change));
+  }
+
+  private async takeChange({ name, tag }: FolderChange): Promise<void> {
+    const entry = this.files.get(name);
+    if (tag === (entry?.tag ?? null)) return;
+    if (tag === null) return this.isGone(name);
+    this.files.set(name, { bytes: entry?.bytes ?? 0, tag, base: entry?.base ?? null });
+    if (await this.read(name)) this.tellTaken(name);
+    this.tell();
+  }
+
+  /** What is unsaved or run is kept, and said to be gone. */
+  private isGone(name: string): void {
+    const { documents, history, setup } = this.session;
+    history.keepTyped();
+    const isWanted = documents.isUnsaved(name) || (documents.isOwn(name) && Object.values(setup).includes(name));
+    const entry = this.files.get(name);
+    if (entry && isWanted) entry.tag = null;
+    else this.files.delete(name);
+    documents.unlist(name);
+    if (!isWanted) documents.remove(name);
+    this.tell();
+  }
+
+  private namesToBegin(): string[] {
+    const waiting = [...this.files].filter(([, { base }]) => base === null).sort(([, a], [, b]) => a.bytes - b.bytes);
+    let bytes = 0;
+    return waiting.filter(([, entry]) => (bytes += entry.bytes) <= BEGIN_BYTES).slice(0, BEGIN_FILES).map(([name]) => name);
+  }
+
+  /** What is run is read however late it is chosen. */
+  private readChosen(): void {
+    void this.readAll(Object.values(this.session.setup).filter((name) => typeof name === "string"));
+  }
+
+  /** A file that was made and saved here, whose making was undone: the folder has it still. */
+  private isTakenBack(name: string): boolean {
+    return this.has(name) && this.files.get(name)!.base !== null && !this.session.documents.isOwn(name);
+  }
+
+  private isToRead(name: string): boolean {
+    return this.files.get(name)?.base === null || this.isTakenBack(name);
+  }
+
+  /** Reads files, where they are of a size to be read and not here. */
+  async readAll(names: string[]): Promise<void> {
+    const waiting = names.filter((name) => this.isToRead(name) && !this.reading.has(name));
+    for (const name of waiting) this.reading.add(name);
+    const readSome = async () => {
+      for (let name = waiting.shift(); name !== undefined; name = waiting.shift()) {
+        await this.turns.take(name, () => this.read(name!));
+        this.reading.delete(name);
+      }
+    };
+    await Promise.all(Array.from({ length: AT_ONCE }, readSome));
+  }
+
+  /** The document as the folder has it now, where nothing was typed here. Returns whether it is another one by that. */
+  private async read(name: string): Promise<boolean> {
+    const { documents, history, store } = this.session;
+    if ((this.files.get(name)?.bytes ?? 0) > SHOWN_BYTES) return true;
+    try {
+      const read = await this.server.read(name);
+      if (!read) return false;
+      history.keepTyped();
+      const base = this.files.get(name)?.base ?? null;
+      const isSame = sameBytes(read.bytes, documents.toSave(name));
+      const isKept = documents.isOwn(name) && (read.tag === base || (documents.isUnsaved(name) && !isSame));
+      if (isKept) {
+        this.files.set(name, { bytes: read.bytes.length, tag: read.tag, base });
+        return false;
+      }
+      this.isHere(name, read);
+      documents.list(name, read.bytes.length);
+      if (isSame && documents.isOwn(name)) documents.saved(name, documents.get(name)!, read.bytes);
+      else {
+        const before = documents.own(name);
+        documents.take(name, read.bytes);
+        // A step of its own: else undoing what was done before it would take it away, too.
+        if (before !== undefined) history.made(texts.folder.replaced(name), { documents: { [name]: before } });
+      }
+      return !isSame;
+    } catch (fault) {
+      store.set("notice", texts.folder.unread(name, sentenceOfFault(fault)));
+      return false;
+    }
+  }
+
+  private tellTaken(name: string): void {
+    const { session } = this;
+    const words = texts.folder;
+    if (session.changed([name])) session.store.set("notice", words.takenAndRun(name));
+    else if (session.store.get("document") === name) session.store.set("notice", words.taken(name));
+  }
+
+  private setLost(isLost: boolean): void {
+    if (this.isLost === isLost) return;
+    this.isLost = isLost;
+    this.tell();
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+}
+
+const sentenceOfFault = (fault: unknown): string => (fault instanceof Refused ? fault.message : texts.folder.noAnswer);
+
+const sameBytes = (one: Uint8Array, other: Uint8Array | undefined): boolean =>
+  one.length === other?.length && one.every((byte, i) => byte === other[i]);

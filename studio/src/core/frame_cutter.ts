@@ -1,0 +1,41 @@
+// Cuts a stream of bytes into the engine's frames (docs/studio.md). Each frame gets memory of its own, so that its columns lie at
+// multiples of 8; each byte is copied once.
+
+import { BrokenMessage } from "./message";
+
+const SIZE_BYTES = 4;
+const LEAST_BYTES = 8;
+
+export class FrameCutter {
+  private readonly size = new Uint8Array(SIZE_BYTES);
+  private frame: Uint8Array<ArrayBuffer> | null = null;
+  private filled = 0;
+
+  /** Takes what has come; hands on each frame that is whole. */
+  push(bytes: Uint8Array, take: (frame: Uint8Array<ArrayBuffer>) => void): void {
+    for (let at = 0; at < bytes.length; ) {
+      at += this.fill(bytes.subarray(at));
+      if (!this.frame || this.filled < this.frame.length) continue;
+      const whole = this.frame;
+      [this.frame, this.filled] = [null, 0];
+      take(whole);
+    }
+  }
+
+  /** How many of the bytes belong to what is being filled. */
+  private fill(bytes: Uint8Array): number {
+    const into = this.frame ?? this.size;
+    const count = Math.min(bytes.length, into.length - this.filled);
+    into.set(bytes.subarray(0, count), this.filled);
+    this.filled += count;
+    if (!this.frame && this.filled === SIZE_BYTES) this.begin();
+    return count;
+  }
+
+  private begin(): void {
+    const length = new DataView(this.size.buffer).getUint32(0, true);
+    if (length < LEAST_BYTES) throw new BrokenMessage(`a message of ${length} bytes is none`);
+    this.frame = new Uint8Array(length);
+    this.frame.set(this.size);
+  }
+}

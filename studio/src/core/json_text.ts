@@ -1,0 +1,247 @@
+// Changes of values in a JSON text: what a change does not touch keeps its layout.
+
+import { texts } from "../texts";
+
+export type JsonValue = null | boolean | number | string | JsonValue[] | { [key: string]: JsonValue | undefined };
+/** Keys and indices from the outermost value to one within it. */
+export type JsonPlace = readonly (string | number)[];
+
+/** A text that is no JSON: where it fails (characters from its beginning), and why. */
+export class JsonFault extends Error {
+  constructor(
+    readonly at: number,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+/** A piece of a text, from one character to before another. */
+interface Span {
+  from: number;
+  to: number;
+}
+interface Member extends Span {
+  key: string;
+  keyFrom: number;
+}
+
+const words = texts.json;
+const MOST_LEVELS = 500;
+const SPACE = /[ \t\r\n]*/y;
+const NUMBER = /-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?/y;
+const STRING = /"[^"\\\u0000-\u001f]*(?:\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})[^"\\\u0000-\u001f]*)*"/y;
+const WORD = /true|false|null/y;
+
+/** Where a sticky pattern ends that begins at a place; -1: it is not there. */
+function endOf(pattern: RegExp, text: string, at: number): number {
+  pattern.lastIndex = at;
+  return pattern.test(text) ? pattern.lastIndex : -1;
+}
+
+const skipSpace = (text: string, at: number): number => endOf(SPACE, text, at);
+
+/** Is told of the members of an object or a list. */
+interface Visitor {
+  /** Before a member's value is gone through; false: that is enough. */
+  begins(member: Member): boolean;
+  /** Behind it. */
+  ends(to: number): void;
+}
+
+const NOBODY: Visitor = { begins: () => true, ends: () => undefined };
+
+/** Where a value ends that begins at a place. */
+function valueEnd(text: string, at: number, level = 0): number {
+  if (level > MOST_LEVELS) throw new JsonFault(at, words.tooDeep);
+  if (text[at] === "{") return visit(text, at, "}", NOBODY, level);
+  if (text[at] === "[") return visit(text, at, "]", NOBODY, level);
+  const pattern = text[at] === '"' ? STRING : /[-\d]/.test(text[at] ?? "") ? NUMBER : WORD;
+  const end = endOf(pattern, text, at);
+  if (end < 0) throw new JsonFault(at, at >= text.length ? words.endsTooSoon : words.value);
+  return end;
+}
+
+/** Where a key ends. */
+function keyEnd(text: string, at: number): number {
+  const end = text[at] === '"' ? endOf(STRING, text, at) : -1;
+  if (end < 0) throw new JsonFault(at, at >= text.length ? words.endsTooSoon : words.key);
+  return end;
+}
+
+/** Goes through an object or a list; where it ends, or -1: the visitor had enough. */
+function visit(text: string, from: number, close: string, visitor: Visitor, level = 0): number {
+  let at = skipSpace(text, from + 1);
+  if (text[at] === close) return at + 1;
+  for (;;) {
+    const keyFrom = at;
+    let key = "";
+    if (close === "}") {
+      const end = keyEnd(text, at);
+      key = JSON.parse(text.slice(at, end)) as string;
+      at = skipSpace(text, end);
+      if (text[at] !== ":") throw new JsonFault(at, words.colon);
+      at = skipSpace(text, at + 1);
+    }
+    if (!visitor.begins({ key, keyFrom, from: at, to: -1 })) return -1;
+    const to = valueEnd(text, at, level + 1);
+    visitor.ends(to);
+    at = skipSpace(text, to);
+    if (text[at] === close) return at + 1;
+    if (text[at] !== ",") throw new JsonFault(at, at >= text.length ? words.endsTooSoon : words.commaOr(close));
+    at = skipSpace(text, at + 1);
+  }
+}
+
+const visitAt = (text: string, from: number, visitor: Visitor): void => {
+  const close = { "{": "}", "[": "]" }[text[from]];
+  if (close) visit(text, from, close, visitor);
+};
+
+/** What an object or a list holds, where it begins at a place. */
+function childrenOf(text: string, from: number): Member[] {
+  const members: Member[] = [];
+  visitAt(text, from, { begins: (member) => members.push(member) > 0, ends: (to) => (members[members.length - 1].to = to) });
+  return members;
+}
+
+/** Where a member begins; what stands behind it is not looked at. */
+function beginOfChild(text: string, from: number, step: string | number): number {
+  let found = -1;
+  let index = -1;
+  const begins = (member: Member) => {
+    ++index;
+    if (member.key === step || (typeof step === "number" && index === step)) found = member.from;
+    return found < 0;
+  };
+  visitAt(text, from, { begins, ends: () => undefined });
+  if (found < 0) throw new JsonFault(from, words.noMember(String(step)));
+  return found;
+}
+
+/** The value of a text, all of it; throws a JsonFault. */
+export function readJson(text: string): JsonValue {
+  const from = skipSpace(text, 0);
+  const rest = skipSpace(text, valueEnd(text, from));
+  if (rest < text.length) throw new JsonFault(rest, words.behindEnd);
+  return JSON.parse(text) as JsonValue;
+}
+
+/** Where a value stands; throws a JsonFault where there is none. */
+export function spanOf(text: string, place: JsonPlace): Span {
+  const from = place.reduce<number>((at, step) => beginOfChild(text, at, step), skipSpace(text, 0));
+  return { from, to: valueEnd(text, from) };
+}
+
+/** A value on one line: {"a": [1, 2]}. What is undefined is left out. */
+export function jsonLine(value: JsonValue): string {
+  if (Array.isArray(value)) return `[${value.map(jsonLine).join(", ")}]`;
+  if (value === null || typeof value !== "object") return JSON.stringify(value);
+  const members = Object.entries(value).filter((member): member is [string, JsonValue] => member[1] !== undefined);
+  return `{${members.map(([key, each]) => `${JSON.stringify(key)}: ${jsonLine(each)}`).join(", ")}}`;
+}
+
+const splice = (text: string, from: number, to: number, by: string): string => text.slice(0, from) + by + text.slice(to);
+
+/** A value as those beside it are laid out: on one line, or with a line for each member. */
+function laidOut(value: JsonValue, neighbour: string, indent: string): string {
+  if (!neighbour.includes("\n")) return jsonLine(value);
+  return JSON.stringify(value, null, 2).replaceAll("\n", `\n${indent}`);
+}
+
+/** What stands between a member and what is before it: spaces, mostly an end of line. */
+function gapBefore(text: string, at: number): string {
+  let from = at;
+  while (from > 0 && " \t\r\n".includes(text[from - 1])) --from;
+  return text.slice(from, at);
+}
+
+/** Of the line that a place is in. */
+function indentAt(text: string, at: number): string {
+  const from = text.lastIndexOf("\n", at - 1) + 1;
+  return text.slice(from, endOf(/[ \t]*/y, text, from));
+}
+
+/** Changes the text of the value that stands there. */
+export function changeValue(text: string, place: JsonPlace, change: (value: string) => string): string {
+  const { from, to } = spanOf(text, place);
+  return splice(text, from, to, change(text.slice(from, to)));
+}
+
+/** Puts a value in place of the one that stands there. */
+export function replaceValue(text: string, place: JsonPlace, value: JsonValue): string {
+  const { from } = spanOf(text, place);
+  return changeValue(text, place, (before) => laidOut(value, before, indentAt(text, from)));
+}
+
+/**
+ * Sets a member of an object; undefined takes it away. One that is new stands behind those that come before it in
+ * `order`.
+ */
+export function setMember(text: string, place: JsonPlace, key: string, value: JsonValue | undefined, order: readonly string[]): string {
+  const object = spanOf(text, place);
+  const members = childrenOf(text, object.from);
+  const at = members.findIndex((member) => member.key === key);
+  if (at >= 0) return value === undefined ? withoutChildren(text, members, at, 1) : replaceValue(text, [...place, key], value);
+  if (value === undefined) return text;
+  const rank = (name: string) => (order.includes(name) ? order.indexOf(name) : order.length);
+  const before = members.findLastIndex((member) => rank(member.key) <= rank(key));
+  return withChildren(text, object, members, before + 1, [`${JSON.stringify(key)}: ${jsonLine(value)}`]);
+}
+
+/** Puts values into a list, from a number on, as they are written. */
+export function insertTexts(text: string, place: JsonPlace, index: number, written: readonly string[]): string {
+  const list = spanOf(text, place);
+  return withChildren(text, list, childrenOf(text, list.from), index, written);
+}
+
+/** Puts values into a list, from a number on, laid out as the one before them. */
+export function insertItems(text: string, place: JsonPlace, index: number, values: readonly JsonValue[]): string {
+  const neighbour = childrenOf(text, spanOf(text, place).from)[Math.max(index - 1, 0)];
+  const like = neighbour ? text.slice(neighbour.from, neighbour.to) : "";
+  const indent = neighbour ? indentAt(text, neighbour.from) : "";
+  return insertTexts(text, place, index, values.map((value) => laidOut(value, like, indent)));
+}
+
+/** The texts of some items of a list. */
+export const textsOfItems = (text: string, place: JsonPlace, first: number, count: number): string[] =>
+  childrenOf(text, spanOf(text, place).from)
+    .slice(first, first + count)
+    .map(({ from, to }) => text.slice(from, to));
+
+/** Takes items out of a list. */
+export const removeItems = (text: string, place: JsonPlace, first: number, count: number): string =>
+  withoutChildren(text, childrenOf(text, spanOf(text, place).from), first, count);
+
+/** Gives the items of a list another order: `order` has the number that each item had before. */
+export function reorderItems(text: string, place: JsonPlace, order: readonly number[]): string {
+  const items = childrenOf(text, spanOf(text, place).from);
+  const pieces: string[] = [];
+  let at = 0;
+  items.forEach(({ from, to }, i) => {
+    const taken = items[order[i]];
+    pieces.push(text.slice(at, from), text.slice(taken.from, taken.to));
+    at = to;
+  });
+  return pieces.join("") + text.slice(at);
+}
+
+function withChildren(text: string, parent: Span, children: Member[], index: number, written: readonly string[]): string {
+  if (children.length === 0) return splice(text, parent.from + 1, parent.to - 1, written.join(", "));
+  const gap = gapBefore(text, children[children.length > 1 ? 1 : 0].keyFrom);
+  // The only member of a line that begins behind its bracket: "{}" has no gap to go by.
+  const between = children.length > 1 || gap ? gap : " ";
+  if (index === 0) {
+    const first = children[0].keyFrom;
+    return splice(text, first, first, written.map((each) => `${each},${between}`).join(""));
+  }
+  const { to } = children[index - 1];
+  return splice(text, to, to, written.map((each) => `,${between}${each}`).join(""));
+}
+
+function withoutChildren(text: string, children: Member[], first: number, count: number): string {
+  const next = children[first + count];
+  if (next) return splice(text, children[first].keyFrom, next.keyFrom, "");
+  const from = first > 0 ? children[first - 1].to : children[0].keyFrom;
+  return splice(text, from, children[first + count - 1].to, "");
+}

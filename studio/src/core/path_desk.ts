@@ -1,0 +1,54 @@
+// The path file that forms and the view work on: kept in the store as it is shown, changed by steps of the history.
+
+import { isPathFile, readPathFile, targetAt, type PathFile, type Place } from "../run/path/path_file";
+import { walkPath, type Walk } from "../run/path/path_walk";
+import type { Session } from "./session";
+import type { Store } from "./store";
+
+/** A path file as it is shown; without paths where its text is none. */
+export interface PathShown {
+  name: string;
+  text: string;
+  file: PathFile;
+  walk: Walk;
+  /** Why the text is no path file; empty: it is one. */
+  fault: string;
+}
+
+const NO_WALK: Walk = { motions: [], before: new Map(), used: new Set(), faults: [] };
+
+/** A text as it is shown. */
+export function pathShown(name: string, text: string): PathShown {
+  const read = readPathFile(text);
+  if (!isPathFile(read)) return { name, text, file: { paths: [] }, walk: NO_WALK, fault: read.text };
+  return { name, text, file: read, walk: walkPath(read), fault: "" };
+}
+
+const exists = (file: PathFile, place: Place): boolean =>
+  place.target < 0 ? file.paths[place.path] !== undefined : targetAt(file, place) !== undefined;
+
+/** Keeps what is shown at what the file is. */
+export function watchPath(store: Store, { documents }: Session): void {
+  const renew = () => {
+    const name = store.get("pathFile");
+    if (name && documents.get(name) === undefined) return store.set("pathFile", "");
+    const text = documents.text(name);
+    const shown = store.get("path");
+    if (name && shown?.name === name && shown.text === text) return;
+    store.set("path", name ? pathShown(name, text) : null);
+    const [point, now] = [store.get("pathPoint"), store.get("path")];
+    if (point && (shown?.name !== name || !now || !exists(now.file, point))) store.set("pathPoint", null);
+  };
+  store.watch(["pathFile"], renew);
+  documents.on((name) => {
+    if (name === store.get("pathFile")) renew();
+  });
+}
+
+/** Changes the path file by a step of the history, which `label` names, and chooses a point; null: the choice stays. */
+export function editPath(store: Store, session: Session, label: string, text: string, point: Place | null = null): void {
+  const name = store.get("pathFile");
+  if (!name) return;
+  session.history.edit(label, { documents: { [name]: text } });
+  if (point) store.set("pathPoint", point);
+}

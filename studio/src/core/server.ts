@@ -1,0 +1,124 @@
+// What gsim-studio answers about the folder that it serves (docs/studio.md). Addresses count from the page's own.
+
+import { texts } from "../texts";
+import { readMessage, type Message } from "./message";
+
+export interface Listed {
+  name: string;
+  bytes: number;
+  /** Of this version of the file; another version has another one. */
+  tag: string;
+}
+
+export interface Listing {
+  files: Listed[];
+  /** Whether there are more. */
+  cut: boolean;
+}
+
+/** What has become of a file; a tag of null: it is gone. */
+export interface FolderChange {
+  name: string;
+  tag: string | null;
+}
+
+/** How a file was written, or that another version (null: none) is on the disk than the one that was to be replaced. */
+export type Written = { ok: true; tag: string } | { ok: false; tag: string | null };
+
+/** What the server refused, in its words. */
+export class Refused extends Error {}
+
+/** What has changed since another answer; again: changes may have been missed, and all is to be listed once more. */
+interface Changes {
+  at: number;
+  again: boolean;
+  changed: FolderChange[];
+}
+
+const LOOK_MS = 500;
+/** A server that has not answered for so long is gone. */
+const SILENCE_MS = 20_000;
+
+const pause = (ms: number) => new Promise((go) => setTimeout(go, ms));
+
+/** Why the server refused, in its own words where it has some. */
+export async function sentenceOf(response: Response): Promise<string> {
+  const { error } = await toldBy(response);
+  return typeof error === "string" ? error : texts.folder.refused(response.status);
+}
+
+const toldBy = async (response: Response): Promise<Record<string, unknown>> =>
+  ((await response.json().catch(() => null)) ?? {}) as Record<string, unknown>;
+
+const tagOf = (response: Response): string => (response.headers.get("ETag") ?? "").replace(/^(?:W\/)?"(.*)"$/, "$1");
+
+const pathOf = (name: string): string => name.split("/").map(encodeURIComponent).join("/");
+
+export class Server {
+  constructor(private readonly page: URL) {}
+
+  address(path: string): URL {
+    return new URL(path, this.page);
+  }
+
+  async list(): Promise<Listing> {
+    const response = await fetch(this.address("files"), { cache: "no-store" });
+    if (!response.ok) throw new Refused(await sentenceOf(response));
+    return (await response.json()) as Listing;
+  }
+
+  /** null: there is no such file. */
+  async read(name: string): Promise<{ bytes: Uint8Array; tag: string } | null> {
+    const response = await fetch(this.fileAddress(name), { cache: "no-store" });
+    if (response.status === 404) return null;
+    if (!response.ok) throw new Refused(await sentenceOf(response));
+    return { bytes: new Uint8Array(await response.arrayBuffer()), tag: tagOf(response) };
+  }
+
+  /** Writes a file in place of the version with this tag; null: in place of none. */
+  async write(name: string, bytes: Uint8Array, tag: string | null): Promise<Written> {
+    const headers: Record<string, string> = tag === null ? { "If-None-Match": "*" } : { "If-Match": `"${tag}"` };
+    const response = await fetch(this.fileAddress(name), { method: "PUT", headers, body: bytes as BodyInit });
+    if (response.status === 412) {
+      const { tag: present } = await toldBy(response);
+      return { ok: false, tag: typeof present === "string" ? present : null };
+    }
+    if (!response.ok) throw new Refused(await sentenceOf(response));
+    const written = await toldBy(response);
+    return { ok: true, tag: String(written.tag) };
+  }
+
+  /** The whole message of segments of this number, of a run that is kept. Throws with a sentence. */
+  async laws(run: string, number: number): Promise<Message> {
+    const response = await fetch(this.address(`laws/${run}/${number}`), { cache: "no-store" }).catch(() => null);
+    if (!response) throw new Refused(texts.folder.noAnswer);
+    if (!response.ok) throw new Refused(await sentenceOf(response));
+    return readMessage(new Uint8Array(await response.arrayBuffer()));
+  }
+
+  /**
+   * Tells of changes as they come, and `begun` when some may have been missed: all is to be listed then; returns when the
+   * server is silent or gone. It asks again and again, as an answer that does not end takes one of the six connections
+   * that a browser has for all pages of a server.
+   */
+  async follow(begun: () => void, changed: (change: FolderChange) => void): Promise<void> {
+    for (let at: number | null = null; ; await pause(LOOK_MS)) {
+      const told: Changes | null = await this.changesSince(at).catch(() => null);
+      if (!told) return;
+      if (told.again) begun();
+      told.changed.forEach(changed);
+      at = told.at;
+    }
+  }
+
+  /** null: it refuses. */
+  private async changesSince(at: number | null): Promise<Changes | null> {
+    const address = this.address(at === null ? "changes" : `changes?since=${at}`);
+    const response = await fetch(address, { cache: "no-store", signal: AbortSignal.timeout(SILENCE_MS) });
+    return response.ok ? ((await response.json()) as Changes) : null;
+  }
+
+  private fileAddress(name: string): URL {
+    return this.address(`file/${pathOf(name)}`);
+  }
+}

@@ -1,0 +1,79 @@
+// Machine data as the engine knows them (docs/studio.md): what there may be, what there is, and how it is changed.
+
+import type { Session } from "../../core/session";
+import type { Told } from "../../run/run";
+
+export interface Field {
+  name: string;
+  unit: "length" | "angle" | "none";
+  /** And what it may be. */
+  meaning: string;
+  required: boolean;
+  /** What it may be; the first one holds where none is given. */
+  choices?: string[];
+}
+
+export interface Section {
+  /** "OFFSET" */
+  name: string;
+  title: string;
+  /** What an id may be. */
+  id: string;
+  /** Its entries have lengths, each in mm or inch. */
+  has_unit: boolean;
+  fields: Field[];
+}
+
+export type EntryUnit = "metric" | "inch";
+export type Value = number | string | null | undefined;
+
+export interface Entry {
+  id: string;
+  unit?: EntryUnit;
+  /** By the names of fields; null: there is no wall. */
+  [field: string]: Value;
+}
+
+export type LengthUnit = "mm" | "inch";
+
+export interface SetEntry {
+  op: "set";
+  section: string;
+  id: string;
+  values: Record<string, string>;
+  unit?: LengthUnit;
+}
+
+export type DataChange =
+  | SetEntry
+  | { op: "reset"; section: string; id: string }
+  | { op: "reset_all"; section: string }
+  | { op: "convert"; unit: LengthUnit };
+
+export interface Data {
+  sections: Section[];
+  entries: Record<string, Entry[] | undefined>;
+  /** The file. */
+  text: string;
+}
+
+/** The data, or why there are none; `told` is what is suspect, or wrong. */
+export type Answered = { told: Told[] } & ({ data: Data } | { data: null; refusal: string });
+
+export const lengthUnit = (unit: EntryUnit): LengthUnit => (unit === "inch" ? "inch" : "mm");
+
+/** "jet.txt: 'a' is not a number", where it is clear which file it is. */
+const withoutName = (sentence: string, file: string): string =>
+  sentence.startsWith(`${file}: `) ? sentence.slice(file.length + 2) : sentence;
+
+/** The data of a file behind some changes; of a name without a file new data. */
+export async function askData(session: Session, file: string, changes: DataChange[]): Promise<Answered> {
+  const { machine, cell } = session.setup;
+  const answer = await session.question({ do: "data", file, machine, cell, changes });
+  const told = answer.messages.filter(({ is }) => is === "told").map(({ header }) => header as unknown as Told);
+  const message = answer.messages.find(({ is }) => is === "data");
+  if (!answer.ok || !message) return { told, data: null, refusal: withoutName(answer.message, file) };
+  const { sections, entries } = message.header as unknown as Omit<Data, "text">;
+  const text = new TextDecoder().decode(message.columns.get("text") as Uint8Array);
+  return { told, data: { sections, entries, text } };
+}

@@ -1,0 +1,31 @@
+// What is suspect in machine data, or wrong with their file.
+
+import { element } from "../../core/dom";
+import type { Told } from "../../run/run";
+import { texts } from "../../texts";
+
+export interface Problems {
+  element: HTMLElement;
+  /** `fault`: why there are no data; empty: there are. */
+  show(told: Told[], fault: string): void;
+}
+
+export function createProblems(): Problems {
+  const sentence = element("p", { class: "sentence error" });
+  const list = element("ul", { class: "rows" });
+  const host = element("div", { class: "problems", role: "status" }, sentence, list);
+  return {
+    element: host,
+    show(told, fault) {
+      sentence.textContent = fault;
+      sentence.hidden = !fault;
+      list.replaceChildren(...told.map(problem));
+    },
+  };
+}
+
+function problem({ severity, line, text, hint }: Told): HTMLElement {
+  const place = line > 0 ? [element("span", { class: "mark-place" }, texts.run.line(line))] : [];
+  const said = element("span", { class: "mark-text" }, text);
+  return element("li", { class: `mark ${severity}`, title: hint || false }, ...place, said);
+}

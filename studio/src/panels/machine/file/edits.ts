@@ -1,0 +1,144 @@
+// Changes of the machine's files, one behind the other: each is made of the text that the one before has left.
+
+import type { Change } from "../../../core/history";
+import { referenceTo } from "../../../core/references";
+import type { Setup } from "../../../core/setup";
+import { texts } from "../../../texts";
+import type { Model, Part } from "./model";
+import { moved, nameOfCopy } from "./paths";
+import { askToml, type At, type TomlChange } from "./toml";
+
+const words = texts.machine;
+
+/** Why a change could not be made, in a sentence. */
+class Refused extends Error {}
+
+/** Where a file is named. */
+type Owner = { key: keyof Setup } | { part: Part; at: At };
+
+const MOST_TRIES = 3;
+
+export class Edits {
+  private last: Promise<unknown> = Promise.resolve();
+  /** Copies of samples that were made here, by the names of those. */
+  private readonly copies = new Map<string, string>();
+
+  constructor(private readonly model: Model) {}
+
+  /**
+   * Makes changes of the file that is looked at; a sample is copied first. The answer is empty, or says why nothing was
+   * changed. `made` is called when it is certain what the change will be, before anything is drawn anew.
+   */
+  change(part: Part, label: string, changes: TomlChange[], made = () => {}): Promise<string> {
+    const file = this.model.file(part);
+    const change = async () => (this.isStill(part, file) ? this.changed(part, changes) : null);
+    return this.queue(() => this.make(label, change, made));
+  }
+
+  /** Whether a part is of the same file as when it was looked at, or of the copy of that. */
+  private isStill(part: Part, file: string): boolean {
+    const now = this.model.file(part);
+    return now === file || now === this.copies.get(file);
+  }
+
+  /** A copy of a sample, where the file is one; answers with the name of what may be changed. */
+  async own(part: Part): Promise<string> {
+    const file = await this.settled(part);
+    if (file !== this.model.file(part)) return file;
+    const name = this.nameOfOwn(part);
+    if (name !== this.model.file(part)) await this.change(part, words.copied(name), []);
+    return name;
+  }
+
+  /** The name of the file that is looked at, when all changes of files that were begun before have been made. */
+  settled(part: Part): Promise<string> {
+    const file = this.model.file(part);
+    return this.queue(async () => {
+      await this.model.read();
+      return this.isStill(part, file) ? this.model.file(part) : (this.copies.get(file) ?? file);
+    });
+  }
+
+  private queue<T>(act: () => Promise<T>): Promise<T> {
+    const next = this.last.then(act, act);
+    this.last = next;
+    return next;
+  }
+
+  /** Null for a change: there is nothing any more that it would be of. */
+  private async make(label: string, change: () => Promise<Change | null>, made: () => void): Promise<string> {
+    const { history } = this.model.session;
+    try {
+      for (let i = 0; i < MOST_TRIES; ++i) {
+        await this.model.read();
+        const before = this.textsNow();
+        const wanted = await change();
+        // Somebody may have typed in it meanwhile.
+        if (before !== this.textsNow()) continue;
+        if (!wanted) return this.dropped(words.otherFile(label));
+        made();
+        history.edit(label, wanted);
+        await this.model.read();
+        return "";
+      }
+      return this.dropped(words.changedMeanwhile);
+    } catch (fault) {
+      if (fault instanceof Refused) return fault.message;
+      throw fault;
+    }
+  }
+
+  /** Where it was asked for something else may be shown by now. */
+  private dropped(why: string): string {
+    this.model.store.set("notice", why);
+    return why;
+  }
+
+  /** What a change is made of: the files, and which they are. */
+  private textsNow(): string {
+    const { session, parts, store } = this.model;
+    const { machine, cell, robots } = session.setup;
+    const files = [...parts.values()].map(({ file }) => `${file}\n${session.documents.text(file)}`);
+    return [machine, cell, robots, store.get("robot"), ...files].join("\n");
+  }
+
+  private nameOfOwn(part: Part): string {
+    const { documents } = this.model.session;
+    const file = this.model.file(part);
+    return documents.isOwn(file) ? file : nameOfCopy(file, (name) => documents.get(name) !== undefined);
+  }
+
+  /** What becomes of all files when one of them changes. */
+  private async changed(part: Part, changes: TomlChange[]): Promise<Change> {
+    const { model } = this;
+    const file = model.file(part);
+    const name = this.nameOfOwn(part);
+    const { written, fault } = await askToml(model.session, file, [...moved(model.value(part), file, name), ...changes]);
+    if (!written) throw new Refused(fault.text);
+    const named = name === file ? {} : await this.named(part, name);
+    if (name !== file) this.copies.set(file, name);
+    return { documents: { ...named.documents, [name]: written.text }, setup: named.setup ?? {} };
+  }
+
+  private async named(part: Part, name: string): Promise<Change> {
+    const owner = this.ownerOf(part);
+    if ("key" in owner) return { setup: { [owner.key]: name } };
+    const inOwn = this.nameOfOwn(owner.part);
+    return this.changed(owner.part, [{ op: "set", at: owner.at, value: referenceTo(inOwn, name) }]);
+  }
+
+  private ownerOf(part: Part): Owner {
+    if (part === "controller") return { part: "machine", at: ["controller", "model"] };
+    if (part === "robots") return { key: "robots" };
+    return this.model.parts.has("robots") ? { part: "robots", at: ["robot", this.model.robot, part] } : { key: part };
+  }
+
+  /** Takes a file, which may be new, for a part. */
+  choose(part: Part, label: string, name: string, text?: string): Promise<string> {
+    const chosen = async () => {
+      const { documents = {}, setup = {} } = await this.named(part, name);
+      return { documents: text === undefined ? documents : { ...documents, [name]: text }, setup };
+    };
+    return this.queue(() => this.make(label, chosen, () => {}));
+  }
+}

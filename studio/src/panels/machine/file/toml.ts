@@ -1,0 +1,69 @@
+// A TOML document as the engine reads and changes it; comments and order stay.
+
+import type { FileContent } from "../../../core/documents";
+import { faultsOf } from "../../../core/faults";
+import type { Session } from "../../../core/session";
+import type { Told } from "../../../run/run";
+
+export type Toml = string | number | boolean | null | Toml[] | TomlTable;
+export interface TomlTable {
+  [key: string]: Toml;
+}
+
+/** Where a value is: keys of tables and numbers of elements, from 0. */
+export type At = (string | number)[];
+
+export type TomlChange =
+  | { op: "set"; at: At; value: Toml }
+  | { op: "add"; at: At; value: Toml }
+  | { op: "remove"; at: At }
+  | { op: "move"; at: At; to: number };
+
+export interface Written {
+  value: TomlTable;
+  text: string;
+}
+
+/** What has become of a document, or why nothing has. */
+export type Answer = { written: Written; fault: null } | { written: null; fault: Told };
+
+/** `content` is what the file would have, where it is no document yet. */
+export async function askToml(session: Session, file: string, changes: TomlChange[], content?: FileContent): Promise<Answer> {
+  const files = { [file]: content ?? session.documents.get(file) ?? "" };
+  // Of all documents the engine needs this one.
+  const answer = await session.question({ do: "toml", file, changes }, files, new Map());
+  const found = answer.messages.find(({ is }) => is === "toml");
+  if (!answer.ok || !found) {
+    const [fault] = faultsOf({ ...answer, ok: false }).filter(({ severity }) => severity === "error");
+    return { written: null, fault };
+  }
+  const text = new TextDecoder().decode(found.columns.get("text") as Uint8Array);
+  return { written: { value: found.header.value as TomlTable, text }, fault: null };
+}
+
+/** Undefined: it is not there. */
+export function valueAt(root: Toml | undefined, at: At): Toml | undefined {
+  let value: Toml | undefined = root;
+  for (const step of at) {
+    if (value === null || typeof value !== "object") return undefined;
+    value = (value as TomlTable)[step];
+  }
+  return value;
+}
+
+export const tableAt = (root: Toml | undefined, at: At): TomlTable => {
+  const value = valueAt(root, at);
+  return value !== null && typeof value === "object" && !Array.isArray(value) ? value : {};
+};
+
+/** The tables of an array of them. */
+export const tablesAt = (root: Toml | undefined, at: At): TomlTable[] => {
+  const value = valueAt(root, at);
+  if (!Array.isArray(value)) return [];
+  return value.map((each) => (each !== null && typeof each === "object" && !Array.isArray(each) ? each : {}));
+};
+
+export const textAt = (root: Toml | undefined, at: At): string => {
+  const value = valueAt(root, at);
+  return typeof value === "string" ? value : "";
+};

@@ -1,0 +1,40 @@
+// A list of which each entry can be opened: axes, objects, bodies. Entries are known by a name, so that one stays open, and
+// keeps the focus, when others come and go.
+
+import { arrange } from "../../../core/dom";
+
+export interface Card {
+  element: HTMLElement;
+  /** `index`: the number of its table now. */
+  draw(index: number): void;
+}
+
+export class Cards {
+  private readonly cards = new Map<string, Card>();
+
+  constructor(
+    readonly host: HTMLElement,
+    private readonly make: (name: string) => Card,
+  ) {}
+
+  /** Names that stand twice are told apart by their place. */
+  draw(names: readonly string[]): void {
+    const unique = names.map((name, i) => (names.indexOf(name) === i ? name : `${name} ${i}`));
+    for (const name of [...this.cards.keys()]) if (!unique.includes(name)) this.cards.delete(name);
+    const all = unique.map((name) => {
+      const card = this.cards.get(name) ?? this.make(name);
+      this.cards.set(name, card);
+      return card;
+    });
+    arrange(this.host, all.map((card) => card.element));
+    all.forEach((card, index) => card.draw(index));
+  }
+
+  /** One has another name from now on. */
+  rename(from: string, to: string): void {
+    const card = this.cards.get(from);
+    if (!card || this.cards.has(to)) return;
+    this.cards.delete(from);
+    this.cards.set(to, card);
+  }
+}

@@ -1,0 +1,169 @@
+// One value of a file, to be seen and changed. What is typed stays until it is handed on; what the file says comes back at
+// any time.
+
+import { element, offer } from "../../../core/dom";
+import type { Store } from "../../../core/store";
+import { texts } from "../../../texts";
+import type { Toml } from "../file/toml";
+import type { Range } from "./keys";
+import { numberOf, numberText, unitText } from "./quantity";
+
+const words = texts.machine.field;
+
+export interface Spec extends Range {
+  label: string;
+  kind: "number" | "text" | "choice" | "switch" | "list" | "numbers";
+  unit?: string;
+  /** What it is for; with `showsMeaning` it stands below, else it is told when one points there. */
+  meaning?: string;
+  showsMeaning?: boolean;
+  /** Of a text those that are offered beside what one may write. */
+  choices?: readonly (readonly [value: string, text: string])[];
+  /** It may not be empty. */
+  isNeeded?: boolean;
+  /** Its label stands above it. */
+  isNarrow?: boolean;
+}
+
+/** Makes the change; undefined: the key is taken away. The answer is empty, or says why it could not be. */
+export type Commit = (value: Toml | undefined) => Promise<string>;
+
+let count = 0;
+
+export class Field {
+  readonly element: HTMLElement;
+  private readonly control: HTMLInputElement | HTMLSelectElement;
+  private readonly unit = element("span", { class: "unit" });
+  private readonly fault: HTMLElement;
+  private value: Toml | undefined;
+  private fallback: Toml | undefined;
+  private shown = "";
+
+  constructor(
+    private readonly store: Store,
+    private spec: Spec,
+    private readonly commit: Commit,
+  ) {
+    const id = `machine-field-${++count}`;
+    this.fault = element("p", { class: "key-fault", id: `${id}-fault`, role: "alert", hidden: true });
+    this.control = this.makeControl(id);
+    const label = element("label", { for: id }, spec.label);
+    const offered = spec.kind === "text" && spec.choices ? [element("datalist", { id: `${id}-choices` }, ...spec.choices.map(([value]) => element("option", { value })))] : [];
+    const meaning = spec.showsMeaning && spec.meaning ? [element("small", { id: `${id}-meaning` }, spec.meaning)] : [];
+    const row = element("div", { class: "key-row" }, label, this.control, this.unit);
+    this.element = element("div", { class: spec.isNarrow ? "key-field narrow" : "key-field" }, row, ...offered, ...meaning, this.fault);
+    if (spec.meaning) row.title = spec.meaning;
+  }
+
+  private makeControl(id: string): HTMLInputElement | HTMLSelectElement {
+    const describedBy = `${id}-fault ${this.spec.showsMeaning ? `${id}-meaning` : ""}`.trim();
+    const attributes = { id, "aria-describedby": describedBy, onchange: () => void this.hand(), onkeydown: (event: Event) => this.key(event as KeyboardEvent) };
+    if (this.spec.kind === "choice" || this.spec.kind === "switch") return element("select", attributes);
+    const inputmode = this.spec.kind === "number" ? "decimal" : "text";
+    const list = this.spec.choices ? `${id}-choices` : undefined;
+    return element("input", { ...attributes, type: "text", inputmode, list, spellcheck: "false", autocomplete: "off" });
+  }
+
+  /** What the file says, and what holds where it says nothing; also when the page's units are others. */
+  show(value: Toml | undefined, fallback?: Toml): void {
+    this.value = value;
+    this.fallback = fallback;
+    this.draw();
+  }
+
+  /** Of a choice, which values there are. */
+  offer(choices: readonly (readonly [value: string, text: string])[]): void {
+    this.spec = { ...this.spec, choices };
+    this.draw();
+  }
+
+  focus(): void {
+    this.control.focus();
+  }
+
+  private draw(): void {
+    const text = this.textOf(this.value);
+    this.unit.textContent = this.spec.unit ? unitText(this.spec.unit, this.store.get("units")) : "";
+    this.unit.hidden = !this.unit.textContent;
+    this.element.toggleAttribute("data-set", this.value !== undefined);
+    if (this.control instanceof HTMLSelectElement) {
+      offer(this.control, this.options(), text);
+      return;
+    }
+    const fallback = this.textOf(this.fallback);
+    this.control.placeholder = fallback === "inf" || fallback === "-inf" ? words.unlimited : fallback;
+    // What a person is writing is not theirs to lose.
+    const isWriting = document.activeElement === this.control && this.control.value !== this.shown;
+    if (isWriting && text === this.shown) return;
+    if (this.control.value !== text) this.control.value = text;
+    if (text !== this.shown) this.say("");
+    this.shown = text;
+  }
+
+  private textOf(value: Toml | undefined): string {
+    const { kind, unit = "" } = this.spec;
+    if (value === undefined || value === null) return "";
+    if (kind === "number") return numberText(value, unit, this.store.get("units"));
+    return Array.isArray(value) ? value.join(", ") : String(value);
+  }
+
+  private options(): (readonly [string, string])[] {
+    const { kind, choices = [], isNeeded } = this.spec;
+    const known = kind === "switch" ? ([["true", words.yes], ["false", words.no]] as const) : choices;
+    const value = this.textOf(this.value);
+    const strange = value && !known.some(([each]) => each === value) ? [[value, value] as const] : [];
+    if (isNeeded) return [...known, ...strange];
+    const fallback = known.find(([each]) => each === this.textOf(this.fallback))?.[1];
+    return [["", fallback === undefined ? words.notSaid : words.asElse(fallback)], ...known, ...strange];
+  }
+
+  /** What is written, for the file; a fault in a sentence where it cannot be that. */
+  private written(): { value: Toml | undefined } | { fault: string } {
+    const { kind, unit = "", isNeeded } = this.spec;
+    const text = this.control.value.trim();
+    if (text === "") return isNeeded ? { fault: words.needed } : { value: undefined };
+    if (kind === "switch") return { value: text === "true" };
+    const parts = text.split(",").map((each) => each.trim()).filter((each) => each !== "");
+    if (kind === "list") return { value: parts };
+    if (kind === "numbers") {
+      const strange = parts.find((part) => numberOf(part, unit, "mm") === null);
+      return strange === undefined ? { value: parts.map((part) => numberOf(part, unit, "mm")) } : { fault: words.noNumber(strange) };
+    }
+    if (kind === "text" || kind === "choice") return { value: text };
+    const value = numberOf(text, unit, this.store.get("units"));
+    if (value === null) return { fault: words.noNumber(text) };
+    const fault = typeof value === "number" ? this.faultOf(value) : "";
+    return fault ? { fault } : { value };
+  }
+
+  private faultOf(value: number): string {
+    const { least, above, most, below, or = [], whole, unit = "" } = this.spec;
+    const text = (limit: number) => numberText(limit, unit, this.store.get("units"));
+    if (or.includes(value)) return "";
+    if (whole && !Number.isInteger(value)) return words.whole;
+    if (least !== undefined && value < least) return words.atLeast(text(least));
+    if (above !== undefined && value <= above) return words.above(text(above));
+    if (most !== undefined && value > most) return words.atMost(text(most));
+    return below !== undefined && value >= below ? words.below(text(below)) : "";
+  }
+
+  private async hand(): Promise<void> {
+    const written = this.written();
+    if ("fault" in written) return this.say(written.fault);
+    this.say("");
+    this.say(await this.commit(written.value));
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.key !== "Escape" || this.control.value === this.shown || this.control instanceof HTMLSelectElement) return;
+    event.preventDefault();
+    this.control.value = this.shown;
+    this.say("");
+  }
+
+  private say(fault: string): void {
+    this.fault.textContent = fault;
+    this.fault.hidden = !fault;
+    this.control.setAttribute("aria-invalid", String(fault !== ""));
+  }
+}

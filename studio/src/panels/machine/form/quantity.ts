@@ -1,0 +1,50 @@
+// Numbers of files as a person reads and writes them: files are in mm, the page in mm or inch.
+
+import type { Units } from "../../../core/store";
+import { length, lengthUnit, mmOf } from "../../../core/units";
+import type { Toml } from "../file/toml";
+
+const DIGITS = 9;
+const rounded = (value: number): number => Number(value.toPrecision(DIGITS));
+
+const isLength = (unit: string): boolean => unit.startsWith("mm");
+
+const powers: Record<string, string> = { s2: "s²", s3: "s³" };
+const signs: Record<string, string> = { deg: "°", percent: "%" };
+
+/** "mm/s2" is shown as "mm/s²", or "in/s²". */
+export function unitText(unit: string, units: Units): string {
+  const [above, below] = unit.split("/");
+  const top = above === "mm" ? lengthUnit(units) : (signs[above] ?? above);
+  return below ? `${top}/${powers[below] ?? below}` : top;
+}
+
+const suffixes = ["mm_s3", "mm_s2", "mm_s", "mm_min", "mm", "deg_s3", "deg_s2", "deg_s", "deg", "percent", "1_s", "s"];
+
+/** By the end of a key's name: "max_speed_mm_s" is in "mm/s". */
+export function unitOf(key: string): string {
+  return suffixes.find((suffix) => key.endsWith(`_${suffix}`))?.replace("_", "/") ?? "";
+}
+
+/** "max_speed_mm_s" is called "Max speed". */
+export function nameOf(key: string): string {
+  const unit = unitOf(key).replace("/", "_");
+  const bare = (unit ? key.slice(0, -unit.length - 1) : key).replaceAll("_", " ").replace(/(\D)(\d)$/, "$1 $2");
+  return bare.charAt(0).toUpperCase() + bare.slice(1);
+}
+
+/** A number of a file, or the name of one that is not finite. */
+export function numberText(value: Toml | undefined, unit: string, units: Units): string {
+  if (typeof value === "string") return value;
+  if (typeof value !== "number") return "";
+  return String(isLength(unit) && units === "inch" ? rounded(length(value, units)) : value);
+}
+
+/** What a person has written, as the file has it; null: it is no number. */
+export function numberOf(text: string, unit: string, units: Units): number | string | null {
+  const written = text.trim().toLowerCase().replace("−", "-");
+  if (/^[+-]?inf$/.test(written)) return written.replace("+", "");
+  const value = Number(written);
+  if (written === "" || !Number.isFinite(value)) return null;
+  return isLength(unit) && units === "inch" ? rounded(mmOf(value, units)) : value;
+}

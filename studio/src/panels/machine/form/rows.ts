@@ -1,0 +1,86 @@
+// The keys of a table, each a field.
+
+import { element } from "../../../core/dom";
+import { texts } from "../../../texts";
+import type { Part } from "../file/model";
+import type { At, Toml, TomlTable } from "../file/toml";
+import type { Context } from "./context";
+import { Field, type Spec } from "./field";
+import type { Key } from "./keys";
+import { nameOf } from "./quantity";
+
+const words = texts.machine;
+
+/** A key's field. */
+export function specOf(key: Key, more: Partial<Spec> = {}): Spec {
+  const { name, kind, elements, choices, open, required, ...range } = key;
+  const ofText = choices && !open ? "choice" : "text";
+  const kinds = { number: "number", text: ofText, switch: "switch", list: elements === "number" ? "numbers" : "list", table: "text" } as const;
+  const offered = choices?.map((choice) => [choice, choice] as const);
+  return { ...range, label: nameOf(name), kind: kinds[kind], choices: offered, isNeeded: required, ...more };
+}
+
+/** What holds of keys that are not said. */
+export const defaultsOf = (keys: Key[]): TomlTable =>
+  Object.fromEntries(keys.flatMap(({ name, default: value }) => (value === undefined ? [] : [[name, value]])));
+
+/** Where a table is, and what it is called. */
+export interface Home {
+  part: Part;
+  at: At;
+  /** "X": what of the machine it says something of; empty: of all of it. */
+  owner: string;
+}
+
+export class Rows {
+  readonly element: HTMLElement;
+  private readonly fields = new Map<string, Field>();
+  private table: TomlTable = {};
+
+  constructor(
+    private readonly context: Context,
+    specs: Record<string, Spec>,
+    private readonly home: () => Home,
+    name = "rows",
+  ) {
+    this.element = element("div", { class: name });
+    for (const [key, spec] of Object.entries(specs)) {
+      const field = new Field(context.store, spec, (value) => this.put(key, spec.label, value));
+      this.fields.set(key, field);
+      this.element.append(field.element);
+    }
+  }
+
+  /** `fallbacks`: what holds of keys that the table has not. */
+  show(table: TomlTable, fallbacks: TomlTable = {}): void {
+    this.table = table;
+    for (const [key, field] of this.fields) field.show(table[key], fallbacks[key]);
+  }
+
+  field(key: string): Field | undefined {
+    return this.fields.get(key);
+  }
+
+  private put(key: string, label: string, value: Toml | undefined): Promise<string> {
+    const { part, at, owner } = this.home();
+    const place = [...at, key];
+    if (value === undefined && this.table[key] === undefined) return Promise.resolve("");
+    const change = value === undefined ? ({ op: "remove", at: place } as const) : ({ op: "set", at: place, value } as const);
+    return this.context.edits.change(part, words.changed(owner, label), [change]);
+  }
+}
+
+const POSE = ["x_mm", "y_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"] as const;
+
+/** The six numbers of a frame. */
+export function poseRows(context: Context, home: () => Home): Rows {
+  const spec = (key: string): Spec => ({
+    label: words.pose[key as (typeof POSE)[number]],
+    kind: "number",
+    unit: key.endsWith("mm") ? "mm" : "deg",
+    isNarrow: true,
+  });
+  return new Rows(context, Object.fromEntries(POSE.map((key) => [key, spec(key)])), home, "rows pose");
+}
+
+export const POSE_ZERO: TomlTable = Object.fromEntries(POSE.map((key) => [key, 0]));

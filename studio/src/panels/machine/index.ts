@@ -1,0 +1,72 @@
+// The machine and the cell: forms of their files.
+
+import "./machine.css";
+import { element } from "../../core/dom";
+import type { Session } from "../../core/session";
+import type { Store } from "../../core/store";
+import { texts } from "../../texts";
+import type { Form } from "../index";
+import { createTabs } from "../tab_bar";
+import { createCell } from "./cell";
+import { Edits } from "./file/edits";
+import { Model } from "./file/model";
+import type { Context } from "./form/context";
+import { Keys } from "./form/keys";
+import { tablesAt } from "./file/toml";
+import { Chosen, type Item } from "./items/chosen";
+import { Handle } from "./items/handle";
+import { createMachine } from "./machine";
+import { Checking } from "./sections/checking";
+
+/** What a body in the view is in the files; null: nothing of them. */
+function itemNamed(model: Model, name: string): Item | null {
+  for (const [part, kind] of [["cell", "object"], ["cell", "shape"], ["machine", "shape"]] as const) {
+    if (tablesAt(model.value(part), [kind]).some((table) => table.name === name)) return { part, kind, name };
+  }
+  return null;
+}
+
+export function createMachineForm(store: Store, session: Session): Form {
+  const model = new Model(store, session);
+  const context: Context = { store, session, model, edits: new Edits(model), keys: new Keys(session) };
+  const chosen = new Chosen();
+  const handle = new Handle(context, chosen);
+  const checking = new Checking(context, (checked) => {
+    machine.told(checked.faults);
+    cell.told(checked.faults);
+  });
+  const machine = createMachine(context, chosen, checking.result);
+  const cell = createCell(context, chosen);
+  const tabs = createTabs(texts.machine.label, texts.machine.tabs, { machine, cell }, "machine-form", () => chosen.choose(null));
+  const draw = () => {
+    machine.draw();
+    cell.draw();
+    handle.draw();
+    checking.renew();
+  };
+  model.on(draw);
+  store.on("units", draw);
+  let isShown = false;
+  store.on("body", (name) => {
+    if (!isShown || !name) return;
+    // The next click on it is another one.
+    store.set("body", null);
+    const item = itemNamed(model, name);
+    if (!item) return;
+    tabs.choose(item.part === "machine" ? "machine" : "cell");
+    chosen.choose(item);
+  });
+  return {
+    element: element("div", { class: "machine-form" }, tabs.bar, ...tabs.panels),
+    shown: () => {
+      isShown = true;
+      model.show(true);
+    },
+    hidden: () => {
+      isShown = false;
+      model.show(false);
+      chosen.choose(null);
+    },
+  };
+}
+

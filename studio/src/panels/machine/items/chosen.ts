@@ -1,0 +1,36 @@
+// Which object, frame or body is opened in the form: it has the handle in the view.
+
+import type { Part } from "../file/model";
+import type { ItemKind } from "./tree";
+
+export interface Item {
+  part: Part;
+  kind: ItemKind;
+  name: string;
+}
+
+export class Chosen {
+  private one: Item | null = null;
+  private readonly listeners = new Set<() => void>();
+
+  get item(): Item | null {
+    return this.one;
+  }
+
+  is(part: Part, kind: ItemKind, name: string): boolean {
+    return this.one !== null && this.one.part === part && this.one.kind === kind && this.one.name === name;
+  }
+
+  choose(item: Item | null): void {
+    this.one = item;
+    for (const listener of this.listeners) listener();
+  }
+
+  rename(part: Part, kind: ItemKind, from: string, to: string): void {
+    if (this.is(part, kind, from)) this.choose({ part, kind, name: to });
+  }
+
+  on(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+}

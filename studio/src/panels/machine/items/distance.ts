@@ -1,0 +1,43 @@
+// How far two bodies are from each other, at the instant that is shown.
+
+import { choice, element, offer } from "../../../core/dom";
+import { robotOf } from "../../../core/shown";
+import type { Store } from "../../../core/store";
+import { lengthText } from "../../../core/units";
+import { coreOf, gapBetween } from "../../../run/gap";
+import { texts } from "../../../texts";
+import type { Context, Section } from "../form/context";
+
+const words = texts.machine.distance;
+
+/** In mm; null: one of them is not there. */
+export function distanceOf(store: Store, first: string, second: string): number | null {
+  const robot = robotOf(store);
+  const bodies = robot?.scene.bodies ?? [];
+  const [a, b] = [first, second].map((name) => bodies.find((body) => body.name === name));
+  if (!robot || !a || !b) return null;
+  const t_s = store.get("time_s");
+  const joints = robot.joints_at(t_s);
+  if (!joints) return null;
+  const { frames } = robot.chain.places(joints, t_s);
+  const [one, other] = [a, b].map(({ shape, frame }) => coreOf(shape, robot.meshes, frames[frame]));
+  return gapBetween(one, other);
+}
+
+export function createDistance({ store }: Context): Section {
+  const draw = () => {
+    const bodies = robotOf(store)?.scene.bodies ?? [];
+    const names = bodies.map(({ name }): [string, string] => [name, name]);
+    offer(first, names, first.value || (names[0]?.[0] ?? ""));
+    offer(second, names, second.value || (names[1]?.[0] ?? ""));
+    const gap_mm = distanceOf(store, first.value, second.value);
+    result.textContent = gap_mm === null ? words.none : gap_mm > 0 ? lengthText(gap_mm, store.get("units")) : words.touch;
+    const hasMesh = bodies.some(({ name, shape }) => shape.kind === "mesh" && [first.value, second.value].includes(name));
+    about.textContent = hasMesh ? words.ofHull : "";
+  };
+  const [first, second] = [words.first, words.second].map((label) => choice(label, [], "", () => draw()));
+  const result = element("output", { class: "distance", "aria-label": words.title });
+  const about = element("p", { class: "note" });
+  for (const key of ["run", "time_s", "robot", "fetched"] as const) store.on(key, draw);
+  return { element: element("div", {}, element("p", { class: "note" }, words.about), first, second, element("p", {}, result), about), draw };
+}

@@ -1,0 +1,75 @@
+// The handle in the view by which the chosen object, frame or body is moved.
+
+import { Matrix4 } from "three";
+import { robotOf } from "../../../core/shown";
+import { texts } from "../../../texts";
+import { tableAt, tablesAt, textAt, type TomlTable } from "../file/toml";
+import type { Context } from "../form/context";
+import type { Chosen, Item } from "./chosen";
+import { changesOfPose, matrixOf, poseOf } from "./pose";
+import { attachKey } from "./tree";
+
+/** Of mm and degrees: a hand is not finer. */
+const DIGITS = 2;
+
+export class Handle {
+  constructor(
+    private readonly context: Context,
+    private readonly chosen: Chosen,
+  ) {
+    chosen.on(() => this.draw());
+    for (const key of ["run", "time_s", "robot"] as const) context.store.on(key, () => this.draw());
+  }
+
+  /** Puts the handle where the chosen one is, or takes it away. */
+  draw(): void {
+    const { item } = this.chosen;
+    const place = item && this.placeOf(item);
+    const shown = this.context.store.get("handle");
+    if (!item || !place) {
+      if (shown?.owner === this) this.context.store.set("handle", null);
+      return;
+    }
+    this.context.store.set("handle", {
+      owner: this,
+      parent: place.parent.toArray(),
+      pose: place.pose.toArray(),
+      frame: place.frame,
+      moved: (pose) => void this.moved(item, new Matrix4().fromArray(pose)),
+    });
+  }
+
+  /** As the file has it now; null: what it is attached to is not there. */
+  private placeOf(item: Item): { parent: Matrix4; pose: Matrix4; frame: number } | null {
+    const { store } = this.context;
+    const robot = robotOf(store);
+    const table = this.tables(item)[this.indexOf(item)];
+    if (!robot?.scene.frames || !table) return null;
+    const numberOf = (name: string) => robot.scene.frames!.findIndex((frame) => frame.name === name);
+    const on = textAt(table, [attachKey(item.kind)]) || "world";
+    const t_s = store.get("time_s");
+    const joints = robot.joints_at(t_s);
+    const parent = joints && robot.chain.places(joints, t_s).frames[numberOf(on === "jet" ? "tool" : on)];
+    if (!parent) return null;
+    return { parent, pose: matrixOf(tableAt(table, ["frame"])), frame: numberOf(item.name) };
+  }
+
+  private tables({ part, kind }: Item): TomlTable[] {
+    return tablesAt(this.context.model.value(part), [kind]);
+  }
+
+  private indexOf(item: Item): number {
+    return this.tables(item).findIndex((table) => textAt(table, ["name"]) === item.name);
+  }
+
+  private async moved(item: Item, pose: Matrix4): Promise<void> {
+    const { edits, model } = this.context;
+    const { part, kind, name } = item;
+    const index = this.indexOf(item);
+    if (index < 0) return;
+    const at = [kind, index, "frame"];
+    const changes = changesOfPose(at, tableAt(model.value(part), at), poseOf(pose, DIGITS));
+    if (changes.length > 0) await edits.change(part, texts.machine.changed(name, texts.machine.items.moved), changes);
+    this.draw();
+  }
+}

@@ -1,0 +1,38 @@
+// A frame's six numbers and its matrix: Rz(roll) Ry(pitch) Rx(yaw), as in machine files.
+
+import { Euler, MathUtils, Matrix4, Vector3 } from "three";
+import type { At, TomlChange, TomlTable } from "../file/toml";
+
+const { degToRad, radToDeg } = MathUtils;
+
+const numberAt = (table: TomlTable, key: string): number => (typeof table[key] === "number" ? table[key] : 0);
+
+export function matrixOf(pose: TomlTable): Matrix4 {
+  const [roll, pitch, yaw] = ["roll_deg", "pitch_deg", "yaw_deg"].map((key) => degToRad(numberAt(pose, key)));
+  const turned = new Matrix4().makeRotationFromEuler(new Euler(yaw, pitch, roll, "ZYX"));
+  return turned.setPosition(numberAt(pose, "x_mm"), numberAt(pose, "y_mm"), numberAt(pose, "z_mm"));
+}
+
+/** A rigid matrix as a frame has it, with so many digits. */
+export function poseOf(matrix: Matrix4, digits: number): TomlTable {
+  const place = new Vector3().setFromMatrixPosition(matrix);
+  const { x, y, z } = new Euler().setFromRotationMatrix(matrix, "ZYX");
+  // No "-0".
+  const rounded = (value: number) => Number(value.toFixed(digits)) + 0;
+  const angle = (radians: number) => rounded(radToDeg(radians));
+  return {
+    x_mm: rounded(place.x),
+    y_mm: rounded(place.y),
+    z_mm: rounded(place.z),
+    roll_deg: angle(z),
+    pitch_deg: angle(y),
+    yaw_deg: angle(x),
+  };
+}
+
+/** What makes the frame at a place another one: numbers that stay are not touched. */
+export function changesOfPose(at: At, before: TomlTable, after: TomlTable): TomlChange[] {
+  return Object.entries(after).flatMap(([key, value]): TomlChange[] =>
+    numberAt(before, key) === value ? [] : [{ op: "set", at: [...at, key], value }],
+  );
+}

@@ -1,0 +1,46 @@
+// Shapes of bodies as files have them: one of five kinds, each with its sizes.
+
+import type { Toml, TomlTable } from "../file/toml";
+
+export const shapeKinds = ["box", "cylinder", "capsule", "sphere", "mesh"] as const;
+export type ShapeKind = (typeof shapeKinds)[number];
+
+/** The key of a kind, and what its numbers are. */
+const sizes: Record<Exclude<ShapeKind, "mesh">, { key: string; parts: string[] }> = {
+  box: { key: "box_mm", parts: ["x", "y", "z"] },
+  cylinder: { key: "cylinder_mm", parts: ["diameter", "height"] },
+  capsule: { key: "capsule_mm", parts: ["diameter", "height"] },
+  sphere: { key: "sphere_mm", parts: ["diameter"] },
+};
+
+export const sizesOf = (kind: ShapeKind): { key: string; parts: string[] } => (kind === "mesh" ? { key: "mesh", parts: [] } : sizes[kind]);
+
+/** Null: it is none that is known. */
+export const kindOfShape = (shape: TomlTable): ShapeKind | null => shapeKinds.find((kind) => sizesOf(kind).key in shape) ?? null;
+
+export function numbersOf(shape: TomlTable): number[] {
+  const kind = kindOfShape(shape);
+  const value = kind ? shape[sizesOf(kind).key] : [];
+  return (Array.isArray(value) ? value : [value]).filter((each): each is number => typeof each === "number");
+}
+
+/** Where the numbers of a shape stand below it: those of a list by their place. */
+export const placeOfNumber = (kind: ShapeKind, part: number): (string | number)[] =>
+  kind === "sphere" ? [sizesOf(kind).key] : [sizesOf(kind).key, part];
+
+const USUAL_MM = 100;
+
+/** Another kind, about as large. */
+export function turnedInto(kind: ShapeKind, shape: TomlTable, mesh: string): TomlTable {
+  if (kind === "mesh") return { mesh };
+  const [width = USUAL_MM, second = width, third = second] = numbersOf(shape);
+  const values: Record<Exclude<ShapeKind, "mesh">, Toml> = {
+    box: [width, kindOfShape(shape) === "box" ? second : width, third],
+    cylinder: [width, third],
+    capsule: [width, third],
+    sphere: width,
+  };
+  return { [sizes[kind].key]: values[kind] };
+}
+
+export const isMesh = (name: string): boolean => /\.(stl|obj)$/i.test(name);

@@ -1,0 +1,65 @@
+// Objects, frames and bodies of a file among each other: what is attached to what, and what has to change with one of them.
+
+import { Matrix4 } from "three";
+import { tableAt, tablesAt, textAt, valueAt, type At, type TomlChange, type TomlTable } from "../file/toml";
+import { changesOfPose, matrixOf, poseOf } from "./pose";
+
+/** Tables of a cell or a machine that stand somewhere. */
+export type ItemKind = "frame" | "object" | "shape";
+
+/** What says to what it is attached. */
+export const attachKey = (kind: ItemKind): string => (kind === "shape" ? "on" : "attached_to");
+
+const DIGITS = 6;
+
+interface Attached {
+  at: At;
+  table: TomlTable;
+}
+
+/** All that has a name of the file's tables in `attached_to`. */
+function attachedTo(value: TomlTable, name: string): Attached[] {
+  return (["frame", "object"] as const).flatMap((kind) =>
+    tablesAt(value, [kind]).flatMap((table, i): Attached[] => (table.attached_to === name ? [{ at: [kind, i], table }] : [])),
+  );
+}
+
+/** Pairs that may touch. */
+export function ignoredPairs(value: TomlTable): [string, string][] {
+  const list = valueAt(value, ["ignore"]);
+  if (!Array.isArray(list)) return [];
+  return list.map((pair): [string, string] => (Array.isArray(pair) ? [String(pair[0]), String(pair[1])] : ["", ""]));
+}
+
+/** A new name, also where others name it. */
+export function renaming(value: TomlTable, at: At, from: string, to: string): TomlChange[] {
+  const attached = attachedTo(value, from).map(({ at: place }): TomlChange => ({ op: "set", at: [...place, "attached_to"], value: to }));
+  const ignored = ignoredPairs(value).flatMap((pair, i) =>
+    pair.flatMap((name, part): TomlChange[] => (name === from ? [{ op: "set", at: ["ignore", i, part], value: to }] : [])),
+  );
+  return [{ op: "set", at: [...at, "name"], value: to }, ...attached, ...ignored];
+}
+
+/** What is attached to it stays where it is, and pairs with it go. */
+export function removing(value: TomlTable, kind: ItemKind, index: number): TomlChange[] {
+  const table = tablesAt(value, [kind])[index];
+  const name = textAt(table, ["name"]);
+  const parent = textAt(table, ["attached_to"]);
+  const own = matrixOf(tableAt(table, ["frame"]));
+  const left = attachedTo(value, name).flatMap(({ at, table: other }): TomlChange[] => {
+    const pose = tableAt(other, ["frame"]);
+    const place = poseOf(new Matrix4().multiplyMatrices(own, matrixOf(pose)), DIGITS);
+    const again: TomlChange = parent ? { op: "set", at: [...at, "attached_to"], value: parent } : { op: "remove", at: [...at, "attached_to"] };
+    return [again, ...changesOfPose([...at, "frame"], pose, place)];
+  });
+  const pairs = ignoredPairs(value).flatMap((pair, i): number[] => (pair.includes(name) ? [i] : [])).reverse();
+  return [...left, ...pairs.map((i): TomlChange => ({ op: "remove", at: ["ignore", i] })), { op: "remove", at: [kind, index] }];
+}
+
+/** "clamp 2", where there is a "clamp". */
+export function freeNameOf(name: string, isTaken: (name: string) => boolean): string {
+  const stem = name.replace(/ \d+$/, "");
+  let free = name;
+  for (let i = 2; isTaken(free); ++i) free = `${stem} ${i}`;
+  return free;
+}

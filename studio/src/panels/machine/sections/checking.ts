@@ -1,0 +1,58 @@
+// Asks for the check when the files have changed: by itself while it is quick, else when a person wants it.
+
+import { Debounced } from "../../../core/debounced";
+import { element } from "../../../core/dom";
+import { texts } from "../../../texts";
+import { checkMachine, type Checked } from "../file/model";
+import type { Context } from "../form/context";
+import { CheckResult } from "./check";
+
+const PAUSE_MS = 300;
+const QUICK_MS = 2000;
+
+export class Checking {
+  private readonly button = element("button", { type: "button", hidden: true, onclick: () => void this.check() }, texts.machine.check.again);
+  readonly result = new CheckResult(this.button);
+  private readonly soon = new Debounced(() => void this.check());
+  private asked = 0;
+  private took_ms = 0;
+  private checked = "";
+
+  constructor(
+    private readonly context: Context,
+    private readonly told: (checked: Checked) => void,
+  ) {
+    // Of files that cannot be read it is soon known why.
+    context.store.on("run", (run) => {
+      if (run?.failure && !this.button.hidden) void this.check();
+    });
+  }
+
+  /** The files have been read again. */
+  renew(): void {
+    const now = this.textsNow();
+    if (now === this.checked) return;
+    this.checked = now;
+    const isQuick = this.took_ms < QUICK_MS;
+    this.button.hidden = isQuick;
+    if (isQuick) this.soon.after(PAUSE_MS);
+  }
+
+  private textsNow(): string {
+    const { model, session } = this.context;
+    return [...model.parts].map(([part, { file }]) => `${part} ${file}\n${session.documents.text(file)}`).join("\n");
+  }
+
+  private async check(): Promise<void> {
+    const { model, session } = this.context;
+    const asked = ++this.asked;
+    this.button.hidden = true;
+    const began_ms = performance.now();
+    this.result.wait();
+    const checked = await checkMachine(session, model.file("machine"), model.file("cell"));
+    this.took_ms = performance.now() - began_ms;
+    if (asked !== this.asked) return;
+    this.result.show(checked);
+    this.told(checked);
+  }
+}

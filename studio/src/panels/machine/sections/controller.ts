@@ -1,0 +1,122 @@
+// The control: a model that is built in or a file, and what of it is said otherwise. A key is changed where it stands: in
+// the machine's file, or in that of the controller, where the machine names one.
+
+import { element } from "../../../core/dom";
+import { baseName } from "../../../core/kinds";
+import { controlNames } from "../../../core/other_control";
+import { isFile, referenceTo, resolved } from "../../../core/references";
+import { texts } from "../../../texts";
+import type { Part } from "../file/model";
+import { tableAt, textAt, type At, type Toml } from "../file/toml";
+import type { Context, Section } from "../form/context";
+import { Field } from "../form/field";
+import type { Key } from "../form/keys";
+import { specOf } from "../form/rows";
+
+const words = texts.machine.controller;
+
+interface Row {
+  key: Key;
+  at: At;
+  field: Field;
+}
+
+class Controller implements Section {
+  readonly element: HTMLElement;
+  private readonly model: Field;
+  private readonly rows: Row[];
+  private readonly onlySaid: HTMLInputElement;
+
+  constructor(
+    private readonly context: Context,
+    keys: (at: string) => Key[],
+  ) {
+    this.model = new Field(
+      context.store,
+      { label: words.model, kind: "choice", meaning: words.modelHint, showsMeaning: true },
+      (value) => this.choose(value),
+    );
+    const ofItself = keys("controller").filter(({ name, kind }) => name !== "model" && kind !== "table");
+    const main = ofItself.map((key) => this.makeRow(key, [key.name]));
+    const tables = (["overrides", "stops"] as const).map((table) => ({
+      title: words[table],
+      rows: keys(`controller.${table}`).map((key) => this.makeRow(key, [table, key.name])),
+    }));
+    this.rows = [...main, ...tables.flatMap(({ rows }) => rows)];
+    this.onlySaid = element("input", { type: "checkbox", onchange: () => this.filter() });
+    const only = element("label", { class: "check" }, this.onlySaid, words.onlySaid);
+    const list = (rows: Row[]) => element("div", { class: "rows" }, ...rows.map(({ field }) => field.element));
+    const more = tables.map(({ title, rows }) => element("details", { class: "more-keys" }, element("summary", {}, title), list(rows)));
+    this.element = element("div", {}, this.model.element, only, list(main), ...more);
+  }
+
+  private makeRow(key: Key, at: At): Row {
+    // Words of programs are called what they are.
+    const ofWord = { label: key.name };
+    const spec = specOf(key, at[0] === "stops" ? ofWord : { showsMeaning: true });
+    return { key, at, field: new Field(this.context.store, spec, (value) => this.put(spec.label, at, value)) };
+  }
+
+  /** Where a key is said. */
+  private homeOf(at: At): { part: Part; value: Toml | undefined } | null {
+    for (const part of ["machine", "controller"] as const) {
+      const table = tableAt(this.context.model.value(part), ["controller", ...at.slice(0, -1)]);
+      const value = table[at[at.length - 1]];
+      if (value !== undefined) return { part, value };
+    }
+    return null;
+  }
+
+  /** Where a key goes that is said nowhere. */
+  private get freePart(): Part {
+    return this.context.model.parts.has("controller") ? "controller" : "machine";
+  }
+
+  private put(label: string, at: At, value: Toml | undefined): Promise<string> {
+    const { edits } = this.context;
+    const home = this.homeOf(at);
+    if (value === undefined && !home) return Promise.resolve("");
+    const part = home?.part ?? this.freePart;
+    const place = ["controller", ...at];
+    return edits.change(part, texts.machine.changed(words.title, label), [
+      value === undefined ? { op: "remove", at: place } : { op: "set", at: place, value },
+    ]);
+  }
+
+  private choose(value: Toml | undefined): Promise<string> {
+    const { model, edits } = this.context;
+    const at = ["controller", "model"];
+    if (value === undefined) return edits.change("machine", words.title, [{ op: "remove", at }]);
+    const name = String(value);
+    const reference = isFile(name) ? referenceTo(model.file("machine"), name) : name;
+    return edits.change("machine", texts.machine.changed(words.title, words.model), [{ op: "set", at, value: reference }]);
+  }
+
+  draw(): void {
+    const { model } = this.context;
+    const named = textAt(model.value("machine"), ["controller", "model"]);
+    this.model.offer(this.models());
+    this.model.show(isFile(named) ? resolved(model.file("machine"), named) : named || undefined, "exact-stop");
+    const file = model.parts.get("controller")?.file;
+    for (const { key, at, field } of this.rows) {
+      const fallback = tableAt(model.controllerBase, at.slice(0, -1))[at[at.length - 1]];
+      const home = this.homeOf(at);
+      field.show(home?.value, fallback ?? key.default);
+      field.element.dataset.home = home?.part === "controller" && file ? words.inFile(baseName(file)) : "";
+    }
+    this.filter();
+  }
+
+  private filter(): void {
+    for (const { at, field } of this.rows) field.element.hidden = this.onlySaid.checked && this.homeOf(at) === null;
+  }
+
+  /** Those that are built in, by name, and files of one's own. */
+  private models(): [string, string][] {
+    const { documents } = this.context.session;
+    return controlNames(documents).map((name) => [name, baseName(name)]);
+  }
+}
+
+export const createController = (context: Context, keys: (at: string) => Key[]): Section => new Controller(context, keys);
+

@@ -1,0 +1,39 @@
+// Tables of a machine file with a key for each thing: its name, limits of the path, process, times.
+
+import { element } from "../../../core/dom";
+import { texts } from "../../../texts";
+import { tableAt } from "../file/toml";
+import type { Context, Section } from "../form/context";
+import type { Key } from "../form/keys";
+import { WordRows } from "../form/words";
+import { POSE_ZERO, Rows, defaultsOf, poseRows, specOf } from "../form/rows";
+
+const words = texts.machine;
+
+/** The keys of one table of the machine's file; those of a form, as M100, in a list that grows. */
+export function createTable(context: Context, name: string, title: string, all: Key[]): Section {
+  const keys = all.filter(({ pattern }) => !pattern);
+  const home = () => ({ part: "machine" as const, at: [name], owner: title });
+  const rows = new Rows(context, Object.fromEntries(keys.map((key) => [key.name, specOf(key)])), home);
+  const ofForm = all.find(({ pattern }) => pattern);
+  const more = ofForm && { form: new RegExp(ofForm.pattern!), rows: new WordRows(context, { ...specOf(ofForm), unit: "s" }, 1, home) };
+  const defaults = defaultsOf(keys);
+  return {
+    element: element("div", {}, element("h4", {}, title), rows.element, ...(more ? [more.rows.element] : [])),
+    draw() {
+      const table = tableAt(context.model.value("machine"), [name]);
+      rows.show(table, defaults);
+      more?.rows.show(Object.fromEntries(Object.entries(table).filter(([key]) => more.form.test(key))));
+    },
+  };
+}
+
+/** A frame that does not move. */
+export function createFrame(context: Context, name: "base" | "tool" | "work"): Section {
+  const title = words.frames[name];
+  const rows = poseRows(context, () => ({ part: "machine", at: [name], owner: title }));
+  return {
+    element: element("div", {}, element("h4", {}, title), rows.element),
+    draw: () => rows.show(tableAt(context.model.value("machine"), [name]), POSE_ZERO),
+  };
+}

@@ -1,0 +1,190 @@
+// From a kind of machine, its sizes, speeds and control to a machine file; it is seen, and checked, before it is taken.
+
+import { Debounced } from "../../../core/debounced";
+import { arrange, choice, element, offer } from "../../../core/dom";
+import { texts } from "../../../texts";
+import type { Checked } from "../file/model";
+import type { At } from "../file/toml";
+import type { Context } from "../form/context";
+import { Field, type Spec } from "../form/field";
+import { nameOf, unitOf } from "../form/quantity";
+import { CheckResult } from "../sections/check";
+import { Faults } from "../sections/faults";
+import { Draft, type Made } from "./draft";
+import { kindNames, type KindName } from "./kinds";
+
+const words = texts.machine.wizard;
+const PAUSE_MS = 200;
+
+const AXIS_KEYS = ["min", "max", "max_speed", "max_acceleration", "max_jerk", "home"] as const;
+const PATH_KEYS = ["max_feed_mm_s", "max_rapid_mm_s", "max_acceleration_mm_s2"];
+const powers = { max_speed: "_s", max_acceleration: "_s2", max_jerk: "_s3" } as Record<string, string>;
+
+/** "max_speed" of a rotary axis is "max_speed_deg_s". */
+const keyOf = (key: string, isRotary: boolean): string => `${key}_${isRotary ? "deg" : "mm"}${powers[key] ?? ""}`;
+
+const isAbove = (key: string): boolean => key.startsWith("max_") && !/^max_(mm|deg)$/.test(key);
+
+class Wizard {
+  private readonly dialog: HTMLDialogElement;
+  private readonly kind: HTMLSelectElement;
+  private readonly about = element("p", { class: "note" });
+  private readonly fields = element("div", { class: "wizard-fields" });
+  private readonly file = element("b", {});
+  private readonly text = element("pre", { tabindex: 0, "aria-label": words.text });
+  private readonly faults = new Faults(null);
+  private readonly check = new CheckResult();
+  private readonly take = element("button", { type: "button", class: "primary", onclick: () => void this.taken() }, words.take);
+  private readonly soon = new Debounced(() => void this.make());
+  private draft: Draft;
+  private made: Made | null = null;
+  private asked = 0;
+
+  constructor(private readonly context: Context) {
+    this.draft = new Draft(context.session, kindNames[0]);
+    const kinds = kindNames.map((name): [string, string] => [name, words.kinds[name].title]);
+    this.kind = choice(words.kind, kinds, kindNames[0], (name) => void this.begin(name as KindName));
+    this.dialog = element(
+      "dialog",
+      { class: "wizard", "aria-label": words.title, onclose: () => this.close() },
+      element("h2", {}, words.title),
+      element("label", { class: "wizard-kind" }, words.kind, this.kind),
+      this.about,
+      element("div", { class: "wizard-columns" }, this.fields, element("div", { class: "wizard-result" }, element("p", { class: "file" }, this.file), this.text, this.faults.element, this.check.element)),
+      element("div", { class: "buttons" }, this.take, element("button", { type: "button", onclick: () => this.dialog.close() }, texts.bar.close)),
+    );
+  }
+
+  async open(): Promise<void> {
+    document.body.append(this.dialog);
+    this.dialog.showModal();
+    await this.begin(kindNames[0]);
+  }
+
+  private close(): void {
+    this.soon.cancel();
+    ++this.asked;
+    this.dialog.remove();
+  }
+
+  private async begin(kind: KindName): Promise<void> {
+    const draft = new Draft(this.context.session, kind);
+    this.draft = draft;
+    // What is being made of the kind before is not taken for one of this.
+    ++this.asked;
+    this.soon.cancel();
+    this.take.disabled = true;
+    this.about.textContent = words.kinds[kind].about;
+    await draft.begin();
+    if (draft !== this.draft) return;
+    arrange(this.fields, [this.nameField(), ...this.axisFields(), this.pathFields(), this.controller(), ...this.bodies()]);
+    this.renew();
+  }
+
+  private renew(): void {
+    this.take.disabled = true;
+    this.check.wait();
+    this.soon.after(PAUSE_MS);
+  }
+
+  private async make(): Promise<void> {
+    const asked = ++this.asked;
+    const { draft } = this;
+    const made = await draft.make();
+    if (asked !== this.asked) return;
+    if (!("file" in made)) return this.showChecked({ faults: [made], check: null });
+    this.made = made;
+    this.file.textContent = made.file;
+    this.text.textContent = made.text;
+    const checked = await draft.check(made);
+    if (asked === this.asked) this.showChecked(checked);
+  }
+
+  private showChecked(checked: Checked): void {
+    this.faults.show(checked.faults);
+    this.check.show(checked);
+    this.take.disabled = checked.faults.some(({ severity }) => severity === "error");
+  }
+
+  private async taken(): Promise<void> {
+    if (!this.made) return;
+    const { file, text } = this.made;
+    await this.context.edits.choose("machine", words.made(this.draft.name), file, text);
+    this.dialog.close();
+  }
+
+  private field(at: At, spec: Spec): HTMLElement {
+    const { draft } = this;
+    const field = new Field(this.context.store, spec, (value) => {
+      draft.set(at, value);
+      for (const show of this.shown) show();
+      this.renew();
+      return Promise.resolve("");
+    });
+    const show = () => field.show(draft.get(at), spec.label === nameOf("home_mm") ? 0 : "inf");
+    this.shown.push(show);
+    show();
+    return field.element;
+  }
+
+  /** What shows the draft anew: a change of one value may change another. */
+  private readonly shown: (() => void)[] = [];
+
+  private nameField(): HTMLElement {
+    this.shown.length = 0;
+    const { draft } = this;
+    const spec: Spec = { label: words.name, kind: "text", isNeeded: true };
+    const field = new Field(this.context.store, spec, (value) => {
+      draft.name = String(value);
+      this.renew();
+      return Promise.resolve("");
+    });
+    field.show(draft.name);
+    return field.element;
+  }
+
+  private axisFields(): HTMLElement[] {
+    return this.draft.axes.map((axis, i) => {
+      const isRotary = axis.kind === "rotary";
+      const fields = AXIS_KEYS.map((each) => {
+        const key = keyOf(each, isRotary);
+        const spec: Spec = { label: nameOf(key), kind: "number", unit: unitOf(key), isNarrow: true, ...(isAbove(key) ? { above: 0 } : {}) };
+        return this.field(["axis", i, key], spec);
+      });
+      return element("fieldset", {}, element("legend", {}, words.axis(String(axis.letter))), element("div", { class: "rows pose" }, ...fields));
+    });
+  }
+
+  private pathFields(): HTMLElement {
+    const fields = PATH_KEYS.map((key) => this.field(["path", key], { label: nameOf(key), kind: "number", unit: unitOf(key), isNarrow: true, above: 0 }));
+    return element("fieldset", {}, element("legend", {}, texts.machine.sections.limits), element("div", { class: "rows pose" }, ...fields));
+  }
+
+  private controller(): HTMLElement {
+    const names = [...this.context.session.documents.samples.keys()].flatMap((name) => /^samples\/controllers\/(.+)\.toml$/.exec(name)?.[1] ?? []);
+    const select = choice(texts.machine.controller.title, [], "", (model) => {
+      this.draft.set(["controller", "model"], model);
+      this.renew();
+    });
+    offer(select, names.map((name) => [name, name]), this.draft.model || "exact-stop");
+    return element("label", { class: "wizard-kind" }, texts.machine.controller.title, select);
+  }
+
+  private bodies(): HTMLElement[] {
+    const { draft } = this;
+    if (!draft.offersBodies) return [];
+    const box = element("input", {
+      type: "checkbox",
+      checked: true,
+      onchange: () => {
+        draft.hasBodies = box.checked;
+        this.renew();
+      },
+    });
+    return [element("label", { class: "check" }, box, words.bodies)];
+  }
+}
+
+export function showWizard(context: Context): void {
+  void new Wizard(context).open();
+}

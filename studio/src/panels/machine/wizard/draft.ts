@@ -1,0 +1,104 @@
+// A new machine while it is chosen: a sample and what of it is to be otherwise.
+
+import { baseName } from "../../../core/kinds";
+import type { Session } from "../../../core/session";
+import type { Told } from "../../../run/run";
+import { texts } from "../../../texts";
+import { checkMachine, type Checked } from "../file/model";
+import { freeName, moved } from "../file/paths";
+import { askToml, tableAt, tablesAt, valueAt, type At, type Toml, type TomlChange, type TomlTable } from "../file/toml";
+import { machineKinds, type KindName } from "./kinds";
+
+const words = texts.machine.wizard;
+
+/** A machine file. */
+export interface Made {
+  file: string;
+  text: string;
+}
+
+export class Draft {
+  /** What the sample says. */
+  sample: TomlTable = {};
+  name = "";
+  /** As the sample has it, without them where a person wants none. */
+  hasBodies = true;
+  private readonly chosen = new Map<string, Toml | undefined>();
+
+  constructor(
+    private readonly session: Session,
+    readonly kind: KindName,
+  ) {
+    this.name = words.kinds[kind].name;
+  }
+
+  async begin(): Promise<void> {
+    const { written } = await askToml(this.session, machineKinds[this.kind].sample, []);
+    this.sample = written?.value ?? {};
+  }
+
+  get axes(): TomlTable[] {
+    return tablesAt(this.sample, ["axis"]);
+  }
+
+  get(at: At): Toml | undefined {
+    const key = JSON.stringify(at);
+    return this.chosen.has(key) ? this.chosen.get(key) : valueAt(this.sample, at);
+  }
+
+  /** An axis whose home is at an end of its travel keeps it there. */
+  set(at: At, value: Toml | undefined): void {
+    const [table, axis, key] = at;
+    const unit = /^(?:min|max)_(mm|deg)$/.exec(String(key))?.[1];
+    const home = [table, axis, `home_${unit}`];
+    const isAtEnd = unit !== undefined && this.get(home) !== undefined && this.get(home) === this.get(at);
+    this.chosen.set(JSON.stringify(at), value);
+    if (isAtEnd && value !== undefined) this.set(home, value);
+  }
+
+  /** "my-mill.toml" */
+  get file(): string {
+    const bare = this.name.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+    return freeName(`${bare || "machine"}.toml`, (name) => this.session.documents.get(name) !== undefined);
+  }
+
+  private changes(): TomlChange[] {
+    const own = [...this.chosen].flatMap(([key, value]): TomlChange[] => {
+      const at = JSON.parse(key) as At;
+      const before = valueAt(this.sample, at);
+      if (value === before) return [];
+      return [value === undefined ? { op: "remove", at } : { op: "set", at, value }];
+    });
+    const bodies = ["shape", "ignore"].filter((key) => !this.hasBodies && key in this.sample);
+    const { sample, changes } = machineKinds[this.kind];
+    return [
+      { op: "set", at: ["machine", "name"], value: this.name },
+      ...changes,
+      ...own,
+      ...bodies.map((key): TomlChange => ({ op: "remove", at: [key] })),
+      ...moved(this.hasBodies ? this.sample : { ...this.sample, shape: [] }, sample, this.file),
+    ];
+  }
+
+  /** As it would be; a fault where it cannot be made. */
+  async make(): Promise<Made | Told> {
+    const { sample } = machineKinds[this.kind];
+    const { written, fault } = await askToml(this.session, sample, this.changes());
+    if (!written) return fault;
+    const remark = `# ${words.remark(this.name.replaceAll(/\s+/g, " "), baseName(sample))}`;
+    return { file: this.file, text: `${remark}\n\n${written.text}` };
+  }
+
+  check({ file, text }: Made): Promise<Checked> {
+    return checkMachine(this.session, file, "", { [file]: text });
+  }
+
+  /** Of the sample, whether it has bodies. */
+  get offersBodies(): boolean {
+    return tablesAt(this.sample, ["shape"]).length > 0;
+  }
+
+  get model(): string {
+    return String(tableAt(this.sample, ["controller"]).model ?? "");
+  }
+}

@@ -1,0 +1,26 @@
+// Machines to begin from: samples whose kinematics are right, and what makes another machine of one.
+
+import type { TomlChange } from "../file/toml";
+
+const FOLDER = "samples/machines/";
+
+export interface MachineKind {
+  sample: string;
+  /** Beside what a person chooses. */
+  changes: TomlChange[];
+}
+
+/** With X and Y under the work, as most mills have them; directions say how the tool goes against the work. */
+const tableUnderWork: TomlChange[] = [0, 1].map((axis) => ({ op: "set", at: ["axis", axis, "carries"], value: "work" }));
+
+export const machineKinds = {
+  router3: { sample: `${FOLDER}router3.toml`, changes: [] },
+  mill3: { sample: `${FOLDER}router3.toml`, changes: tableUnderWork },
+  gantry5: { sample: `${FOLDER}gantry-offset-head.toml`, changes: [] },
+  mill_table_table: { sample: `${FOLDER}mill-table-table.toml`, changes: [] },
+  mill_head_table: { sample: `${FOLDER}mill-head-table.toml`, changes: [] },
+  arm6: { sample: `${FOLDER}arm6.toml`, changes: [] },
+} satisfies Record<string, MachineKind>;
+
+export type KindName = keyof typeof machineKinds;
+export const kindNames = Object.keys(machineKinds) as KindName[];

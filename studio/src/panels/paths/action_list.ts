@@ -1,0 +1,63 @@
+// What is done at a point, in order: names, of which the usual ones are offered.
+
+import { element } from "../../core/dom";
+import { texts } from "../../texts";
+import { row } from "./fields";
+
+const words = texts.paths.form;
+const usual = ["waterjet_on", "waterjet_off", "abrasive_on", "abrasive_off"];
+const LIST_ID = "path-actions";
+
+export class ActionList {
+  readonly element: HTMLElement;
+  private actions: readonly string[] = [];
+  private readonly list = element("span", { class: "chips" });
+  private readonly input = element("input", {
+    class: "text",
+    list: LIST_ID,
+    "aria-label": words.newAction,
+    placeholder: words.newAction,
+    autocomplete: "off",
+    onkeydown: (event) => {
+      if ((event as KeyboardEvent).key !== "Enter") return;
+      event.preventDefault();
+      this.add();
+    },
+  });
+
+  constructor(private readonly change: (actions: string[]) => void) {
+    const offered = element("datalist", { id: LIST_ID }, ...usual.map((value) => element("option", { value })));
+    const button = element("button", { type: "button", title: words.addAction, "aria-label": words.addAction, onclick: () => this.add() }, "+");
+    this.element = row(words.actions, this.list, this.input, button, offered);
+  }
+
+  private add(): void {
+    const name = this.input.value.trim();
+    if (!name) return;
+    this.input.value = "";
+    this.change([...this.actions, name]);
+  }
+
+  show(actions: readonly string[]): void {
+    if (actions.join("\n") === this.actions.join("\n")) return;
+    this.actions = actions;
+    this.list.replaceChildren(
+      ...actions.map((action, i) =>
+        element(
+          "button",
+          {
+            type: "button",
+            class: "chip",
+            title: words.removeAction(action),
+            "aria-label": words.removeAction(action),
+            onclick: () => {
+              this.input.focus();
+              this.change(this.actions.filter((_, k) => k !== i));
+            },
+          },
+          `${action} ×`,
+        ),
+      ),
+    );
+  }
+}

@@ -1,0 +1,65 @@
+// What of a path is chosen: a target or several that stand together, or a path itself. The last one chosen is in the store.
+
+import type { Store } from "../../core/store";
+import { isSamePlace, type Place } from "../../run/path/path_file";
+
+/** Targets of a path, one behind the other; with a target of -1: the path itself. */
+export interface Range {
+  place: Place;
+  count: number;
+}
+
+export class PointChoice {
+  /** The other end of what is chosen; null: one target alone. */
+  private anchor: Place | null = null;
+  private isChoosing = false;
+  private readonly listeners = new Set<() => void>();
+
+  constructor(private readonly store: Store) {
+    store.on("pathPoint", () => {
+      if (!this.isChoosing) this.anchor = null;
+      this.tell();
+    });
+  }
+
+  /** Told of each change. */
+  on(listener: () => void): void {
+    this.listeners.add(listener);
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+
+  get point(): Place | null {
+    return this.store.get("pathPoint");
+  }
+
+  /** null: nothing is chosen. */
+  get range(): Range | null {
+    const { point, anchor } = this;
+    if (!point) return null;
+    if (!anchor || anchor.path !== point.path || anchor.target < 0 || point.target < 0) return { place: point, count: 1 };
+    const [first, last] = [Math.min(point.target, anchor.target), Math.max(point.target, anchor.target)];
+    return { place: { path: point.path, target: first }, count: last - first + 1 };
+  }
+
+  has({ path, target }: Place): boolean {
+    const { range } = this;
+    return range?.place.path === path && target >= range.place.target && target < range.place.target + range.count;
+  }
+
+  /** `extended`: with all between it and the one that was chosen first. */
+  choose(place: Place, extended = false): void {
+    this.anchor = extended ? (this.anchor ?? this.point) : null;
+    if (isSamePlace(place, this.point)) return this.tell();
+    this.isChoosing = true;
+    this.store.set("pathPoint", place);
+    this.isChoosing = false;
+  }
+
+  chooseRange({ place, count }: Range): void {
+    this.choose(place);
+    if (count > 1) this.choose({ path: place.path, target: place.target + count - 1 }, true);
+  }
+}

@@ -1,0 +1,202 @@
+// A path from a drawing: what is cut, of what, and how. It becomes a path file.
+
+import { check, choice, element } from "../../core/dom";
+import { namesOfKind, shortName } from "../../core/kinds";
+import type { Session } from "../../core/session";
+import type { Store } from "../../core/store";
+import { texts } from "../../texts";
+import { materials, pathOfDrawing, type DrawnPath } from "./engine_requests";
+import { ChoiceRow, NumberRow, NumbersRow, TextRow, type Quantity } from "./fields";
+
+const words = texts.paths.drawing;
+
+/** As the engine takes it; what is undefined is left to it. */
+export interface DrawingChoice {
+  material: string;
+  thickness_mm?: number;
+  quality?: number;
+  speed_mm_min?: number;
+  kerf_mm?: number;
+  pierce_s?: number;
+  origin_mm: number[];
+  lead_mm?: number;
+  safe_height_mm?: number;
+  cut_height_mm?: number;
+  bevel_deg?: number;
+  unit_mm?: number;
+  curve_tolerance_mm?: number;
+  gap_mm?: number;
+  layers?: string[];
+  /** Of a solid: where its upper side looks, and whether it is turned over. */
+  up?: string;
+  flip?: boolean;
+}
+
+type NumberKey = {
+  [Key in keyof DrawingChoice]-?: DrawingChoice[Key] extends number | undefined ? Key : never;
+}[keyof DrawingChoice];
+
+/** Numbers, and what the engine takes where there is none (0: that of the material, or nothing to be told). */
+const numbers: Partial<Record<NumberKey, [quantity: Quantity, without: number | undefined]>> = {
+  thickness_mm: ["length", undefined],
+  quality: ["none", undefined],
+  speed_mm_min: ["feed", undefined],
+  kerf_mm: ["length", undefined],
+  pierce_s: ["time", undefined],
+  lead_mm: ["length", undefined],
+  safe_height_mm: ["length", 25],
+  cut_height_mm: ["length", 3],
+  bevel_deg: ["angle", 0],
+  curve_tolerance_mm: ["length", 0.005],
+  gap_mm: ["length", 0.02],
+};
+const usual: NumberKey[] = ["thickness_mm", "quality"];
+const own: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
+const ways: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
+const rare: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
+
+/** Flat parts, which the native engine reads. */
+const isSolid = (name: string): boolean => /\.(step|stp|iges|igs)$/i.test(name);
+
+/** What a path can be made of. */
+function drawingsOf({ documents }: Session): string[] {
+  return [...namesOfKind("drawing", documents), ...documents.ownNames().filter(isSolid)];
+}
+
+export const firstDrawingChoice: DrawingChoice = { material: "", origin_mm: [0, 0, 0] };
+
+export interface DrawingEvents {
+  /** What is chosen, to be offered again. */
+  chosen(choice: DrawingChoice): void;
+  /** What was made, and what of. */
+  made(path: DrawnPath, drawing: string): void;
+}
+
+export class DrawingDialog {
+  private readonly element: HTMLDialogElement;
+  private readonly rows = new Map<NumberKey, NumberRow>();
+  private readonly material = new ChoiceRow<string>(words.material, [], (material) => this.set({ material }));
+  private readonly origin = new NumbersRow(words.origin, ["X", "Y", "Z"], "length", (values) =>
+    this.set({ origin_mm: values.map((value) => value ?? 0) }),
+  );
+  private readonly unit = new ChoiceRow<string>(
+    words.unit,
+    [
+      ["", words.unitOfDrawing],
+      ["1", "mm"],
+      ["25.4", "inch"],
+    ],
+    (unit) => this.set({ unit_mm: unit ? Number(unit) : undefined }),
+  );
+  private readonly layers = new TextRow(words.layers, (text) => {
+    const names = text.split(",").map((name) => name.trim());
+    this.set({ layers: text.trim() ? names.filter((name) => name !== "") : undefined });
+  });
+  private readonly up = new ChoiceRow<string>(
+    words.up,
+    [["", words.largest], ...["x", "y", "z", "-x", "-y", "-z"].map((each) => [each, each] as const)],
+    (up) => this.set({ up: up || undefined }),
+  );
+  private readonly flip = check(words.flip, (flip) => this.set({ flip: flip || undefined }));
+  private readonly ofSolid = element("div", { class: "group" }, this.up.element, this.flip.row);
+  private readonly refused = element("p", { class: "fault", role: "alert", hidden: true });
+  private readonly make = element("button", { type: "submit", class: "primary" }, words.make);
+  private readonly ofMaterial = element("div", { class: "group" });
+  private readonly ownGroup = element("div", { class: "group" });
+  /** Whether figures of one's own overrule those of the material. */
+  private overrules = false;
+  private readonly own = check(words.own, (on) => {
+    this.overrules = on;
+    this.set(on ? {} : { speed_mm_min: undefined, kerf_mm: undefined, pierce_s: undefined });
+  });
+  private materials: string[] = [];
+
+  constructor(
+    private readonly store: Store,
+    private readonly session: Session,
+    private drawing: string,
+    private choice: DrawingChoice,
+    private readonly on: DrawingEvents,
+  ) {
+    for (const [key, known] of Object.entries(numbers) as [NumberKey, [Quantity, number | undefined]][]) {
+      this.rows.set(key, new NumberRow(words.numbers[key as keyof typeof words.numbers], known[0], (value) => this.set({ [key]: value })));
+    }
+    this.overrules = own.some((key) => choice[key] !== undefined);
+    this.element = this.build();
+    document.body.append(this.element);
+    this.element.showModal();
+    this.show();
+    void this.askMaterials();
+  }
+
+  private build(): HTMLDialogElement {
+    const of = (keys: NumberKey[]) => keys.map((key) => this.rows.get(key)!.element);
+    const drawings = drawingsOf(this.session).map((name) => [name, shortName(name)] as const);
+    const chooser = choice(words.drawing, drawings, this.drawing, (name) => {
+      this.drawing = name;
+      this.show();
+    });
+    this.ownGroup.append(...of(own));
+    this.ofMaterial.append(...of(usual), this.own.row);
+    const form = element(
+      "form",
+      { class: "form", onsubmit: (event) => this.submit(event) },
+      element("label", { class: "field" }, element("span", { class: "field-name" }, words.drawing), chooser),
+      this.material.element,
+      this.ofMaterial,
+      this.ownGroup,
+      this.ofSolid,
+      this.origin.element,
+      element("details", {}, element("summary", {}, words.ways), ...of(ways)),
+      element("details", {}, element("summary", {}, words.reading), this.unit.element, this.layers.element, ...of(rare)),
+      this.refused,
+      element("div", { class: "buttons" }, this.make, element("button", { type: "button", onclick: () => this.element.close() }, words.cancel)),
+    );
+    const attributes = { class: "drawing-dialog", "aria-label": words.title, onclose: () => this.element.remove() };
+    return element("dialog", attributes, element("h2", {}, words.title), form);
+  }
+
+  private async askMaterials(): Promise<void> {
+    this.materials = await materials(this.session);
+    this.show();
+  }
+
+  private set(change: Partial<DrawingChoice>): void {
+    this.choice = { ...this.choice, ...change };
+    this.on.chosen(this.choice);
+    this.show();
+  }
+
+  private show(): void {
+    const units = this.store.get("units");
+    for (const [key, row] of this.rows) row.show({ value: this.choice[key], inherited: numbers[key]![1] }, units);
+    this.material.offer([["", words.noMaterial], ...this.materials.map((name) => [name, name] as const)], this.choice.material);
+    this.ofMaterial.hidden = this.choice.material === "";
+    this.own.box.checked = this.overrules;
+    this.ownGroup.hidden = !this.overrules && this.choice.material !== "";
+    this.ofSolid.hidden = !isSolid(this.drawing);
+    this.up.show(this.choice.up ?? "");
+    this.flip.box.checked = this.choice.flip ?? false;
+    this.origin.show(this.choice.origin_mm, units);
+    this.unit.show(this.choice.unit_mm ? String(this.choice.unit_mm) : "");
+    this.layers.show(this.choice.layers?.join(", ") ?? "", words.allLayers);
+  }
+
+  private async submit(event: Event): Promise<void> {
+    event.preventDefault();
+    this.make.disabled = true;
+    const { drawing } = this;
+    const { material, up, flip, ...rest } = this.choice;
+    const solid = isSolid(drawing) ? { up, flip } : {};
+    const made = await pathOfDrawing(this.session, { drawing, ...rest, ...solid, material: material || undefined });
+    this.make.disabled = false;
+    // Cancelled meanwhile.
+    if (!this.element.open) return;
+    const isRefused = "refused" in made;
+    this.refused.hidden = !isRefused;
+    this.refused.textContent = isRefused ? made.refused : "";
+    if (isRefused) return;
+    this.element.close();
+    this.on.made(made, drawing);
+  }
+}

@@ -1,0 +1,75 @@
+// What forms of paths ask the engine for (docs/studio.md).
+
+import type { Answered, Session } from "../../core/session";
+
+const decode = (bytes: unknown): string => new TextDecoder().decode(bytes as Uint8Array);
+
+/** The first message of a name; null: none came. */
+const messageOf = ({ messages }: Answered, name: string) => messages.find(({ is }) => is === name) ?? null;
+
+/** What was found suspect, in sentences. */
+const toldOf = ({ messages }: Answered): string[] =>
+  messages.flatMap(({ is, header }) => (is === "told" ? [String(header.text)] : []));
+
+export interface Refused {
+  refused: string;
+}
+
+export interface WrittenProgram {
+  text: string;
+  notes: string[];
+  /** Further files by name. */
+  files: Record<string, string>;
+}
+
+export interface WriteChoice {
+  post: string;
+  program_name: string;
+  inch: boolean;
+  offsets: string;
+  rotary_as_given: boolean;
+  verbose_words: boolean;
+  separate_files: boolean;
+  go_on: boolean;
+  tolerance_mm: number | undefined;
+  decimals_mm: number | undefined;
+}
+
+/** A path as a part program for the machine of the setup. */
+export async function writeProgram(session: Session, path: string, choice: WriteChoice): Promise<WrittenProgram | Refused> {
+  const { machine, machine_data, cell } = session.setup;
+  const answer = await session.question({ do: "write", path, machine, machine_data, cell, ...choice });
+  const message = messageOf(answer, "program");
+  if (!answer.ok || !message) return { refused: answer.message };
+  const names = message.header.files as string[];
+  const files = Object.fromEntries(names.map((name, i) => [name, decode(message.columns.get(`file${i}`))]));
+  return { text: decode(message.columns.get("text")), notes: message.header.notes as string[], files };
+}
+
+/** Names of the posts that are built in. */
+export async function posts(session: Session): Promise<string[]> {
+  const message = messageOf(await session.question({ do: "posts" }), "posts");
+  return (message?.header.names as string[] | undefined) ?? [];
+}
+
+/** Names of materials that are built in. */
+export async function materials(session: Session): Promise<string[]> {
+  const message = messageOf(await session.question({ do: "materials" }), "materials");
+  return ((message?.header.materials as { name: string }[] | undefined) ?? []).map(({ name }) => name);
+}
+
+export interface DrawnPath {
+  text: string;
+  summary: string;
+  job: string;
+  told: string[];
+}
+
+/** A path from a drawing, by the options of autopath. */
+export async function pathOfDrawing(session: Session, request: Record<string, unknown>): Promise<DrawnPath | Refused> {
+  const answer = await session.question({ do: "drawing", ...request });
+  const message = messageOf(answer, "path");
+  if (!answer.ok || !message) return { refused: answer.message };
+  const { summary, job_text } = message.header as Record<string, string>;
+  return { text: decode(message.columns.get("text")), summary, job: job_text, told: toldOf(answer) };
+}

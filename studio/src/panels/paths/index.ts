@@ -1,0 +1,176 @@
+// Paths by hand: a path file as a tree of paths, sub-paths and points, the properties of what is chosen, and the program that is
+// written from it.
+
+import "./paths.css";
+import { choice, element } from "../../core/dom";
+import { namesOfKind, shortName } from "../../core/kinds";
+import { watchPath, type PathShown } from "../../core/path_desk";
+import type { Session } from "../../core/session";
+import type { Store } from "../../core/store";
+import { isSubPath, keyOfPlace, targetAt } from "../../run/path/path_file";
+import { texts } from "../../texts";
+import type { Form } from "../index";
+import { PathActions } from "./actions";
+import { PointChoice } from "./choice_of_points";
+import { DrawingDialog, firstDrawingChoice } from "./drawing_dialog";
+import type { DrawnPath } from "./engine_requests";
+import { LeadsForm } from "./leads_form";
+import { beginFile, freeFile, takeFile } from "./path_files";
+import { PathForm, SubPathForm } from "./path_form";
+import { PointForm } from "./point_form";
+import { pointOfRun } from "./point_of_run";
+import { PathToolbar } from "./toolbar";
+import { PathTree } from "./tree";
+import { WriteForm } from "./write_form";
+
+const words = texts.paths;
+
+class PathsPanel {
+  readonly element: HTMLElement;
+  private readonly choice: PointChoice;
+  private readonly actions: PathActions;
+  private readonly files = element("div", { class: "files" });
+  private readonly said = element("div", { class: "said", role: "status" });
+  private readonly fault = element("p", { class: "fault", role: "alert" });
+  private readonly toolbar: PathToolbar;
+  private readonly tree: PathTree;
+  private readonly forms: { point: PointForm; subPath: SubPathForm; path: PathForm };
+  private readonly heading = element("h3", { class: "heading" });
+  private readonly leads: LeadsForm;
+  private readonly write: WriteForm;
+  private readonly body: HTMLElement;
+  private drawingChoice = firstDrawingChoice;
+
+  constructor(
+    private readonly store: Store,
+    private readonly session: Session,
+  ) {
+    const say = (sentence: string) => this.say(sentence);
+    this.choice = new PointChoice(store);
+    this.actions = new PathActions(store, session, this.choice, say);
+    this.toolbar = new PathToolbar(this.actions, this.choice);
+    this.tree = new PathTree(store, this.choice, this.actions);
+    this.forms = {
+      point: new PointForm(store, session, say),
+      subPath: new SubPathForm(store, session, say),
+      path: new PathForm(store, session, say),
+    };
+    this.leads = new LeadsForm((wanted) => this.actions.addLeads(wanted));
+    this.write = new WriteForm(store, session);
+    const forms = Object.values(this.forms).map((form) => form.element);
+    const parts = [this.toolbar.element, this.tree.element, this.heading, ...forms, this.leads.element, this.write.element];
+    this.body = element("div", {}, ...parts);
+    this.element = element("div", { class: "paths" }, this.files, this.said, this.fault, this.body);
+    this.listen();
+  }
+
+  private listen(): void {
+    const { store, session } = this;
+    this.choice.on(() => this.show());
+    store.watch(["path", "units"], () => this.show());
+    store.watch(["pathFile"], () => this.showFiles());
+    session.documents.on((name) => {
+      // A name that is new belongs into the choice; what changes in a file does not.
+      if (!this.files.querySelector(`option[value="${CSS.escape(name)}"]`)) this.showFiles();
+    });
+    store.on("drawing", (name) => {
+      if (name) this.askDrawing(name);
+    });
+  }
+
+  shown(): void {
+    this.store.set("showPath", true);
+    void this.write.begin();
+    this.show();
+  }
+
+  hidden(): void {
+    this.store.set("showPath", false);
+  }
+
+  /** `table` is text in columns, which may be wider than the side. */
+  private say(sentence: string, table = ""): void {
+    this.said.replaceChildren(sentence, ...(table ? [element("pre", {}, table)] : []));
+    this.said.hidden = sentence === "";
+  }
+
+  private showFiles(): void {
+    const { store, session } = this;
+    const names = namesOfKind("path", session.documents);
+    const options = [["", words.file.none] as const, ...names.map((name) => [name, shortName(name)] as const)];
+    const name = store.get("pathFile");
+    const select = choice(words.file.label, options, name, (to) => store.set("pathFile", to));
+    const button = (text: string, title: string, act: () => void, disabled = false) =>
+      element("button", { type: "button", title, disabled, onclick: act }, text);
+    const focused = this.files.contains(document.activeElement) ? document.activeElement?.textContent : null;
+    this.files.replaceChildren(
+      select,
+      button(words.file.new, words.file.newTitle, () => this.begin()),
+      button(words.file.drawing, words.file.drawingTitle, () => this.askDrawing(namesOfKind("drawing", session.documents)[0] ?? "")),
+      button(words.file.save, words.file.saveTitle, () => void session.save(name), name === ""),
+    );
+    const again = [...this.files.children].find((child) => child.textContent === focused);
+    (again as HTMLElement | undefined)?.focus();
+  }
+
+  private show(): void {
+    const shown = this.store.get("path");
+    this.say("");
+    this.body.hidden = shown === null;
+    this.fault.hidden = !shown?.fault;
+    this.fault.textContent = shown?.fault ?? "";
+    this.toolbar.show(shown);
+    this.tree.show(shown);
+    this.showProperties(shown);
+    const units = this.store.get("units");
+    this.leads.show(units);
+    this.write.show(shown, units);
+  }
+
+  private showProperties(shown: PathShown | null): void {
+    const { range } = this.choice;
+    const place = this.choice.point;
+    const target = shown && place ? targetAt(shown.file, place) : undefined;
+    const { point, subPath, path } = this.forms;
+    point.element.hidden = !target || isSubPath(target);
+    subPath.element.hidden = !target || !isSubPath(target);
+    path.element.hidden = !shown || place === null || place.target >= 0;
+    this.heading.hidden = place === null;
+    if (!shown || !place) return;
+    const { name } = shown.file.paths[place.path];
+    if (place.target < 0) {
+      this.heading.textContent = words.form.ofPath(name);
+      path.show(shown, place.path);
+    } else if (target) {
+      this.heading.textContent = words.form.ofTarget(name, place.target + 1, range?.count ?? 1);
+      if (isSubPath(target)) subPath.show(shown, place, target);
+      else point.show({ shown, place, point: target, before: shown.walk.before.get(keyOfPlace(place)) ?? {} });
+    }
+  }
+
+  /** A new file begins where the tool is. */
+  private begin(): void {
+    const point = pointOfRun(this.store);
+    if (point) beginFile(this.store, this.session, { motion: "rapid", ...point });
+    else this.store.set("notice", texts.run.notHere);
+  }
+
+  private askDrawing(name: string): void {
+    new DrawingDialog(this.store, this.session, name, this.drawingChoice, {
+      chosen: (chosen) => (this.drawingChoice = chosen),
+      made: (path, drawing) => this.drawn(path, drawing),
+    });
+  }
+
+  private drawn({ text, summary, told, job }: DrawnPath, drawing: string): void {
+    const stem = shortName(drawing).replace(/\.[^.]*$/, "");
+    const { store, session } = this;
+    takeFile(store, session, words.labels.drawing(shortName(drawing)), freeFile(session.documents, stem), text);
+    this.say([summary, ...told].filter((each) => each !== "").join("\n"), job);
+  }
+}
+
+export function createPaths(store: Store, session: Session): Form {
+  watchPath(store, session);
+  return new PathsPanel(store, session);
+}

@@ -1,0 +1,30 @@
+// New path files.
+
+import type { Documents } from "../../core/documents";
+import type { Session } from "../../core/session";
+import type { Store } from "../../core/store";
+import { newPathFile } from "../../run/path/path_edit";
+import type { Point } from "../../run/path/path_file";
+import { texts } from "../../texts";
+
+const words = texts.paths;
+
+/** A name that no file has yet: "part 2.path.json". */
+export function freeFile(documents: Documents, stem: string): string {
+  let name = `${stem}.path.json`;
+  for (let i = 2; documents.get(name) !== undefined; ++i) name = `${stem} ${i}.path.json`;
+  return name;
+}
+
+/** Puts a path file by a step of the history, and works on it from now on. */
+export function takeFile(store: Store, session: Session, label: string, name: string, text: string): void {
+  session.history.edit(label, { documents: { [name]: text } });
+  store.set("pathFile", name);
+}
+
+/** A file with one point, which is chosen. */
+export function beginFile(store: Store, session: Session, point: Point): void {
+  const name = freeFile(session.documents, words.file.part);
+  takeFile(store, session, words.labels.begin, name, newPathFile(words.file.part, point));
+  store.set("pathPoint", { path: 0, target: 0 });
+}

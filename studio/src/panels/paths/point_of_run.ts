@@ -1,0 +1,23 @@
+// A point where the tool of the run is at the instant that is shown, or where it is moved by hand.
+
+import { Vector3 } from "three";
+import { robotOf } from "../../core/shown";
+import type { Store } from "../../core/store";
+import type { Point } from "../../run/path/path_file";
+import { toolInWork } from "../../run/path/tool_direction";
+import { roundedVector, type Vector } from "../../run/path/vector";
+
+/** At the origin where nothing has run; null: where that is is not here yet. */
+export function pointOfRun(store: Store): Pick<Point, "position_mm" | "tool_axis"> | null {
+  const robot = robotOf(store);
+  if (!robot) return { position_mm: [0, 0, 0] };
+  const t_s = store.get("time_s");
+  const joints = store.get("jog") ?? robot.joints_at(t_s);
+  const number = robot.tip_at(t_s);
+  if (!joints || number === null) return null;
+  const frame = toolInWork(robot.chain, joints, t_s);
+  const tip = new Vector3(...(robot.scene.tips_mm[number] ?? [0, 0, 0])).applyMatrix4(frame);
+  const turns = robot.scene.axes.some(({ rotary }) => rotary);
+  const axis = roundedVector(new Vector3().setFromMatrixColumn(frame, 2).toArray() as Vector);
+  return { position_mm: roundedVector(tip.toArray() as Vector), ...(turns && { tool_axis: axis }) };
+}

@@ -1,0 +1,81 @@
+// The round trip in words: how far the way of a run is from the path that its program was written from.
+
+import { element } from "../../core/dom";
+import { robotOf } from "../../core/shown";
+import type { Store } from "../../core/store";
+import { lengthText } from "../../core/units";
+import { roundTrip, type RoundTrip } from "../../run/path/round_trip";
+import type { Run } from "../../run/run";
+import { texts } from "../../texts";
+
+const words = texts.paths.roundTrip;
+/** More than how exactly ways are drawn, and than programs are rounded. */
+const FAR_MM = 0.05;
+
+/** What a program was written from. */
+export interface Origin {
+  path: string;
+  text: string;
+}
+
+export class RoundTripNote {
+  readonly element: HTMLElement;
+  private readonly title = element("h3", { class: "heading" }, words.title);
+  private readonly said = element("p", { class: "round-trip", role: "status" });
+  private readonly button = element("button", { type: "button", onclick: () => this.measure() }, words.compare);
+  /** Of which run and path text the figures are. */
+  private of: { run: Run; text: string } | null = null;
+  private figures: RoundTrip | null = null;
+
+  constructor(
+    private readonly store: Store,
+    private readonly originOf: (program: string) => Origin | null,
+  ) {
+    this.element = element("div", {}, this.title, this.said, this.button);
+    store.watch(["run", "running", "path"], () => this.show());
+  }
+
+  /** Of a program that was written here, what it was written from; of another one this is not known. */
+  show(): void {
+    const { store } = this;
+    const [run, shown] = [store.get("run"), store.get("path")];
+    const program = run?.report?.program ?? "";
+    const origin = this.originOf(program);
+    const isOwn = origin !== null && origin.path === shown?.name;
+    const isKnown = this.of?.run === run && this.of?.text === shown?.text;
+    this.button.hidden = !run?.report || !shown || shown.fault !== "" || isKnown || (isOwn && origin.text === shown.text);
+    if (!run?.report || !shown) this.tell("");
+    else if (store.get("running")) this.tell(words.running);
+    else if (isKnown) this.tellFigures(program);
+    else if (!isOwn) this.tell(words.other(program));
+    else if (origin.text !== shown.text) this.tell(words.changed(program));
+    else if (this.isVisible) this.measure();
+  }
+
+  private get isVisible(): boolean {
+    return this.element.checkVisibility?.() ?? true;
+  }
+
+  private tell(sentence: string, isFar = false): void {
+    if (this.said.textContent !== sentence) this.said.textContent = sentence;
+    this.said.classList.toggle("fault", isFar);
+  }
+
+  private measure(): void {
+    const { store } = this;
+    const [run, shown, robot] = [store.get("run"), store.get("path"), robotOf(store)];
+    if (!run || !shown) return;
+    this.of = { run, text: shown.text };
+    this.figures = robot ? roundTrip(shown.walk, robot.segments) : null;
+    this.show();
+  }
+
+  private tellFigures(program: string): void {
+    const { figures } = this;
+    const units = this.store.get("units");
+    if (!figures) return this.tell(words.noWay(program));
+    const { wayOff_mm, pathOff_mm } = figures;
+    const text = words.figures(program, lengthText(wayOff_mm, units), lengthText(pathOff_mm, units));
+    this.tell(this.of?.run.report?.status === "completed" ? text : words.unfinished(text), Math.max(wayOff_mm, pathOff_mm) > FAR_MM);
+  }
+}

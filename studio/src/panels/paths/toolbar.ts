@@ -1,0 +1,54 @@
+// Buttons for what is done with the chosen points.
+
+import { choice, element, offer } from "../../core/dom";
+import type { PathShown } from "../../core/path_desk";
+import { texts } from "../../texts";
+import type { PathActions } from "./actions";
+import type { PointChoice } from "./choice_of_points";
+
+const words = texts.paths.toolbar;
+type Name = "add" | "duplicate" | "remove" | "up" | "down" | "makeSubPath";
+
+export class PathToolbar {
+  readonly element: HTMLElement;
+  private readonly buttons: Record<Name, HTMLButtonElement>;
+  private readonly uses: HTMLSelectElement;
+
+  constructor(
+    actions: PathActions,
+    private readonly chosen: PointChoice,
+  ) {
+    const button = (name: Name, act: () => void) =>
+      element("button", { type: "button", title: words.titles[name], "aria-label": words.titles[name], onclick: act }, words.names[name]);
+    this.buttons = {
+      add: button("add", () => actions.add()),
+      duplicate: button("duplicate", () => actions.duplicate()),
+      remove: button("remove", () => actions.remove()),
+      up: button("up", () => actions.move(-1)),
+      down: button("down", () => actions.move(1)),
+      makeSubPath: button("makeSubPath", () => actions.makeSubPath()),
+    };
+    this.uses = choice(words.use, [], "", (name) => {
+      if (name) actions.addSubPath(name);
+      this.uses.value = "";
+    });
+    this.element = element(
+      "div",
+      { class: "toolbar", role: "toolbar", "aria-label": words.label },
+      ...Object.values(this.buttons),
+      this.uses,
+    );
+  }
+
+  show(shown: PathShown | null): void {
+    const { range } = this.chosen;
+    const isTarget = range !== null && range.place.target >= 0;
+    const count = shown && range ? (shown.file.paths[range.place.path]?.targets.length ?? 0) : 0;
+    this.buttons.duplicate.disabled = this.buttons.makeSubPath.disabled = !isTarget;
+    this.buttons.remove.disabled = range === null;
+    this.buttons.up.disabled = !isTarget || range.place.target === 0;
+    this.buttons.down.disabled = !isTarget || range.place.target + range.count >= count;
+    const names = shown?.file.paths.map(({ name }) => name) ?? [];
+    offer(this.uses, [["", words.use] as const, ...names.map((name) => [name, name] as const)], "");
+  }
+}

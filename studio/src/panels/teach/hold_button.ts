@@ -1,0 +1,46 @@
+// A button that does its work again and again while it is held.
+
+import { element } from "../../core/dom";
+
+const FIRST_MS = 350;
+const NEXT_MS = 70;
+
+/** Work that takes its time is waited for before it is done again. */
+export function holdButton(text: string, label: string, act: () => void | Promise<void>): HTMLButtonElement {
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  let isHeld = false;
+  const end = () => {
+    isHeld = false;
+    if (timer !== null) clearTimeout(timer);
+    timer = null;
+  };
+  const work = async (pause_ms: number) => {
+    await act();
+    if (isHeld) timer = setTimeout(() => void work(NEXT_MS), pause_ms);
+  };
+  const button = element(
+    "button",
+    {
+      type: "button",
+      class: "jog",
+      title: label,
+      "aria-label": label,
+      onpointerdown: (event) => {
+        if ((event as PointerEvent).button !== 0) return;
+        button.setPointerCapture((event as PointerEvent).pointerId);
+        end();
+        isHeld = true;
+        void work(FIRST_MS);
+      },
+      onpointerup: end,
+      onpointercancel: end,
+      onblur: end,
+      // By the keyboard, which repeats by itself.
+      onclick: (event) => {
+        if ((event as MouseEvent).detail === 0) void act();
+      },
+    },
+    text,
+  );
+  return button;
+}

@@ -1,0 +1,197 @@
+// The joint panel: joints and tip are moved by hand, points of a path are recorded where they stand, and gone to.
+
+import "./teach.css";
+import { Quaternion, Vector3 } from "three";
+import { Debounced } from "../../core/debounced";
+import { element } from "../../core/dom";
+import type { Session } from "../../core/session";
+import type { Store } from "../../core/store";
+import type { Point } from "../../run/path/path_file";
+import type { State } from "../../run/path/path_walk";
+import { axisValue } from "../../run/chain";
+import { jointsWith, rpyOf } from "../../run/path/tool_direction";
+import { texts } from "../../texts";
+import type { Form } from "../index";
+import { numberText } from "../paths/fields";
+import { JogState, rangeOf } from "./jog_state";
+import { JointRow } from "./joint_row";
+import { poseOf, type Pose, type PoseWanted } from "./pose";
+import { Recording } from "./record";
+import { Steps } from "./steps";
+import { TipPad } from "./tip_pad";
+
+const words = texts.teach;
+const CHECK_MS = 150;
+/** With so many turning axes the tool's turn about itself can be told. */
+const FREE = 3;
+
+class TeachPanel {
+  readonly element: HTMLElement;
+  private readonly state: JogState;
+  private readonly none = element("p", { class: "note" }, words.nothing);
+  private readonly body: HTMLElement;
+  private readonly steps = new Steps();
+  private readonly joints = element("div", { class: "joints" });
+  private rows: JointRow[] = [];
+  private readonly pad: TipPad;
+  private readonly recording: Recording;
+  private readonly said = element("p", { class: "said", role: "status" });
+  private readonly checking = new Debounced(() => void this.check());
+  private isShown = false;
+  /** Whether that is what is said. */
+  private touches = false;
+
+  constructor(
+    private readonly store: Store,
+    private readonly session: Session,
+  ) {
+    this.state = new JogState(store);
+    this.pad = new TipPad({
+      move: (axis, sense) => this.moveTip(axis, sense),
+      turn: (axis, sense) => this.turnTip(axis, sense),
+    });
+    this.recording = new Recording(store, session, this.state, {
+      goTo: (point, state) => void this.goTo(point, state),
+      say: (sentence) => this.say(sentence),
+    });
+    const fromRun = element("button", { type: "button", title: words.fromRunTitle, onclick: () => this.state.fromRun() }, words.fromRun);
+    const head = element("div", { class: "head" }, this.steps.element, fromRun);
+    this.body = element("div", { class: "teach-body" }, head, this.joints, this.pad.element, this.said, this.recording.element);
+    this.element = element("div", { class: "teach" }, this.none, this.body);
+    store.watch(["run", "robot"], () => this.takeRobot());
+    store.watch(["jog", "units"], () => this.show());
+  }
+
+  shown(): void {
+    this.isShown = true;
+    this.store.set("showPath", true);
+    this.state.begin();
+    this.show();
+  }
+
+  hidden(): void {
+    this.isShown = false;
+    this.state.end();
+    this.store.set("showPath", false);
+  }
+
+  private say(sentence: string, isBad = false): void {
+    this.said.textContent = sentence;
+    this.said.classList.toggle("fault", isBad);
+  }
+
+  /** Another machine has other joints. */
+  private takeRobot(): void {
+    const { axes } = this.state;
+    const same = axes.length === this.rows.length && axes.every((axis, i) => JSON.stringify(axis) === JSON.stringify(this.rows[i].axis));
+    if (!same) {
+      this.rows = axes.map((axis, i) => new JointRow(axis, { set: (value) => this.set(i, value), step: (sense) => this.step(i, sense) }));
+      this.joints.replaceChildren(...this.rows.map((row) => row.element));
+      this.say("");
+    }
+    if (this.isShown) this.state.begin();
+    this.show();
+  }
+
+  private show(): void {
+    const { store, state, rows } = this;
+    const units = store.get("units");
+    const frame = state.frame;
+    this.none.hidden = state.axes.length > 0;
+    this.body.hidden = state.axes.length === 0;
+    this.steps.show(units);
+    if (!frame || rows.length === 0) return;
+    state.values.forEach((value, i) => rows[i].show(value, units));
+    const isAlone = (store.get("run")?.robots.length ?? 0) === 1;
+    this.pad.show(frame, units, isAlone && this.session.canRun, state.axes.some(({ rotary }) => rotary));
+    if (this.isShown && isAlone) this.checking.after(CHECK_MS);
+  }
+
+  private set(axis: number, value: number): void {
+    const { letter, rotary } = this.state.axes[axis];
+    const isWithin = this.state.setValue(axis, value);
+    const [low, high] = rangeOf(this.state.axes[axis]);
+    const end = numberText(value < low ? low : high, rotary ? "angle" : "length", this.store.get("units"));
+    this.say(isWithin ? "" : words.limit(letter, end), !isWithin);
+  }
+
+  private step(axis: number, sense: 1 | -1): void {
+    // A button that is held goes on until it is let go of, also when the joints have gone from under it.
+    if (this.state.values.length === 0) return;
+    const by = this.state.axes[axis].rotary ? this.steps.step_deg : this.steps.step_mm;
+    this.set(axis, this.state.values[axis] + sense * by);
+  }
+
+  /** The engine's answer about the machine as it stands; null: by then it is another one, stands elsewhere or is not shown. */
+  private async ask(wanted: PoseWanted): Promise<Pose | string | null> {
+    const { robot } = this.state;
+    const jog = this.store.get("jog");
+    const pose = await poseOf(this.session, wanted, this.state.tool_mm);
+    if (!this.isShown) return null;
+    return this.state.robot === robot && this.store.get("jog") === jog ? pose : null;
+  }
+
+  /** What touches where the machine stands. */
+  private async check(): Promise<void> {
+    const { values } = this.state;
+    if (!this.isShown || values.length === 0) return;
+    const pose = await this.ask({ joints: values });
+    if (pose === null || typeof pose === "string") return;
+    const touches = pose.collisions.length > 0;
+    if (touches) this.say(words.touching(pose.collisions.map((pair) => pair.join(" – ")).join(", ")), true);
+    else if (this.touches) this.say("");
+    this.touches = touches;
+  }
+
+  /** To where the engine says that the tip is so; where it cannot be, a sentence says why, and nothing moves. */
+  private async goBy(wanted: PoseWanted): Promise<void> {
+    const { robot } = this.state;
+    const pose = await this.ask(wanted);
+    if (pose === null) {
+      if (this.isShown && this.state.robot !== robot) this.say(words.otherRun, true);
+      return;
+    }
+    if (typeof pose === "string") return this.say(words.unreachable(pose), true);
+    const beyond = this.state.axes.filter((_, i) => pose.beyond[i] !== 0).map(({ letter }) => letter);
+    if (beyond.length > 0) return this.say(words.beyond(beyond.join(", ")), true);
+    this.say("");
+    this.state.setValues(pose.joints);
+  }
+
+  private async moveTip(axis: number, sense: 1 | -1): Promise<void> {
+    const { frame, values } = this.state;
+    if (!frame) return;
+    const tip = new Vector3().setFromMatrixPosition(frame);
+    tip.setComponent(axis, tip.getComponent(axis) + sense * this.steps.step_mm);
+    await this.goBy({ tip_mm: tip.toArray(), near: values });
+  }
+
+  private async turnTip(axis: number, sense: 1 | -1): Promise<void> {
+    const { frame, values, axes } = this.state;
+    if (!frame) return;
+    const tip_mm = new Vector3().setFromMatrixPosition(frame).toArray();
+    const about = new Vector3().setComponent(axis, 1);
+    const turn = new Quaternion().setFromAxisAngle(about, (sense * this.steps.step_deg * Math.PI) / 180);
+    const isFree = axes.filter(({ rotary }) => rotary).length >= FREE;
+    if (isFree) {
+      const rotation = turn.multiply(new Quaternion().setFromRotationMatrix(frame));
+      await this.goBy({ tip_mm, rpy_deg: rpyOf(rotation), near: values });
+      return;
+    }
+    const tool_axis = new Vector3().setFromMatrixColumn(frame, 2).applyQuaternion(turn).toArray();
+    await this.goBy({ tip_mm, tool_axis, near: values });
+  }
+
+  private async goTo({ position_mm }: Point, { tool_axis, rpy_deg, rotary_deg }: State): Promise<void> {
+    const { axes, values } = this.state;
+    const joints = this.store.get("jog");
+    if (!joints) return;
+    const near = rotary_deg ? jointsWith(axes, rotary_deg, joints).map((joint, i) => axisValue(axes[i], joint)) : values;
+    const orientation = tool_axis ? { tool_axis } : rpy_deg ? { rpy_deg } : {};
+    await this.goBy({ tip_mm: position_mm, ...orientation, near });
+  }
+}
+
+export function createTeach(store: Store, session: Session): Form {
+  return new TeachPanel(store, session);
+}

@@ -1,0 +1,101 @@
+// The joints as they are moved by hand, in place of those of the run.
+
+import { Vector3, type Matrix4 } from "three";
+import { robotOf } from "../../core/shown";
+import type { Store } from "../../core/store";
+import { axisValue, jointValue } from "../../run/chain";
+import { toolInWork } from "../../run/path/tool_direction";
+import type { Robot } from "../../run/run";
+import type { Axis } from "../../run/scene";
+
+/** Lowest and highest value of an axis, mm or deg. */
+export const rangeOf = ({ min, max }: Axis): [number, number] => [min ?? -Infinity, max ?? Infinity];
+export const clamped = (value: number, axis: Axis): number => Math.min(Math.max(value, rangeOf(axis)[0]), rangeOf(axis)[1]);
+
+export class JogState {
+  /** While the form is not looked at. */
+  private kept: ArrayLike<number> | null = null;
+  /** The machine that joints were moved of. */
+  private machine = "";
+  private isLookedAt = false;
+
+  constructor(private readonly store: Store) {}
+
+  get robot(): Robot | undefined {
+    return robotOf(this.store);
+  }
+
+  get axes(): Axis[] {
+    return this.robot?.scene.axes ?? [];
+  }
+
+  private fits(joints: ArrayLike<number> | null): joints is ArrayLike<number> {
+    return joints !== null && joints.length === this.axes.length && joints.length > 0;
+  }
+
+  /** The form is looked at: joints are where they were left, else where the run has them. */
+  begin(): void {
+    this.isLookedAt = true;
+    const now = this.store.get("jog") ?? this.kept;
+    const { robot } = this;
+    const machine = robot ? JSON.stringify([robot.name, robot.scene.machine, this.axes]) : "";
+    const isSame = machine === this.machine;
+    this.machine = machine;
+    if (isSame && this.fits(now)) this.store.set("jog", now);
+    else this.fromRun();
+  }
+
+  end(): void {
+    this.isLookedAt = false;
+    this.kept = this.store.get("jog");
+    this.store.set("jog", null);
+  }
+
+  /** As at the instant that is shown; where that is not here yet, when it is. */
+  fromRun(): void {
+    const { robot } = this;
+    const t_s = this.store.get("time_s");
+    const joints = robot?.joints_at(t_s);
+    this.store.set("jog", joints ? Array.from(joints) : null);
+    if (!robot || joints) return;
+    void robot.segments.need(robot.segments.at(t_s)).then((isHere) => {
+      if (isHere && this.isLookedAt && this.robot === robot && !this.store.get("jog")) this.fromRun();
+    });
+  }
+
+  /** Values of all axes, mm and deg. */
+  get values(): number[] {
+    const joints = this.store.get("jog");
+    return this.fits(joints) ? this.axes.map((axis, i) => axisValue(axis, joints[i])) : [];
+  }
+
+  setValues(values: readonly number[]): void {
+    this.store.set("jog", this.axes.map((axis, i) => jointValue(axis, values[i])));
+  }
+
+  /** Puts one axis to a value, or to the end of its range before it. Returns whether it is the value. */
+  setValue(axis: number, value: number): boolean {
+    const within = clamped(value, this.axes[axis]);
+    this.setValues(this.values.map((each, i) => (i === axis ? within : each)));
+    return within === value;
+  }
+
+  /** From the tool centre point to the tip in use, in the frame of the tool; while that is not here, to the first. */
+  private get tip(): Vector3 {
+    const { robot } = this;
+    return new Vector3(...(robot?.scene.tips_mm[robot.tip_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
+  }
+
+  /** How far the tip is from the tool centre point along the tool, as the engine counts it. */
+  get tool_mm(): number {
+    return -this.tip.z;
+  }
+
+  /** The frame of the tip in that of the work; null: there is no machine. */
+  get frame(): Matrix4 | null {
+    const [joints, { robot }] = [this.store.get("jog"), this];
+    if (!robot || !this.fits(joints)) return null;
+    const frame = toolInWork(robot.chain, joints, this.store.get("time_s"));
+    return frame.setPosition(this.tip.applyMatrix4(frame));
+  }
+}

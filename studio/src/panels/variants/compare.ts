@@ -1,0 +1,195 @@
+// Two variants against each other: which is faster, and where; both machines on one clock.
+
+import { check, choice, element, offer } from "../../core/dom";
+import { Debounced } from "../../core/debounced";
+import { goTo, goToBlock } from "../../core/go";
+import type { Session } from "../../core/session";
+import type { Store } from "../../core/store";
+import { countText } from "../../core/units";
+import type { Run } from "../../run/run";
+import { texts } from "../../texts";
+import { Differences } from "./data/differences";
+import { isFresh, type Standing } from "./data/results";
+import type { Variant } from "./data/variants_file";
+import { DifferenceRows } from "./difference_rows";
+import type { Listed } from "./list";
+import { notesOf, sentencesOf } from "./sentences";
+import { standingText } from "./words";
+
+const words = texts.variants;
+const FIRST = 200;
+const TYPING_PAUSE_MS = 150;
+
+/** A variant whose figures are of what is now. */
+interface Fresh {
+  variant: Variant;
+  standing: Standing;
+  run: Run;
+}
+
+export class Compare {
+  readonly element: HTMLElement;
+  private readonly choices = [words.first, words.second].map((label, i) =>
+    choice(label, [], "", (name) => {
+      this.chosen[i] = name;
+      this.draw();
+    }),
+  );
+  private readonly both: { row: HTMLLabelElement; box: HTMLInputElement };
+  private readonly said = element("div", { class: "said", role: "status" });
+  private readonly search: HTMLInputElement;
+  private readonly count = element("p", { class: "note", role: "status" });
+  private readonly rows: DifferenceRows;
+  private readonly more = element("button", { class: "more", type: "button", onclick: () => this.showMore() });
+  private readonly results: HTMLElement;
+  private readonly typing = new Debounced(() => this.showRows(FIRST));
+  private chosen: [string, string] = ["", ""];
+  private listed: readonly Listed[] = [];
+  private pair: [Fresh, Fresh] | null = null;
+  /** What the differences are of, as a text. */
+  private compared = "";
+  private differences: Differences | null = null;
+  private most = FIRST;
+  private shows = false;
+
+  constructor(
+    private readonly store: Store,
+    private readonly session: Session,
+  ) {
+    this.both = check(words.beside, (on) => this.showBeside(on));
+    this.search = element("input", {
+      ...{ type: "search", placeholder: words.filter, "aria-label": words.filter, title: words.filterHint },
+      oninput: () => this.typing.after(TYPING_PAUSE_MS),
+    });
+    this.rows = new DifferenceRows((a, b) => this.goToRow(a, b));
+    this.results = element("div", {}, this.search, this.count, element("div", { class: "wide" }, this.rows.element), this.more);
+    this.element = element(
+      "section",
+      { class: "variant-compare" },
+      element("h3", { class: "heading" }, words.compare),
+      element("div", { class: "pair" }, ...this.choices.map((each, i) => element("label", {}, [words.first, words.second][i], each))),
+      this.both.row,
+      this.said,
+      this.results,
+    );
+    store.on("run", () => this.keepBeside());
+    store.watch(["beside"], () => (this.both.box.checked = store.get("beside") !== null));
+  }
+
+  /** What there is to compare is another by now. */
+  show(listed: readonly Listed[]): void {
+    this.listed = listed;
+    this.draw();
+  }
+
+  private draw(): void {
+    const names = this.listed.map(({ variant }) => variant.name);
+    this.element.hidden = names.length < 2;
+    this.chosen = [0, 1].map((i) => (names.includes(this.chosen[i]) ? this.chosen[i] : (names[i] ?? ""))) as [string, string];
+    this.choices.forEach((each, i) => offer(each, names.map((name) => [name, name]), this.chosen[i]));
+    const [one, other] = this.chosen.map((name) => this.freshOf(name));
+    const before = this.pair;
+    this.pair = one && other && one.run !== other.run ? [one, other] : null;
+    this.both.box.disabled = !this.pair;
+    this.keepBeside();
+    const compared = JSON.stringify([this.store.get("robot"), ...(this.pair?.map(({ variant }) => [variant.name, variant.from]) ?? [])]);
+    const isSame = compared === this.compared && before && this.pair?.every(({ run }, i) => run === before[i].run);
+    this.compared = compared;
+    if (!isSame || !this.differences) this.compare();
+  }
+
+  private freshOf(name: string): Fresh | null {
+    const found = this.listed.find(({ variant }) => variant.name === name);
+    return found && isFresh(found.standing) ? { ...found, run: found.standing.run } : null;
+  }
+
+  private compare(): void {
+    const { pair } = this;
+    this.differences = null;
+    this.results.hidden = true;
+    if (!pair) return this.said.replaceChildren(...this.whyNot().map(note));
+    const robot = this.store.get("robot");
+    const [a, b] = pair.map(({ run }) => ({ run, robot: run.robots[robot] }));
+    const lacking = pair.find(({ run }) => !run.robots[robot]);
+    if (lacking) return this.said.replaceChildren(note(words.noRobot(lacking.variant.name, robot + 1)));
+    const from = pair[1].variant.from ?? pair[0].variant.from;
+    const differences = new Differences(a, b, from);
+    const named = { differences, names: this.chosen };
+    const sentences = sentencesOf(named).map((text, i) => element("p", { class: i === 0 ? "great" : "" }, text));
+    this.said.replaceChildren(...sentences, ...notesOf(named).map(note));
+    this.differences = differences;
+    this.results.hidden = !differences.isReached;
+    this.showRows(FIRST);
+  }
+
+  private whyNot(): string[] {
+    if (this.chosen[0] === this.chosen[1]) return [words.twoNeeded];
+    const found = this.chosen.flatMap((name) => {
+      const listed = this.listed.find(({ variant }) => variant.name === name);
+      return listed && !isFresh(listed.standing) ? [words.notFresh(name, standingText(listed.standing)[0])] : [];
+    });
+    return [words.twoNeeded, ...found];
+  }
+
+  private showMore(): void {
+    this.showRows(2 * this.most);
+  }
+
+  private showRows(most: number): void {
+    if (!this.differences) return;
+    this.most = most;
+    const { rows, count } = this.differences.rows(most, this.search.value);
+    this.rows.show(rows, this.differences, this.chosen);
+    const nothing = this.search.value.trim() ? words.noMatch : words.noRows;
+    this.count.textContent = count > 0 ? words.rowCount(countText(rows.length), countText(count)) : nothing;
+    this.more.hidden = rows.length >= count;
+    this.more.textContent = texts.panels.more(Math.min(most, count - rows.length));
+  }
+
+  /** The page shows the first of both; of a block that the second alone has, that one, where both are not on one clock. */
+  private goToRow(a: number, b: number): void {
+    const { pair, store } = this;
+    if (!pair) return;
+    const [one, other] = pair;
+    if (a >= 0) {
+      this.shown(one);
+      return goToBlock(store, a);
+    }
+    const beside = store.get("beside");
+    if (!beside) {
+      this.shown(other);
+      return goToBlock(store, b);
+    }
+    const robot = other.run.robots[store.get("robot")];
+    const { file, line, start_s } = robot.blocks.get(b);
+    goTo(store, { file: robot.files[file], line }, start_s);
+  }
+
+  private shown({ run, variant }: Fresh): void {
+    this.session.showRun(run, words.steps.toBar(variant.name));
+  }
+
+  private showBeside(on: boolean): void {
+    const { pair, store } = this;
+    if (!on || !pair) return store.set("beside", null);
+    // The first one's run comes into the page, which would end what is there already.
+    this.shows = true;
+    this.shown(pair[0]);
+    this.shows = false;
+    store.set("beside", { run: pair[1].run, names: [this.chosen[0], this.chosen[1]] });
+    const { from } = pair[1].variant.from ? pair[1].variant : pair[0].variant;
+    const { starts_s } = this.differences ?? {};
+    if (from && starts_s) store.set("time_s", Math.min(...starts_s));
+  }
+
+  /** Both stand beside each other as long as they are those that were chosen, and of what is now. */
+  private keepBeside(): void {
+    const { store, pair } = this;
+    const beside = store.get("beside");
+    if (!beside || this.shows) return;
+    const isOurs = pair !== null && store.get("run") === pair[0].run && beside.run === pair[1].run;
+    if (!isOurs) store.set("beside", null);
+  }
+}
+
+const note = (text: string): HTMLElement => element("p", { class: "note" }, text);

@@ -1,0 +1,57 @@
+// The file of variants that is worked on: what it has, and its changes, which undo takes back.
+
+import { namesOfKind, baseName } from "../../../core/kinds";
+import type { Session } from "../../../core/session";
+import type { Store } from "../../../core/store";
+import { freeName, readVariants, writeVariants, type ReadVariants, type Variant } from "./variants_file";
+
+export class ListFile {
+  constructor(
+    private readonly store: Store,
+    private readonly session: Session,
+  ) {}
+
+  /** All that may be chosen. */
+  get names(): string[] {
+    return namesOfKind("variants", this.session.documents);
+  }
+
+  /** Whether none is chosen, or there is none of that name (any more): `name` is then what new ones will be called. */
+  get isNew(): boolean {
+    return this.session.documents.get(this.store.get("variantsFile")) === undefined;
+  }
+
+  get name(): string {
+    return this.isNew ? this.newName : this.store.get("variantsFile");
+  }
+
+  get newName(): string {
+    const { documents, setup } = this.session;
+    const stem = baseName(setup.program).replace(/\.[^.]*$/, "") || "part";
+    let name = `${stem}.variants.json`;
+    for (let i = 2; documents.get(name) !== undefined; ++i) name = `${stem} ${i}.variants.json`;
+    return name;
+  }
+
+  choose(name: string): void {
+    this.store.set("variantsFile", name);
+  }
+
+  read(): ReadVariants {
+    return this.isNew ? { variants: [], fault: "" } : readVariants(this.session.documents.text(this.name));
+  }
+
+  /** Nothing where the file cannot be read: what is wrong there would be lost. */
+  change(label: string, change: (variants: readonly Variant[]) => Variant[]): void {
+    const { variants } = this.read();
+    if (!variants) return;
+    const { name } = this;
+    this.session.history.edit(label, { documents: { [name]: writeVariants(change(variants)) } });
+    this.store.set("variantsFile", name);
+  }
+
+  /** A name that no variant has yet. */
+  free(name: string): string {
+    return freeName(name, (this.read().variants ?? []).map((each) => each.name));
+  }
+}

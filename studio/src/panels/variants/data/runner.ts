@@ -1,0 +1,48 @@
+// Runs variants one behind the other, until one of the page's own runs, or a person, ends it.
+
+import type { Session } from "../../../core/session";
+import type { Running } from "../../../core/store";
+import type { Results } from "./results";
+import type { Variant } from "./variants_file";
+
+export interface UnderWay extends Running {
+  name: string;
+}
+
+export class Runner {
+  /** Null: none runs. */
+  underWay: UnderWay | null = null;
+  private turn = 0;
+
+  constructor(
+    private readonly session: Session,
+    private readonly results: Results,
+    private readonly changed: () => void,
+  ) {}
+
+  async run(variants: readonly Variant[]): Promise<void> {
+    const turn = ++this.turn;
+    for (const { name, setup } of variants) {
+      this.tell({ name, done: 0, total: 0 });
+      const run = await this.session.runBeside(setup, (running) => {
+        if (turn === this.turn) this.tell({ name, ...running });
+      });
+      if (turn !== this.turn) return;
+      if (!run) break;
+      this.results.take(run);
+    }
+    this.tell(null);
+  }
+
+  cancel(): void {
+    if (!this.underWay) return;
+    ++this.turn;
+    this.session.cancelRun();
+    this.tell(null);
+  }
+
+  private tell(underWay: UnderWay | null): void {
+    this.underWay = underWay;
+    this.changed();
+  }
+}

@@ -1,0 +1,101 @@
+// A file of variants: set-ups by name, each with what differs from a set-up of nothing.
+
+import { MOST_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../../../core/setup";
+import { texts } from "../../../texts";
+
+const words = texts.variants.file;
+
+/** A block of a run: that of a line, at the so-manyth pass over it, from 1. */
+export interface From {
+  file: string;
+  line: number;
+  pass: number;
+}
+
+export interface Variant {
+  name: string;
+  setup: Setup;
+  /** Where its times count from; null: from the start. */
+  from: From | null;
+}
+
+/** What stands in a file, or a sentence on why that cannot be told. */
+export type ReadVariants = { variants: Variant[]; fault: "" } | { variants: null; fault: string };
+
+class Fault extends Error {}
+
+type Table = Record<string, unknown>;
+
+const isTable = (value: unknown): value is Table => typeof value === "object" && value !== null && !Array.isArray(value);
+const isCount = (value: unknown): value is number => Number.isInteger(value) && (value as number) >= 1;
+
+function only(table: Table, known: readonly string[], where: string): void {
+  const other = Object.keys(table).find((key) => !known.includes(key));
+  if (other !== undefined) throw new Fault(words.unknownKey(where, other));
+}
+
+function readFrom(value: unknown, where: string): From {
+  if (!isTable(value)) throw new Fault(words.wrongFrom(where));
+  only(value, ["file", "line", "pass"], `${where}, from`);
+  const { file, line, pass = 1 } = value;
+  if (typeof file !== "string" || !isCount(line) || !isCount(pass)) throw new Fault(words.wrongFrom(where));
+  return { file, line, pass };
+}
+
+function readSetup(values: Table, where: string): Setup {
+  const setup = emptySetup();
+  const put = setup as unknown as Table;
+  for (const [key, value] of Object.entries(values)) {
+    if (typeof value !== typeof put[key]) throw new Fault(words.wrongValue(where, key));
+    put[key] = value;
+  }
+  for (const key of overrideKeys) {
+    if (!(setup[key] >= 0 && setup[key] <= MOST_OVERRIDE_PERCENT)) throw new Fault(words.wrongOverride(where, key, MOST_OVERRIDE_PERCENT));
+  }
+  return setup;
+}
+
+function readVariant(value: unknown, number: number): Variant {
+  const where = words.where(number);
+  if (!isTable(value)) throw new Fault(words.noTable(where));
+  const { name, from, ...setup } = value;
+  only(setup, Object.keys(emptySetup()), where);
+  if (typeof name !== "string" || name === "") throw new Fault(words.noName(where));
+  return { name, setup: readSetup(setup, where), from: from === undefined ? null : readFrom(from, where) };
+}
+
+function read(text: string): Variant[] {
+  const value: unknown = JSON.parse(text);
+  if (!isTable(value) || !Array.isArray(value.variants)) throw new Fault(words.noList);
+  only(value, ["variants"], words.outermost);
+  const variants = value.variants.map((each, i) => readVariant(each, i + 1));
+  const double = variants.find(({ name }, i) => variants.findIndex((other) => other.name === name) !== i);
+  if (double) throw new Fault(words.twice(double.name));
+  return variants;
+}
+
+export function readVariants(text: string): ReadVariants {
+  try {
+    return { variants: read(text), fault: "" };
+  } catch (fault) {
+    return { variants: null, fault: fault instanceof Error ? fault.message : String(fault) };
+  }
+}
+
+/** With what differs from a set-up of nothing. */
+export function writeVariants(variants: readonly Variant[]): string {
+  const first = emptySetup() as unknown as Table;
+  const tables = variants.map(({ name, setup, from }) => ({
+    name,
+    ...Object.fromEntries(Object.entries(setup).filter(([key, value]) => value !== first[key])),
+    ...(from && { from }),
+  }));
+  return `${JSON.stringify({ variants: tables }, null, 2)}\n`;
+}
+
+/** "a name", or "a name 2" where that is taken. */
+export function freeName(name: string, taken: readonly string[]): string {
+  let free = name;
+  for (let i = 2; taken.includes(free); ++i) free = `${name} ${i}`;
+  return free;
+}

@@ -1,0 +1,285 @@
+// Variants: set-ups of the same work, run and compared with each other.
+
+import "./variants.css";
+import { element, offer, choice } from "../../core/dom";
+import { Debounced } from "../../core/debounced";
+import { goTo } from "../../core/go";
+import { shortName } from "../../core/kinds";
+import type { Session } from "../../core/session";
+import { isSameSetup, type Setup } from "../../core/setup";
+import type { Store } from "../../core/store";
+import { countText } from "../../core/units";
+import { marksOf } from "../../run/marks";
+import { texts } from "../../texts";
+import type { Form } from "../index";
+import { itemList, markItem } from "../results/mark_list";
+import { Compare } from "./compare";
+import { ListFile } from "./data/list_file";
+import { Results, isFresh } from "./data/results";
+import { Runner } from "./data/runner";
+import type { From, Variant } from "./data/variants_file";
+import { Fields } from "./fields";
+import { Here } from "./here";
+import { VariantList, type Listed } from "./list";
+
+const words = texts.variants;
+const FIRST_MARKS = 8;
+
+/** What went wrong, and no more than that. */
+const FAULTS: readonly string[] = ["alarm", "collision", "violation", "zone"];
+
+const button = (text: string, title: string, act: () => void): HTMLButtonElement =>
+  element("button", { type: "button", title, onclick: act }, text);
+
+class VariantsPanel implements Form {
+  readonly element: HTMLElement;
+  private readonly file: ListFile;
+  private readonly results: Results;
+  private readonly runner: Runner;
+  private readonly files = choice(words.files, [], "", (name) => this.file.choose(name));
+  private readonly saveButton = button(words.save, "", () => this.save());
+  private readonly runAll = button(words.runAll, words.runAllHint, () => this.runStale());
+  private readonly cancelButton = button(words.cancel, "", () => this.runner.cancel());
+  private readonly progress = element("div", { class: "running", role: "status" });
+  private readonly fault = element("p", { class: "fault", role: "alert" });
+  private readonly about = element("p", { class: "note" }, words.about);
+  private readonly list = new VariantList({ choose: (row) => this.choose(row), remove: (row) => this.remove(row) });
+  private readonly fields: Fields;
+  private readonly chosenRow: HTMLElement;
+  private readonly chosenPlace = element("div", {});
+  private readonly marks = element("div", { class: "places" });
+  private readonly compare: Compare;
+  private readonly here: Here;
+  private readonly soon = new Debounced(() => this.draw());
+  private listed: Listed[] = [];
+  private chosen = 0;
+  private isShown = false;
+
+  constructor(
+    private readonly store: Store,
+    private readonly session: Session,
+  ) {
+    this.file = new ListFile(store, session);
+    this.results = new Results(session);
+    this.runner = new Runner(session, this.results, () => this.showRunning());
+    this.fields = new Fields(session, {
+      rename: (name) => this.rename(name),
+      change: (what, setup) => this.change(what, (variant) => ({ ...variant, setup: { ...variant.setup, ...setup } })),
+      fromStart: () => this.change(words.fromRow, (variant) => ({ ...variant, from: null })),
+    });
+    this.compare = new Compare(store, session);
+    this.here = new Here(store, session, (from) => this.fromHere(from));
+    const head = element("div", { class: "buttons" }, this.files, this.saveButton);
+    const makers = [button(words.add, words.addHint, () => this.add()), button(words.keep, words.keepHint, () => this.keep())];
+    const add = element("div", { class: "buttons" }, ...makers, this.runAll);
+    const acts = element(
+      "div",
+      { class: "buttons" },
+      button(words.run, "", () => this.runChosen()),
+      button(words.toBar, words.toBarHint, () => this.toBar()),
+      button(words.copy, "", () => this.copy()),
+      button(words.remove, "", () => this.remove(this.chosen)),
+    );
+    this.chosenRow = element("div", { class: "chosen" }, acts, this.fields.element, this.marks);
+    const parts = [head, add, this.progress, this.fault, this.about, element("div", { class: "wide" }, this.list.element), this.chosenPlace];
+    this.element = element("div", { class: "variants" }, ...parts, this.compare.element, this.here.element);
+    this.listen();
+    this.showRunning();
+  }
+
+  private listen(): void {
+    const { store, session, soon } = this;
+    const renew = () => soon.after(0);
+    session.documents.on(renew);
+    session.on(renew);
+    for (const key of ["variantsFile", "robot", "units"] as const) store.on(key, renew);
+    store.on("run", (run) => {
+      // The page's own run of a variant's set-up is that variant's, too.
+      const setup = run && session.origin(run)?.setup;
+      if (setup && this.variants.some((variant) => isSameSetup(variant.setup, setup))) this.results.take(run);
+      renew();
+    });
+    store.on("hereAsked", (isAsked) => {
+      if (!isAsked) return;
+      store.set("hereAsked", false);
+      this.here.reveal();
+    });
+    for (const key of ["selection", "run"] as const) store.on(key, () => this.isShown && this.here.show());
+  }
+
+  shown(): void {
+    this.isShown = true;
+    this.draw();
+  }
+
+  hidden(): void {
+    this.isShown = false;
+  }
+
+  private get variants(): readonly Variant[] {
+    return this.file.read().variants ?? [];
+  }
+
+  private get variant(): Variant | undefined {
+    return this.listed[this.chosen]?.variant;
+  }
+
+  /** What is not looked at is not worked out, but for what is shown in the view. */
+  private draw(): void {
+    if (!this.isShown && this.store.get("beside") === null) return;
+    const read = this.file.read();
+    this.fault.textContent = read.variants ? "" : words.unreadable(shortName(this.file.name), read.fault);
+    this.listed = (read.variants ?? []).map((variant) => ({ variant, standing: this.results.standing(variant.setup) }));
+    this.chosen = Math.max(0, Math.min(this.chosen, this.listed.length - 1));
+    this.about.hidden = this.listed.length > 0 || read.variants === null;
+    this.showFiles();
+    this.list.show(this.listed, this.chosen, this.store.get("robot"));
+    this.showChosen();
+    this.compare.show(this.listed);
+    this.here.show();
+  }
+
+  private showFiles(): void {
+    const { file } = this;
+    const isNew = file.isNew;
+    const names = file.names.map((name): [string, string] => [name, shortName(name)]);
+    offer(this.files, [...(isNew || names.length === 0 ? [["", words.newFile(file.newName)] as const] : []), ...names], isNew ? "" : file.name);
+    this.saveButton.setAttribute("aria-disabled", String(isNew));
+    this.saveButton.title = isNew ? words.nothingToSave : words.saveHint(shortName(file.name));
+    this.runAll.disabled = this.stale.length === 0;
+    this.runAll.title = this.listed.length > 0 && this.stale.length === 0 ? words.allHaveRun : words.runAllHint;
+  }
+
+  private showChosen(): void {
+    const { variant } = this;
+    if (!variant) return this.chosenRow.remove();
+    if (!this.chosenRow.isConnected) this.chosenPlace.append(this.chosenRow);
+    this.fields.show(variant);
+    this.showMarks();
+  }
+
+  private showMarks(): void {
+    const { standing } = this.listed[this.chosen];
+    const robot = this.store.get("robot");
+    const run = isFresh(standing) ? standing.run : null;
+    const marks = run ? marksOf(run, robot).filter(({ kind }) => FAULTS.includes(kind)) : [];
+    const items = marks.map((mark) => ({
+      ...markItem(mark, this.store),
+      choose: () => {
+        this.toBar();
+        goTo(this.store, mark, mark.t_s);
+      },
+    }));
+    this.marks.replaceChildren(...(items.length > 0 ? [itemList(words.marks, items, FIRST_MARKS)] : []));
+  }
+
+  private showRunning(): void {
+    const { underWay } = this.runner;
+    const wasHidden = this.progress.hidden;
+    this.progress.hidden = underWay === null;
+    if (wasHidden !== this.progress.hidden || this.progress.dataset.name !== underWay?.name) this.soon.after(0);
+    if (!underWay) return;
+    const { name, done, total } = underWay;
+    this.progress.dataset.name = name;
+    const blocks = done > 0 ? `, ${words.runningBlocks(countText(done), total > 0 ? countText(total) : "")}` : "";
+    const text = `${words.running(name)}${blocks} `;
+    if (this.progress.contains(this.cancelButton)) this.progress.firstChild!.textContent = text;
+    else this.progress.replaceChildren(text, this.cancelButton);
+  }
+
+  private choose(row: number): void {
+    this.chosen = row;
+    this.list.show(this.listed, row, this.store.get("robot"));
+    this.showChosen();
+  }
+
+  /** The last one is the one that is chosen. */
+  private append(label: (name: string) => string, variant: Variant): void {
+    const { fault } = this.file.read();
+    if (fault) return this.store.set("notice", words.unreadable(shortName(this.file.name), fault));
+    const named = { ...variant, name: this.file.free(variant.name) };
+    this.file.change(label(named.name), (variants) => [...variants, named]);
+    this.chosen = this.variants.length - 1;
+    this.draw();
+  }
+
+  private add(): void {
+    this.append(words.steps.added, { name: words.names.variant, setup: { ...this.session.setup }, from: null });
+  }
+
+  private keep(): void {
+    const run = this.store.get("run");
+    const origin = run && this.session.origin(run);
+    if (!origin) return this.store.set("notice", words.nothingRan);
+    this.results.take(run);
+    this.append(words.steps.kept, { name: words.names.kept, setup: { ...origin.setup }, from: null });
+  }
+
+  private copy(): void {
+    if (this.variant) this.append(words.steps.added, { ...this.variant, name: words.names.copy(this.variant.name) });
+  }
+
+  private fromHere(from: From): void {
+    const run = this.store.get("run")!;
+    const setup: Readonly<Setup> = this.session.origin(run)?.setup ?? this.session.setup;
+    // Lines of an earlier text are others by now.
+    const changed = this.session.changedSince(run);
+    if (changed.length > 0) return this.store.set("notice", words.here.changed(changed.map(shortName)));
+    this.results.take(run);
+    this.append(words.steps.added, { name: words.here.name(from.line), setup: { ...setup }, from });
+  }
+
+  private remove(row: number): void {
+    const { variant } = this.listed[row] ?? {};
+    if (!variant) return;
+    this.file.change(words.steps.removed(variant.name), (variants) => variants.filter(({ name }) => name !== variant.name));
+  }
+
+  private rename(name: string): boolean {
+    const { variant } = this;
+    if (!variant || name === variant.name) return true;
+    const isTaken = this.variants.some((each) => each.name === name);
+    if (isTaken || !name) {
+      this.store.set("notice", isTaken ? words.nameTaken(name) : words.nameEmpty);
+      return false;
+    }
+    this.change(words.of.name, (each) => ({ ...each, name }));
+    return true;
+  }
+
+  private change(what: string, change: (variant: Variant) => Variant): void {
+    const { variant } = this;
+    if (!variant) return;
+    this.file.change(words.steps.changed(variant.name, what), (variants) =>
+      variants.map((each) => (each.name === variant.name ? change(each) : each)),
+    );
+    this.draw();
+  }
+
+  private save(): void {
+    if (!this.file.isNew) void this.session.save(this.file.name);
+  }
+
+  /** Those whose figures are not of what is now. */
+  private get stale(): Variant[] {
+    return this.listed.filter(({ standing }) => !isFresh(standing) && standing.is !== "failed").map(({ variant }) => variant);
+  }
+
+  private runStale(): void {
+    void this.runner.run(this.stale);
+  }
+
+  private runChosen(): void {
+    if (this.variant) void this.runner.run([this.variant]);
+  }
+
+  private toBar(): void {
+    const { variant, standing } = this.listed[this.chosen] ?? {};
+    if (!variant || !standing) return;
+    const label = words.steps.toBar(variant.name);
+    if (isFresh(standing)) this.session.showRun(standing.run, label);
+    else this.session.history.edit(label, { setup: variant.setup });
+  }
+}
+
+export const createVariants = (store: Store, session: Session): Form => new VariantsPanel(store, session);

@@ -1,0 +1,64 @@
+// The variants in a table: how long each takes, and what came of it.
+
+import { element } from "../../core/dom";
+import { texts } from "../../texts";
+import { beginRows, makeRows } from "../results/rows";
+import { isFresh, type Standing } from "./data/results";
+import type { Variant } from "./data/variants_file";
+import { countedTime_s, signed, standingText, timeOfRun, variantText } from "./words";
+
+const words = texts.variants;
+
+export interface Listed {
+  variant: Variant;
+  standing: Standing;
+}
+
+export interface ListEvents {
+  choose(row: number): void;
+  remove(row: number): void;
+}
+
+export class VariantList {
+  readonly element: HTMLElement;
+  private readonly body = element("tbody");
+
+  constructor(events: ListEvents) {
+    const heads = Object.values(words.columns).map((name) => element("th", { scope: "col" }, name));
+    const head = element("thead", {}, element("tr", {}, ...heads));
+    this.element = element("table", { class: "variant-list" }, element("caption", { class: "unseen" }, words.table), head, this.body);
+    makeRows(this.body, (row) => events.choose(row), { Delete: (row) => events.remove(row) });
+  }
+
+  show(all: readonly Listed[], chosen: number, robot: number): void {
+    const hadFocus = this.body.contains(document.activeElement);
+    this.body.replaceChildren(...all.map((each, i) => this.row(each, all[0], i === chosen, robot)));
+    this.element.hidden = all.length === 0;
+    beginRows(this.body);
+    const rows = [...this.body.children] as HTMLElement[];
+    if (rows[chosen]) rows.forEach((row, i) => (row.tabIndex = i === chosen ? 0 : -1));
+    if (hadFocus) rows[chosen]?.focus();
+  }
+
+  private row({ variant, standing }: Listed, first: Listed, isChosen: boolean, robot: number): HTMLElement {
+    const [text, severity] = standingText(standing);
+    const { setup, from, name } = variant;
+    const [time, timeNote] = isFresh(standing) ? timeOfRun(standing.run, from, robot, standing.is === "stopped") : ["–", ""];
+    return element(
+      "tr",
+      { "aria-selected": String(isChosen), class: standing.is },
+      element("td", { class: "name", title: setup.program }, name, element("small", {}, variantText(variant, first.variant))),
+      element("td", { class: "time" }, time, element("small", {}, timeNote)),
+      element("td", { class: "difference" }, againstFirst({ variant, standing }, first, robot)),
+      element("td", { class: `standing ${severity}` }, text),
+    );
+  }
+}
+
+/** Only where both came to their ends and count from the same place. */
+function againstFirst(one: Listed, first: Listed, robot: number): string {
+  if (one.variant === first.variant || one.standing.is !== "done" || first.standing.is !== "done") return "";
+  const { from } = one.variant;
+  const [time_s, first_s] = [one, first].map(({ standing }) => countedTime_s(standing.run!, from, robot));
+  return time_s === null || first_s === null ? "" : signed(time_s - first_s);
+}

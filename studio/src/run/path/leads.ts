@@ -1,0 +1,141 @@
+// Leads: ways through the waste that run into the first cut of a contour along its tangent, and out behind its last one.
+
+import { texts } from "../../texts";
+import { directionOfArc } from "./path_arc";
+import { insertTargets, setTarget } from "./path_edit";
+import { isSamePlace, isSubPath, keyOfPlace, pointAt, type PathFile, type Place, type Point, type Target } from "./path_file";
+import { stateBehind, type Motion, type State, type Walk } from "./path_walk";
+import { add, cross, distance, dot, lengthOf, roundedVector, scaled, subtract, unit, type Vector } from "./vector";
+
+export interface LeadChoice {
+  kind: "arc" | "line";
+  /** Radius of the arc, a quarter circle; length of the line. */
+  size_mm: number;
+  /** Of the line: from the way of the cut, 0 to 90. */
+  angle_deg: number;
+  /** Of the cut, seen along its way, with the tool upright. */
+  side: "left" | "right";
+  into: boolean;
+  out: boolean;
+}
+
+const words = texts.paths.leads;
+const NEAR_MM = 1e-4;
+const RAD = Math.PI / 180;
+
+const directionAt = (motion: Motion, share: number): Vector | null =>
+  motion.arc ? directionOfArc(motion.arc, share) : unit(subtract(motion.to_mm, motion.from_mm!));
+
+/** The direction from the tip to what holds the tool, where the path says it by a direction. */
+export const upOf = ({ tool_axis }: State): Vector => (tool_axis && unit(tool_axis)) ?? [0, 0, 1];
+
+const isCut = (motion: Motion): boolean =>
+  !motion.rapid && motion.from_mm !== null && (motion.arc !== null || distance(motion.from_mm, motion.to_mm) > NEAR_MM);
+
+/** From the end of the cut outwards: `sense` is -1 for what leads into it, 1 for what leads out. */
+function endOfLead(at: Vector, along: Vector, aside: Vector, choice: LeadChoice, sense: 1 | -1): Vector {
+  const { kind, size_mm, angle_deg } = choice;
+  const forward = kind === "arc" ? 1 : Math.cos(angle_deg * RAD);
+  const sideways = kind === "arc" ? 1 : Math.sin(angle_deg * RAD);
+  return roundedVector(add(at, add(scaled(along, sense * forward * size_mm), scaled(aside, sideways * size_mm))));
+}
+
+function motionOfLead(to: Vector, at: Vector, along: Vector, aside: Vector, { kind, size_mm }: LeadChoice): Point {
+  if (kind === "line") return { motion: "linear", position_mm: to };
+  const center_mm = roundedVector(add(at, scaled(aside, size_mm)));
+  return { motion: "circular", position_mm: to, center_mm, normal: roundedVector(cross(along, aside)), turn_deg: 90 };
+}
+
+/** Whether a target stands at a place, or over it along the tool. */
+function standsOver(target: Target | undefined, at: Vector, up: Vector): target is Point {
+  if (!target || isSubPath(target)) return false;
+  const off = subtract(target.position_mm, at);
+  return lengthOf(subtract(off, scaled(up, dot(off, up)))) < NEAR_MM;
+}
+
+class Leads {
+  private readonly targets: Target[];
+
+  constructor(
+    private text: string,
+    private readonly file: PathFile,
+    private readonly walk: Walk,
+    private readonly path: number,
+    private readonly choice: LeadChoice,
+  ) {
+    this.targets = file.paths[path].targets;
+  }
+
+  add(first: number, count: number): string | { fault: string } {
+    const inside = ({ place }: Motion) => place.path === this.path && place.target >= first && place.target < first + count;
+    const cuts = this.walk.motions.filter((motion) => inside(motion) && isCut(motion));
+    cuts.sort((a, b) => a.place.target - b.place.target);
+    if (cuts.length === 0) return { fault: words.noCut };
+    // From behind, so that numbers of targets stay right.
+    if (this.choice.out) this.leadOut(cuts.at(-1)!);
+    if (this.choice.into) this.leadIn(cuts[0]);
+    return this.text;
+  }
+
+  private place(target: number): Place {
+    return { path: this.path, target };
+  }
+
+  private before({ place }: Motion): State {
+    return this.walk.before.get(keyOfPlace(place)) ?? {};
+  }
+
+  private sideOf(along: Vector, up: Vector): Vector {
+    const left = unit(cross(up, along)) ?? [1, 0, 0];
+    return this.choice.side === "left" ? left : scaled(left, -1);
+  }
+
+  /** What stands at an end of the cut, and over it, goes to the end of the lead. */
+  private shift(from: number, step: 1 | -1, at: Vector, by: Vector, up: Vector): void {
+    for (let i = from; standsOver(this.targets[i], at, up); i += step) {
+      const { position_mm } = this.targets[i] as Point;
+      this.text = setTarget(this.text, this.place(i), { position_mm: roundedVector(add(position_mm, by)) });
+    }
+  }
+
+  private leadIn(cut: Motion): void {
+    const at = cut.from_mm!;
+    const up = upOf(this.before(cut));
+    const along = directionAt(cut, 0)!;
+    const aside = this.sideOf(along, up);
+    const start = endOfLead(at, along, aside, this.choice, -1);
+    const { target } = cut.place;
+    const { feed_mm_min } = pointAt(this.file, cut.place)!;
+    const lead = { ...motionOfLead(at, at, along, aside, this.choice), feed_mm_min };
+    // A cut that goes on from another path is left, and begun anew.
+    const goesOn = !isSamePlace(cut.after, this.place(target - 1));
+    if (!goesOn) this.shift(target - 1, -1, at, subtract(start, at), up);
+    const added: Point[] = goesOn ? [{ motion: "rapid", position_mm: start }, lead] : [lead];
+    this.text = insertTargets(this.text, this.path, target, added);
+  }
+
+  private leadOut(cut: Motion): void {
+    const at = cut.to_mm;
+    const point = pointAt(this.file, cut.place)!;
+    const up = upOf(stateBehind(this.before(cut), point));
+    const along = directionAt(cut, 1)!;
+    const aside = this.sideOf(along, up);
+    const end = endOfLead(at, along, aside, this.choice, 1);
+    const { actions, dwell_s } = point;
+    const lead = { ...motionOfLead(end, at, along, aside, this.choice), dwell_s, actions };
+    const { target } = cut.place;
+    this.shift(target + 1, 1, at, subtract(end, at), up);
+    this.text = setTarget(this.text, cut.place, { dwell_s: undefined, actions: undefined });
+    this.text = insertTargets(this.text, this.path, target + 1, [lead]);
+  }
+}
+
+/** The text with leads at the ends of the cuts among some targets of a path; a sentence where there is no cut. */
+export const addLeads = (
+  text: string,
+  file: PathFile,
+  walk: Walk,
+  { path, target }: Place,
+  count: number,
+  choice: LeadChoice,
+): string | { fault: string } => new Leads(text, file, walk, path, choice).add(target, count);

@@ -1,0 +1,97 @@
+// The arcs of a path: through a via point, or about a centre; helices and several turns included.
+
+import { texts } from "../../texts";
+import type { Point } from "./path_file";
+import { add, cross, distance, dot, lengthOf, scaled, subtract, turned, unit, type Vector } from "./vector";
+
+export interface Arc {
+  center: Vector;
+  /** From the centre to the start. */
+  first: Vector;
+  normal: Vector;
+  endRadius_mm: number;
+  turn_rad: number;
+  /** Along the normal, from the start to the end. */
+  rise_mm: number;
+}
+
+const LEAST_MM = 1e-6;
+/** How far the ends of an arc may be off its circle. */
+const TOLERANCE_MM = 0.01;
+const FULL = 2 * Math.PI;
+const DEG = 180 / Math.PI;
+const words = texts.paths.faults;
+
+/** From one radius to another about the normal, from 0 to a full turn. */
+function angleBetween(from: Vector, to: Vector, normal: Vector): number {
+  const angle = Math.atan2(dot(normal, cross(from, to)), dot(from, to));
+  return angle < 0 ? angle + FULL : angle;
+}
+
+function through(start: Vector, via: Vector, end: Vector): Arc | string {
+  const chord = subtract(end, start);
+  const toVia = subtract(via, start);
+  if (lengthOf(chord) < LEAST_MM) return words.viaNoWay;
+  const across = cross(chord, toVia);
+  if (lengthOf(across) < LEAST_MM * lengthOf(chord)) return words.viaOnLine;
+  const sum = add(scaled(cross(across, chord), dot(toVia, toVia)), scaled(cross(toVia, across), dot(chord, chord)));
+  const toCenter = scaled(sum, 1 / (2 * dot(across, across)));
+  const center = add(start, toCenter);
+  const first = scaled(toCenter, -1);
+  const normal = scaled(across, -1 / lengthOf(across));
+  const turn_rad = angleBetween(first, subtract(end, center), normal);
+  return { center, first, normal, endRadius_mm: lengthOf(first), turn_rad, rise_mm: 0 };
+}
+
+/** The remainder nearest to 0. */
+const wrapped = (angle: number): number => angle - FULL * Math.round(angle / FULL);
+
+function about(start: Vector, { center_mm, normal, turn_deg }: Point, end: Vector): Arc | string {
+  const axis = unit(normal ?? [0, 0, 1]) ?? [0, 0, 1];
+  const given = center_mm!;
+  const center = add(given, scaled(axis, dot(axis, subtract(start, given))));
+  const first = subtract(start, center);
+  const rise_mm = dot(axis, subtract(end, center));
+  const last = subtract(subtract(end, center), scaled(axis, rise_mm));
+  const [radius_mm, endRadius_mm] = [lengthOf(first), lengthOf(last)];
+  if (radius_mm < LEAST_MM) return words.startsAtCenter;
+  if (Math.abs(endRadius_mm - radius_mm) > TOLERANCE_MM) return words.radiiDiffer(radius_mm.toPrecision(6), endRadius_mm.toPrecision(6));
+  const turn_rad = turn_deg! / DEG;
+  const off = wrapped(turn_rad - angleBetween(first, last, axis));
+  if (Math.abs(off) * radius_mm > TOLERANCE_MM) {
+    const right = (turn_rad - off) * DEG;
+    return words.turnLeadsElsewhere(turn_deg!, (right > 0 ? right : right + 360).toPrecision(6));
+  }
+  return { center, first, normal: axis, endRadius_mm, turn_rad: Math.max(turn_rad - off, Math.abs(off)), rise_mm };
+}
+
+/** The arc from a start to a circular point; a sentence where there is none. */
+export function arcTo(start: Vector, point: Point): Arc | string {
+  return point.via_mm ? through(start, point.via_mm, point.position_mm) : about(start, point, point.position_mm);
+}
+
+/** A point of an arc, a share from 0 to 1 on its way. */
+export function pointOfArc({ center, first, normal, endRadius_mm, turn_rad, rise_mm }: Arc, share: number): Vector {
+  const scale = 1 + share * (endRadius_mm / lengthOf(first) - 1);
+  return add(add(center, scaled(turned(first, normal, share * turn_rad), scale)), scaled(normal, share * rise_mm));
+}
+
+export const arcLength_mm = ({ first, turn_rad, rise_mm }: Arc): number => Math.hypot(lengthOf(first) * turn_rad, rise_mm);
+
+/** In which it goes at a share of its way, of length 1. */
+export function directionOfArc(arc: Arc, share: number): Vector {
+  const around = scaled(turned(cross(arc.normal, arc.first), arc.normal, share * arc.turn_rad), arc.turn_rad);
+  return unit(add(around, scaled(arc.normal, arc.rise_mm)))!;
+}
+
+/** Points of an arc that chords between are off it by no more than this, its start left out. */
+export function sampleArc(arc: Arc, off_mm: number, most = 20_000): Vector[] {
+  const radius_mm = Math.max(lengthOf(arc.first), arc.endRadius_mm);
+  const step_rad = 2 * Math.acos(Math.max(1 - off_mm / radius_mm, 0.5));
+  const count = Math.min(Math.max(Math.ceil(arc.turn_rad / step_rad), 2), most);
+  return Array.from({ length: count }, (_, i) => pointOfArc(arc, (i + 1) / count));
+}
+
+/** Whether it is one that a via point can tell: less than a full turn in one plane. */
+export const isPlainArc = (arc: Arc, start: Vector, end: Vector): boolean =>
+  arc.turn_rad < FULL && Math.abs(arc.rise_mm) < LEAST_MM && distance(start, end) > LEAST_MM;

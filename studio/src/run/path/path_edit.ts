@@ -1,0 +1,139 @@
+// Changes of a path file's text. Each gives the new text; what a change does not touch keeps its layout.
+
+import {
+  changeValue,
+  insertItems,
+  insertTexts,
+  jsonLine,
+  removeItems,
+  reorderItems,
+  replaceValue,
+  setMember,
+  textsOfItems,
+  type JsonValue,
+} from "../../core/json_text";
+import { arcTo, isPlainArc, pointOfArc } from "./path_arc";
+import {
+  indexOfPath,
+  isSamePlace,
+  isSubPath,
+  jsonPlaceOf,
+  pointAt,
+  rootOf,
+  type PathFile,
+  type Place,
+  type Point,
+  type SubPath,
+  type Target,
+} from "./path_file";
+import { pointKeys } from "./target_faults";
+import { roundedVector, type Vector } from "./vector";
+import type { Walk } from "./path_walk";
+
+/** Values to be set; what is undefined is taken away. */
+export type PointChange = { [Key in keyof Point]?: Point[Key] | undefined };
+
+const targetsOf = (path: number) => ["paths", path, "targets"];
+const subPathKeys = ["path", "repeats"];
+
+/** Keeps or takes away members of a target, one after the other. */
+export const setTarget = (text: string, place: Place, change: PointChange | Partial<SubPath>): string =>
+  changeValue(text, jsonPlaceOf(place), (target) => {
+    const order = "path" in change || "repeats" in change ? subPathKeys : pointKeys;
+    // What goes, goes first: of two kinds of orientation there is one at most.
+    const all = Object.entries(change).sort((a, b) => Number(a[1] !== undefined) - Number(b[1] !== undefined));
+    return all.reduce((all, [key, value]) => setMember(all, [], key, value as JsonValue, order), target);
+  });
+
+/** Puts targets in front of one of a path, by its number; that of none: at the end. */
+export const insertTargets = (text: string, path: number, before: number, targets: Target[]): string =>
+  insertItems(text, targetsOf(path), before, targets as unknown as JsonValue[]);
+
+/** Puts targets behind a place; behind the path itself: at its end. */
+export const addTargets = (text: string, file: PathFile, { path, target }: Place, targets: Target[]): string =>
+  insertTargets(text, path, target < 0 ? file.paths[path].targets.length : target + 1, targets);
+
+/** Takes targets out; a path keeps one at least. */
+export function removeTargets(text: string, file: PathFile, { path, target }: Place, count: number): string {
+  return count < file.paths[path].targets.length ? removeItems(text, targetsOf(path), target, count) : text;
+}
+
+/** Puts a copy of targets behind them. */
+export const duplicateTargets = (text: string, { path, target }: Place, count: number): string =>
+  insertTexts(text, targetsOf(path), target + count, textsOfItems(text, targetsOf(path), target, count));
+
+/** Puts targets to where another one of their path stands, which makes room. */
+export function moveTargets(text: string, file: PathFile, { path, target }: Place, count: number, to: number): string {
+  const all = file.paths[path].targets.map((_, i) => i);
+  const moved = all.splice(target, count);
+  all.splice(Math.min(Math.max(to, 0), all.length), 0, ...moved);
+  return reorderItems(text, targetsOf(path), all);
+}
+
+/** "part 2" where there is a "part" already. */
+export function freeName(file: PathFile, wanted: string): string {
+  let name = wanted;
+  for (let i = 2; indexOfPath(file, name) >= 0; ++i) name = `${wanted} ${i}`;
+  return name;
+}
+
+/** A path as files have it: a line for each target. */
+const pathText = (name: string, targets: string[]): string =>
+  `{"name": ${JSON.stringify(name)}, "targets": [\n${targets.map((target) => `  ${target}`).join(",\n")}\n]}`;
+
+/** Makes a path of its own of some targets, at the end of the file, and puts it in their place. */
+export function makeSubPath(text: string, file: PathFile, place: Place, count: number, name: string): string {
+  const { path, target } = place;
+  const made = pathText(name, textsOfItems(text, targetsOf(path), target, count));
+  const replaced = replaceValue(text, jsonPlaceOf(place), { path: name });
+  const without = count > 1 ? removeItems(replaced, targetsOf(path), target + 1, count - 1) : replaced;
+  return insertTexts(without, ["paths"], file.paths.length, [made]);
+}
+
+/** Takes a path out that nothing uses. */
+export function removePath(text: string, file: PathFile, path: number): string {
+  return file.paths.length > 1 && path !== rootOf(file) && usersOf(file, file.paths[path].name).length === 0
+    ? removeItems(text, ["paths"], path, 1)
+    : text;
+}
+
+/** Where a path is used. */
+export const usersOf = (file: PathFile, name: string): Place[] =>
+  file.paths.flatMap(({ targets }, path) =>
+    targets.flatMap((each, target) => (isSubPath(each) && each.path === name ? [{ path, target }] : [])),
+  );
+
+/** Gives a path another name, wherever it is named. */
+export function renamePath(text: string, file: PathFile, path: number, name: string): string {
+  const before = file.paths[path].name;
+  let changed = replaceValue(text, ["paths", path, "name"], name);
+  for (const place of usersOf(file, before)) changed = setTarget(changed, place, { path: name });
+  return file.root === before ? setRoot(changed, name) : changed;
+}
+
+export const setRoot = (text: string, name: string): string =>
+  setMember(text, [], "root", name, ["$schema", "name", "root", "work_offsets", "paths"]);
+
+/** The text of a new file, whose one path has one point. */
+export const newPathFile = (name: string, point: Point): string =>
+  `{\n"name": ${JSON.stringify(name)},\n"root": ${JSON.stringify(name)},\n"paths": [\n` +
+  `${pathText(name, [jsonLine(point as unknown as JsonValue)])}\n]\n}\n`;
+
+/**
+ * Puts a point elsewhere. Arcs about a centre that begin or end there, and fit no longer, become arcs through the middle
+ * of what they were.
+ */
+export function movePoint(text: string, file: PathFile, walk: Walk, place: Place, position_mm: Vector): string {
+  const to = roundedVector(position_mm);
+  let changed = setTarget(text, place, { position_mm: to });
+  for (const { place: arcPlace, after, from_mm, to_mm, arc } of walk.motions) {
+    const [ends, begins] = [isSamePlace(arcPlace, place), isSamePlace(after, place)];
+    const point = pointAt(file, arcPlace);
+    if (!arc || !from_mm || !point?.center_mm || !(ends || begins)) continue;
+    const fits = typeof arcTo(begins ? to : from_mm, ends ? { ...point, position_mm: to } : point) !== "string";
+    if (fits || !isPlainArc(arc, begins ? to : from_mm, ends ? to : to_mm)) continue;
+    const via_mm = roundedVector(pointOfArc(arc, 0.5));
+    changed = setTarget(changed, arcPlace, { via_mm, center_mm: undefined, normal: undefined, turn_deg: undefined });
+  }
+  return changed;
+}

@@ -1,0 +1,43 @@
+// How the tool goes to a point, said otherwise: another motion, an arc by its via point or by its centre.
+
+import { arcTo, isPlainArc, pointOfArc, type Arc } from "./path_arc";
+import type { PointChange } from "./path_edit";
+import { motionOf, type MotionType, type Point } from "./path_file";
+import { add, between, cross, distance, rounded, roundedVector, scaled, subtract, unit, type Vector } from "./vector";
+
+const noArc: PointChange = { via_mm: undefined, center_mm: undefined, normal: undefined, turn_deg: undefined };
+/** How far the first arc between two points is from their chord, of its length. */
+const BULGE = 0.25;
+const DEG = 180 / Math.PI;
+
+/** A point beside the middle of a chord, to the right of the way as the tool looks down. */
+function besideChord(from: Vector, to: Vector, up: Vector): Vector {
+  const chord = subtract(to, from);
+  const aside = unit(cross(chord, up)) ?? unit(cross(chord, [1, 0, 0])) ?? [0, 1, 0];
+  return roundedVector(add(between(from, to, 0.5), scaled(aside, BULGE * Math.max(distance(from, to), 1))));
+}
+
+/** Another motion; an arc begins as a flat one through a point beside the chord. */
+export function motionChange(point: Point, motion: MotionType, from_mm: Vector | null, up: Vector): PointChange {
+  const change: PointChange = { motion };
+  if (motion === "circular") return { ...change, lead_mm: undefined, via_mm: besideChord(from_mm ?? [0, 0, 0], point.position_mm, up) };
+  if (motion !== "linear") change.lead_mm = undefined;
+  return motionOf(point) === "circular" ? { ...change, ...noArc } : change;
+}
+
+export const byVia = (via_mm: Vector): PointChange => ({ ...noArc, via_mm: roundedVector(via_mm) });
+
+export const byCenter = ({ center, normal, turn_rad }: Arc): PointChange => ({
+  ...noArc,
+  center_mm: roundedVector(center),
+  normal: roundedVector(normal),
+  turn_deg: rounded(turn_rad * DEG),
+});
+
+/** The same arc by its centre, or by its via point; null: it is none that can be said so. */
+export function arcSaidOtherwise(point: Point, from_mm: Vector | null, kind: "via" | "center"): PointChange | null {
+  const arc = from_mm && arcTo(from_mm, point);
+  if (!from_mm || arc === null || typeof arc === "string") return null;
+  if (kind === "center") return byCenter(arc);
+  return isPlainArc(arc, from_mm, point.position_mm) ? byVia(pointOfArc(arc, 0.5)) : null;
+}

@@ -1,0 +1,169 @@
+// A way through a path file: from where the tool comes to each point, what the point takes over from those before it, and
+// what is wrong there.
+
+import { texts } from "../../texts";
+import { arcTo, type Arc } from "./path_arc";
+import { indexOfPath, isSubPath, keyOfPlace, motionOf, rootOf, type Fault, type PathFile, type Place, type Point, type SubPath } from "./path_file";
+import type { Vector } from "./vector";
+
+/** How deep sub-paths may be nested; the root is not counted. */
+const MOST_DEPTH = 8;
+const words = texts.paths.faults;
+
+type Orientation = Pick<Point, "tool_axis" | "rpy_deg" | "rotary_deg">;
+
+/** What points take over from those before. */
+export interface State extends Orientation {
+  position_mm?: Vector;
+  /** The point that the position is of. */
+  at?: Place;
+  feed_mm_min?: number;
+  feed_deg_min?: number;
+  feed_mm_rev?: number;
+  work_offset?: string;
+  acceleration_mm_s2?: number;
+}
+
+/** A motion to a point. */
+export interface Motion {
+  place: Place;
+  /** The point that the tool comes from, and its position; null: nothing says where that is. */
+  after: Place | null;
+  from_mm: Vector | null;
+  to_mm: Vector;
+  rapid: boolean;
+  arc: Arc | null;
+}
+
+export interface Walk {
+  motions: Motion[];
+  /** By keyOfPlace: what is in force before a point. */
+  before: Map<string, State>;
+  /** Numbers of the paths that the root leads to. */
+  used: Set<number>;
+  faults: Fault[];
+}
+
+/** What is in force behind a point, or behind what a whole path sets. */
+export function stateBehind(before: State, later: State): State {
+  const turning = later.tool_axis ?? later.rpy_deg ?? later.rotary_deg ? later : before;
+  const feeding = later.feed_mm_min !== undefined ? later : before;
+  // Member by member: paths may have very many points.
+  return {
+    position_mm: later.position_mm ?? before.position_mm,
+    at: later.at ?? before.at,
+    tool_axis: turning.tool_axis,
+    rpy_deg: turning.rpy_deg,
+    rotary_deg: turning.rotary_deg,
+    feed_mm_min: feeding.feed_mm_min,
+    feed_mm_rev: feeding.feed_mm_rev,
+    feed_deg_min: later.feed_deg_min ?? before.feed_deg_min,
+    work_offset: later.work_offset ?? before.work_offset,
+    acceleration_mm_s2: later.acceleration_mm_s2 ?? before.acceleration_mm_s2,
+  };
+}
+
+class Walker {
+  readonly walk: Walk = { motions: [], before: new Map(), used: new Set(), faults: [] };
+  /** What each path that has been gone through sets. */
+  private readonly changes = new Map<number, State>();
+  /** Ways into paths that have been gone through: first point, and where the tool came from. */
+  private readonly ways = new Set<string>();
+  private readonly faulty = new Set<string>();
+
+  constructor(private readonly file: PathFile) {}
+
+  all(): Walk {
+    const { file, walk } = this;
+    const names = new Set<string>();
+    file.paths.forEach(({ name }, path) => {
+      if (names.has(name)) this.fail({ path, target: -1 }, words.twice(name));
+      names.add(name);
+    });
+    const root = rootOf(file);
+    if (root < 0) walk.faults.push({ text: words.noPath(file.root!), place: null });
+    else this.enter(root, {}, []);
+    walk.used = new Set(this.changes.keys());
+    // Those that nothing leads to are drawn, too: one may be about to use them.
+    file.paths.forEach((_, path) => {
+      if (!this.changes.has(path)) this.enter(path, {}, []);
+    });
+    return walk;
+  }
+
+  private fail(place: Place, text: string): void {
+    const key = keyOfPlace(place);
+    if (this.faulty.has(key)) return;
+    this.faulty.add(key);
+    this.walk.faults.push({ text, place });
+  }
+
+  /** Goes through a path for the first time; returns what is in force behind it. */
+  private enter(path: number, state: State, way: number[]): State {
+    let change: State = {};
+    this.file.paths[path].targets.forEach((target, i) => {
+      const place = { path, target: i };
+      if (isSubPath(target)) {
+        const below = this.follow(place, target, state, [...way, path]);
+        change = stateBehind(change, below);
+        state = stateBehind(state, below);
+      } else {
+        this.go(place, target, state, way.length === 0);
+        change = stateBehind(change, target);
+        state = stateBehind(state, target);
+        state.at = change.at = place;
+      }
+    });
+    this.changes.set(path, change);
+    return state;
+  }
+
+  /** Returns what a sub-path sets. */
+  private follow(place: Place, { path: name, repeats = 1 }: SubPath, state: State, way: number[]): State {
+    const path = indexOfPath(this.file, name);
+    if (path < 0) this.fail(place, words.noPath(name));
+    else if (way.includes(path)) this.fail(place, words.circle(name));
+    else if (way.length > MOST_DEPTH) this.fail(place, words.tooDeep(MOST_DEPTH));
+    else {
+      if (this.changes.has(path)) this.comeTo(path, state);
+      else this.enter(path, state, way);
+      const change = this.changes.get(path)!;
+      // Each pass but the first comes from the path's own end.
+      if (repeats > 1) this.comeTo(path, stateBehind(state, change));
+      return change;
+    }
+    return {};
+  }
+
+  /** Another way to a path that has been gone through: only its first motion is another one. */
+  private comeTo(path: number, state: State, depth = 0): void {
+    const [first] = this.file.paths[path].targets;
+    const place = { path, target: 0 };
+    if (!isSubPath(first)) return this.go(place, first, state, false);
+    const below = indexOfPath(this.file, first.path);
+    if (depth < MOST_DEPTH && this.changes.has(below)) this.comeTo(below, state, depth + 1);
+  }
+
+  private go(place: Place, point: Point, state: State, isOutermost: boolean): void {
+    const key = keyOfPlace(place);
+    if (!this.walk.before.has(key)) this.walk.before.set(key, state);
+    const from_mm = state.position_mm ?? null;
+    if (place.target === 0) {
+      const way = `${key} ${from_mm}`;
+      if (this.ways.has(way)) return;
+      this.ways.add(way);
+    }
+    const motion = motionOf(point);
+    let arc: Arc | null = null;
+    if (motion === "circular") {
+      const shape = from_mm ? arcTo(from_mm, point) : isOutermost ? words.firstIsArc : null;
+      if (typeof shape === "string") this.fail(place, shape);
+      else arc = shape;
+    }
+    if (motion === "none") return;
+    const after = state.at ?? null;
+    this.walk.motions.push({ place, after, from_mm, to_mm: point.position_mm, rapid: motion === "rapid", arc });
+  }
+}
+
+export const walkPath = (file: PathFile): Walk => new Walker(file).all();

@@ -1,0 +1,66 @@
+// Rotary axes that let the tool stand in a direction: found step by step from where they are, by the machine's own chain.
+
+import { Vector3 } from "three";
+import type { Chain } from "../chain";
+import { toolDirection } from "./tool_direction";
+
+const STEPS = 40;
+const DIFFERENCE_DEG = 1e-4;
+/** Of directions that are the same, as the chord between them. */
+const CLOSE = 1e-9;
+/** Where the axes cannot tell by small steps which way to go, they begin elsewhere. */
+const BEGINNINGS_DEG = [0, 45, -45, 90, -90, 135, -135, 180];
+
+type Values = Record<string, number>;
+
+/** Solves (J'J + damping) x = J'r for a few unknowns. */
+function solve(columns: Vector3[], rest: Vector3, damping: number): number[] {
+  const n = columns.length;
+  const rows = columns.map((a, i) => [...columns.map((b, j) => a.dot(b) + (i === j ? damping : 0)), a.dot(rest)]);
+  for (let i = 0; i < n; ++i) {
+    for (let k = 0; k < n; ++k) {
+      if (k === i) continue;
+      const factor = rows[k][i] / rows[i][i];
+      for (let j = i; j <= n; ++j) rows[k][j] -= factor * rows[i][j];
+    }
+  }
+  return rows.map((row, i) => row[n] / row[i]);
+}
+
+function searchFrom(wanted: Vector3, start: Values, chain: Chain): Values | null {
+  const letters = Object.keys(start);
+  let [values, damping] = [start, 1e-8];
+  let at = toolDirection({ rotary_deg: values }, chain)!;
+  for (let step = 0; step < STEPS; ++step) {
+    const rest = wanted.clone().sub(at);
+    if (rest.length() < CLOSE) return values;
+    const columns = letters.map((letter) => {
+      const moved = toolDirection({ rotary_deg: { ...values, [letter]: values[letter] + DIFFERENCE_DEG } }, chain)!;
+      return moved.sub(at).divideScalar(DIFFERENCE_DEG);
+    });
+    const by = solve(columns, rest, damping);
+    const next = Object.fromEntries(letters.map((letter, i) => [letter, values[letter] + by[i]]));
+    const there = toolDirection({ rotary_deg: next }, chain)!;
+    // What leads no nearer is tried again with shorter steps.
+    if (there.distanceTo(wanted) < at.distanceTo(wanted)) [values, at, damping] = [next, there, Math.max(damping / 10, 1e-12)];
+    else damping *= 30;
+  }
+  return null;
+}
+
+const changeOf = (from: Values, to: Values): number =>
+  Math.max(...Object.keys(from).map((letter) => Math.abs(to[letter] - from[letter])));
+
+/** Values in deg by letter, as near to given ones as can be found; null: there are none. */
+export function rotaryFor(wanted: Vector3, near: Values, chain: Chain): Values | null {
+  const direction = wanted.clone().normalize();
+  if (!toolDirection({ rotary_deg: near }, chain) || Object.keys(near).length === 0) return null;
+  const [first] = Object.keys(near);
+  let best: Values | null = null;
+  for (const by of BEGINNINGS_DEG) {
+    const found = searchFrom(direction, { ...near, [first]: near[first] + by }, chain);
+    if (found && (!best || changeOf(near, found) < changeOf(near, best))) best = found;
+    if (best && changeOf(near, best) < 30) return best;
+  }
+  return best;
+}

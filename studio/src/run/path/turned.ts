@@ -1,0 +1,21 @@
+// An orientation that is turned, said in the way that it was.
+
+import { Quaternion } from "three";
+import type { Chain } from "../chain";
+import type { PointChange } from "./path_edit";
+import { rotaryFor } from "./rotary_search";
+import { rotationOf, rpyOf, toolDirection, type Orientation } from "./tool_direction";
+import { rounded, roundedVector, type Vector } from "./vector";
+
+/** null: it cannot be turned so, or nothing says what it is. */
+export function turnedOrientation(orientation: Orientation, turn: Quaternion, chain: Chain | null): PointChange | null {
+  const { rpy_deg, rotary_deg } = orientation;
+  const none = { tool_axis: undefined, rpy_deg: undefined, rotary_deg: undefined };
+  if (rpy_deg) return { ...none, rpy_deg: roundedVector(rpyOf(turn.clone().multiply(rotationOf(rpy_deg)))) };
+  const direction = toolDirection(orientation, chain)?.applyQuaternion(turn);
+  if (!direction) return null;
+  if (!rotary_deg) return { ...none, tool_axis: roundedVector(direction.toArray() as Vector) };
+  const found = rotaryFor(direction, rotary_deg, chain!);
+  if (!found) return null;
+  return { ...none, rotary_deg: Object.fromEntries(Object.entries(found).map(([letter, value]) => [letter, rounded(value)])) };
+}

@@ -1,0 +1,32 @@
+// What a page that gsim-studio serves shows first: what was asked for, or else a program of the folder.
+
+import { samples, setupOf } from "./bar/gallery";
+import type { Folder } from "./core/folder";
+import { dialectOfName, namesOfKind } from "./core/kinds";
+import type { Session } from "./core/session";
+import { emptySetup } from "./core/setup";
+import type { Served } from "./embedded";
+import { texts } from "./texts";
+
+/** The first program by name, of the upper folders before those below. */
+function firstProgram({ documents }: Session, folder: Folder): string {
+  const depth = (name: string) => name.split("/").length;
+  const programs = namesOfKind("program", documents).filter((name) => folder.has(name));
+  return programs.sort((a, b) => depth(a) - depth(b) || a.localeCompare(b))[0] ?? "";
+}
+
+export async function openServed(session: Session, folder: Folder, { name, setup }: Served): Promise<void> {
+  document.title = texts.folder.title(name);
+  session.versionsBy(() => folder.versions());
+  try {
+    await folder.open();
+  } catch (fault) {
+    session.store.set("notice", texts.folder.unread(name, String(fault)));
+  }
+  const program = setup.program || firstProgram(session, folder);
+  const given = Object.fromEntries(Object.entries({ ...setup, program }).filter(([, value]) => value !== ""));
+  await folder.readAll(Object.values(given));
+  void folder.follow();
+  session.change(program ? { ...emptySetup(), dialect: dialectOfName(program), ...given } : setupOf(samples[0]));
+  await session.run();
+}

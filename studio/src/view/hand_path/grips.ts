@@ -1,0 +1,162 @@
+// What of a handle is taken hold of: an arrow moves along its axis, the dot in the middle in a plane, a ring turns. Where they
+// are on the screen, and what a pull at them does.
+
+import { Matrix4, Plane, Quaternion, Ray, Raycaster, Vector2, Vector3 } from "three";
+import type { CameraRig } from "../camera";
+
+export interface Grip {
+  kind: "move" | "plane" | "turn";
+  /** The axis of the work frame: of a plane its normal. */
+  axis: 0 | 1 | 2;
+}
+
+/** Sizes on the screen. */
+export const ARROW_PX = 64;
+export const RING_PX = 84;
+const REACH_PX = 7;
+const RING_STEPS = 64;
+/** Nearer to the middle arrows cannot be told apart. */
+const MIDDLE_PX = 9;
+/** A plane that is seen under less than this (sine) is no ground to pull on. */
+const LEAST_SINE = 0.2;
+
+export const unitOf = (axis: number): Vector3 => new Vector3().setComponent(axis, 1);
+
+/** A point of a ring about an axis, of radius 1. */
+export function ringPoint(axis: number, angle: number): Vector3 {
+  const point = new Vector3();
+  point.setComponent((axis + 1) % 3, Math.cos(angle));
+  return point.setComponent((axis + 2) % 3, Math.sin(angle));
+}
+
+/** Where a handle is: at a place of the work frame. */
+export interface Stand {
+  work: Matrix4;
+  at: Vector3;
+  rig: CameraRig;
+  /** Size of the picture in pixels. */
+  width_px: number;
+  height_px: number;
+}
+
+export const scaleOf = ({ work, at, rig }: Stand): number => rig.mmPerPixelAt(at.clone().applyMatrix4(work));
+
+const onScreen = ({ work, rig }: Stand, point: Vector3): Vector2 | null => {
+  const seen = rig.project(point.clone().applyMatrix4(work));
+  return seen && new Vector2(seen.x, seen.y);
+};
+
+/** Towards the eye, in the work frame. */
+const backOf = ({ work, rig }: Stand): Vector3 => rig.basis().back.transformDirection(work.clone().invert());
+
+function distanceToPiece(p: Vector2, a: Vector2, b: Vector2): number {
+  const way = b.clone().sub(a);
+  const size = way.lengthSq();
+  const share = size > 0 ? Math.min(Math.max(p.clone().sub(a).dot(way) / size, 0), 1) : 0;
+  return p.distanceTo(way.multiplyScalar(share).add(a));
+}
+
+/** The plane of the work that is seen best. */
+export function planeSeen(stand: Stand): 0 | 1 | 2 {
+  const [x, y, z] = backOf(stand).toArray().map(Math.abs);
+  // The level one, unless it is seen from its edge.
+  return z > 0.35 ? 2 : x > y ? 0 : 1;
+}
+
+/** null: there is none at that place of the screen. */
+export function gripAt(stand: Stand, x_px: number, y_px: number, turns: boolean): Grip | null {
+  const pointer = new Vector2(x_px, y_px);
+  const middle = onScreen(stand, stand.at);
+  if (!middle) return null;
+  if (pointer.distanceTo(middle) < MIDDLE_PX) return { kind: "plane", axis: planeSeen(stand) };
+  const scale = scaleOf(stand);
+  let best: { grip: Grip; away_px: number } | null = null;
+  const take = (grip: Grip, away_px: number) => {
+    if (away_px < REACH_PX && away_px < (best?.away_px ?? Infinity)) best = { grip, away_px };
+  };
+  for (const axis of [0, 1, 2] as const) {
+    const end = onScreen(stand, stand.at.clone().addScaledVector(unitOf(axis), ARROW_PX * scale));
+    if (end && end.distanceTo(middle) > MIDDLE_PX) take({ kind: "move", axis }, distanceToPiece(pointer, middle, end));
+    if (!turns) continue;
+    let before: Vector2 | null = null;
+    for (let i = 0; i <= RING_STEPS; ++i) {
+      const angle = (2 * Math.PI * i) / RING_STEPS;
+      const next = onScreen(stand, stand.at.clone().addScaledVector(ringPoint(axis, angle), RING_PX * scale));
+      if (before && next) take({ kind: "turn", axis }, distanceToPiece(pointer, before, next));
+      before = next;
+    }
+  }
+  return (best as { grip: Grip } | null)?.grip ?? null;
+}
+
+/** From the eye through a place of the screen, in the work frame. */
+function rayAt({ work, rig, width_px, height_px }: Stand, x_px: number, y_px: number): Ray {
+  const caster = new Raycaster();
+  caster.setFromCamera(new Vector2((2 * x_px) / width_px - 1, 1 - (2 * y_px) / height_px), rig.camera);
+  return caster.ray.applyMatrix4(work.clone().invert());
+}
+
+/** How far along an axis through a place a ray comes nearest to it, mm. */
+function alongAxis(ray: Ray, at: Vector3, axis: Vector3): number | null {
+  const between = at.clone().sub(ray.origin);
+  const slant = axis.dot(ray.direction);
+  const sine2 = 1 - slant * slant;
+  if (sine2 < LEAST_SINE ** 2 / 4) return null;
+  return (slant * ray.direction.dot(between) - axis.dot(between)) / sine2;
+}
+
+/** A pull at a grip: what the pointer's place does to the point. */
+export class Pull {
+  private readonly begun: number | Vector3 | null;
+
+  constructor(
+    private readonly stand: Stand,
+    private readonly grip: Grip,
+    private readonly start_px: Vector2,
+  ) {
+    this.begun = this.measure(start_px.x, start_px.y);
+  }
+
+  /** Along the axis, in the plane, or the angle about the axis. */
+  private measure(x_px: number, y_px: number): number | Vector3 | null {
+    const { stand, grip } = this;
+    const axis = unitOf(grip.axis);
+    const ray = rayAt(stand, x_px, y_px);
+    if (grip.kind === "move") return alongAxis(ray, stand.at, axis);
+    const plane = new Plane().setFromNormalAndCoplanarPoint(axis, stand.at);
+    const place = Math.abs(axis.dot(ray.direction)) > LEAST_SINE ? ray.intersectPlane(plane, new Vector3()) : null;
+    if (grip.kind === "plane") return place;
+    if (!place) return null;
+    const off = place.sub(stand.at);
+    return Math.atan2(off.getComponent((grip.axis + 2) % 3), off.getComponent((grip.axis + 1) % 3));
+  }
+
+  /** How far the point has gone by a pull to a place, mm, in whole steps. */
+  shift(x_px: number, y_px: number): Vector3 {
+    const now = this.measure(x_px, y_px);
+    const { begun, grip } = this;
+    const shift = new Vector3();
+    if (typeof now === "number" && typeof begun === "number") shift.setComponent(grip.axis, now - begun);
+    else if (now instanceof Vector3 && begun instanceof Vector3) shift.copy(now).sub(begun);
+    const step = 10 ** Math.floor(Math.log10(scaleOf(this.stand)));
+    return new Vector3(...shift.toArray().map((mm) => Math.round(mm / step) * step));
+  }
+
+  /** How the tool has turned by a pull to a place. */
+  turn(x_px: number, y_px: number): Quaternion {
+    const now = this.measure(x_px, y_px);
+    const isOnRing = typeof now === "number" && typeof this.begun === "number";
+    const angle = isOnRing ? now - (this.begun as number) : this.angleByTangent(x_px, y_px);
+    const rounded = Math.round((angle * 180) / Math.PI) * (Math.PI / 180);
+    return new Quaternion().setFromAxisAngle(unitOf(this.grip.axis), rounded);
+  }
+
+  /** A ring that is seen from its edge is pulled along itself. */
+  private angleByTangent(x_px: number, y_px: number): number {
+    const away = backOf(this.stand).cross(unitOf(this.grip.axis)).negate();
+    const [from, to] = [this.stand.at, this.stand.at.clone().addScaledVector(away, scaleOf(this.stand))];
+    const [a, b] = [onScreen(this.stand, from), onScreen(this.stand, to)];
+    if (!a || !b) return 0;
+    return new Vector2(x_px, y_px).sub(this.start_px).dot(b.sub(a).normalize()) / RING_PX;
+  }
+}

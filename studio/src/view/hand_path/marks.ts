@@ -1,0 +1,146 @@
+// A path by hand as it is drawn: its motions as lines and arcs with arrows, its points as dots.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  Points,
+  PointsMaterial,
+  Vector3,
+  type Matrix4,
+} from "three";
+import type { PathShown } from "../../core/path_desk";
+import { pointOfArc, sampleArc } from "../../run/path/path_arc";
+import { isSubPath, type Place } from "../../run/path/path_file";
+import type { Motion } from "../../run/path/path_walk";
+import { between, distance, subtract, type Vector } from "../../run/path/vector";
+import type { CameraRig } from "../camera";
+import { putArrow } from "../marks/directions";
+import { setLines } from "../marks/grid";
+import type { Palette } from "../theme";
+
+const CHORD_MM = 0.01;
+const DOT_PX = 7;
+const DASH_PX = 6;
+const ARROW_PX = 10;
+/** Shorter motions have no arrow. */
+const LEAST_ARROW_PX = 28;
+const MOST_ARROWS = 400;
+
+interface Dot {
+  place: Place;
+  at: Vector3;
+}
+
+/** Round, where points are squares. */
+function roundDots(size_px: number): PointsMaterial {
+  const material = new PointsMaterial({ size: size_px, sizeAttenuation: false, depthTest: false, transparent: true });
+  material.onBeforeCompile = (shader) => {
+    const round = "#include <map_particle_fragment>\n if (length(gl_PointCoord - 0.5) > 0.5) discard;";
+    shader.fragmentShader = shader.fragmentShader.replace("#include <map_particle_fragment>", round);
+  };
+  return material;
+}
+
+/** Pairs of ends of the pieces that a motion is drawn by. */
+function putMotion({ from_mm, to_mm, arc }: Motion, into: number[]): void {
+  let at = from_mm!;
+  for (const next of arc ? sampleArc(arc, CHORD_MM) : [to_mm]) {
+    into.push(...at, ...next);
+    at = next;
+  }
+}
+
+export class PathMarks {
+  readonly group = new Group();
+  dots: Dot[] = [];
+  private motions: Motion[] = [];
+  private readonly cuts = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
+  private readonly rapids = new LineSegments(
+    new BufferGeometry(),
+    new LineDashedMaterial({ depthTest: false, dashSize: DASH_PX, gapSize: DASH_PX }),
+  );
+  private readonly points = new Points(new BufferGeometry(), roundDots(DOT_PX));
+  private readonly arrows = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ depthTest: false, side: DoubleSide }));
+
+  constructor() {
+    this.group.matrixAutoUpdate = false;
+    for (const part of [this.cuts, this.rapids, this.arrows, this.points]) {
+      part.frustumCulled = false;
+      this.group.add(part);
+    }
+    // Dots stand on lines.
+    this.points.renderOrder = 1;
+  }
+
+  take(shown: PathShown | null): void {
+    this.motions = shown?.walk.motions.filter(({ from_mm }) => from_mm !== null) ?? [];
+    const ends: Record<"cut" | "rapid", number[]> = { cut: [], rapid: [] };
+    for (const motion of this.motions) putMotion(motion, motion.rapid ? ends.rapid : ends.cut);
+    setLines(this.cuts, ends.cut);
+    setLines(this.rapids, ends.rapid);
+    this.rapids.computeLineDistances();
+    this.dots = dotsOf(shown);
+    this.points.geometry.dispose();
+    const places = new Float32Array(this.dots.flatMap(({ at }) => at.toArray()));
+    this.points.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
+  }
+
+  recolour(colours: Palette): void {
+    for (const { material } of [this.cuts, this.rapids, this.points, this.arrows]) material.color.copy(colours.handPath);
+  }
+
+  /** For a frame in which the path stands. */
+  place(work: Matrix4, rig: CameraRig): void {
+    this.group.matrix.copy(work);
+    this.rapids.material.scale = 1 / rig.mmPerPixel;
+  }
+
+  /** Lays arrows anew for what the eye sees. */
+  lay(work: Matrix4, rig: CameraRig): void {
+    const back = rig.basis().back.transformDirection(work.clone().invert());
+    const corners: number[] = [];
+    const world = new Vector3();
+    let count = 0;
+    for (const motion of this.motions) {
+      const [at, along] = middleOf(motion);
+      const mmPerPixel = rig.mmPerPixelAt(world.set(...at).applyMatrix4(work));
+      if (distance(motion.from_mm!, motion.to_mm) < LEAST_ARROW_PX * mmPerPixel && !motion.arc) continue;
+      if (++count > MOST_ARROWS) break;
+      putArrow(corners, new Vector3(...at), new Vector3(...along).normalize(), ARROW_PX * mmPerPixel, back);
+    }
+    this.arrows.geometry.dispose();
+    this.arrows.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
+  }
+
+  /** Points within some pixels of a place on the screen, the nearest first. */
+  near(x_px: number, y_px: number, reach_px: number, work: Matrix4, rig: CameraRig): Dot[] {
+    const world = new Vector3();
+    const found: { dot: Dot; away_px: number }[] = [];
+    for (const dot of this.dots) {
+      const seen = rig.project(world.copy(dot.at).applyMatrix4(work));
+      const away_px = seen ? Math.hypot(seen.x - x_px, seen.y - y_px) : Infinity;
+      if (away_px <= reach_px) found.push({ dot, away_px });
+    }
+    // Of those at one place the first one is first.
+    return found.sort((a, b) => Math.round(a.away_px - b.away_px)).map(({ dot }) => dot);
+  }
+}
+
+function middleOf({ from_mm, to_mm, arc }: Motion): [at: Vector, along: Vector] {
+  if (!arc) return [between(from_mm!, to_mm, 0.5), subtract(to_mm, from_mm!)];
+  return [pointOfArc(arc, 0.5), subtract(pointOfArc(arc, 0.501), pointOfArc(arc, 0.499))];
+}
+
+const dotsOf = (shown: PathShown | null): Dot[] =>
+  shown?.file.paths.flatMap(({ targets }, path) =>
+    targets.flatMap((each, target) =>
+      isSubPath(each) ? [] : [{ place: { path, target }, at: new Vector3(...each.position_mm) }],
+    ),
+  ) ?? [];

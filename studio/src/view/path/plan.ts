@@ -1,0 +1,99 @@
+// Which pieces of a way are drawn: not those beside the screen, and fewer where many lie in a pixel.
+
+import type { Matrix4 } from "three";
+
+/** Neighbouring pieces: the box about their vertices (mm), their number and length. */
+export interface Row {
+  low: number[];
+  high: number[];
+  pieces: number;
+  length_mm: number;
+}
+
+/** Of the pieces between vertices from one to another, where texels have x, y, z and a time for each. */
+export function rowLength(texels: Float32Array, from: number, to: number): Row {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  let length_mm = 0;
+  for (let at = 4 * from; at <= 4 * to; at += 4) {
+    for (let k = 0; k < 3; ++k) {
+      const value = texels[at + k];
+      if (value < low[k]) low[k] = value;
+      if (value > high[k]) high[k] = value;
+    }
+    if (at === 4 * from) continue;
+    const [x, y, z] = [texels[at] - texels[at - 4], texels[at + 1] - texels[at - 3], texels[at + 2] - texels[at - 2]];
+    length_mm += Math.sqrt(x * x + y * y + z * z);
+  }
+  return { low, high, pieces: to - from, length_mm };
+}
+
+/** Cells across and down the screen, in which the way is counted. */
+const CELLS = 32;
+/** So many times as much way as there are pixels looks like all of it. */
+const ENOUGH = 8;
+/** A step (px) that shows no corner between its ends. */
+const SMALL_PX = 0.7;
+export const MOST_STRIDE = 64;
+
+/** Where a row is on the screen: cells from and to, its length in pixels, and pixels of way for each pixel there. */
+interface Seen {
+  cells: [left: number, right: number, top: number, bottom: number];
+  long_px: number;
+  density: number;
+}
+
+/** `null`: it is beside the screen; "near": it reaches behind the eye, so that nothing can be told of it. */
+function seen(row: Row, { elements: m }: Matrix4, width_px: number, height_px: number): Seen | "near" | null {
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let corner = 0; corner < 8; ++corner) {
+    const x = corner & 1 ? row.high[0] : row.low[0];
+    const y = corner & 2 ? row.high[1] : row.low[1];
+    const z = corner & 4 ? row.high[2] : row.low[2];
+    const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+    if (w <= 0) return "near";
+    const u = (m[0] * x + m[4] * y + m[8] * z + m[12]) / w;
+    const v = (m[1] * x + m[5] * y + m[9] * z + m[13]) / w;
+    if (u < left) left = u;
+    if (u > right) right = u;
+    if (v < low) low = v;
+    if (v > high) high = v;
+  }
+  if (right < -1 || left > 1 || high < -1 || low > 1) return null;
+  const [wide_px, tall_px] = [0.5 * (right - left) * width_px, 0.5 * (high - low) * height_px];
+  const size_mm = Math.hypot(row.high[0] - row.low[0], row.high[1] - row.low[1], row.high[2] - row.low[2]);
+  const long_px = size_mm > 0 ? (row.length_mm * Math.hypot(wide_px, tall_px)) / size_mm : 0;
+  const cell = (at: number) => Math.min(Math.max(Math.floor(0.5 * (at + 1) * CELLS), 0), CELLS - 1);
+  // A way is a pixel wide at least.
+  const density = long_px / (Math.max(wide_px, 1) * Math.max(tall_px, 1));
+  return { cells: [cell(left), cell(right), cell(low), cell(high)], long_px, density };
+}
+
+/**
+ * For each row each how many pieces there is one drawn, a power of two; 0: none. Rows lie before each other, so that
+ * what counts is all the way in the part of the screen where one is.
+ */
+export function stridesOf(rows: readonly Row[], matrix: Matrix4, width_px: number, height_px: number): Uint8Array {
+  const all = rows.map((row) => seen(row, matrix, width_px, height_px));
+  const densities = new Float64Array(CELLS * CELLS);
+  const each = ([left, right, low, high]: Seen["cells"], visit: (cell: number) => void) => {
+    for (let v = low; v <= high; ++v) for (let u = left; u <= right; ++u) visit(CELLS * v + u);
+  };
+  for (const place of all) {
+    if (place && place !== "near") each(place.cells, (cell) => (densities[cell] += place.density));
+  }
+  return Uint8Array.from(all, (place, i) => {
+    if (!place) return 0;
+    if (place === "near") return 1;
+    let [inverse, count] = [0, 0];
+    each(place.cells, (cell) => {
+      inverse += 1 / densities[cell];
+      ++count;
+    });
+    // The harmonic mean is led by where there is least.
+    const dense = count / inverse / ENOUGH;
+    const small = (SMALL_PX * rows[i].pieces) / place.long_px;
+    const most = Math.min(Math.max(dense, small, 1), MOST_STRIDE);
+    return 2 ** Math.floor(Math.log2(most));
+  });
+}

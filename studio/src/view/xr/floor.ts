@@ -1,0 +1,18 @@
+// The floor of the cell: lines, one metre apart.
+
+import { BufferGeometry, LineSegments, type LineBasicMaterial } from "three";
+import { setLines } from "../marks/grid";
+
+/** From its middle to its edge, m. */
+const HALF_M = 20;
+
+/** Each line in pieces of a metre: some renderers drop a line that goes on behind the eye. */
+export function floorOf(look: LineBasicMaterial): LineSegments<BufferGeometry, LineBasicMaterial> {
+  const floor = new LineSegments(new BufferGeometry(), look);
+  const ends: number[] = [];
+  for (let line = -HALF_M; line <= HALF_M; ++line) {
+    for (let at = -HALF_M; at < HALF_M; ++at) ends.push(at, 0, line, at + 1, 0, line, line, 0, at, line, 0, at + 1);
+  }
+  setLines(floor, ends);
+  return floor;
+}

@@ -1,0 +1,33 @@
+// A button that leads into the cell, where the browser has a headset.
+
+import { element } from "../../core/dom";
+import { texts } from "../../texts";
+import type { CreateHeadset } from "../headset_place";
+import { icon } from "../icons";
+import { Headset } from "./headset";
+
+const words = texts.view.headset;
+
+export const createHeadset: CreateHeadset = async ({ view, store, frames, toolbar }) => {
+  const system = navigator.xr;
+  const isThere = await system?.isSessionSupported("immersive-vr").catch(() => false);
+  if (!system || !isThere) return;
+  const button = element("button", { type: "button" }, icon("headset"));
+  const worn = element("p", { class: "worn", role: "status" }, words.worn);
+  const show = () => {
+    const label = headset.isWorn ? words.leave : words.enter;
+    if (headset.isWorn) view.canvas.element.after(worn);
+    else worn.remove();
+    Object.assign(button, { title: label, ariaLabel: label, ariaPressed: String(headset.isWorn) });
+  };
+  const headset = new Headset(view, store, frames, system, show);
+  const enter = async () => {
+    store.set("notice", "");
+    button.disabled = true;
+    await headset.enter().catch((fault: Error) => store.set("notice", words.refused(fault.message)));
+    button.disabled = false;
+  };
+  button.onclick = () => void (headset.isWorn ? headset.leave() : enter());
+  show();
+  toolbar.append(button);
+};

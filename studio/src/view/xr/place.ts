@@ -1,0 +1,55 @@
+// Where a person stands in the cell. Metres, Y up, the floor at 0; turns about Y, seen from above against the clock (rad).
+
+/** The head, as the headset tells it of the floor that it is worn on. */
+export interface Head {
+  x_m: number;
+  z_m: number;
+  /** 0: it looks along -Z. */
+  turn: number;
+}
+
+export interface Spot {
+  x_m: number;
+  z_m: number;
+}
+
+const turned = ({ x_m, z_m }: Spot, angle: number): Spot => ({
+  x_m: x_m * Math.cos(angle) + z_m * Math.sin(angle),
+  z_m: z_m * Math.cos(angle) - x_m * Math.sin(angle),
+});
+
+/** How the floor that the headset is worn on lies in the cell. */
+export class Place {
+  x_m = 0;
+  z_m = 0;
+  turn = 0;
+
+  /** The head stands at a spot, and looks along -Z. */
+  stand(head: Head, spot: Spot): void {
+    this.face(head, spot, -head.turn);
+  }
+
+  private face(head: Head, spot: Spot, turn: number): void {
+    const off = turned(head, turn);
+    this.turn = turn;
+    this.x_m = spot.x_m - off.x_m;
+    this.z_m = spot.z_m - off.z_m;
+  }
+
+  spotOf(head: Head): Spot {
+    const off = turned(head, this.turn);
+    return { x_m: this.x_m + off.x_m, z_m: this.z_m + off.z_m };
+  }
+
+  /** Walks as the head looks: so far to the right, so far on. */
+  walk(head: Head, right_m: number, on_m: number): void {
+    const way = turned({ x_m: right_m, z_m: -on_m }, this.turn + head.turn);
+    this.x_m += way.x_m;
+    this.z_m += way.z_m;
+  }
+
+  /** Turns on the spot. */
+  turnBy(head: Head, angle: number): void {
+    this.face(head, this.spotOf(head), this.turn + angle);
+  }
+}

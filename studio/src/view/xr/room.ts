@@ -1,0 +1,82 @@
+// The cell as a person stands in it: metres in place of mm, Y up in place of Z, and a floor.
+
+import { Box3, Color, Group, Matrix4, PerspectiveCamera, Scene, Vector3 } from "three";
+import { CameraRig } from "../camera";
+import type { Look } from "../path/path_layer";
+import type { View } from "../view";
+import { floorOf } from "./floor";
+import type { Place, Spot } from "./place";
+import { Ways } from "./ways";
+
+const M_PER_MM = 0.001;
+/** From the foremost body to who enters, m. */
+const AWAY_M = 1.5;
+/** Nearer than this an eye sees nothing; so far beyond the cell there is something to be seen, m. */
+const NEAR_M = 0.05;
+const BEYOND_M = 60;
+
+/** From the cell's frame into the room. */
+function intoRoom(floor_mm: number): Matrix4 {
+  const turned = new Matrix4().makeBasis(new Vector3(1, 0, 0), new Vector3(0, 0, -1), new Vector3(0, 1, 0));
+  return turned.scale(new Vector3().setScalar(M_PER_MM)).multiply(new Matrix4().makeTranslation(0, 0, -floor_mm));
+}
+
+export class Room {
+  readonly camera = new PerspectiveCamera();
+  /** In front of the machine, where "front" looks from. */
+  readonly entry: Spot;
+  private readonly scene = new Scene();
+  private readonly cell = new Group();
+  private readonly ways = new Ways();
+  private readonly person = new Group();
+  private readonly floor: ReturnType<typeof floorOf>;
+  /** The lamp stands where "corner" looks from. */
+  private readonly lamp = new CameraRig();
+
+  private readonly background = new Color();
+
+  constructor(private readonly view: View) {
+    const bodies = view.stage.wholeBox();
+    this.cell.matrixAutoUpdate = false;
+    this.cell.matrix.copy(intoRoom(bodies.min.z));
+    const box = new Box3().copy(bodies).applyMatrix4(this.cell.matrix);
+    this.entry = { x_m: (box.min.x + box.max.x) / 2, z_m: box.max.z + AWAY_M };
+    this.camera.near = NEAR_M;
+    this.camera.far = box.getSize(new Vector3()).length() + BEYOND_M;
+    this.floor = floorOf(view.stage.grid.bold.material);
+    this.floor.position.set(Math.round(this.entry.x_m), 0, Math.round(box.getCenter(new Vector3()).z));
+    this.cell.add(this.ways.group);
+    this.person.add(this.camera);
+    this.scene.add(this.cell, this.floor, this.person);
+    this.scene.background = this.background;
+  }
+
+  /** Draws both eyes; the page's scene is lent for it, and nothing of it is changed behind. */
+  draw(place: Place, look: Look): void {
+    const { view, cell, person } = this;
+    const { renderer } = view.canvas;
+    const { scene } = view.stage;
+    const frame = view.shown;
+    renderer.getClearColor(this.background);
+    person.position.set(place.x_m, 0, place.z_m);
+    person.rotation.y = place.turn;
+    this.ways.show(view.layer, look, frame?.instants.map(({ places }) => places.work) ?? []);
+    // They are laid for the eye of the page.
+    view.stage.directions.group.visible = false;
+    view.stage.follow(this.lamp);
+    cell.add(scene);
+    this.scene.updateMatrixWorld(true);
+    const target = renderer.getRenderTarget();
+    // The page draws without three.js, too, which would not know of it.
+    renderer.resetState();
+    renderer.setRenderTarget(target);
+    renderer.render(this.scene, this.camera);
+    cell.remove(scene);
+    scene.updateMatrixWorld(true);
+  }
+
+  dispose(): void {
+    this.ways.dispose();
+    this.floor.geometry.dispose(); // it looks as the grid does, by its material
+  }
+}

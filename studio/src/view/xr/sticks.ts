@@ -1,0 +1,49 @@
+// What the thumbsticks of a headset's hands ask for: the left one walks, the right one turns; a single one does both.
+
+export interface Stick {
+  hand: "left" | "right" | "none";
+  /** To the right and towards the person, -1 to 1. */
+  x: number;
+  y: number;
+}
+
+/** Of the way to walk, 1 as long as the stick goes; steps to turn by, to the right. */
+export interface Asked {
+  right: number;
+  on: number;
+  turns: number;
+}
+
+/** Sticks do not rest at 0 exactly. */
+const REST = 0.15;
+/** So far a stick is pushed for a turn, and so far it has to come back before the next one. */
+const TURNS_FROM = 0.7;
+const READY_BELOW = 0.4;
+
+export const SPEED_M_S = 1.5;
+export const STEP_DEG = 30;
+
+const beyondRest = (value: number): number => (Math.abs(value) < REST ? 0 : value);
+
+export class Sticks {
+  private readonly turned = new Set<string>();
+
+  ask(sticks: Stick[]): Asked {
+    const asked = { right: 0, on: 0, turns: 0 };
+    const single = sticks.length < 2;
+    for (const { hand, x, y } of sticks) {
+      if (single || hand === "left") asked.on -= beyondRest(y);
+      if (!single && hand === "left") asked.right += beyondRest(x);
+      if (single || hand === "right") asked.turns += this.turns(hand, x);
+    }
+    return asked;
+  }
+
+  /** Once for each push. */
+  private turns(hand: string, x: number): number {
+    if (Math.abs(x) < READY_BELOW) this.turned.delete(hand);
+    if (Math.abs(x) < TURNS_FROM || this.turned.has(hand)) return 0;
+    this.turned.add(hand);
+    return Math.sign(x);
+  }
+}

@@ -1,0 +1,100 @@
+// The ways of all robots as a headset shows them: drawn anew for each eye, among the bodies. What the page's kept picture does
+// by pixels of the screen is done by places of the world here, so that both eyes see the same: rapids are dashed by length.
+
+import { BufferGeometry, DoubleSide, ExternalTexture, GLSL3, Group, Mesh, RawShaderMaterial, Vector2, type Matrix4, type PerspectiveCamera } from "three";
+import { PREVIOUS, type Look, type PathLayer } from "../path/path_layer";
+import { eyes } from "../path/shaders";
+import type { Sheet } from "../path/sheet";
+import type { Strand } from "../path/strand";
+
+/** Of a piece, in pixels of an eye, which are coarser than a screen's. */
+const WIDE_PX = 2;
+/** More pieces are drawn by fewer: a headset wants 72 pictures in a second, twice. */
+const MOST_PIECES = 100_000;
+/** Dashes in the length of the way's box. */
+const DASHES = 60;
+
+/** Of one sheet. */
+class Way {
+  readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+
+  constructor(
+    private readonly strand: Strand,
+    sheet: Sheet,
+    pieces: number,
+  ) {
+    const { data, robot } = strand;
+    const stride = Math.max(1, Math.ceil(pieces / MOST_PIECES));
+    const texture = (source: WebGLTexture) => new ExternalTexture(source);
+    const size_mm = data.bounds.max.distanceTo(data.bounds.min);
+    const values = {
+      ...{ points: texture(sheet.points), colours: texture(sheet.colours), matrix: null, size_px: new Vector2() },
+      ...{ first: 1, base: sheet.first, small_mm: 0, stride, robot, width_px: WIDE_PX, join_px: WIDE_PX / 4, paint: [0, 0, 0, 0], nearer: robot === PREVIOUS ? -2e-5 : 0 },
+      ...{ rapids: true, clean: robot === PREVIOUS, dash_mm: Math.max(size_mm / DASHES, 1e-3), now_s: 0, dimmed: 1, lightened: 0 },
+    };
+    const uniforms = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, { value }]));
+    const [vertexShader, fragmentShader] = eyes;
+    const shaders = { vertexShader, fragmentShader, glslVersion: GLSL3 };
+    const material = new RawShaderMaterial({ uniforms, ...shaders, transparent: true, side: DoubleSide });
+    const geometry = new BufferGeometry();
+    geometry.setDrawRange(0, 6 * Math.max(0, Math.floor((sheet.end - sheet.first - 1) / stride)));
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.matrixAutoUpdate = false;
+    this.mesh.onBeforeRender = (_renderer, _scene, camera) => this.see(camera as PerspectiveCamera);
+  }
+
+  /** By one eye. */
+  private see(eye: PerspectiveCamera): void {
+    const { uniforms } = this.mesh.material;
+    uniforms.matrix.value = eye.projectionMatrix.clone().multiply(eye.matrixWorldInverse).multiply(this.mesh.matrixWorld);
+    if (eye.viewport) uniforms.size_px.value.set(eye.viewport.z, eye.viewport.w);
+    this.mesh.material.uniformsNeedUpdate = true;
+  }
+
+  show(look: Look, works: Matrix4[]): void {
+    const { frame, robot } = this.strand;
+    const old = robot === PREVIOUS;
+    const { uniforms } = this.mesh.material;
+    this.mesh.visible = frame < works.length && (!old || look.compare);
+    if (!this.mesh.visible) return;
+    this.mesh.matrix.copy(works[frame]);
+    // Behind the end all is done; a number stands for it, as shaders need not know the infinite.
+    const now_s = old ? Infinity : look.now_s[frame];
+    const values = { rapids: look.rapids, now_s: Math.min(now_s, 3e38), dimmed: look.dimmed, lightened: look.lightened };
+    for (const [name, value] of Object.entries(values)) uniforms[name].value = value;
+    if (old) uniforms.paint.value = [...look.compareColour, 1];
+  }
+
+  /** Its textures are the page's. */
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}
+
+export class Ways {
+  readonly group = new Group();
+  private strands: readonly Strand[] = [];
+  private ways: Way[] = [];
+
+  show(layer: PathLayer, look: Look, works: Matrix4[]): void {
+    if (this.strands !== layer.shownStrands) this.take(layer.shownStrands);
+    for (const way of this.ways) way.show(look, works);
+  }
+
+  private take(strands: readonly Strand[]): void {
+    this.dispose();
+    this.strands = strands;
+    const pieces = strands.reduce((sum, { data }) => sum + data.count, 0);
+    this.ways = strands.flatMap((strand) => strand.sheets.map((sheet) => new Way(strand, sheet, pieces)));
+    for (const { mesh } of this.ways) this.group.add(mesh);
+  }
+
+  dispose(): void {
+    for (const way of this.ways) way.dispose();
+    this.group.clear();
+    this.ways = [];
+    this.strands = [];
+  }
+}

@@ -1,0 +1,98 @@
+// When the page's own program runs beside variants: what they end is made behind them.
+
+import assert from "node:assert/strict";
+
+export const modules = ["core/session", "core/store", "core/documents", "core/setup", "panels/variants/data/runner"];
+
+/** Longer than changes are waited for before the program runs anew. */
+const SOON_MS = 600;
+const pause = (ms) => new Promise((go) => setTimeout(go, ms));
+
+/** A session whose engine answers when it is told to; `asked` has the programs of its runs, in order. */
+function made({ Session, Store, initialState, Documents, emptySetup, Runner }) {
+  const asked = [];
+  let tell = () => {};
+  const engine = {
+    available: true,
+    keeper: null,
+    ask: ({ program }) =>
+      new Promise((done) => {
+        asked.push(program);
+        tell = done;
+      }),
+    cancel: () => tell({ ok: false, code: "cancelled", message: "" }),
+  };
+  const store = new Store(initialState());
+  const session = new Session(store, new Documents(new Map([["page.nc", ""]])), engine, engine);
+  session.change({ ...emptySetup(), program: "page.nc" });
+  const answer = async (ok = true) => {
+    tell(ok ? { ok } : { ok, code: "program", message: "no" });
+    await pause(0);
+  };
+  const runner = new Runner(session, { take: () => {} }, () => {});
+  const variant = (name) => ({ name, setup: { ...emptySetup(), program: name }, from: null });
+  return { session, store, asked, answer, runner, run: (...names) => runner.run(names.map(variant)) };
+}
+
+export default {
+  "a run of the page that variants end is made behind the last of them, once": async (page) => {
+    const { session, store, asked, answer, run } = made(page);
+    void session.run();
+    const all = run("one.nc", "two.nc");
+    assert.equal(store.get("running"), null);
+    await answer();
+    await answer();
+    await all;
+    assert.deepEqual(asked, ["page.nc", "one.nc", "two.nc"]);
+    await pause(SOON_MS);
+    assert.deepEqual(asked.slice(3), ["page.nc"]);
+    await answer();
+    assert.equal(store.get("running"), null);
+    await pause(SOON_MS);
+    assert.equal(asked.length, 4);
+  },
+
+  "so is one that was due, where a variant fails": async (page) => {
+    const { session, asked, answer, run } = made(page);
+    session.runSoon();
+    const all = run("one.nc");
+    await pause(SOON_MS);
+    assert.deepEqual(asked, ["one.nc"]);
+    await answer(false);
+    await all;
+    await pause(SOON_MS);
+    assert.deepEqual(asked, ["one.nc", "page.nc"]);
+  },
+
+  "and where variants are cancelled, or others are run in their place": async (page) => {
+    const { session, asked, run, runner } = made(page);
+    void session.run();
+    void run("one.nc");
+    void run("two.nc");
+    await pause(SOON_MS);
+    runner.cancel();
+    assert.deepEqual(asked, ["page.nc", "one.nc", "two.nc"]);
+    await pause(SOON_MS);
+    assert.deepEqual(asked.slice(3), ["page.nc"]);
+    // Due while they run.
+    void run("three.nc");
+    session.runSoon();
+    runner.cancel();
+    await pause(SOON_MS);
+    assert.deepEqual(asked.slice(4), ["three.nc", "page.nc"]);
+  },
+
+  "where none was due, or one has been made meanwhile, none follows": async (page) => {
+    const { session, asked, answer, run } = made(page);
+    const alone = run("one.nc");
+    await answer();
+    await alone;
+    session.runSoon();
+    const ended = run("two.nc");
+    void session.run();
+    await ended;
+    await answer();
+    await pause(SOON_MS);
+    assert.deepEqual(asked, ["one.nc", "two.nc", "page.nc"]);
+  },
+};

@@ -1,0 +1,399 @@
+// The guides of forms against the readers of files: what these take and refuse is what the guides say.
+#include "engine/file_keys.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/toml/toml_edit.h"
+#include "runtime/cell/cell_file.h"
+#include "runtime/machine/controller_file.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::engine {
+namespace {
+
+using base::TomlEdit;
+using base::TomlPath;
+using nlohmann::json;
+
+constexpr const char* kMachine = R"(ignore = []
+[machine]
+name = "m"
+[program]
+[path]
+[base]
+[tool]
+[work]
+[controller]
+[controller.stops]
+[controller.overrides]
+[process]
+kind = "jet"
+on = ["M8"]
+off = ["M9"]
+[checks]
+[times]
+[[axis]]
+letter = "X"
+kind = "linear"
+direction = "x"
+frame = {}
+[[axis]]
+letter = "C"
+kind = "rotary"
+dh = {}
+[[shape]]
+name = "s"
+on = "base"
+shape = { sphere_mm = 1.0 }
+frame = {}
+)";
+
+constexpr const char* kCell = R"(ignore = []
+[cell]
+name = "c"
+[[frame]]
+name = "f"
+frame = {}
+[[object]]
+name = "o"
+shape = { sphere_mm = 1.0 }
+frame = {}
+[[shape]]
+name = "s"
+on = "base"
+shape = { sphere_mm = 1.0 }
+frame = {}
+)";
+
+constexpr const char* kController = "[controller]\n[controller.stops]\n[controller.overrides]\n";
+constexpr const char* kUnknown = "qqqqqqqqqqqq";
+
+constexpr std::array kFiles{KeyedFile::machine, KeyedFile::cell, KeyedFile::controller};
+
+std::string document(KeyedFile file) {
+    if (file == KeyedFile::machine) return kMachine;
+    return file == KeyedFile::cell ? kCell : kController;
+}
+
+const os::Files& files() {
+    static const os::GivenFiles kGiven([](const std::string&) {
+        return "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+               "endfacet\nendsolid t\n";
+    });
+    return kGiven;
+}
+
+tl::expected<cell::Cell, std::string> cell_of(const std::string& text, std::vector<std::string>* faults) {
+    const auto machine = machine::read_machine(machine::built_in_machine_toml(), "built in").value();
+    const cell::MeshFiles meshes{
+        .files = files(),
+        .read_solid = [](const std::filesystem::path&, double) -> tl::expected<solid::Mesh, std::string> {
+            return solid::Mesh{.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
+        }};
+    return cell::read_cell(text, "c.toml", machine, {}, meshes, faults);
+}
+
+/// All that the reader of such files finds wrong.
+std::vector<std::string> faults_of(KeyedFile file, const std::string& text) {
+    std::vector<std::string> faults;
+    if (file == KeyedFile::machine) {
+        (void)machine::read_machine(text, "m.toml", files(), &faults);
+    } else if (file == KeyedFile::cell) {
+        if (const auto named = cell::read_cell_files(text, "c.toml"); !named) faults.push_back(named.error());
+        std::vector<std::string> others;
+        (void)cell_of(text, &others);
+        faults.insert(faults.end(), others.begin(), others.end());
+    } else if (const auto rules = machine::read_controller(text, "own.toml", "own"); !rules) {
+        faults.push_back(rules.error());
+    }
+    return faults;
+}
+
+/// What people are told of this key, which is not right as it is; empty where it is.
+std::string refusal(const std::vector<std::string>& faults, const std::string& key) {
+    for (const std::string& fault : faults) {
+        for (const char* words : {"' must be", "' must hold", "' must name", "' is a diameter"}) {
+            if (fault.find("'" + key + words) != std::string::npos) return fault;
+        }
+    }
+    return {};
+}
+
+/// A key of the guide in a document that has its table.
+class KeyOfDocument {
+  public:
+    KeyOfDocument(KeyedFile file, const json& table, const json& key)
+        : file_(file),
+          key_(key),
+          name_(key["name"]),
+          edit_(TomlEdit::read(document(file), "d.toml").value()) {
+        for (const json& step : table["at"]) {
+            const json* there = at(path_);
+            path_.emplace_back(step.get<std::string>());
+            if (!table["many"].get<bool>() || path_.size() > 1) continue;
+            path_.emplace_back(entry_of(table, (*there)[step.get<std::string>()]));
+        }
+        // A joint lies by its row, or by these.
+        if ((name_ == "direction" || name_ == "frame") && at(base::below(path_, "dh")) != nullptr) {
+            EXPECT_TRUE(edit_.remove(base::below(path_, "dh")));
+        }
+        // The form of a body is one of several keys.
+        const bool form = path_.size() == 3 && table["at"][1] == "shape";
+        if (form) {
+            EXPECT_TRUE(edit_.remove(base::below(path_, "sphere_mm")));
+        }
+        if (form && name_ == "scale") set_at("mesh", "part.stl");
+        if (form && name_ == "tolerance_mm") set_at("mesh", "part.step");
+    }
+
+    void set(const json& value) { set_at(name_, value); }
+    void remove() {
+        const TomlPath path = base::below(path_, name_);
+        if (at(path) == nullptr) return;
+        EXPECT_TRUE(edit_.remove(path));
+    }
+    /// What is wrong with the key when it has this value.
+    std::string refused(const json& value) {
+        set(value);
+        return refusal(faults(), name_);
+    }
+    /// "inf" is a number only in the place of one.
+    std::string refused_infinite(const char* infinite) {
+        set(1.5);
+        return refused(infinite);
+    }
+    std::vector<std::string> faults() const { return faults_of(file_, edit_.text()); }
+    const std::string& text() const { return edit_.text(); }
+
+  private:
+    const json* at(const TomlPath& path) const {
+        const json* value = &edit_.value();
+        for (const base::TomlStep& step : path) {
+            if (const auto* index = std::get_if<std::size_t>(&step)) {
+                value = &(*value)[*index];
+            } else {
+                const auto found = value->find(std::get<std::string>(step));
+                if (found == value->end()) return nullptr;
+                value = &*found;
+            }
+        }
+        return value;
+    }
+
+    static std::size_t entry_of(const json& table, const json& entries) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const bool has_inner = table["at"].size() < 2 || entries[i].contains(table["at"][1]);
+            const bool fits = !table.contains("where") || entries[i]["kind"] == table["where"]["kind"];
+            if (has_inner && fits) return i;
+        }
+        ADD_FAILURE() << table["at"];
+        return 0;
+    }
+
+    void set_at(const std::string& key, const json& value) {
+        const TomlPath path = base::below(path_, key);
+        const json* old = at(path);
+        if (old != nullptr && old->is_structured()) {
+            EXPECT_TRUE(edit_.remove(path));
+        }
+        const auto done = edit_.set(path, value);
+        EXPECT_TRUE(done) << name_ << ": " << done.error();
+    }
+
+    KeyedFile file_;
+    const json& key_;
+    std::string name_;
+    TomlEdit edit_;
+    TomlPath path_;
+};
+
+template <typename Look>
+void for_each_table(const Look& look) {
+    for (const KeyedFile file : kFiles) {
+        const json tables = json::parse(file_keys_json(file));
+        for (const json& table : tables) {
+            SCOPED_TRACE(table["at"].dump());
+            look(file, table);
+        }
+    }
+}
+
+template <typename Look>
+void for_each_key(const Look& look) {
+    for_each_table([&](KeyedFile file, const json& table) {
+        for (const json& key : table["keys"]) {
+            SCOPED_TRACE(key.dump());
+            look(file, table, key);
+        }
+    });
+}
+
+TEST(FileKeys, AreThoseThatTheReadersTake) {
+    std::size_t tables = 0;
+    for_each_table([&](KeyedFile file, const json& table) {
+        ++tables;
+        std::set<std::string> listed;
+        for (const json& key : table["keys"]) {
+            if (!key.contains("pattern")) listed.insert(key["name"].get<std::string>());
+        }
+        KeyOfDocument unknown(file, table, {{"name", kUnknown}});
+        unknown.set(1);
+        std::set<std::string> taken;
+        for (const std::string& fault : unknown.faults()) {
+            const std::string head = "it may hold: ";
+            const std::size_t begin = fault.find(head);
+            if (fault.find(kUnknown) == std::string::npos || begin == std::string::npos) continue;
+            std::string rest = fault.substr(begin + head.size()) + ", ";
+            for (std::size_t end = rest.find(", "); end != std::string::npos; end = rest.find(", ")) {
+                taken.insert(rest.substr(0, end));
+                rest.erase(0, end + 2);
+            }
+        }
+        EXPECT_EQ(listed, taken) << unknown.text();
+    });
+    EXPECT_GT(tables, 30U);
+}
+
+TEST(FileKeys, AreOfTheKindsThatTheReadersTake) {
+    for_each_key([](KeyedFile file, const json& table, const json& key) {
+        // Of a file of robots, and looked at where it is read as such.
+        if (file == KeyedFile::cell && (key["name"] == "robot" || key["name"] == "conveyor")) return;
+        const bool text = key["kind"] == "text";
+        KeyOfDocument wrong(file, table, key);
+        EXPECT_NE(wrong.refused(text ? json(3) : json("x")), "") << wrong.text();
+        if (key["kind"] != "switch") return;
+        for (const bool value : {true, false}) EXPECT_EQ(KeyOfDocument(file, table, key).refused(value), "");
+    });
+}
+
+TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
+    for_each_key([](KeyedFile file, const json& table, const json& key) {
+        if (key["kind"] != "number") return;
+        KeyOfDocument number(file, table, key);
+        const json others = key.value("or", json::array());
+        const auto has = [&](const json& value) {
+            return std::find(others.begin(), others.end(), value) != others.end();
+        };
+        const double least = key.value(key.contains("least") ? "least" : "above", 0.0);
+        const double most = key.value(key.contains("most") ? "most" : "below", 0.0);
+        EXPECT_EQ(number.refused(least).empty(), key.contains("least"));
+        EXPECT_EQ(number.refused(most).empty(), key.contains("most"));
+        EXPECT_EQ(number.refused(std::min(least + 1, (least + most) / 2)), "");
+        EXPECT_NE(number.refused(least > 0 ? least / 2 : least - 1), "");
+        EXPECT_NE(number.refused(2 * most + 1), "");
+        if (least > 0) {
+            EXPECT_EQ(number.refused(0).empty(), has(0));
+        }
+        EXPECT_EQ(number.refused_infinite("inf").empty(), has("inf"));
+        EXPECT_EQ(number.refused_infinite("-inf").empty(), has("-inf"));
+        EXPECT_EQ(number.refused(least + 1.5).empty(), !key.contains("whole") && least + 1.5 < most);
+    });
+}
+
+TEST(FileKeys, HaveTheChoicesThatTheReadersName) {
+    for_each_key([](KeyedFile file, const json& table, const json& key) {
+        if (!key.contains("choices")) return;
+        KeyOfDocument word(file, table, key);
+        for (const json& choice : key["choices"]) EXPECT_EQ(word.refused(choice), "");
+        if (key.contains("open")) return;
+        std::string fault = word.refused(kUnknown);
+        if (key["name"] == "kind" && key["choices"].size() == 2)
+            fault = "\"linear\" or \"rotary\"";  // goes first
+        std::size_t named = 0;
+        for (const json& choice : key["choices"]) {
+            const auto text = choice.get<std::string>();
+            if (fault.find("\"" + text + "\"") != std::string::npos ||
+                fault.find(" " + text) != std::string::npos)
+                ++named;
+        }
+        EXPECT_EQ(named, key["choices"].size()) << fault;
+        const auto marks = static_cast<std::size_t>(std::count(fault.begin(), fault.end(), '"'));
+        EXPECT_TRUE(marks == 2 * named || key["name"] == "letter") << fault;
+    });
+}
+
+TEST(FileKeys, AreRequiredWhereTheReadersLackThem) {
+    for_each_key([](KeyedFile file, const json& table, const json& key) {
+        KeyOfDocument gone(file, table, key);
+        gone.remove();
+        const auto faults = gone.faults();
+        const std::string lacks = "lacks the key '" + key["name"].get<std::string>() + "'";
+        const bool lacking = std::any_of(faults.begin(), faults.end(), [&](const std::string& fault) {
+            return fault.find(lacks) != std::string::npos;
+        });
+        EXPECT_EQ(lacking, key.contains("required")) << gone.text();
+    });
+}
+
+/// What a cell is made of, as far as keys with defaults say it.
+std::vector<double> figures_of(const cell::Cell& cell) {
+    std::vector<double> figures{cell.clearance_mm};
+    for (const cell::Item& item : cell.items) {
+        figures.push_back(static_cast<double>(item.role));
+        figures.push_back(static_cast<double>(item.frame));
+    }
+    return figures;
+}
+
+TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
+    std::size_t defaults = 0;
+    for_each_key([&](KeyedFile file, const json& table, const json& key) {
+        if (!key.contains("default") || file == KeyedFile::controller) return;
+        ++defaults;
+        KeyOfDocument given(file, table, key);
+        KeyOfDocument left_out(file, table, key);
+        left_out.remove();
+        if (key["kind"] == "number") given.set(1.5);  // "inf" is a number only in the place of one
+        given.set(key["default"]);
+        if (file == KeyedFile::machine) {
+            const auto with = machine::read_machine(given.text(), "m.toml", files());
+            const auto without = machine::read_machine(left_out.text(), "m.toml", files());
+            ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
+            EXPECT_TRUE(*with == *without) << given.text();
+        } else {
+            const auto with = cell_of(given.text(), nullptr);
+            const auto without = cell_of(left_out.text(), nullptr);
+            ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
+            EXPECT_EQ(figures_of(*with), figures_of(*without));
+        }
+    });
+    EXPECT_GT(defaults, 80U);
+}
+
+TEST(FileKeys, StandInThePagesOfTheirFiles) {
+    const auto page = [](const std::string& name) {
+        std::ifstream file(GSIM_DOCS "/" + name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    const std::string pages = page("machine-file.md") + page("cell-file.md");
+    for_each_key([&](KeyedFile /*file*/, const json& table, const json& key) {
+        EXPECT_FALSE(key["meaning"].get<std::string>().empty());
+        if (table.contains("where") && table["where"]["kind"] == "rotary") return;  // told by the linear ones
+        if (table["at"].size() == 2 && table["at"][1] == "stops") return;  // words of programs, "M48 to M51"
+        EXPECT_NE(pages.find(key["name"].get<std::string>()), std::string::npos);
+    });
+}
+
+TEST(FileKeys, TellTheUnitsOfTheirNames) {
+    const json tables = json::parse(file_keys_json(KeyedFile::machine));
+    std::set<std::string> units;
+    for (const json& table : tables) {
+        for (const json& key : table["keys"]) {
+            if (key.contains("unit")) units.insert(key["unit"].get<std::string>());
+            const auto name = key["name"].get<std::string>();
+            if (key["kind"] != "number" || name.find("_mm") == std::string::npos) continue;
+            EXPECT_EQ(key["unit"].get<std::string>().substr(0, 2), "mm") << name;
+        }
+    }
+    EXPECT_EQ(units, (std::set<std::string>{"%", "1/s", "deg", "deg/s", "deg/s2", "deg/s3", "mm", "mm/min",
+                                            "mm/s", "mm/s2", "mm/s3", "s"}));
+}
+
+}  // namespace
+}  // namespace gsim::engine

@@ -1,0 +1,57 @@
+#include "base/toml/toml_json.h"
+
+#include <gtest/gtest.h>
+
+namespace gsim::base {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+TEST(TomlJson, HasAllThatADocumentSays) {
+    const auto value = toml_json(
+        "a = [1, 2.5, true, \"x\"]\nb.c = { d = inf, e = -inf, f = nan }\ng = 1979-05-27\nh = 07:32:00\n"
+        "[[i]]\n[[i]]\nj = 1979-05-27T07:32:00Z\n",
+        "part.toml");
+    ASSERT_TRUE(value) << value.error();
+    EXPECT_EQ(*value,
+              json::parse(R"({"a": [1, 2.5, true, "x"], "b": {"c": {"d": "inf", "e": "-inf", "f": "nan"}},
+        "g": "1979-05-27", "h": "07:32:00", "i": [{}, {"j": "1979-05-27T07:32:00Z"}]})"));
+    EXPECT_EQ(toml_json("a = 1\nb = = 2\n", "part.toml").error().substr(0, 14), "part.toml:2:5:");
+}
+
+TEST(TomlJson, AValueIsWrittenOnOneLine) {
+    const auto written = [](const char* value, TomlNumbers numbers) {
+        return toml_value(ordered_json::parse(value), numbers);
+    };
+    EXPECT_EQ(written(R"({"z": 1, "a b": ["x\"\n", true, {}]})", TomlNumbers::as_they_are),
+              R"({ z = 1, "a b" = ["x\"\u000A", true, {}] })");
+    EXPECT_EQ(written("[1, 2, 2.5]", TomlNumbers::as_they_are), "[1.0, 2.0, 2.5]");
+    EXPECT_EQ(written("[1, [2]]", TomlNumbers::floats), "[1.0, [2.0]]");
+    EXPECT_EQ(written("18446744073709551615", TomlNumbers::as_they_are), "1.8446744073709552e+19");
+    EXPECT_EQ(written("[]", TomlNumbers::floats), "[]");
+}
+
+TEST(TomlJson, WhatIsNoValueOfTomlIsSaid) {
+    const auto fault = [](const ordered_json& value) { return find_value_fault(value).value_or(""); };
+    EXPECT_EQ(fault({1, {{"a", "b"}}}), "");
+    EXPECT_EQ(fault({{"a", {1, nullptr}}}), "null is no value of TOML; a key is taken away by removing it");
+    EXPECT_EQ(fault("\xff"), "a text is no UTF-8");
+    EXPECT_EQ(fault({{"\xff", 1}}), "a key is no UTF-8");
+    EXPECT_EQ(fault(std::numeric_limits<double>::infinity()), "a number is not finite");
+    ordered_json deep = 1;
+    for (int i = 0; i < 33; ++i) deep = ordered_json::array({deep});
+    EXPECT_EQ(fault(deep), "lists and objects are nested deeper than 32");
+}
+
+TEST(TomlJson, APlainValueIsToldByItsSpelling) {
+    for (const char* whole : {"1", "+12", "-1_000", "0x1e", "0b1", "0o7"})
+        EXPECT_EQ(spelling_of(whole), TomlSpelling::whole) << whole;
+    for (const char* with_point : {"1.0", "-1e3", "6E2", "inf", "-nan"})
+        EXPECT_EQ(spelling_of(with_point), TomlSpelling::with_point) << with_point;
+    for (const char* other : {"\"1\"", "'1.5'", "true", "1979-05-27", "07:32:00.5", "1979-05-27 07:32:00"})
+        EXPECT_EQ(spelling_of(other), TomlSpelling::other) << other;
+}
+
+}  // namespace
+}  // namespace gsim::base
