@@ -1,6 +1,7 @@
 #include "base/os/file_identity.h"
 
 #include <cerrno>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -31,19 +32,27 @@ std::optional<Held> hold(const std::filesystem::path& path) {
     return held;
 }
 
+// Empty where it cannot be told.
+std::filesystem::path place_of(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+    return error ? std::filesystem::path() : place;
+}
+
 }  // namespace
 
 std::optional<FileIdentity> identity_of(const std::filesystem::path& path) {
     const bool may_be_new = path.has_filename();
     if (auto held = hold(path)) {
         if (!S_ISREG(held->status.st_mode)) return std::nullopt;
-        return FileIdentity{held->status.st_dev, held->status.st_ino, {}, std::move(held->descriptor)};
+        return FileIdentity{
+            held->status.st_dev, held->status.st_ino, {}, std::move(held->descriptor), place_of(path)};
     }
     if (errno != ENOENT || !may_be_new) return std::nullopt;
     auto folder = hold(path.has_parent_path() ? path.parent_path() : ".");
     if (!folder) return std::nullopt;
     return FileIdentity{folder->status.st_dev, folder->status.st_ino, path.filename().string(),
-                        std::move(folder->descriptor)};
+                        std::move(folder->descriptor), place_of(path)};
 }
 
 std::optional<FileIdentity> identity_of_open(int descriptor) {

@@ -59,6 +59,18 @@ TEST_F(FileIdentityTest, IsNotThatOfAFileWhichIsMadeWhenItIsGone) {
     }
 }
 
+// As where another run writes it between two looks.
+TEST_F(FileIdentityTest, IsThatOfTheFileWhichTookItsPlace) {
+    fs::create_symlink("a", folder_ / "symbolic");
+    const auto before = identity_of(folder_ / "a");
+    std::ofstream(folder_ / "b") << "b";
+    fs::rename(folder_ / "b", folder_ / "a");
+    EXPECT_EQ(identity_of(folder_ / "a"), before);
+    EXPECT_EQ(identity_of(folder_ / "symbolic"), before);
+    fs::remove(folder_ / "a");
+    EXPECT_EQ(identity_of(folder_ / "a"), before);
+}
+
 TEST_F(FileIdentityTest, DevicesAndFoldersMayBeNamedTwice) {
     EXPECT_FALSE(identity_of("/dev/null"));
     EXPECT_FALSE(identity_of(folder_));
