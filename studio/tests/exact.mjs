@@ -33,6 +33,7 @@ function* sampleRuns() {
     }
   }
   yield { folder, args: ["mill/dome.nc", "--machine", "machines/mill-head-table.toml"], mustRun: true };
+  yield { folder, args: ["mill/turntable.nc", "--machine", "machines/mill-table-table.toml"], mustRun: true };
   for (const name of ["left.nc", "clamp.nc"]) yield { folder: join(folder, "cell"), args: [name, "--cell", "table.toml"], mustRun: true };
 }
 
