@@ -102,7 +102,7 @@ class GSIM_API MachineData {
     tl::expected<void, Failure> set(const std::string& section, const std::string& id,
                                     std::span<const std::string> changes,
                                     std::optional<LengthUnit> unit = {});
-    /// Sets the values of an entry to 0; an alias or a zone goes away.
+    /// Sets the values of an entry to 0; an alias or a zone goes away, a point keeps its name.
     tl::expected<void, Failure> reset(const std::string& section, const std::string& id);
     /// The same with all entries, or those of a section.
     tl::expected<void, Failure> reset_all(const std::string& section = {});

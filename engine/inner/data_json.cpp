@@ -112,6 +112,8 @@ class JsonReader {
         if (!read) return fault(rules, row.id, read.error().sentence);
         if (!keys_.insert(machine::data_key(rules.section, read->row.id)).second)
             return fault(rules, row.id, "it is given twice");
+        if (const auto name = machine::name_key(rules, read->row); name && !keys_.insert(*name).second)
+            return fault(rules, row.id, "its NAME is that of another one");
         text_ += fmt::format("{}\n", line);
         return {};
     }

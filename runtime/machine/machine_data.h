@@ -39,7 +39,9 @@ struct Tool {
 struct MachineData {
     std::map<std::string, AxisValues, std::less<>> offsets;   ///< By code: "54" .. "59.3", "505" .. "599".
     std::map<int, AxisValues> fixed;                          ///< Fixed points, by number.
+    std::map<int, std::string> fixed_names;                   ///< Of those that have one, as it is spelled.
     std::map<int, AxisValues> references;                     ///< Reference points, by number.
+    std::map<int, std::string> reference_names;               ///< Of those that have one, as it is spelled.
     std::map<int, AxisValues> homes;                          ///< Home positions 2 to 4 (G30).
     std::map<int, Tool> tools;                                ///< By number.
     std::map<int, double> variables;                          ///< By number.
@@ -53,8 +55,8 @@ struct MachineData {
 /// Reads the text format NCFILE ... ENDFILE strictly. Lines of points hold values for X, Y, Z and then, as
 /// far as given, for the other axes of the machine in the order of `axes`; without `axes` those further
 /// values are checked and left out. The error is "file:line:column: sentence"; `file_name` is only for that.
-/// Aliases that differ in case alone are an error; whether their codes are words of the language is for the
-/// lexer to say.
+/// Aliases that differ in case alone are an error, and so are names of fixed points and of reference points;
+/// whether their codes are words of the language is for the lexer to say.
 tl::expected<MachineData, std::string> read_machine_data(std::string_view text, std::string_view file_name,
                                                          std::span<const Axis> axes = {});
 

@@ -54,7 +54,8 @@ class MachineDataDocument {
                 std::optional<LengthUnit> unit = {});
     /// Takes an entry out of the file, with its line.
     Changed erase(DataSection section, std::string_view id);
-    /// Sets the numbers of an entry to 0. Named values go away, and so does an alias or a zone as a whole.
+    /// Sets the numbers of an entry to 0. Named values go away, but for the name of a point, and so does an
+    /// alias or a zone as a whole.
     Changed reset(DataSection section, std::string_view id);
     /// reset() of all entries of a section.
     Changed reset_all(DataSection section);

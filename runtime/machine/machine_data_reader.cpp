@@ -134,7 +134,17 @@ class Reader {
         line.id = read->row.id;
         remember_once(data_key(*section_, read->row.id),
                       fmt::format("the {} {}", rules.what, shown_word(first.text)));
+        remember_name(rules, *read);
         if (!faulty_) add_row(read_.data, rules, read->row, rules_.axes_known());
+    }
+
+    void remember_name(const SectionRules& rules, const ReadRow& read) {
+        const auto key = name_key(rules, read.row);
+        if (!key) return;
+        const std::size_t field = *rules.name_field();
+        remember_once(*key,
+                      fmt::format("the name {} of a {}", shown_word(read.row.values[field]), rules.what),
+                      words_[*read.word_of_field[field]].column);
     }
 
     // What follows a misspelled keyword belongs to no section that is known.
@@ -154,10 +164,12 @@ class Reader {
     }
 
     void remember_once(std::string key, const std::string& what) {
+        remember_once(std::move(key), what, words_[0].column);
+    }
+
+    void remember_once(std::string key, const std::string& what, std::size_t column) {
         const auto [first, added] = first_lines_.try_emplace(std::move(key), number_);
-        if (!added) {
-            fail(words_[0].column, fmt::format("{} is given twice; first in line {}", what, first->second));
-        }
+        if (!added) fail(column, fmt::format("{} is given twice; first in line {}", what, first->second));
     }
 
     std::string_view file_name_;

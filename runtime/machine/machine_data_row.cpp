@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text/digits.h"
 #include "base/units.h"
 
 namespace gsim::machine {
@@ -19,6 +20,17 @@ bool is_offset_code(std::string_view code) {
     const auto number = parse_number<int>(code);
     return number && code == std::to_string(*number) &&
            ((*number >= 54 && *number <= 59) || (*number >= 505 && *number <= 599));
+}
+
+bool is_letter(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+// Never a number, by which points are looked up, too.
+bool is_name(std::string_view text) {
+    return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
+        return is_letter(c) || text::is_digit(c) || c == '_';
+    });
 }
 
 std::string with_article(std::string_view what) {
@@ -120,6 +132,10 @@ class RowReader {
     }
 
     static std::optional<std::string> fault_of_value(const DataField& field, std::string_view value) {
+        if (field.is_name && !is_name(value)) {
+            return fmt::format("'{}' is no name: a letter first, then letters, digits and '_'",
+                               shown_word(value));
+        }
         if (field.quantity == Quantity::text || (field.may_be_open && value == kNoLimit)) return std::nullopt;
         if (field.quantity == Quantity::whole) {
             const auto number = parse_number<int>(value);
@@ -192,6 +208,12 @@ tl::expected<ReadRow, DataFault> read_row(const SectionRules& rules, std::span<c
 std::string data_key(DataSection section, std::string_view id) {
     return fmt::format("{} {}", keyword(section),
                        section == DataSection::alias ? upper_case(id) : std::string(id));
+}
+
+std::optional<std::string> name_key(const SectionRules& rules, const DataRow& row) {
+    const auto field = rules.name_field();
+    if (!field || row.values[*field].empty()) return std::nullopt;
+    return fmt::format("{} NAME={}", rules.keyword, upper_case(row.values[*field]));
 }
 
 tl::expected<std::string, std::string> read_id(const SectionRules& rules, std::string_view word) {

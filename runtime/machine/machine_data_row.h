@@ -50,6 +50,10 @@ tl::expected<ReadRow, DataFault> read_row(const SectionRules& rules, std::span<c
 /// regard to case.
 std::string data_key(DataSection section, std::string_view id);
 
+/// How an entry is looked up by its name (DataField::is_name), without regard to case, apart from all
+/// data_key()s; nothing where it has none.
+std::optional<std::string> name_key(const SectionRules& rules, const DataRow& row);
+
 /// The entry's number, code or name as keys and messages have it, or what is wrong with it, as a sentence.
 tl::expected<std::string, std::string> read_id(const SectionRules& rules, std::string_view word);
 

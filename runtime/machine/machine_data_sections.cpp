@@ -121,6 +121,14 @@ SectionRules points(std::string_view title, std::string_view what, std::string_v
             .fields = point_fields(point, axes)};
 }
 
+SectionRules named_points(std::string_view title, std::string_view what, std::span<const Axis> axes) {
+    SectionRules rules = points(title, what, kNumbers, "the point", axes);
+    DataField name = named("NAME", Quantity::text, "what scripts call it: letters, digits and _");
+    name.is_name = true;
+    rules.fields.push_back(std::move(name));
+    return rules;
+}
+
 constexpr std::string_view kLackingWalls =
     "a zone has its number and its walls: Xmin, Xmax, Ymin, Ymax, and perhaps Zmin and Zmax";
 
@@ -149,9 +157,8 @@ SectionRules rules_of(DataSection section, std::span<const Axis> axes) {
         case DataSection::offset:
             return points("Frames", "frame", "54 to 59, 59.1 to 59.3, 505 to 599", "the frame's origin",
                           axes);
-        case DataSection::fixed: return points("Fixed points", "fixed point", kNumbers, "the point", axes);
-        case DataSection::reference:
-            return points("Reference points", "reference point", kNumbers, "the point", axes);
+        case DataSection::fixed: return named_points("Fixed points", "fixed point", axes);
+        case DataSection::reference: return named_points("Reference points", "reference point", axes);
         case DataSection::home:
             return points("Home positions", "home position", "2 to 4", "the home position", axes);
         case DataSection::tool:
@@ -184,6 +191,13 @@ SectionRules rules_of(DataSection section, std::span<const Axis> axes) {
 std::optional<std::size_t> SectionRules::find(std::string_view name) const {
     const auto place = std::find_if(fields.begin(), fields.end(),
                                     [&](const DataField& field) { return field.name == name; });
+    if (place == fields.end()) return std::nullopt;
+    return static_cast<std::size_t>(place - fields.begin());
+}
+
+std::optional<std::size_t> SectionRules::name_field() const {
+    const auto place =
+        std::find_if(fields.begin(), fields.end(), [](const DataField& field) { return field.is_name; });
     if (place == fields.end()) return std::nullopt;
     return static_cast<std::size_t>(place - fields.begin());
 }

@@ -46,6 +46,7 @@ struct DataField {
     Quantity quantity = Quantity::length;
     bool required = false;
     bool may_be_open = false;  ///< '-' may stand for it: there is no such limit.
+    bool is_name = false;      ///< Of texts: no other entry of the section has it, in any case.
     int least = 0;             ///< Of whole numbers.
     int greatest = 0;
     std::vector<std::string_view> choices = {};  ///< Upper case; the first one holds where none is given.
@@ -67,6 +68,8 @@ struct SectionRules {
 
     /// Index of the field with that (upper case) name.
     std::optional<std::size_t> find(std::string_view name) const;
+    /// Index of the field that is the entry's name, where there is one.
+    std::optional<std::size_t> name_field() const;
     std::size_t positional() const;
 };
 

@@ -56,7 +56,7 @@ AxisValues point_of(const SectionRules& rules, const DataRow& row, bool axes_kno
 DataRow point_row(const SectionRules& rules, std::string id, const AxisValues& point) {
     RowWriter row(rules, std::move(id));
     std::size_t count = kSpaceAxes;
-    for (std::size_t i = count; i < rules.fields.size(); ++i) {
+    for (std::size_t i = count; i < rules.positional(); ++i) {
         const DataField& field = rules.fields[i];
         if (field.quantity != Quantity::unknown && point.contains(field.name[0])) count = i + 1;
     }
@@ -156,6 +156,24 @@ std::vector<DataRow> point_rows(const SectionRules& rules, const Points& points)
     return rows;
 }
 
+using Names = std::map<int, std::string>;
+
+std::vector<DataRow> named_point_rows(const SectionRules& rules, const std::map<int, AxisValues>& points,
+                                      const Names& names) {
+    std::vector<DataRow> rows = point_rows(rules, points);
+    const std::size_t field = rules.name_field().value();
+    for (DataRow& row : rows) {
+        const auto name = names.find(number_of(row.id));
+        if (name != names.end()) row.values[field] = name->second;
+    }
+    return rows;
+}
+
+void add_name(Names& names, int number, const SectionRules& rules, const DataRow& row) {
+    const std::string& name = row.values[rules.name_field().value()];
+    if (!name.empty()) names[number] = name;
+}
+
 std::vector<DataRow> tool_rows(const MachineData& data, const SectionRules& rules) {
     std::vector<DataRow> rows;
     rows.reserve(data.tools.size());
@@ -191,8 +209,14 @@ void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, b
     const int number = number_of(row.id);
     switch (rules.section) {
         case DataSection::offset: data.offsets[row.id] = point_of(rules, row, axes_known); break;
-        case DataSection::fixed: data.fixed[number] = point_of(rules, row, axes_known); break;
-        case DataSection::reference: data.references[number] = point_of(rules, row, axes_known); break;
+        case DataSection::fixed:
+            data.fixed[number] = point_of(rules, row, axes_known);
+            add_name(data.fixed_names, number, rules, row);
+            break;
+        case DataSection::reference:
+            data.references[number] = point_of(rules, row, axes_known);
+            add_name(data.reference_names, number, rules, row);
+            break;
         case DataSection::home: data.homes[number] = point_of(rules, row, axes_known); break;
         case DataSection::tool: data.tools[number] = tool_of(rules, row); break;
         case DataSection::variable: data.variables[number] = row.number(rules, 0); break;
@@ -205,8 +229,8 @@ void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, b
 std::vector<DataRow> rows_of(const MachineData& data, const SectionRules& rules) {
     switch (rules.section) {
         case DataSection::offset: return point_rows(rules, data.offsets);
-        case DataSection::fixed: return point_rows(rules, data.fixed);
-        case DataSection::reference: return point_rows(rules, data.references);
+        case DataSection::fixed: return named_point_rows(rules, data.fixed, data.fixed_names);
+        case DataSection::reference: return named_point_rows(rules, data.references, data.reference_names);
         case DataSection::home: return point_rows(rules, data.homes);
         case DataSection::tool: return tool_rows(data, rules);
         case DataSection::variable: return variable_rows(data);

@@ -174,6 +174,39 @@ TEST(MachineDataValues, JsonGoesBothWays) {
               "d.json: this is no JSON object with a list for each section");
 }
 
+TEST(MachineDataValues, NamesOfPointsGoWithThem) {
+    const std::string points =
+        "NCFILE\nFIXED\n1 0 0 25.4 NAME=CLAMP1\n2 1 2 3\nREFERENCE\n1 4 5 6  NAME=Pallet\nENDFILE\n";
+    MachineData data = data_of(points);
+    EXPECT_EQ(data.list(Form::text, "FIXED"),
+              "FIXED\n  ID  X  Y  Z     NAME    UNIT\n  1   0  0  25.4  CLAMP1  metric\n  2   1  2  3        "
+              "     metric\n");
+    EXPECT_EQ(data.get(Form::text, "REFERENCE", "1", "NAME"), "Pallet\n");
+    const MachineData again = MachineData::from_json(data.to_json().value(), "d.json").value();
+    EXPECT_EQ(again.to_json().value(), data.to_json().value());
+    ASSERT_TRUE(data.convert(LengthUnit::inch));
+    EXPECT_EQ(data.get(Form::text, "FIXED", "1"), "X 0\nY 0\nZ 1\nNAME CLAMP1\nUNIT inch\n");
+    ASSERT_TRUE(data.reset("FIXED", "1"));
+    EXPECT_EQ(data.get(Form::text, "FIXED", "1"), "X 0\nY 0\nZ 0\nNAME CLAMP1\nUNIT inch\n");
+    const std::vector<std::string> taken = {"NAME=clamp1"}, none = {"NAME="};
+    EXPECT_EQ(refusal(data.set("FIXED", "2", taken)),
+              "d.txt: the name clamp1 of a fixed point is given twice; first in line 3");
+    EXPECT_TRUE(data.set("REFERENCE", "1", taken)) << "the other section has names of its own";
+    EXPECT_TRUE(data.set("FIXED", "1", none));
+    EXPECT_EQ(data.get(Form::json, "FIXED", "1", "NAME"), "null\n");
+}
+
+TEST(MachineDataValues, NamesInJsonAreThoseOfOnePointEach) {
+    const auto error = [](const std::string& entries) {
+        return refusal(MachineData::from_json("{\"FIXED\":[" + entries + "]}", "d.json"));
+    };
+    EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":"A"},{"id":2,"X":0,"Y":0,"Z":0,"NAME":"a"})"),
+              "d.json: FIXED 2: its NAME is that of another one");
+    EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":"1"})"),
+              "d.json: FIXED 1: '1' is no name: a letter first, then letters, digits and '_'");
+    EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":1})"), "d.json: FIXED 1: NAME is no text");
+}
+
 TEST(MachineDataValues, WordsThatAreNotUtf8AreNoJson) {
     const MachineData data = data_of("NCFILE\nALIAS\nJet\xff M08\nENDFILE\n");
     EXPECT_EQ(refusal(data.to_json()), "d.txt: JSON is UTF-8, and a word in this file is not");

@@ -100,6 +100,33 @@ TEST(MachineDataDocument, FurtherValues) {
     });
 }
 
+TEST(MachineDataDocument, NamesOfPoints) {
+    expect_change("1 0 0 300\r\n", "1 0 0 300  NAME=Vise\r\n", [](auto& d) {
+        return d.set(DataSection::fixed, "1", {{"NAME", "Vise"}});
+    });
+    expect_change("1 0 0 300\r\n", "1 0 0 11.81102362204724  NAME=Vise  inch\r\n", [](auto& d) {
+        return d.set(DataSection::fixed, "1", {{"NAME", "Vise"}}, LengthUnit::inch);
+    });
+    expect_change("1 0 0 300\r\n", "1 0 0 300  45  NAME=VISE\r\n7  1  0  0  NAME=B\r\n", [](auto& d) {
+        const Changed named = d.set(DataSection::fixed, "1", {{"NAME", "Vise"}});
+        const Changed turned = d.set(DataSection::fixed, "1", {{"B", "45"}, {"NAME", "VISE"}});
+        EXPECT_TRUE(named && turned);
+        return d.set(DataSection::fixed, "7", {{"X", "1"}, {"NAME", "B"}});
+    });
+    expect_change("1 0 0 300\r\n", "1 0 0 0    NAME=Vise\r\n", [](auto& d) {
+        EXPECT_TRUE(d.set(DataSection::fixed, "1", {{"NAME", "Vise"}}));
+        return d.reset(DataSection::fixed, "1");
+    });
+    expect_change("", "", [](auto& d) {
+        EXPECT_TRUE(d.set(DataSection::fixed, "1", {{"NAME", "Vise"}}));
+        return d.set(DataSection::fixed, "1", {{"NAME", ""}});
+    });
+    MachineDataDocument document = read("NCFILE\nFIXED\n1 0 0 0 NAME=Vise\nENDFILE\n");
+    const Changed same = document.set(DataSection::fixed, "2", {{"NAME", "VISE"}});
+    ASSERT_FALSE(same);
+    EXPECT_EQ(same.error(), "the name VISE of a fixed point is given twice; first in line 3");
+}
+
 TEST(MachineDataDocument, UnitOfAnEntry) {
     expect_change("1  2.50  0  Inch", "25.4 63.5  7  metric", [](auto& d) {
         return d.set(DataSection::offset, "505", {{"Z", "7"}}, LengthUnit::metric);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include <fmt/format.h>
@@ -79,11 +80,22 @@ class RandomData {
         return code < 9 ? fmt::format("59.{}", code - 5) : std::to_string(whole(505, 599));
     }
 
+    /// For some of the points: no two are the same in any case.
+    std::map<int, std::string> names(const std::map<int, AxisValues>& points) {
+        std::map<int, std::string> names;
+        for (const auto& [number, point] : points) {
+            if (chance(0.5)) names[number] = fmt::format("{}{}", chance(0.5) ? "CLAMP_" : "Vise", number);
+        }
+        return names;
+    }
+
     MachineData data() {
         MachineData data;
         for (int i = whole(0, 6); i > 0; --i) data.offsets[frame()] = point();
         for (int i = whole(0, 3); i > 0; --i) data.fixed[whole(1, 99999)] = point();
         for (int i = whole(0, 3); i > 0; --i) data.references[whole(1, 9)] = point();
+        data.fixed_names = names(data.fixed);
+        data.reference_names = names(data.references);
         for (int i = whole(0, 3); i > 0; --i) data.homes[whole(2, 4)] = point();
         for (int i = whole(0, 5); i > 0; --i) data.tools[whole(1, 999)] = tool();
         for (int i = whole(0, 5); i > 0; --i) data.variables[whole(1, 5601)] = number();
@@ -192,6 +204,8 @@ TEST(MachineDataRandom, AnUpdateHoldsTheNewData) {
         for (const auto& [number, zone] : data.security_zones)
             ASSERT_EQ(document.data().security_zones.at(number).switch_number, zone.switch_number) << once;
         ASSERT_EQ(document.data().aliases, data.aliases);
+        ASSERT_EQ(document.data().fixed_names, data.fixed_names) << once;
+        ASSERT_EQ(document.data().reference_names, data.reference_names) << once;
         ASSERT_EQ(document.data().variables, data.variables);
     }
 }

@@ -158,6 +158,37 @@ TEST(MachineData, ReferencePoints) {
     EXPECT_DOUBLE_EQ(data->references.at(1).at('Y'), 50.8);
 }
 
+TEST(MachineData, NamesOfPoints) {
+    const auto data = read_machine_data(
+        "NCFILE\nFIXED\n1 1 2 3 NAME=CLAMP1\n2 1 2 3\n30 1 2 3 name=Park_2 inch\nREFERENCE\n7 0 0 1 "
+        "Name=clamp1\n"
+        "ENDFILE\n",
+        "m.txt");
+    ASSERT_TRUE(data) << data.error();
+    EXPECT_THAT(data->fixed_names, ElementsAre(Pair(1, "CLAMP1"), Pair(30, "Park_2")));
+    EXPECT_THAT(data->reference_names, ElementsAre(Pair(7, "clamp1")));
+    EXPECT_DOUBLE_EQ(data->fixed.at(30).at('X'), 25.4);
+}
+
+TEST(MachineData, NamesOfPointsThatAreNone) {
+    const auto error_of_line = [](const std::string& line) {
+        return error_of(fmt::format("NCFILE\nFIXED\n{}\nENDFILE\n", line));
+    };
+    for (const char* name : {"", "3", "_A", "A-B", "A.B", "A=B", "\xc3\xa4"}) {
+        EXPECT_EQ(
+            error_of_line(fmt::format("1 0 0 0 NAME={}", name)),
+            fmt::format("m.txt:3:9: '{}' is no name: a letter first, then letters, digits and '_'", name));
+    }
+    EXPECT_EQ(error_of_line("1 0 0 0 NAME=A NAME=B"), "m.txt:3:16: 'NAME=B' is one word too many");
+    EXPECT_EQ(error_of_line("1 0 NAME=A 0"),
+              "m.txt:3:12: '0' stands too late: values come before other words");
+    EXPECT_EQ(error_of_line("1 0 0 0 TITLE=A"), "m.txt:3:9: a fixed point has no value of the name 'TITLE'");
+    EXPECT_EQ(error_of_line("1 0 0 0 NAME=Vise\n2 0 0 0 NAME=B\n3 9 9 9 NAME=VISE"),
+              "m.txt:5:9: the name VISE of a fixed point is given twice; first in line 3");
+    EXPECT_EQ(error_of("NCFILE\nOFFSET\n54 0 0 0 NAME=A\n"), "m.txt:3:10: 'NAME=A' is not a number");
+    EXPECT_EQ(error_of("NCFILE\nHOME\n2 0 0 0 NAME=A\n"), "m.txt:3:9: 'NAME=A' is not a number");
+}
+
 TEST(MachineData, ANulIsNoText) {
     using std::string_literals::operator""s;
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n# \0\nENDFILE\n"s),

@@ -63,6 +63,12 @@ TEST(DataForm, TellsWhatFieldsThereAre) {
     EXPECT_EQ(fields[3]["name"], "B");
     EXPECT_EQ(fields[3]["unit"], "angle");
     EXPECT_EQ(fields[3]["meaning"], "the frame's origin on axis B, in machine coordinates");
+    for (const std::size_t points : {1U, 2U}) {
+        const json& name = sections[points]["fields"].back();
+        EXPECT_EQ(name["name"], "NAME");
+        EXPECT_EQ(name["unit"], "none");
+        EXPECT_EQ(name["required"], false);
+    }
     const json& walls = sections[7]["fields"];
     EXPECT_EQ(walls[0]["open"], true);
     EXPECT_EQ(walls[6]["choices"], json({"ENTER", "LEAVE"}));
@@ -75,6 +81,18 @@ TEST(DataForm, AnEntryIsChangedInItsLineAlone) {
         {"op", "set"}, {"section", "TOOL"}, {"id", "1"}, {"values", {{"LENGTH", "2"}}}, {"unit", "inch"}};
     EXPECT_EQ(text_after(json::array({tool})),
               tools_with("50.8 10 JET # 2 inch", "2 0.393700787401575 JET  inch # 2 inch"));
+}
+
+TEST(DataForm, APointHasAName) {
+    const json named{
+        {"op", "set"}, {"section", "FIXED"}, {"id", "3"}, {"values", {{"X", "10"}, {"NAME", "CLAMP1"}}}};
+    EXPECT_EQ(text_after(json::array({named})),
+              tools_with("ENDFILE", "FIXED\n3  10  0  0  NAME=CLAMP1\nENDFILE"));
+    EXPECT_EQ(data_after(json::array({named})).header["entries"]["FIXED"][0]["NAME"], "CLAMP1");
+    json second = named;
+    second["id"] = "4";
+    EXPECT_EQ(failure_of(data_request(json::array({named, second})), {{"tools.txt", kTools}}),
+              "tools.txt: the name CLAMP1 of a fixed point is given twice; first in line 9");
 }
 
 TEST(DataForm, RemarksOutliveASequenceOfChanges) {

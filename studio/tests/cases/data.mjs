@@ -319,7 +319,7 @@ export default {
       assert.deepEqual(first, {
         OFFSET: "54 200.0001 200.0002 200 mm",
         FIXED: "1 0 0 0 mm",
-        REFERENCE: "1 914.4 1219.2 0 mm",
+        REFERENCE: "1 914.4 1219.2 0 MIDDLE mm",
         HOME: "2 100 100 600 0 0 mm",
         TOOL: "1 50.8 1.016  JET mm",
         VARIABLE: "500 0",
