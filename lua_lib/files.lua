@@ -1,8 +1,8 @@
 -- The files of the library that each dialect has; those that they need come with them. Their order does not matter.
 
 local both = {
-  "arcs", "comp_words", "expressions", "feed", "frames", "inputs", "modules", "motion", "neutral", "polar", "probe",
-  "processes", "programs", "stored_data", "switches", "times", "tools", "user_codes", "zones",
+  "arcs", "comp_words", "expressions", "feed", "frames", "inputs", "modules", "motion", "neutral", "points", "polar",
+  "probe", "processes", "programs", "stored_data", "switches", "times", "tools", "user_codes", "zones",
 }
 
 local own = {

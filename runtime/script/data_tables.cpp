@@ -63,6 +63,22 @@ void read_tool(lua_State* state, Tool& tool) {
     tool.offsets = read_axis_values(state);
 }
 
+/// core[name]: a table of points by their numbers, each with the values of axes and perhaps a name.
+void set_points(lua_State* state, const char* name, const std::map<int, AxisValues>& points,
+                const std::map<int, std::string>& names) {
+    lua_newtable(state);
+    for (const auto& [number, values] : points) {
+        lua_newtable(state);
+        set_axis_values(state, values);
+        if (const auto known = names.find(number); known != names.end()) {
+            lua_pushlstring(state, known->second.data(), known->second.size());
+            lua_setfield(state, -2, "name");
+        }
+        lua_rawseti(state, -2, number);
+    }
+    lua_setfield(state, -2, name);
+}
+
 /// Calls read() for each entry of a table in the table on top, with the entry's value on top.
 template <typename Read>
 void each_entry(lua_State* state, const char* table, Read read) {
@@ -90,13 +106,9 @@ void set_data_tables(lua_State* state, const machine::MachineData& data) {
         lua_setfield(state, -2, code.c_str());
     }
     lua_setfield(state, -2, "offsets");
-    lua_newtable(state);
-    for (const auto& [number, values] : data.homes) {
-        lua_newtable(state);
-        set_axis_values(state, values);
-        lua_rawseti(state, -2, number);
-    }
-    lua_setfield(state, -2, "homes");
+    set_points(state, "homes", data.homes, {});
+    set_points(state, "fixed", data.fixed, data.fixed_names);
+    set_points(state, "references", data.references, data.reference_names);
     lua_newtable(state);
     for (const auto& [number, value] : data.variables) {
         lua_pushnumber(state, value);

@@ -6,9 +6,10 @@
 
 namespace gsim::script {
 
-/// Sets core.offsets["54"].x in mm or deg, core.homes[2].x, core.variables[500], and core.tools[1] with
-/// length, diameter, length_wear and diameter_wear in mm, offsets by axis letters, front_angle and back_angle
-/// in deg, and orientation; what is 0 of these last is left out. The table of core is on top of the stack.
+/// Sets core.offsets["54"].x in mm or deg, core.homes[2].x, core.fixed[1].x and core.references[1].x, each of
+/// these two with its name where it has one, core.variables[500], and core.tools[1] with length, diameter,
+/// length_wear and diameter_wear in mm, offsets by axis letters, front_angle and back_angle in deg, and
+/// orientation; what is 0 of these last is left out. The table of core is on top of the stack.
 void set_data_tables(lua_State* state, const machine::MachineData& data);
 
 /// Takes offsets, tools and variables from the table on top of the stack, which has them as above; what it
