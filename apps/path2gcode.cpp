@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -27,6 +30,9 @@ using namespace gsim;
 namespace fs = std::filesystem;
 using Kind = text::DiagnosticKind;
 
+constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGreatestTool = 99'999'999;
+
 struct WriteArguments {
     std::string input = "-";
     std::string output;  ///< Empty: standard output.
@@ -34,6 +40,10 @@ struct WriteArguments {
     std::string machine;
     std::string rotary;
     std::string offsets;
+    std::string work_offset;
+    std::array<double, 3> set_offset_mm{kNotGiven, kNotGiven, kNotGiven};
+    std::optional<double> tool;
+    std::optional<double> retract_mm;
     double tolerance_mm = 0.01;
     std::string decimals;
     bool inch = false;
@@ -79,6 +89,26 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
              "keep: the work offsets that the recorded run used, the default there; none: all offsets are "
              "taken back; G53: machine coordinates, in which there are no arcs")
         .one_of({kOffsets[0].first, kOffsets[1].first, kOffsets[2].first});
+    line.add("--work-offset", &a.work_offset,
+             "work offset of paths that name none and that no run has recorded; without it the one that the "
+             "control's programs begin in")
+        .called("G54")
+        .suggests({"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
+    line.add("--set-offset", &a.set_offset_mm,
+             "the program puts the work offset that it begins in there, in machine coordinates (G10)")
+        .called("X Y Z")
+        .within(-1e6, 1e6);
+    line.add(
+            "--tool", &a.tool,
+            "tool of paths that name none and that no run has recorded, with the length offset of its number")
+        .called("NUMBER")
+        .within(0, kGreatestTool);
+    line.add("--retract", &a.retract_mm,
+             "machine coordinate of Z that the tool goes up to before it or the work offset changes; without "
+             "it the "
+             "end of the axis")
+        .called("MM")
+        .within(-1e6, 1e6);
     line.add("--go-on", &a.go_on,
              "what the control has no word for becomes a comment, counted and listed, instead of an error");
     line.add("--tolerance", &a.tolerance_mm, "by which lines in place of an arc may be off it")
@@ -158,6 +188,10 @@ engine::PathRequest request_of(const WriteArguments& a, bool to_standard_output)
     for (const auto& [name, offsets] : kOffsets) {
         if (a.offsets == name) request.offsets = offsets;
     }
+    request.work_offset = a.work_offset;
+    if (!std::isnan(a.set_offset_mm[0])) request.set_offset_mm = a.set_offset_mm;
+    if (a.tool) request.tool = static_cast<int>(*a.tool);
+    request.retract_mm = a.retract_mm;
     request.tolerance_mm = a.tolerance_mm;
     if (!a.decimals.empty()) request.decimals_mm = a.decimals.front() - '0';
     request.inch = a.inch;
@@ -176,6 +210,8 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     if (a.overwrite && !a.separate_files)
         return findings.fail(Kind::usage,
                              "--overwrite is for the files of --separate-files; --output replaces");
+    if (a.tool && *a.tool != std::floor(*a.tool))
+        return findings.fail(Kind::usage, "--tool takes a whole number");
     if (a.separate_files && to_standard_output)
         return findings.fail(Kind::usage, "--separate-files needs --output");
     auto program = engine::PathTranslation::open(request_of(a, to_standard_output));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -34,8 +35,16 @@ struct PathRequest {
     std::string program_name = {};             ///< {program} of the post; empty: the path's name.
     std::optional<bool> rotary_as_given = {};  ///< Left out: of recorded paths, else the least turn.
     std::optional<Offsets> offsets = {};       ///< Left out: keep for recorded paths, else as_path.
-    double tolerance_mm = 0.01;                ///< By which lines in place of an arc may be off it.
-    std::optional<int> decimals_mm = {};       ///< Digits of lengths; left out: the post's.
+    /// Of paths that no run has recorded and that name none: the work coordinate system ("G55"), where the
+    /// program puts it (X, Y and Z of the machine), and the tool with the length offset of its number.
+    std::string work_offset = {};
+    std::optional<std::array<double, 3>> set_offset_mm = {};
+    std::optional<int> tool = {};
+    /// The machine coordinate of Z that the tool goes up to before it or the work offset changes; left out:
+    /// the end of the axis.
+    std::optional<double> retract_mm = {};
+    double tolerance_mm = 0.01;           ///< By which lines in place of an arc may be off it.
+    std::optional<int> decimals_mm = {};  ///< Digits of lengths; left out: the post's.
     bool inch = false;
     bool verbose_words = false;   ///< Words are written though they have not changed.
     bool separate_files = false;  ///< Each sub-path in a file of its own.

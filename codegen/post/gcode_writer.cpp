@@ -145,6 +145,32 @@ void GcodeWriter::work_offset(const std::string& name) {
     end_block();
 }
 
+void GcodeWriter::set_work_offset(const std::string& name, const std::array<double, 3>& origin_mm) {
+    const std::vector<std::string>& systems = post_.offsets.systems;
+    Places places = places_;
+    places["index"] =
+        fmt::format("{}", std::find(systems.begin(), systems.end(), name) - systems.begin() + 1);
+    for (std::size_t i = 0; i < origin_mm.size(); ++i) {
+        fmt::memory_buffer number;
+        length_.append(number, length_.units(in_unit(origin_mm[i])));
+        places[std::string(1, static_cast<char>('x' + i))] = fmt::to_string(number);
+    }
+    begin_block();
+    code(filled(post_.offsets.set, places));
+    end_block();
+}
+
+void GcodeWriter::retract(double z_mm) {
+    std::fill(at_.begin(), at_.end(), kUnknown);
+    if (post_.offsets.machine.empty()) return;
+    begin_block();
+    code(post_.offsets.machine);
+    motion_ = kNoMotion;
+    motion_word(0);
+    word('Z', length_.units(in_unit(z_mm)), length_);
+    end_block();
+}
+
 // What has been put off to this block, and that its numbers are those of the machine.
 void GcodeWriter::begin_motion() {
     begin_block();

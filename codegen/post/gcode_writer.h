@@ -73,6 +73,11 @@ class GcodeWriter {
     void begin_in(const std::string& name);
     /// The post's block that selects a work coordinate system; nothing where it is in force.
     void work_offset(const std::string& name);
+    /// The post's block that says where a work coordinate system lies; the post must have one.
+    void set_work_offset(const std::string& name, const std::array<double, 3>& origin_mm);
+    /// A rapid of Z alone to a machine coordinate, where the post has a word for these. Behind it all axes
+    /// are written again.
+    void retract(double z_mm);
     /// A rapid (without feed) or linear move to these values, one for each axis. Nothing is written where no
     /// word would change.
     void move(std::span<const double> values, const std::optional<WrittenFeed>& feed);

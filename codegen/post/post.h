@@ -41,6 +41,7 @@ struct FeedModes {
 struct OffsetWords {
     std::string system;                ///< Template with {system}: selects a work coordinate system.
     std::vector<std::string> systems;  ///< That it has; programs begin in the first one.
+    std::string set;                   ///< Template with {index} (from 1), {x}, {y} and {z}: sets a system.
     std::string machine;  ///< In front of a line or a rapid: its numbers are machine coordinates.
     std::string here;     ///< In front of axis words: where the machine stands has these coordinates.
     std::vector<std::string> begin;  ///< Lines that take back all other offsets.
@@ -58,7 +59,8 @@ struct ToolChangeWords {
 };
 
 /// One controller's way of writing programs (docs/paths.md). Templates hold {number}, {title}, {program},
-/// {lower}, {unit}, {repeats}, {label}, {seconds}, {milliseconds}, {acceleration} and {system}.
+/// {lower}, {unit}, {repeats}, {label}, {seconds}, {milliseconds}, {acceleration}, {system}, {index}, {x},
+/// {y} and {z}.
 struct Post {
     std::string name;
     std::string reads_as;  ///< The dialect of gcode2lua that reads these programs.

@@ -32,12 +32,13 @@ constexpr std::array<std::string_view, 7> kBlockKeys = {
     "number_step", "number_digits", "axes", "dwell", "start_position", "thread", "thread_lead"};
 constexpr std::array<std::string_view, 4> kFeedModeKeys = {"per_minute", "inverse_time", "per_revolution",
                                                            "inverse_time_of_arcs"};
-constexpr std::array<std::string_view, 6> kOffsetKeys = {"system", "systems", "machine",
+constexpr std::array<std::string_view, 7> kOffsetKeys = {"system", "systems", "set", "machine",
                                                          "here",   "begin",   "end"};
 constexpr std::array<std::string_view, 1> kToolChangeKeys = {"stops"};
 constexpr std::array<std::string_view, 2> kStopped = {"spindle", "coolant"};
 constexpr std::array<std::string_view, 2> kTimesOfArcs = {"move", "radian"};
 constexpr std::array<std::string_view, 1> kSystemPlaces = {"system"};
+constexpr std::array<std::string_view, 4> kSetPlaces = {"index", "x", "y", "z"};
 constexpr std::array<std::string_view, 2> kProgramKeys = {"begin", "end"};
 constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",         "end",
                                                              "call",  "call_repeated", "file"};
@@ -153,12 +154,18 @@ class PostReader {
         OffsetWords& words = post_.offsets;
         words.system = word(section, "system", kSystemPlaces);
         if (section.has("systems")) words.systems = lines(section, "systems", {});
+        words.set = word(section, "set", kSetPlaces);
         words.machine = word(section, "machine");
         words.here = word(section, "here");
         if (section.has("begin")) words.begin = lines(section, "begin", {});
         if (section.has("end")) words.end = lines(section, "end", {});
         if (words.system.empty() != words.systems.empty())
             section.fail("system", "'system' and 'systems' go together");
+        for (const std::string_view place : kSetPlaces) {
+            if (words.set.empty() || words.set.find(fmt::format("{{{}}}", place)) != std::string::npos)
+                continue;
+            section.fail("set", fmt::format("'set' must hold {{{}}}", fmt::join(kSetPlaces, "}, {")));
+        }
     }
 
     void read_tool_change(const toml::table& table) {

@@ -50,6 +50,12 @@ tl::expected<PathCheck::Found, std::string> PathCheck::finish() {
             fmt::format("'acceleration_mm_s2' of {} points is not written: the post '{}' has no words for it",
                         accelerations_, post_.name));
     }
+    if (retracts_ > 0 && post_.offsets.machine.empty()) {
+        notes_.push_back(
+            fmt::format("the tool does not go up {} times to be changed or to another work offset: the "
+                        "post '{}' has no word for machine coordinates ([offsets] machine)",
+                        retracts_, post_.name));
+    }
     note_feeds();
     if (!go_on_ && !without_word_.empty()) return tl::unexpected(refusal());
     for (const auto* list : {&said_, &without_word_}) {
@@ -58,7 +64,7 @@ tl::expected<PathCheck::Found, std::string> PathCheck::finish() {
                                          count, post_.name));
         }
     }
-    return Found{std::move(notes_), feed_modes_ > 0, accelerations_ > 0};
+    return Found{std::move(notes_), feed_modes_ > 0, accelerations_ > 0, retracts_ > 0};
 }
 
 void PathCheck::note_feeds() {

@@ -22,6 +22,7 @@ class PathCheck final : public path::MoveSink {
         std::vector<std::string> notes;  ///< Sentences for the user.
         bool feed_modes;     ///< Some feeds are by time or by turn, and the post has words for that.
         bool accelerations;  ///< Some points have one.
+        bool retracts;       ///< The tool goes up, to change something.
     };
 
     /// `in_machine`: positions will be written in machine coordinates; `go_on`: what the post has no words
@@ -30,6 +31,7 @@ class PathCheck final : public path::MoveSink {
         : file_(file), post_(post), in_machine_(in_machine), go_on_(go_on), words_(post.actions) {}
 
     void move(const path::AxisMove& move) override;
+    void retract() override { ++retracts_; }
     void dwell(double) override {}
     void acceleration(double) override { ++accelerations_; }
     void action(const std::string& name) override;
@@ -50,7 +52,7 @@ class PathCheck final : public path::MoveSink {
     codegen::ActionWords words_;
     std::vector<std::string> notes_;
     std::size_t count_ = 0;  ///< Of notes on moves, listed or not.
-    std::size_t accelerations_ = 0;
+    std::size_t accelerations_ = 0, retracts_ = 0;
     std::size_t feed_modes_ = 0, mean_feeds_ = 0, per_minute_ = 0;  ///< Moves.
     std::map<std::string, int> without_word_, said_;
 };

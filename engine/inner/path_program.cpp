@@ -60,14 +60,25 @@ class PathProgram::Sink : public path::MoveSink {
     void begin() {
         const codegen::Post& post = *program_.post_;
         const Offsets offsets = program_.offsets();
-        if (offsets != Offsets::as_path) writer_.lines(post.offsets.begin);
-        const std::string& here = offsets == Offsets::as_path ? post.start_position : post.offsets.here;
+        const bool framed = program_.frames_.any();
+        if (offsets != Offsets::as_path || framed) writer_.lines(post.offsets.begin);
+        // What the control has for a frame counts there, whatever the place where the tool stands was called.
+        const std::string& here = framed                        ? std::string()
+                                  : offsets == Offsets::as_path ? post.start_position
+                                                                : post.offsets.here;
         if (!here.empty() && (offsets == Offsets::as_path || offsets == Offsets::none))
             writer_.here(here, values_of(program_.space_.home()));
+        for (const auto& [name, place_mm] : program_.frames_.places_mm()) {
+            if (place_mm) writer_.set_work_offset(name, *place_mm);
+        }
         if (!post.offsets.systems.empty()) writer_.begin_in(post.offsets.systems.front());
     }
     /// Those before the lines of its end.
     void end() {
+        constexpr std::string_view kNoLength = "tool_length_off";
+        if (program_.frames_.tools() && program_.post_->actions.contains(kNoLength))
+            writer_.action(kNoLength);
+        if (program_.frames_.any()) writer_.work_offset(program_.post_->offsets.systems.front());
         if (program_.offsets() == Offsets::none) writer_.lines(program_.post_->offsets.end);
         if (program_.has_accelerations_) writer_.lines(program_.post_->end_acceleration);
     }
@@ -87,8 +98,10 @@ class PathProgram::Sink : public path::MoveSink {
                     feed);
     }
     void stand(const path::AxisValues& axes) override { writer_.stand(values_of(axes)); }
-    // The numbers are counted from where the machine's data has the system.
+    void retract() override { writer_.retract(program_.retract_mm()); }
+    // The numbers of a recorded path are counted from where the machine's data has the system.
     void work_offset(const std::string& name) override {
+        if (program_.offsets() == Offsets::as_path) return writer_.work_offset(name);
         if (program_.offsets() != Offsets::keep) return;
         const auto& origin = program_.file_->program.work_offsets.find(name)->second.origin;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -171,6 +184,10 @@ Offsets PathProgram::offsets() const {
 
 tl::expected<void, std::string> PathProgram::check_offsets() const {
     const codegen::OffsetWords& words = post_->offsets;
+    if (frames_.any() && offsets() != Offsets::as_path)
+        return tl::unexpected<std::string>(
+            "--offsets says how to write what a run has recorded; this path names its "
+            "own work offsets");
     const auto no_word = [this](std::string_view what) {
         return tl::unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
     };
@@ -210,6 +227,21 @@ tl::expected<void, std::string> PathProgram::check_work_offset(const std::string
         name, rotation_deg));
 }
 
+tl::expected<void, std::string> PathProgram::check_retract() const {
+    if (post_->offsets.machine.empty()) return {};
+    if (!options_.retract_mm && !space_.top_mm()) {
+        return tl::unexpected(
+            fmt::format("Z of the machine '{}' has no end that the tool could go up to for changes; "
+                        "name a height by --retract",
+                        space_.machine().name));
+    }
+    path::AxisValues up = space_.home();
+    up[static_cast<Eigen::Index>(*space_.machine().find('Z'))] = retract_mm();
+    const std::string fault = space_.range_fault(up);
+    if (fault.empty()) return {};
+    return tl::unexpected(fmt::format("--retract: {}", fault));
+}
+
 // As a line of its feed where the control has no threads, and the user wants the program all the same.
 std::optional<double> PathProgram::thread_lead(const path::AxisMove& move) const {
     const bool has_word = !post_->thread.empty() && offsets() != Offsets::machine;
@@ -228,7 +260,8 @@ path::MoveOptions PathProgram::move_options() const {
             oblique,
             offsets() != Offsets::machine,
             !post_->turns_of_arcs.empty(),
-            {post_->tool_change.stops_spindle, post_->tool_change.stops_coolant}};
+            {post_->tool_change.stops_spindle, post_->tool_change.stops_coolant},
+            frames_.places_mm()};
 }
 
 tl::expected<void, std::string> PathProgram::look_at_moves() {
@@ -243,11 +276,13 @@ tl::expected<void, std::string> PathProgram::look_at_moves() {
     for (const std::size_t path : states_.users_first()) {
         if (auto run = moves.run(path, check); !run) return located(run.error());
     }
-    return check.finish().map([this](PathCheck::Found found) {
-        notes_ = std::move(found.notes);
-        options_.words.feed_modes = found.feed_modes;
-        has_accelerations_ = found.accelerations;
-    });
+    auto found = check.finish();
+    if (!found) return tl::unexpected(found.error());
+    notes_ = frames_.notes();
+    notes_.insert(notes_.end(), found->notes.begin(), found->notes.end());
+    options_.words.feed_modes = found->feed_modes;
+    has_accelerations_ = found->accelerations;
+    return found->retracts ? check_retract() : tl::expected<void, std::string>();
 }
 
 tl::expected<void, Fault> PathProgram::check_size() const {

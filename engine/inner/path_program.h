@@ -10,6 +10,7 @@
 
 #include "codegen/post/gcode_writer.h"
 #include "codegen/post/post.h"
+#include "engine/inner/path_frames.h"
 #include "engine/path_translation.h"
 #include "runtime/machine/machine.h"
 #include "runtime/path/axis_moves.h"
@@ -21,8 +22,9 @@ struct PathProgramOptions {
     codegen::WriterOptions words;
     path::RotaryOptions rotary;
     double tolerance_mm = 0.01;
-    bool separate_files = false;          ///< Each sub-path in a file of its own.
-    std::optional<Offsets> offsets = {};  ///< Left out: keep for recorded paths, else as_path.
+    bool separate_files = false;            ///< Each sub-path in a file of its own.
+    std::optional<Offsets> offsets = {};    ///< Left out: keep for recorded paths, else as_path.
+    std::optional<double> retract_mm = {};  ///< Machine coordinate of Z; left out: the end of its range.
     bool go_on = false;  ///< What the post has no words for becomes comments, instead of an error.
     std::string name;    ///< {program} of the post: the main file's name without its extension.
 };
@@ -49,13 +51,20 @@ class PathProgram {
 
     PathProgram(const path::PathFile& file, path::MachineSpace space, const codegen::Post& post,
                 const PathProgramOptions& options)
-        : file_(&file), space_(std::move(space)), post_(&post), options_(options), states_(file.program) {}
+        : file_(&file),
+          space_(std::move(space)),
+          post_(&post),
+          options_(options),
+          states_(file.program),
+          frames_(file.program) {}
 
     bool inlined() const { return !post_->subprogram; }
     Offsets offsets() const;
     tl::expected<void, std::string> check_offsets() const;
     tl::expected<void, std::string> check_work_offset(const std::string& name) const;
+    tl::expected<void, std::string> check_retract() const;
     path::MoveOptions move_options() const;
+    double retract_mm() const { return options_.retract_mm.value_or(space_.top_mm().value_or(0)); }
     std::optional<double> thread_lead(const path::AxisMove& move) const;
     tl::expected<void, std::string> look_at_moves();
     tl::expected<void, path::Fault> check_size() const;
@@ -70,6 +79,7 @@ class PathProgram {
     PathProgramOptions options_;
     path::States states_;
     std::vector<path::PathTurns> turns_;
+    PathFrames frames_;
     std::vector<std::string> notes_;
     bool has_accelerations_ = false;
 };

@@ -7,6 +7,7 @@
 #include "engine/inner/guarded.h"
 #include "engine/inner/host_names.h"
 #include "engine/inner/machine_input.h"
+#include "engine/inner/path_frames.h"
 #include "engine/inner/path_input.h"
 #include "engine/inner/path_program.h"
 #include "engine/inner/values.h"
@@ -44,6 +45,7 @@ PathProgramOptions options_of(const PathRequest& request, const path::Program& p
     options.tolerance_mm = request.tolerance_mm;
     options.separate_files = request.separate_files;
     options.offsets = request.offsets;
+    options.retract_mm = request.retract_mm;
     options.go_on = request.go_on;
     options.name = request.program_name.empty() ? path.name : request.program_name;
     return options;
@@ -80,6 +82,8 @@ class PathTranslation::State {
         return {};
     }
     tl::expected<void, Failure> plan() {
+        if (auto completed = complete_frames(*path_, request_, post_); !completed)
+            return tl::unexpected(fault_of_path(completed.error()));
         auto program = PathProgram::plan(*path_, machine_, post_, options_of(request_, path_->program));
         if (!program) return tl::unexpected(fault_of_path(program.error()));
         program_.emplace(*std::move(program));

@@ -8,6 +8,7 @@
 
 #include "runtime/path/arc_blocks.h"
 #include "runtime/path/pieces.h"
+#include "runtime/path/set_up.h"
 
 namespace gsim::path {
 
@@ -24,13 +25,15 @@ constexpr double kSamePlace_mm = 1e-6;
 class Walk {
   public:
     Walk(const MachineSpace& space, const PathTurns& turns, const MoveOptions& options, bool jet,
-         std::size_t path, bool is_sub_path, const std::optional<AxisValues>& rotary, MoveSink& sink)
+         std::size_t path, bool is_sub_path, const std::optional<AxisValues>& rotary, const SetUp& set_up,
+         MoveSink& sink)
         : space_(space),
           turns_(turns),
           options_(options),
           jet_(jet),
           path_(path),
           is_sub_path_(is_sub_path),
+          set_up_(set_up),
           sink_(sink) {
         if (rotary) rotary_ = *rotary;
     }
@@ -53,9 +56,14 @@ class Walk {
     TargetId here() const { return {path_, target_}; }
     Fault fault(std::string sentence) const { return {here(), std::move(sentence)}; }
     std::optional<Fault> check_range(const AxisValues& axes) const {
-        std::string sentence = space_.range_fault(axes);
-        if (sentence.empty()) return std::nullopt;
-        return fault(std::move(sentence));
+        for (const std::string& frame : set_up_.frames()) {
+            const auto named = options_.frames_mm.find(frame);
+            std::string sentence = named == options_.frames_mm.end()
+                                       ? space_.range_fault(axes)
+                                       : space_.range_fault(axes, named->second);
+            if (!sentence.empty()) return fault(std::move(sentence));
+        }
+        return std::nullopt;
     }
     std::optional<Fault> run(const TipMotion& motion, const Point& point, const State& before);
     std::optional<Feed> feed_of(const TipMotion& motion, const Point& point, const State& before,
@@ -79,6 +87,7 @@ class Walk {
     bool jet_;
     std::size_t path_;
     bool is_sub_path_;
+    const SetUp& set_up_;
     MoveSink& sink_;
     std::size_t target_ = 0;
     AxisValues rotary_;        // empty where it is not known
@@ -348,10 +357,14 @@ std::optional<Fault> call(const SubPath& sub_path, std::size_t target, const Pat
 }  // namespace
 
 tl::expected<void, Fault> AxisMoves::run(std::size_t path, MoveSink& sink) const {
-    Walk walk(space_, turns_[path], options_, jet_, path, path != program_.root, entries_[path], sink);
+    SetUp set_up(program_, states_, path, options_.tool_change_stops, jet_, sink);
+    Walk walk(space_, turns_[path], options_, jet_, path, path != program_.root, entries_[path], set_up,
+              sink);
     State state = states_.entry(path);
     const std::vector<Target>& targets = program_.paths[path].targets;
     for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (auto fault = set_up.before(i, state)) return tl::unexpected(*fault);
+        states_.set_up(state, path, targets[i]);
         if (const auto* point = std::get_if<Point>(&targets[i])) {
             if (auto fault = walk.go_to(*point, i, state)) return tl::unexpected(*fault);
             states_.pass(state, targets[i]);
@@ -363,6 +376,8 @@ tl::expected<void, Fault> AxisMoves::run(std::size_t path, MoveSink& sink) const
         }
         if (auto fault = walk.unwind(i, turns_[path].unwinding(i), state)) return tl::unexpected(*fault);
     }
+    if (path == program_.root) return {};
+    if (auto fault = set_up.finish(state)) return tl::unexpected(*fault);
     return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,7 +49,10 @@ class MoveSink {
     virtual void move(const AxisMove& move) = 0;
     /// The axes stand there, though no move has led there.
     virtual void stand(const AxisValues& /*axes*/) {}
-    /// A work coordinate system is selected, by its name; axis values stay those of the machine.
+    /// The tool goes up, to change something: itself, or what positions are counted in.
+    virtual void retract() {}
+    /// A work coordinate system is selected, by its name; axis values of a recorded path stay those of the
+    /// machine.
     virtual void work_offset(const std::string& /*name*/) {}
     virtual void dwell(double seconds) = 0;
     /// From the next move on, along the path.
@@ -66,6 +70,8 @@ struct MoveOptions {
     bool arcs = true;                        ///< Whether arcs may stay arcs.
     bool arcs_of_turns = false;              ///< Whether one may turn by more than a circle.
     ToolChangeStops tool_change_stops = {};  ///< What is set going again behind a change of the tool.
+    /// Where work coordinate systems lie; of those without a place the ranges of X, Y and Z say nothing.
+    std::map<std::string, std::optional<Vector>, std::less<>> frames_mm = {};
 };
 
 /// Turns the points of a path into moves of the axes. Arcs stay arcs where they lie in a plane of the axes,

@@ -51,9 +51,12 @@ std::string JsonHandler::wanted() const {
         case Level::paths: return "'paths' must hold objects, each a path with 'name' and 'targets'";
         case Level::path:
             return fmt::format("'{}' must be {}", key_,
-                               key_ == "targets" ? "an array of targets" : "a string");
+                               path_key_ == PathKey::targets         ? "an array of targets"
+                               : wants(PathDraft::ValueKind::number) ? "a number"
+                               : wants(PathDraft::ValueKind::vector) ? "an array of three numbers"
+                                                                     : "a string");
         case Level::targets: return "'targets' must hold objects, each a point or a sub-path";
-        case Level::vector: return fmt::format("'{}' must hold three numbers", name_of(target_key_));
+        case Level::vector: return fmt::format("'{}' must hold three numbers", vector_key());
         case Level::offsets:
             return fmt::format("the work offset '{}' must be an object such as {{\"X\": 200}}", offset_name_);
         case Level::offset:
@@ -84,6 +87,7 @@ bool JsonHandler::number(double value) {
         return true;
     }
     if (level() == Level::offset) return offset_value(value);
+    if (level() == Level::path) return number_of_path(value);
     if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
     const bool wants_number =
         level() == Level::target && TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::number;
@@ -100,10 +104,7 @@ bool JsonHandler::string(std::string& value) {
                 root_place_ = bytes_.token();
             }
             return true;
-        case Level::path:
-            if (key_ == "targets") return wrong_type("a string");
-            file_.program.paths.back().name = value;
-            return true;
+        case Level::path: return string_of_path(value);
         case Level::actions: draft_.add_action(std::move(value)); return true;
         case Level::target:
             if (TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::text) {
@@ -125,6 +126,7 @@ bool JsonHandler::start_object(std::size_t) {
         case Level::paths:
             levels_.push_back(Level::path);
             path_keys_.clear();
+            path_draft_ = {};
             file_.program.paths.emplace_back();
             file_.paths.push_back(bytes_.token());
             file_.targets.emplace_back();
@@ -150,7 +152,7 @@ bool JsonHandler::key(std::string& name) {
         case Level::program: return program_key(name);
         case Level::path: return path_key(name);
         case Level::target: return target_key(name);
-        case Level::offsets: offset_name_ = name; return true;
+        case Level::offsets: offset_name_ = frame_name(name); return true;
         case Level::offset: return offset_key(name);
         default: key_ = std::move(name); return true;
     }
@@ -167,7 +169,31 @@ bool JsonHandler::path_key(const std::string& name) {
     if (!is_known(name, kPathKeys)) return fail(unknown_key(name, "a path", kPathKeys));
     if (!add_key(path_keys_, name)) return fail(fmt::format("'{}' is given twice", name));
     key_ = name;
+    const auto* const found = std::find(kPathKeys.begin(), kPathKeys.end(), name);
+    path_key_ = static_cast<PathKey>(found - kPathKeys.begin());
     return true;
+}
+
+bool JsonHandler::wants(PathDraft::ValueKind kind) const {
+    return PathDraft::kind_of(path_key_) == kind;
+}
+
+bool JsonHandler::string_of_path(std::string& value) {
+    if (wants(PathDraft::ValueKind::text)) return check(path_draft_.set_text(path_key_, value));
+    if (path_key_ != PathKey::name) return wrong_type("a string");
+    file_.program.paths.back().name = value;
+    return true;
+}
+
+bool JsonHandler::number_of_path(double value) {
+    if (wants(PathDraft::ValueKind::number)) return check(path_draft_.set_number(path_key_, value));
+    return wrong_type("a number");
+}
+
+// Of the vector that is open.
+std::string_view JsonHandler::vector_key() const {
+    const bool of_path = levels_[levels_.size() - 2] == Level::path;
+    return of_path ? name_of(path_key_) : name_of(target_key_);
 }
 
 bool JsonHandler::start_offset() {
@@ -219,11 +245,16 @@ bool JsonHandler::start_array(std::size_t) {
         levels_.push_back(Level::paths);
         return true;
     }
-    if (level() == Level::path && key_ == "targets") {
-        levels_.push_back(Level::targets);
-        return true;
-    }
+    if (level() == Level::path) return start_path_array();
     return level() == Level::target ? start_target_array() : wrong_type("an array");
+}
+
+bool JsonHandler::start_path_array() {
+    const bool is_vector = wants(PathDraft::ValueKind::vector);
+    if (!is_vector && path_key_ != PathKey::targets) return wrong_type("an array");
+    values_.clear();
+    levels_.push_back(is_vector ? Level::vector : Level::targets);
+    return true;
 }
 
 bool JsonHandler::start_target_array() {
@@ -241,16 +272,22 @@ bool JsonHandler::start_target_array() {
 bool JsonHandler::end_array() {
     const Level ended = level();
     levels_.pop_back();
-    return ended == Level::vector ? check(draft_.set_vector(target_key_, values_)) : true;
+    return ended == Level::vector ? end_vector() : true;
+}
+
+bool JsonHandler::end_vector() {
+    return check(level() == Level::path ? path_draft_.set_vector(path_key_, values_)
+                                        : draft_.set_vector(target_key_, values_));
 }
 
 bool JsonHandler::end_path() {
     const Place place = file_.paths.back();
-    for (const std::string_view name : kPathKeys) {
+    for (const std::string_view name : std::span(kPathKeys).first(kNeededPathKeys)) {
         if (std::find(path_keys_.begin(), path_keys_.end(), name) == path_keys_.end()) {
             return fail(place, fmt::format("a path lacks the key '{}'", name));
         }
     }
+    if (auto done = path_draft_.finish(file_.program.paths.back()); !done) return fail(place, done.error());
     const std::size_t index = file_.program.paths.size() - 1;
     const std::string& name = file_.program.paths.back().name;
     if (by_name_.emplace(name, index).second) return true;

@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/path/json_bytes.h"
+#include "runtime/path/path_draft.h"
 #include "runtime/path/target_draft.h"
 
 namespace gsim::path {
@@ -72,8 +73,14 @@ class JsonHandler {
     bool offset_value(double value);
     bool start_offset();
     bool start_target_array();
+    bool start_path_array();
+    bool string_of_path(std::string& value);
+    bool number_of_path(double value);
+    bool wants(PathDraft::ValueKind kind) const;
+    std::string_view vector_key() const;
     bool end_path();
     bool end_target();
+    bool end_vector();
     bool check(tl::expected<void, std::string> done);
     bool fail(const Place& place, std::string_view sentence);
     bool fail(std::string_view sentence) { return fail(bytes_.token(), sentence); }
@@ -91,6 +98,8 @@ class JsonHandler {
     std::string offset_name_;  // of the work coordinate system being read
     std::optional<std::string> root_;
     Place root_place_;
+    PathKey path_key_ = PathKey::name;
+    PathDraft path_draft_;
     TargetKey target_key_ = TargetKey::name;
     TargetDraft draft_;
     Place draft_place_;

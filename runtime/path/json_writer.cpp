@@ -60,7 +60,10 @@ class Writer {
     }
 
     void write_path(const Path& path) {
-        put("{{\"name\": {}, \"targets\": [\n", quoted(path.name));
+        put("{{\"name\": {}", quoted(path.name));
+        write_frame(path.frame);
+        if (path.tool) write_tool(*path.tool);
+        put(", \"targets\": [\n");
         for (const Target& target : path.targets) {
             std::visit([this](const auto& each) { write_target(each); }, target);
             put("{}\n", &target == &path.targets.back() ? "" : ",");
@@ -72,7 +75,21 @@ class Writer {
     void write_target(const SubPath& sub_path) {
         put("{{\"path\": {}", quoted(program_.paths[sub_path.path].name));
         if (sub_path.repeats != 1) put(", \"repeats\": {}", sub_path.repeats);
+        write_frame(sub_path.frame);
         put("}}");
+    }
+
+    void write_frame(const WorkFrame& frame) {
+        if (!frame.name.empty()) put(", \"{}\": {}", name_of(TargetKey::work_offset), quoted(frame.name));
+        if (frame.set_offset_mm) vector(TargetKey::set_offset_mm, *frame.set_offset_mm);
+    }
+
+    void write_tool(const Tool& tool) {
+        put(", \"{}\": {}", name_of(PathKey::tool), tool.number);
+        if (tool.length_offset != tool.number)
+            put(", \"{}\": {}", name_of(PathKey::length_offset), tool.length_offset);
+        if (tool.diameter_offset)
+            put(", \"{}\": {}", name_of(PathKey::diameter_offset), *tool.diameter_offset);
     }
 
     void write_target(const Point& point) {

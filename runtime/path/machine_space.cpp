@@ -212,4 +212,18 @@ std::string MachineSpace::range_fault(const AxisValues& axes) const {
     return {};
 }
 
+std::string MachineSpace::range_fault(AxisValues axes, const std::optional<Vector>& origin_mm) const {
+    const AxisValues at_home = home();
+    for (std::size_t i = 0; i < linear_.size(); ++i) {
+        const auto axis = static_cast<Eigen::Index>(linear_[i]);
+        axes[axis] = origin_mm ? axes[axis] + (*origin_mm)[i] : at_home[axis];
+    }
+    return range_fault(axes);
+}
+
+std::optional<double> MachineSpace::top_mm() const {
+    const double top_mm = machine_->axes[linear_[2]].max;
+    return std::isfinite(top_mm) ? std::optional(top_mm) : std::nullopt;
+}
+
 }  // namespace gsim::path

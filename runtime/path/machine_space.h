@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,11 @@ class MachineSpace {
 
     /// Which axis is out of its range, as a sentence; empty if none is.
     std::string range_fault(const AxisValues& axes) const;
+    /// The same where the values are counted from another place of X, Y and Z; without it those of X, Y and Z
+    /// are not looked at.
+    std::string range_fault(AxisValues axes, const std::optional<Vector>& origin_mm) const;
+    /// The end of Z above the work; none where it has none.
+    std::optional<double> top_mm() const;
 
   private:
     explicit MachineSpace(const machine::Machine& machine) : machine_(&machine) {}

@@ -85,6 +85,11 @@ void MergedLines::stand(const AxisValues& axes) {
     sink_.stand(axes);
 }
 
+void MergedLines::retract() {
+    flush();
+    sink_.retract();
+}
+
 void MergedLines::work_offset(const std::string& name) {
     flush();
     sink_.work_offset(name);

@@ -21,6 +21,7 @@ class MergedLines final : public MoveSink {
 
     void move(const AxisMove& move) override;
     void stand(const AxisValues& axes) override;
+    void retract() override;
     void work_offset(const std::string& name) override;
     void dwell(double seconds) override;
     void acceleration(double mm_s2) override;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -76,10 +77,32 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
+/// The work coordinate system that positions are counted in.
+struct WorkFrame {
+    std::string name = {};  ///< "54", "59.1"; empty: that of the user.
+    std::optional<Vector> set_offset_mm =
+        {};  ///< Where the program itself puts it: X, Y and Z of the machine.
+
+    bool operator==(const WorkFrame&) const = default;
+};
+
+/// Of a tool or an offset.
+inline constexpr int kGreatestToolNumber = 99'999'999;
+
+/// A tool and the offsets that go with it, by their numbers in the control.
+struct Tool {
+    int number = 0;                           ///< >= 0
+    int length_offset = 0;                    ///< >= 0; 0: none is in force.
+    std::optional<int> diameter_offset = {};  ///< >= 0; without it none is called.
+
+    bool operator==(const Tool&) const = default;
+};
+
 /// Another path, gone through `repeats` times.
 struct SubPath {
     std::size_t path = 0;  ///< Index in Program::paths.
     int repeats = 1;       ///< >= 1
+    WorkFrame frame = {};  ///< That it is used in, in place of its own.
 
     bool operator==(const SubPath&) const = default;
 };
@@ -90,6 +113,8 @@ using Target = std::variant<Point, SubPath>;
 struct Path {
     std::string name;
     std::vector<Target> targets;
+    WorkFrame frame = {};           ///< Not in recorded programs, whose points say it.
+    std::optional<Tool> tool = {};  ///< None: the one that is in the spindle.
 
     bool operator==(const Path&) const = default;
 };
@@ -119,5 +144,11 @@ struct Program {
     bool is_recorded() const { return !work_offsets.empty(); }
     bool operator==(const Program&) const = default;
 };
+
+/// A work coordinate system as paths name it: "55" for "G55" as well.
+std::string frame_name(std::string_view text);
+
+/// The frame of a sub-path, where the use or the path itself names one; else that of the user.
+const WorkFrame& frame_of(const Program& program, const SubPath& use);
 
 }  // namespace gsim::path

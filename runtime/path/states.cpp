@@ -20,6 +20,8 @@ void State::merge(const State& other) {
     feed_deg_min.merge(other.feed_deg_min);
     feed_mm_rev.merge(other.feed_mm_rev);
     work_offset.merge(other.work_offset);
+    frame.merge(other.frame);
+    tool.merge(other.tool);
     jet_on.merge(other.jet_on);
     abrasive_on.merge(other.abrasive_on);
     running.merge(other.running);
@@ -42,21 +44,27 @@ void State::pass(const Point& point) {
 }
 
 States::States(const Program& program)
-    : program_(program), entries_(program.paths.size()), changes_(program.paths.size()) {
+    : program_(program),
+      entries_(program.paths.size()),
+      frames_(program.paths.size()),
+      changes_(program.paths.size()) {
     std::vector<bool> seen(program.paths.size(), false);
     visit(program.root, seen);
     std::reverse(order_.begin(), order_.end());
     State start;
     start.jet_on = Inherited<bool>(false);
     start.abrasive_on = Inherited<bool>(false);
+    start.frame = Inherited<std::string>(program.paths[program.root].frame.name);
+    frames_[program.root] = {program.paths[program.root].frame.name};
     entries_[program.root] = start;
     for (const std::size_t path : order_) {
         State state = *entries_[path];
         for (const Target& target : program.paths[path].targets) {
             const auto* sub_path = std::get_if<SubPath>(&target);
-            if (sub_path != nullptr) enter(sub_path->path, state);
+            set_up(state, path, target);
+            if (sub_path != nullptr) enter(*sub_path, path, state);
             pass(state, target);
-            if (sub_path != nullptr && sub_path->repeats > 1) enter(sub_path->path, state);
+            if (sub_path != nullptr && sub_path->repeats > 1) enter(*sub_path, path, state);
         }
     }
 }
@@ -69,16 +77,33 @@ void States::visit(std::size_t path, std::vector<bool>& seen) {
         const auto* sub_path = std::get_if<SubPath>(&*target);
         if (sub_path != nullptr && !seen[sub_path->path]) visit(sub_path->path, seen);
     }
-    for (const Target& target : targets) pass(changes_[path], target);
+    for (const Target& target : targets) {
+        set_up(changes_[path], path, target);
+        pass(changes_[path], target);
+    }
     order_.push_back(path);
 }
 
-void States::enter(std::size_t path, const State& state) {
+void States::enter(const SubPath& use, std::size_t user, State state) {
+    const std::size_t path = use.path;
+    const std::string& frame = frame_of(program_, use).name;
+    if (!frame.empty()) state.frame = Inherited<std::string>(frame);
+    if (frame.empty()) {
+        frames_[path].insert(frames_[user].begin(), frames_[user].end());
+    } else {
+        frames_[path].insert(frame);
+    }
     if (entries_[path]) {
         entries_[path]->merge(state);
     } else {
         entries_[path] = state;
     }
+}
+
+void States::set_up(State& state, std::size_t path, const Target& target) const {
+    const auto* sub_path = std::get_if<SubPath>(&target);
+    set(state.tool, program_.paths[path].tool);
+    if (sub_path != nullptr) set(state.tool, program_.paths[sub_path->path].tool);
 }
 
 void States::pass(State& state, const Target& target) const {
@@ -90,6 +115,7 @@ void States::pass(State& state, const Target& target) const {
     state.feed_deg_min.set(change.feed_deg_min);
     state.feed_mm_rev.set(change.feed_mm_rev);
     state.work_offset.set(change.work_offset);
+    state.tool.set(change.tool);
     state.jet_on.set(change.jet_on);
     state.abrasive_on.set(change.abrasive_on);
     state.running.set(change.running);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct State {
     Inherited<double> feed_mm_min, feed_deg_min;
     Inherited<double> feed_mm_rev;  ///< 0 where feed_mm_min is none by turns of the spindle.
     Inherited<std::string> work_offset;
+    Inherited<std::string> frame;  ///< Of the path that is gone through, as paths and their uses name it.
+    Inherited<Tool> tool;          ///< In the spindle, as paths name it.
     Inherited<bool> jet_on, abrasive_on;
     Running running;
 
@@ -35,6 +38,10 @@ class States {
     const State& entry(std::size_t path) const { return *entries_[path]; }
     /// Whether the root leads to it.
     bool used(std::size_t path) const { return entries_[path].has_value(); }
+    /// All names that State::frame has there; "" is one.
+    const std::set<std::string>& frames(std::size_t path) const { return frames_[path]; }
+    /// Makes ready for a target of a path: with the tool that the one or the other names.
+    void set_up(State& state, std::size_t path, const Target& target) const;
     /// The state behind any target.
     void pass(State& state, const Target& target) const;
     /// Paths that the root leads to, each behind all that use it.
@@ -42,10 +49,11 @@ class States {
 
   private:
     void visit(std::size_t path, std::vector<bool>& seen);
-    void enter(std::size_t path, const State& state);
+    void enter(const SubPath& use, std::size_t user, State state);
 
     const Program& program_;
     std::vector<std::optional<State>> entries_;
+    std::vector<std::set<std::string>> frames_;
     std::vector<std::size_t> order_;
     std::vector<State> changes_;  ///< What each path sets; nothing where it leaves a value as it was.
 };

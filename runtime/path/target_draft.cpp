@@ -31,7 +31,8 @@ TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
         case TargetKey::center_mm:
         case TargetKey::normal:
         case TargetKey::tool_axis:
-        case TargetKey::rpy_deg: return ValueKind::vector;
+        case TargetKey::rpy_deg:
+        case TargetKey::set_offset_mm: return ValueKind::vector;
         case TargetKey::rotary_deg: return ValueKind::letters;
         case TargetKey::actions: return ValueKind::list;
         default: return ValueKind::number;
@@ -50,8 +51,8 @@ tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string
     } else if (key == TargetKey::path) {
         path_name_ = value;
     } else if (key == TargetKey::work_offset) {
-        if (value.empty()) return tl::unexpected<std::string>("'work_offset' must not be empty");
-        point_.work_offset = value;
+        point_.work_offset = frame_name(value);
+        return frame_.set_text(PathKey::work_offset, value);
     } else {
         const auto* const found = std::find(kMotionNames.begin(), kMotionNames.end(), value);
         if (found == kMotionNames.end()) {
@@ -88,6 +89,7 @@ tl::expected<void, std::string> TargetDraft::set_vector(TargetKey key, const std
         return tl::unexpected<std::string>(
             fmt::format("'{}' must hold three numbers; it holds {}", name_of(key), values.size()));
     }
+    if (key == TargetKey::set_offset_mm) return frame_.set_vector(PathKey::set_offset_mm, values);
     const Vector vector = to_vector(values);
     switch (key) {
         case TargetKey::position_mm: point_.position_mm = vector; break;
@@ -112,9 +114,12 @@ tl::expected<void, std::string> TargetDraft::set_rotary(std::string_view letter,
 }
 
 std::optional<std::string> TargetDraft::fault_of_sub_path() const {
-    if (!has(TargetKey::path)) return "'repeats' is of sub-paths; this target lacks the key 'path'";
+    if (!has(TargetKey::path)) {
+        return fmt::format("'{}' is of sub-paths; this target lacks the key 'path'",
+                           name_of(has(TargetKey::repeats) ? TargetKey::repeats : TargetKey::set_offset_mm));
+    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(TargetKey::path); ++i) {
-        if (seen_[i]) {
+        if (seen_[i] && static_cast<TargetKey>(i) != TargetKey::work_offset) {
             return fmt::format("a target with the key 'path' is a sub-path and cannot have '{}'",
                                kTargetKeys[i]);
         }
@@ -152,7 +157,9 @@ std::optional<std::string> TargetDraft::fault_of_point() const {
 tl::expected<Target, std::string> TargetDraft::finish() {
     if (is_sub_path()) {
         if (auto sentence = fault_of_sub_path()) return tl::unexpected<std::string>(std::move(*sentence));
-        return SubPath{0, repeats_};
+        auto frame = frame_.finish_frame();
+        if (!frame) return tl::unexpected(frame.error());
+        return SubPath{0, repeats_, *std::move(frame)};
     }
     if (auto sentence = fault_of_point()) return tl::unexpected<std::string>(std::move(*sentence));
     if (has(TargetKey::center_mm)) {

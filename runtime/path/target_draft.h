@@ -11,6 +11,7 @@
 
 #include "runtime/path/keys.h"
 #include "runtime/path/path.h"
+#include "runtime/path/path_draft.h"
 
 namespace gsim::path {
 
@@ -36,7 +37,9 @@ class TargetDraft {
     /// The target, once all its keys are there. A sub-path has the index 0; `path_name()` says which is
     /// meant.
     tl::expected<Target, std::string> finish();
-    bool is_sub_path() const { return has(TargetKey::path) || has(TargetKey::repeats); }
+    bool is_sub_path() const {
+        return has(TargetKey::path) || has(TargetKey::repeats) || has(TargetKey::set_offset_mm);
+    }
     const std::string& path_name() const { return path_name_; }
 
   private:
@@ -49,6 +52,7 @@ class TargetDraft {
     Point point_;
     CenterArc center_;
     ViaPoint via_;
+    PathDraft frame_;  // of a sub-path
     std::string path_name_;
     int repeats_ = 1;
 };

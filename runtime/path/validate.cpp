@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -10,6 +11,7 @@
 #include "base/text/utf8.h"
 #include "runtime/path/arc_shape.h"
 #include "runtime/path/keys.h"
+#include "runtime/path/running.h"
 
 namespace gsim::path {
 
@@ -113,6 +115,8 @@ class Validator {
         if (auto sentence = name_fault("the program's name", program_.name)) return Fault{{}, *sentence};
         check_names();
         check_work_offsets();
+        check_frames();
+        check_tools();
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_values(path);
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_nesting(path);
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_arcs(path);
@@ -154,8 +158,67 @@ class Validator {
         }
     }
 
+    void check_frames() {
+        for (std::size_t i = 0; i < program_.paths.size(); ++i) {
+            check_frame({i, {}}, program_.paths[i].frame);
+            const std::vector<Target>& targets = program_.paths[i].targets;
+            for (std::size_t target = 0; target < targets.size(); ++target) {
+                const auto* use = std::get_if<SubPath>(&targets[target]);
+                if (use != nullptr) check_frame({i, target}, use->frame);
+            }
+        }
+    }
+
+    // The offsets that a program sets are set once, at its beginning.
+    void check_frame(const TargetId& id, const WorkFrame& frame) {
+        if (frame.name.empty() && !frame.set_offset_mm) return;
+        if (auto sentence = frame_fault(frame)) return fail(id.path, id.target, *sentence);
+        if (!frame.set_offset_mm) return;
+        const auto [set, is_new] = set_.emplace(frame.name, *frame.set_offset_mm);
+        if (!is_new && set->second != *frame.set_offset_mm)
+            fail(id.path, id.target, fmt::format("the work offset '{}' is set to two places", frame.name));
+    }
+
+    Sentence frame_fault(const WorkFrame& frame) const {
+        if (program_.is_recorded())
+            return "a path that was recorded from a run has its work offsets at its points, not at paths";
+        if (frame.name.empty()) return "'set_offset_mm' goes with 'work_offset', which says what is set";
+        if (auto fault = name_fault("a work offset's name", frame.name)) return fault;
+        return frame.set_offset_mm ? vector_fault(TargetKey::set_offset_mm, *frame.set_offset_mm)
+                                   : std::nullopt;
+    }
+
+    void check_tools() {
+        for (std::size_t i = 0; i < program_.paths.size() && !fault_; ++i) {
+            const std::optional<Tool>& tool = program_.paths[i].tool;
+            if (!tool) continue;
+            names_tools_ = true;
+            if (program_.is_recorded())
+                fail(i, {}, "a path that was recorded from a run has its tools in the actions of its points");
+            for (const int number : {tool->number, tool->length_offset, tool->diameter_offset.value_or(0)}) {
+                if (number >= 0 && number <= kGreatestToolNumber) continue;
+                fail(i, {},
+                     fmt::format("the numbers of a tool lie between 0 and {}; one is {}", kGreatestToolNumber,
+                                 number));
+            }
+        }
+    }
+
+    // What is in the spindle is known by the paths' tools alone.
+    Sentence tool_action_fault(const Point& point) const {
+        if (!names_tools_) return std::nullopt;
+        const auto change = std::find_if(point.actions.begin(), point.actions.end(), is_tool_change);
+        if (change == point.actions.end()) return std::nullopt;
+        return fmt::format(
+            "the action '{}' stands beside paths that name their 'tool'; name that one so, too", *change);
+    }
+
     // A point's own offset is one of the program's.
     Sentence work_offset_fault(const Point& point) const {
+        if (!point.work_offset.empty() && !program_.is_recorded())
+            return "'work_offset' of a point is for paths that were recorded from a run; otherwise a path "
+                   "has it, "
+                   "or the use of a sub-path";
         if (point.work_offset.empty() || program_.work_offsets.contains(point.work_offset))
             return std::nullopt;
         return fmt::format("'work_offset' names '{}', which is none of the program's 'work_offsets'",
@@ -168,6 +231,7 @@ class Validator {
             if (const auto* point = std::get_if<Point>(&targets[i])) {
                 if (auto sentence = point_fault(*point)) fail(path, i, *sentence);
                 if (auto sentence = work_offset_fault(*point)) fail(path, i, *sentence);
+                if (auto sentence = tool_action_fault(*point)) fail(path, i, *sentence);
                 continue;
             }
             const auto& sub_path = std::get<SubPath>(targets[i]);
@@ -254,6 +318,8 @@ class Validator {
 
     const Program& program_;
     std::optional<Fault> fault_;
+    std::map<std::string_view, Vector> set_;  // work offsets
+    bool names_tools_ = false;
     std::vector<std::optional<int>> height_;  // of each path
     std::vector<std::size_t> way_;            // from the path where the search began
     TargetId user_;                           // what leads to the path being looked at

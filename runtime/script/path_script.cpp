@@ -9,7 +9,9 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "runtime/path/path_draft.h"
 #include "runtime/path/target_draft.h"
 #include "runtime/path/validate.h"
 #include "runtime/script/object_names.h"
@@ -19,7 +21,9 @@ namespace gsim::script {
 
 namespace {
 
+using path::PathDraft;
 using path::PathFile;
+using path::PathKey;
 using path::TargetDraft;
 using path::TargetKey;
 
@@ -28,6 +32,7 @@ struct Handle {
     enum class Kind { point, path, repeated } kind = Kind::point;
     std::size_t index = 0;  ///< In Builder::points, or of the path.
     int repeats = 1;
+    std::optional<std::size_t> frame = {};  ///< In Builder::frames.
 };
 
 constexpr const char* kPoints = "the path of the script";
@@ -40,7 +45,8 @@ struct Builder {
     };
     PathFile file;
     std::vector<MadePoint> points;
-    std::uint32_t last_line = 1;  ///< Where a limit was reached.
+    std::vector<path::WorkFrame> frames;  // of uses of paths
+    std::uint32_t last_line = 1;          ///< Where a limit was reached.
 };
 
 void push(lua_State* state, const Handle& handle) {
@@ -151,6 +157,41 @@ void read_value(lua_State* state, TargetDraft& draft, TargetKey key) {
     }
 }
 
+constexpr auto kSetUpKeys = std::span(path::kPathKeys).subspan(path::kNeededPathKeys);
+constexpr auto kFrameKeys = kSetUpKeys.first(2);  // of a use of a path
+static_assert(kFrameKeys.back() == path::name_of(PathKey::set_offset_mm));
+
+// The value is on top of the stack.
+void read_value(lua_State* state, PathDraft& draft, PathKey key) {
+    const int value = lua_gettop(state);
+    const std::string_view name = path::name_of(key);
+    switch (PathDraft::kind_of(key)) {
+        case PathDraft::ValueKind::text:
+            if (lua_type(state, value) != LUA_TSTRING)
+                raise(state, fmt::format("'{}' must be a string", name));
+            return check(state, draft.set_text(key, text_at(state, value)));
+        case PathDraft::ValueKind::number:
+            if (lua_type(state, value) != LUA_TNUMBER)
+                raise(state, fmt::format("'{}' must be a number", name));
+            return check(state, draft.set_number(key, lua_tonumber(state, value)));
+        case PathDraft::ValueKind::vector:
+            return check(state, draft.set_vector(key, numbers_at(state, value, name)));
+        case PathDraft::ValueKind::other: return;
+    }
+}
+
+/// Those of the first so many keys that a table has.
+PathDraft read_set_up(lua_State* state, int table, std::size_t keys) {
+    PathDraft draft;
+    for (std::size_t i = 0; i < keys; ++i) {
+        lua_pushlstring(state, kSetUpKeys[i].data(), kSetUpKeys[i].size());
+        if (lua_rawget(state, table) != LUA_TNIL)
+            read_value(state, draft, static_cast<PathKey>(path::kNeededPathKeys + i));
+        lua_pop(state, 1);
+    }
+    return draft;
+}
+
 constexpr auto kPointKeys = std::span(path::kTargetKeys).first(static_cast<std::size_t>(TargetKey::path));
 
 /// Of several unknown keys of the table at 1 the first one by its letters is told.
@@ -188,7 +229,25 @@ int make_point(lua_State* state) {
     return 1;
 }
 
-/// repeated(n, path)
+/// The third argument of repeated(): what the path is used in.
+std::optional<std::size_t> read_frame(lua_State* state) {
+    if (lua_isnoneornil(state, 3)) return std::nullopt;
+    luaL_checktype(state, 3, LUA_TTABLE);
+    for (lua_pushnil(state); lua_next(state, 3) != 0; lua_pop(state, 1)) {
+        const std::string_view name =
+            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view("[..]");
+        if (std::find(kFrameKeys.begin(), kFrameKeys.end(), name) == kFrameKeys.end())
+            raise(state, path::unknown_key(name, "a use of a path", kFrameKeys));
+    }
+    auto frame = read_set_up(state, 3, kFrameKeys.size()).finish_frame();
+    if (!frame) raise(state, frame.error());
+    auto& frames = bound<Builder>(state).frames;
+    LuaState::of(state).hold(state, 2 * sizeof(path::WorkFrame), kPoints);
+    frames.push_back(*std::move(frame));
+    return frames.size() - 1;
+}
+
+/// repeated(n, path, {work_offset = ".."})
 int make_repeated(lua_State* state) {
     const Handle* handle = handle_at(state, 2);
     if (handle == nullptr || handle->kind != Handle::Kind::path) {
@@ -197,15 +256,22 @@ int make_repeated(lua_State* state) {
     constexpr lua_Integer kMost = 1'000'000'000;
     const lua_Integer count = luaL_checkinteger(state, 1);
     if (count < 1 || count > kMost) raise(state, "repeated(n, p): n is a whole number from 1 to 1000000000");
-    push(state, {Handle::Kind::repeated, handle->index, static_cast<int>(count)});
+    const std::size_t path = handle->index;
+    push(state, {Handle::Kind::repeated, path, static_cast<int>(count), read_frame(state)});
     return 1;
 }
 
 void check_path_keys(lua_State* state) {
     for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
         if (lua_type(state, -2) == LUA_TNUMBER) continue;
-        const bool name = lua_type(state, -2) == LUA_TSTRING && text_at(state, -2) == "name";
-        if (!name) raise(state, "path{..} takes 'name' and, in their order, points and sub-paths");
+        const std::string_view name =
+            lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view();
+        const bool is_known = name == path::name_of(PathKey::name) ||
+                              std::find(kSetUpKeys.begin(), kSetUpKeys.end(), name) != kSetUpKeys.end();
+        if (!is_known)
+            raise(state,
+                  fmt::format("path{{..}} takes 'name', '{}' and, in their order, points and sub-paths",
+                              fmt::join(kSetUpKeys, "', '")));
     }
 }
 
@@ -217,6 +283,7 @@ int make_path(lua_State* state) {
     path::Path made;
     if (lua_getfield(state, 1, "name") != LUA_TSTRING) raise(state, "a path lacks 'name', a string");
     made.name = text_at(state, -1);
+    check(state, read_set_up(state, 1, kSetUpKeys.size()).finish(made));
     const auto count = static_cast<lua_Integer>(lua_rawlen(state, 1));
     std::vector<path::Place> places;
     const path::Place here = calling_place(state);
@@ -234,7 +301,8 @@ int make_path(lua_State* state) {
             places.push_back(builder.points[handle->index].place);
         } else {
             LuaState::of(state).hold(state, 2 * sizeof(path::Target), kPoints);
-            made.targets.emplace_back(path::SubPath{handle->index, handle->repeats});
+            const path::WorkFrame frame = handle->frame ? builder.frames[*handle->frame] : path::WorkFrame();
+            made.targets.emplace_back(path::SubPath{handle->index, handle->repeats, frame});
             places.push_back(here);
         }
         lua_pop(state, 1);

@@ -26,6 +26,8 @@ constexpr std::array kOffsets{Offsets::as_path, Offsets::keep, Offsets::none, Of
 static_assert(kOffsetWords.size() == kOffsets.size());
 
 constexpr int kMostDecimals = 6;
+constexpr int kGreatestTool = 99'999'999;
+constexpr double kGreatestPlace_mm = 1e6;
 constexpr double kLeastTolerance_mm = 1e-4;
 constexpr double kGreatestTolerance_mm = 10;
 
@@ -39,6 +41,10 @@ tl::expected<PathRequest, engine::Failure> path_request(const json& own) {
     keys.text("program_name", request.program_name);
     keys.truth("rotary_as_given", request.rotary_as_given);
     keys.word("offsets", kOffsetWords, offsets);
+    keys.text("work_offset", request.work_offset);
+    keys.point("set_offset_mm", -kGreatestPlace_mm, kGreatestPlace_mm, request.set_offset_mm);
+    keys.whole("tool", 0, kGreatestTool, request.tool);
+    keys.number("retract_mm", -kGreatestPlace_mm, kGreatestPlace_mm, request.retract_mm);
     keys.number("tolerance_mm", kLeastTolerance_mm, kGreatestTolerance_mm, request.tolerance_mm);
     keys.whole("decimals_mm", 1, kMostDecimals, request.decimals_mm);
     keys.truth("inch", request.inch);

@@ -132,6 +132,23 @@ TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
     EXPECT_NE(text.find("N99995 G04 P1.000\nN00005 G04"), std::string::npos);
 }
 
+// All axes are written again behind the way up, and behind another system.
+TEST(GcodeWriter, OffsetsAreSetAndTheToolGoesUp) {
+    Text ngc("rs274ngc", {.inch = true}), ab9("ab9");
+    for (Text* each : {&ngc, &ab9}) {
+        each->writer.set_work_offset("59.1", {25.4, -50.8, 0});
+        each->to(25.4, 0, 0, 0);
+        each->writer.retract(127);
+        each->to(25.4, 0, 0, 0);
+        each->writer.work_offset("59.1");
+        each->to(25.4, 0, 0, 0);
+    }
+    EXPECT_EQ(
+        ngc.all(),
+        "G10 L2 P7 X1 Y-2 Z0 R0\nG01 X1 Y0 Z0 B0 F39.37\nG53 G00 Z5\nG01 X1 Y0 Z0 B0\nG59.1\nX1 Y0 Z0 B0\n");
+    EXPECT_EQ(ab9.all().substr(0, 51), "N00005 G10 L2 P7 X25.400 Y-50.800 Z0.000\nN00010 G01");
+}
+
 TEST(PostFile, TheBuiltInOnesAreThere) {
     for (const std::string name : {"ab9", "fanuc", "rs274ngc", "grbl"}) {
         EXPECT_EQ(find_post(name).value().name, name);
@@ -196,6 +213,9 @@ TEST(PostFile, ErrorsNameThePlace) {
     EXPECT_EQ(
         error(head + numbers + blocks + "[arcs]\nthrough_point = [\"CIP\", \"I1=\"]"),
         "p:14:17: 'through_point' takes four strings: the code, and the letters of X, Y and Z of the point");
+    EXPECT_EQ(error(head + numbers + blocks +
+                    "[program]\nbegin = []\nend = []\n[offsets]\nset = \"G10 P{index} X{x} Y{y}\""),
+              "p:17:7: 'set' must hold {index}, {x}, {y}, {z}");
     EXPECT_EQ(
         error(head + numbers + blocks + "[program]\nbegin = []\nend = []\n[tool_change]\nstops = [\"jet\"]"),
         "p:17:9: 'stops' holds spindle and coolant, not \"jet\"");

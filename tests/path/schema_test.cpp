@@ -45,7 +45,7 @@ TEST(PathSchema, HasTheReadersTypes) {
     const json all = schema();
     for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
         const auto key = static_cast<TargetKey>(i);
-        const bool of_sub_path = key == TargetKey::path || key == TargetKey::repeats;
+        const bool of_sub_path = key >= TargetKey::path;
         const json property =
             all["$defs"][of_sub_path ? "sub_path" : "point"]["properties"][std::string(kTargetKeys[i])];
         const std::string type = property.value("type", "string");

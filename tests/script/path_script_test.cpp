@@ -34,6 +34,22 @@ TEST(PathScript, BuildsPointsAndSubPathsInLoops) {
     EXPECT_EQ(file->located({0, 2}, "x"), "f.lua:4: x");
 }
 
+TEST(PathScript, PathsAndUsesHaveFramesAndTools) {
+    const auto file = run_path_script(R"lua(
+        local part = path{name = "part", tool = 3, diameter_offset = 4, point{position_mm = {1, 2, 3}}}
+        return path{name = "job", work_offset = "G54", set_offset_mm = {1, 2, 3}, part,
+                    repeated(2, part, {work_offset = "G55", set_offset_mm = {4, 5, 6}})}
+    )lua",
+                                      "f.lua");
+    ASSERT_TRUE(file) << file.error();
+    const path::Program& program = file->program;
+    EXPECT_EQ(program.paths[0].tool, (path::Tool{3, 3, 4}));
+    EXPECT_EQ(program.paths[1].frame, (path::WorkFrame{"54", path::Vector{1, 2, 3}}));
+    EXPECT_EQ(std::get<path::SubPath>(program.paths[1].targets[0]), (path::SubPath{0, 1}));
+    EXPECT_EQ(std::get<path::SubPath>(program.paths[1].targets[1]),
+              (path::SubPath{0, 2, {"55", path::Vector{4, 5, 6}}}));
+}
+
 struct Wrong {
     std::string script, error;
 };
@@ -47,6 +63,13 @@ TEST(PathScript, ErrorsNameTheLine) {
          "f.lua:1: 'feed_mm_min' must be a number"},
         {"return point{motion = 'linear'}", "f.lua:1: a point lacks the key 'position_mm'"},
         {"return path{point{position_mm = {1, 2, 3}}}", "f.lua:1: a path lacks 'name'"},
+        {"return path{name = 'a', tool = 'T1'}", "f.lua:1: 'tool' must be a number"},
+        {"return path{name = 'a', length_offset = 1}", "f.lua:1: 'length_offset' goes with 'tool'"},
+        {"return path{name = 'a', tol = 1}",
+         "f.lua:1: path{..} takes 'name', 'work_offset', 'set_offset_mm', 'tool', 'length_offset', "
+         "'diameter_offset' and, in their order, points and sub-paths"},
+        {"return repeated(1, path{name = 'a'}, {tool = 1})",
+         "f.lua:1: unknown key 'tool' in a use of a path"},
         {"return path{name = 'a', 7}", "f.lua:1: target 1 of the path 'a' is neither"},
         {"return path{name = 'a'}", "f.lua:1: the path 'a' has no targets"},
         {"return repeated(0, path{name = 'a'})", "f.lua:1: repeated(n, p)"},

@@ -43,6 +43,18 @@ TEST(WriteForm, APathBecomesAProgramThatRuns) {
     EXPECT_GT(report["cycle_time_s"], 1);
 }
 
+TEST(WriteForm, TakesAFrameAndATool) {
+    const std::string program = written({{"path", "square.json"},
+                                         {"post", "rs274ngc"},
+                                         {"cell", "cell.toml"},
+                                         {"work_offset", "G55"},
+                                         {"set_offset_mm", {100, 50, 0}},
+                                         {"tool", 3},
+                                         {"retract_mm", -5}})
+                                    .columns.at("text");
+    EXPECT_THAT(program, HasSubstr("G10 L2 P2 X100 Y50 Z0 R0\nG53 G00 Z-5\nT3\nM6\nG43 H3\nG55\n"));
+}
+
 TEST(WriteForm, SaysItInTheWordsOfAPostAndInItsUnits) {
     const std::string mm =
         written({{"path", "square.json"}, {"post", "grbl"}, {"cell", "cell.toml"}}).columns.at("text");
