@@ -39,7 +39,7 @@ end
 local function set_work_offset(code, letter, value)
   core.offsets[code] = core.offsets[code] or {}
   core.offsets[code][letter] = value
-  ab9_frames.apply_offsets()
+  ab9_frames.frame_set(code)
 end
 
 local function set_system(code, words)

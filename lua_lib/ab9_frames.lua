@@ -34,7 +34,18 @@ end
 local at_start = {}
 for code, offset in pairs(core.offsets) do at_start[code] = copied(offset) end
 
-local function tell_frame(code) core.select_work_offset(code, at_start[code] or {}) end
+local function tell_frame(code)
+  local start = at_start[code] or {}
+  local moved = false
+  for letter, value in pairs(core.offsets[code] or {}) do moved = moved or value ~= (start[letter] or 0) end
+  core.select_work_offset(code, start, 0, moved)
+end
+
+-- G10 has set a system: what is in force is told again.
+local function frame_set(code)
+  apply_offsets()
+  if code == state.frame then path.act(function() tell_frame(code) end) end
+end
 
 local function select_frame(code)
   return function()
@@ -83,4 +94,4 @@ end)
 apply_offsets()
 tell_frame(state.frame)
 
-return { work_offset = work_offset, apply_offsets = apply_offsets, set_transform = set_transform }
+return { work_offset = work_offset, frame_set = frame_set, apply_offsets = apply_offsets, set_transform = set_transform }

@@ -106,7 +106,11 @@ local function keep_systems()
 end
 
 local function tell_system(system)
-  core.select_work_offset(names[system], at_start[system].origin, at_start[system].rotation_deg)
+  local start = at_start[system]
+  local at, degrees = systems.data(system)
+  local moved = degrees ~= start.rotation_deg
+  for letter, value in pairs(at) do moved = moved or value ~= start.origin[letter] end
+  core.select_work_offset(names[system], start.origin, start.rotation_deg, moved)
 end
 
 -- The system's parameters come into force.

@@ -44,6 +44,7 @@ class PathRecorder final : public simulation::ProgramObserver {
                     double value) override;
     void no_ramp_limits(const simulation::AxisVector& at) override;
     void work_offset(const simulation::WorkOffset& offset) override;
+    void tool_offset(const Eigen::Vector3d& offset_mm) override;
 
     /// What the path does not show as it was, one sentence each.
     const std::set<std::string>& notes() const { return notes_; }

@@ -225,7 +225,7 @@ int set_spindle_speed(lua_State* state) {
     return 0;
 }
 
-/// core.select_work_offset(name, origin by letter, rotation_deg)
+/// core.select_work_offset(name, origin by letter, rotation_deg, moved)
 int select_work_offset(lua_State* state) {
     simulation::WorkOffset offset;
     offset.name = luaL_checkstring(state, 1);
@@ -238,6 +238,7 @@ int select_work_offset(lua_State* state) {
         offset.origin[axes[static_cast<std::size_t>(axis)].letter] = luaL_checknumber(state, -1);
     }
     offset.rotation_deg = luaL_optnumber(state, 3, 0);
+    offset.moved = lua_toboolean(state, 4) != 0;
     interpreter_of(state).simulator().select_work_offset(offset);
     return 0;
 }

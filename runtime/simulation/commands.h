@@ -38,6 +38,7 @@ struct WorkOffset {
     std::string name;               ///< As programs call it, without the G: "54", "59.1".
     std::map<char, double> origin;  ///< By axis letter, mm or deg, as the machine's data had it at the start.
     double rotation_deg = 0;        ///< About Z, likewise.
+    bool moved = false;             ///< The program itself has put it elsewhere since.
 };
 
 /// One move of the program in machine coordinates.

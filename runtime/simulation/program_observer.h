@@ -46,6 +46,8 @@ class ProgramObserver {
     /// The machine's own limits alone.
     virtual void no_ramp_limits(const AxisVector& /*at*/) {}
     virtual void work_offset(const WorkOffset& /*offset*/) {}
+    /// How far the machine's position is from the tool's end, which moves from here on have in them.
+    virtual void tool_offset(const Eigen::Vector3d& /*offset_mm*/) {}
 };
 
 }  // namespace gsim::simulation

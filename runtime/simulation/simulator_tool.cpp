@@ -24,6 +24,7 @@ void Simulator::tip_changed() {
 void Simulator::set_tool_offset(const Eigen::Vector3d& offset_mm) {
     if (offset_mm == tool_offset_mm_) return;
     tool_offset_mm_ = offset_mm;
+    if (observer_ != nullptr) observer_->tool_offset(offset_mm);
     zones_.set_tool_offset(offset_mm, next_id_);
     tip_changed();
 }

@@ -146,6 +146,28 @@ TEST_F(WorkFrames, ARecordedRunKeepsFrameAndTool) {
     }
 }
 
+// What a recorded path does not show as it was is said.
+TEST_F(WorkFrames, ARecordingSaysWhatItHasInItsNumbers) {
+    for (const std::string dialect : {"ab9", "rs274ngc"}) {
+        const auto notes = [&](std::vector<std::string> options, const std::string& tools) {
+            options.insert(options.begin(), part());
+            const std::string program = write("p.nc", written(dialect, options));
+            const Ended ran = gsim_run({program, "--dialect", dialect, "--machine", kRouter, "--machine-data",
+                                        data("55 100 50 0", tools), "--record", "p.path.json"});
+            EXPECT_EQ(ran.status, 0) << ran.err;
+            return ran.out + ran.err;
+        };
+        const std::string moved = "the program has moved the work offset G";
+        const std::string length = "offsets of tools (G43) are in its positions";
+        const std::string none = notes({"--work-offset", "G55", "--tool", "3"}, "3 0 6");
+        EXPECT_FALSE(holds(none, moved) || holds(none, length)) << none;
+        EXPECT_TRUE(holds(notes({"--work-offset", "G55", "--tool", "3"}, "3 4 6"), length));
+        EXPECT_TRUE(
+            holds(notes({"--work-offset", "G55", "--set-offset", "90", "50", "0"}, ""), moved + "55"));
+        EXPECT_TRUE(holds(notes({"--set-offset", "90", "50", "0"}, ""), moved + "54")) << "in force already";
+    }
+}
+
 TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
     const auto refused = [this](std::vector<std::string> options, int status = 1) {
         options.insert(options.begin(), part());
