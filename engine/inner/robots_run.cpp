@@ -94,7 +94,16 @@ tl::expected<RobotsRun, InputError> RobotsRun::open(const FoundRequest& found, c
         run.stations_.push_back(*std::move(station));
     }
     run.conveyors_ = std::move(file->conveyors);
+    run.watch_robots();
     return run;
+}
+
+void RobotsRun::watch_robots() {
+    std::vector<simulation::PlacedRobot> robots;
+    robots.reserve(stations_.size());
+    for (Station& station : stations_)
+        robots.push_back({station.entry.name, *station.simulator, station.entry.base});
+    watch_ = std::make_unique<simulation::RobotsWatch>(std::move(robots), &tools_->cpu);
 }
 
 std::vector<script::Robot> RobotsRun::robots() {
@@ -126,6 +135,7 @@ tl::expected<void, InputError> RobotsRun::prepare(OpenedScript& opened, ShowProg
     script::Engine::Options options = engine_options(found_->request, {}, {}, *tools_);
     options.setup = *std::move(setup);
     options.progress = std::move(progress);
+    if (watch_->has_pairs()) options.robots_watch = watch_.get();
     program_ = input->file_name;
     script_ = *std::move(input);
     engine_ = std::make_unique<script::Engine>(robots(), std::move(conveyors_), std::move(options));
@@ -139,6 +149,8 @@ std::vector<simulation::RobotReport> RobotsRun::run() {
     for (std::size_t i = 0; i < stations_.size(); ++i)
         reports.push_back(
             {stations_[i].entry.name, engine_->idle_s(i), stations_[i].simulator->finish(program_)});
+    watch_->finish();
+    watch_->add_findings(reports);
     return reports;
 }
 
@@ -146,6 +158,7 @@ simulation::RobotsReport RobotsRun::whole(std::vector<simulation::RobotReport> r
     simulation::Report whole;
     whole.program = program_;
     engine_->report(whole);
+    for (std::string& warning : watch_->warnings()) whole.warnings.push_back(std::move(warning));
     return simulation::robots_report(std::move(whole), std::move(robots));
 }
 

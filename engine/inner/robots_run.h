@@ -12,6 +12,7 @@
 #include "runtime/process/robots_file.h"
 #include "runtime/script/engine.h"
 #include "runtime/simulation/robots_report.h"
+#include "runtime/simulation/robots_watch.h"
 
 namespace gsim::engine {
 
@@ -50,6 +51,7 @@ class RobotsRun {
         const process::RobotEntry& entry, const machine::Machine& machine,
         const std::vector<std::string>& conveyors) const;
     std::vector<script::Robot> robots();
+    void watch_robots();
 
     const FoundRequest* found_;
     const RunTools* tools_;
@@ -57,6 +59,7 @@ class RobotsRun {
     std::vector<process::Conveyor> conveyors_;
     std::string program_;
     std::optional<script::Script> script_;
+    std::unique_ptr<simulation::RobotsWatch> watch_;
     std::unique_ptr<script::Engine> engine_;
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kClearance_mm = 1e-4;
 constexpr double kTime_s = 1e-9;
 constexpr double kOut_mm = 1e-5;
+constexpr int kOverlapLooks = 24;
 constexpr int kMaxMotionParts = 20'000;  // of one search; beyond it what is known by then is the answer
 
 /// A box along the axes of a frame.
@@ -83,7 +84,16 @@ bool BodyPair::overlaps(const LinkFrames& links, const Vector3d& normal, double 
     return gap_between(*first.shape, pose, *second.shape, kContact_mm).upper_mm < kContact_mm;
 }
 
-Nearness BodyPair::nearest(const SegmentMotion& motion, const MotionPart& part, double enough_mm) const {
+bool BodyPair::goes_deeper(const LinkMotion& motion, double from_s, double to_s, const Vector3d& normal,
+                           double out_mm) const {
+    double look_s = to_s - from_s;
+    for (int look = 0; look < kOverlapLooks; ++look, look_s /= 2) {
+        if (overlaps(motion.links_at(from_s + look_s), normal, out_mm)) return true;
+    }
+    return false;
+}
+
+Nearness BodyPair::nearest(const LinkMotion& motion, const MotionPart& part, double enough_mm) const {
     const auto nearer = [](const Nearness& a, const Nearness& b) { return a.upper_mm <= b.upper_mm ? a : b; };
     Nearness look = nearness_in(part, enough_mm);
     if (look.lower_mm >= enough_mm || look.upper_mm - look.lower_mm <= kClearance_mm) return look;
@@ -111,7 +121,7 @@ Nearness BodyPair::nearest(const SegmentMotion& motion, const MotionPart& part, 
 }
 
 // As first_touch().
-std::optional<double> BodyPair::first_within_s(const SegmentMotion& motion, const MotionPart& part,
+std::optional<double> BodyPair::first_within_s(const LinkMotion& motion, const MotionPart& part,
                                                double distance_mm) const {
     constexpr double kSame_mm = 1e-3;
     constexpr double kShort_s = 1e-6;
@@ -131,7 +141,7 @@ std::optional<double> BodyPair::first_within_s(const SegmentMotion& motion, cons
 }
 
 // The earliest part that may hold a contact is halved until nothing is left of it; those behind it wait.
-std::optional<Touch> BodyPair::first_touch(const SegmentMotion& motion, const MotionPart& part) const {
+std::optional<Touch> BodyPair::first_touch(const LinkMotion& motion, const MotionPart& part) const {
     constexpr double kLook_mm = 1;  // how far off a normal is still worth to be known
     std::vector<MotionPart> waiting{part};
     Touch touch{0, Vector3d::Zero(), std::nullopt};

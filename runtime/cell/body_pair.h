@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/cell/segment_motion.h"
+#include "runtime/cell/link_motion.h"
 #include "runtime/cell/shape.h"
 
 namespace gsim::cell {
@@ -34,7 +34,7 @@ struct Nearness {
 
 /// The first instant of a contact.
 struct Touch {
-    double t_s;  ///< Since the start of the segment.
+    double t_s;  ///< Since the start of the motion.
     Eigen::Vector3d point_mm;
     /// From the second body to the first, in the second one's frame; none where they were in contact already.
     std::optional<Eigen::Vector3d> normal;
@@ -59,15 +59,23 @@ struct BodyPair {
     Nearness nearness_in(const MotionPart& part, double enough_mm) const;
     /// Whether they still overlap with the first moved out by `out_mm` and 1e-5 mm more.
     bool overlaps(const LinkFrames& links, const Eigen::Vector3d& normal, double out_mm = 0) const;
+    /// The same at some time between two of a motion, where they touch at the first: most that goes deeper
+    /// does so soon, so that looks are the closer to each other the sooner they are.
+    bool goes_deeper(const LinkMotion& motion, double from_s, double to_s, const Eigen::Vector3d& normal,
+                     double out_mm = 0) const;
+    /// Whether they are in contact at one instant.
+    bool touch_at(const LinkFrames& links) const {
+        return nearness_at(links, 2 * kContact_mm).upper_mm <= kContact_mm;
+    }
 
     /// The least distance in a part of a motion, to 1e-4 mm; what is not below `enough_mm` is told as that.
-    Nearness nearest(const SegmentMotion& motion, const MotionPart& part, double enough_mm) const;
+    Nearness nearest(const LinkMotion& motion, const MotionPart& part, double enough_mm) const;
     /// When they first are as near as that in a part of a motion, to 1e-3 mm, or 1e-6 s where they pass fast;
     /// nothing where they never are.
-    std::optional<double> first_within_s(const SegmentMotion& motion, const MotionPart& part,
+    std::optional<double> first_within_s(const LinkMotion& motion, const MotionPart& part,
                                          double distance_mm) const;
     /// When they first touch in a part of a motion, to 1e-9 s.
-    std::optional<Touch> first_touch(const SegmentMotion& motion, const MotionPart& part) const;
+    std::optional<Touch> first_touch(const LinkMotion& motion, const MotionPart& part) const;
 };
 
 }  // namespace gsim::cell

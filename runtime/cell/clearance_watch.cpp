@@ -15,7 +15,7 @@ namespace gsim::cell {
 namespace {
 
 constexpr double kLeastCutoff_mm = 2 * kContact_mm;
-constexpr int kOverlapLooks = 24;
+constexpr int kHollowLooks = 24;
 // Where leeway is sought, for so many motions like this one,
 constexpr double kMotionsAhead = 64;
 // and at the latest after so many looks.
@@ -320,7 +320,8 @@ void ClearanceWatch::probe_contact(const SegmentMotion& motion, const MotionPart
 
 void ClearanceWatch::go_on_touched(const SegmentMotion& motion, const MotionPart& whole, Watched& pair) {
     pair.at_least_mm = 0;
-    if (!probing_ && goes_deeper(motion, whole, pair)) {
+    const Touched& felt = *pair.touched;
+    if (!probing_ && pair.bodies.goes_deeper(motion, whole.from_s, whole.to_s, felt.normal, felt.depth_mm)) {
         pair.normal = pair.touched->normal;
         pair.contact = contacts_.size();
         const Eigen::Vector3d point = pair.bodies.second.in_world(whole.from) * pair.touched->on_second_mm;
@@ -328,7 +329,7 @@ void ClearanceWatch::go_on_touched(const SegmentMotion& motion, const MotionPart
         pair.touched.reset();
         return go_on_in_contact(motion, whole, pair, whole.from_s);
     }
-    if (pair.bodies.nearness_at(whole.to, kLeastCutoff_mm).upper_mm > kContact_mm) {
+    if (!pair.bodies.touch_at(whole.to)) {
         pair.touched.reset();
     } else if (probing_) {
         Touched& touched = *pair.touched;
@@ -337,36 +338,22 @@ void ClearanceWatch::go_on_touched(const SegmentMotion& motion, const MotionPart
         const double out_mm = (pose * touched.on_first_mm - touched.on_second_mm).dot(touched.normal);
         touched.depth_mm = std::max(touched.depth_mm, -out_mm);
         // In a hollow the way along the surface goes deeper, too.
-        for (int look = 0; look < kOverlapLooks; ++look) {
+        for (int look = 0; look < kHollowLooks; ++look) {
             if (!pair.bodies.overlaps(whole.to, touched.normal, touched.depth_mm)) break;
             touched.depth_mm = 2 * touched.depth_mm + kContact_mm;
         }
     }
 }
 
-bool ClearanceWatch::goes_deeper(const SegmentMotion& motion, const MotionPart& whole,
-                                 const Watched& pair) const {
-    double look_s = whole.to_s - whole.from_s;
-    for (int look = 0; look < kOverlapLooks; ++look, look_s /= 2) {
-        if (pair.bodies.overlaps(motion.links_at(whole.from_s + look_s), pair.touched->normal,
-                                 pair.touched->depth_mm)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-// In a contact the distance tells no more; whether it goes deeper does, and whether it has ended. Most that
-// goes deeper does so soon, so that looks are the closer to each other the sooner they are.
+// In a contact the distance tells no more; whether it goes deeper does, and whether it has ended.
 void ClearanceWatch::go_on_in_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair,
                                       double from_s) {
     Contact& contact = contacts_[*pair.contact];
     note({0, 0, contact.point_mm}, pair, motion, whole);
-    double look_s = whole.to_s - from_s;
-    for (int look = 0; look < kOverlapLooks && !contact.penetrating; ++look, look_s /= 2)
-        contact.penetrating = pair.bodies.overlaps(motion.links_at(from_s + look_s), *pair.normal);
+    contact.penetrating =
+        contact.penetrating || pair.bodies.goes_deeper(motion, from_s, whole.to_s, *pair.normal);
     pair.at_least_mm = 0;
-    if (pair.bodies.nearness_at(whole.to, kLeastCutoff_mm).upper_mm > kContact_mm) pair.contact.reset();
+    if (!pair.bodies.touch_at(whole.to)) pair.contact.reset();
 }
 
 }  // namespace gsim::cell

@@ -10,6 +10,7 @@
 #include "runtime/cell/cell.h"
 #include "runtime/cell/leeway.h"
 #include "runtime/cell/meeting_pairs.h"
+#include "runtime/cell/segment_motion.h"
 
 namespace gsim::cell {
 
@@ -122,7 +123,6 @@ class ClearanceWatch {
     void begin_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
     void probe_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
     void go_on_touched(const SegmentMotion& motion, const MotionPart& whole, Watched& pair);
-    bool goes_deeper(const SegmentMotion& motion, const MotionPart& whole, const Watched& pair) const;
     void go_on_in_contact(const SegmentMotion& motion, const MotionPart& whole, Watched& pair, double from_s);
 
     const Cell& cell_;

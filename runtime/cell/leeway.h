@@ -7,6 +7,24 @@
 
 namespace gsim::cell {
 
+/// How far the points of a machine's bodies go at most, known from how its joints go alone.
+class ReachBound {
+  public:
+    /// Reaches of the joints, as they are where points have gone no more than `since_mm` since.
+    void measure(const JointReach& reach_mm, double since_mm) {
+        reach_mm_ = reach_mm;
+        since_mm_ = since_mm;
+    }
+    /// Infinite where the joints turn so far that it is not told.
+    double way_mm(const JointTravel& travel) const;
+    /// The points have gone that far.
+    void go_on(double way_mm) { since_mm_ += way_mm; }
+
+  private:
+    JointReach reach_mm_{};
+    double since_mm_ = 0;
+};
+
 /// How far a machine may go before any of its bodies can come near another one, so that motion far from
 /// everything need not be looked at body by body.
 class Leeway {
@@ -27,8 +45,7 @@ class Leeway {
 
     double slack_mm_ = 0;
     double gone_mm_ = 0;
-    double since_mm_ = 0;
-    JointReach reach_mm_{};
+    ReachBound bound_;
 };
 
 }  // namespace gsim::cell

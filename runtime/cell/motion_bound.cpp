@@ -74,6 +74,12 @@ class BoundSum {
         bound_.bend_mm += bend * reach_mm;
         bound_.way_mm += angle * reach_mm;
     }
+    /// Slides that follow do not add up with those so far.
+    void end_slides() {
+        bound_.way_mm += slides_.way_mm();
+        bound_.bend_mm += slide_bends_.way_mm();
+        slides_ = slide_bends_ = {};
+    }
     MotionBound result() {
         end_slides();
         bound_.bend_mm += second_order_ / 8;
@@ -81,12 +87,6 @@ class BoundSum {
     }
 
   private:
-    void end_slides() {
-        bound_.way_mm += slides_.way_mm();
-        bound_.bend_mm += slide_bends_.way_mm();
-        slides_ = slide_bends_ = {};
-    }
-
     const Ball& body_;
     MotionBound bound_;
     double second_order_ = 0;
@@ -98,21 +98,33 @@ class BoundSum {
 
 MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) const {
     BoundSum sum(body);
+    const ChainMotion* last = this;
     for (const int joint : between) {
-        const auto index = static_cast<std::size_t>(joint);
-        if (index >= axes_.size()) {
-            const std::size_t own = index - axes_.size();
-            const DriftTravel& drift = drifted_[own / 2];
+        auto index = static_cast<std::size_t>(joint);
+        const ChainMotion* chain = this;
+        if (!second_.empty() && index >= axes_.size()) {
+            chain = &second_.front();
+            index -= axes_.size();
+        }
+        if (chain != last) sum.end_slides();  // slides of different machines are at no known angle
+        last = chain;
+        if (index >= chain->axes_.size()) {
+            const std::size_t own = index - chain->axes_.size();
+            const DriftTravel& drift = chain->drifted_[own / 2];
             if (own % 2 == 0) {
                 sum.drift(drift.way_mm);
             } else {
                 sum.turn(drift.origin_mm, drift.axis, drift.angle_rad, 0);
             }
-        } else if (axes_[index].kind == rrs::JointKind::prismatic) {
-            sum.slide(axes_[index].direction, travel_.way[index], travel_.bend[index]);
-            if (travel_.on_arc(joint)) sum.slide_on_arc(travel_.arc_mm, travel_.arc_bend_mm);
+            continue;
+        }
+        const JointAxis& axis = chain->axes_[index];
+        const JointTravel& travel = chain->travel_;
+        if (axis.kind == rrs::JointKind::prismatic) {
+            sum.slide(axis.direction, travel.way[index], travel.bend[index]);
+            if (travel.on_arc(static_cast<int>(index))) sum.slide_on_arc(travel.arc_mm, travel.arc_bend_mm);
         } else {
-            sum.turn(axes_[index].point_mm, axes_[index].direction, travel_.way[index], travel_.bend[index]);
+            sum.turn(axis.point_mm, axis.direction, travel.way[index], travel.bend[index]);
         }
     }
     return sum.result();

@@ -38,11 +38,16 @@ struct DriftTravel {
     Eigen::Vector3d axis;       ///< the unit vector about which it turns.
 };
 
-/// The axes of a machine's joints where a motion begins, and how far the joints go.
+/// The axes of a machine's joints where a motion begins, and how far the joints go. Of two machines in one
+/// world: joints of the second are numbered behind all of the first one's.
 class ChainMotion {
   public:
     ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel, std::vector<DriftTravel> drifted = {})
         : axes_(std::move(axes)), travel_(travel), drifted_(std::move(drifted)) {}
+    /// Of two machines, none of whose links goes by itself.
+    ChainMotion(ChainMotion first, ChainMotion second) : ChainMotion(std::move(first)) {
+        second_.push_back(std::move(second));
+    }
 
     /// Of a body that the joints `between` move, from its own one on (joints_between()), seen from the link
     /// behind the last of them. A prismatic joint moves its points by its own way; a revolute one by its
@@ -57,6 +62,7 @@ class ChainMotion {
     std::vector<JointAxis> axes_;
     JointTravel travel_;
     std::vector<DriftTravel> drifted_;
+    std::vector<ChainMotion> second_;  ///< One at most.
 };
 
 }  // namespace gsim::cell

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "runtime/cell/placed_kinematics.h"
+#include "runtime/cell/segment_motion.h"
 
 namespace gsim::cell {
 
 namespace {
 
 constexpr double kTip_mm = 1e-6;  // the diameter of a point
-constexpr double kEnough_mm = 2 * kContact_mm;
 constexpr double kLook_mm = 0.01;
 constexpr double kTurnedLook = 1e-4;  // rad, where nothing moves but by turning
 constexpr double kMostLooks = 100'000;
@@ -72,9 +72,8 @@ void TouchSearch::add_tip_pairs(const Cell& cell, const Eigen::Vector3d& tip_mm)
 
 bool TouchSearch::touches(const rrs::JointPos& joints) const {
     const LinkFrames links = link_frames(*kinematics_, joints);
-    return std::any_of(pairs_.begin(), pairs_.end(), [&](const BodyPair& pair) {
-        return pair.nearness_at(links, kEnough_mm).upper_mm <= kContact_mm;
-    });
+    return std::any_of(pairs_.begin(), pairs_.end(),
+                       [&](const BodyPair& pair) { return pair.touch_at(links); });
 }
 
 std::optional<double> TouchSearch::first_touch_s(const motion::Segment& segment) const {

@@ -10,8 +10,7 @@ std::vector<ItemPair> touching_pairs(const Cell& cell, const machine::Machine& m
     const LinkFrames links = link_frames(*kinematics, joints);
     std::vector<ItemPair> touching;
     for (const MeetingPair& pair : meeting_pairs(cell, *kinematics)) {
-        if (!pair.with_jet && pair.bodies.nearness_at(links, 2 * kContact_mm).upper_mm <= kContact_mm)
-            touching.push_back(pair.items);
+        if (!pair.with_jet && pair.bodies.touch_at(links)) touching.push_back(pair.items);
     }
     return touching;
 }

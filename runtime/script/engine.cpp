@@ -54,6 +54,7 @@ Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyo
       controls_(make_controls(std::move(robots), places_)),
       lua_(options_.limits),
       processes_(lua_, places_, pointers(controls_), std::move(conveyors)) {
+    if (options_.robots_watch != nullptr) processes_.watch_robots(*options_.robots_watch);
     lua_.on_last_step([this](lua_State* state) { last_step_place_ = places_.current(state, 0); });
     const int status = call_protected([](Engine& engine) { engine.open_controls(); });
     if (!judge(status, lua_.get(), *controls_.front())) {

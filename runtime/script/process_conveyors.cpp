@@ -1,4 +1,5 @@
-// Conveyors as processes see them: their speeds, and the robots that follow them.
+// What moves besides a process: conveyors and their speeds, the robots that follow them, and up to when the
+// motion of all is known.
 
 #include <algorithm>
 #include <limits>
@@ -47,7 +48,7 @@ void Processes::tell_conveyor(const process::Conveyor& conveyor, double time_s) 
 }
 
 /// A process changes conveyors at its own time alone, with its own robot at rest.
-void Processes::tell_known_time() {
+void Processes::tell_known_time_of_conveyors() {
     for (Control* control : controls_) {
         if (!control->simulator().has_conveyors()) continue;
         double known_s = std::numeric_limits<double>::infinity();
@@ -56,6 +57,21 @@ void Processes::tell_known_time() {
         }
         control->simulator().know_conveyors_until(known_s);
     }
+}
+
+void Processes::tell_known_time() {
+    tell_known_time_of_conveyors();
+    if (robots_watch_ == nullptr) return;
+    double known_s = std::numeric_limits<double>::infinity();
+    for (ProcessId id = 0; id < strands_.size(); ++id) known_s = std::min(known_s, schedule_.next_act_s(id));
+    robots_watch_->know_until(known_s);
+}
+
+void Processes::watch_robots(simulation::RobotsWatch& watch) {
+    robots_watch_ = &watch;
+    watch.on_far_ahead([this] {
+        if (!strand().threads.empty()) lua_.watch_lines(strand().threads.front().state, true);
+    });
 }
 
 void Processes::track(lua_State* state, Control& control, process::Conveyor* conveyor) {

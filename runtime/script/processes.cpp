@@ -287,10 +287,11 @@ void Processes::on_signal(lua_State* state, const std::string& name) {
     } else {
         strand.handlers.emplace(name, luaL_ref(state, LUA_REGISTRYINDEX));
     }
-    lua_.watch_lines(strand.threads.front().state, !strand.handlers.empty() || follows_conveyors());
+    lua_.watch_lines(strand.threads.front().state, watches_lines(strand));
 }
 
 /// A process that can be interrupted is about to run another line: what happens up to its time must be known.
+/// So must it for one whose robot is far ahead of others that are looked at against it.
 void Processes::at_line(lua_State* state, lua_Debug* line) {
     Strand& strand = this->strand();
     if (strand.threads.size() > 1 || lua_isyieldable(state) == 0) return;
@@ -298,6 +299,10 @@ void Processes::at_line(lua_State* state, lua_Debug* line) {
     if (line->source[0] != '=' || line->source[1] != '#') return;
     if (strand.control != nullptr)
         now().time_s = std::max(now().time_s, strand.control->simulator().planned_s());
+    if (!watches_lines(strand)) {
+        lua_.watch_lines(state, false);
+        tell_known_time();
+    }
     if (schedule_.goes_on(running_) && strand.pending.empty()) return;
     yield(state, Yielded::at_block);
 }

@@ -14,6 +14,7 @@
 #include "runtime/script/control.h"
 #include "runtime/script/lua_state.h"
 #include "runtime/script/place_finder.h"
+#include "runtime/simulation/robots_watch.h"
 
 namespace gsim::script {
 
@@ -45,6 +46,8 @@ class Processes {
     Processes(const Processes&) = delete;
     Processes& operator=(const Processes&) = delete;
 
+    /// Before run(): who is told up to when the motion of all robots is known; it outlives this.
+    void watch_robots(simulation::RobotsWatch& watch);
     /// Runs the function on top of the stack as the process "main", and all that it starts, to the end.
     Outcome run(lua_State* state);
 
@@ -119,15 +122,18 @@ class Processes {
     void take(Strand& strand, Control* control);
     void count_join(lua_State* state);
     Outcome deadlock();
+    bool watches_lines(const Strand& strand) const { return !strand.handlers.empty() || follows_conveyors(); }
     bool follows_conveyors() const;
     void tell_conveyor(const process::Conveyor& conveyor, double time_s);
     void tell_known_time();
+    void tell_known_time_of_conveyors();
 
     LuaState& lua_;
     PlaceFinder& places_;
     std::vector<Control*> controls_;
     std::vector<process::Conveyor> conveyors_;
     std::map<const Control*, const process::Conveyor*> tracked_;
+    simulation::RobotsWatch* robots_watch_ = nullptr;
     process::Schedule schedule_;
     process::SignalBoard board_;
     std::vector<std::unique_ptr<Strand>> strands_;  ///< By process.

@@ -133,7 +133,7 @@ Planned CellWatch::carry_frame(std::string_view name) {
         if (move.frame == *found)
             cell_.carried[*carrier_of(*found)].carrier.add({.from_s = move.time_s, .pose = move.pose});
     }
-    watch_.frames_changed();
+    frames_changed();
     return {};
 }
 
@@ -221,7 +221,12 @@ void CellWatch::move_frames(double until_s) {
     if (frame_moves_.empty() || frame_moves_.front().time_s > until_s) return;
     for (; !frame_moves_.empty() && frame_moves_.front().time_s <= until_s; frame_moves_.pop_front())
         cell_.frames.move(frame_moves_.front().frame, frame_moves_.front().pose);
+    frames_changed();
+}
+
+void CellWatch::frames_changed() {
     watch_.frames_changed();
+    ++frame_changes_;
 }
 
 void CellWatch::take(const motion::Segment& segment, const MoveInfo& info) {
@@ -244,6 +249,7 @@ void CellWatch::look_at(const motion::Segment& segment, const MoveInfo& info) {
         const double t_s = watch_.contacts()[i].t_s - segment.start_s;
         joints_.push_back(segment.position_at(std::clamp(t_s, 0.0, segment.duration_s)));
     }
+    if (follower_) follower_(segment, info);
 }
 
 void CellWatch::end_block() {

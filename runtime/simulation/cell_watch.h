@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -39,6 +41,13 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     /// When that time is used up segments are looked at no longer. Null: never.
     void end_by(os::CpuLimit* cpu) { watch_.end_by(cpu); }
     const CellUse& use() const { return use_; }
+    const machine::Machine& machine() const { return machine_; }
+    /// Who is told each segment once it has been looked at, in their order, while the frames of cell() are
+    /// where they are in it.
+    using Follower = std::function<void(const motion::Segment& segment, const MoveInfo& info)>;
+    void set_follower(Follower follower) { follower_ = std::move(follower); }
+    /// How often frames of cell() have been moved so far.
+    std::uint64_t frame_changes() const { return frame_changes_; }
     tl::expected<rrs::CartPos, motion::PlanError> frame(std::string_view name, double time_s) const override;
     motion::Planned move_frame(std::string_view name, const rrs::CartPos& pose, double time_s) override;
     motion::Planned carry_frame(std::string_view name) override;
@@ -102,6 +111,7 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     }
     void look_at(const motion::Segment& segment, const MoveInfo& info);
     void move_frames(double until_s);
+    void frames_changed();
     void end_block();
 
     machine::Machine machine_;
@@ -121,6 +131,8 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     double known_until_s_ = std::numeric_limits<double>::infinity();
     std::deque<Waiting> waiting_;
     cell::ClearanceWatch watch_;
+    Follower follower_;
+    std::uint64_t frame_changes_ = 0;
     bool keeps_history_ = false;
     bool history_is_whole_ = true;
     std::vector<FrameDrift> history_;

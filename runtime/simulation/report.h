@@ -186,8 +186,9 @@ struct LookedAt {
     std::size_t jets = 0;
     std::size_t objects = 0;
     std::size_t pairs = 0;
-    std::size_t may_touch = 0;  ///< Pairs that were left out, as machine and cell say so.
-    std::size_t replaced = 0;   ///< Shapes of the machine file in whose place the cell has others.
+    std::size_t may_touch = 0;    ///< Pairs that were left out, as machine and cell say so.
+    std::size_t replaced = 0;     ///< Shapes of the machine file in whose place the cell has others.
+    std::size_t with_robots = 0;  ///< Pairs of its own bodies and those of other robots.
 };
 
 /// What a run did in its cell.

@@ -163,9 +163,11 @@ Json point(const std::array<double, 3>& point_mm) {
 }
 
 Json looked_at(const LookedAt& looked) {
-    return {{"of_machine", looked.of_machine}, {"jets", looked.jets},
-            {"objects", looked.objects},       {"pairs", looked.pairs},
-            {"may_touch", looked.may_touch},   {"replaced", looked.replaced}};
+    Json json{{"of_machine", looked.of_machine}, {"jets", looked.jets},
+              {"objects", looked.objects},       {"pairs", looked.pairs},
+              {"may_touch", looked.may_touch},   {"replaced", looked.replaced}};
+    if (looked.with_robots > 0) json["with_robots"] = looked.with_robots;
+    return json;
 }
 
 Json collisions(const Report& report) {

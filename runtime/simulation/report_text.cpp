@@ -267,6 +267,8 @@ void add_looked_at(Text& out, const LookedAt& looked) {
     if (looked.objects > 0) of += ", " + counted(looked.objects, "object", "objects");
     std::string pairs = counted(looked.pairs, "pair", "pairs");
     if (looked.may_touch > 0) pairs += fmt::format(", but for {} that may touch", looked.may_touch);
+    if (looked.with_robots > 0)
+        pairs += fmt::format("; {} with other robots", counted(looked.with_robots, "pair", "pairs"));
     out.line("{:<12}looked at: {}; {}", "", of, pairs);
     if (looked.replaced > 0)
         out.line("{:<12}in place of {} of the machine file", "", counted(looked.replaced, "shape", "shapes"));

@@ -131,6 +131,130 @@ shape = { sphere_mm = 10.0 }
     EXPECT_TRUE(robots[1]["collisions"].empty());  // in whose world the belt runs along -X
 }
 
+/// A slide along X with a ball of 40 mm at its tool: ramps of 500 mm/s^2.
+const char* const kSlide = R"([machine]
+name = "slide"
+inverse = "gantry"
+[path]
+max_feed_mm_s = 100.0
+max_acceleration_mm_s2 = 500.0
+[process]
+kind = "spindle"
+on = ["M3"]
+off = ["M5"]
+[[axis]]
+letter = "X"
+kind = "linear"
+min_mm = 0.0
+max_mm = 600.0
+max_speed_mm_s = 150.0
+max_acceleration_mm_s2 = 500.0
+direction = "x"
+[[axis]]
+letter = "Y"
+kind = "linear"
+min_mm = 0.0
+max_mm = 400.0
+max_speed_mm_s = 150.0
+max_acceleration_mm_s2 = 500.0
+direction = "y"
+[[axis]]
+letter = "Z"
+kind = "linear"
+min_mm = -120.0
+max_mm = 0.0
+max_speed_mm_s = 60.0
+max_acceleration_mm_s2 = 300.0
+direction = "z"
+[[shape]]
+name = "ball"
+on = "tool"
+shape = { sphere_mm = 40.0 }
+)";
+
+class TwoSlides : public Robots {
+  protected:
+    /// The right one stands 700 mm further on and comes towards the left one, `y_mm` beside it.
+    Ended meet(double y_mm, const std::vector<std::string>& more = {"--json"}) const {
+        write("slide.toml", kSlide);
+        write("two.toml", fmt::format("[[robot]]\nname = \"left\"\nmachine = \"slide.toml\"\n"
+                                      "[[robot]]\nname = \"right\"\nmachine = \"slide.toml\"\n"
+                                      "base = {{ x_mm = 700.0, y_mm = {}, roll_deg = 180.0 }}\n",
+                                      y_mm));
+        write("two.lua",
+              "process('l', function() local _ENV = robot 'left' F(6000)\n"
+              "  G1{x=600}\n"
+              "end)\n"
+              "process('r', function() local _ENV = robot 'right' F(3000)\n"
+              "  wait(1)\n"
+              "  G1{x=300}\n"
+              "end)\n");
+        std::vector<std::string> arguments{"--robots", "two.toml", "two.lua"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return gsim_run(arguments);
+    }
+};
+
+// x = v (t - v / 2a) of each, from when it starts: the balls touch where both ways together are 700 - 40 mm.
+TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
+    const Ended e = meet(0);
+    EXPECT_EQ(e.status, 1) << e.err;
+    const json robots = json::parse(e.out)["robots"];
+    const double t_s = (700 - 40 + 100 * 0.1 + 50 * (1 + 0.05)) / (100 + 50);
+    const double left_mm = 100 * (t_s - 0.1) + 20;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const json& collisions = robots[i]["collisions"];
+        ASSERT_EQ(collisions.size(), 1U) << e.out;
+        EXPECT_NEAR(collisions[0]["t_s"].get<double>(), t_s, 2e-8);
+        EXPECT_EQ(collisions[0]["line"], i == 0 ? 2 : 6);
+        EXPECT_EQ(collisions[0]["pair"], json::array({"ball", i == 0 ? "right: ball" : "left: ball"}));
+        EXPECT_EQ(collisions[0]["kind"], "penetrating");
+        // Each in its own world.
+        EXPECT_NEAR(collisions[0]["point_mm"][0].get<double>(), i == 0 ? left_mm : 700 - left_mm, 1e-5);
+        EXPECT_EQ(robots[i]["cell"]["looked_at"]["with_robots"], 1);
+    }
+    EXPECT_EQ(robots[0]["diagnostics"][1]["code"], "collision") << robots[0]["diagnostics"];
+    EXPECT_EQ(meet(0, {"--no-collisions"}).status, 0);
+}
+
+TEST_F(TwoSlides, PassEachOtherAtADistance) {
+    EXPECT_EQ(meet(40.001).status, 0);
+    EXPECT_EQ(meet(39.999).status, 1);
+}
+
+TEST_F(TwoSlides, InTheSamePlaceAreNotLookedAt) {
+    write("slide.toml", kSlide);
+    write("same.toml",
+          "[[robot]]\nname = \"left\"\nmachine = \"slide.toml\"\n"
+          "[[robot]]\nname = \"right\"\nmachine = \"slide.toml\"\n");
+    write("same.lua", "process('l', function() local _ENV = robot 'left' G0{x=100} end)\n");
+    const Ended e = gsim_run({"--robots", "same.toml", "same.lua", "--json"});
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_EQ(json::parse(e.out)["warnings"],
+              json::array({"robots 'left' and 'right' stand in the same place (base): not looked at against "
+                           "each other; give each a base"}));
+}
+
+// A program that its own process runs far ahead is looked at all the same, and what it hits stands there.
+TEST_F(TwoSlides, AreLookedAtHoweverFarOneRunsAhead) {
+    meet(0);
+    std::string program = "G21 G90 F6000\n";
+    for (int pass = 0; pass < 20'000; ++pass) program += "G1 X1\nG1 X0\n";
+    write("far.nc", program + "G0 X600\nM30\n");
+    write("far.lua",
+          "process('l', function() local _ENV = robot 'left' run 'far.nc' end)\n"
+          "process('r', function() local _ENV = robot 'right' G0{x=200} wait(1) G0{x=100} end)\n");
+    const Ended e = gsim_run({"--robots", "two.toml", "far.lua", "--json"});
+    EXPECT_EQ(e.status, 1) << e.err;
+    const json robots = json::parse(e.out)["robots"];
+    ASSERT_EQ(robots[0]["collisions"].size(), 1U);
+    ASSERT_EQ(robots[1]["collisions"].size(), 1U);
+    EXPECT_EQ(robots[0]["collisions"][0]["line"], 40'002);
+    // It stands where its last move has ended, at 600 in the world of the left one.
+    EXPECT_EQ(robots[1]["collisions"][0]["line"], 2);
+    EXPECT_NEAR(robots[0]["collisions"][0]["point_mm"][0].get<double>(), 700 - 100 - 20, 1e-5);
+}
+
 TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
     const json report =
         run("process('l', function() local _ENV = robot 'left' wait(1)\nG1{x=9} end)\n"

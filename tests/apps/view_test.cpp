@@ -157,7 +157,7 @@ TEST_F(ViewOutput, AFullDiskIsTold) {
 TEST_F(ViewOutput, OfSeveralRobotsIsOnePage) {
     install(kPage);
     write("robots.toml",
-          "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\nbase = { x_mm = 1000.0 }\n");
+          "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\nbase = { x_mm = 9000.0 }\n");
     write(
         "cell.lua",
         "local _ENV = require \"gsim\"\nprocess(\"a\", function() local _ENV = robot \"left\" G0{x=10} end)\n"
@@ -172,7 +172,7 @@ TEST_F(ViewOutput, OfSeveralRobotsIsOnePage) {
         bases_mm.push_back(frame.header["scene"]["base"][12]);
     }
     EXPECT_EQ(names, (std::vector<std::string>{"left", "right", "left", "right"}));
-    EXPECT_EQ(bases_mm, (std::vector<double>{0, 1000, 0, 1000}));
+    EXPECT_EQ(bases_mm, (std::vector<double>{0, 9000, 0, 9000}));
 }
 
 }  // namespace
