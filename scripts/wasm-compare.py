@@ -91,6 +91,7 @@ def program_runs():
         for machine in files(SAMPLES, "machines/*.toml"):
             yield Run(SAMPLES, ("run", program, "--dialect", dialect, "--json", "--machine", machine, *bodies_left_out(program, machine)))
     yield Run(SAMPLES / "cell", ("run", Input("cell.lua"), "--robots", Input("robots.toml"), "--json"))
+    yield Run(SAMPLES / "cell", ("run", Input("slides.lua"), "--robots", Input("slides.toml"), "--json"), (Input("slide.toml"),))
     yield Run(SAMPLES, ("run", Input("mill/dome.nc"), "--machine", Input("machines/mill-head-table.toml"), "--json"))
     yield Run(SAMPLES, ("run", Input("mill/turntable.nc"), "--machine", Input("machines/mill-table-table.toml"), "--json"))
     yield Run(SAMPLES, ("run", Input("wheel.nc"), "--cell", Input("cell/wheel.toml"), "--json"), (Input("cell/wheel.obj"),))

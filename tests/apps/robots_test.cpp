@@ -255,6 +255,20 @@ TEST_F(TwoSlides, AreLookedAtHoweverFarOneRunsAhead) {
     EXPECT_NEAR(robots[0]["collisions"][0]["point_mm"][0].get<double>(), 700 - 100 - 20, 1e-5);
 }
 
+// Rapids of 250 mm, feed moves of 100 mm, from rest to rest: d / v + v / a; and half a second at the fixture.
+TEST_F(Robots, TheSampleOfTwoSlidesTakesTurns) {
+    const Ended e = gsim_run({"--robots", kSample + "slides.toml", kSample + "slides.lua", "--json"});
+    ASSERT_EQ(e.status, 0) << e.err;
+    const json report = json::parse(e.out);
+    const double rapid_s = 250 / 150.0 + 150 / 500.0;
+    const double work_s = 2 * (100 / 100.0 + 100 / 500.0) + 0.5;
+    // The right one waits for the first turn of the left one, and then goes on with its own three.
+    EXPECT_NEAR(report["robots"][0]["cycle_time_s"].get<double>(), 3 * (2 * rapid_s + work_s), 1e-9);
+    EXPECT_NEAR(report["robots"][1]["idle_s"].get<double>(), work_s, 1e-9);
+    EXPECT_TRUE(report["robots"][0]["collisions"].empty());
+    EXPECT_EQ(report["robots"][1]["cell"]["looked_at"]["with_robots"], 1);
+}
+
 TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
     const json report =
         run("process('l', function() local _ENV = robot 'left' wait(1)\nG1{x=9} end)\n"
