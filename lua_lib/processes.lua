@@ -74,6 +74,17 @@ end
 
 function env.robot(name) return processes.robot(name) end
 
+-- One process has a shared zone at a time; others wait for it in the order in which they come.
+function env.enter_zone(name)
+  processes.join()
+  processes.enter_zone(name)
+end
+
+function env.leave_zone(name)
+  processes.join()
+  processes.leave_zone(name)
+end
+
 -- conveyor(name): a table of functions.
 function env.conveyor(name)
   processes.conveyor(name)

@@ -10,6 +10,7 @@
 #include "engine/inner/process_words.h"
 #include "engine/inner/run_cell.h"
 #include "engine/inner/word_table.h"
+#include "runtime/cell/machine_shapes.h"
 
 namespace gsim::engine {
 
@@ -94,6 +95,7 @@ tl::expected<RobotsRun, InputError> RobotsRun::open(const FoundRequest& found, c
         run.stations_.push_back(*std::move(station));
     }
     run.conveyors_ = std::move(file->conveyors);
+    run.zones_ = std::move(file->zones);
     run.watch_robots();
     return run;
 }
@@ -103,7 +105,11 @@ void RobotsRun::watch_robots() {
     robots.reserve(stations_.size());
     for (Station& station : stations_)
         robots.push_back({station.entry.name, *station.simulator, station.entry.base});
-    watch_ = std::make_unique<simulation::RobotsWatch>(std::move(robots), &tools_->cpu);
+    std::vector<simulation::PlacedZone> zones;
+    zones.reserve(zones_.size());
+    for (const process::SharedZone& zone : zones_)
+        zones.push_back({zone.name, cell::make_shape(zone.form).value(), zone.frame});  // it is no mesh
+    watch_ = std::make_unique<simulation::RobotsWatch>(robots, zones, &tools_->cpu);
 }
 
 std::vector<script::Robot> RobotsRun::robots() {
@@ -135,6 +141,7 @@ tl::expected<void, InputError> RobotsRun::prepare(OpenedScript& opened, ShowProg
     script::Engine::Options options = engine_options(found_->request, {}, {}, *tools_);
     options.setup = *std::move(setup);
     options.progress = std::move(progress);
+    options.zones = std::move(zones_);
     if (watch_->has_pairs()) options.robots_watch = watch_.get();
     program_ = input->file_name;
     script_ = *std::move(input);

@@ -57,6 +57,7 @@ class RobotsRun {
     const RunTools* tools_;
     std::vector<Station> stations_;
     std::vector<process::Conveyor> conveyors_;
+    std::vector<process::SharedZone> zones_;
     std::string program_;
     std::optional<script::Script> script_;
     std::unique_ptr<simulation::RobotsWatch> watch_;

@@ -1,6 +1,7 @@
 #include "runtime/motion/planner.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -108,6 +109,10 @@ void Planner::Output::finish() {
     if (!segment.reaches_target) return;
     const rrs::TargetId id = segment.target_id;
     planner_.held_.reached(id, [&](rrs::TargetId passed) { planner_.events_.join(passed, id); });
+}
+
+double Planner::passed_on_s() const {
+    return queue_.empty() ? std::numeric_limits<double>::infinity() : queue_.front().start_s;
 }
 
 void Planner::flush() {

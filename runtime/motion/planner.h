@@ -125,6 +125,8 @@ class Planner {
     /// loop.
     void come_to_last_rest();
 
+    /// Up to here all motion has left the queue; infinite where nothing is in it.
+    double passed_on_s() const;
     /// End of the last planned segment; what a model holds back is not counted.
     double time_s() const { return end_s_; }
     /// Where step() stands.

@@ -7,6 +7,7 @@
 #include "base/toml/toml_section.h"
 #include "runtime/machine/frame_pose.h"
 #include "runtime/machine/frame_section.h"
+#include "runtime/machine/shape_section.h"
 
 namespace gsim::process {
 
@@ -17,10 +18,11 @@ using std::string_view_literals::operator""sv;
 
 namespace {
 
-constexpr std::array kFileKeys{"robot"sv,  "conveyor"sv, "cell"sv,  "frame"sv,
-                               "object"sv, "shape"sv,    "ignore"sv};
+constexpr std::array kFileKeys{"robot"sv, "conveyor"sv, "zone"sv,  "cell"sv,
+                               "frame"sv, "object"sv,   "shape"sv, "ignore"sv};
 constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "cell"sv, "dialect"sv, "base"sv};
 constexpr std::array kConveyorKeys{"name"sv, "direction"sv, "speed_mm_s"sv};
+constexpr std::array kZoneKeys{"name"sv, "shape"sv, "frame"sv};
 constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
 constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv};
 
@@ -42,6 +44,9 @@ class RobotsReader {
         for (const toml::table* table : file.tables("robot")) read_robot(*table);
         if (file.has("conveyor")) {
             for (const toml::table* table : file.tables("conveyor")) read_conveyor(*table);
+        }
+        if (file.has("zone")) {
+            for (const toml::table* table : file.tables("zone")) read_zone(*table);
         }
         if (!error_.text() && file_.robots.empty()) file.fail("robot", "a file of robots holds a [[robot]]");
         return std::move(file_);
@@ -90,6 +95,19 @@ class RobotsReader {
         const double length = direction.stableNorm();
         if (!(length > 0)) return section.fail("direction", "'direction' must not be zero: { x = 1.0 }, say");
         file_.conveyors.emplace_back(std::move(name), direction / length, speed_mm_s);
+    }
+
+    void read_zone(const toml::table& table) {
+        TomlSection section(error_, table, "[[zone]]", kZoneKeys);
+        SharedZone zone;
+        zone.name = read_name(section);
+        const os::GivenFiles no_files([](const std::string&) -> std::optional<std::string> { return {}; });
+        auto form = machine::read_shape(error_, section, table, folder_, no_files);
+        if (form && std::holds_alternative<machine::MeshShape>(*form))
+            section.fail("shape", "a zone is a box, a cylinder, a sphere or a capsule");
+        if (form) zone.form = *std::move(form);
+        zone.frame = machine::frame_pose(machine::read_frame(error_, section.table("frame"), "'frame'"));
+        file_.zones.push_back(std::move(zone));
     }
 
     FirstError& error_;

@@ -9,6 +9,7 @@
 
 #include "base/os/input_file.h"
 #include "runtime/process/conveyor.h"
+#include "runtime/process/shared_zones.h"
 #include "runtime/rrs/types.h"
 
 namespace gsim::process {
@@ -27,10 +28,11 @@ struct RobotEntry {
 struct RobotsFile {
     std::vector<RobotEntry> robots;
     std::vector<Conveyor> conveyors;
+    std::vector<SharedZone> zones;
 };
 
-/// Reads the tables [[robot]] and [[conveyor]] (docs/processes.md), strictly; those of cells are passed over.
-/// The error is "file:line:column: sentence". Files that it names are looked for in its folder.
+/// Reads the tables [[robot]], [[conveyor]] and [[zone]] (docs/processes.md), strictly; those of cells are
+/// passed over. The error is "file:line:column: sentence". Files that it names are looked for in its folder.
 tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name);
 
 /// The same of a file on disk.

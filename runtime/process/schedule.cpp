@@ -11,22 +11,11 @@ namespace {
 
 bool is_met_by(const Wait& wait, const std::string& signal, const Value& before, const Value& after) {
     if (wait.kind == WaitKind::any_change) return true;
+    if (wait.kind == WaitKind::zone) return false;  // wake()
     if (wait.signal != signal) return false;
     if (wait.kind == WaitKind::rises) return !is_on(before) && is_on(after);
     if (wait.kind == WaitKind::falls) return is_on(before) && !is_on(after);
     return is_met(wait, after);
-}
-
-std::string text_of_wait(const Wait& wait) {
-    switch (wait.kind) {
-        case WaitKind::on: return fmt::format("'{}' to be on", wait.signal);
-        case WaitKind::off: return fmt::format("'{}' to be off", wait.signal);
-        case WaitKind::equals: return fmt::format("'{}' to be {}", wait.signal, text_of(wait.value));
-        case WaitKind::rises: return fmt::format("'{}' to come on", wait.signal);
-        case WaitKind::falls: return fmt::format("'{}' to go off", wait.signal);
-        case WaitKind::any_change: break;
-    }
-    return "a condition of its own";
 }
 
 }  // namespace
@@ -106,10 +95,58 @@ void Schedule::finish(ProcessId id) {
     processes_[id].state = ProcessState::done;
 }
 
+void Schedule::wake(ProcessId id, double time_s) {
+    processes_[id].state = ProcessState::ready;
+    processes_[id].time_s = std::max(processes_[id].time_s, time_s);
+}
+
+std::vector<ProcessId> Schedule::ring_of(ProcessId id) const {
+    std::vector<ProcessId> ring;
+    for (ProcessId at = id; ring.size() < processes_.size();) {
+        const Process& process = processes_[at];
+        if (process.state != ProcessState::waiting || !process.wait.holder) return {};
+        ring.push_back(at);
+        at = *process.wait.holder;
+        if (at == id) return ring;
+    }
+    return {};
+}
+
+bool Schedule::waits_for_zone() const {
+    return std::any_of(processes_.begin(), processes_.end(), [](const Process& process) {
+        return process.state == ProcessState::waiting && process.wait.kind == WaitKind::zone;
+    });
+}
+
+std::string Schedule::text_of_wait(const Wait& wait) const {
+    switch (wait.kind) {
+        case WaitKind::on: return fmt::format("'{}' to be on", wait.signal);
+        case WaitKind::off: return fmt::format("'{}' to be off", wait.signal);
+        case WaitKind::equals: return fmt::format("'{}' to be {}", wait.signal, text_of(wait.value));
+        case WaitKind::rises: return fmt::format("'{}' to come on", wait.signal);
+        case WaitKind::falls: return fmt::format("'{}' to go off", wait.signal);
+        case WaitKind::zone: {
+            const Process& holder = processes_[*wait.holder];
+            return fmt::format("the zone '{}', which '{}' has{}", wait.signal, holder.name,
+                               holder.state == ProcessState::done ? ", though it has ended" : "");
+        }
+        case WaitKind::any_change: break;
+    }
+    return "a condition of its own";
+}
+
 std::string Schedule::waits(const std::vector<std::string>& files) const {
+    std::vector<ProcessId> all;
+    for (ProcessId id = 0; id < processes_.size(); ++id) {
+        if (processes_[id].state == ProcessState::waiting) all.push_back(id);
+    }
+    return waits(files, all);
+}
+
+std::string Schedule::waits(const std::vector<std::string>& files, std::span<const ProcessId> of) const {
     std::string list;
-    for (const Process& process : processes_) {
-        if (process.state != ProcessState::waiting) continue;
+    for (const ProcessId id : of) {
+        const Process& process = processes_[id];
         const simulation::Place& place = process.place;
         const std::string where = place.line > 0 && place.file < files.size()
                                       ? fmt::format(" ({}:{})", files[place.file], place.line)

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,19 +17,21 @@ enum class ProcessState : std::uint8_t { ready, waiting, done };
 
 /// How a process waits for a signal.
 enum class WaitKind : std::uint8_t {
-    on,         ///< Until it is on.
-    off,        ///< Until it is off.
-    equals,     ///< Until it has a value.
-    rises,      ///< Until it comes on.
-    falls,      ///< Until it goes off.
-    any_change  ///< Until any signal changes.
+    on,          ///< Until it is on.
+    off,         ///< Until it is off.
+    equals,      ///< Until it has a value.
+    rises,       ///< Until it comes on.
+    falls,       ///< Until it goes off.
+    any_change,  ///< Until any signal changes.
+    zone         ///< Until it has a shared zone.
 };
 
 struct Wait {
     WaitKind kind = WaitKind::any_change;
-    std::string signal = {};             ///< Empty for any_change.
-    Value value = false;                 ///< Of equals.
-    std::optional<double> until_s = {};  ///< When it gives up.
+    std::string signal = {};               ///< Empty for any_change; of zone the zone's name.
+    Value value = false;                   ///< Of equals.
+    std::optional<double> until_s = {};    ///< When it gives up.
+    std::optional<ProcessId> holder = {};  ///< Of zone: who has it.
 };
 
 /// An activity on the simulated clock.
@@ -67,14 +70,23 @@ class Schedule {
     void wait(ProcessId id, Wait wait);
     /// A signal has changed at `time_s` from `before`: wakes those that wait for it.
     void changed(const std::string& signal, const Value& before, const Value& after, double time_s);
+    /// The process, which waits, goes on at that time.
+    void wake(ProcessId id, double time_s);
     void finish(ProcessId id);
 
+    /// Processes that wait for each other's zones in a ring, from this one on; none where it is in no ring.
+    std::vector<ProcessId> ring_of(ProcessId id) const;
+    /// Whether one of those that wait waits for a zone.
+    bool waits_for_zone() const;
     /// What each process that is not done waits for, as a list within a sentence; places by `files`.
     std::string waits(const std::vector<std::string>& files) const;
+    /// The same of these alone.
+    std::string waits(const std::vector<std::string>& files, std::span<const ProcessId> of) const;
 
   private:
     std::optional<ProcessId> next() const;
     static std::optional<double> due_s(const Process& process);
+    std::string text_of_wait(const Wait& wait) const;
 
     std::deque<Process> processes_;
 };

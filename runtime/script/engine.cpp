@@ -54,6 +54,7 @@ Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyo
       controls_(make_controls(std::move(robots), places_)),
       lua_(options_.limits),
       processes_(lua_, places_, pointers(controls_), std::move(conveyors)) {
+    processes_.share_zones(options_.zones);
     if (options_.robots_watch != nullptr) processes_.watch_robots(*options_.robots_watch);
     lua_.on_last_step([this](lua_State* state) { last_step_place_ = places_.current(state, 0); });
     const int status = call_protected([](Engine& engine) { engine.open_controls(); });
@@ -175,6 +176,10 @@ void Engine::report(simulation::Report& report) const {
     if (const std::uint64_t dropped = processes_.signals().dropped(); dropped > 0)
         report.warnings.push_back(
             fmt::format("{} more changes of signals than the report lists were left out", dropped));
+    report.zone_uses = processes_.zones().uses();
+    if (const std::uint64_t dropped = processes_.zones().dropped(); dropped > 0)
+        report.warnings.push_back(
+            fmt::format("{} more uses of zones than the report lists were left out", dropped));
 }
 
 void Engine::read_stored() {

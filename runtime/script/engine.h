@@ -41,6 +41,7 @@ class Engine {
         std::uint64_t passes = 1;  ///< Of a main program that leads back to its start (M99); at least 1.
         std::function<void(std::uint64_t done, std::uint64_t total)> progress;
         simulation::RobotsWatch* robots_watch = nullptr;  ///< Of several robots; it outlives the engine.
+        std::vector<process::SharedZone> zones;           ///< That processes share.
     };
 
     /// Loads the library. Throws std::runtime_error with a sentence where that cannot be done.

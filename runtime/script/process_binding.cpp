@@ -158,6 +158,36 @@ int process_time(lua_State* state) {
     return 1;
 }
 
+std::size_t check_zone(lua_State* state, int index) {
+    const std::string name = check_name(state, index, "zone");
+    const process::SharedZones& zones = processes_of(state).zones();
+    if (const auto found = zones.find(name)) return *found;
+    processes_of(state).alarm(state, DiagnosticKind::process,
+                              fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
+}
+
+/// enter_zone(name): goes on when the process has the zone.
+int enter_zone(lua_State* state) {
+    const std::size_t zone = check_zone(state, 1);
+    if (processes_of(state).has_zone(zone)) {
+        processes_of(state).alarm(
+            state, DiagnosticKind::process,
+            fmt::format("the process has the zone '{}' already", processes_of(state).zones().name(zone)));
+    }
+    return processes_of(state).enter_zone(state, zone);
+}
+
+int leave_zone(lua_State* state) {
+    const std::size_t zone = check_zone(state, 1);
+    if (!processes_of(state).has_zone(zone)) {
+        processes_of(state).alarm(
+            state, DiagnosticKind::process,
+            fmt::format("the process does not have the zone '{}'", processes_of(state).zones().name(zone)));
+    }
+    processes_of(state).leave_zone(zone);
+    return 0;
+}
+
 process::Conveyor& check_conveyor(lua_State* state, int index) {
     const std::string name = check_name(state, index, "conveyor");
     process::Conveyor* found = processes_of(state).find_conveyor(name);
@@ -231,6 +261,8 @@ constexpr luaL_Reg kProcessFunctions[] = {
     {"conveyor_speed", trampoline<conveyor_speed>},
     {"conveyor_reaches", trampoline<conveyor_reaches>},
     {"track", trampoline<track>},
+    {"enter_zone", trampoline<enter_zone>},
+    {"leave_zone", trampoline<leave_zone>},
 };
 
 }  // namespace

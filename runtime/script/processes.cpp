@@ -42,7 +42,8 @@ Processes::Outcome Processes::deadlock() {
     Control* control = strands_[first]->control;
     if (control == nullptr) control = controls_[0];
     return {.end = End::deadlock,
-            .message = fmt::format("nothing can go on: {}", schedule_.waits(control->simulator().files())),
+            .message = fmt::format("{}nothing can go on: {}", schedule_.waits_for_zone() ? "dead-lock, " : "",
+                                   schedule_.waits(control->simulator().files())),
             .control = control,
             .place = schedule_.process(first).place};
 }
@@ -178,6 +179,9 @@ void Processes::attach(lua_State* state, Interpreter& wanted) {
     }
     rest(state);
     take(strand(), control);
+    for (std::size_t zone = 0; zone < zones_.size(); ++zone) {
+        if (has_zone(zone)) tell_holder(zone, now().time_s);
+    }
     now().time_s = std::max(now().time_s, control->simulator().time_s());
     stand_idle(strand());
 }

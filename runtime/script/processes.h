@@ -10,6 +10,7 @@
 
 #include "runtime/process/conveyor.h"
 #include "runtime/process/schedule.h"
+#include "runtime/process/shared_zones.h"
 #include "runtime/process/signal_board.h"
 #include "runtime/script/control.h"
 #include "runtime/script/lua_state.h"
@@ -48,12 +49,15 @@ class Processes {
 
     /// Before run(): who is told up to when the motion of all robots is known; it outlives this.
     void watch_robots(simulation::RobotsWatch& watch);
+    /// Before run(): the zones that processes share.
+    void share_zones(const std::vector<process::SharedZone>& zones) { zones_ = process::SharedZones(zones); }
     /// Runs the function on top of the stack as the process "main", and all that it starts, to the end.
     Outcome run(lua_State* state);
 
     /// For the report, behind run().
     std::vector<simulation::ProcessSummary> summaries() const;
     const process::SignalBoard& signals() const { return board_; }
+    const process::SharedZones& zones() const { return zones_; }
     /// Whether there was more than the main process.
     bool several() const { return schedule_.size() > 1; }
 
@@ -86,6 +90,11 @@ class Processes {
     std::vector<process::Conveyor>& conveyors() { return conveyors_; }
     /// The speed of a belt changes, from the process's time on.
     void set_conveyor_speed(lua_State* state, process::Conveyor& conveyor, double speed_mm_s);
+    /// Waits until the running process has the zone, which it has not.
+    int enter_zone(lua_State* state, std::size_t zone);
+    /// It lets the zone go, which it has.
+    void leave_zone(std::size_t zone);
+    bool has_zone(std::size_t zone) const { return zones_.holder(zone) == running_; }
     /// The targets of this robot that follow are in the frame of a conveyor; null: no longer.
     void track(lua_State* state, Control& control, process::Conveyor* conveyor);
 
@@ -121,6 +130,7 @@ class Processes {
     void attach(lua_State* state, Interpreter& wanted);
     void take(Strand& strand, Control* control);
     void count_join(lua_State* state);
+    void tell_holder(std::size_t zone, double time_s);
     Outcome deadlock();
     bool watches_lines(const Strand& strand) const { return !strand.handlers.empty() || follows_conveyors(); }
     bool follows_conveyors() const;
@@ -136,6 +146,7 @@ class Processes {
     simulation::RobotsWatch* robots_watch_ = nullptr;
     process::Schedule schedule_;
     process::SignalBoard board_;
+    process::SharedZones zones_;
     std::vector<std::unique_ptr<Strand>> strands_;  ///< By process.
     process::ProcessId running_ = 0;
     std::uint64_t joins_ = 0;

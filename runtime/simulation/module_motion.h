@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,6 +49,8 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     void come_to_rest(bool waits) override;
     void end_program() override;
     double time_s() const override { return time_s_; }
+    /// A step is passed on as it is made.
+    double passed_on_s() const override { return std::numeric_limits<double>::infinity(); }
     const rrs::JointPos& position() const override { return target_; }
     bool sampled() const override { return true; }
     std::optional<std::string> fault() const override { return RcsShell::fault(); }

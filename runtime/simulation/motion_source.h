@@ -55,6 +55,8 @@ class MotionSource {
 
     /// The end of what is planned; of a module the end of what has been stepped.
     virtual double time_s() const = 0;
+    /// Up to here the sink has all motion; infinite where it has all that there is.
+    virtual double passed_on_s() const = 0;
     /// Joint values at the last target.
     virtual const rrs::JointPos& position() const = 0;
     /// Whether segments are samples of a motion, not the motion itself.

@@ -54,6 +54,7 @@ class PlannerMotion final : public MotionSource {
     }
 
     double time_s() const override { return planner_.time_s(); }
+    double passed_on_s() const override { return planner_.passed_on_s(); }
     const rrs::JointPos& position() const override { return planner_.position(); }
     bool sampled() const override { return false; }
     std::optional<std::string> fault() const override { return std::nullopt; }

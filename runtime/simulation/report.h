@@ -221,6 +221,16 @@ struct SignalChange {
     std::string value;  ///< As scripts write it.
 };
 
+/// A process had a shared zone, or waited for it.
+struct ZoneUse {
+    std::string zone;
+    std::string process;
+    Place place = {};              ///< Where it asked for the zone.
+    double asked_s = 0;            ///< When it did.
+    std::optional<double> from_s;  ///< From then on it had the zone; none: it never did.
+    std::optional<double> to_s;    ///< None: to the end of the run.
+};
+
 /// The whole result of a run; units are in the names, and in the JSON as well.
 struct Report {
     std::string program;
@@ -249,6 +259,7 @@ struct Report {
     std::optional<CellFindings> cell;
     std::vector<ProcessSummary> processes;  ///< None where there was but the program.
     std::vector<SignalChange> signals;
+    std::vector<ZoneUse> zone_uses;  ///< Of shared zones, in the order in which they were asked for.
     std::vector<std::string> files;  ///< Names that Place::file indexes.
 };
 

@@ -221,6 +221,20 @@ Json signals(const Report& report) {
     return signals;
 }
 
+Json zone_uses(const Report& report) {
+    Json uses = Json::array();
+    for (const ZoneUse& use : report.zone_uses) {
+        uses.push_back({{"zone", use.zone},
+                        {"process", use.process},
+                        {"file", file(report, use.place)},
+                        {"line", line(use.place)},
+                        {"asked_s", number(use.asked_s)},
+                        {"from_s", use.from_s ? number(*use.from_s) : Json(nullptr)},
+                        {"to_s", use.to_s ? number(*use.to_s) : Json(nullptr)}});
+    }
+    return uses;
+}
+
 Json passes(const Report& report) {
     return {{"count", report.passes->count},
             {"file", file(report, report.passes->place)},
@@ -323,6 +337,7 @@ std::string to_json(const RobotsReport& report) {
                  {"cycle_time_s", number(whole.cycle_time_s)},
                  {"processes", processes(whole.processes)},
                  {"signals", signals(whole)},
+                 {"zones", zone_uses(whole)},
                  {"warnings", whole.warnings}};
     Json robots = Json::array();
     for (const RobotReport& robot : report.robots) {

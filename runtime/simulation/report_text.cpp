@@ -316,6 +316,21 @@ void add_cell(Text& out, const Report& report) {
     add_clearances(out, report);
 }
 
+void add_zone_uses(Text& out, const Report& report) {
+    if (report.zone_uses.empty()) return;
+    out.blank();
+    out.line("{:<24}  {:<16}  {:<20}{:>12}{:>12}{:>12}", "zones", "process", "asked at", "asked (s)",
+             "from (s)", "to (s)");
+    const auto of = [](std::optional<double> t_s) { return t_s ? text::fixed(*t_s, 3) : std::string("-"); };
+    for (std::size_t i = 0; i < std::min(report.zone_uses.size(), kShownEvents); ++i) {
+        const ZoneUse& use = report.zone_uses[i];
+        out.line("{:<24}  {:<16}  {:<20}{:>12.3f}{:>12}{:>12}", shortened(use.zone, 24),
+                 shortened(use.process, 16), place_text(report, use.place, 20), use.asked_s, of(use.from_s),
+                 of(use.to_s));
+    }
+    if (report.zone_uses.size() > kShownEvents) out.line("{:>14}", "...");
+}
+
 void add_processes(Text& out, const Report& report) {
     if (report.processes.empty()) return;
     out.blank();
@@ -325,6 +340,7 @@ void add_processes(Text& out, const Report& report) {
         out.line("{:<24}  {:<16}  {:<8}{:>12.3f}{:>12.3f}{:>12.3f}", shortened(process.name, 24),
                  shortened(process.robot, 16), process.state, process.start_s, process.end_s, process.idle_s);
     }
+    add_zone_uses(out, report);
     if (report.signals.empty()) return;
     out.blank();
     out.line("signals changed {} times", report.signals.size());

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include <fmt/format.h>
+#include "runtime/kinematics/chain_kinematics.h"
 
 namespace gsim::simulation {
 
@@ -13,64 +12,68 @@ namespace {
 
 // Some 1 kB each.
 constexpr std::size_t kMostAhead = 16'384;
-constexpr std::size_t kMostListed = 100'000;
 
-std::array<double, 3> array_of(const Eigen::Vector3d& point) {
-    return {point.x(), point.y(), point.z()};
+/// A zone as a machine without joints.
+std::shared_ptr<const cell::MachineBodies> bodies_of_zone(const cell::Shape& shape) {
+    auto stands =
+        std::make_shared<const kinematics::ChainKinematics>(kinematics::Chain(kinematics::Branch{}));
+    const cell::Body body{&shape, 0, Eigen::Isometry3d::Identity()};
+    return std::make_shared<const cell::MachineBodies>(
+        cell::MachineBodies{std::move(stands), {{0, cell::Role::fixture, body, {}}}});
 }
 
 }  // namespace
 
-RobotsWatch::RobotsWatch(std::vector<PlacedRobot> robots, os::CpuLimit* cpu) {
-    for (PlacedRobot& robot : robots) tracks_.push_back({std::move(robot)});
-    for (std::size_t a = 0; a < tracks_.size(); ++a) {
-        for (std::size_t b = a + 1; b < tracks_.size(); ++b) {
-            if (!has_bodies(a) || !has_bodies(b) || !has_place_of_its_own(a, b)) continue;
-            pairs_.push_back({{a, b}, {tracks_[a].robot.base, tracks_[b].robot.base}});
-            pairs_.back().watch.end_by(cpu);
-        }
+RobotsWatch::RobotsWatch(const std::vector<PlacedRobot>& robots, const std::vector<PlacedZone>& zones,
+                         os::CpuLimit* cpu)
+    : robots_(robots.size()) {
+    for (const PlacedRobot& robot : robots)
+        tracks_.push_back({.name = robot.name, .base = robot.base, .simulator = &robot.simulator});
+    for (const PlacedZone& zone : zones) {
+        zones_.push_back({zone.shape, {{0, std::nullopt}}});
+        tracks_.push_back({.name = zone.name, .base = zone.frame, .moved = true});
+        tracks_.back().standing.bodies = bodies_of_zone(zones_.back().shape);
     }
-    for (const Pair& pair : pairs_) {
-        for (const std::size_t robot : pair.robots) follow(tracks_[robot]);
+    for (std::size_t a = 0; a < robots_; ++a) {
+        if (!has_bodies(a)) continue;
+        for (std::size_t b = a + 1; b < robots_; ++b) {
+            if (has_bodies(b) && has_place_of_its_own(a, b)) add_pair(a, b, std::nullopt, cpu);
+        }
+        for (std::size_t zone = 0; zone < zones_.size(); ++zone) add_pair(a, robots_ + zone, zone, cpu);
     }
 }
 
+void RobotsWatch::add_pair(std::size_t a, std::size_t b, std::optional<std::size_t> zone, os::CpuLimit* cpu) {
+    pairs_.push_back({{a, b}, zone, {tracks_[a].base, tracks_[b].base}});
+    pairs_.back().watch.end_by(cpu);
+    follow(tracks_[a]);
+    follow(tracks_[b]);
+}
+
+bool RobotsWatch::has_bodies(std::size_t robot) const {
+    const CellWatch* cell = tracks_[robot].simulator->cell();
+    return cell != nullptr && cell->use().watched;
+}
+
+bool RobotsWatch::has_place_of_its_own(std::size_t a, std::size_t b) const {
+    return tracks_[a].base.matrix() != tracks_[b].base.matrix();
+}
+
 void RobotsWatch::follow(Track& track) {
-    if (track.kinematics != nullptr) return;
-    CellWatch& cell = *track.robot.simulator.cell();
+    if (track.simulator == nullptr || track.kinematics != nullptr) return;
+    CellWatch& cell = *track.simulator->cell();
     track.kinematics = machine::make_kinematics(cell.machine());
     track.standing.bodies = bodies_of(track);
     cell.set_follower(
         [this, &track](const motion::Segment& segment, const MoveInfo& info) { take(track, segment, info); });
 }
 
-bool RobotsWatch::has_bodies(std::size_t robot) const {
-    const CellWatch* cell = tracks_[robot].robot.simulator.cell();
-    return cell != nullptr && cell->use().watched;
-}
-
-bool RobotsWatch::has_place_of_its_own(std::size_t a, std::size_t b) const {
-    return tracks_[a].robot.base.matrix() != tracks_[b].robot.base.matrix();
-}
-
-std::vector<std::string> RobotsWatch::warnings() const {
-    std::vector<std::string> list;
-    for (std::size_t a = 0; a < tracks_.size(); ++a) {
-        for (std::size_t b = a + 1; b < tracks_.size(); ++b) {
-            if (!has_bodies(a) || !has_bodies(b) || has_place_of_its_own(a, b)) continue;
-            list.push_back(
-                fmt::format("robots '{}' and '{}' stand in the same place (base): not looked at against each "
-                            "other; give each a base",
-                            tracks_[a].robot.name, tracks_[b].robot.name));
-        }
-    }
-    return list;
-}
-
 std::shared_ptr<const cell::MachineBodies> RobotsWatch::bodies_of(const Track& track) {
     return std::make_shared<const cell::MachineBodies>(
-        cell::machine_bodies(track.robot.simulator.cell()->cell(), track.kinematics));
+        cell::machine_bodies(track.simulator->cell()->cell(), track.kinematics));
 }
+
+// --- What is told ---
 
 void RobotsWatch::stand(Track& track, const rrs::JointPos& joints, double from_s) {
     motion::Segment& rest = track.standing.segment;
@@ -79,9 +82,8 @@ void RobotsWatch::stand(Track& track, const rrs::JointPos& joints, double from_s
 }
 
 void RobotsWatch::take(Track& track, const motion::Segment& segment, const MoveInfo& info) {
-    const CellWatch& cell = *track.robot.simulator.cell();
-    if (std::exchange(track.frame_changes, cell.frame_changes()) != cell.frame_changes())
-        track.standing.bodies = bodies_of(track);
+    const std::uint64_t changes = track.simulator->cell()->frame_changes();
+    if (std::exchange(track.frame_changes, changes) != changes) track.standing.bodies = bodies_of(track);
     track.moved = true;
     track.standing.place = info.place;
     track.standing.jet_on = info.jet_on;
@@ -90,32 +92,55 @@ void RobotsWatch::take(Track& track, const motion::Segment& segment, const MoveI
     if (track.pieces.size() % kMostAhead == 0 && far_ahead_) far_ahead_();
 }
 
-bool RobotsWatch::is_far_ahead() const {
-    return std::any_of(tracks_.begin(), tracks_.end(),
-                       [](const Track& track) { return track.pieces.size() >= kMostAhead; });
+void RobotsWatch::give_zone(std::size_t zone, double time_s, std::optional<Holder> holder) {
+    zones_[zone].turns.push_back({time_s, std::move(holder)});
 }
 
 void RobotsWatch::know_until(double time_s) {
     for (Track& track : tracks_) {
-        if (!track.moved) stand(track, track.robot.simulator.joints(), 0);
+        if (!track.moved) stand(track, track.simulator->joints(), 0);
+        if (track.kinematics != nullptr) time_s = std::min(time_s, track.simulator->passed_on_s());
     }
     for (Pair& pair : pairs_) go_on(pair, time_s);
     drop_passed();
 }
 
+void RobotsWatch::drop_passed() {
+    for (std::size_t at = 0; at < tracks_.size(); ++at) {
+        Track& track = tracks_[at];
+        std::size_t needed = track.first + track.pieces.size();
+        for (const Pair& pair : pairs_) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                if (pair.tracks[i] == at) needed = std::min(needed, pair.next[i]);
+            }
+        }
+        for (; track.first < needed; ++track.first) track.pieces.pop_front();
+    }
+}
+
+// --- Looking ---
+
 /// By its number; behind the last one the robot stands.
-const RobotsWatch::Piece& RobotsWatch::piece(const Track& track, std::size_t number) const {
+const RobotsWatch::Piece& RobotsWatch::piece(const Track& track, std::size_t number) {
     const std::size_t index = number - track.first;
     return index < track.pieces.size() ? track.pieces[index] : track.standing;
+}
+
+/// Of those that are kept.
+const RobotsWatch::Piece& RobotsWatch::piece_at(const Track& track, double time_s) {
+    const auto found =
+        std::partition_point(track.pieces.begin(), track.pieces.end(),
+                             [time_s](const Piece& piece) { return piece.segment.end_s() <= time_s; });
+    return found == track.pieces.end() ? track.standing : *found;
 }
 
 /// As far as the motion of both is known.
 void RobotsWatch::go_on(Pair& pair, double known_s) {
     for (;;) {
-        double until_s = std::numeric_limits<double>::infinity();
+        double until_s = end_of_turn_s(pair, known_s);
         std::array<const Piece*, 2> pieces{};
         for (std::size_t i = 0; i < 2; ++i) {
-            const Track& track = tracks_[pair.robots[i]];
+            const Track& track = tracks_[pair.tracks[i]];
             const auto has_passed = [&](const Piece& of) {
                 return &of != &track.standing && of.segment.end_s() <= pair.time_s;
             };
@@ -126,12 +151,33 @@ void RobotsWatch::go_on(Pair& pair, double known_s) {
         }
         if (!(until_s > pair.time_s)) return;
         const bool stand_for_ever = std::isinf(until_s);
-        look(pair, pieces, stand_for_ever ? pair.time_s : until_s);
+        if (is_let_in(pair)) {
+            pair.bodies = {};
+        } else {
+            look(pair, pieces, stand_for_ever ? pair.time_s : until_s);
+        }
         if (stand_for_ever) return;
         pair.time_s = until_s;
     }
 }
 
+/// Until when the zone of a pair is as it is now, as far as that is known; of two robots for ever.
+double RobotsWatch::end_of_turn_s(Pair& pair, double known_s) const {
+    if (!pair.zone) return std::numeric_limits<double>::infinity();
+    const std::vector<Turn>& turns = zones_[*pair.zone].turns;
+    for (; pair.turn + 1 < turns.size() && turns[pair.turn + 1].from_s <= pair.time_s; ++pair.turn)
+        pair.bodies = {};
+    return pair.turn + 1 < turns.size() ? std::min(known_s, turns[pair.turn + 1].from_s) : known_s;
+}
+
+/// Whether the robot of a pair may be in its zone.
+bool RobotsWatch::is_let_in(const Pair& pair) const {
+    if (!pair.zone) return false;
+    const std::optional<Holder>& holder = zones_[*pair.zone].turns[pair.turn].holder;
+    return !holder || holder->robot == pair.tracks[0];
+}
+
+/// What was not looked at before touches anew.
 void RobotsWatch::look(Pair& pair, const std::array<const Piece*, 2>& pieces, double until_s) {
     if (std::array now{pieces[0]->bodies, pieces[1]->bodies}; now != pair.bodies) {
         pair.watch.set_bodies(now[0], now[1]);
@@ -143,67 +189,7 @@ void RobotsWatch::look(Pair& pair, const std::array<const Piece*, 2>& pieces, do
                                            pieces[i]->jet_on};
     };
     pair.watch.take(pair.time_s, until_s - pair.time_s, going(0), going(1));
-    const std::vector<cell::Contact>& contacts = pair.watch.contacts();
-    for (std::size_t n = pair.met.size(); n < contacts.size(); ++n) {
-        Met met;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const motion::Segment& segment = pieces[i]->segment;
-            met.places[i] = pieces[i]->place;
-            met.joints[i] =
-                segment.position_at(std::clamp(contacts[n].t_s - segment.start_s, 0.0, segment.duration_s));
-        }
-        pair.met.push_back(std::move(met));
-    }
-}
-
-void RobotsWatch::drop_passed() {
-    for (std::size_t robot = 0; robot < tracks_.size(); ++robot) {
-        Track& track = tracks_[robot];
-        std::size_t needed = track.first + track.pieces.size();
-        for (const Pair& pair : pairs_) {
-            for (std::size_t i = 0; i < 2; ++i) {
-                if (pair.robots[i] == robot) needed = std::min(needed, pair.next[i]);
-            }
-        }
-        for (; track.first < needed; ++track.first) track.pieces.pop_front();
-    }
-}
-
-void RobotsWatch::add_findings(std::vector<RobotReport>& reports) const {
-    for (const Pair& pair : pairs_) add_contacts(pair, reports);
-    for (RobotReport& robot : reports) {
-        if (!robot.report.cell) continue;
-        std::stable_sort(robot.report.cell->collisions.begin(), robot.report.cell->collisions.end(),
-                         [](const Collision& a, const Collision& b) { return a.t_s < b.t_s; });
-    }
-}
-
-void RobotsWatch::add_contacts(const Pair& pair, std::vector<RobotReport>& reports) const {
-    const std::vector<cell::Contact>& contacts = pair.watch.contacts();
-    for (std::size_t i = 0; i < 2; ++i) {
-        const PlacedRobot& own = tracks_[pair.robots[i]].robot;
-        const PlacedRobot& other = tracks_[pair.robots[1 - i]].robot;
-        Report& report = reports[pair.robots[i]].report;
-        CellFindings& findings = *report.cell;
-        findings.looked_at.with_robots += pair.watch.pair_count();
-        for (std::size_t n = 0; n < contacts.size(); ++n) {
-            if (findings.collisions.size() == kMostListed) {
-                findings.dropped += contacts.size() - n;
-                report.warnings.push_back(
-                    fmt::format("{} more contacts with '{}' were left out", contacts.size() - n, other.name));
-                break;
-            }
-            const cell::Contact& contact = contacts[n];
-            std::array items{contact.pair.first, contact.pair.second};
-            const auto name = [](const PlacedRobot& of, std::size_t item) {
-                return of.simulator.cell()->cell().items[item].name;
-            };
-            findings.collisions.push_back({contact.t_s, pair.met[n].places[i], name(own, items[i]),
-                                           fmt::format("{}: {}", other.name, name(other, items[1 - i])),
-                                           array_of(own.base.inverse() * contact.point_mm),
-                                           contact.penetrating, pair.met[n].joints[i]});
-        }
-    }
+    note(pair, pieces);
 }
 
 }  // namespace gsim::simulation

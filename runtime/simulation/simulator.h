@@ -82,6 +82,8 @@ class Simulator {
     /// Where the clock stands when what is planned has been made: less than time_s() where moves are held
     /// back.
     double planned_s() const { return motion_->time_s(); }
+    /// Up to here what looks at the motion has got it; infinite where it has got all that is planned.
+    double passed_on_s() const { return motion_->passed_on_s(); }
     /// Where the run ends, if not before.
     double max_time_s() const { return limits_.max_time_s; }
     std::uint64_t max_blocks() const { return limits_.max_blocks; }

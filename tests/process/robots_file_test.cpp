@@ -17,6 +17,10 @@ base = { x_mm = 1000.0, roll_deg = 90.0 }
 name = "belt"
 direction = { x = 3.0, y = 4.0 }
 speed_mm_s = -20.0
+[[zone]]
+name = "fixture"
+shape = { box_mm = [100.0, 200.0, 300.0] }
+frame = { x_mm = 350.0 }
 )";
 
 TEST(RobotsFile, IsReadInItsOrder) {
@@ -33,6 +37,9 @@ TEST(RobotsFile, IsReadInItsOrder) {
                 1e-12);
     EXPECT_NEAR((file->conveyors.at(0).direction() - Eigen::Vector3d(0.6, 0.8, 0)).norm(), 0, 1e-15);
     EXPECT_EQ(file->conveyors.at(0).speed_mm_s(), -20);
+    EXPECT_EQ(file->zones.at(0).name, "fixture");
+    EXPECT_EQ(file->zones[0].form, machine::ShapeForm(machine::BoxShape{100, 200, 300}));
+    EXPECT_EQ(file->zones[0].frame.translation().x(), 350);
 }
 
 void expect_error(const std::string& text, const std::string& part) {
@@ -51,6 +58,9 @@ TEST(RobotsFile, FaultsAreToldWithTheirPlace) {
     expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = {}", "must not be zero");
     expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = { x = nan }",
                  "'x' must be");
+    const std::string zone = "[[robot]]\nname = \"a\"\n[[zone]]\nname = \"z\"\n";
+    expect_error(zone, "lacks the key 'shape'");
+    expect_error(zone + "shape = { mesh = \"m.stl\" }", "a zone is a box");
     expect_error("[[robot", "");
 }
 
