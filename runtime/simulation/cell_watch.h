@@ -82,6 +82,10 @@ class CellWatch final : public RunOutput, public motion::CellFrames {
     void set_conveyor(std::string_view name, const cell::Drift& drift);
     /// The motion of conveyors is known up to that time (at first, for ever): segments that end later wait.
     void know_until(double time_s);
+    /// Up to here what follows the motion (set_follower) has got it; infinite where none waits.
+    double passed_on_s() const {
+        return waiting_.empty() ? std::numeric_limits<double>::infinity() : waiting_.front().segment.start_s;
+    }
 
     using RunOutput::take;
     void take(const motion::Segment& segment, const MoveInfo& info) override;

@@ -99,7 +99,9 @@ void RobotsWatch::give_zone(std::size_t zone, double time_s, std::optional<Holde
 void RobotsWatch::know_until(double time_s) {
     for (Track& track : tracks_) {
         if (!track.moved) stand(track, track.simulator->joints(), 0);
-        if (track.kinematics != nullptr) time_s = std::min(time_s, track.simulator->passed_on_s());
+        if (track.kinematics == nullptr) continue;
+        const Simulator& simulator = *track.simulator;
+        time_s = std::min({time_s, simulator.passed_on_s(), simulator.cell()->passed_on_s()});
     }
     for (Pair& pair : pairs_) go_on(pair, time_s);
     drop_passed();

@@ -46,7 +46,8 @@ class RobotsWatch {
     /// Whether there is something to be looked at.
     bool has_pairs() const { return !pairs_.empty(); }
     /// A robot that has not been told to move up to that time stands still until then, but for what its
-    /// planner has not passed on; and zones that nobody was given are as they were.
+    /// planner, or the wait for conveyors, has not passed on; and zones that nobody was given are as they
+    /// were.
     void know_until(double time_s);
     /// Is called when a robot runs so far ahead that the others should be let go on, for the sake of memory.
     void on_far_ahead(std::function<void()> call) { far_ahead_ = std::move(call); }

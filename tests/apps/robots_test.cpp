@@ -272,6 +272,30 @@ TEST_F(TwoSlides, AreLookedAtWhereAProcessHasEnded) {
     }
 }
 
+// The motion of a robot beside a conveyor is looked at only when what the conveyor does meanwhile is known.
+TEST_F(TwoSlides, AreLookedAtBesideAConveyor) {
+    write("slide.toml", kSlide);
+    write("belt_cell.toml",
+          "[cell]\nname = \"belt\"\n[[object]]\nname = \"blank\"\nshape = { sphere_mm = 10.0 }\n"
+          "attached_to = \"belt\"\nframe = { z_mm = 900.0 }\n");
+    write("belt.toml",
+          "[[robot]]\nname = \"left\"\nmachine = \"slide.toml\"\ncell = \"belt_cell.toml\"\n"
+          "[[robot]]\nname = \"right\"\nmachine = \"slide.toml\"\n"
+          "base = { x_mm = 700.0, roll_deg = 180.0 }\n"
+          "[[conveyor]]\nname = \"belt\"\ndirection = { y = 1.0 }\nspeed_mm_s = 1.0\n");
+    write(
+        "belt.lua",
+        "process('l', function() local _ENV = robot 'left' F(3000) G1{x=600} end)\n"
+        "process('r', function() local _ENV = robot 'right' G0{x=100} for i = 1, 20 do wait(0.7) end end)\n");
+    const Ended e = gsim_run({"--robots", "belt.toml", "belt.lua", "--json"});
+    EXPECT_EQ(e.status, 1) << e.err;
+    const json robots = json::parse(e.out)["robots"];
+    for (std::size_t robot : {0, 1}) {
+        ASSERT_EQ(robots[robot]["collisions"].size(), 1U) << e.out;
+        EXPECT_NEAR(robots[robot]["collisions"][0]["t_s"].get<double>(), (600 - 40) / 50.0 + 0.05, 1e-7);
+    }
+}
+
 /// Two slides that share the 100 mm in the middle between them.
 class SharedZones : public TwoSlides {
   protected:
