@@ -19,7 +19,7 @@ function polar.resolve_by(f) by_another = f end
 -- The words of a move with Cartesian values in place of polar ones; the table itself where polar programming is off.
 function polar.resolve(words)
   if by_another then return by_another(words) end
-  if not state.polar then return words end
+  if not state.polar or core.in_machine_frame() then return words end   -- machine coordinates are no radius and angle
   local p = plane_view.planes[core.plane()]
   if words[p.first] == nil and words[p.second] == nil then return words end
   local turn, reach = words[p.second], words[p.first]

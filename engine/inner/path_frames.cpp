@@ -52,8 +52,13 @@ std::optional<std::string> give_defaults(path::Program& program, const PathReque
                "its "
                "points";
     path::Path& root = program.paths[program.root];
-    if (root.frame.name.empty()) root.frame.name = path::frame_name(request.work_offset);
+    const std::string asked_for = path::frame_name(request.work_offset);
+    if (root.frame.name.empty()) root.frame.name = asked_for;
     if (request.set_offset_mm) {
+        if (!asked_for.empty() && root.frame.name != asked_for) {
+            return fmt::format("the path names G{} itself, and is not put where G{} is to be set",
+                               root.frame.name, asked_for);
+        }
         if (root.frame.name.empty() && !post.offsets.systems.empty())
             root.frame.name = post.offsets.systems.front();
         if (!root.frame.set_offset_mm) root.frame.set_offset_mm = request.set_offset_mm;

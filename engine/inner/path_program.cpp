@@ -188,6 +188,10 @@ tl::expected<void, std::string> PathProgram::check_offsets() const {
         return tl::unexpected<std::string>(
             "--offsets says how to write what a run has recorded; this path names its "
             "own work offsets");
+    if (frames_.tools() && offsets() == Offsets::machine)
+        return tl::unexpected<std::string>(
+            "--offsets G53 is for paths without tools of their own: no length offset counts in machine "
+            "coordinates");
     const auto no_word = [this](std::string_view what) {
         return tl::unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
     };

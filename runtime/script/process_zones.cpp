@@ -30,15 +30,19 @@ void Processes::leave_zone(std::size_t zone) {
     tell_holder(zone, now().time_s);
 }
 
-/// Whoever looks for robots in zones of others: by the robot that its holder has.
+/// For whoever looks for robots in zones of others.
 void Processes::tell_holder(std::size_t zone, double time_s) {
     if (robots_watch_ == nullptr) return;
     const std::optional<ProcessId>& id = zones_.holder(zone);
     if (!id) return robots_watch_->give_zone(zone, time_s, std::nullopt);
-    const auto found = std::find(controls_.begin(), controls_.end(), strands_[*id]->control);
-    simulation::RobotsWatch::Holder holder{schedule_.process(*id).name, std::nullopt};
-    if (found != controls_.end()) holder.robot = static_cast<std::size_t>(found - controls_.begin());
-    robots_watch_->give_zone(zone, time_s, std::move(holder));
+    robots_watch_->give_zone(zone, time_s, simulation::RobotsWatch::Holder{*id, schedule_.process(*id).name});
+}
+
+/// Likewise: whose robot it is.
+void Processes::tell_owner(const Control* control) {
+    if (robots_watch_ == nullptr) return;
+    const auto found = std::find(controls_.begin(), controls_.end(), control);
+    robots_watch_->give_robot(static_cast<std::size_t>(found - controls_.begin()), now().time_s, running_);
 }
 
 }  // namespace gsim::script

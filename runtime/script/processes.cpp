@@ -28,7 +28,10 @@ Processes::Processes(LuaState& lua, PlaceFinder& places, std::vector<Control*> c
 Processes::Outcome Processes::run(lua_State* state) {
     for (const process::Conveyor& conveyor : conveyors_) tell_conveyor(conveyor, 0);
     start(state, "main", false);
-    if (controls_.size() == 1) take(*strands_[0], controls_[0]);
+    if (controls_.size() == 1) {
+        take(*strands_[0], controls_[0]);
+        tell_owner(controls_[0]);
+    }
     while (const std::optional<ProcessId> id = schedule_.take_next()) {
         if (std::optional<Outcome> outcome = go_on(*id)) return *std::move(outcome);
     }
@@ -179,10 +182,8 @@ void Processes::attach(lua_State* state, Interpreter& wanted) {
     }
     rest(state);
     take(strand(), control);
-    for (std::size_t zone = 0; zone < zones_.size(); ++zone) {
-        if (has_zone(zone)) tell_holder(zone, now().time_s);
-    }
     now().time_s = std::max(now().time_s, control->simulator().time_s());
+    tell_owner(control);
     stand_idle(strand());
 }
 

@@ -131,6 +131,7 @@ class Processes {
     void take(Strand& strand, Control* control);
     void count_join(lua_State* state);
     void tell_holder(std::size_t zone, double time_s);
+    void tell_owner(const Control* control);
     Outcome deadlock();
     bool watches_lines(const Strand& strand) const { return !strand.handlers.empty() || follows_conveyors(); }
     bool follows_conveyors() const;

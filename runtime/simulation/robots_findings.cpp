@@ -46,9 +46,10 @@ void RobotsWatch::note(Pair& pair, const std::array<const Piece*, 2>& pieces) {
             add(pair.tracks[1], *pieces[1], of_second, told_first);
         } else {
             const Holder& holder = *zones_[*pair.zone].turns[pair.turn].holder;
-            add(pair.tracks[0], *pieces[0], of_first, fmt::format("{} of '{}'", of_second, holder.process));
-            if (holder.robot && tracks_[*holder.robot].kinematics != nullptr)
-                add(*holder.robot, piece_at(tracks_[*holder.robot], contact.t_s), of_second, told_first);
+            add(pair.tracks[0], *pieces[0], of_first, fmt::format("{} of '{}'", of_second, holder.name));
+            const auto robot = robot_of(holder, contact.t_s);
+            if (robot && tracks_[*robot].kinematics != nullptr)
+                add(*robot, piece_at(tracks_[*robot], contact.t_s), of_second, told_first);
         }
         found_.push_back(std::move(found));
     }

@@ -85,15 +85,20 @@ void RobotsWatch::take(Track& track, const motion::Segment& segment, const MoveI
     const std::uint64_t changes = track.simulator->cell()->frame_changes();
     if (std::exchange(track.frame_changes, changes) != changes) track.standing.bodies = bodies_of(track);
     track.moved = true;
-    track.standing.place = info.place;
+    // What the controller adds by itself, to settle, is of the block before.
+    if (info.place.line > 0) track.standing.place = info.place;
     track.standing.jet_on = info.jet_on;
     stand(track, segment.end_position(), segment.end_s());
-    track.pieces.push_back({segment, info.place, info.jet_on, track.standing.bodies});
+    track.pieces.push_back({segment, track.standing.place, info.jet_on, track.standing.bodies});
     if (track.pieces.size() % kMostAhead == 0 && far_ahead_) far_ahead_();
 }
 
 void RobotsWatch::give_zone(std::size_t zone, double time_s, std::optional<Holder> holder) {
     zones_[zone].turns.push_back({time_s, std::move(holder)});
+}
+
+void RobotsWatch::give_robot(std::size_t robot, double time_s, std::size_t process) {
+    tracks_[robot].owners.push_back({time_s, process});
 }
 
 void RobotsWatch::know_until(double time_s) {
@@ -169,14 +174,39 @@ double RobotsWatch::end_of_turn_s(Pair& pair, double known_s) const {
     const std::vector<Turn>& turns = zones_[*pair.zone].turns;
     for (; pair.turn + 1 < turns.size() && turns[pair.turn + 1].from_s <= pair.time_s; ++pair.turn)
         pair.bodies = {};
-    return pair.turn + 1 < turns.size() ? std::min(known_s, turns[pair.turn + 1].from_s) : known_s;
+    const double end_s =
+        pair.turn + 1 < turns.size() ? std::min(known_s, turns[pair.turn + 1].from_s) : known_s;
+    const Track& robot = tracks_[pair.tracks[0]];
+    const auto next_owner = owner_behind(robot, pair.time_s);
+    return next_owner == robot.owners.end() ? end_s : std::min(end_s, next_owner->from_s);
+}
+
+std::vector<RobotsWatch::Owner>::const_iterator RobotsWatch::owner_behind(const Track& track, double time_s) {
+    return std::partition_point(track.owners.begin(), track.owners.end(),
+                                [time_s](const Owner& owner) { return owner.from_s <= time_s; });
+}
+
+/// The process that has a robot, or had it last.
+std::optional<std::size_t> RobotsWatch::owner_at(const Track& track, double time_s) {
+    const auto next = owner_behind(track, time_s);
+    if (next == track.owners.begin()) return std::nullopt;
+    return std::prev(next)->process;
+}
+
+/// The first of a process.
+std::optional<std::size_t> RobotsWatch::robot_of(const Holder& holder, double time_s) const {
+    for (std::size_t robot = 0; robot < robots_; ++robot) {
+        if (owner_at(tracks_[robot], time_s) == holder.process) return robot;
+    }
+    return std::nullopt;
 }
 
 /// Whether the robot of a pair may be in its zone.
 bool RobotsWatch::is_let_in(const Pair& pair) const {
     if (!pair.zone) return false;
     const std::optional<Holder>& holder = zones_[*pair.zone].turns[pair.turn].holder;
-    return !holder || holder->robot == pair.tracks[0];
+    const auto owner = owner_at(tracks_[pair.tracks[0]], pair.time_s);
+    return !holder || !owner || *owner == holder->process;
 }
 
 /// What was not looked at before touches anew.

@@ -52,13 +52,16 @@ class RobotsWatch {
     /// Is called when a robot runs so far ahead that the others should be let go on, for the sake of memory.
     void on_far_ahead(std::function<void()> call) { far_ahead_ = std::move(call); }
 
-    /// A process, and which robot it has.
+    /// A process, by its number and its name.
     struct Holder {
-        std::string process;
-        std::optional<std::size_t> robot;
+        std::size_t process;
+        std::string name;
     };
     /// That one has the zone from a time on up to which not all is known yet; none: nobody has it.
     void give_zone(std::size_t zone, double time_s, std::optional<Holder> holder);
+    /// That process has the robot from a time on, likewise, and is who has had it where it lets it go. A
+    /// robot that no process has had is in nobody's way in a zone.
+    void give_robot(std::size_t robot, double time_s, std::size_t process);
 
     /// Behind the run: all robots stand where they are from there on.
     void finish() { know_until(std::numeric_limits<double>::infinity()); }
@@ -76,6 +79,11 @@ class RobotsWatch {
         bool jet_on = false;
         std::shared_ptr<const cell::MachineBodies> bodies = {};
     };
+    /// Which process has a robot from a time on.
+    struct Owner {
+        double from_s;
+        std::size_t process;
+    };
     /// A robot's motion, as far as it is told and not yet looked at; or a zone, which stands.
     struct Track {
         std::string name;
@@ -84,8 +92,9 @@ class RobotsWatch {
         std::shared_ptr<const kinematics::Kinematics> kinematics = {};  ///< Of the machine's file.
         std::uint64_t frame_changes = 0;  ///< Of which `standing` has the bodies.
         std::deque<Piece> pieces = {};
-        std::size_t first = 0;  ///< Number of the first of those, from the start of the run on.
-        Piece standing = {};    ///< What it does behind them.
+        std::size_t first = 0;           ///< Number of the first of those, from the start of the run on.
+        Piece standing = {};             ///< What it does behind them.
+        std::vector<Owner> owners = {};  ///< In the order of time.
         bool moved = false;
     };
     /// Who has a zone from a time on.
@@ -134,6 +143,9 @@ class RobotsWatch {
     static std::string item_name(const Track& track, std::size_t item);
     void go_on(Pair& pair, double known_s);
     double end_of_turn_s(Pair& pair, double known_s) const;
+    static std::vector<Owner>::const_iterator owner_behind(const Track& track, double time_s);
+    static std::optional<std::size_t> owner_at(const Track& track, double time_s);
+    std::optional<std::size_t> robot_of(const Holder& holder, double time_s) const;
     bool is_let_in(const Pair& pair) const;
     void look(Pair& pair, const std::array<const Piece*, 2>& pieces, double until_s);
     void note(Pair& pair, const std::array<const Piece*, 2>& pieces);

@@ -362,6 +362,33 @@ TEST_F(SharedZones, WhoIsInsideWhenItIsTakenIsTold) {
     EXPECT_EQ(report["robots"][1]["collisions"][0]["line"], 7);
 }
 
+// Whose robot it is counts, not what the process moves when it takes the zone.
+TEST_F(SharedZones, AProcessMayBeInItsOwnWithEachOfItsRobots) {
+    EXPECT_TRUE(share("G0{x=320}\nG0{x=0}\n", "", 0)["zones"].empty());
+    write("before.lua",
+          "process('a', function() enter_zone 'fixture' wait(1) local _ENV = robot 'left' G0{x=330} G0{x=0} "
+          "end)\n");
+    EXPECT_EQ(gsim_run({"--robots", "zones.toml", "before.lua", "--json"}).status, 0);
+    write("both.lua",
+          "process('a', function() local left, right = robot 'left', robot 'right' left.G0{x=1} enter_zone "
+          "'fixture'\nleft.G0{x=330} right.G0{x=100} right.G0{x=1} left.G0{x=1} end)\n");
+    EXPECT_EQ(gsim_run({"--robots", "zones.toml", "both.lua", "--json"}).status, 0);
+}
+
+// The holder has ended, and another process drives its robot in.
+TEST_F(SharedZones, ARobotGoesWithTheProcessThatMovesIt) {
+    share("", "", 0);
+    write("after.lua",
+          "process('a', function() local _ENV = robot 'left' G0{x=1} enter_zone 'fixture' end)\n"
+          "process('c', function() wait(5) local _ENV = robot 'left' F(6000)\nG1{x=331} end)\n");
+    const Ended e = gsim_run({"--robots", "zones.toml", "after.lua", "--json"});
+    EXPECT_EQ(e.status, 1) << e.err;
+    const json hits = json::parse(e.out)["robots"][0]["collisions"];
+    ASSERT_EQ(hits.size(), 1U) << e.out;
+    EXPECT_NEAR(hits[0]["t_s"].get<double>(), 5 + (300 - 20 - 1) / 100.0 + 0.1, 1e-7);
+    EXPECT_EQ(hits[0]["pair"], json::array({"ball", "zone fixture of 'a'"}));
+}
+
 TEST_F(SharedZones, ADeadLockIsNamed) {
     const json report = share("enter_zone 'fixture'\nwait(1)\nenter_zone 'table'\n",
                               "enter_zone 'table'\nwait(2)\nenter_zone 'fixture'\n", 1);

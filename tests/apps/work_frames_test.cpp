@@ -187,6 +187,13 @@ TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
     EXPECT_EQ(
         refused({"--work-offset", "G55", "--offsets", "none"}),
         "error: --offsets says how to write what a run has recorded; this path names its own work offsets\n");
+    EXPECT_TRUE(holds(refused({"--tool", "3", "--dialect", "rs274ngc", "--offsets", "G53"}),
+                      "--offsets G53 is for paths without tools of their own"));
+    const Ended other =
+        path2gcode({write("own.path.json", R"({"paths": [{"name": "part", "work_offset": "G54", "targets": [
+            {"motion": "rapid", "position_mm": [10, 20, -10]}]}]})"),
+                    "--work-offset", "G55", "--set-offset", "5", "6", "0"});
+    EXPECT_EQ(other.err, "error: the path names G54 itself, and is not put where G55 is to be set\n");
     EXPECT_TRUE(holds(refused({"--set-offset", "595", "0", "0"}), "out of reach: X 605 is outside 0 to 600"));
     driven(written("ab9", {part()}), "ab9", {"--record", "r.path.json"});
     EXPECT_EQ(

@@ -100,6 +100,17 @@ TEST(Coordinates, G53IsOfTheMachineForOneBlock) {
     EXPECT_NEAR(r.to(4, 'Y'), 8, 1e-9);
 }
 
+TEST(Coordinates, G53IsNeverPolar) {
+    Conditions setup;
+    setup.options.data.offsets["54"] = {{'X', 100}};
+    const Outcome r = run("G16 G0 X10 Y90\nG53 X20 Y30\nX5 Y0\n", setup);
+    EXPECT_NEAR(r.to(0, 'X'), 100, 1e-9);
+    EXPECT_NEAR(r.to(0, 'Y'), 10, 1e-9);
+    EXPECT_NEAR(r.to(1, 'X'), 20, 1e-9);
+    EXPECT_NEAR(r.to(1, 'Y'), 30, 1e-9);
+    EXPECT_NEAR(r.to(2, 'X'), 105, 1e-9);
+}
+
 TEST(Coordinates, G53DoesNotLeakOutOfABlockThatDoesNotMove) {
     Conditions setup;
     setup.options.data.offsets["54"] = {{'X', 100}};
