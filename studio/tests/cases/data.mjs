@@ -137,7 +137,8 @@ export default {
       assert.equal(await page.evaluate(() => window.studio.session.setup.machine_data), "");
       assert.equal(await page.evaluate(() => window.studio.documents.get("shop.txt")), undefined);
       await page.waitForFunction(() => document.querySelectorAll("#side .data-form tbody tr").length === 0);
-      await page.keyboard.press("Control+Shift+Z");
+      await runAnew(page, () => page.keyboard.press("Control+Shift+Z"));
+      assert.deepEqual(shift(before, await way(page)), [10, 0, 0]);
       await runAnew(page, () => page.locator("#redo-button").click());
       assert.deepEqual(shift(before, await way(page)), [30, 0, 0]);
     }),
