@@ -6,17 +6,22 @@ import { difference, dropFiles, pictureOfView, run, setState, settled, state, wi
 
 const ENDLESS = "local _ENV = require 'gsim'\nprogram(1, function()\n  F(6000) while true do G1{x=100} G1{x=0} end\nend)\n";
 
-/** Puts the cursor into a line of the program, by a click on its text. */
+/** Puts the cursor into a line of the program, by a click on its text; on a busy machine that may still be on its way into sight. */
 async function clickLine(page, line) {
   await page.evaluate((number) => window.studio.store.set("selection", { file: "samples/wheel.nc", line: number, block: -1 }), line);
   await page.waitForTimeout(300);
   await setState(page, "selection", null);
-  await page.locator("#code .cm-line").filter({ hasText: /^N470 / }).first().click();
+  for (let attempt = 0; attempt < 5; ++attempt) {
+    await page.locator("#code .cm-line").filter({ hasText: /^N470 / }).first().click();
+    const there = page.waitForFunction((number) => window.studio.store.get("selection")?.line === number, line, { timeout: 5_000 });
+    if (await there.then(() => true, () => false)) return;
+  }
 }
 
 export default {
   "a click on a line goes to its time, and shows it on the way": (places) =>
     withPage(places.studio, async (page) => {
+      await settled(page);
       const before = await pictureOfView(page);
       await clickLine(page, 38);
       await page.waitForFunction(() => window.studio.store.get("selection")?.line === 38);
