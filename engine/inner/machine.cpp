@@ -89,13 +89,7 @@ class Machine::State {
 
 tl::expected<Machine, Failure> Machine::read(const Request& request) {
     return guarded([&]() -> tl::expected<Machine, Failure> {
-        Request of_machine;
-        of_machine.machine = request.machine;
-        of_machine.machine_data = request.machine_data;
-        of_machine.cell = request.cell;
-        of_machine.collisions = request.collisions;
-        of_machine.host = request.host;
-        auto found = with_files_found(std::move(of_machine));
+        auto found = with_machine_files_found(request);
         if (!found)
             return tl::unexpected(failure_of(DiagnosticKind::input_file, found.error(), request.cell));
         auto input = read_machine_input(request.host, found->request.machine, found->machine_named_by);

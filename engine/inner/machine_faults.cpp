@@ -1,7 +1,7 @@
 #include "engine/machine_faults.h"
 
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "engine/inner/guarded.h"
 #include "engine/inner/machine_input.h"
@@ -16,13 +16,7 @@ namespace {
 using Sentences = std::vector<std::string>;
 
 Sentences faults_of(const Request& request) {
-    Request of_machine;
-    of_machine.machine = request.machine;
-    of_machine.machine_data = request.machine_data;
-    of_machine.cell = request.cell;
-    of_machine.collisions = request.collisions;
-    of_machine.host = request.host;
-    const auto found = with_files_found(std::move(of_machine));
+    const auto found = with_machine_files_found(request);
     if (!found) return {found.error()};
     Sentences faults;
     const auto input =

@@ -126,6 +126,16 @@ tl::expected<FoundRequest, std::string> with_files_found(Request request) {
     return found;
 }
 
+tl::expected<FoundRequest, std::string> with_machine_files_found(const Request& request) {
+    Request of_machine;
+    of_machine.machine = request.machine;
+    of_machine.machine_data = request.machine_data;
+    of_machine.cell = request.cell;
+    of_machine.collisions = request.collisions;
+    of_machine.host = request.host;
+    return with_files_found(std::move(of_machine));
+}
+
 CellChoice cell_choice(const FoundRequest& found) {
     return {.file = found.request.cell,
             .text = found.cell_text,

@@ -38,6 +38,9 @@ std::string find_contradiction(const Request& request);
 /// The error is a sentence.
 tl::expected<FoundRequest, std::string> with_files_found(Request request);
 
+/// The same of what a request says of the machine and what stands around it, without the rest.
+tl::expected<FoundRequest, std::string> with_machine_files_found(const Request& request);
+
 /// The names alone, without those of the cell and of the program.
 tl::expected<Request, std::string> with_names_found(Request request);
 

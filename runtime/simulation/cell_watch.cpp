@@ -8,6 +8,7 @@
 #include "base/text/nearest_name.h"
 #include "runtime/cell/meeting_pairs.h"
 #include "runtime/kinematics/pose.h"
+#include "runtime/simulation/cell_findings.h"
 
 namespace gsim::simulation {
 
@@ -16,12 +17,6 @@ using motion::Planned;
 using rrs::Status;
 
 namespace {
-
-constexpr std::size_t kMaxListed = 100'000;
-
-std::array<double, 3> array_of(const Eigen::Vector3d& point) {
-    return {point.x(), point.y(), point.z()};
-}
 
 LookedAt looked_at(const cell::Cell& cell, std::size_t pairs) {
     LookedAt looked{.pairs = pairs, .may_touch = cell.ignored.size(), .replaced = cell.replaced};
@@ -255,14 +250,10 @@ void CellWatch::look_at(const motion::Segment& segment, const MoveInfo& info) {
 void CellWatch::end_block() {
     const auto& nearest = watch_.nearest();
     if (block_ && nearest) {
-        if (findings_.clearances.size() < kMaxListed) {
-            if (keeps_history_) near_s_.push_back(nearest->t_s);
-            findings_.clearances.push_back(
-                {*block_, nearest->distance_mm, cell_.items[nearest->pair.first].name,
-                 cell_.items[nearest->pair.second].name, array_of(nearest->point_mm)});
-        } else {
-            ++findings_.dropped;
-        }
+        const bool listed = list(
+            findings_, BlockClearance{*block_, nearest->distance_mm, cell_.items[nearest->pair.first].name,
+                                      cell_.items[nearest->pair.second].name, array_of(nearest->point_mm)});
+        if (listed && keeps_history_) near_s_.push_back(nearest->t_s);
     }
     watch_.begin_block();
 }
@@ -272,16 +263,12 @@ void CellWatch::end(double /*end_s*/) {
     end_block();
     findings_.looked_at = looked_at(cell_, watch_.pair_count());
     const std::vector<cell::Contact>& contacts = watch_.contacts();
-    const std::size_t listed = std::min(contacts.size(), kMaxListed);
-    findings_.dropped += contacts.size() - listed;
-    findings_.collisions.reserve(listed);
-    for (std::size_t i = 0; i < listed; ++i) {
-        findings_.collisions.push_back({contacts[i].t_s, places_[i], cell_.items[contacts[i].pair.first].name,
-                                        cell_.items[contacts[i].pair.second].name,
-                                        array_of(contacts[i].point_mm), contacts[i].penetrating, joints_[i]});
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        list(findings_, Collision{contacts[i].t_s, places_[i], cell_.items[contacts[i].pair.first].name,
+                                  cell_.items[contacts[i].pair.second].name, array_of(contacts[i].point_mm),
+                                  contacts[i].penetrating, joints_[i]});
     }
-    std::stable_sort(findings_.collisions.begin(), findings_.collisions.end(),
-                     [](const Collision& a, const Collision& b) { return a.t_s < b.t_s; });
+    sort_by_time(findings_);
 }
 
 }  // namespace gsim::simulation

@@ -5,19 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "runtime/simulation/cell_findings.h"
 #include "runtime/simulation/robots_watch.h"
 
 namespace gsim::simulation {
-
-namespace {
-
-constexpr std::size_t kMostListed = 100'000;
-
-std::array<double, 3> array_of(const Eigen::Vector3d& point) {
-    return {point.x(), point.y(), point.z()};
-}
-
-}  // namespace
 
 std::string RobotsWatch::item_name(const Track& track, std::size_t item) {
     if (track.simulator == nullptr) return fmt::format("zone {}", track.name);
@@ -65,23 +56,17 @@ void RobotsWatch::add_findings(std::vector<RobotReport>& reports) const {
         for (const Side& side : found.sides) add_collision(found, side, reports);
     }
     for (RobotReport& robot : reports) {
-        if (!robot.report.cell) continue;
-        std::stable_sort(robot.report.cell->collisions.begin(), robot.report.cell->collisions.end(),
-                         [](const Collision& a, const Collision& b) { return a.t_s < b.t_s; });
+        if (robot.report.cell) sort_by_time(*robot.report.cell);
     }
 }
 
 void RobotsWatch::add_collision(const Found& found, const Side& side,
                                 std::vector<RobotReport>& reports) const {
     CellFindings& findings = *reports[side.robot].report.cell;
-    if (findings.collisions.size() >= kMostListed) {
-        ++findings.dropped;
-        return;
-    }
     const cell::Contact& contact = pairs_[found.pair].watch.contacts()[found.contact];
     const Eigen::Vector3d point_mm = tracks_[side.robot].base.inverse() * contact.point_mm;
-    findings.collisions.push_back({contact.t_s, side.place, side.own, side.other, array_of(point_mm),
-                                   contact.penetrating, side.joints});
+    list(findings, Collision{contact.t_s, side.place, side.own, side.other, array_of(point_mm),
+                             contact.penetrating, side.joints});
 }
 
 std::vector<std::string> RobotsWatch::warnings() const {
