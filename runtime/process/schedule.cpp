@@ -100,16 +100,27 @@ void Schedule::wake(ProcessId id, double time_s) {
     processes_[id].time_s = std::max(processes_[id].time_s, time_s);
 }
 
-std::vector<ProcessId> Schedule::ring_of(ProcessId id) const {
-    std::vector<ProcessId> ring;
-    for (ProcessId at = id; ring.size() < processes_.size();) {
+std::vector<ProcessId> Schedule::stuck_from(ProcessId id) const {
+    std::vector<ProcessId> chain;
+    for (ProcessId at = id; chain.size() < processes_.size();) {
         const Process& process = processes_[at];
+        if (process.state == ProcessState::done) return chain;
         if (process.state != ProcessState::waiting || !process.wait.holder) return {};
-        ring.push_back(at);
+        chain.push_back(at);
         at = *process.wait.holder;
-        if (at == id) return ring;
+        if (at == id) return chain;
     }
     return {};
+}
+
+std::optional<ProcessId> Schedule::waits_for_zone_of(ProcessId id) const {
+    for (ProcessId at = 0; at < processes_.size(); ++at) {
+        const Process& process = processes_[at];
+        if (process.state == ProcessState::waiting && process.wait.kind == WaitKind::zone &&
+            process.wait.holder == id)
+            return at;
+    }
+    return std::nullopt;
 }
 
 bool Schedule::waits_for_zone() const {

@@ -74,8 +74,11 @@ class Schedule {
     void wake(ProcessId id, double time_s);
     void finish(ProcessId id);
 
-    /// Processes that wait for each other's zones in a ring, from this one on; none where it is in no ring.
-    std::vector<ProcessId> ring_of(ProcessId id) const;
+    /// Processes that wait for each other's zones and will for ever, from this one on: in a ring, or up to a
+    /// zone of a process that has ended. None where somebody can let this one go on.
+    std::vector<ProcessId> stuck_from(ProcessId id) const;
+    /// The first process that waits for a zone of this one.
+    std::optional<ProcessId> waits_for_zone_of(ProcessId id) const;
     /// Whether one of those that wait waits for a zone.
     bool waits_for_zone() const;
     /// What each process that is not done waits for, as a list within a sentence; places by `files`.

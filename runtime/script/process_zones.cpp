@@ -12,15 +12,14 @@ using text::DiagnosticKind;
 
 using process::ProcessId;
 
-/// Processes that wait for each other's zones in a ring will never go on, whatever others do.
 int Processes::enter_zone(lua_State* state, std::size_t zone) {
     if (zones_.enter(schedule_, zone, running_)) {
         tell_holder(zone, now().time_s);
         return 0;
     }
-    if (const std::vector<ProcessId> ring = schedule_.ring_of(running_); !ring.empty()) {
+    if (const std::vector<ProcessId> stuck = schedule_.stuck_from(running_); !stuck.empty()) {
         alarm(state, DiagnosticKind::process,
-              fmt::format("dead-lock: {}", schedule_.waits(interpreter().simulator().files(), ring)));
+              fmt::format("dead-lock: {}", schedule_.waits(interpreter().simulator().files(), stuck)));
     }
     return yield(state, Yielded::in_wait);
 }
@@ -28,6 +27,18 @@ int Processes::enter_zone(lua_State* state, std::size_t zone) {
 void Processes::leave_zone(std::size_t zone) {
     zones_.leave(schedule_, zone);
     tell_holder(zone, now().time_s);
+}
+
+/// The process has ended. Who waits for a zone that it has kept will for ever, whatever others do.
+std::optional<Processes::Outcome> Processes::stuck_behind(ProcessId id) {
+    const std::optional<ProcessId> first = schedule_.waits_for_zone_of(id);
+    if (!first) return std::nullopt;
+    Control* control = strands_[*first]->control != nullptr ? strands_[*first]->control : controls_[0];
+    const std::string waits = schedule_.waits(control->simulator().files(), schedule_.stuck_from(*first));
+    return Outcome{.end = End::deadlock,
+                   .message = "dead-lock: " + waits,
+                   .control = control,
+                   .place = schedule_.process(*first).place};
 }
 
 /// For whoever looks for robots in zones of others.

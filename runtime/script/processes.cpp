@@ -107,7 +107,7 @@ std::optional<Processes::Outcome> Processes::go_on(ProcessId id) {
         return std::nullopt;
     }
     finish(id);
-    return std::nullopt;
+    return stuck_behind(id);
 }
 
 /// A thread that waited gets told whether it waited in vain.

@@ -124,6 +124,7 @@ class Processes {
     int arguments_for(Strand& strand);
     void start_interrupt(Strand& strand);
     void finish(process::ProcessId id);
+    std::optional<Outcome> stuck_behind(process::ProcessId id);
     void stand_idle(Strand& strand);
     int yield(lua_State* state, Yielded how);
     void at_line(lua_State* state, lua_Debug* line);

@@ -119,5 +119,22 @@ TEST_F(SharedZones, ADeadLockIsNamed) {
         holds(share("leave_zone 'table'\n", "", 1)["alarm"]["message"], "does not have the zone 'table'"));
 }
 
+// With a device that goes on for ever, too: without, nothing can go on.
+TEST_F(SharedZones, AZoneThatIsKeptBehindTheEndIsADeadLock) {
+    share("", "", 0);
+    const std::string device = "device('belt', function() while true do wait(0.5) end end)\n";
+    const std::string left = "process('l', function() enter_zone 'fixture' wait(3) end)\n";
+    for (const char* const wait : {"1", "4"}) {
+        write("kept.lua",
+              device + left + "process('r', function() wait(" + wait + ")\nenter_zone 'fixture' end)\n");
+        const Ended e = gsim_run({"--robots", "zones.toml", "kept.lua", "--json"});
+        EXPECT_EQ(e.status, 1) << e.err;
+        EXPECT_EQ(
+            json::parse(e.out)["robots"][0]["alarm"]["message"],
+            "dead-lock: 'r' (kept.lua:4) waits for the zone 'fixture', which 'l' has, though it has ended")
+            << e.out;
+    }
+}
+
 }  // namespace
 }  // namespace gsim::apps::shared_zones_test

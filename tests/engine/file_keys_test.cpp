@@ -130,7 +130,6 @@ class KeyOfDocument {
   public:
     KeyOfDocument(KeyedFile file, const json& table, const json& key)
         : file_(file),
-          key_(key),
           name_(key["name"]),
           edit_(TomlEdit::read(document(file), "d.toml").value()) {
         for (const json& step : table["at"]) {
@@ -207,7 +206,6 @@ class KeyOfDocument {
     }
 
     KeyedFile file_;
-    const json& key_;
     std::string name_;
     TomlEdit edit_;
     TomlPath path_;
