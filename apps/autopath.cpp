@@ -49,6 +49,10 @@ void add_material_options(apps::CommandLine& line, AutopathArguments& arguments)
     line.add("--pierce", &cutting.pierce_s, "time of a pierce, instead of the material's")
         .called("SECONDS")
         .within(0, 3600);
+    line.add("--moving-pierce", &cutting.moving_pierce,
+             "move the nozzle to and fro on the lead while it pierces, which takes less time");
+    line.add("--straighten", &cutting.straighten,
+             "lean the jet against the taper of its kerf, so that sides get straight");
     line.add("--report", &arguments.report, "print how the values were found and what the job costs")
         .not_with("--json");
 }

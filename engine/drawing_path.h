@@ -36,6 +36,8 @@ struct CuttingChoice {
     std::optional<double> speed_mm_min = {};
     std::optional<double> kerf_mm = {};   ///< Width of the cut.
     std::optional<double> pierce_s = {};  ///< For each pierce; without a material 0 where it is left out.
+    bool moving_pierce = false;  ///< The nozzle goes to and fro on the lead meanwhile, which takes less time.
+    bool straighten = false;     ///< The jet leans against the taper of its kerf. Needs a material.
 };
 
 /// Where the tool goes.
@@ -67,6 +69,10 @@ struct CuttingFigures {
     double cut_mm = 0;     ///< Way with the jet on: leads and contours.
     double travel_mm = 0;  ///< Between the cuts, over the material.
     double cut_s = 0;  ///< At the feeds of the path, without pierces or the time that a machine speeds up in.
+    double slower_s = 0;  ///< Of that, what curves and corners take more than straight lines of their length.
+    double turning_s = 0;        ///< Of that, turning in one place.
+    double straightening_s = 0;  ///< Of that, what leaning against the taper adds.
+    std::size_t moving_pierces = 0;
 };
 
 /// What cutting it takes, by the material. Money is in `currency`.

@@ -40,6 +40,7 @@ CutSummary summary_of(const Layout& layout, const std::vector<Cut>& cuts, const 
         for (const FedEdge& edge : with_feeds(cut.loop, rules))
             count_edge(edge.edge, edge.feed_mm_min, summary);
     }
+    summary.slower_s = summary.cut_s - 60 * summary.cut_mm / rules.speed_mm_min;
     return summary;
 }
 
@@ -55,13 +56,27 @@ tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const Cut
     const double lead_mm = options.lead_mm > 0 ? options.lead_mm : kLeadKerfs * rules.kerf_mm;
     const std::vector<Cut> cuts = add_leads(*layout, rules.kerf_mm, lead_mm);
     const std::vector<std::size_t> order = cutting_order(*layout, cuts, options.start_mm);
-    Autopath result{cut_program(cuts, order, rules, bevels_deg, options.program),
-                    summary_of(*layout, cuts, rules), std::move(layout->notes)};
+    CutProgram made = cut_program(cuts, order, rules, bevels_deg, options.program);
+    Autopath result{std::move(made.program), summary_of(*layout, cuts, rules), std::move(layout->notes)};
+    result.summary.moving_pierces = made.moving_pierces;
+    result.summary.turning_s = made.turning_s;
+    result.summary.cut_s += made.turning_s;
+    if (rules.straightening_lean_deg) {
+        CutRules with_taper = rules;
+        with_taper.straightening_lean_deg = {};
+        result.summary.straightening_s =
+            made.turning_s - cut_program(cuts, order, with_taper, bevels_deg, options.program).turning_s;
+    }
     result.summary.travel_mm = travel_of(cuts, order, options.start_mm);
     if (result.summary.without_leads > 0) {
         result.notes.push_back(
             fmt::format("{} contours have no room for leads: the jet pierces on the contour",
                         result.summary.without_leads));
+    }
+    if (rules.moving_pierce_s && made.moving_pierces < cuts.size()) {
+        result.notes.push_back(
+            fmt::format("{} pierces have no lead to move on: the nozzle rests, for {:.4g} s",
+                        cuts.size() - made.moving_pierces, rules.pierce_s));
     }
     if (const auto fault = path::validate(result.program)) return tl::unexpected(fault->sentence);
     return result;

@@ -25,8 +25,12 @@ struct CutSummary {
     std::size_t without_leads = 0;
     double cut_mm = 0;     ///< Way with the jet on: leads and contours.
     double travel_mm = 0;  ///< Between the cuts, over the material.
-    double cut_s =
-        0;  ///< At the feeds of the path, without pierces or the time that a machine takes to speed up.
+    /// At the feeds of the path, without pierces or the time that a machine takes to speed up.
+    double cut_s = 0;
+    double slower_s = 0;  ///< Of that, what curves and corners take more than straight lines of their length.
+    double turning_s = 0;        ///< Of that, turning in one place.
+    double straightening_s = 0;  ///< Of that, what leaning against the taper adds.
+    std::size_t moving_pierces = 0;
 };
 
 struct Autopath {

@@ -27,14 +27,21 @@ struct ProgramOptions {
     double turn_feed_deg_min = 3600;  ///< Of the lean's turn in corners.
 };
 
+/// What makes cuts.
+struct CutProgram {
+    path::Program program;
+    double turning_s = 0;  ///< With the jet on, while the tool turns in one place.
+    std::size_t moving_pierces = 0;
+};
+
 /// The program that makes the cuts in that order, a path for each: rapid to its pierce at the safe height,
-/// down, jet and abrasive on, pierce time, lead-in, contour, lead-out, off, up.
+/// down, jet and abrasive on, pierce, lead-in, contour, lead-out, off, up.
 ///
 /// `bevels_deg` has the bevels of what the contours come from (geometry::Vertex::source); it may be empty. A
 /// jet that leans goes through the contour on the material's upper side, so the nozzle's tip is beside it, by
 /// so much further that the kerf, which is wider there, still ends at the part.
-path::Program cut_program(const std::vector<Cut>& cuts, std::span<const std::size_t> order,
-                          const CutRules& rules, std::span<const double> bevels_deg,
-                          const ProgramOptions& options);
+CutProgram cut_program(const std::vector<Cut>& cuts, std::span<const std::size_t> order,
+                       const CutRules& rules, std::span<const double> bevels_deg,
+                       const ProgramOptions& options);
 
 }  // namespace gsim::cutting

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "cam/waterjet/value_range.h"
 #include "cam/waterjet/water_flow.h"
 
@@ -88,6 +89,21 @@ void settle_speeds(Settlement& settlement, const CuttingRequest& request, Cuttin
         });
 }
 
+/// A time that is given is that of the pierce that is asked for.
+void settle_pierce(Settlement& settlement, const PierceRule& rule, const CuttingRequest& request,
+                   CuttingPlan& plan) {
+    plan.pierce_s = settlement.settle("pierce", "s", request.pierce_s, std::nullopt, [&] {
+        return Inferred{pierce_s(rule, plan.thickness_mm, plan.separation_speed_mm_min),
+                        fmt::format("thickness and separation speed, factor {}, at least {} s", rule.factor,
+                                    rule.least_s)};
+    });
+    if (!request.moving_pierce) return;
+    plan.moving_pierce_s = settlement.settle("moving pierce", "s", request.pierce_s, std::nullopt, [&] {
+        return Inferred{*rule.moving_share * plan.pierce_s,
+                        fmt::format("{} times that at rest", *rule.moving_share)};
+    });
+}
+
 void settle_shape(Settlement& settlement, const Materials& file, const CuttingRequest& request,
                   CuttingPlan& plan) {
     const double share = plan.cutting_speed_mm_min / plan.separation_speed_mm_min;
@@ -98,11 +114,10 @@ void settle_shape(Settlement& settlement, const Materials& file, const CuttingRe
     plan.exit_kerf_mm =
         settlement.inferred("kerf at the exit", "mm",
                             {exit_kerf_mm(file.kerf, plan.kerf_mm, share), "kerf, taper and cutting speed"});
-    plan.pierce_s = settlement.settle("pierce", "s", request.pierce_s, std::nullopt, [&] {
-        return Inferred{pierce_s(file.pierce, plan.thickness_mm, plan.separation_speed_mm_min),
-                        fmt::format("thickness and separation speed, factor {}, at least {} s",
-                                    file.pierce.factor, file.pierce.least_s)};
-    });
+    plan.taper_mm = settlement.inferred(
+        "taper each side", "mm",
+        {taper_mm(file.kerf, plan.kerf_mm, share), "the file's taper and share of the separation speed"});
+    settle_pierce(settlement, file.pierce, request, plan);
     plan.lag_mm = settlement.inferred(
         "jet lag", "mm",
         {lag_mm(file.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, plan.cutting_speed_mm_min),
@@ -143,7 +158,13 @@ tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
     CuttingPlan plan;
     Settlement settlement;
     plan.material = (*material)->name;
+    if (request.moving_pierce && !request.pierce_s && !materials.pierce.moving_share) {
+        return tl::unexpected(
+            std::string("the materials file has no 'moving_share' in [pierce]: how long a moving pierce "
+                        "takes has to be given"));
+    }
     plan.lag = materials.lag;
+    plan.kerf = materials.kerf;
     plan.thickness_mm =
         request.thickness_basis.empty()
             ? settlement.given("thickness", "mm", request.thickness_mm)
@@ -174,6 +195,11 @@ double feed_for_corner_mm_min(const CuttingPlan& plan, double turn_rad) {
 
 double corner_zone_mm(const CuttingPlan& plan) {
     return plan.lag_mm;
+}
+
+double straightening_lean_deg(const CuttingPlan& plan, double feed_mm_min) {
+    const double closes_mm = taper_mm(plan.kerf, plan.kerf_mm, feed_mm_min / plan.separation_speed_mm_min);
+    return std::atan(closes_mm / plan.thickness_mm) * kDegPerRad;
 }
 
 }  // namespace gsim::waterjet

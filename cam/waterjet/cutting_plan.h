@@ -25,6 +25,7 @@ struct CuttingRequest {
     std::optional<double> speed_mm_min;
     std::optional<double> kerf_mm;
     std::optional<double> pierce_s;
+    bool moving_pierce = false;  ///< The nozzle moves meanwhile; pierce_s is of that, too.
 };
 
 /// How it is cut.
@@ -39,12 +40,15 @@ struct CuttingPlan {
     double separation_speed_mm_min = 0;  ///< At which the jet just comes through.
     double kerf_mm = 0;                  ///< At the entry: the tool path lies half of it off the contour.
     double exit_kerf_mm = 0;
-    double pierce_s = 0;                ///< For each pierce, with the nozzle at rest.
-    double lag_mm = 0;                  ///< At the cutting speed.
-    double contour_error_mm = 0;        ///< What of the lag may show.
-    LagRule lag;                        ///< By which curves and corners are slower.
-    std::vector<SettledValue> values;   ///< In the order in which they were settled.
-    std::vector<std::string> warnings;  ///< Sentences.
+    double pierce_s = 0;                    ///< For each pierce, with the nozzle at rest.
+    std::optional<double> moving_pierce_s;  ///< While it moves; none where that was not asked for.
+    double taper_mm = 0;                    ///< By which each side closes at the cutting speed.
+    double lag_mm = 0;                      ///< At the cutting speed.
+    double contour_error_mm = 0;            ///< What of the lag may show.
+    LagRule lag;                            ///< By which curves and corners are slower.
+    KerfRule kerf;                          ///< By which sides lean.
+    std::vector<SettledValue> values;       ///< In the order in which they were settled.
+    std::vector<std::string> warnings;      ///< Sentences.
 };
 
 /// Settles every value. The error is a sentence: an unknown material, a value out of range, a mixing tube
@@ -62,5 +66,9 @@ double feed_for_corner_mm_min(const CuttingPlan& plan, double turn_rad);
 
 /// How long before a corner and behind it the jet's exit has not come round it: the lag at the cutting speed.
 double corner_zone_mm(const CuttingPlan& plan);
+
+/// How far the jet has to lean over the waste, in deg, so that the side of the part gets straight that is cut
+/// at that feed: by what the kerf closes over the thickness.
+double straightening_lean_deg(const CuttingPlan& plan, double feed_mm_min);
 
 }  // namespace gsim::waterjet

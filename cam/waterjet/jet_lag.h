@@ -5,7 +5,7 @@
 namespace gsim::waterjet {
 
 /// How far the jet trails behind the nozzle, and how much of that may show in the contour. These are rules of
-/// this project with numbers that a shop sets (docs/cutting.md); no published ones were at hand.
+/// this project with numbers that a shop sets (docs/waterjet.md); no published ones were at hand.
 struct LagRule {
     double lag_to_thickness = 0;               ///< Of a cut at the separation speed.
     double exponent = 0;                       ///< The lag goes with this power of the speed; > 0.

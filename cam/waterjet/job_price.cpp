@@ -13,7 +13,9 @@ void add_times(JobPrice& price, const CuttingPlan& plan, const JobQuantities& jo
     price.pierces = job.pierces;
     price.cut_time_s =
         job.cut_time_s.value_or(job.cut_length_mm / plan.cutting_speed_mm_min * kSecondsPerMinute);
-    price.pierce_time_s = static_cast<double>(job.pierces) * plan.pierce_s;
+    price.pierce_time_s =
+        static_cast<double>(job.pierces - job.moving_pierces) * plan.pierce_s +
+        static_cast<double>(job.moving_pierces) * plan.moving_pierce_s.value_or(plan.pierce_s);
     price.jet_time_s = price.cut_time_s + price.pierce_time_s;
     price.machine_time_s = price.jet_time_s + job.other_time_s;
 }
@@ -22,7 +24,7 @@ void add_consumption(JobPrice& price, const CuttingPlan& plan, const PriceRule& 
     const double jet_time_min = price.jet_time_s / kSecondsPerMinute;
     const double jet_time_h = price.jet_time_s / kSecondsInHour;
     price.water_l = plan.water_l_min * jet_time_min;
-    price.abrasive_kg = plan.jet.abrasive_g_min * jet_time_min / 1000;
+    price.abrasive_kg = plan.jet.abrasive_g_min * jet_time_min / kGramsPerKg;
     price.recycled_abrasive_kg = prices.recycled_share * price.abrasive_kg;
     price.orifice_wear = jet_time_h / prices.orifice_life_h;
     price.mixing_tube_wear = jet_time_h / prices.mixing_tube_life_h;

@@ -13,8 +13,9 @@ namespace gsim::waterjet {
 struct JobQuantities {
     double cut_length_mm = 0;
     std::size_t pierces = 0;
-    std::optional<double> cut_time_s =
-        std::nullopt;         ///< Without it: the length at the cutting speed of straight lines.
+    std::size_t moving_pierces = 0;  ///< Of those.
+    /// Without it: the length at the cutting speed of straight lines.
+    std::optional<double> cut_time_s = std::nullopt;
     double other_time_s = 0;  ///< Of the machine with the jet off: rapid moves, dwells.
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "cam/waterjet/job_report.h"
 
 namespace gsim::waterjet {
@@ -48,6 +49,32 @@ void append_quantities(std::string& out, const JobPrice& price) {
                    price.recycled_abrasive_kg);
 }
 
+/// A time with the jet on, and what flows meanwhile.
+std::string jet_text(const CuttingPlan& plan, double time_s) {
+    return fmt::format("{:>12.1f} s   {:.3f} kg of abrasive", time_s,
+                       time_s / kSecondsPerMinute * plan.jet.abrasive_g_min / kGramsPerKg);
+}
+
+void append_accuracy(std::string& out, const JobReport& report) {
+    auto end = std::back_inserter(out);
+    const CuttingPlan& plan = report.plan;
+    fmt::format_to(end, "\nAccuracy takes\n  {:<18}{}\n", "curves, corners",
+                   jet_text(plan, report.accuracy.slower_s));
+    if (report.accuracy.straightening_s) {
+        fmt::format_to(end, "  {:<18}{}, leaning {:.3g} deg at the cutting speed\n", "straight sides",
+                       jet_text(plan, *report.accuracy.straightening_s),
+                       straightening_lean_deg(plan, plan.cutting_speed_mm_min));
+    } else {
+        fmt::format_to(end, "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--straighten)\n",
+                       "straight sides", 0, plan.taper_mm);
+    }
+    if (plan.moving_pierce_s) {
+        fmt::format_to(end, "  {:<18}{}\n", "moving pierces",
+                       jet_text(plan, report.price.pierce_time_s -
+                                          plan.pierce_s * static_cast<double>(report.price.pierces)));
+    }
+}
+
 void append_bill(std::string& out, const JobReport& report) {
     auto end = std::back_inserter(out);
     fmt::format_to(end, "\nPrice\n");
@@ -64,6 +91,7 @@ std::string job_report_text(const JobReport& report) {
     std::string out;
     append_plan(out, report.plan);
     append_quantities(out, report.price);
+    append_accuracy(out, report);
     append_bill(out, report);
     return out;
 }

@@ -2,7 +2,7 @@
 
 namespace gsim::waterjet {
 
-/// How wide a cut is. Rules of this project with numbers that a shop sets (docs/cutting.md).
+/// How wide a cut is. Rules of this project with numbers that a shop sets (docs/waterjet.md).
 struct KerfRule {
     double width_to_tube = 0;  ///< Width at the entry, by the mixing tube's diameter; > 0.
     double taper_mm = 0;       ///< By which each side closes towards the exit at the separation speed; >= 0.
@@ -13,8 +13,11 @@ struct KerfRule {
 /// At the entry, in mm.
 double kerf_mm(const KerfRule& rule, double mixing_tube_mm);
 
-/// At the exit, in mm, never below 0: slower cuts have less taper, in proportion to the speed.
-/// `separation_share` is the speed as a share of the separation speed.
+/// By which each side closes towards the exit, in mm, at most half of the kerf: slower cuts have less taper,
+/// in proportion to the speed. `separation_share` is the speed as a share of the separation speed.
+double taper_mm(const KerfRule& rule, double kerf_mm, double separation_share);
+
+/// At the exit, in mm, never below 0.
 double exit_kerf_mm(const KerfRule& rule, double kerf_mm, double separation_share);
 
 }  // namespace gsim::waterjet

@@ -66,7 +66,7 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// A materials file (docs/cutting.md).
+/// A materials file (docs/waterjet.md).
 struct Materials {
     JetRule jet;
     LagRule lag;

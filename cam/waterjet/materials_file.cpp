@@ -22,7 +22,7 @@ constexpr std::array kJetKeys{"pressure_mpa"sv,    "orifice_mm"sv,        "mixin
                               "tube_to_orifice"sv, "abrasive_to_water"sv, "quality"sv};
 constexpr std::array kLagKeys{"lag_to_thickness"sv, "exponent"sv, "contour_error_mm"sv, "least_feed_share"sv};
 constexpr std::array kKerfKeys{"width_to_tube"sv, "taper_mm"sv};
-constexpr std::array kPierceKeys{"factor"sv, "least_s"sv};
+constexpr std::array kPierceKeys{"factor"sv, "least_s"sv, "moving_share"sv};
 constexpr std::array kPriceKeys{
     "currency"sv,       "machine_per_h"sv, "water_per_m3"sv,   "abrasive_per_kg"sv,  "recycled_per_kg"sv,
     "recycled_share"sv, "orifice_each"sv,  "orifice_life_h"sv, "mixing_tube_each"sv, "mixing_tube_life_h"sv,
@@ -45,6 +45,7 @@ constexpr ValueRange kWidthRatio{"width_to_tube", 0.1, 10};
 constexpr ValueRange kTaper{"taper_mm", 0, 100};
 constexpr ValueRange kPierceFactor{"factor", 0.001, 1e4};
 constexpr ValueRange kLeastPierce{"least_s", 0, 1e4};
+constexpr ValueRange kMovingPierce{"moving_share", 0.01, 1};
 constexpr ValueRange kRecycled{"recycled_share", 0, 0.99};
 constexpr double kGreatestPrice = 1e6;
 constexpr double kLeastLife_h = 0.01;
@@ -136,7 +137,9 @@ KerfRule read_kerf(TomlSection& section) {
 }
 
 PierceRule read_pierce(TomlSection& section) {
-    return {.factor = number(section, kPierceFactor), .least_s = number(section, kLeastPierce)};
+    return {.factor = number(section, kPierceFactor),
+            .least_s = number(section, kLeastPierce),
+            .moving_share = optional_number(section, kMovingPierce)};
 }
 
 PriceRule read_prices(TomlSection& section) {

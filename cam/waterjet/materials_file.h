@@ -11,7 +11,7 @@
 
 namespace gsim::waterjet {
 
-/// Reads a materials file (docs/cutting.md) strictly: what it does not know, does not understand or cannot
+/// Reads a materials file (docs/waterjet.md) strictly: what it does not know, does not understand or cannot
 /// use is an error, "file:line:column: sentence". `file_name` is for that alone.
 tl::expected<Materials, std::string> read_materials(std::string_view toml_text, std::string_view file_name);
 

@@ -1,12 +1,17 @@
 #pragma once
 
+#include <optional>
+
 namespace gsim::waterjet {
 
 /// How long the jet takes to come through at one place. A rule of this project with numbers that a shop sets
-/// (docs/cutting.md).
+/// (docs/waterjet.md).
 struct PierceRule {
     double factor = 0;   ///< Times the thickness over the separation speed; > 0.
     double least_s = 0;  ///< However thin the material is; >= 0.
+    /// What a pierce takes of that while the nozzle moves, which leads the jet that comes back away; 0 < ..
+    /// <= 1. None: not known.
+    std::optional<double> moving_share = std::nullopt;
 
     bool operator==(const PierceRule&) const = default;
 };

@@ -24,25 +24,43 @@ waterjet::CuttingRequest cutting_request(const CuttingChoice& choice, double pla
     request.speed_mm_min = choice.speed_mm_min;
     request.kerf_mm = choice.kerf_mm;
     request.pierce_s = choice.pierce_s;
+    request.moving_pierce = choice.moving_pierce;
     return request;
 }
 
-cutting::CutRules rules_of(const waterjet::CuttingPlan& plan) {
-    return {plan.kerf_mm,
-            plan.cutting_speed_mm_min,
-            plan.pierce_s,
+cutting::CutRules rules_of(const waterjet::CuttingPlan& plan, bool straighten) {
+    cutting::CutRules rules{
+        .kerf_mm = plan.kerf_mm,
+        .speed_mm_min = plan.cutting_speed_mm_min,
+        .pierce_s = plan.pierce_s,
+        .moving_pierce_s = plan.moving_pierce_s,
+        .feed_on_arc_mm_min =
             [plan](double radius_mm) { return waterjet::feed_for_radius_mm_min(plan, radius_mm); },
+        .feed_in_corner_mm_min =
             [plan](double turn_rad) { return waterjet::feed_for_corner_mm_min(plan, turn_rad); },
-            waterjet::corner_zone_mm(plan)};
+        .corner_zone_mm = waterjet::corner_zone_mm(plan)};
+    if (straighten) {
+        rules.straightening_lean_deg = [plan](double feed_mm_min) {
+            return waterjet::straightening_lean_deg(plan, feed_mm_min);
+        };
+    }
+    return rules;
 }
 
 tl::expected<SettledCutting, std::string> settle_by_figures(const CuttingChoice& choice) {
     if (!choice.speed_mm_min || !choice.kerf_mm)
         return tl::unexpected(std::string("give --material and --thickness, or --speed and --kerf"));
+    if (choice.straighten)
+        return tl::unexpected(
+            std::string("--straighten needs --material and --thickness: the taper is theirs"));
+    if (choice.moving_pierce && !choice.pierce_s)
+        return tl::unexpected(
+            std::string("--moving-pierce needs --material, or how long it takes (--pierce)"));
     SettledCutting settled;
     settled.rules.kerf_mm = *choice.kerf_mm;
     settled.rules.speed_mm_min = *choice.speed_mm_min;
     settled.rules.pierce_s = choice.pierce_s.value_or(0);
+    if (choice.moving_pierce) settled.rules.moving_pierce_s = settled.rules.pierce_s;
     return settled;
 }
 
@@ -61,8 +79,8 @@ tl::expected<SettledCutting, std::string> settle_cutting(const CuttingChoice& ch
                                                          double plate_mm) {
     if (!materials) return settle_by_figures(choice);
     return waterjet::plan_cutting(*materials, cutting_request(choice, plate_mm))
-        .map([](waterjet::CuttingPlan plan) {
-            SettledCutting settled{.rules = rules_of(plan)};
+        .map([&](waterjet::CuttingPlan plan) {
+            SettledCutting settled{.rules = rules_of(plan, choice.straighten)};
             settled.plan = std::move(plan);
             return settled;
         });

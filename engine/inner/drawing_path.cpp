@@ -38,7 +38,11 @@ CuttingFigures figures_of(const cutting::CutSummary& summary) {
             .without_leads = summary.without_leads,
             .cut_mm = summary.cut_mm,
             .travel_mm = summary.travel_mm,
-            .cut_s = summary.cut_s};
+            .cut_s = summary.cut_s,
+            .slower_s = summary.slower_s,
+            .turning_s = summary.turning_s,
+            .straightening_s = summary.straightening_s,
+            .moving_pierces = summary.moving_pierces};
 }
 
 }  // namespace
@@ -60,7 +64,10 @@ class DrawingPath::State {
   private:
     waterjet::JobPrice price() const {
         return waterjet::price_job(*cutting_.plan, materials_->prices,
-                                   {figures_.cut_mm, figures_.pierces, figures_.cut_s, 0});
+                                   {.cut_length_mm = figures_.cut_mm,
+                                    .pierces = figures_.pierces,
+                                    .moving_pierces = figures_.moving_pierces,
+                                    .cut_time_s = figures_.cut_s});
     }
 
     DrawingRequest request_;
@@ -124,7 +131,11 @@ std::optional<JobFigures> DrawingPath::State::job() const {
 
 std::string DrawingPath::State::job_report() const {
     if (!cutting_.plan) return {};
-    return waterjet::job_report_text({*cutting_.plan, price(), materials_->prices.currency});
+    const waterjet::AccuracyTimes times{.slower_s = figures_.slower_s,
+                                        .straightening_s = request_.cutting.straighten
+                                                               ? std::optional(figures_.straightening_s)
+                                                               : std::nullopt};
+    return waterjet::job_report_text({*cutting_.plan, price(), times, materials_->prices.currency});
 }
 
 tl::expected<DrawingPath, Failure> DrawingPath::open(DrawingRequest request) {

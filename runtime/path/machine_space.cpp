@@ -27,13 +27,14 @@ double cleaned(double value) {
     return std::abs(value) < 1e-10 ? 0.0 : value;
 }
 
-// A pose whose Z goes in a direction of length 1, turned the shortest way (not by Eigen's FromTwoVectors(),
-// which takes three seconds to compile).
-rrs::CartPos pose_with_axis(const Vector3d& direction) {
-    const double lean = std::hypot(direction.x(), direction.y());
-    const Vector3d about =
-        lean > 0 ? Vector3d(-direction.y() / lean, direction.x() / lean, 0) : Vector3d::UnitX();
-    return rrs::CartPos(Eigen::AngleAxisd(std::atan2(lean, direction.z()), about));
+// That rotation, turned the shortest way (not by Eigen's FromTwoVectors(), which takes three seconds to
+// compile) so that Z goes in a direction of length 1.
+Eigen::Matrix3d turned_to_axis(const Eigen::Matrix3d& rotation, const Vector3d& direction) {
+    const Vector3d z = rotation.col(2);
+    const Vector3d across = z.cross(direction);
+    const double sine = across.norm();
+    const Vector3d about = sine > 0 ? Vector3d(across / sine) : Vector3d(rotation.col(0));
+    return Eigen::AngleAxisd(std::atan2(sine, z.dot(direction)), about) * rotation;
 }
 
 AxisValues pair(double first, double second) {
@@ -162,19 +163,27 @@ Vector3d MachineSpace::linear(const AxisValues& axes) const {
             axes[static_cast<Eigen::Index>(linear_[2])]};
 }
 
-tl::expected<std::vector<AxisValues>, std::string> MachineSpace::rotary_for(const Vector& tip_mm,
-                                                                            const Orientation& orientation,
-                                                                            const AxisValues& near) const {
+// Of an orientation that is an axis alone, the turn about it is that of `from` as far as can be: another one,
+// which the inverse kinematics may reach exactly, would draw them away from what is near.
+rrs::CartPos MachineSpace::pose_for(const Vector3d& tip_mm, const Orientation& orientation,
+                                    const rrs::JointPos& from) const {
     rrs::CartPos pose;
     if (const auto* axis = std::get_if<ToolAxis>(&orientation)) {
-        pose = pose_with_axis(to_eigen(axis->direction).normalized());
+        pose.linear() =
+            turned_to_axis(kinematics_->forward(from).linear(), to_eigen(axis->direction).normalized());
     } else {
         const auto& rpy = std::get<RollPitchYaw>(orientation);
         pose = kinematics::pose_from_rpy(
             {0, 0, 0, rpy.roll_deg * kRadPerDeg, rpy.pitch_deg * kRadPerDeg, rpy.yaw_deg * kRadPerDeg});
     }
-    pose.translation() = to_eigen(tip_mm);
+    pose.translation() = tip_mm;
+    return pose;
+}
 
+tl::expected<std::vector<AxisValues>, std::string> MachineSpace::rotary_for(const Vector& tip_mm,
+                                                                            const Orientation& orientation,
+                                                                            const AxisValues& near) const {
+    const Vector3d tip = to_eigen(tip_mm);
     std::vector<AxisValues> starts;
     starts.reserve(3);
     starts.push_back(near);
@@ -185,7 +194,8 @@ tl::expected<std::vector<AxisValues>, std::string> MachineSpace::rotary_for(cons
     std::vector<AxisValues> found;
     std::string fault;
     for (const AxisValues& start : starts) {
-        const auto solution = kinematics_->inverse(pose, joints(axes(pose.translation(), start)));
+        const rrs::JointPos from = joints(axes(tip, start));
+        const auto solution = kinematics_->inverse(pose_for(tip, orientation, from), from);
         if (!solution) {
             if (fault.empty()) fault = solution.error();
             continue;

@@ -53,6 +53,8 @@ class MachineSpace {
   private:
     explicit MachineSpace(const machine::Machine& machine) : machine_(&machine) {}
     rrs::JointPos joints(const AxisValues& axes) const;
+    rrs::CartPos pose_for(const Eigen::Vector3d& tip_mm, const Orientation& orientation,
+                          const rrs::JointPos& from) const;
     AxisValues with_rotary(const AxisValues& rotary) const;
     Eigen::Vector3d tip(const AxisValues& axes) const;
     void study();

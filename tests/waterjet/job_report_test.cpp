@@ -16,9 +16,10 @@ using testing::HasSubstr;
 struct Reported {
     CuttingPlan plan = sample_plan("HY-80 steel", 25, 3);
     JobPrice price = price_job(plan, sample_materials().prices, {.cut_length_mm = 1234.5, .pierces = 3});
+    AccuracyTimes accuracy = {};
     std::string currency = sample_materials().prices.currency;
 
-    JobReport report() const { return {plan, price, currency}; }
+    JobReport report() const { return {plan, price, accuracy, currency}; }
 };
 
 TEST(JobReport, TextSaysFromWhatAValueIs) {

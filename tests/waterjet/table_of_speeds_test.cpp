@@ -13,7 +13,7 @@ namespace {
 struct Row {
     const char* material;
     double speed_mm_min;
-    double ratio;  // of the model's speed to the table's, as docs/cutting.md has it
+    double ratio;  // of the model's speed to the table's, as docs/waterjet.md has it
 };
 
 constexpr Row kTable[] = {
