@@ -1,9 +1,10 @@
 #!/bin/bash
 # Looks at our own sources without running them.
 # Usage: scripts/lint.sh format         is everything formatted as .clang-format says, are tests named NamedLikeThis?
-#        scripts/lint.sh tidy           clang-tidy (.clang-tidy) over all sources of the programs, in batches: most of the time goes into
-#                                       headers, which are looked at once for each batch
-#        scripts/lint.sh alone COMMITS  does each source that the last commits changed compile by itself? Batches hide a missing #include
+#        scripts/lint.sh tidy [SINCE]   clang-tidy (.clang-tidy) over all sources of the programs, in batches: most of the time goes into
+#                                       headers, which are looked at once for each batch. SINCE, a commit: over the batches with sources that
+#                                       have changed since
+#        scripts/lint.sh alone SINCE    does each source that has changed since that commit compile by itself? Batches hide a missing #include
 set -euo pipefail
 
 cd "$(dirname "$0")/.."
@@ -32,13 +33,34 @@ prepare() {
     cmake --build "$1" --target generated >/dev/null
 }
 
+# The sources that have changed since a commit, and those that include a header that has.
+changed() {
+    local base=$1 file
+    git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
+        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi
+    done | sed -nE "\\#^($rooms|tests)/#p" | sort -u
+}
+
+# The batches and sources in which a commit's changes are, as patterns of whole names.
+batches_since() {
+    local source batches
+    changed "$1" | while read -r source; do
+        batches=$(grep -rlF --include='*.cxx' "\"$PWD/$source\"" build-lint) || true
+        printf '%s\n' "${batches:-$source}"
+    done | sort -u | sed -E 's#^build-lint/#'"$PWD"'/build-lint/#; s#^([^/].*)#'"$PWD"'/\1#; s/[.]/\\./g; s/^/^/; s/$/$/'
+}
+
 # Batches include sources. g++'s parameters are not clang's.
 tidy() {
-    local log own="^$PWD/($rooms)/"
+    local since=${1:-} log own="^$PWD/($rooms)/" files
     prepare build-lint
+    files=("^$PWD/build-lint/($rooms)/.*/Unity/" "$own.*\.cpp\$")
+    if [[ -n $since ]] && git diff --quiet "$since" -- .clang-tidy; then
+        mapfile -t files < <(batches_since "$since")
+        ((${#files[@]} > 0)) || return 0
+    fi
     log=$(mktemp)
-    if run-clang-tidy -quiet -j "$(scripts/jobs.sh)" -p build-lint -header-filter="$own" \
-        "^$PWD/build-lint/($rooms)/.*/Unity/" "$own.*\.cpp\$" >"$log" 2>&1; then
+    if run-clang-tidy -quiet -j "$(scripts/jobs.sh)" -p build-lint -header-filter="$own" "${files[@]}" >"$log" 2>&1; then
         rm -f "$log"
         return
     fi
@@ -47,27 +69,17 @@ tidy() {
     return 1
 }
 
-# The sources that the last commits changed, and those that include a header that they changed.
-changed() {
-    local base=$1 file
-    git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
-        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi
-    done | sed -nE "\\#^($rooms|tests)/#p" | sort -u
-}
-
 alone() {
-    local base
-    base=$(git rev-parse --verify --quiet "HEAD~$1" || git rev-list --max-parents=0 HEAD)
     prepare build-alone -DCMAKE_UNITY_BUILD=OFF -DGSIM_TESTS=ON
-    changed "$base" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
+    changed "$1" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
 }
 
 case ${1:-} in
 format) format ;;
-tidy) tidy ;;
-alone) alone "${2:?how many commits}" ;;
+tidy) tidy "${2:-}" ;;
+alone) alone "${2:?since which commit}" ;;
 *)
-    echo "usage: $0 format | tidy | alone COMMITS" >&2
+    echo "usage: $0 format | tidy [SINCE] | alone SINCE" >&2
     exit 2
     ;;
 esac

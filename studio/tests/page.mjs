@@ -1,11 +1,12 @@
 // Tries the page in Chromium, without a window, as a person uses it. Usage: node page.mjs BUILD [PART-OF-A-NAME]
 // GSIM_RENEW_PICTURES=1 writes the kept pictures anew: look at them before they are committed. Times are printed, and fail nothing.
-// LANES=2 tries two cases at once, each in a browser of its own, which times then suffer from.
+// LANES=2 tries two cases at once, each in a browser of its own, which times then suffer from. PART=2/3 tries each third case, from the second on.
 // Closes with "N passed, N failed".
 
 import { readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { closeBrowsers } from "./browser.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const build = resolve(process.argv[2] ?? join(here, "../../build"));
@@ -24,6 +25,9 @@ for (const file of readdirSync(join(here, "cases")).filter((name) => name.endsWi
   cases.push(...Object.entries(those).filter(([name]) => name.includes(wanted)));
 }
 
+const [part, parts] = (process.env.PART ?? "1/1").split("/").map(Number);
+cases.splice(0, cases.length, ...cases.filter((_, index) => index % parts === part - 1));
+
 let [passed, failed] = [0, 0];
 async function tryCase([name, test]) {
   const began = performance.now();
@@ -41,5 +45,6 @@ async function lane() {
   for (let next = cases.shift(); next; next = cases.shift()) await tryCase(next);
 }
 await Promise.all(Array.from({ length: Number(process.env.LANES ?? 1) }, lane));
+await closeBrowsers();
 console.log(`${passed} passed, ${failed} failed`);
 process.exitCode = failed > 0 ? 1 : 0;

@@ -7,13 +7,13 @@ import { openPage } from "./browser.mjs";
 
 /** Opens a page, waits for its first run, and closes it behind `test`; what goes wrong in the page fails, but for what is `expected`. */
 export async function withPage(file, test, { expected, ...options } = {}) {
-  const { browser, page, faults } = await openPage(file, options);
+  const { page, faults, close } = await openPage(file, options);
   try {
     await page.waitForFunction(() => window.studio?.store.get("run")?.report, null, { timeout: 60_000 });
     await test(page);
     assert.deepEqual(faults.filter((fault) => !expected?.test(fault)), []);
   } finally {
-    await browser.close();
+    await close();
   }
 }
 

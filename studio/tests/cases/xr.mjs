@@ -120,12 +120,12 @@ export default {
 
   "a page of a finished run has no button for a headset": async (places) => {
     const view = join(dirname(places.studio), "view.html");
-    const { browser, page, faults } = await openPage(view, { before: { script: emulateHeadset, argument: {} } });
+    const { page, faults, close } = await openPage(view, { before: { script: emulateHeadset, argument: {} } });
     await page.waitForFunction(() => window.studio);
     assert.equal(await page.evaluate(() => navigator.xr.asked), 0);
     assert.equal(await page.getByRole("button", { name: /VR/ }).count(), 0);
     assert.deepEqual(faults, []);
-    await browser.close();
+    await close();
   },
 
   "both eyes see the cell in metres, from in front of it, on its floor": (places) =>
