@@ -129,9 +129,7 @@ std::string refusal(const std::vector<std::string>& faults, const std::string& k
 class KeyOfDocument {
   public:
     KeyOfDocument(KeyedFile file, const json& table, const json& key)
-        : file_(file),
-          name_(key["name"]),
-          edit_(TomlEdit::read(document(file), "d.toml").value()) {
+        : file_(file), name_(key["name"]), edit_(TomlEdit::read(document(file), "d.toml").value()) {
         for (const json& step : table["at"]) {
             const json* there = at(path_);
             path_.emplace_back(step.get<std::string>());
