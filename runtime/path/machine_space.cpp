@@ -111,6 +111,10 @@ Vector3d MachineSpace::tip(const AxisValues& axes) const {
     return kinematics_->forward(joints(axes)).translation();
 }
 
+Vector3d MachineSpace::tool_axis(const AxisValues& axes) const {
+    return kinematics_->forward(joints(axes)).linear().col(2);
+}
+
 AxisValues MachineSpace::home() const {
     AxisValues values(static_cast<Eigen::Index>(machine_->axes.size()));
     for (Eigen::Index i = 0; i < values.size(); ++i) {

@@ -32,6 +32,8 @@ class MachineSpace {
     bool coupled() const { return coupled_; }
     /// All axes with the tip at `tip_mm` and the rotary axes at these values.
     AxisValues axes(const Eigen::Vector3d& tip_mm, const AxisValues& rotary) const;
+    /// Where the tool points up to, a unit vector.
+    Eigen::Vector3d tool_axis(const AxisValues& axes) const;
     /// X, Y and Z of them.
     Eigen::Vector3d linear(const AxisValues& axes) const;
 

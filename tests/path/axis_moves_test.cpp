@@ -1,10 +1,12 @@
 // Machines whose tip is off the axes that turn it: the tip keeps to its lines and arcs while it turns.
 #include "runtime/path/axis_moves.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "base/units.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/merged_lines.h"
 
@@ -112,6 +114,42 @@ TEST(AxisMoves, AnArcStaysOneWhileTheHeadIsStill) {
         const Vector3d tip = turning.middle(i);
         EXPECT_NEAR(std::hypot(tip.x() - 950, tip.y() - 800), 50, 1.5 * kTolerance_mm) << i;
         EXPECT_NEAR(tip.z(), 300, 1.5 * kTolerance_mm);
+    }
+}
+
+// A half circle whose ends lean opposite ways has two ways between them, of which the axes take the shorter
+// one.
+TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
+    const auto leaning = [](const Vector& at, double x, double y) {
+        Point point = to(at, 0, 0);
+        point.orientation = ToolAxis{{x, y, 1}};
+        return point;
+    };
+    Point half = leaning({1000, 800, 300}, -0.5, 0);
+    half.motion = MotionType::circular;
+    half.arc = CenterArc{{950, 800, 300}, {0, 0, 1}, 180};
+    const Moved over({leaning({900, 800, 300}, 0.5, 0), half});
+    EXPECT_TRUE(std::any_of(over.log.notes.begin(), over.log.notes.end(), [](const std::string& note) {
+        return note.find("stands upright between them") != std::string::npos;
+    }));
+
+    std::vector<Target> targets{leaning({900, 800, 300}, 0.5, 0)};
+    for (const double turn_deg : {45, 90, 135, 180}) {
+        const double angle = (180 + turn_deg) * kRadPerDeg;
+        Point part = leaning({950 + 50 * std::cos(angle), 800 + 50 * std::sin(angle), 300},
+                             -0.5 * std::cos(angle), -0.5 * std::sin(angle));
+        part.motion = MotionType::circular;
+        part.arc = CenterArc{{950, 800, 300}, {0, 0, 1}, 45};
+        targets.emplace_back(part);
+    }
+    const Moved along(std::move(targets));
+    EXPECT_EQ(along.fault, "");
+    for (const std::string& note : along.log.notes)
+        EXPECT_EQ(note.find("upright"), std::string::npos) << note;
+    for (std::size_t i = 1; i < along.log.moves.size(); ++i) {
+        const AxisValues middle = (along.log.moves[i - 1].axes + along.log.moves[i].axes) / 2;
+        const Vector3d axis = MachineSpace::make(along.machine).value().tool_axis(middle);
+        EXPECT_NEAR(std::hypot(axis.x(), axis.y()) / axis.z(), 0.5, 1e-3) << "on the cone";
     }
 }
 
