@@ -24,6 +24,7 @@ struct PoseChoice {
                                                           ///< turn about it is the least from `near`.
     std::optional<std::array<double, 3>> rpy_deg = {};    ///< Roll about Z, pitch about Y, yaw about X.
     /// Where several ways of the axes lead to the tip, they are told from here; left out: `joints`, or home.
+    /// Axes of groups that the inverse leaves alone stay here.
     std::optional<std::vector<double>> near = {};
     /// How far the tip is from the tool centre point, against the tool's axis; below 0 where Z of the tool's
     /// frame looks out of the tool, as with arms.

@@ -1,7 +1,7 @@
 -- The files of the library that each dialect has; those that they need come with them. Their order does not matter.
 
 local both = {
-  "arcs", "comp_words", "expressions", "feed", "frames", "inputs", "modules", "motion", "neutral", "points", "polar",
+  "arcs", "comp_words", "expressions", "feed", "frames", "groups", "inputs", "modules", "motion", "neutral", "points", "polar",
   "probe", "processes", "programs", "stored_data", "switches", "times", "tools", "user_codes", "zones",
 }
 

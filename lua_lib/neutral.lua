@@ -1,20 +1,27 @@
 -- Robot-neutral moves to poses: mm and degrees, roll about Z, pitch about Y, yaw about X. The feed is F, in
 -- mm/min; a joint move is as fast as the joints are. A linear move is a line of the tool in the work frame, a circular
--- one an arc; where the linear axes alone carry the tip these are lines and arcs of the axes.
+-- one an arc; where the linear axes alone carry the tip these are lines and arcs of the axes. Groups of axes go beside
+-- them: MoveLinear{x=, ..., table={c=90}}.
 
 local alarm = use("basics", "alarm")
 local word = use("words", "word")
 local axes, compensation, path = use "axes", use "compensation", use "path"
 
 local parts = { x = true, y = true, z = true, roll = true, pitch = true, yaw = true }
+local groups = {}
+for _, name in ipairs(core.group_names()) do groups[name] = true end
+
+local function refuse(key, name)
+  local names = core.group_names()
+  local beside = #names > 0 and "; its groups are: " .. table.concat(names, ", ") or ""
+  alarm("word-out-of-place", "%s: a pose has x, y, z, roll, pitch and yaw, and no '%s'%s", name, tostring(key), beside)
+end
 
 local function checked(pose, name)
   if type(pose) ~= "table" then alarm("script", "%s takes a pose: %s{x=, y=, z=, roll=, pitch=, yaw=}", name, name) end
   for key, value in pairs(pose) do
-    if not parts[key] then
-      alarm("word-out-of-place", "%s: a pose has x, y, z, roll, pitch and yaw, and no '%s'", name, tostring(key))
-    end
-    if type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, key) end
+    if not parts[key] and not groups[key] then refuse(key, name) end
+    if parts[key] and type(value) ~= "number" then alarm("script", "%s: the value of '%s' is no number", name, key) end
   end
   return pose
 end
@@ -44,6 +51,9 @@ word("MoveCircular", function(poses)
   end
   begin("MoveCircular")
   local via, to = checked(poses.via, "MoveCircular"), checked(poses.to, "MoveCircular")
+  for name in pairs(groups) do
+    if via[name] then alarm("word-out-of-place", "MoveCircular: where the group '%s' goes is told by 'to'", name) end
+  end
   if core.tip_turns() then
     core.pose_move(to, via)
   else

@@ -94,6 +94,7 @@ def program_runs():
     yield Run(SAMPLES / "cell", ("run", Input("slides.lua"), "--robots", Input("slides.toml"), "--json"), (Input("slide.toml"),))
     yield Run(SAMPLES, ("run", Input("mill/dome.nc"), "--machine", Input("machines/mill-head-table.toml"), "--json"))
     yield Run(SAMPLES, ("run", Input("mill/turntable.nc"), "--machine", Input("machines/mill-table-table.toml"), "--json"))
+    yield Run(SAMPLES, ("run", Input("cell/seam.lua"), "--machine", Input("machines/arm6-cell.toml"), "--json"))
     yield Run(SAMPLES, ("run", Input("wheel.nc"), "--cell", Input("cell/wheel.toml"), "--json"), (Input("cell/wheel.obj"),))
     for program in ("left.nc", "clamp.nc"):
         yield Run(SAMPLES / "cell", ("run", Input(program), "--cell", Input("table.toml"), "--json"), (Input("mould.stl"),))

@@ -36,7 +36,9 @@ InverseCheck check_inverse(const machine::Machine& machine, const machine::Joint
     for (int number = 1; number <= check.poses; ++number) {
         const rrs::JointPos joints = box.at(machine::halton_point(number, kinematics->joint_count()));
         const rrs::CartPos pose = kinematics->forward(joints);
-        const auto found = kinematics->inverse(pose, home);
+        rrs::JointPos near = home;
+        for (const int held : kinematics->held_joints()) near[held] = joints[held];
+        const auto found = kinematics->inverse(pose, near);
         const bool well_before = check.closes();
         if (!found) {
             if (check.unsolved++ == 0) check.sentence = found.error();

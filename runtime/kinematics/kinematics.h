@@ -63,6 +63,9 @@ class Kinematics {
     /// elsewhere, and where the inverse does not mind.
     virtual std::vector<int> lined_up(const rrs::JointPos&) const { return {}; }
 
+    /// The joints that inverse() and solutions() leave where `near` has them (groups of axes).
+    virtual std::vector<int> held_joints() const { return {}; }
+
     /// The head that turns the tool, where the machine has such a one.
     virtual std::optional<TiltingHead> tilting_head() const { return std::nullopt; }
 };

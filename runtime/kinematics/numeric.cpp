@@ -52,29 +52,37 @@ rrs::JointPos clamped(const std::vector<JointRange>& ranges, rrs::JointPos joint
 
 }  // namespace
 
-NumericKinematics::NumericKinematics(Chain chain, std::vector<JointRange> ranges)
-    : chain_(std::move(chain)), ranges_(std::move(ranges)), mm_per_rad_(mm_per_rad(chain_)) {
+NumericKinematics::NumericKinematics(Chain chain, std::vector<JointRange> ranges, std::vector<int> held)
+    : chain_(std::move(chain)),
+      ranges_(std::move(ranges)),
+      held_(std::move(held)),
+      mm_per_rad_(mm_per_rad(chain_)) {
     no_ranges_.resize(static_cast<std::size_t>(chain_.joint_count()));
     if (ranges_.empty()) ranges_ = no_ranges_;
 }
 
 tl::expected<std::shared_ptr<const NumericKinematics>, std::string> NumericKinematics::make(
-    Chain chain, std::vector<JointRange> ranges) {
+    Chain chain, std::vector<JointRange> ranges, std::vector<int> held) {
     if (auto fault = find_fault(chain, ranges)) return tl::unexpected(*std::move(fault));
     if (chain.joint_count() == 0)
         return tl::unexpected<std::string>("The numeric inverse needs a chain with at least one joint.");
     if (!chain.forward(rrs::JointPos::Zero(chain.joint_count())).matrix().allFinite())
         return tl::unexpected<std::string>("The kinematic chain holds a value that is not finite.");
     return std::shared_ptr<const NumericKinematics>(
-        new NumericKinematics(std::move(chain), std::move(ranges)));
+        new NumericKinematics(std::move(chain), std::move(ranges), std::move(held)));
+}
+
+bool NumericKinematics::is_held(int joint) const {
+    return std::find(held_.begin(), held_.end(), joint) != held_.end();
 }
 
 // Start 0 is where the machine stands. The others are spread over the ranges, but over no more than a turn of
 // a revolute joint, and than the chain's reach about `near` of a slide without ends.
 rrs::JointPos NumericKinematics::start(int number, const rrs::JointPos& near) const {
-    if (number == 0) return clamped(ranges_, near);
-    rrs::JointPos joints(near.size());
+    rrs::JointPos joints = clamped(ranges_, near);
+    if (number == 0) return joints;
     for (int i = 0; i < joint_count(); ++i) {
+        if (is_held(i)) continue;
         const JointRange& range = ranges_[static_cast<std::size_t>(i)];
         const bool revolute = chain_.kind(i) == rrs::JointKind::revolute;
         const double half = revolute ? std::numbers::pi : mm_per_rad_;
@@ -100,7 +108,7 @@ rrs::JointPos NumericKinematics::step(const Stance& stance, const Twist& left, c
     scaled.topRows<3>() /= mm_per_rad_;
     for (int i = 0; i < joint_count(); ++i) {
         unit[i] = chain_.kind(i) == rrs::JointKind::prismatic ? mm_per_rad_ : 1;
-        scaled.col(i) *= unit[i];
+        scaled.col(i) *= is_held(i) ? 0 : unit[i];
     }
     Twist goal = left;
     goal.head<3>() /= mm_per_rad_;
@@ -161,9 +169,23 @@ NumericKinematics::Attempt NumericKinematics::attempt(const rrs::CartPos& pose, 
     return held;
 }
 
+std::optional<std::string> NumericKinematics::find_held_fault(const rrs::JointPos& near) const {
+    for (const int joint : held_) {
+        const JointRange& range = ranges_[static_cast<std::size_t>(joint)];
+        if (near[joint] >= range.min - kReached_mm && near[joint] <= range.max + kReached_mm) continue;
+        const bool slides = chain_.kind(joint) == rrs::JointKind::prismatic;
+        const double unit = slides ? 1 : kDegPerRad;
+        return fmt::format(
+            "The pose is out of reach: {} would stand at {:.6g} {}, outside of its range {:.6g} .. {:.6g}.",
+            names({joint}), near[joint] * unit, slides ? "mm" : "deg", range.min * unit, range.max * unit);
+    }
+    return std::nullopt;
+}
+
 tl::expected<rrs::JointPos, std::string> NumericKinematics::inverse(const rrs::CartPos& pose,
                                                                     const rrs::JointPos& near) const {
     if (auto fault = find_fault(chain_, pose, near)) return tl::unexpected(*std::move(fault));
+    if (auto fault = find_held_fault(near)) return tl::unexpected(*std::move(fault));
     Attempt best;
     for (int number = 0; number < kStarts; ++number) {
         Attempt next = attempt(pose, start(number, near), near);
@@ -176,6 +198,7 @@ tl::expected<rrs::JointPos, std::string> NumericKinematics::inverse(const rrs::C
 tl::expected<std::vector<rrs::JointPos>, std::string> NumericKinematics::solutions(
     const rrs::CartPos& pose, const rrs::JointPos& near) const {
     if (auto fault = find_fault(chain_, pose, near)) return tl::unexpected(*std::move(fault));
+    if (auto fault = find_held_fault(near)) return tl::unexpected(*std::move(fault));
     std::vector<Solution> found;
     Attempt best;
     for (int number = 0; number < kStarts; ++number) {
@@ -191,7 +214,22 @@ tl::expected<std::vector<rrs::JointPos>, std::string> NumericKinematics::solutio
 }
 
 std::vector<int> NumericKinematics::lined_up(const rrs::JointPos& joints) const {
-    return kinematics::lined_up(stance(chain_, joints), mm_per_rad_, kSingular);
+    return lined_up(joints, kSingular);
+}
+
+// Joints that are held make up for none that line up.
+std::vector<int> NumericKinematics::lined_up(const rrs::JointPos& joints, double threshold) const {
+    Stance here = stance(chain_, joints);
+    std::vector<int> moved;
+    for (int i = 0; i < joint_count(); ++i) {
+        if (is_held(i)) continue;
+        here.jacobian.col(static_cast<Eigen::Index>(moved.size())) = here.jacobian.col(i);
+        moved.push_back(i);
+    }
+    here.jacobian.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(moved.size()));
+    std::vector<int> found = kinematics::lined_up(here, mm_per_rad_, threshold);
+    for (int& joint : found) joint = moved[static_cast<std::size_t>(joint)];
+    return found;
 }
 
 std::string NumericKinematics::names(const std::vector<int>& joints) const {
@@ -214,10 +252,10 @@ std::string NumericKinematics::out_of_reach(const rrs::CartPos& pose, const Atte
     std::vector<int> at_end;
     for (int i = 0; i < joint_count(); ++i) {
         const JointRange& range = ranges_[static_cast<std::size_t>(i)];
+        if (is_held(i)) continue;
         if (best.joints[i] <= range.min || best.joints[i] >= range.max) at_end.push_back(i);
     }
-    const std::vector<int> aligned =
-        kinematics::lined_up(stance(chain_, best.joints), mm_per_rad_, kNearlySingular);
+    const std::vector<int> aligned = lined_up(best.joints, kNearlySingular);
     if (!at_end.empty()) sentence += fmt::format(", with {} at an end of the range", names(at_end));
     if (!aligned.empty()) sentence += fmt::format(", where {} line up", names(aligned));
     return sentence + ".";

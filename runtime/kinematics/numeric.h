@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,9 +21,10 @@ namespace gsim::kinematics {
 /// orientation.
 class NumericKinematics : public Kinematics {
   public:
-    /// `ranges` of all joints, or none where there are no limits. The error is a sentence.
+    /// `ranges` of all joints, or none where there are no limits; `held` are the joints that no search moves,
+    /// by their indices. The error is a sentence.
     static tl::expected<std::shared_ptr<const NumericKinematics>, std::string> make(
-        Chain chain, std::vector<JointRange> ranges = {});
+        Chain chain, std::vector<JointRange> ranges = {}, std::vector<int> held = {});
 
     const Chain& chain() const override { return chain_; }
     int joint_count() const override { return chain_.joint_count(); }
@@ -41,6 +43,7 @@ class NumericKinematics : public Kinematics {
                                                                     const rrs::JointPos& near) const override;
 
     std::vector<int> lined_up(const rrs::JointPos& joints) const override;
+    std::vector<int> held_joints() const override { return held_; }
 
   private:
     struct Attempt {
@@ -50,7 +53,10 @@ class NumericKinematics : public Kinematics {
         bool reached = false;
     };
 
-    NumericKinematics(Chain chain, std::vector<JointRange> ranges);
+    NumericKinematics(Chain chain, std::vector<JointRange> ranges, std::vector<int> held);
+    bool is_held(int joint) const;
+    std::optional<std::string> find_held_fault(const rrs::JointPos& near) const;
+    std::vector<int> lined_up(const rrs::JointPos& joints, double threshold) const;
     rrs::JointPos start(int number, const rrs::JointPos& near) const;
     double size(const Twist& left) const;
     rrs::JointPos step(const Stance& stance, const Twist& left, const rrs::JointPos& joints,
@@ -64,6 +70,7 @@ class NumericKinematics : public Kinematics {
     Chain chain_;
     std::vector<JointRange> ranges_;
     std::vector<JointRange> no_ranges_;  ///< As many without ends.
+    std::vector<int> held_;
     double mm_per_rad_ = 1;
 };
 

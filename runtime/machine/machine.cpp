@@ -56,13 +56,22 @@ std::vector<kinematics::JointRange> ranges(const Machine& machine) {
     return list;
 }
 
+// What the inverse leaves where the program has it.
+std::vector<int> held_joints(const Machine& machine) {
+    std::vector<int> joints;
+    for (const AxisGroup& group : machine.groups) {
+        for (const std::size_t axis : group.axes) joints.push_back(static_cast<int>(axis));
+    }
+    return joints;
+}
+
 using Made = tl::expected<std::shared_ptr<const kinematics::Kinematics>, std::string>;
 
 Made make(const Machine& machine) {
     switch (machine.inverse) {
         case InverseKind::gantry: return kinematics::GantryKinematics::make(chain(machine), ranges(machine));
         case InverseKind::numeric:
-            return kinematics::NumericKinematics::make(chain(machine), ranges(machine));
+            return kinematics::NumericKinematics::make(chain(machine), ranges(machine), held_joints(machine));
         case InverseKind::none: break;
     }
     return std::make_shared<kinematics::ChainKinematics>(chain(machine));

@@ -10,6 +10,7 @@
 
 #include "runtime/kinematics/kinematics.h"
 #include "runtime/machine/axis_direction.h"
+#include "runtime/machine/axis_group.h"
 #include "runtime/machine/frame.h"
 #include "runtime/machine/link_shape.h"
 #include "runtime/machine/process.h"
@@ -104,6 +105,7 @@ struct Machine {
     std::vector<LinkShape> shapes = {};  ///< Its own bodies; their names differ.
     /// Pairs of shapes, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
+    std::vector<AxisGroup> groups = {};  ///< Their names differ.
 
     /// Index of the axis with this (upper case) letter.
     std::optional<std::size_t> find(char letter) const;

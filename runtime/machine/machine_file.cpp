@@ -8,6 +8,7 @@
 #include "runtime/machine/controller_keys.h"
 #include "runtime/machine/embedded_machines.h"
 #include "runtime/machine/frame_section.h"
+#include "runtime/machine/group_section.h"
 #include "runtime/machine/link_shapes.h"
 #include "runtime/machine/process_section.h"
 #include "runtime/machine/program_section.h"
@@ -29,7 +30,7 @@ constexpr char kNoLetter = '?';  // of an axis that could not be read
 
 constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "tool"sv,   "work"sv,
                                       "controller"sv, "axis"sv,    "shape"sv, "ignore"sv, "process"sv,
-                                      "checks"sv,     "program"sv, "times"sv};
+                                      "checks"sv,     "program"sv, "times"sv, "group"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
@@ -253,6 +254,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
                                           [](const Axis& axis) { return axis.letter == kNoLetter; });
     if (machine.axes.empty() || !has_letters) return machine;
     read_link_shapes(error, file, root, folder, files, machine);
+    read_groups(error, file, machine);
     if (error.text()) return machine;
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;

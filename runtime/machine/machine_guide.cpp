@@ -20,6 +20,7 @@ GuideTable document_table() {
                      table_key("checks", "what a run looks for in the process"),
                      table_key("times", "how long words take"),
                      required(list_key("axis", KeyKind::table, 0, "the axes, from the world on")),
+                     list_key("group", KeyKind::table, 0, "axes that are a unit of their own"),
                      list_key("shape", KeyKind::table, 0, "the bodies of the machine itself"),
                      list_key("ignore", KeyKind::list, 0, "pairs of these shapes that may touch")}};
 }
@@ -160,6 +161,18 @@ GuideTable dh_table() {
                      number_key("alpha_deg", kFinite, "0.0", "turn about X")}};
 }
 
+GuideTable group_table() {
+    return {
+        .at = {"group"},
+        .many = true,
+        .meaning = "axes that are a unit of their own: a positioner, a track",
+        .keys = {required(text_key("name", "", "as programs call it: letters, digits and _")),
+                 required(list_key("axes", KeyKind::text, 0, "letters of its axes")),
+                 choice_key("motion", "\"synchronous\"", {"synchronous", "coordinated", "independent"},
+                            "how they move beside the tool's moves to poses, until a program says another "
+                            "way")}};
+}
+
 GuideTable shape_table() {
     return {
         .at = {"shape"},
@@ -190,6 +203,7 @@ std::vector<GuideTable> machine_guide() {
         axis_table(true, "deg"),
         frame_table({"axis", "frame"}, true, "from the joint before to this one"),
         dh_table(),
+        group_table(),
         shape_table(),
         {.at = {"shape", "shape"}, .many = true, .meaning = "the form of a body", .keys = form_guide()},
         frame_table({"shape", "frame"}, true, "where a body is")};

@@ -3,6 +3,7 @@
 #include "base/toml/toml_text.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/frame_section.h"
+#include "runtime/machine/group_section.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/machine/print_shapes.h"
 #include "runtime/machine/process_section.h"
@@ -106,6 +107,7 @@ std::string print_machine(const Machine& machine) {
     if (machine.process) print_process(out, *machine.process);
     print_times(out, machine.times);
     for (const Axis& axis : machine.axes) print_axis(out, axis);
+    print_groups(out, machine);
     print_link_shapes(out, machine);
     return out.take();
 }

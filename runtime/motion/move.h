@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "runtime/motion/move_terms.h"
 #include "runtime/rrs/types.h"
@@ -16,10 +17,19 @@ struct Circle {
     double sweep_rad = 0;
 };
 
+/// A joint that the inverse leaves where it is, and where the program leads it (groups of axes).
+struct LedJoint {
+    int joint = 0;
+    double value = 0;          ///< mm or rad, at the end of the move.
+    bool coordinated = false;  ///< The tool's way is one on the work meanwhile; see LedWay.
+};
+
 /// A frame that the tool carries is to be at a pose.
 struct PoseGoal {
     rrs::CartPos pose;  ///< In the work frame.
     rrs::CartPos tool;  ///< The frame, in that of the tool centre point.
+    /// Of the joints that the inverse holds (Kinematics::held_joints()) those that go elsewhere.
+    std::vector<LedJoint> led = {};
 
     rrs::CartPos tool_centre() const { return pose * tool.inverse(); }
 };

@@ -69,13 +69,13 @@ class Cutter {
 
     bool follows(const UncutPiece& uncut, const rrs::JointPos& mid, const rrs::JointPos& end) const {
         for (const double share : {0.25, 0.5, 0.75}) {
-            const rrs::CartPos pose = setup_.kinematics->forward(from_ + share * (end - from_));
+            const rrs::CartPos pose = path_.seen(from_ + share * (end - from_));
             const Eigen::Vector3d wanted = path_.way().at(uncut.from + share * (uncut.to - uncut.from));
             const double off_mm = (pose * path_.tip_mm() - wanted).norm();
             if (!(off_mm <= kShareOfTolerance * setup_.controller.tcp_tolerance_mm)) return false;
             if (share != 0.5) continue;
             const Eigen::Quaterniond there(pose.linear());
-            if (!(there.angularDistance(Eigen::Quaterniond(setup_.kinematics->forward(mid).linear())) <=
+            if (!(there.angularDistance(Eigen::Quaterniond(path_.seen(mid).linear())) <=
                   kAngleTolerance_rad)) {
                 return false;
             }

@@ -57,6 +57,7 @@ void Planner::start_over() {
     conveyors_.clear();
     tracked_.reset();
     conveyor_until_s_ = 0;
+    own_.reset();
     events_.clear();
     end_s_ = 0;
     step_s_ = 0;
@@ -103,7 +104,8 @@ Segment& Planner::Output::begin(rrs::TargetId id) {
 }
 
 void Planner::Output::finish() {
-    const Segment& segment = planner_.queue_.next();
+    Segment& segment = planner_.queue_.next();
+    if (planner_.own_) planner_.own_->carry(segment);
     planner_.end_s_ = segment.end_s();
     planner_.queue_.push();
     if (!segment.reaches_target) return;

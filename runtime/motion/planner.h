@@ -15,6 +15,7 @@
 #include "runtime/motion/held_targets.h"
 #include "runtime/motion/motion_model.h"
 #include "runtime/motion/move.h"
+#include "runtime/motion/own_motion.h"
 #include "runtime/motion/plan_error.h"
 #include "runtime/motion/planner_setup.h"
 #include "runtime/motion/segment.h"
@@ -115,6 +116,13 @@ class Planner {
     /// Queues a dwell from 0 to kLongest_s.
     Planned put_rest(rrs::TargetId id, double rest_s);
 
+    /// Joints go to their values in `end` by themselves (OwnMotion), from the end of what is planned on,
+    /// which is at rest; moves that follow do not wait for them. RRS_MODE_NOT_SUPPORTED while others do,
+    /// along a conveyor and where corners are rounded; RRS_INVALID_PARAMETER, RRS_JOINT_LIMIT.
+    Planned put_own(const rrs::JointPos& end);
+    /// When the joints that go by themselves stand; 0 where none has.
+    double own_end_s() const { return own_ ? own_->end_s() : 0; }
+
     /// Makes all queued segments final and passes them on; the step clock goes to their end. Continues a
     /// stopped motion.
     void flush();
@@ -211,6 +219,8 @@ class Planner {
 
     // Tool moves (planner_tool_moves.cpp).
     bool moves_tool(const Move& move) const;
+    bool holds_joints() const { return !setup_.kinematics->held_joints().empty(); }
+    tl::expected<Eigen::Vector3d, PlanError> via_point(const Move& move) const;
     tl::expected<TipWay, PlanError> tip_way(const Move& move, const Eigen::Vector3d& from,
                                             const Eigen::Vector3d& to) const;
     tl::expected<std::unique_ptr<ToolPath>, PlanError> tool_path(const Move& move) const;
@@ -226,6 +236,10 @@ class Planner {
     void put_part(OnWay& on_way, const TimeLaw& law, double t_s);
     void plan_rest_of(OnWay& on_way, double start_speed);
     bool put_next_part(OnWay& on_way);
+
+    // Joints that go by themselves (planner_own.cpp).
+    bool has_own_motion(double time_s) const;
+    Planned check_own(const Move& move) const;
 
     // Conveyors (planner_conveyor.cpp).
     Planned stop_tracking();
@@ -263,6 +277,7 @@ class Planner {
         PlannerSetup setup;  ///< What the machine has left beside the conveyor's speed.
     };
     std::optional<Tracked> tracked_;
+    std::optional<OwnMotion> own_;
     double conveyor_until_s_ = 0;  ///< When the last one was left.
     bool keeps_all_ = false;       ///< Nothing leaves the queue by itself; it grows instead.
     double end_s_ = 0;

@@ -65,6 +65,8 @@ Planned Planner::select_tracking(int conveyor, bool on, const Eigen::Matrix3d& b
     if (tracked_)
         return refused(Status::RRS_INVALID_PARAMETER, "Another conveyor is tracked; one is at a time.");
     leave_model();
+    if (has_own_motion(end_s_))
+        return refused(Status::RRS_MODE_NOT_SUPPORTED, "No conveyor is tracked while axes go by themselves.");
     ConveyorMotion conveyor_motion = found->second;
     conveyor_motion.direction = base.transpose() * conveyor_motion.direction;
     auto frame = ConveyorFrame::of(setup_, axis_space_ ? &*axis_space_ : nullptr, conveyor_motion);
@@ -105,7 +107,8 @@ Planned Planner::carry(Segment& segment) const {
 }
 
 rrs::JointPos Planner::position_at_end() const {
-    return tracked_ ? rrs::JointPos(position_ + tracked_->frame.shift(end_s_)) : standing();
+    if (tracked_) return position_ + tracked_->frame.shift(end_s_);
+    return own_ ? rrs::JointPos(standing() + own_->left(end_s_)) : standing();
 }
 
 }  // namespace gsim::motion

@@ -77,6 +77,7 @@ Planned Planner::stand_at(const Goal& goal) {
     if (Planned solved = solve(goal, position); !solved) return solved;
     flush();
     if (model_) model_->clear();
+    own_.reset();
     position_ = position;
     has_position_ = true;
     return {};
@@ -90,6 +91,7 @@ Put Planner::put(const Move& move) {
         if (Planned checked = check_motion_time(move.terms.motion_time_s); !checked)
             return tl::unexpected(std::move(checked.error()));
     }
+    if (Planned checked = check_own(move); !checked) return tl::unexpected(std::move(checked.error()));
     use(move.terms);
     Put put = moves_tool(move)                 ? put_tool_move(move)
               : move.type == MotionType::joint ? put_joint_move(move)
@@ -166,7 +168,9 @@ Planned Planner::check_joints(const rrs::JointPos& joints) const {
 Planned Planner::solve_pose(const PoseGoal& goal, rrs::JointPos& joints) const {
     if (auto checked = kinematics::check_pose(goal.pose); !checked)
         return refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
-    auto solution = setup_.kinematics->inverse(goal.tool_centre(), position_);
+    rrs::JointPos near = position_;
+    for (const LedJoint& one : goal.led) near[one.joint] = one.value;
+    auto solution = setup_.kinematics->inverse(goal.tool_centre(), near);
     if (!solution) return refused(Status::RRS_NO_SOLUTION, std::move(solution.error()));
     joints = *solution;
     return check_joints(joints);
@@ -340,6 +344,7 @@ Planned Planner::circular_allowed(bool rapid) const {
 }
 
 void Planner::append(const Segment& segment) {
+    if (own_) own_->carry(queue_.next());
     end_s_ = segment.end_s();
     queue_.push();
 }

@@ -27,7 +27,11 @@ Planned Planner::stop() {
     if (steps_along_conveyor())
         return refused(Status::RRS_MODE_NOT_SUPPORTED, "Motion along a conveyor cannot be stopped.");
     if (!has_position_) return refused(Status::RRS_NO_INITIAL_POSITION, "There is no motion to stop yet.");
+    if (has_own_motion(step_s_))
+        return refused(Status::RRS_MODE_NOT_SUPPORTED,
+                       "Motion beside axes that go by themselves cannot be stopped.");
     if (stopped_) return {};
+    own_.reset();  // it has ended, and is in what is planned
     keeps_all_ = true;
     come_to_rest();
     keeps_all_ = false;
@@ -53,6 +57,9 @@ Put Planner::put_until(const Move& move, const StopSearch& search) {
     if (tracked_)
         return refused(Status::RRS_MODE_NOT_SUPPORTED, "Motion along a conveyor cannot be stopped.");
     flush();
+    if (has_own_motion(end_s_))
+        return refused(Status::RRS_MODE_NOT_SUPPORTED,
+                       "Motion beside axes that go by themselves cannot be stopped.");
     keeps_all_ = true;
     Put answer = put(move);
     end_model();

@@ -48,6 +48,15 @@ bool Planner::moves_tool(const Move& move) const {
     return move.tip_mm || (move.goal.pose && tip_turns(setup_, move.goal.pose->tool.translation()));
 }
 
+/// What `via` is to the tip. Where joints are led on the way, the pose says it: the joints from which it
+/// would be reached are known on the way alone.
+tl::expected<Eigen::Vector3d, PlanError> Planner::via_point(const Move& move) const {
+    if (move.via->pose && holds_joints()) return Eigen::Vector3d(move.via->pose->pose.translation());
+    rrs::JointPos via;
+    if (Planned solved = solve(*move.via, via); !solved) return tl::unexpected(std::move(solved.error()));
+    return tip_of(setup_, via, tip_of_move(move));
+}
+
 tl::expected<TipWay, PlanError> Planner::tip_way(const Move& move, const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to) const {
     TipWay way{.from = from, .to = to};
@@ -58,9 +67,9 @@ tl::expected<TipWay, PlanError> Planner::tip_way(const Move& move, const Eigen::
         planned = arc_about(from, to, move.circle->center_mm, move.circle->axis, move.circle->sweep_rad,
                             setup_.arc_tolerance_mm, way.arc);
     } else if (move.via) {
-        rrs::JointPos via;
-        planned = solve(*move.via, via);
-        if (planned) planned = arc_through(from, tip_of(setup_, via, tip_of_move(move)), to, way.arc);
+        const auto via = via_point(move);
+        if (!via) return tl::unexpected(via.error());
+        planned = arc_through(from, *via, to, way.arc);
     } else {
         planned = no_via_point();
     }
@@ -68,9 +77,10 @@ tl::expected<TipWay, PlanError> Planner::tip_way(const Move& move, const Eigen::
     return way;
 }
 
-/// Where three slides carry the tip the other joints go in proportion; else the tool turns evenly.
+/// Where three slides carry the tip the other joints go in proportion; else, and where the inverse holds
+/// joints, the tool turns evenly.
 tl::expected<std::unique_ptr<ToolPath>, PlanError> Planner::tool_path(const Move& move) const {
-    const bool by_pose = slide_count(setup_) < 3;
+    const bool by_pose = move.goal.pose && (slide_count(setup_) < 3 || holds_joints());
     rrs::JointPos end;
     if (by_pose) {
         if (auto checked = kinematics::check_pose(move.goal.pose->pose); !checked)
@@ -81,10 +91,12 @@ tl::expected<std::unique_ptr<ToolPath>, PlanError> Planner::tool_path(const Move
     const Eigen::Vector3d tip = tip_of_move(move);
     const Eigen::Vector3d to =
         by_pose ? Eigen::Vector3d(move.goal.pose->pose.translation()) : tip_of(setup_, end, tip);
-    auto way = tip_way(move, tip_of(setup_, position_, tip), to);
+    LedWay led = by_pose ? LedWay(setup_, position_, move.goal.pose->led) : LedWay();
+    auto way = tip_way(move, tip_of(setup_, led.as_seen(position_), tip), to);
     if (!way) return tl::unexpected(std::move(way.error()));
     if (by_pose)
-        return pose_path(setup_, *std::move(way), move.goal.pose->tool, position_, move.goal.pose->pose);
+        return pose_path(setup_, *std::move(way), move.goal.pose->tool, position_, move.goal.pose->pose,
+                         std::move(led));
     return tip_path(setup_, *std::move(way), tip, position_, end);
 }
 

@@ -12,6 +12,8 @@ namespace gsim::motion {
 namespace {
 
 constexpr double kNoWay_mm = 1e-9;
+constexpr double kInverseLeaves_mm = 1e-6;
+constexpr double kInverseLeaves_rad = 1e-7;
 constexpr double kLeastDeterminant = 1e-9;  // of the directions of the slides
 
 Eigen::Vector3d tip_at(const PlannerSetup& setup, const rrs::JointPos& joints,
@@ -27,6 +29,10 @@ class TipPath final : public ToolPath {
           setup_(setup),
           start_(start),
           end_(end) {}
+
+    rrs::CartPos seen(const rrs::JointPos& joints) const override {
+        return setup_.kinematics->forward(joints);
+    }
 
     tl::expected<rrs::JointPos, std::string> joints_at(double share, const rrs::JointPos&) const override {
         if (share <= 0) return start_;
@@ -46,20 +52,26 @@ class TipPath final : public ToolPath {
 class PosePath final : public ToolPath {
   public:
     PosePath(const PlannerSetup& setup, TipWay way, const rrs::CartPos& tool, const rrs::CartPos& start,
-             const rrs::CartPos& end)
+             const rrs::CartPos& end, LedWay led)
         : ToolPath(std::move(way), tool.translation(),
-                   Eigen::Quaterniond(start.linear()).angularDistance(Eigen::Quaterniond(end.linear()))),
+                   Eigen::Quaterniond(start.linear()).angularDistance(Eigen::Quaterniond(end.linear())),
+                   std::move(led)),
           setup_(setup),
           from_tool_(tool.inverse()),
           start_(start.linear()),
           end_(end.linear()) {}
+
+    rrs::CartPos seen(const rrs::JointPos& joints) const override {
+        return setup_.kinematics->forward(led().as_seen(joints));
+    }
 
     tl::expected<rrs::JointPos, std::string> joints_at(double share,
                                                        const rrs::JointPos& near) const override {
         rrs::CartPos pose = rrs::CartPos::Identity();
         pose.linear() = start_.slerp(share, end_).normalized().toRotationMatrix();
         pose.translation() = way().at(share);
-        return setup_.kinematics->inverse(pose * from_tool_, near);
+        return setup_.kinematics->inverse(pose * from_tool_, led().as_seen(led().put(share, near)))
+            .map([&](const rrs::JointPos& joints) { return led().put(share, joints); });
     }
 
   private:
@@ -70,6 +82,52 @@ class PosePath final : public ToolPath {
 };
 
 }  // namespace
+
+LedWay::LedWay(const PlannerSetup& setup, const rrs::JointPos& start, std::vector<LedJoint> led)
+    : led_(std::move(led)), start_(start) {
+    for (const LedJoint& one : led_) {
+        double& way = setup.role(one.joint) == JointRole::rotary ? turn_rad_ : slide_mm_;
+        way = std::hypot(way, one.value - start[one.joint]);
+    }
+}
+
+rrs::JointPos LedWay::put(double share, const rrs::JointPos& joints) const {
+    rrs::JointPos placed = joints;
+    for (const LedJoint& one : led_) {
+        const double from = start_[one.joint];
+        placed[one.joint] = share >= 1 ? one.value : from + share * (one.value - from);
+    }
+    return placed;
+}
+
+rrs::JointPos LedWay::as_seen(const rrs::JointPos& joints) const {
+    rrs::JointPos placed = joints;
+    for (const LedJoint& one : led_) {
+        if (!one.coordinated) placed[one.joint] = one.value;
+    }
+    return placed;
+}
+
+/// Beside joints that are led what an inverse leaves is no way of the tool.
+bool ToolPath::moves_tip() const {
+    return way_.length_mm() > (led_.moves() ? kInverseLeaves_mm : 0);
+}
+
+bool ToolPath::turns_tool() const {
+    return turn_rad_ > (led_.moves() ? kInverseLeaves_rad : 0);
+}
+
+JointRole ToolPath::role() const {
+    if (moves_tip()) return JointRole::position;
+    const bool slides = !turns_tool() && led_.turn_rad() == 0 && led_.slide_mm() > 0;
+    return slides ? JointRole::secondary : JointRole::rotary;
+}
+
+double ToolPath::length() const {
+    if (moves_tip()) return way_.length_mm();
+    if (turns_tool() || !led_.moves()) return turn_rad_;
+    return led_.turn_rad() > 0 ? led_.turn_rad() : led_.slide_mm();
+}
 
 double TipWay::length_mm() const {
     if (kind == SegmentKind::circular) return arc.length_mm();
@@ -90,9 +148,9 @@ std::unique_ptr<ToolPath> tip_path(const PlannerSetup& setup, TipWay way, const 
 }
 
 std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& tool,
-                                    const rrs::JointPos& start, const rrs::CartPos& end) {
-    const rrs::CartPos from = setup.kinematics->forward(start) * tool;
-    return std::make_unique<PosePath>(setup, std::move(way), tool, from, end);
+                                    const rrs::JointPos& start, const rrs::CartPos& end, LedWay led) {
+    const rrs::CartPos from = setup.kinematics->forward(led.as_seen(start)) * tool;
+    return std::make_unique<PosePath>(setup, std::move(way), tool, from, end, std::move(led));
 }
 
 // With the other joints where they are the tip goes by a linear function of the slides.

@@ -28,6 +28,8 @@ void add_moves(lua_State* state, Interpreter& interpreter);
 void add_frames(lua_State* state, Interpreter& interpreter);
 /// Poses: their axis values (core.pose_axes), moves of the tool to them (core.pose_move).
 void add_poses(lua_State* state, Interpreter& interpreter);
+/// Groups of axes: core.group_names, core.group_motion, core.move_group and their kin.
+void add_groups(lua_State* state, Interpreter& interpreter);
 /// Zones, and where the tool's end is: core.set_zone, core.switch_zones, core.set_tool_offset.
 void add_zones(lua_State* state, Interpreter& interpreter);
 /// The services of the controller as scripts call them.

@@ -167,6 +167,7 @@ void Control::open(lua_State* state, const Library& library_files, const Switche
     add_moves(state, interpreter_);
     add_frames(state, interpreter_);
     add_poses(state, interpreter_);
+    add_groups(state, interpreter_);
     add_zones(state, interpreter_);
     add_core_functions(state, *this);
     set_function<loading_module>(state, "loading", this);

@@ -4,6 +4,7 @@
 #include "runtime/kinematics/pose.h"
 #include "runtime/script/axis_table.h"
 #include "runtime/script/bindings.h"
+#include "runtime/script/group_table.h"
 #include "runtime/script/lua_state.h"
 
 namespace gsim::script {
@@ -26,22 +27,24 @@ rrs::CartPos check_rpy_pose(lua_State* state, int index) {
 }
 
 /// core.pose_axes{x=, y=, z=, roll=, pitch=, yaw=}: axis values that bring the tool to a pose in mm and
-/// degrees.
+/// degrees; groups of axes, by their names, where the pose has them, else where they stand.
 int pose_axes(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     const tl::expected<simulation::AxisVector, std::string> axes =
-        interpreter.simulator().axes_of(check_rpy_pose(state, 1));
+        interpreter.simulator().axes_of(check_rpy_pose(state, 1), check_group_targets(state, interpreter, 1));
     if (!axes) interpreter.alarm(state, DiagnosticKind::unreachable, axes.error());
     interpreter.simulator().warn_if_singular(*axes, interpreter.place());
     push_axes(state, interpreter, *axes);
     return 1;
 }
 
-/// core.pose_move(pose, via or nil): the tool in a line, or by the pose `via` in an arc.
+/// core.pose_move(pose, via or nil): the tool in a line, or by the pose `via` in an arc, and groups of axes
+/// beside it.
 int pose_move(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     simulation::PoseMove move;
     move.target = check_rpy_pose(state, 1);
+    move.groups = check_group_targets(state, interpreter, 1);
     if (!lua_isnoneornil(state, 2)) move.via = check_rpy_pose(state, 2);
     move.feed = interpreter.feed(state, move.via ? std::optional(1.0) : std::nullopt);
     move.place = interpreter.place();

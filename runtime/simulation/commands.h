@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/rrs/types.h"
 #include "runtime/simulation/move.h"
@@ -80,11 +81,18 @@ struct ViaMove {
     Place place;
 };
 
+/// Where an axis of a group goes beside a move to a pose.
+struct GroupTarget {
+    std::size_t axis = 0;
+    double value = 0;  ///< mm or deg
+};
+
 /// A line of the tool's centre point in the work frame, or with a point on the way an arc; the tool turns
-/// evenly to the orientation of `target`.
+/// evenly to the orientation of `target`. Axes of groups that have no target stay where they are.
 struct PoseMove {
     std::optional<rrs::CartPos> via;
     rrs::CartPos target;
+    std::vector<GroupTarget> groups;
     Feed feed;
     Place place;
 };

@@ -44,6 +44,8 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     /// The module is stepped until `search` answers, and then to its stop: it has to offer StopMotion and
     /// CancelMotion. The stop is at the end of the step, wherever in it the search wants it.
     motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override;
+    motion::Planned put_own(const rrs::JointPos& end) override;
+    double own_end_s() const override { return 0; }
     motion::Planned put_rest(rrs::TargetId id, double rest_s) override;
     std::vector<std::string> take_remarks() override { return std::exchange(remarks_, {}); }
     void come_to_rest(bool waits) override;

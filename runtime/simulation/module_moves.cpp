@@ -187,6 +187,11 @@ Status ModuleMotion::put_told(const motion::Move& move) {
 }
 
 motion::Put ModuleMotion::put(const motion::Move& move) {
+    if (move.goal.pose && !move.goal.pose->led.empty()) {
+        return tl::unexpected(motion::PlanError{
+            .status = Status::RRS_MODE_NOT_SUPPORTED,
+            .message = "A controller module knows no groups of axes; lead their axes by words (G0, G1)."});
+    }
     return by_program([&] { return answer(put_told(move)); });
 }
 
@@ -205,6 +210,12 @@ Status ModuleMotion::put_until_told(const motion::Move& move, const motion::Stop
 motion::Put ModuleMotion::put_until(const motion::Move& move, const motion::StopSearch& search) {
     come_to_rest(true);
     return by_program([&] { return answer(put_until_told(move, search)); });
+}
+
+motion::Planned ModuleMotion::put_own(const rrs::JointPos&) {
+    return tl::unexpected(
+        motion::PlanError{.status = Status::RRS_MODE_NOT_SUPPORTED,
+                          .message = "A controller module has no axes that go by themselves."});
 }
 
 motion::Planned ModuleMotion::put_rest(rrs::TargetId id, double rest_s) {

@@ -43,6 +43,8 @@ class PlannerMotion final : public MotionSource {
     motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override {
         return planner_.put_until(move, search);
     }
+    motion::Planned put_own(const rrs::JointPos& end) override { return planner_.put_own(end); }
+    double own_end_s() const override { return planner_.own_end_s(); }
     motion::Planned put_rest(rrs::TargetId id, double rest_s) override {
         return planner_.put_rest(id, rest_s);
     }

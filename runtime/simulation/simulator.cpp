@@ -56,6 +56,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       process_(machine_) {
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
+    for (const machine::AxisGroup& group : machine_.groups) group_motions_.push_back(group.motion);
     recorder_.add_output(centripetal_);
     recorder_.add_output(events_);
     recorder_.add_output(violations_);
@@ -226,6 +227,7 @@ double Simulator::feed_per_min(const ArcMove& move) const {
 }
 
 bool Simulator::move(const LineMove& move) {
+    if (!wait_if_led(move.target, move.place)) return false;
     const bool rotary = rotary_alone(move.target);
     const bool rapid = move.kind == MoveKind::rapid;
     if (!rapid && !check_feed(move.feed, rotary, move.place)) return false;
@@ -245,6 +247,7 @@ bool Simulator::move(const LineMove& move) {
 }
 
 bool Simulator::move(const ArcMove& move) {
+    if (!wait_if_led(move.target, move.place)) return false;
     if (!check_feed(move.feed, false, move.place)) return false;
     const auto joints = joints_of(move.target);
     if (!joints) return fail(DiagnosticKind::unreachable, joints.error(), move.place);
@@ -286,6 +289,7 @@ Eigen::Vector3d Simulator::space_point(const AxisVector& axes) const {
 }
 
 bool Simulator::move(const ViaMove& move) {
+    if (!wait_if_led(move.target, move.place)) return false;
     if (!check_feed(move.feed, false, move.place)) return false;
     const auto via = joints_of(move.via);
     const auto target = joints_of(move.target);
@@ -347,6 +351,7 @@ void Simulator::warn(const std::string& text) {
 }
 
 Report Simulator::finish(std::string program) {
+    if (status_ == RunStatus::completed) wait_for_groups(last_place_);
     motion_->end_program();
     if (motion_->fault()) refused(motion_->last_error(), last_place_);
     if (motion_->time_s() > limits_.max_time_s) stop_for_time(last_place_);  // moves that were held back, too

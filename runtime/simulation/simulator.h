@@ -193,7 +193,17 @@ class Simulator {
 
     /// Axis values that bring the tool to a pose in the frames that are selected (SelectWorkFrames), nearest
     /// to where the machine is; the error is a sentence.
-    tl::expected<AxisVector, std::string> axes_of(const rrs::CartPos& pose) const;
+    tl::expected<AxisVector, std::string> axes_of(const rrs::CartPos& pose,
+                                                  const std::vector<GroupTarget>& groups = {}) const;
+    /// How a group of the machine, by its index, moves beside moves to poses.
+    machine::GroupMotion group_motion(std::size_t group) const { return group_motions_[group]; }
+    void set_group_motion(std::size_t group, machine::GroupMotion motion) { group_motions_[group] = motion; }
+    /// Axes of a group go by themselves, as fast as they can; the machine comes to rest before, and moves
+    /// that follow do not wait for them but where they lead these axes. One group at a time: another one
+    /// waits.
+    bool move_group(std::size_t group, const std::vector<GroupTarget>& targets, const Place& place);
+    /// A dwell until no group goes by itself.
+    bool wait_for_groups(const Place& place);
     /// Warns where the tool has lost a direction to move in at these axis values: some joints line up.
     void warn_if_singular(const AxisVector& axes, const Place& place);
 
@@ -257,6 +267,9 @@ class Simulator {
     bool feels_cell(const ProbeMove& move) const;
     tl::expected<std::unique_ptr<ProbeSignal>, std::string> probe_signal(const ProbeMove& move);
     tl::expected<std::unique_ptr<ProbeSignal>, std::string> cell_signal(bool away);
+    bool wait_if_led(const AxisVector& target, const Place& place);
+    bool wait_if_led(const PoseMove& move);
+    std::vector<motion::LedJoint> led_joints(const std::vector<GroupTarget>& groups) const;
     motion::WorkFrames work_frames() const {
         return motion_->work_frames().value_or(machine_frames_.work_frames());
     }
@@ -310,6 +323,8 @@ class Simulator {
     ProbeFeels probe_feels_;
     std::optional<double> solid_side_;  ///< Of the plane that probes feel: 1 above it, -1 below; once known.
     AxisVector position_;
+    std::vector<machine::GroupMotion> group_motions_;  ///< Of the machine's groups, as the program has them.
+    std::vector<std::size_t> own_axes_;                ///< That may be under way by themselves.
     std::vector<std::string> files_;
     std::vector<std::string> warnings_;
     std::optional<Alarm> alarm_;

@@ -98,6 +98,7 @@ SignalOrError Simulator::probe_signal(const ProbeMove& move) {
 }
 
 bool Simulator::probe(const ProbeMove& move, ProbeResult& result) {
+    if (!wait_for_groups(move.line.place)) return false;
     wait();
     result = {.found = false, .at_start = false, .at = position_};
     const SignalOrError signal = probe_signal(move);

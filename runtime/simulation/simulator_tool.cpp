@@ -1,5 +1,6 @@
 // Moves of the tool in the work frame: tool-centre-point control and moves to poses.
 
+#include "runtime/motion/tool_path.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -60,20 +61,26 @@ AxisVector Simulator::position_at(const rrs::JointPos& joints) const {
     return to_axes(tip_frame_ ? tip_frame_->coordinates(setup_, joints) : joints);
 }
 
-tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose) const {
-    return setup_.kinematics->inverse(work_frames().tool_centre_of(pose), to_joints(position_))
+tl::expected<AxisVector, std::string> Simulator::axes_of(const rrs::CartPos& pose,
+                                                         const std::vector<GroupTarget>& groups) const {
+    rrs::JointPos near = to_joints(position_);
+    for (const motion::LedJoint& one : led_joints(groups)) near[one.joint] = one.value;
+    return setup_.kinematics->inverse(work_frames().tool_centre_of(pose), near)
         .map([this](const rrs::JointPos& joints) { return to_axes(joints); });
 }
 
 bool Simulator::move(const PoseMove& move) {
+    if (!wait_if_led(move)) return false;
     if (!check_feed(move.feed, false, move.place)) return false;
     MoveInfo info = next_move(MoveKind::linear, move.place, move.feed.linear_mm_min);
     info.timed = move.feed.motion_s.has_value();
     obey_overrides(info, move.feed);
+    const std::vector<motion::LedJoint> led = led_joints(move.groups);
     if (move.via) {
         info.turns = 1;
         const motion::WorkFrames frames = work_frames();
-        set_axis(info, setup_.kinematics->forward(motion_->position()) * frames.tip_mm(),
+        const motion::LedWay way(setup_, motion_->position(), led);
+        set_axis(info, setup_.kinematics->forward(way.as_seen(motion_->position())) * frames.tip_mm(),
                  (frames.object * *move.via).translation(), (frames.object * move.target).translation());
     }
     const motion::RangePass pass(begin_move());
@@ -84,6 +91,7 @@ bool Simulator::move(const PoseMove& move) {
     };
     motion::Move whole = new_move(info);
     whole.goal = goal(move.target);
+    whole.goal.pose->led = led;
     if (tip_frame_ && motion_->selections().frame_names) whole.tip_mm = frames.tip_mm();
     if (move.via) {
         whole.type = rrs::MotionType::circular;

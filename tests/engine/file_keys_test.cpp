@@ -47,6 +47,9 @@ frame = {}
 letter = "C"
 kind = "rotary"
 dh = {}
+[[group]]
+name = "g"
+axes = ["C"]
 [[shape]]
 name = "s"
 on = "base"

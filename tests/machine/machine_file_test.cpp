@@ -35,7 +35,8 @@ INSTANTIATE_TEST_SUITE_P(All, SampleMachine,
                                          "router3.toml", "unlimited.toml", "linuxcnc-gantry.toml",
                                          "linuxcnc-gantry254.toml", "linuxcnc-router.toml",
                                          "grbl-gantry3.toml", "grbl-router.toml", "gantry-offset-head.toml",
-                                         "mill-head-table.toml", "mill-table-table.toml", "arm6.toml"),
+                                         "mill-head-table.toml", "mill-table-table.toml", "arm6.toml",
+                                         "arm6-cell.toml"),
                          [](const auto& sample) {
                              std::string name = sample.param;
                              for (char& c : name) {
