@@ -46,14 +46,31 @@ TEST(SharedZones, ARingOfThoseThatWaitIsFound) {
     for (const char* name : {"a", "b", "c"}) ids.push_back(schedule.add(name, false, 0, {}));
     for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(zones.enter(schedule, i, ids[i]));
     EXPECT_FALSE(zones.enter(schedule, 1, ids[0]));
-    EXPECT_TRUE(schedule.ring_of(ids[0]).empty());
+    EXPECT_TRUE(schedule.stuck_from(ids[0]).empty());
     EXPECT_FALSE(zones.enter(schedule, 2, ids[1]));
     EXPECT_FALSE(zones.enter(schedule, 0, ids[2]));
-    const std::vector<ProcessId> ring = schedule.ring_of(ids[2]);
+    const std::vector<ProcessId> ring = schedule.stuck_from(ids[2]);
     EXPECT_EQ(
         schedule.waits({}, ring),
         "'c' waits for the zone 'x', which 'a' has, 'a' waits for the zone 'y', which 'b' has, 'b' waits "
         "for the zone 'z', which 'c' has");
+}
+
+TEST(SharedZones, WhoHasEndedLetsNothingGo) {
+    Schedule schedule;
+    SharedZones zones(named({"fixture", "table"}));
+    std::vector<ProcessId> ids;
+    for (const char* const name : {"a", "b", "c"}) ids.push_back(schedule.add(name, false, 0, {}));
+    zones.enter(schedule, 0, ids[0]);
+    zones.enter(schedule, 1, ids[1]);
+    zones.enter(schedule, 0, ids[1]);
+    EXPECT_TRUE(schedule.stuck_from(ids[1]).empty()) << "a may still let it go";
+    EXPECT_EQ(schedule.waits_for_zone_of(ids[0]), ids[1]);
+    EXPECT_EQ(schedule.waits_for_zone_of(ids[1]), std::nullopt);
+    schedule.finish(ids[0]);
+    EXPECT_EQ(schedule.stuck_from(ids[1]), std::vector<ProcessId>{ids[1]});
+    zones.enter(schedule, 1, ids[2]);
+    EXPECT_EQ(schedule.stuck_from(ids[2]), (std::vector<ProcessId>{ids[2], ids[1]})) << "through b";
 }
 
 }  // namespace
