@@ -85,7 +85,8 @@ os::Allowed allowed_to(const RunArguments& arguments, const engine::Request& req
 
 tl::expected<void, std::string> confine_run(const RunArguments& arguments, const engine::Request& request,
                                             std::span<const std::string> programs) {
-    if (arguments.no_confine || !request.module.empty()) return {};
+    // A module in a process of its own was begun before this, and is not confined.
+    if (arguments.no_confine || (arguments.module_in_process && !request.module.empty())) return {};
     return give_up_all_but(allowed_to(arguments, request, programs));
 }
 

@@ -60,7 +60,9 @@ class Run {
         if (const std::string fault = find_contradiction(arguments_); !fault.empty())
             return findings_.fail(text::DiagnosticKind::usage, fault);
         engine::Request request = request_of(arguments_);
-        request.host = engine::host_of_system();
+        request.host =
+            engine::host_of_system(arguments_.module_in_process ? engine::ModulePlace::this_process
+                                                                : engine::ModulePlace::own_process);
         if (arguments_.print_machine || arguments_.studies.any() || request.program.empty())
             return run_without_program(request);
         return run_program(std::move(request));

@@ -173,9 +173,15 @@ void add_further_options(CommandLine& line, RunArguments& a) {
              "plots "
              "and paths are one for each robot")
         .of_file(FileKind::input, {".toml"});
-    line.add("--rcs", &a.request.module,
-             "controller module (shared library) that plans in place of the built-in planner")
+    line.add(
+            "--rcs", &a.request.module,
+            "controller module (shared library) that plans in place of the built-in planner, in a process of "
+            "its own")
         .of_file(FileKind::input, {".so"});
+    line.add(
+        "--rcs-in-process", &a.module_in_process,
+        "load the module into this process: for a debugger, and a little faster; a crash of the module is "
+        "one of the program, and the run is not confined");
     line.add("--lua-lib", &a.request.library,
              "folder with the library in Lua, in place of the one that is built in")
         .of_file(FileKind::folder);

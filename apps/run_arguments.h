@@ -26,6 +26,7 @@ struct RunArguments {
     bool print_machine = false;
     bool no_collisions = false;
     bool no_confine = false;
+    bool module_in_process = false;
 };
 
 /// What is asked of the engine.

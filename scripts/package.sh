@@ -64,14 +64,14 @@ archive() {
     for component in programs studio development docs licence; do
         quietly cmake --install "$build" --prefix "$root" --component $component --strip
     done
-    mapfile -t libraries < <(libraries "$root/bin/gsim" "$root/libexec/gsim/gsim-serve" "$root/lib/gsim/libgsim_rcs_default.so")
+    mapfile -t libraries < <(libraries "$root/bin/gsim" "$root/libexec/gsim/gsim-serve" "$root/libexec/gsim/gsim-rcs-host" "$root/lib/gsim/libgsim_rcs_default.so")
     for library in "${libraries[@]}"; do
         install -m 644 "$library" "$root/lib/gsim"
     done
     # shellcheck disable=SC2016  # the loader replaces $ORIGIN
     patchelf --set-rpath '$ORIGIN/../lib/gsim' "$root/bin/gsim"
     # shellcheck disable=SC2016
-    patchelf --set-rpath '$ORIGIN/../../lib/gsim' "$root/libexec/gsim/gsim-serve"
+    patchelf --set-rpath '$ORIGIN/../../lib/gsim' "$root/libexec/gsim/gsim-serve" "$root/libexec/gsim/gsim-rcs-host"
     # shellcheck disable=SC2016
     patchelf --set-rpath '$ORIGIN' "$root"/lib/gsim/*.so*
     licences "$root/share/doc/gsim/licences" "${libraries[@]}"

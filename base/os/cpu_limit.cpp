@@ -50,14 +50,14 @@ bool CpuLimit::reached() {
     std::timespec now{};
     ::clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
     if (is_before(now, not_before_)) return false;
-    const double left_s = end_s_ - thread_time_s();
+    const double left_s = this->left_s();
     reached_ = left_s <= 0;
     not_before_ = later(now, std::clamp(left_s, kLeastWait_s, kMostWait_s));
     return reached_;
 }
 
 double CpuLimit::left_s() const {
-    return end_s_ - thread_time_s();
+    return end_s_ - thread_time_s() - beside_s_;
 }
 
 ProcessCpuLimit::ProcessCpuLimit(double seconds, const char* sentence, int status) {

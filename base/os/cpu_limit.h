@@ -19,6 +19,9 @@ class CpuLimit {
     /// Whether that was the reason.
     bool was_asked() const { return asked_ != nullptr && *asked_; }
 
+    /// What a process that works for the thread has spent so far counts, too.
+    void count_beside(double seconds) { beside_s_ = seconds; }
+
     /// Whether the time is used up, or the end was asked for. Cheap enough for each block of a program: a
     /// thread cannot have spent more than has passed, so its clock, a call of the system, is read only when
     /// that might be enough.
@@ -31,6 +34,7 @@ class CpuLimit {
     double seconds_;
     double end_s_;                ///< On the thread's clock.
     std::timespec not_before_{};  ///< On the coarse clock: nothing to look at until then.
+    double beside_s_ = 0;
     bool reached_ = false;
     std::shared_ptr<const std::atomic<bool>> asked_ = nullptr;
 };

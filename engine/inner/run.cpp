@@ -53,6 +53,7 @@ class Run::State {
   private:
     tl::expected<void, Failure> open_one();
     tl::expected<void, Failure> open_program();
+    tl::expected<void, Failure> open_module();
     void add(simulation::Simulator& simulator);
     ShowProgress progress() {
         return [this](std::uint64_t done, std::uint64_t total) {
@@ -76,6 +77,7 @@ class Run::State {
     std::optional<MachineInput> machine_;
     std::shared_ptr<const cell::Cell> cell_;
     std::optional<OpenedScript> program_;
+    std::optional<rrs::RcsModule> module_;
     std::unique_ptr<ProgramRun> one_;
     std::unique_ptr<RobotsRun> robots_;
     std::vector<std::string> names_;
@@ -87,7 +89,11 @@ class Run::State {
 };
 
 tl::expected<void, Failure> Run::State::open() {
-    if (found_.request.robots.empty()) return open_one().and_then([this] { return open_program(); });
+    if (found_.request.robots.empty()) {
+        return open_one().and_then([this] { return open_module(); }).and_then([this] {
+            return open_program();
+        });
+    }
     return RobotsRun::open(found_, tools_)
         .map([this](RobotsRun run) {
             robots_ = std::make_unique<RobotsRun>(std::move(run));
@@ -126,7 +132,15 @@ tl::expected<void, Failure> Run::State::open_on(const Machine::Parts& parts) {
     }
     machine_ = parts.input;
     cell_ = parts.bodies;
-    return open_program();
+    return open_module().and_then([this] { return open_program(); });
+}
+
+/// Before a program is confined, which takes from it what a module may reach.
+tl::expected<void, Failure> Run::State::open_module() {
+    auto module = load_module(found_.request, machine_->machine);
+    if (!module) return tl::unexpected(failure_of(DiagnosticKind::input_file, module.error()));
+    module_ = *std::move(module);
+    return {};
 }
 
 tl::expected<void, Failure> Run::State::open_program() {
@@ -155,6 +169,7 @@ tl::expected<void, Failure> Run::State::prepare() {
     }
     auto inputs = read_run_inputs(found_, MachineInput(*machine_), cell_, *program_, tools_);
     if (!inputs) return tl::unexpected(failure_of(inputs.error()));
+    inputs->module = std::exchange(module_, std::nullopt);
     one_ = std::make_unique<ProgramRun>(found_, *std::move(inputs), tools_, progress());
     add(one_->simulator());
     return {};

@@ -42,19 +42,6 @@ tl::expected<machine::MachineData, std::string> with_variables(const Request& re
         });
 }
 
-/// Nothing where no controller module is asked for.
-tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,
-                                                                     const machine::Machine& machine) {
-    std::optional<rrs::RcsModule> none;
-    if (request.module.empty()) return none;
-    if (!request.host.load_module)
-        return tl::unexpected(fmt::format("{}: controller modules are not loaded here", request.module));
-    return request.host.load_module(request.module, machine)
-        .map([](const std::shared_ptr<rrs::RcsModule>& module) {
-            return std::optional<rrs::RcsModule>(std::move(*module));
-        });
-}
-
 // What the request does not say itself.
 void take_files_of_cell(FoundRequest& found, const cell::CellFiles& files) {
     Request& request = found.request;
@@ -87,6 +74,18 @@ std::string first_override(const OverrideChoice& choice) {
 }
 
 }  // namespace
+
+tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,
+                                                                     const machine::Machine& machine) {
+    std::optional<rrs::RcsModule> none;
+    if (request.module.empty()) return none;
+    if (!request.host.load_module)
+        return tl::unexpected(fmt::format("{}: controller modules are not loaded here", request.module));
+    return request.host.load_module(request.module, machine)
+        .map([](const std::shared_ptr<rrs::RcsModule>& module) {
+            return std::optional<rrs::RcsModule>(std::move(*module));
+        });
+}
 
 std::string find_contradiction(const Request& request) {
     if (!request.module.empty() && !request.overrides.turns_nothing()) {
@@ -183,8 +182,6 @@ tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, M
     }
     auto setup = read_setup(request, *language, tools.tell);
     if (!setup) return fault(setup.error().message);
-    auto module = load_module(request, machine);
-    if (!module) return fault(module.error());
     CellChoice choice = cell_choice(found);
     choice.read = std::move(cell_read);
     auto cell = read_run_cell(choice, machine);
@@ -195,7 +192,7 @@ tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, M
                      .language = *std::move(language),
                      .program = *std::move(program),
                      .setup = *std::move(setup),
-                     .module = *std::move(module),
+                     .module = {},
                      .cell = *std::move(cell),
                      .probe = *probe,
                      .overrides = *std::move(overrides)};

@@ -61,6 +61,11 @@ struct RunInputs {
     motion::OverrideSchedule overrides;
 };
 
+/// The controller module that is asked for, made for the machine; nothing where none is. The error is a
+/// sentence.
+tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,
+                                                                     const machine::Machine& machine);
+
 /// `opened` is the program.
 tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, MachineInput input,
                                                     std::shared_ptr<const cell::Cell> cell,

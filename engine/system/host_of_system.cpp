@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "base/os/installation.h"
 #include "cam/solid/mesh.h"
 #include "cam/solid/plate.h"
 #include "engine/system/installed_files.h"
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/rrs/rcs_host.h"
+#include "runtime/rrs/rcs_process.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::engine {
@@ -39,24 +41,40 @@ tl::expected<Plate, std::string> read_plate(const std::string& file, const Plate
     });
 }
 
-tl::expected<std::shared_ptr<rrs::RcsModule>, std::string> load_module(const std::string& file,
-                                                                       const machine::Machine& machine) {
-    const rcs::RcsMachine described(simulation::setup_of_machine(machine));
-    auto library = rrs::RcsLibrary::load(file, described.get());
+using LoadedModule = tl::expected<std::shared_ptr<rrs::RcsModule>, std::string>;
+
+tl::expected<rrs::RcsModule, std::string> load_here(const std::string& file,
+                                                    const gsim_rcs_machine& machine) {
+    auto library = rrs::RcsLibrary::load(file, machine);
     if (!library) return tl::unexpected(std::move(library.error()));
-    return rrs::RcsModule::create(*std::move(library), described.get()).map([](rrs::RcsModule module) {
+    return rrs::RcsModule::create(*std::move(library), machine);
+}
+
+tl::expected<rrs::RcsModule, std::string> load_beside(const std::string& file,
+                                                      const gsim_rcs_machine& machine) {
+    const auto program = os::helper_program(os::program_folder(), "gsim-rcs-host");
+    if (program) return rrs::begin_rcs_process(*program, file, machine);
+    return tl::unexpected(program.error() + "; controller modules run in it (--rcs-in-process does without)");
+}
+
+LoadedModule load_module(ModulePlace place, const std::string& file, const machine::Machine& machine) {
+    const rcs::RcsMachine described(simulation::setup_of_machine(machine));
+    const auto load = place == ModulePlace::this_process ? load_here : load_beside;
+    return load(file, described.get()).map([](rrs::RcsModule module) {
         return std::make_shared<rrs::RcsModule>(std::move(module));
     });
 }
 
 }  // namespace
 
-Host host_of_system() {
+Host host_of_system(ModulePlace place) {
     return {.files = {},
             .find = find_file,
             .read_solid = read_solid,
             .read_plate = read_plate,
-            .load_module = load_module};
+            .load_module = [place](const std::string& file, const machine::Machine& machine) {
+                return load_module(place, file, machine);
+            }};
 }
 
 }  // namespace gsim::engine

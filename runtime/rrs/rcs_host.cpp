@@ -62,10 +62,9 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::open(co
 }
 
 /// Empty, or why the module cannot be used.
-std::string RcsLibrary::try_out(const std::string& path, const gsim_rcs_machine& machine) {
-    auto library = open(path);
-    if (!library) return library.error();
-    auto module = RcsModule::create(*library, machine);
+std::string RcsLibrary::try_out(const std::shared_ptr<const RcsLibrary>& library,
+                                const gsim_rcs_machine& machine) {
+    auto module = RcsModule::create(library, machine);
     if (!module) return module.error();
     gsim_rcs_message message{};
     const std::int32_t initialized = module->call(GSIM_RCS_INITIALIZE, nullptr, nullptr);
@@ -87,7 +86,12 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load(co
                                                                               const gsim_rcs_machine& machine,
                                                                               int trial_ms) {
     const std::string name = std::filesystem::path(path).filename().string();
-    const auto tried = run_trial([&] { return try_out(path, machine); }, trial_ms);
+    const auto tried = run_trial(
+        [&] {
+            const auto library = load_here(path, machine);
+            return library ? std::string() : library.error();
+        },
+        trial_ms);
     if (!tried)
         return tl::unexpected(
             fmt::format("the controller module {} {} while it was loaded", name, tried.error()));
@@ -95,11 +99,42 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load(co
     return open(path);
 }
 
+tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load_here(
+    const std::string& path, const gsim_rcs_machine& machine) {
+    auto library = open(path);
+    if (!library) return library;
+    if (std::string fault = try_out(*library, machine); !fault.empty())
+        return tl::unexpected(std::move(fault));
+    return library;
+}
+
+/// A controller in this process.
+class LoadedModule final : public RcsCalls {
+  public:
+    using Handle = std::unique_ptr<gsim_rcs_module, decltype(&gsim_rcs_destroy)>;
+
+    static Handle create(const RcsLibrary& library, const gsim_rcs_machine& machine,
+                         gsim_rcs_message& message) {
+        return {library.create_(&machine, &message), library.destroy_};
+    }
+    LoadedModule(std::shared_ptr<const RcsLibrary> library, Handle handle)
+        : library_(std::move(library)), handle_(std::move(handle)) {}
+
+    const std::string& name() const override { return library_->name(); }
+    std::int32_t call(std::int32_t opcode, const void* input, void* output) override {
+        return library_->call_(handle_.get(), opcode, input, output);
+    }
+
+  private:
+    std::shared_ptr<const RcsLibrary> library_;
+    Handle handle_;  // goes before its library
+};
+
 tl::expected<RcsModule, std::string> RcsModule::create(std::shared_ptr<const RcsLibrary> library,
                                                        const gsim_rcs_machine& machine) {
     gsim_rcs_message message{};
-    Handle handle(library->create_(&machine, &message), library->destroy_);
-    if (handle) return RcsModule(std::move(library), std::move(handle));
+    LoadedModule::Handle handle = LoadedModule::create(*library, machine, message);
+    if (handle) return RcsModule(std::make_unique<LoadedModule>(std::move(library), std::move(handle)));
     const std::string why = rcs_text(message.text, sizeof message.text);
     return tl::unexpected(fmt::format("{} makes no controller for this machine: {}", library->name(),
                                       why.empty() ? "it does not say why" : why));

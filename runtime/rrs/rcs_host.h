@@ -2,15 +2,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <tl/expected.hpp>
 
+#include "runtime/rrs/rcs_calls.h"
 #include "runtime/rrs/rcs_module.h"
 
 namespace gsim::rrs {
-
-class RcsModule;
 
 /// A loaded library with a controller module in it (rcs_module.h).
 class RcsLibrary {
@@ -22,6 +23,9 @@ class RcsLibrary {
     static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load(const std::string& path,
                                                                              const gsim_rcs_machine& machine,
                                                                              int trial_ms = 10'000);
+    /// load() that tries it out in this process, where a crash is a crash of the process.
+    static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load_here(
+        const std::string& path, const gsim_rcs_machine& machine);
     RcsLibrary(const RcsLibrary&) = delete;
     RcsLibrary& operator=(const RcsLibrary&) = delete;
     ~RcsLibrary();
@@ -30,11 +34,12 @@ class RcsLibrary {
     const std::string& name() const { return name_; }
 
   private:
-    friend class RcsModule;
+    friend class LoadedModule;
 
     RcsLibrary() = default;
     static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> open(const std::string& path);
-    static std::string try_out(const std::string& path, const gsim_rcs_machine& machine);
+    static std::string try_out(const std::shared_ptr<const RcsLibrary>& library,
+                               const gsim_rcs_machine& machine);
 
     std::string name_;
     void* handle_ = nullptr;
@@ -43,30 +48,25 @@ class RcsLibrary {
     decltype(&gsim_rcs_call) call_ = nullptr;
 };
 
-/// One controller of a library.
+/// One controller of a library, in this process or in one of its own (rcs_process.h).
 class RcsModule {
   public:
-    /// The error is a sentence that names the library.
+    explicit RcsModule(std::unique_ptr<RcsCalls> calls) : calls_(std::move(calls)) {}
+    /// In this process. The error is a sentence that names the library.
     static tl::expected<RcsModule, std::string> create(std::shared_ptr<const RcsLibrary> library,
                                                        const gsim_rcs_machine& machine);
 
-    RcsModule(RcsModule&&) = default;
-    RcsModule& operator=(RcsModule&&) = delete;  // would drop a library before its module
-
-    const std::string& name() const { return library_->name(); }
-    /// Answers what the module answers, unchecked.
+    /// As of RcsCalls.
+    const std::string& name() const { return calls_->name(); }
     std::int32_t call(std::int32_t opcode, const void* input, void* output) {
-        return library_->call_(handle_.get(), opcode, input, output);
+        return calls_->call(opcode, input, output);
     }
+    void announce(RcsAhead ahead, bool asks_targets) { calls_->announce(ahead, asks_targets); }
+    std::optional<std::string> loss() const { return calls_->loss(); }
+    double cpu_s() const { return calls_->cpu_s(); }
 
   private:
-    using Handle = std::unique_ptr<gsim_rcs_module, decltype(&gsim_rcs_destroy)>;
-
-    RcsModule(std::shared_ptr<const RcsLibrary> library, Handle handle)
-        : library_(std::move(library)), handle_(std::move(handle)) {}
-
-    std::shared_ptr<const RcsLibrary> library_;
-    Handle handle_;  // goes before its library
+    std::unique_ptr<RcsCalls> calls_;
 };
 
 /// The text in an array of `size` bytes; cut where no zero byte ends it.

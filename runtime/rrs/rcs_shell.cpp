@@ -10,50 +10,17 @@
 #include <fmt/format.h>
 
 #include "runtime/rrs/rcs_codec.h"
+#include "runtime/rrs/rcs_unanswered.h"
 #include "runtime/rrs/service_call.h"
 
 namespace gsim::rrs {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kLargestOfStep = 1e15;  // mm or rad: beyond any target; sums over a run stay finite
 constexpr double kStepRounding = 1 + 1e-6;
 constexpr double kClockRounding = 1e-12;  // a step is a difference of two instants
-
-// What a module leaves as it is fails the check, where there is one.
-void leave_open(double& field) {
-    field = kNan;
-}
-
-void leave_open(std::int32_t& field) {
-    field = -1;
-}
-
-void leave_open(std::int64_t& field) {
-    field = -1;
-}
-
-void leave_open(gsim_rcs_pose& field) {
-    std::fill(std::begin(field.matrix), std::end(field.matrix), kNan);
-}
-
-void leave_open(gsim_rcs_joints& field) {
-    field.count = -1;
-    std::fill(std::begin(field.values), std::end(field.values), kNan);
-}
-
-template <typename Place>
-void leave_open(const codec::Text<Place>& /*field*/) {}
-
-/// An output before its service is asked for.
-template <typename Output>
-Output unanswered() {
-    Output output{};
-    std::apply([](auto&&... fields) { (leave_open(fields), ...); }, codec::fields(output));
-    return output;
-}
 
 /// Some of the elements of a tuple of references, from `first` on.
 template <std::size_t first, typename... Elements, std::size_t... at>
@@ -79,6 +46,7 @@ Status RcsShell::ask(const Service& service, const void* input, void* output) {
     const int answer = module_.call(service.opcode, input, output);
     if (answer == GSIM_RCS_SUCCESS) return Status::RRS_SUCCESS;
     if (answer == GSIM_RCS_FAULT) {
+        if (const auto loss = module_.loss()) return blame(*loss);
         gsim_rcs_message message{};
         module_.call(GSIM_RCS_GET_MESSAGE, nullptr, &message);
         return blame(

@@ -26,6 +26,8 @@ class RcsShell : public Shell {
     /// The fault that was found, as a sentence.
     const std::optional<std::string>& fault() const { return fault_; }
     double interpolation_s() const { return interpolation_s_; }
+    /// Processor time that the module has spent in a process of its own.
+    double cpu_s() const { return module_.cpu_s(); }
 
 #define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
     Status method parameters override;
@@ -37,6 +39,10 @@ class RcsShell : public Shell {
     Status blame(std::string_view what);
     /// The module is about to be called.
     virtual void calling() {}
+    /// As of RcsCalls.
+    void announce(RcsAhead ahead, bool asks_targets) {
+        module_.announce(ahead, asks_targets);
+    }
 
   private:
     Status ask(const Service& service, const void* input, void* output);

@@ -23,12 +23,15 @@ constexpr double kSamePosition = 1e-6;  // mm or rad: positions at one instant m
 ModuleMotion::ModuleMotion(rrs::RcsModule module, const motion::PlannerSetup& setup, double max_time_s,
                            motion::SegmentSink& sink)
     : RcsShell(std::move(module), setup.joint_count()),
+      setup_(setup),
       step_s_(setup.controller.servo_period_s > 0 ? setup.controller.servo_period_s : kDefaultStep_s),
       max_time_s_(max_time_s),
-      position_joints_(setup.position_joints),
       sink_(sink),
       reached_(rrs::JointPos::Zero(setup.joint_count())),
-      target_(reached_) {}
+      target_(reached_),
+      client_joint_speeds_(rrs::JointPos::Constant(setup.joint_count(), motion::kUnlimited)) {
+    setup_.range_notes = nullptr;  // they let targets through; what a module refuses is refused
+}
 
 Status ModuleMotion::Initialize() {
     const Status status = RcsShell::Initialize();
@@ -61,13 +64,23 @@ Status ModuleMotion::SetInitialPosition(const rrs::CartPos& cartesian, const rrs
     return status;
 }
 
+/// What is called follows one behind the other, so that a module in a process of its own need not be asked
+/// for each step.
+template <typename Call>
+Status ModuleMotion::ahead(rrs::RcsAhead what, const Call& call) {
+    announce(what, tells_target_);
+    const Status status = call();
+    announce(rrs::RcsAhead::nothing, false);
+    return status;
+}
+
 /// Calls until the module's queue has room.
 template <typename Call>
 Status ModuleMotion::until_room(const Call& call) {
-    Status status = call();
+    Status status = ahead(rrs::RcsAhead::if_full, call);
     while (status == Status::RRS_QUEUE_FULL) {
         if (const Status stepped = step_to_target(); is_refused(stepped)) return stepped;
-        status = call();
+        status = ahead(rrs::RcsAhead::if_full, call);
     }
     return status;
 }
@@ -138,19 +151,24 @@ Status ModuleMotion::step() {
 }
 
 Status ModuleMotion::step_to_target() {
-    for (;;) {
-        const Status status = step();
-        if (is_refused(status) || status == Status::RRS_TARGET_REACHED) return status;
-        if (status == Status::RRS_NEED_MORE_DATA)
-            return blame("answered RRS_QUEUE_FULL, but its queue is empty");
-    }
+    return ahead(rrs::RcsAhead::to_target, [this] {
+        for (;;) {
+            const Status status = step();
+            if (is_refused(status) || status == Status::RRS_TARGET_REACHED) return status;
+            if (status == Status::RRS_NEED_MORE_DATA)
+                return blame("answered RRS_QUEUE_FULL, but its queue is empty");
+        }
+    });
 }
 
 void ModuleMotion::step_to_end() {
-    while (has_position_) {
-        const Status status = step();
-        if (is_refused(status) || status == Status::RRS_NEED_MORE_DATA) return;
-    }
+    if (!has_position_) return;
+    ahead(rrs::RcsAhead::to_end, [this] {
+        for (;;) {
+            const Status status = step();
+            if (is_refused(status) || status == Status::RRS_NEED_MORE_DATA) return status;
+        }
+    });
 }
 
 Status ModuleMotion::record(Status status, const rrs::JointPos& joints, double elapsed_s) {
@@ -193,14 +211,14 @@ rrs::TargetId ModuleMotion::target_of_step() {
 void ModuleMotion::fill_segment(const rrs::JointPos& joints, double elapsed_s) {
     const rrs::JointPos way = joints - reached_;
     double square_mm2 = 0;
-    for (const int joint : position_joints_) square_mm2 += joint < 0 ? 0 : way[joint] * way[joint];
+    for (const int joint : setup_.position_joints) square_mm2 += joint < 0 ? 0 : way[joint] * way[joint];
     segment_.target_id = target_of_step();
     segment_.start_s = time_s_;
     segment_.duration_s = elapsed_s;
     segment_.length_mm = std::sqrt(square_mm2);
     segment_.start = reached_;
     segment_.end = joints;
-    segment_.position_joints = position_joints_;
+    segment_.position_joints = setup_.position_joints;
     segment_.limited_by = {.kind = motion::LimitKind::unknown};
     const double length = segment_.length_mm > 0 ? segment_.length_mm : way.norm();
     segment_.kind = length > 0 ? motion::SegmentKind::linear : motion::SegmentKind::rest;

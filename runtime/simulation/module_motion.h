@@ -4,6 +4,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     double passed_on_s() const override { return std::numeric_limits<double>::infinity(); }
     const rrs::JointPos& position() const override { return target_; }
     bool sampled() const override { return true; }
+    double cpu_beside_s() const override { return cpu_s(); }
     std::optional<std::string> fault() const override { return RcsShell::fault(); }
 
     rrs::Status Initialize() override;
@@ -77,6 +79,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::Status SetRapid(bool on) override;
     rrs::Status SetCartesianPositionSpeed(double speed_mm_s) override;
     rrs::Status SetCartesianOrientationSpeed(double speed_rad_s) override;
+    rrs::Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) override;
 
   protected:
     void calling() override;
@@ -89,6 +92,8 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
         std::optional<bool> rapid;
         std::optional<double> position_speed_mm_s;
         std::optional<double> orientation_speed_rad_s;
+        bool joints_alone = false;  ///< It takes no lines of joint values: no joints carry the tool.
+        std::optional<rrs::JointPos> joint_speeds;
     };
 
     /// call(), for moves of the program.
@@ -112,10 +117,14 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::Status tell(const motion::Move& move);
     rrs::Status tell_kind(const motion::Move& move);
     rrs::Status tell_feed(const motion::MoveTerms& terms);
+    rrs::Status tell_joint_speeds(const motion::Move& move);
+    rrs::JointPos joint_speeds_of(const motion::Move& move) const;
     void tell_passing(const motion::MoveTerms& terms);
     void tell_ramps(const motion::MoveTerms& terms);
     rrs::Status put_told(const motion::Move& move);
     rrs::Status put_until_told(const motion::Move& move, const motion::StopSearch& search);
+    template <typename Call>
+    rrs::Status ahead(rrs::RcsAhead what, const Call& call);
     template <typename Call>
     rrs::Status until_room(const Call& call);
     rrs::Status queued(rrs::Status status, rrs::TargetId id, rrs::TargetParam param,
@@ -130,9 +139,9 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     void fill_segment(const rrs::JointPos& joints, double elapsed_s);
     rrs::JointPos solved(const rrs::CartPos& cartesian, const rrs::JointPos& joints);
 
+    motion::PlannerSetup setup_;
     double step_s_;
     double max_time_s_;
-    std::array<int, 3> position_joints_;
     motion::SegmentSink& sink_;
     motion::Segment segment_;  ///< Of the step under way.
     rrs::JointPos reached_;    ///< Where the last step ended.
@@ -140,6 +149,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::TargetType target_type_ = rrs::TargetType::joint;
     Modes told_;                 ///< By moves, since a client has called.
     motion::Selections client_;  ///< What clients have selected, as far as moves select it, too.
+    rrs::JointPos client_joint_speeds_;
     motion::Selections no_selections_;
     bool by_program_ = false;       ///< Who calls the module.
     motion::MoveTerms told_terms_;  ///< Of those the way in which moves are passed, and their ramps.

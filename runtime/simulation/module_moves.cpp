@@ -1,8 +1,10 @@
 // How moves of a program become calls of a module's services: what the module has not been told, then the
 // target.
 
+#include <cmath>
 #include <utility>
 
+#include "runtime/motion/range_check.h"
 #include "runtime/simulation/module_motion.h"
 
 namespace gsim::simulation {
@@ -19,11 +21,17 @@ bool is_missing(Status status) {
     return status == Status::RRS_SERVICE_NOT_SUPPORTED || status == Status::RRS_MODULE_FAULT;
 }
 
+std::span<const double> all_of(const rrs::JointPos& joints) {
+    return {joints.data(), static_cast<std::size_t>(joints.size())};
+}
+
 }  // namespace
 
 /// Each side has its own modes: before a client calls, what moves have selected since is taken back.
 void ModuleMotion::calling() {
-    if (by_program_ || !std::exchange(told_, {}).rapid) return;
+    if (by_program_) return;
+    const Modes told = std::exchange(told_, {});
+    if (!told.rapid) return;
     by_program([&] {
         RcsShell::SetRapid(client_.terms.rapid);
         SelectTargetType(client_.target_type);
@@ -31,6 +39,7 @@ void ModuleMotion::calling() {
         RcsShell::SetCartesianOrientationSpeed(client_.terms.orientation_speed_rad_s);
         if (client_.terms.position_speed_mm_s > 0)
             RcsShell::SetCartesianPositionSpeed(client_.terms.position_speed_mm_s);
+        if (told.joint_speeds) RcsShell::SetJointSpeeds({}, all_of(client_joint_speeds_));
     });
 }
 
@@ -55,6 +64,14 @@ Status ModuleMotion::SetCartesianPositionSpeed(double speed_mm_s) {
 Status ModuleMotion::SetCartesianOrientationSpeed(double speed_rad_s) {
     const Status status = RcsShell::SetCartesianOrientationSpeed(speed_rad_s);
     if (!is_refused(status)) client_.terms.orientation_speed_rad_s = speed_rad_s;
+    return status;
+}
+
+Status ModuleMotion::SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) {
+    const Status status = RcsShell::SetJointSpeeds(joints, speeds);
+    if (is_refused(status)) return status;
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        client_joint_speeds_[joints.empty() ? static_cast<Eigen::Index>(i) : joints[i]] = speeds[i];
     return status;
 }
 
@@ -101,7 +118,9 @@ Status ModuleMotion::tell_kind(const motion::Move& move) {
     }
     told_.target_type = target;
     if (told_.motion_type != type) {
-        if (const Status status = RcsShell::SelectMotionType(type); is_wrong(status)) return status;
+        const Status status = RcsShell::SelectMotionType(type);
+        if (is_wrong(status)) return status;
+        told_.joints_alone = status == Status::RRS_MOTION_TYPE_NOT_SUPPORTED;
     }
     told_.motion_type = type;
     if (told_.rapid == move.terms.rapid) return Status::RRS_SUCCESS;
@@ -131,6 +150,36 @@ Status ModuleMotion::tell_feed(const motion::MoveTerms& terms) {
     return terms.motion_time_s > 0 ? SetMotionTime(terms.motion_time_s) : Status::RRS_SUCCESS;
 }
 
+/// A line of joint values is the joints' own where none of them carries the tool: they go evenly, all
+/// together as fast as the feed says, which is that of the slides where some move.
+rrs::JointPos ModuleMotion::joint_speeds_of(const motion::Move& move) const {
+    rrs::JointPos speeds = rrs::JointPos::Constant(target_.size(), motion::kUnlimited);
+    if (move.terms.rapid || move.terms.motion_time_s > 0) return speeds;
+    const rrs::JointPos way = (move.goal.joints - target_).cwiseAbs();
+    rrs::JointPos slides = way;
+    for (Eigen::Index i = 0; i < way.size(); ++i) {
+        if (setup_.joints[static_cast<std::size_t>(i)].kind == rrs::JointKind::revolute) slides[i] = 0;
+    }
+    const bool turns = slides.isZero(0);
+    const double length = turns ? way.norm() : slides.norm();
+    const double speed = turns ? move.terms.orientation_speed_rad_s : move.terms.position_speed_mm_s;
+    for (Eigen::Index i = 0; i < way.size(); ++i) {
+        if (way[i] > 0 && std::isfinite(speed)) speeds[i] = speed * way[i] / length;
+    }
+    return speeds;
+}
+
+Status ModuleMotion::tell_joint_speeds(const motion::Move& move) {
+    if (!told_.joints_alone || move.goal.pose) return Status::RRS_SUCCESS;
+    const rrs::JointPos speeds = joint_speeds_of(move);
+    if (told_.joint_speeds == speeds) return Status::RRS_SUCCESS;
+    told_.joint_speeds = speeds;
+    const Status status = RcsShell::SetJointSpeeds({}, all_of(speeds));
+    if (status != Status::RRS_SERVICE_NOT_SUPPORTED) return status;
+    remarks_.emplace_back("the controller has no speeds of joints (SetJointSpeeds): joints move at its own");
+    return Status::RRS_SUCCESS;
+}
+
 void ModuleMotion::tell_passing(const motion::MoveTerms& terms) {
     if (terms.path_mode == told_terms_.path_mode && terms.tolerance_mm == told_terms_.tolerance_mm &&
         terms.merge_tolerance_mm == told_terms_.merge_tolerance_mm) {
@@ -158,13 +207,14 @@ void ModuleMotion::tell_ramps(const motion::MoveTerms& terms) {
     for (const auto limit :
          {rrs::RampLimit::acceleration, rrs::RampLimit::deceleration, rrs::RampLimit::jerk}) {
         const rrs::JointPos& values = ramps.of(limit);
-        tell(SetJointRampLimits(limit, {}, {values.data(), static_cast<std::size_t>(values.size())}));
+        tell(SetJointRampLimits(limit, {}, all_of(values)));
     }
 }
 
 Status ModuleMotion::tell(const motion::Move& move) {
     if (const Status status = tell_kind(move); is_refused(status)) return status;
     if (const Status status = tell_feed(move.terms); is_refused(status)) return status;
+    if (const Status status = tell_joint_speeds(move); is_refused(status)) return status;
     tell_passing(move.terms);
     tell_ramps(move.terms);
     return Status::RRS_SUCCESS;
@@ -186,13 +236,21 @@ Status ModuleMotion::put_told(const motion::Move& move) {
     return put(rrs::TargetParam::end, move.goal);
 }
 
+/// A module refuses what lies past a range in its own words; those of the machine's axes say more.
 motion::Put ModuleMotion::put(const motion::Move& move) {
     if (move.goal.pose && !move.goal.pose->led.empty()) {
         return tl::unexpected(motion::PlanError{
             .status = Status::RRS_MODE_NOT_SUPPORTED,
             .message = "A controller module knows no groups of axes; lead their axes by words (G0, G1)."});
     }
-    return by_program([&] { return answer(put_told(move)); });
+    return by_program([&]() -> motion::Put {
+        const Status status = put_told(move);
+        if (status == Status::RRS_JOINT_LIMIT && !move.goal.pose) {
+            if (const auto in_range = motion::check_target_ranges(setup_, move.goal.joints); !in_range)
+                return tl::unexpected(in_range.error());
+        }
+        return answer(status);
+    });
 }
 
 Status ModuleMotion::put_until_told(const motion::Move& move, const motion::StopSearch& search) {

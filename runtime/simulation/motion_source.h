@@ -63,6 +63,8 @@ class MotionSource {
     virtual const rrs::JointPos& position() const = 0;
     /// Whether segments are samples of a motion, not the motion itself.
     virtual bool sampled() const = 0;
+    /// Processor time that was spent for this beside the thread of the run.
+    virtual double cpu_beside_s() const { return 0; }
     /// What makes the run worthless, as a sentence.
     virtual std::optional<std::string> fault() const = 0;
 };

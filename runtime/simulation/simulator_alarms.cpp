@@ -63,7 +63,9 @@ std::string cpu_limit_reached(const os::CpuLimit& limit) {
 }
 
 bool Simulator::has_cpu_time(const Place& place) {
-    if (limits_.cpu == nullptr || !limits_.cpu->reached()) return true;
+    if (limits_.cpu == nullptr) return true;
+    if (const double beside_s = motion_->cpu_beside_s(); beside_s > 0) limits_.cpu->count_beside(beside_s);
+    if (!limits_.cpu->reached()) return true;
     return stop(DiagnosticKind::run_limit, cpu_limit_reached(*limits_.cpu), place);
 }
 

@@ -86,6 +86,20 @@ TEST_F(Confined, AHoleInLuaReachesNoOtherFile) {
     EXPECT_TRUE(exists("out/m.jsonl")) << "what was asked for is written";
 }
 
+/// The module may reach what it likes, in its own process.
+TEST_F(Confined, SoItIsWithAControllerModule) {
+    GSIM_SKIP_WITH_SANITIZER;
+    const std::string names = "r:" + path("elsewhere/secret");
+    const Ended alone = escape(names, {"here/part.nc"});
+    if (holds(alone.err, "reached")) GTEST_SKIP() << "this system confines no process";
+    const Ended beside = escape(names, {"--rcs", GSIM_RCS_DEFAULT, "here/part.nc"});
+    EXPECT_EQ(beside.status, 0) << beside.err;
+    EXPECT_TRUE(holds(beside.err, names + ": Permission denied")) << beside.err;
+    const Ended within = escape(names, {"--rcs", GSIM_RCS_DEFAULT, "--rcs-in-process", "here/part.nc"});
+    EXPECT_EQ(within.status, 0) << within.err;
+    EXPECT_TRUE(holds(within.err, names + ": reached")) << within.err;
+}
+
 TEST_F(Confined, SoDoHolesInTheOtherReaders) {
     GSIM_SKIP_WITH_SANITIZER;
     write(

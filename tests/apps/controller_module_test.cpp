@@ -1,5 +1,11 @@
 // gsim-run --rcs: a controller module in place of the built-in planner.
 
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <thread>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +20,13 @@ constexpr const char* kPart = "G0 X50 Y20\nG1 X150 F6000\nG2 X150 Y120 J50\nG4 P
 
 class ControllerModule : public Apps {
   protected:
+    static std::string sample(const std::string& name) {
+        return fmt::format("{}/samples/{}", GSIM_SOURCE, name);
+    }
+    Ended run(std::vector<std::string> arguments, const std::vector<std::string>& more) const {
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return gsim_run(arguments);
+    }
     static std::string test_module(const std::string& name) {
         return fmt::format("{}/{}.so", GSIM_TEST_MODULES, name);
     }
@@ -83,6 +96,204 @@ TEST_F(ControllerModule, OneThatAnswersGarbageEndsTheRunWithAnAlarm) {
     EXPECT_EQ(e.status, 1);
     EXPECT_TRUE(holds(e.err, "The controller module nan_answer.so answered GetNextStep with the value nan"))
         << e.err;
+}
+
+TEST_F(ControllerModule, WithoutTheProgramThatItRunsInItIsRefusedButMayRunInThisOne) {
+    const std::string part = write("part.nc", kPart);
+    const std::string alone = folder_ / "gsim";
+    std::filesystem::copy_file(std::filesystem::canonical(GSIM_FRONT), alone);
+    std::vector<std::string> arguments{"run", "--quiet", part, "--rcs", GSIM_RCS_DEFAULT};
+    const Ended refused = run_program(alone, arguments, folder_);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(holds(refused.err, "the program gsim-rcs-host is neither in '")) << refused.err;
+    EXPECT_TRUE(holds(refused.err, "(--rcs-in-process does without)")) << refused.err;
+    arguments.emplace_back("--rcs-in-process");
+    EXPECT_EQ(run_program(alone, arguments, folder_).status, 0);
+}
+
+/// Programs for machines whose tool turns: heads, tables, arms; with joints, poses, and a tip that is led.
+struct Case {
+    const char* name;
+    const char* machine;
+    const char* program;  ///< A sample, or a text with an ending in front: "lua:F(100)".
+};
+
+constexpr const char* kArmByJoints =
+    "nc:G0 A10 B-30 C20 U30 V40 W50\nG1 A40 B-40 C40 U0 V60 W0 F3000\nG4 P0.5\n"
+    "G1 A-20 B-40 C30 U20 V30 W90\nG93 G1 A0 B-30 F30\nM2\n";
+constexpr const char* kArmByPoses =
+    "lua:F(6000)\nMoveJoint{x=500,y=200,z=300,roll=0,pitch=180,yaw=0}\n"
+    "MoveLinear{x=500,y=-200,z=300,roll=30,pitch=180,yaw=0}\n"
+    "MoveCircular{via={x=600,y=0,z=300,roll=0,pitch=180,yaw=0},"
+    " to={x=500,y=200,z=300,roll=0,pitch=180,yaw=0}}\n"
+    "G4{p=0.2}\nMoveJoint{x=400,y=300,z=400,roll=0,pitch=170,yaw=10}\n";
+constexpr const char* kHeadByPoses =
+    "lua:F(3000)\nMoveLinear{x=300,y=250,z=200,roll=0,pitch=0,yaw=0}\n"
+    "MoveLinear{x=400,y=280,z=220,roll=0,pitch=20,yaw=0}\n"
+    "MoveCircular{via={x=450,y=300,z=220,roll=0,pitch=10,yaw=0},"
+    " to={x=400,y=320,z=220,roll=0,pitch=0,yaw=0}}\n";
+constexpr const char* kMillByPoses =
+    "lua:F(3000)\nMoveLinear{x=100,y=50,z=200,roll=0,pitch=0,yaw=0}\n"
+    "MoveLinear{x=200,y=80,z=220,roll=0,pitch=20,yaw=0}\n";
+
+class TurningTools : public ControllerModule, public testing::WithParamInterface<Case> {
+  protected:
+    std::string program() const {
+        const std::string text = GetParam().program;
+        const std::size_t colon = text.find(':');
+        if (colon == std::string::npos) return sample(text);
+        return write("part." + text.substr(0, colon), text.substr(colon + 1));
+    }
+    /// A table of numbers that was written as CSV.
+    std::vector<std::vector<double>> table(const std::string& name) const {
+        std::vector<std::vector<double>> rows;
+        std::istringstream lines(read(name));
+        std::string line;
+        for (std::getline(lines, line); std::getline(lines, line);) {
+            std::istringstream fields(line);
+            std::vector<double>& row = rows.emplace_back();
+            for (std::string field; std::getline(fields, field, ',');)
+                row.push_back(field.empty() ? 0 : std::stod(field));
+        }
+        return rows;
+    }
+    /// Those that take a step at least: of shorter ones a module may show one, or none.
+    std::vector<json> long_moves(const std::string& name) const {
+        std::vector<json> moves;
+        std::istringstream lines(read(name));
+        for (std::string line; std::getline(lines, line);) {
+            json move = json::parse(line);
+            if (move["end_s"].get<double>() - move["start_s"].get<double>() >= kStep_s)
+                moves.push_back(std::move(move));
+        }
+        return moves;
+    }
+    void expect_same_moves() const {
+        const std::vector<json> built_in = long_moves("a.moves"), module = long_moves("b.moves");
+        ASSERT_EQ(built_in.size(), module.size());
+        for (std::size_t i = 0; i < built_in.size(); ++i) {
+            EXPECT_EQ(built_in[i]["line"], module[i]["line"]);
+            for (const char* const instant : {"start_s", "end_s"}) {
+                EXPECT_NEAR(built_in[i][instant].get<double>(), module[i][instant].get<double>(),
+                            kStep_s * 1.001)
+                    << module[i];
+            }
+        }
+    }
+
+    static constexpr double kStep_s = 0.001;
+};
+
+TEST_P(TurningTools, GoWhereOurOwnPlannerTakesThem) {
+    const std::string part = program();
+    const std::vector<std::string> usual{part, "--machine",
+                                         sample(std::string("machines/") + GetParam().machine), "--json"};
+    const Ended a = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
+    const Ended b = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs", GSIM_RCS_DEFAULT});
+    const json built_in = json::parse(a.out), module = json::parse(b.out);
+    ASSERT_EQ(module["alarm"], nullptr) << b.out;
+    EXPECT_EQ(module["status"], built_in["status"]);
+    EXPECT_NEAR(module["cycle_time_s"].get<double>(), built_in["cycle_time_s"].get<double>(), 1e-6);
+    expect_same_moves();
+    const auto exact = table("a.csv"), stepped = table("b.csv");
+    ASSERT_EQ(exact.size(), stepped.size());
+    ASSERT_GT(exact.size(), 100U);
+    for (std::size_t row = 0; row < exact.size(); ++row) {
+        for (std::size_t axis = 2; axis + 1 < exact[row].size(); ++axis)
+            ASSERT_NEAR(exact[row][axis], stepped[row][axis], 0.01) << "at " << exact[row][0] << " s";
+    }
+}
+
+TEST_P(TurningTools, EveryByteIsThatOfTheModuleInThisProcess) {
+    const std::string part = program();
+    const std::vector<std::string> usual{
+        part,     "--machine", sample(std::string("machines/") + GetParam().machine),
+        "--json", "--rcs",     GSIM_RCS_DEFAULT};
+    const Ended own = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
+    const Ended here = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs-in-process"});
+    EXPECT_EQ(own.status, here.status);
+    EXPECT_EQ(own.out, here.out);
+    EXPECT_EQ(read("a.csv"), read("b.csv"));
+    EXPECT_EQ(read("a.moves"), read("b.moves"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, TurningTools,
+                         testing::Values(Case{"wheel", "af5.toml", "wheel.nc"},
+                                         Case{"dome", "mill-head-table.toml", "mill/dome.nc"},
+                                         Case{"turntable", "mill-table-table.toml", "mill/turntable.nc"},
+                                         Case{"arm_by_joints", "arm6.toml", kArmByJoints},
+                                         Case{"arm_by_poses", "arm6.toml", kArmByPoses},
+                                         Case{"gantry_by_poses", "af5.toml", kHeadByPoses},
+                                         Case{"offset_head_by_poses", "gantry-offset-head.toml",
+                                              kHeadByPoses},
+                                         Case{"mill_by_poses", "mill-head-table.toml", kMillByPoses}),
+                         [](const auto& param) { return std::string(param.param.name); });
+
+// The module has the machine's ranges, too, and says so in joints and rad.
+TEST_F(ControllerModule, ATargetPastARangeThatItRefusesIsToldOfTheAxis) {
+    const std::string part = write("part.nc", "G1 A10 B-60 F3000\nM2\n");
+    const json report = json::parse(
+        gsim_run({part, "--json", "--machine", sample("machines/arm6.toml"), "--rcs", GSIM_RCS_DEFAULT}).out);
+    EXPECT_EQ(report["alarm"]["message"], "axis B would go to -60 deg, past its limit of -45 deg");
+    EXPECT_EQ(report["alarm"]["axis"], "B");
+}
+
+/// What a module does to its process is not done to the program.
+class HostileModule : public ControllerModule {
+  protected:
+    HostileModule() {
+        std::string text;
+        for (int i = 1; i <= 50; ++i) text += fmt::format("G1 X{} F6000\n", i);  // 10 ms each
+        part_ = write("part.nc", text + "M2\n");
+    }
+    /// A path to a module that no other program has.
+    std::string own_path(const std::string& module) const {
+        const std::filesystem::path link = folder_ / (module + ".so");
+        std::filesystem::create_symlink(test_module(module), link);
+        return link;
+    }
+    static bool is_running(const std::string& module) {
+        for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+            std::ifstream file(entry.path() / "cmdline");
+            const std::string line{std::istreambuf_iterator<char>(file), {}};
+            if (holds(line, "gsim-rcs-host") && holds(line, module)) return true;
+        }
+        return false;
+    }
+    std::string part_;
+};
+
+TEST_F(HostileModule, ACrashIsAnAlarmAndWhatWasMovedBeforeIsThere) {
+    const Ended e = gsim_run(
+        {part_, "--json", "--moves", "moves", "--trajectory", "way.csv", "--rcs", test_module("crashes")});
+    EXPECT_EQ(e.status, 1);
+    const json report = json::parse(e.out);
+    EXPECT_EQ(report["status"], "alarm");
+    EXPECT_EQ(report["alarm"]["message"],
+              "The controller module crashes.so crashed in GetNextStep (signal 11).");
+    EXPECT_EQ(report["alarm"]["file"], part_);
+    EXPECT_GT(report["alarm"]["line"], 0);
+    EXPECT_NEAR(report["cycle_time_s"].get<double>(), 0.05, 1e-9) << "50 steps of 1 ms";
+    EXPECT_TRUE(holds(read("moves"), "\"to\":{\"X\":4,"));
+    EXPECT_TRUE(holds(read("way.csv"), "\n0.05,"));
+}
+
+TEST_F(HostileModule, WhatItPrintsIsNotInTheReport) {
+    const Ended e = gsim_run({part_, "--json", "--rcs", test_module("prints")});
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_EQ(json::parse(e.out)["status"], "completed");
+    EXPECT_TRUE(holds(e.err, "rubbish"));
+}
+
+TEST_F(HostileModule, ARunThatIsInterruptedLeavesNoProcessBehind) {
+    const std::string module = own_path("hangs");
+    for (const char* const signal : {"INT", "KILL"}) {
+        run_program("/usr/bin/timeout", {"-s", signal, "1", GSIM_RUN, part_, "--quiet", "--rcs", module},
+                    folder_);
+        for (int i = 0; i < 100 && is_running(module); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        EXPECT_FALSE(is_running(module)) << signal;
+    }
 }
 
 }  // namespace

@@ -79,9 +79,9 @@ TEST(Run, NothingOutsideOfTheFolderOfTheProgramIsCalled) {
 TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {
     Request request = request_of("a.nc", {{"a.nc", "M2\n"}});
     request.module = "planner.so";
-    auto run = engine::Run::open(request);
-    ASSERT_TRUE(run);
-    EXPECT_THAT(run->prepare().error().message, HasSubstr("planner.so"));
+    const auto run = engine::Run::open(request);
+    ASSERT_FALSE(run);
+    EXPECT_THAT(run.error().message, HasSubstr("planner.so"));
     request.overrides.feed_percent = 50;
     EXPECT_EQ(engine::Run::open(request).error().code, "usage");
 }

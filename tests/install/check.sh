@@ -122,6 +122,7 @@ check 'library in Lua' '^cycle time  129\.9[89]' bare "$bin/gsim-run" --lua-lib 
     --machine "$samples/machines/af5-measured.toml" "$samples/wheel.nc"
 # By their names, from a foreign folder.
 check 'sample machine by its name' '^cycle time  129\.9[89]' bare "$bin/gsim-run" --machine af5-measured samples/wheel.nc
+check 'module in the program' '^status      completed' bare "$bin/gsim-run" --rcs gsim_rcs_default --rcs-in-process "$samples/wheel.nc"
 check 'module by its name' '^status      completed' bare "$bin/gsim-run" --rcs gsim_rcs_default samples/wheel.nc
 check 'materials and drawings by their names' '' bare "$bin/autopath" samples/plate.svg --materials samples/materials.toml \
     --material aluminum --thickness 12 --at 200 200 50 -o "$scratch/named.json"

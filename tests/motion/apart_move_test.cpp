@@ -50,7 +50,7 @@ double way_by_chords_mm(const Segment& segment) {
 }
 
 class ApartServices : public AnyPlanner {};
-INSTANTIATE_TEST_SUITE_P(Ways, ApartServices, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, ApartServices, all_ways(), way_name);
 
 // 100 mm/s and 1000 mm/s2: 0.1 s and 5 mm for a ramp.
 TEST_P(ApartServices, EachJointIsThereWhenItIsThere) {

@@ -59,7 +59,7 @@ class CartesianTarget : public AnyPlanner {
     CartPos middle;
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, CartesianTarget, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, CartesianTarget, all_ways(), way_name);
 
 TEST_P(CartesianTarget, LineInTheWorld) {
     CartPos end = start;

@@ -47,7 +47,7 @@ class Events : public AnyPlanner {
     ReadyShell ready_{make(setup()), joint_pos({0, 0, 0, 0, 0})};
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, Events, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, Events, all_ways(), way_name);
 
 // 100 mm at 100 mm/s with 1000 mm/s2: 1.1 s, and 2.2 s for both.
 TEST_P(Events, ByTime) {

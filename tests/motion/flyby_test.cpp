@@ -50,7 +50,7 @@ TEST(Flyby, CriteriaOfALookAhead) {
 }
 
 class FlybyServices : public AnyPlanner {};
-INSTANTIATE_TEST_SUITE_P(Ways, FlybyServices, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, FlybyServices, all_ways(), way_name);
 
 TEST_P(FlybyServices, WhatAControllerDoesNotHaveItRefuses) {
     for (const auto kind : {PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc}) {

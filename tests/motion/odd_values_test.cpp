@@ -92,7 +92,7 @@ class OddValues : public AnyPlanner {
     std::mt19937 random{41};
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, OddValues, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, OddValues, all_ways(), way_name);
 
 // No limits at all in every other session.
 PlannerSetup setup_of(int session) {

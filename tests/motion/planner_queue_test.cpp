@@ -47,7 +47,7 @@ class QueueServices : public AnyPlanner {
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, QueueServices, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, QueueServices, all_ways(), way_name);
 
 TEST(PlannerQueue, SegmentsLeaveInOrderEachOnceAndJoinWithoutGaps) {
     ReadyPlanner at(gantry_setup(), kStart);

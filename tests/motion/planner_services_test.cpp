@@ -27,7 +27,7 @@ class PlannerServices : public AnyPlanner {
     rrs::Shell& planner;
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, all_ways(), way_name);
 
 TEST_P(PlannerServices, WhatIsNotOfferedSaysSoByName) {
     CartPos pose = CartPos::Identity();

@@ -8,12 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "runtime/rcs/rcs_machine.h"
+#include "runtime/rrs/rcs_process.h"
 #include "runtime/rrs/rcs_shell.h"
 #include "tests/motion/machines.h"
 
 namespace gsim::motion {
 
-/// A way to have our planner behind the services: in this process, or through a controller module.
+/// A way to have our planner behind the services: in this process, or through a controller module here or in
+/// a process of its own.
 struct PlannerMaker {
     const char* name;
     std::unique_ptr<rrs::Shell> (*make)(const PlannerSetup& setup);
@@ -32,16 +34,23 @@ inline std::unique_ptr<rrs::Shell> make_through_module(const PlannerSetup& setup
     return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
 }
 
-/// A test of the services alone, for both ways.
+inline std::unique_ptr<rrs::Shell> make_through_process(const PlannerSetup& setup) {
+    auto module = rrs::begin_rcs_process(GSIM_RCS_HOST, GSIM_RCS_DEFAULT, rcs::RcsMachine(setup).get());
+    if (!module) throw std::runtime_error(module.error());
+    return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
+}
+
+/// A test of the services alone, for all ways.
 class AnyPlanner : public testing::TestWithParam<PlannerMaker> {
   protected:
     static std::unique_ptr<rrs::Shell> make(const PlannerSetup& setup) { return GetParam().make(setup); }
 };
 
 /// For INSTANTIATE_TEST_SUITE_P.
-inline auto both_ways() {
+inline auto all_ways() {
     return testing::Values(PlannerMaker{"in_process", make_in_process},
-                           PlannerMaker{"through_module", make_through_module});
+                           PlannerMaker{"through_module", make_through_module},
+                           PlannerMaker{"through_process", make_through_process});
 }
 
 inline std::string way_name(const testing::TestParamInfo<PlannerMaker>& info) {

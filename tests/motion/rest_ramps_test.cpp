@@ -93,7 +93,7 @@ TEST(RestRamps, InfiniteOnesJump) {
 }
 
 class RampServices : public AnyPlanner {};
-INSTANTIATE_TEST_SUITE_P(Ways, RampServices, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, RampServices, all_ways(), way_name);
 
 TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
     ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));

@@ -49,7 +49,7 @@ std::vector<Call> all_calls() {
 
 class ServicesList : public AnyPlanner {};
 
-INSTANTIATE_TEST_SUITE_P(Ways, ServicesList, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, ServicesList, all_ways(), way_name);
 
 TEST_P(ServicesList, AnswersOfThePlannerAreInIt) {
     const std::vector<Call> calls = all_calls();

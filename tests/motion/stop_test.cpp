@@ -45,7 +45,7 @@ int run_out(DefaultPlanner& planner, rrs::JointPos& at) {
 }
 
 class StopServices : public AnyPlanner {};
-INSTANTIATE_TEST_SUITE_P(Ways, StopServices, both_ways(), way_name);
+INSTANTIATE_TEST_SUITE_P(Ways, StopServices, all_ways(), way_name);
 
 TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
     ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));

@@ -13,10 +13,15 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string why_not(const std::string& name) {
-    const auto library = RcsLibrary::load(module_path(name), slides());
-    return library ? "it was loaded" : library.error();
-}
+class Loading : public testing::TestWithParam<Place> {
+  protected:
+    static std::string why_not(const std::string& name, RcsProcessLimits limits = {}) {
+        const auto module = module_at(GetParam(), name, limits);
+        return module ? "it was loaded" : module.error();
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Places, Loading, both_places(), place_name);
 
 TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
     auto library = RcsLibrary::load(module_path("small_module"), slides());
@@ -35,7 +40,7 @@ TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
     EXPECT_EQ(one->call(9999, nullptr, nullptr), GSIM_RCS_NOT_SUPPORTED);
 }
 
-TEST(RcsHost, SaysWhyALibraryIsNoModule) {
+TEST_P(Loading, SaysWhyALibraryIsNoModule) {
     EXPECT_THAT(why_not("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
     EXPECT_EQ(why_not("no_module"), "no_module.so is no controller module: it has no gsim_rcs_version");
     EXPECT_EQ(why_not("other_version"),
@@ -43,29 +48,29 @@ TEST(RcsHost, SaysWhyALibraryIsNoModule) {
               "version 2");
 }
 
-TEST(RcsHost, SaysWhyAModuleMakesNoController) {
+TEST_P(Loading, SaysWhyAModuleMakesNoController) {
     EXPECT_EQ(why_not("no_machine"),
               "no_machine.so makes no controller for this machine: It drives lathes alone.");
     EXPECT_EQ(why_not("no_initialize"), "no_initialize.so does not offer the service Initialize");
 }
 
-TEST(RcsHost, CrashWhileLoadingIsASentence) {
+TEST_P(Loading, CrashWhileLoadingIsASentence) {
     EXPECT_EQ(why_not("crash_on_load"),
               "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
     EXPECT_EQ(why_not("crash_in_create"),
               "the controller module crash_in_create.so crashed (signal 6) while it was loaded");
-    EXPECT_EQ(why_not("ends_program"),
-              "the controller module ends_program.so ended the program while it was loaded");
-    EXPECT_EQ(why_not("ends_in_create"),
-              "the controller module ends_in_create.so ended the program while it was loaded");
+    const char* const ended =
+        GetParam() == Place::own_process ? "ended its process (status 0)" : "ended the program";
+    for (const std::string name : {"ends_program", "ends_in_create"}) {
+        EXPECT_EQ(why_not(name),
+                  fmt::format("the controller module {}.so {} while it was loaded", name, ended));
+    }
 }
 
-TEST(RcsHost, NoAnswerWhileLoadingIsASentence) {
+TEST_P(Loading, NoAnswerWhileLoadingIsASentence) {
     for (const char* const name : {"hangs_on_load", "hangs_in_create"}) {
-        const auto library = RcsLibrary::load(module_path(name), slides(), 200);
-        ASSERT_FALSE(library.has_value());
         EXPECT_EQ(
-            library.error(),
+            why_not(name, {.answer_ms = 200}),
             fmt::format("the controller module {}.so gave no answer within 0.2 s while it was loaded", name));
     }
 }

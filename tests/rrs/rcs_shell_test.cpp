@@ -9,10 +9,8 @@
 namespace gsim::rrs::rcs_shell_test {
 namespace {
 
-RcsShell ready(const std::string& name) {
-    auto library = RcsLibrary::load(module_path(name), slides());
-    EXPECT_TRUE(library.has_value());
-    RcsShell shell(RcsModule::create(*library, slides()).value(), 3);
+RcsShell ready(Place place, const std::string& name) {
+    RcsShell shell(module_at(place, name).value(), 3);
     shell.Initialize();
     return shell;
 }
@@ -40,7 +38,15 @@ std::string message(RcsShell& shell) {
     return text;
 }
 
-TEST(RcsShell, ModuleMovesAsItIsAskedTo) {
+/// Wherever the module runs, it is the same.
+class Modules : public testing::TestWithParam<Place> {
+  protected:
+    static RcsShell ready(const std::string& name) { return rcs_shell_test::ready(GetParam(), name); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Places, Modules, both_places(), place_name);
+
+TEST_P(Modules, ModuleMovesAsItIsAskedTo) {
     RcsShell shell = ready("small_module");
     shell.SetCartesianPositionSpeed(100);
     shell.SetInitialPosition(CartPos::Identity(), at(1, 2, 3), "");
@@ -59,7 +65,7 @@ TEST(RcsShell, ModuleMovesAsItIsAskedTo) {
     EXPECT_FALSE(shell.fault());
 }
 
-TEST(RcsShell, MissingServiceIsNamedAndIsNoFault) {
+TEST_P(Modules, MissingServiceIsNamedAndIsNoFault) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.StopMotion(), Status::RRS_SERVICE_NOT_SUPPORTED);
     EXPECT_EQ(message(shell), "small_module.so does not offer the service StopMotion.");
@@ -70,7 +76,7 @@ TEST(RcsShell, MissingServiceIsNamedAndIsNoFault) {
 }
 
 /// A module that was compiled before a service got its opcode does not know it.
-TEST(RcsShell, OpcodesOfLaterHeadersAreMissingServices) {
+TEST_P(Modules, OpcodesOfLaterHeadersAreMissingServices) {
     RcsShell shell = ready("small_module");
     const double value = 1;
     EXPECT_EQ(shell.SetRampMode(RampMode::s_curve), Status::RRS_SERVICE_NOT_SUPPORTED);
@@ -80,7 +86,7 @@ TEST(RcsShell, OpcodesOfLaterHeadersAreMissingServices) {
     EXPECT_FALSE(shell.fault());
 }
 
-TEST(RcsShell, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
+TEST_P(Modules, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
     RcsShell shell = ready("small_module");
     EXPECT_EQ(shell.ModifyCellFrame(std::string(GSIM_RCS_NAME_SIZE, 'n'), CartPos::Identity()),
               Status::RRS_INVALID_PARAMETER);
@@ -94,15 +100,15 @@ struct BadAnswer {
     const char* sentence;  // behind the name of the module
 };
 
-class RcsShellFaults : public testing::TestWithParam<BadAnswer> {};
+class RcsShellFaults : public testing::TestWithParam<std::tuple<BadAnswer, Place>> {};
 
 TEST_P(RcsShellFaults, BadAnswerToAStepIsAFaultForGood) {
-    RcsShell shell = ready(GetParam().module);
+    const auto& [bad, place] = GetParam();
+    RcsShell shell = ready(place, bad.module);
     shell.SetCartesianPositionSpeed(100);
     shell.SetNextTarget(1, TargetParam::end, CartPos::Identity(), at(5, 0, 0), "", 0);
     EXPECT_EQ(next(shell).status, Status::RRS_MODULE_FAULT);
-    const std::string sentence =
-        fmt::format("The controller module {}.so {}", GetParam().module, GetParam().sentence);
+    const std::string sentence = fmt::format("The controller module {}.so {}", bad.module, bad.sentence);
     EXPECT_THAT(message(shell), testing::StartsWith(sentence));
     EXPECT_EQ(shell.SetCartesianPositionSpeed(1), Status::RRS_MODULE_FAULT);
     EXPECT_EQ(shell.Initialize(), Status::RRS_MODULE_FAULT);
@@ -111,15 +117,21 @@ TEST_P(RcsShellFaults, BadAnswerToAStepIsAFaultForGood) {
 
 INSTANTIATE_TEST_SUITE_P(
     Modules, RcsShellFaults,
-    testing::Values(BadAnswer{"nan_answer", "answered GetNextStep with the value nan for joint 2"},
-                    BadAnswer{"backwards", "answered GetNextStep with a time that runs backwards, by 0.01 s"},
-                    BadAnswer{"fewer_joints", "answered GetNextStep with 1 joint values; the machine has 3"},
-                    BadAnswer{"no_status", "answered GetNextStep with 77, which is no status"},
-                    BadAnswer{"leaves_output", "answered GetNextStep with a time of nan s"},
-                    BadAnswer{"breaks_down", "failed in GetNextStep: out of memory"}),
-    [](const auto& param) { return std::string(param.param.module); });
+    testing::Combine(
+        testing::Values(
+            BadAnswer{"nan_answer", "answered GetNextStep with the value nan for joint 2"},
+            BadAnswer{"backwards", "answered GetNextStep with a time that runs backwards, by 0.01 s"},
+            BadAnswer{"fewer_joints", "answered GetNextStep with 1 joint values; the machine has 3"},
+            BadAnswer{"no_status", "answered GetNextStep with 77, which is no status"},
+            BadAnswer{"leaves_output", "answered GetNextStep with a time of nan s"},
+            BadAnswer{"breaks_down", "failed in GetNextStep: out of memory"}),
+        both_places()),
+    [](const auto& param) {
+        return fmt::format("{}_{}", std::get<0>(param.param).module,
+                           place_name({std::get<1>(param.param), 0}));
+    });
 
-TEST(RcsShell, StatusOfAnotherServiceIsAFault) {
+TEST_P(Modules, StatusOfAnotherServiceIsAFault) {
     RcsShell shell = ready("wrong_status");
     EXPECT_EQ(shell.SelectTargetType(TargetType::joint), Status::RRS_MODULE_FAULT);
     EXPECT_EQ(

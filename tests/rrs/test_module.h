@@ -3,8 +3,10 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "runtime/rrs/rcs_host.h"
+#include "runtime/rrs/rcs_process.h"
 #include "runtime/rrs/rcs_values.h"
 
 namespace gsim::rrs {
@@ -22,6 +24,28 @@ inline gsim_rcs_machine slides() {
     machine.max_rapid_mm_s = 500;
     machine.queue_capacity = 8;
     return machine;
+}
+
+/// Where a module of a test runs.
+enum class Place { this_process, own_process };
+
+inline std::string place_name(const testing::TestParamInfo<Place>& info) {
+    return info.param == Place::own_process ? "own_process" : "this_process";
+}
+
+inline auto both_places() {
+    return testing::Values(Place::this_process, Place::own_process);
+}
+
+/// The error is the sentence of why it cannot be used.
+inline tl::expected<RcsModule, std::string> module_at(Place place, const std::string& name,
+                                                      RcsProcessLimits limits = {}) {
+    const gsim_rcs_machine machine = slides();
+    if (place == Place::own_process)
+        return begin_rcs_process(GSIM_RCS_HOST, module_path(name), machine, limits);
+    auto library = RcsLibrary::load(module_path(name), machine, limits.answer_ms);
+    if (!library) return tl::unexpected(library.error());
+    return RcsModule::create(*library, machine);
 }
 
 }  // namespace gsim::rrs

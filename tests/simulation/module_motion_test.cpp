@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/rrs/rcs_host.h"
 #include "runtime/simulation/simulator.h"
+#include "tests/rrs/test_module.h"
 #include "tests/simulation/test_segments.h"
 
 namespace gsim::simulation::module_motion_test {
@@ -22,8 +22,12 @@ using testing::StartsWith;
 
 constexpr double kStep_s = 0.001;
 
-rrs::RcsModule module_of(const std::string& path, const machine::Machine& machine) {
+using rrs::Place;
+
+rrs::RcsModule module_of(Place place, const std::string& path, const machine::Machine& machine) {
     const rcs::RcsMachine described(setup_of_machine(machine));
+    if (place == Place::own_process)
+        return rrs::begin_rcs_process(GSIM_RCS_HOST, path, described.get()).value();
     auto library = rrs::RcsLibrary::load(path, described.get());
     if (!library) throw std::runtime_error(library.error());
     return rrs::RcsModule::create(*library, described.get()).value();
@@ -38,8 +42,8 @@ machine::Machine fast_machine() {
     return machine;
 }
 
-rrs::RcsModule test_module(const std::string& name) {
-    return module_of(fmt::format("{}/{}.so", GSIM_TEST_MODULES, name), fast_machine());
+rrs::RcsModule test_module(Place place, const std::string& name) {
+    return module_of(place, rrs::module_path(name), fast_machine());
 }
 
 LineMove line_to(double x, double y, MoveKind kind = MoveKind::linear, double feed_mm_min = 6000) {
@@ -59,15 +63,17 @@ class MoveList : public RunOutput {
     std::vector<RecordedMove> moves;
 };
 
-class SmallModule : public testing::Test {
+class SmallModule : public testing::TestWithParam<Place> {
   protected:
-    SmallModule() : simulator(fast_machine(), {}, test_module("small_module")) { simulator.add_output(list); }
+    SmallModule() : simulator(fast_machine(), {}, test_module(GetParam(), "small_module")) {
+        simulator.add_output(list);
+    }
     MoveList list;
     Simulator simulator;
 };
 
 // The module moves at the programmed speed from the first instant to the last.
-TEST_F(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
+TEST_P(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
     simulator.move(line_to(300, 400));  // 500 mm at 100 mm/s
     simulator.dwell(2.5, {});
     simulator.move(line_to(300, 100, MoveKind::rapid));  // 300 mm at the machine's rapid speed
@@ -86,7 +92,7 @@ TEST_F(SmallModule, MovesTakeTheTimeThatTheModuleGivesThem) {
 }
 
 // More targets than the module's queue holds; the module does not tell of which target a step is.
-TEST_F(SmallModule, EachMoveGetsItsOwnSteps) {
+TEST_P(SmallModule, EachMoveGetsItsOwnSteps) {
     constexpr int kMoves = 50;
     for (int i = 1; i <= kMoves; ++i) ASSERT_TRUE(simulator.move(line_to(10.0 * i, 0)));
     simulator.finish("p");
@@ -99,7 +105,7 @@ TEST_F(SmallModule, EachMoveGetsItsOwnSteps) {
     }
 }
 
-TEST_F(SmallModule, MissingServiceEndsTheRunWithItsName) {
+TEST_P(SmallModule, MissingServiceEndsTheRunWithItsName) {
     ArcMove arc;
     arc.target = AxisVector::Zero(5);
     arc.center_mm[0] = 10;
@@ -109,7 +115,7 @@ TEST_F(SmallModule, MissingServiceEndsTheRunWithItsName) {
     EXPECT_EQ(simulator.alarm()->message, "small_module.so does not offer the service SetNextArcTarget.");
 }
 
-TEST_F(SmallModule, PathModesItLacksAreAWarning) {
+TEST_P(SmallModule, PathModesItLacksAreAWarning) {
     simulator.set_path_mode(rrs::PathMode::continuous, 0, 0);
     simulator.move(line_to(10, 0));
     const Report report = simulator.finish("p");
@@ -117,26 +123,69 @@ TEST_F(SmallModule, PathModesItLacksAreAWarning) {
     EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("has no path modes")));
 }
 
-std::string alarm_of(const std::string& module, RunLimits limits = {}) {
-    Simulator simulator(fast_machine(), limits, test_module(module));
+INSTANTIATE_TEST_SUITE_P(Places, SmallModule, rrs::both_places(), rrs::place_name);
+
+class Modules : public testing::TestWithParam<Place> {
+  protected:
+    static rrs::RcsModule test_module(const std::string& name) {
+        return module_motion_test::test_module(GetParam(), name);
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Places, Modules, rrs::both_places(), rrs::place_name);
+
+std::string alarm_of(rrs::RcsModule module, RunLimits limits = {}) {
+    Simulator simulator(fast_machine(), limits, std::move(module));
     simulator.move(line_to(10, 0));
     simulator.finish("p");
     return simulator.alarm() ? simulator.alarm()->message : "";
 }
 
-TEST(ModuleMotion, FaultsEndTheRunAndNameModuleAndService) {
-    EXPECT_THAT(alarm_of("nan_answer"),
+TEST_P(Modules, FaultsEndTheRunAndNameModuleAndService) {
+    EXPECT_THAT(alarm_of(test_module("nan_answer")),
                 StartsWith("The controller module nan_answer.so answered GetNextStep with the value nan"));
-    EXPECT_THAT(alarm_of("backwards"), HasSubstr("a time that runs backwards"));
-    EXPECT_EQ(alarm_of("jump"),
+    EXPECT_THAT(alarm_of(test_module("backwards")), HasSubstr("a time that runs backwards"));
+    EXPECT_EQ(alarm_of(test_module("jump")),
               "The controller module jump.so answered GetNextStep with a jump: a joint moved in no time.");
-    EXPECT_THAT(alarm_of("never_arrives"),
+    EXPECT_THAT(alarm_of(test_module("never_arrives")),
                 StartsWith("The controller module never_arrives.so has not moved for 600"));
-    EXPECT_EQ(alarm_of("small_module"), "");
+    EXPECT_EQ(alarm_of(test_module("small_module")), "");
+}
+
+// What was moved before is in the report, and the alarm is at the block that was read last.
+TEST(ModuleProcess, ACrashEndsTheRunWithWhatWasMovedBefore) {
+    Simulator simulator(fast_machine(), {}, test_module(Place::own_process, "crashes"));
+    MoveList list;
+    simulator.add_output(list);
+    constexpr int kStepsBefore = 50;  // of hostile_module.c
+    bool goes_on = true;
+    for (std::uint32_t line = 1; line <= 50 && goes_on; ++line) {
+        LineMove move = line_to(line, 0);  // 1 mm at 100 mm/s
+        move.place.line = line;
+        goes_on = simulator.move(move);
+    }
+    EXPECT_FALSE(goes_on);
+    const Report report = simulator.finish("p");
+    EXPECT_EQ(report.status, RunStatus::alarm);
+    EXPECT_EQ(report.alarm->message, "The controller module crashes.so crashed in GetNextStep (signal 11).");
+    EXPECT_EQ(report.alarm->place.line, 14U) << "five moves are made, and eight wait";
+    EXPECT_NEAR(report.cycle_time_s, kStepsBefore * kStep_s, 1e-9);
+    EXPECT_NEAR(report.bounds[0].max, 5, 1e-9);
+    EXPECT_GE(list.moves.size(), 5U);
+}
+
+TEST(ModuleProcess, WhatTheModuleSpendsIsTimeOfTheRun) {
+    os::CpuLimit cpu(0.5);
+    Simulator simulator(fast_machine(), {.cpu = &cpu}, test_module(Place::own_process, "spends_time"));
+    bool goes_on = true;
+    for (int i = 1; i <= 1000 && goes_on; ++i)
+        goes_on = simulator.count_block({}) && simulator.move(line_to(i, 0));
+    EXPECT_FALSE(goes_on);
+    EXPECT_THAT(simulator.finish("p").alarm->message, HasSubstr("of processor time is reached"));
 }
 
 // Its targets lie within the ranges; half-way X is 10 m farther.
-TEST(ModuleMotion, AStepPastARangeIsAViolation) {
+TEST_P(Modules, AStepPastARangeIsAViolation) {
     Simulator simulator(fast_machine(), {}, test_module("overshoots"));
     LineMove move = line_to(10, 0);
     move.place.line = 7;
@@ -155,7 +204,7 @@ TEST(ModuleMotion, AStepPastARangeIsAViolation) {
     EXPECT_LT(violation.t_s, report.cycle_time_s);
 }
 
-TEST(ModuleMotion, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
+TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
     Simulator simulator(fast_machine(), {.stop_at_first = true}, test_module("overshoots"));
     bool goes_on = true;
     for (int i = 1; i <= 50 && goes_on; ++i) goes_on = simulator.move(line_to(10.0 * i, 0));
@@ -167,7 +216,7 @@ TEST(ModuleMotion, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
 }
 
 // This module has no ranges and goes anywhere.
-TEST(ModuleMotion, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
+TEST_P(Modules, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
     const double beyond_mm = fast_machine().axes[0].max + 10;
     Simulator stops(fast_machine(), {.stop_at_first = true}, test_module("small_module"));
     EXPECT_FALSE(stops.move(line_to(beyond_mm, 0)));
@@ -179,14 +228,14 @@ TEST(ModuleMotion, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
     EXPECT_EQ(report.violations.count, 1U) << "the target says it, so that its steps need not";
 }
 
-TEST(ModuleMotion, RapidsNeedTheirService) {
+TEST_P(Modules, RapidsNeedTheirService) {
     Simulator simulator(fast_machine(), {}, test_module("no_rapid"));
     EXPECT_TRUE(simulator.move(line_to(10, 0)));
     EXPECT_FALSE(simulator.move(line_to(0, 0, MoveKind::rapid)));
     EXPECT_EQ(simulator.alarm()->message, "no_rapid.so does not offer the service SetRapid.");
 }
 
-TEST(ModuleMotion, LimitOfMachineTimeHolds) {
+TEST_P(Modules, LimitOfMachineTimeHolds) {
     Simulator simulator(fast_machine(), {.max_time_s = 3}, test_module("small_module"));
     simulator.move(line_to(500, 0));
     const Report report = simulator.finish("p");
@@ -195,7 +244,7 @@ TEST(ModuleMotion, LimitOfMachineTimeHolds) {
 }
 
 // Our own planner, in process and as a module, under each kind of controller.
-class DefaultModule : public testing::TestWithParam<rrs::PlannerKind> {};
+class DefaultModule : public testing::TestWithParam<std::tuple<rrs::PlannerKind, Place>> {};
 
 void put_program(Simulator& simulator) {
     simulator.set_path_mode(rrs::PathMode::continuous, 0.05, 0);
@@ -216,10 +265,11 @@ void put_program(Simulator& simulator) {
 
 TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     machine::Machine machine = af5();
-    machine.controller.planner = GetParam();
+    const auto& [kind, place] = GetParam();
+    machine.controller.planner = kind;
     machine.controller.rest_s = 0.01;
     Simulator in_process(machine, {});
-    Simulator stepped(machine, {}, module_of(GSIM_RCS_DEFAULT, machine));
+    Simulator stepped(machine, {}, module_of(place, GSIM_RCS_DEFAULT, machine));
     put_program(in_process);
     put_program(stepped);
     const Report exact = in_process.finish("p");
@@ -237,8 +287,10 @@ TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DefaultModule,
-                         testing::Values(rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead,
-                                         rrs::PlannerKind::linuxcnc));
+                         testing::Combine(testing::Values(rrs::PlannerKind::rest_to_rest,
+                                                          rrs::PlannerKind::look_ahead,
+                                                          rrs::PlannerKind::linuxcnc),
+                                          rrs::both_places()));
 
 }  // namespace
 }  // namespace gsim::simulation::module_motion_test

@@ -1,0 +1,14 @@
+// In place of rcs_process.cpp, where the program is a guest of WebAssembly, which begins no processes.
+#include "runtime/rrs/rcs_process.h"
+
+namespace gsim::rrs {
+
+tl::expected<RcsModule, std::string> begin_rcs_process(const std::filesystem::path& /*program*/,
+                                                       const std::string& path,
+                                                       const gsim_rcs_machine& /*machine*/,
+                                                       RcsProcessLimits /*limits*/) {
+    return tl::unexpected("the controller module " + path +
+                          " needs a process, which this build cannot begin");
+}
+
+}  // namespace gsim::rrs

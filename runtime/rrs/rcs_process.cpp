@@ -1,0 +1,167 @@
+#include "runtime/rrs/rcs_process.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "runtime/rrs/rcs_link.h"
+#include "runtime/rrs/rcs_unanswered.h"
+
+namespace gsim::rrs {
+
+namespace {
+
+bool is_put(std::int32_t opcode) {
+    return opcode == GSIM_RCS_SET_NEXT_TARGET || opcode == GSIM_RCS_SET_NEXT_NAMED_TARGET ||
+           opcode == GSIM_RCS_SET_NEXT_ARC_TARGET || opcode == GSIM_RCS_SET_NEXT_REST;
+}
+
+/// A controller in a process of its own.
+class RcsProcess final : public RcsCalls {
+  public:
+    RcsProcess(std::string name, std::unique_ptr<RcsLink> link)
+        : name_(std::move(name)), link_(std::move(link)), shared_(link_->shared()) {}
+
+    const std::string& name() const override { return name_; }
+    std::int32_t call(std::int32_t opcode, const void* input, void* output) override;
+    void announce(RcsAhead ahead, bool asks_targets) override {
+        ahead_ = ahead;
+        asks_targets_ = asks_targets;
+    }
+    std::optional<std::string> loss() const override { return loss_; }
+    double cpu_s() const override { return link_->cpu_s(); }
+
+  private:
+    std::int32_t ask(std::int32_t opcode, const void* input, void* output);
+    std::int32_t next_step(void* output);
+    std::int32_t target_of_step(void* output);
+    std::int32_t put(std::int32_t opcode, const void* input);
+    std::int32_t try_again();
+    void tell(RcsAhead ahead);
+    void take_steps();
+    std::int32_t lost();
+    bool all_taken() const { return taken_ == had_; }
+
+    std::string name_;
+    std::unique_ptr<RcsLink> link_;
+    RcsShared& shared_;
+    RcsAhead ahead_ = RcsAhead::nothing;
+    bool asks_targets_ = false;
+    std::uint32_t had_ = 0;     ///< Steps that were made ahead,
+    std::uint32_t taken_ = 0;   ///< and those of them that were asked for.
+    std::int32_t retried_ = 0;  ///< The target that was put once more behind them; 0: none.
+    std::optional<std::string> loss_;
+};
+
+/// The process may have been lost ahead of what was asked for; then this is where the caller notices.
+std::int32_t RcsProcess::lost() {
+    const RcsLoss& loss = *link_->loss();
+    const std::string_view service = rcs_service_name(loss.service);
+    const std::string where = service.empty() ? " between two services" : fmt::format(" in {}", service);
+    if (!loss_) loss_ = loss.what + where + loss.why;
+    return GSIM_RCS_FAULT;
+}
+
+std::int32_t RcsProcess::ask(std::int32_t opcode, const void* input, void* output) {
+    const RcsSizes sizes = rcs_sizes(opcode);
+    shared_.ahead = static_cast<std::int32_t>(RcsAhead::nothing);
+    if (input != nullptr) std::memcpy(shared_.input.data(), input, sizes.input);
+    if (output != nullptr) std::memcpy(shared_.output.data(), output, sizes.output);
+    const auto status = link_->ask(RcsRequest::call, opcode);
+    if (!status) return lost();
+    if (output != nullptr) std::memcpy(output, shared_.output.data(), sizes.output);
+    return *status;
+}
+
+void RcsProcess::tell(RcsAhead ahead) {
+    shared_.ahead = static_cast<std::int32_t>(ahead);
+    shared_.asks_targets = asks_targets_ ? 1 : 0;
+    shared_.step_count = 0;
+    shared_.was_full = 0;
+    shared_.has_retry = 0;
+    shared_.no_step = unanswered<gsim_rcs_step>();
+    shared_.no_target = unanswered<gsim_rcs_target_id>();
+}
+
+void RcsProcess::take_steps() {
+    had_ = std::min<std::uint32_t>(shared_.step_count.load(std::memory_order_acquire), kStepsAtOnce);
+    taken_ = 0;
+}
+
+std::int32_t RcsProcess::next_step(void* output) {
+    if (all_taken()) {
+        tell(ahead_);
+        const auto status = link_->ask(RcsRequest::steps);
+        take_steps();
+        if (all_taken()) return status ? GSIM_RCS_FAULT : lost();
+    }
+    const RcsSharedStep& step = shared_.steps[taken_++];
+    std::memcpy(output, &step.step, sizeof step.step);
+    return step.status;
+}
+
+/// Of the step that was taken last.
+std::int32_t RcsProcess::target_of_step(void* output) {
+    const RcsSharedStep& step = shared_.steps[taken_ - 1];
+    const std::int32_t status = step.target_status.load(std::memory_order_acquire);
+    if (status == kUnanswered && link_->loss()) return lost();
+    std::memcpy(output, &step.target, sizeof step.target);
+    return status;
+}
+
+std::int32_t RcsProcess::put(std::int32_t opcode, const void* input) {
+    tell(RcsAhead::if_full);
+    std::memcpy(shared_.input.data(), input, rcs_sizes(opcode).input);
+    const auto status = link_->ask(RcsRequest::call, opcode);
+    if (shared_.was_full.load() == 0) return status ? *status : lost();
+    take_steps();
+    if (status && shared_.has_retry.load() != 0) retried_ = opcode;
+    return GSIM_RCS_QUEUE_FULL;
+}
+
+std::int32_t RcsProcess::try_again() {
+    retried_ = 0;
+    return shared_.retry_status;
+}
+
+std::int32_t RcsProcess::call(std::int32_t opcode, const void* input, void* output) {
+    if (loss_) return GSIM_RCS_FAULT;
+    if (opcode == GSIM_RCS_GET_NEXT_STEP && (ahead_ != RcsAhead::nothing || !all_taken()))
+        return next_step(output);
+    if (opcode == GSIM_RCS_GET_TARGET_OF_LAST_STEP && taken_ > 0 &&
+        shared_.steps[taken_ - 1].target_status.load() != kNotAsked)
+        return target_of_step(output);
+    if (!all_taken()) throw std::logic_error("a service is called between steps that were announced");
+    if (link_->loss()) return lost();
+    if (retried_ == opcode) return try_again();
+    had_ = taken_ = 0;
+    retried_ = 0;
+    if (ahead_ != RcsAhead::if_full || !is_put(opcode)) return ask(opcode, input, output);
+    return put(opcode, input);
+}
+
+tl::unexpected<std::string> not_loaded(const std::string& name, const RcsLoss& loss) {
+    return tl::unexpected(
+        fmt::format("the controller module {} {}{} while it was loaded", name, loss.what, loss.why));
+}
+
+}  // namespace
+
+tl::expected<RcsModule, std::string> begin_rcs_process(const std::filesystem::path& program,
+                                                       const std::string& path,
+                                                       const gsim_rcs_machine& machine,
+                                                       RcsProcessLimits limits) {
+    auto link = RcsLink::begin(program, path, machine, limits);
+    if (!link) return tl::unexpected(std::move(link.error()));
+    std::string name = std::filesystem::path(path).filename().string();
+    const auto loaded = (*link)->ask(RcsRequest::load);
+    if (!loaded) return not_loaded(name, *(*link)->loss());
+    const auto& said = (*link)->shared().output;
+    if (*loaded != 0) return tl::unexpected(rcs_text(said.data(), said.size()));
+    return RcsModule(std::make_unique<RcsProcess>(std::move(name), *std::move(link)));
+}
+
+}  // namespace gsim::rrs

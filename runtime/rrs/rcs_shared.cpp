@@ -1,0 +1,45 @@
+#include "runtime/rrs/rcs_shared.h"
+
+#include <type_traits>
+
+#include "runtime/rrs/rcs_codec.h"
+#include "runtime/rrs/services.h"
+
+namespace gsim::rrs {
+
+namespace {
+
+template <typename Structure>
+constexpr std::size_t size() {
+    static_assert(std::is_trivially_copyable_v<Structure> && sizeof(Structure) <= kLargestStructure);
+    return sizeof(Structure);
+}
+
+template <>
+constexpr std::size_t size<gsim_rcs_none>() {
+    return 0;
+}
+
+}  // namespace
+
+RcsSizes rcs_sizes(std::int32_t asked) {
+    switch (asked) {
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+    case GSIM_RCS_##opcode:                                                                  \
+        return {size<gsim_rcs_##input>(), 0};
+#define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
+    case GSIM_RCS_##opcode:                                                                        \
+        return {size<gsim_rcs_##input>(), size<gsim_rcs_##output>()};
+#include "runtime/rrs/rcs_services.def"
+        default: return {};
+    }
+}
+
+std::string_view rcs_service_name(std::int32_t asked) {
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+    if (asked == GSIM_RCS_##opcode) return services::method.name;
+#include "runtime/rrs/rcs_services.def"
+    return {};
+}
+
+}  // namespace gsim::rrs

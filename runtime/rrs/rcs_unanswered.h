@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <tuple>
+
+#include "runtime/rrs/rcs_codec.h"
+
+namespace gsim::rrs {
+
+// What a module leaves as it is fails the check of RcsShell, where there is one.
+namespace unanswered_fields {
+
+inline void leave_open(double& field) {
+    field = std::numeric_limits<double>::quiet_NaN();
+}
+
+inline void leave_open(std::int32_t& field) {
+    field = -1;
+}
+
+inline void leave_open(std::int64_t& field) {
+    field = -1;
+}
+
+inline void leave_open(gsim_rcs_pose& field) {
+    std::fill(std::begin(field.matrix), std::end(field.matrix), std::numeric_limits<double>::quiet_NaN());
+}
+
+inline void leave_open(gsim_rcs_joints& field) {
+    field.count = -1;
+    std::fill(std::begin(field.values), std::end(field.values), std::numeric_limits<double>::quiet_NaN());
+}
+
+template <typename Place>
+void leave_open(const codec::Text<Place>& /*field*/) {}
+
+}  // namespace unanswered_fields
+
+/// An output before its service is asked for.
+template <typename Output>
+Output unanswered() {
+    Output output{};
+    std::apply([](auto&&... fields) { (unanswered_fields::leave_open(fields), ...); }, codec::fields(output));
+    return output;
+}
+
+}  // namespace gsim::rrs
