@@ -108,13 +108,12 @@ rrs::JointPos LedWay::as_seen(const rrs::JointPos& joints) const {
     return placed;
 }
 
-/// Beside joints that are led what an inverse leaves is no way of the tool.
 bool ToolPath::moves_tip() const {
-    return way_.length_mm() > (led_.moves() ? kInverseLeaves_mm : 0);
+    return way_.length_mm() > (of_poses_ ? kInverseLeaves_mm : 0);
 }
 
 bool ToolPath::turns_tool() const {
-    return turn_rad_ > (led_.moves() ? kInverseLeaves_rad : 0);
+    return turn_rad_ > (of_poses_ ? kInverseLeaves_rad : 0);
 }
 
 JointRole ToolPath::role() const {
@@ -125,7 +124,7 @@ JointRole ToolPath::role() const {
 
 double ToolPath::length() const {
     if (moves_tip()) return way_.length_mm();
-    if (turns_tool() || !led_.moves()) return turn_rad_;
+    if (turns_tool()) return turn_rad_;
     return led_.turn_rad() > 0 ? led_.turn_rad() : led_.slide_mm();
 }
 

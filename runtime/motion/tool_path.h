@@ -42,7 +42,6 @@ class LedWay {
     rrs::JointPos as_seen(const rrs::JointPos& joints) const;
     double turn_rad() const { return turn_rad_; }  ///< Norm of what the rotary ones turn.
     double slide_mm() const { return slide_mm_; }  ///< Of the way of the others.
-    bool moves() const { return turn_rad_ > 0 || slide_mm_ > 0; }
 
   private:
     std::vector<LedJoint> led_;
@@ -74,8 +73,11 @@ class ToolPath {
     const Eigen::Vector3d& tip_mm() const { return tip_mm_; }
 
   protected:
-    ToolPath(TipWay way, const Eigen::Vector3d& tip_mm, double turn_rad, LedWay led = {})
-        : way_(std::move(way)), tip_mm_(tip_mm), turn_rad_(turn_rad), led_(std::move(led)) {}
+    ToolPath(TipWay way, const Eigen::Vector3d& tip_mm, double turn_rad)
+        : way_(std::move(way)), tip_mm_(tip_mm), turn_rad_(turn_rad) {}
+    /// Of poses, between which what an inverse leaves is no way.
+    ToolPath(TipWay way, const Eigen::Vector3d& tip_mm, double turn_rad, LedWay led)
+        : way_(std::move(way)), tip_mm_(tip_mm), turn_rad_(turn_rad), led_(std::move(led)), of_poses_(true) {}
     const LedWay& led() const { return led_; }
 
   private:
@@ -86,6 +88,7 @@ class ToolPath {
     Eigen::Vector3d tip_mm_;
     double turn_rad_;
     LedWay led_;
+    bool of_poses_ = false;
 };
 
 /// All joints but the slides x, y, z go in proportion from `start` to `end`, and these bring the tip to its

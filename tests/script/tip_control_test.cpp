@@ -58,6 +58,17 @@ TEST(TipControl, ZonesAreWhereTheyAreWithG43) {
     EXPECT_NEAR(z, 70 + 25, 1e-6);
 }
 
+TEST(Poses, WhereTheToolStandsIsNoMove) {
+    for (const auto planner : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
+        Conditions arm = on("arm6");
+        arm.machine.controller.planner = planner;
+        const std::string pose = "{x=600, y=150, z=10, yaw=180}\n";
+        const Outcome r = run_lua("F(600) MoveJoint" + pose + "MoveLinear" + pose + "MoveJoint" + pose, arm);
+        ASSERT_TRUE(r.completed()) << r.message();
+        EXPECT_NEAR(r.report.cycle_time_s, r.seconds(0), 1e-6);
+    }
+}
+
 TEST(TipControl, RotaryAxesLeaveTheTipWhereItIs) {
     const Outcome r =
         run("G0 X10 Y20 Z90\nG43.4 H2\nG0 A-30 C40\nG1 A-50 C-60 F1000\nM30\n", on("mill-table-table"));
