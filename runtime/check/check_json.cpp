@@ -5,6 +5,7 @@
 #include "base/text/json_text.h"
 #include "base/units.h"
 #include "runtime/check/machine_check.h"
+#include "runtime/machine/group_motion.h"
 
 namespace gsim::check {
 
@@ -54,6 +55,20 @@ Json motions(const MachineCheck& check) {
                         {"carries", motion.carries_work ? "work" : "tool"},
                         {"direction", {number(d.x()), number(d.y()), number(d.z())}},
                         {"text", to_sentence(motion)}});
+    }
+    return list;
+}
+
+Json groups(const machine::Machine& machine) {
+    Json list = Json::array();
+    for (const machine::AxisGroup& group : machine.groups) {
+        Json axes = Json::array();
+        for (const std::size_t axis : group.axes) axes.push_back(letter(machine, static_cast<int>(axis)));
+        const bool work = machine.axes[group.axes.front()].carries == machine::Carries::work;
+        list.push_back({{"name", group.name},
+                        {"axes", std::move(axes)},
+                        {"carries", work ? "work" : "tool"},
+                        {"motion", machine::name(group.motion)}});
     }
     return list;
 }
@@ -115,6 +130,7 @@ std::string to_json(const MachineCheck& check) {
                        {"controller", check.machine.controller.model},
                        {"clean", check.is_clean()},
                        {"axes", axes(check.machine)},
+                       {"groups", groups(check.machine)},
                        {"home_mm", {number(tip.x()), number(tip.y()), number(tip.z())}},
                        {"motions", motions(check)},
                        {"left_handed", check.left_handed},

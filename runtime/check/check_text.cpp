@@ -7,6 +7,7 @@
 #include "base/text/number.h"
 #include "base/units.h"
 #include "runtime/check/machine_check.h"
+#include "runtime/machine/group_motion.h"
 
 namespace gsim::check {
 
@@ -43,6 +44,7 @@ class Text {
     std::string take() {
         head();
         axes();
+        groups();
         motions();
         inverse();
         singular();
@@ -84,6 +86,16 @@ class Text {
         const Eigen::Vector3d tip = check_.home.translation();
         add("\nhome       tip at {} {} {} mm in the work frame\n", text::fixed(tip.x(), 3),
             text::fixed(tip.y(), 3), text::fixed(tip.z(), 3));
+    }
+
+    void groups() {
+        for (const machine::AxisGroup& group : machine_.groups) {
+            const bool work = machine_.axes[group.axes.front()].carries == machine::Carries::work;
+            std::vector<char> letters;
+            for (const std::size_t axis : group.axes) letters.push_back(machine_.axes[axis].letter);
+            add("group      {}: {} ({}), {}\n", group.name, fmt::join(letters, " "), work ? "work" : "tool",
+                machine::name(group.motion));
+        }
     }
 
     void motions() {

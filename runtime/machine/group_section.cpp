@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "runtime/machine/group_motion.h"
+
 namespace gsim::machine {
 
 using base::FirstError;

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <string_view>
-
 #include "base/toml/toml_section.h"
 #include "base/toml/toml_text.h"
 #include "runtime/machine/machine.h"
 
 namespace gsim::machine {
-
-/// "synchronous", "coordinated" or "independent".
-std::string_view name(GroupMotion motion);
 
 /// The tables [[group]] of a machine file whose axes and inverse have been read.
 void read_groups(base::FirstError& error, base::TomlSection& file, Machine& machine);

@@ -88,7 +88,8 @@ TEST(JointBoxSearch, WhatIsFreeIsFreeInRandomStances) {
 }
 
 TEST(MachineCheck, InversesOfTheSamplesClose) {
-    for (const char* name : {"af5.toml", "gantry-offset-head.toml", "mill-head-table.toml", "arm6.toml"}) {
+    for (const char* name :
+         {"af5.toml", "gantry-offset-head.toml", "mill-head-table.toml", "arm6.toml", "arm6-cell.toml"}) {
         const machine::Machine machine = sample(name);
         const InverseCheck inverse = check_inverse(machine, machine::joint_box(machine));
         EXPECT_GT(inverse.poses, 0) << name;
@@ -124,6 +125,18 @@ TEST(MachineCheck, TellsItAsTextAndAsJson) {
     EXPECT_EQ(json["pairs"][0]["verdict"], "touch");
     EXPECT_EQ(json["inverse"]["unsolved"], 0);
     EXPECT_EQ(text, to_text(post_check(-0.01)));
+}
+
+TEST(MachineCheck, TellsGroupsOfAxes) {
+    machine::Machine machine = sample("arm6-cell.toml");
+    machine.shapes.clear();
+    machine.ignored.clear();
+    const MachineCheck check = check_of(machine);
+    EXPECT_THAT(to_text(check), HasSubstr("group      turntable: Z (work), coordinated\n"));
+    const auto groups = nlohmann::json::parse(to_json(check))["groups"];
+    EXPECT_EQ(groups, nlohmann::json::parse(R"([
+        {"name": "track", "axes": ["X"], "carries": "tool", "motion": "coordinated"},
+        {"name": "turntable", "axes": ["Z"], "carries": "work", "motion": "coordinated"}])"));
 }
 
 TEST(MachineCheck, NotesWhatIsWorthALook) {
