@@ -1,6 +1,7 @@
 // autopath: from a drawing or a solid to the path that a jet cuts it out by.
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -18,10 +19,20 @@ namespace {
 
 using namespace gsim;
 
+constexpr double kAnywhere_mm = 1e6;
+constexpr std::array<double, 3> kNowhere_mm{kAnywhere_mm, kAnywhere_mm, kAnywhere_mm};
+
 struct AutopathArguments {
     engine::DrawingRequest request;
     std::string output;  ///< Empty: standard output.
     std::string units;
+    std::string contours;  ///< Empty: a drawing or a flat part.
+    std::string axis = "wall";
+    engine::SurfaceChoice surface;
+    std::uint64_t bridges = 0;
+    std::array<double, 3> start_mm = kNowhere_mm;
+    std::array<double, 3> box_low_mm{-kAnywhere_mm, -kAnywhere_mm, -kAnywhere_mm};
+    std::array<double, 3> box_high_mm = kNowhere_mm;
     bool report = false;
     double max_cpu_s = apps::kMaxCpu_s;
     bool no_confine = false;
@@ -100,6 +111,53 @@ void add_reading_options(apps::CommandLine& line, AutopathArguments& arguments) 
     line.add("--flip", &reading.flip, "turn the plate over (STEP, IGES)");
 }
 
+void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) {
+    engine::ContourChoice& contours = arguments.surface.contours;
+    line.begin_group("Parts that are not flat (STEP, IGES)");
+    line.add("--contours", &arguments.contours,
+             "cut these closed loops of edges of faces; the other options of this group need it")
+        .one_of({"holes", "outlines", "all"});
+    line.add("--side", &contours.side, "only those of faces that look to this side")
+        .one_of({"x", "y", "z", "-x", "-y", "-z"})
+        .shows_default();
+    line.add("--face", &contours.faces,
+             "only those of this face: its number in the file (#57), name, layer or colour (red; 255,128,0); "
+             "may be given more than once");
+    line.add("--bridges", &arguments.bridges, "leave so many places of each contour uncut")
+        .within(0, 1000)
+        .shows_default();
+    line.add("--bridge-width", &arguments.surface.bridge_mm, "how wide each stays")
+        .called("MM")
+        .within(0, 100)
+        .shows_default();
+    line.add("--start", &arguments.start_mm, "where the program begins and ends, in the work frame, in mm")
+        .called("X Y Z")
+        .within(-kAnywhere_mm, kAnywhere_mm);
+    line.add("--box-low", &arguments.box_low_mm, "only those in a box of the file: its low corner, in mm")
+        .called("X Y Z")
+        .within(-kAnywhere_mm, kAnywhere_mm);
+    line.add("--box-high", &arguments.box_high_mm, "its high corner, in mm")
+        .called("X Y Z")
+        .within(-kAnywhere_mm, kAnywhere_mm);
+    line.add("--axis", &arguments.axis, "where the jet goes: along the walls, or along the face's normal")
+        .one_of({"wall", "normal"})
+        .shows_default();
+    line.add("--lean", &arguments.surface.lean_deg,
+             "lean to the side, from the normal; above 0 the part is smaller below")
+        .called("DEG")
+        .within(-80, 80)
+        .shows_default();
+    line.add("--tilt", &arguments.surface.tilt_deg, "lean forwards, with the nozzle ahead")
+        .called("DEG")
+        .within(-60, 60)
+        .shows_default();
+    line.add("--max-lean", &arguments.surface.max_lean_deg,
+             "refuse edges where the jet leans more from the normal")
+        .called("DEG")
+        .within(0, 85)
+        .shows_default();
+}
+
 void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments) {
     using apps::FileKind;
     line.add("drawing", &arguments.request.drawing,
@@ -113,6 +171,7 @@ void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments)
     add_material_options(line, arguments);
     add_path_options(line, arguments);
     add_reading_options(line, arguments);
+    add_surface_options(line, arguments);
     line.begin_group("Limits");
     apps::add_cpu_option(line, arguments.max_cpu_s);
     apps::add_confine_option(line, arguments.no_confine);
@@ -124,10 +183,41 @@ void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments)
                      "by your own figures, to a part program");
 }
 
+engine::SurfaceChoice surface_choice(const AutopathArguments& arguments) {
+    engine::SurfaceChoice choice = arguments.surface;
+    choice.contours.kind = arguments.contours;
+    choice.contours.along_walls = arguments.axis == "wall";
+    choice.bridges = static_cast<int>(arguments.bridges);
+    if (arguments.start_mm != kNowhere_mm) choice.start_mm = arguments.start_mm;
+    const auto& low = arguments.box_low_mm;
+    const auto& high = arguments.box_high_mm;
+    choice.contours.box_mm = {low[0], low[1], low[2], high[0], high[1], high[2]};
+    return choice;
+}
+
+/// The option that says something of contours, where none are asked for; empty: there is none.
+std::string lonely_option(const AutopathArguments& arguments) {
+    const AutopathArguments none;
+    const engine::SurfaceChoice& given = arguments.surface;
+    if (!arguments.contours.empty()) return {};
+    if (given.contours.side != none.surface.contours.side) return "--side";
+    if (!given.contours.faces.empty()) return "--face";
+    if (arguments.bridges != none.bridges) return "--bridges";
+    if (given.bridge_mm != none.surface.bridge_mm) return "--bridge-width";
+    if (arguments.start_mm != none.start_mm) return "--start";
+    if (arguments.box_low_mm != none.box_low_mm) return "--box-low";
+    if (arguments.box_high_mm != none.box_high_mm) return "--box-high";
+    if (arguments.axis != none.axis) return "--axis";
+    if (given.lean_deg != none.surface.lean_deg) return "--lean";
+    if (given.tilt_deg != none.surface.tilt_deg) return "--tilt";
+    return given.max_lean_deg != none.surface.max_lean_deg ? "--max-lean" : "";
+}
+
 engine::DrawingRequest request_of(const AutopathArguments& arguments) {
     engine::DrawingRequest request = arguments.request;
     request.host = engine::host_of_system();
     if (!arguments.units.empty()) request.reading.unit_mm = arguments.units == "inch" ? kMmPerInch : 1;
+    if (!arguments.contours.empty()) request.surface = surface_choice(arguments);
     return request;
 }
 
@@ -166,6 +256,8 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     const apps::CpuBackstop cpu(arguments.max_cpu_s);
     if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))
         return findings.fail(Kind::usage, *conflict);
+    if (const std::string lonely = lonely_option(arguments); !lonely.empty())
+        return findings.fail(Kind::usage, lonely + " needs --contours");
     auto path = engine::DrawingPath::open(request_of(arguments));
     if (!path) return findings.fail(path.error());
     if (auto confined = confine_reading(arguments, *path); !confined)

@@ -129,6 +129,10 @@ engine::Host host_of(const std::shared_ptr<const ServedFiles>& files, const std:
                                                         const engine::PlateChoice& choice) {
         return on_disk(file).and_then([&](const std::string& name) { return read(name, choice); });
     };
+    host.read_contours = [read = host.read_contours, on_disk](const std::string& file,
+                                                              const engine::ContourChoice& choice) {
+        return on_disk(file).and_then([&](const std::string& name) { return read(name, choice); });
+    };
     host.load_module =
         [load = host.load_module, module](
             const std::string& file,

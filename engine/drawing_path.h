@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "engine/api.h"
+#include "engine/contours.h"
 #include "engine/diagnostic.h"
 #include "engine/host.h"
 #include "engine/run.h"
@@ -51,6 +52,21 @@ struct CuttingWays {
                            ///< smaller below.
 };
 
+/// How contours of a part are cut that need not be flat: the jet goes along the walls below their edges, or
+/// along the normal of the face that it enters.
+struct SurfaceChoice {
+    ContourChoice contours = {};  ///< Its tolerance is DrawingChoice::curve_tolerance_mm.
+    double lean_deg =
+        0;  ///< From the normal to the side; above 0 the part is smaller below. Not along walls.
+    double tilt_deg = 0;       ///< Forwards.
+    double max_lean_deg = 60;  ///< From the normal; what leans more is refused.
+    int bridges = 0;           ///< Of each contour: where it is left uncut.
+    double bridge_mm = 0.5;    ///< How wide each stays.
+    /// Where the program begins and ends, in the work frame; without it, over the first pierce and the last
+    /// one.
+    std::optional<std::array<double, 3>> start_mm = {};
+};
+
 /// A drawing to be cut out. Names are those of files, or what Host::find finds; flat parts come by
 /// Host::read_plate.
 struct DrawingRequest {
@@ -58,6 +74,8 @@ struct DrawingRequest {
     DrawingChoice reading = {};
     CuttingChoice cutting = {};
     CuttingWays ways = {};
+    /// Contours of a part (Host::read_contours) in place of a drawing or a flat one.
+    std::optional<SurfaceChoice> surface = {};
     Host host = {};
 };
 

@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/contours.h"
 #include "engine/files.h"
 #include "engine/plate.h"
 
@@ -50,6 +51,10 @@ struct Host {
     /// refused.
     std::function<tl::expected<Plate, std::string>(const std::string& file, const PlateChoice& choice)>
         read_plate = {};
+    /// Contours of a part in a STEP or IGES file that need not be flat. The error is a sentence. Null: such
+    /// files are refused.
+    std::function<tl::expected<Contours, std::string>(const std::string& file, const ContourChoice& choice)>
+        read_contours = {};
     /// A controller module that plans for the machine. The error is a sentence. Null: none is taken.
     std::function<tl::expected<std::shared_ptr<rrs::RcsModule>, std::string>(const std::string& file,
                                                                              const machine::Machine& machine)>

@@ -1,5 +1,6 @@
 #include "engine/drawing_path.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "engine/inner/drawing_input.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/host_names.h"
+#include "engine/inner/surface_input.h"
 #include "engine/inner/values.h"
 #include "runtime/path/json_writer.h"
 
@@ -45,6 +47,17 @@ CuttingFigures figures_of(const cutting::CutSummary& summary) {
             .moving_pierces = summary.moving_pierces};
 }
 
+// What the jet has to go through where the walls are deepest.
+double greatest_depth_mm(const solid::WallContours& part) {
+    double depth_mm = 0;
+    for (const solid::WallContour& contour : part.contours) {
+        for (const solid::WallEdge& edge : contour.edges) {
+            for (const solid::WallPoint& point : edge.points) depth_mm = std::max(depth_mm, point.depth_mm);
+        }
+    }
+    return depth_mm;
+}
+
 }  // namespace
 
 class DrawingPath::State {
@@ -57,6 +70,7 @@ class DrawingPath::State {
     const path::Program& program() const { return program_; }
 
     tl::expected<void, Failure> read();
+    tl::expected<void, Failure> read_surface();
     tl::expected<void, Failure> make(const Tell& tell);
     std::optional<JobFigures> job() const;
     std::string job_report() const;
@@ -74,12 +88,31 @@ class DrawingPath::State {
     std::string file_;
     std::optional<waterjet::Materials> materials_;  ///< None where no material is asked for.
     drawing::Drawing drawing_;
+    solid::WallContours contours_;  ///< In place of a drawing, where a surface is asked for.
     SettledCutting cutting_;
     path::Program program_;
     CuttingFigures figures_;
 };
 
+tl::expected<void, Failure> DrawingPath::State::read_surface() {
+    if (request_.cutting.straighten || request_.cutting.moving_pierce) {
+        return tl::unexpected(
+            failure_of(DiagnosticKind::usage,
+                       fmt::format("{} is for drawings and flat parts: it does not go with --contours",
+                                   request_.cutting.straighten ? "--straighten" : "--moving-pierce")));
+    }
+    auto contours = read_surface_input(request_.host, file_, request_);
+    if (!contours)
+        return tl::unexpected(failure_of(DiagnosticKind::input_file, contours.error(), request_.drawing));
+    contours_ = *std::move(contours);
+    auto settled = settle_cutting(request_.cutting, materials_, greatest_depth_mm(contours_));
+    if (!settled) return tl::unexpected(failure_of(DiagnosticKind::usage, settled.error()));
+    cutting_ = *std::move(settled);
+    return {};
+}
+
 tl::expected<void, Failure> DrawingPath::State::read() {
+    if (request_.surface) return read_surface();
     auto plate = read_drawing_input(request_.host, file_, request_.reading);
     if (!plate)
         return tl::unexpected(failure_of(DiagnosticKind::input_file, plate.error(), request_.drawing));
@@ -93,7 +126,9 @@ tl::expected<void, Failure> DrawingPath::State::read() {
 }
 
 tl::expected<void, Failure> DrawingPath::State::make(const Tell& tell) {
-    auto made = cutting::autopath(std::move(drawing_), cutting_.rules, options_of(request_));
+    auto made = request_.surface
+                    ? surface::surface_path(contours_, cutting_.rules, surface_options(request_))
+                    : cutting::autopath(std::move(drawing_), cutting_.rules, options_of(request_));
     if (!made) {
         Failure failure = failure_of(DiagnosticKind::path,
                                      fmt::format("{}: {}", request_.drawing, made.error()), request_.drawing);

@@ -6,6 +6,7 @@
 #include "cam/solid/mesh.h"
 #include "cam/solid/plate.h"
 #include "engine/system/installed_files.h"
+#include "engine/system/read_contours.h"
 #include "runtime/rcs/rcs_machine.h"
 #include "runtime/rrs/rcs_host.h"
 #include "runtime/rrs/rcs_process.h"
@@ -72,6 +73,7 @@ Host host_of_system(ModulePlace place) {
             .find = find_file,
             .read_solid = read_solid,
             .read_plate = read_plate,
+            .read_contours = read_contours,
             .load_module = [place](const std::string& file, const machine::Machine& machine) {
                 return load_module(place, file, machine);
             }};

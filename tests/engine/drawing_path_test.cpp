@@ -212,5 +212,67 @@ TEST(DrawingPath, TheHostIsToldHowThePartIsLookedAt) {
     EXPECT_EQ(asked.tolerance_mm, 0.125);
 }
 
+// A square hole of 20 mm in the face z = 0, with upright walls.
+tl::expected<Contours, std::string> square_hole(const std::string&, const ContourChoice&) {
+    using Triple = Contours::Triple;
+    const std::array<Triple, 4> corners{{{0, 0, 0}, {0, 20, 0}, {20, 20, 0}, {20, 0, 0}}};
+    const std::array<Triple, 4> tangents{{{0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {-1, 0, 0}}};
+    const std::array<Triple, 4> wastes{{{1, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}}};
+    Contours::Contour hole{.face = "the plane face #1", .is_hole = true};
+    for (std::size_t i = 0; i < 4; ++i) {
+        Contours::Edge edge{.name = "edge #" + std::to_string(i + 2)};
+        const Triple& from = corners[i];
+        const Triple& to = corners[(i + 1) % 4];
+        for (const double share : {0.0, 0.5, 1.0}) {
+            edge.points.push_back(
+                {.position_mm = {from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), 0},
+                 .normal = {0, 0, 1},
+                 .tangent = tangents[i],
+                 .wall_normal = wastes[i],
+                 .along_wall = {0, 0, -1},
+                 .depth_mm = 6,
+                 .far_normal = wastes[i]});
+        }
+        hole.edges.push_back(edge);
+    }
+    return Contours{
+        .contours = {hole}, .low_mm = {-9, -9, -6}, .high_mm = {29, 29, 4}, .notes = {"half is left"}};
+}
+
+DrawingRequest request_of_contours() {
+    DrawingRequest request = request_of_drawing("part.step", {});
+    request.host.read_contours = square_hole;
+    request.cutting = {.speed_mm_min = 300, .kerf_mm = 1};
+    request.surface = SurfaceChoice{};
+    return request;
+}
+
+TEST(DrawingPath, ContoursOfAPartThatIsNotFlatComeFromTheHost) {
+    std::vector<std::string> told;
+    const auto path = made(request_of_contours(), [&](const Diagnostic& note) { told.push_back(note.text); });
+    ASSERT_TRUE(path) << path.error().message;
+    EXPECT_EQ(path->figures().pierces, 1U);
+    EXPECT_NEAR(path->figures().cut_mm, 4 * 19 + 2 * 3 * 1.5708, 0.01);  // and two leads of three kerfs
+    EXPECT_EQ(told, std::vector<std::string>{"half is left"});
+}
+
+TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
+    DrawingRequest drawing = request_of_contours();
+    drawing.drawing = "part.svg";
+    EXPECT_THAT(refusal(drawing), HasSubstr("--contours is for STEP and IGES files"));
+    DrawingRequest flipped = request_of_contours();
+    flipped.reading.flip = true;
+    EXPECT_THAT(refusal(flipped), HasSubstr("--up and --flip are for flat parts"));
+    DrawingRequest bevelled = request_of_contours();
+    bevelled.ways.bevel_deg = 10;
+    EXPECT_THAT(refusal(bevelled), HasSubstr("--bevel is for flat parts"));
+    DrawingRequest leaned = request_of_contours();
+    leaned.surface->lean_deg = 10;
+    EXPECT_THAT(refusal(leaned), HasSubstr("--lean is from the face's normal"));
+    DrawingRequest alone = request_of_contours();
+    alone.host.read_contours = {};
+    EXPECT_THAT(refusal(alone), HasSubstr("STEP and IGES files are not read here"));
+}
+
 }  // namespace
 }  // namespace gsim::engine::drawing_path_test

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "cam/solid/contours_packet.h"
 #include "cam/solid/mesh_packet.h"
 #include "cam/solid/plate_packet.h"
 #include "runtime/cell/mesh_file.h"
@@ -41,9 +42,16 @@ Outcome check_mesh_obj(std::string_view text) {
 Outcome check_solid_packet(std::string_view bytes) {
     solid::PacketReader plate(bytes);
     solid::take_plate(plate);
+    solid::PacketReader contours(bytes);
+    const solid::WallContours walls = solid::take_contours(contours);
+    if (contours.is_whole()) {
+        solid::PacketWriter again;
+        solid::put_contours(again, walls);
+        if (again.bytes().size() > bytes.size()) return broken("contours are written in another way");
+    }
     solid::PacketReader mesh(bytes);
     const solid::Mesh triangles = solid::take_mesh(mesh);
-    if (!mesh.is_whole() && !plate.is_whole()) return refused();
+    if (!mesh.is_whole() && !plate.is_whole() && !contours.is_whole()) return refused();
     if (!mesh.is_whole()) return accepted();
     solid::PacketWriter again;
     solid::put_mesh(again, triangles);

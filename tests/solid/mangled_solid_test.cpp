@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cam/solid/contours.h"
 #include "cam/solid/mesh.h"
 #include "cam/solid/plate.h"
 #include "tests/solid/solids.h"
@@ -54,6 +55,21 @@ void expect_sound(const tl::expected<Plate, std::string>& plate, const std::stri
     }
 }
 
+void expect_sound(const tl::expected<WallContours, std::string>& part, const std::string& name) {
+    if (!part) {
+        EXPECT_THAT(part.error(), HasSubstr(name));
+        return;
+    }
+    for (const WallContour& contour : part->contours) {
+        for (const WallEdge& edge : contour.edges) {
+            ASSERT_GE(edge.points.size(), 2U);
+            for (const WallPoint& point : edge.points) {
+                for (const double coordinate : point.position_mm) ASSERT_TRUE(std::isfinite(coordinate));
+            }
+        }
+    }
+}
+
 TEST(MangledSolid, NeitherHangsNorCrashes) {
     const SolidFolder folder;
     std::mt19937 random(20);
@@ -70,6 +86,7 @@ TEST(MangledSolid, NeitherHangsNorCrashes) {
             expect_sound(read_mesh(file, 0.5), name);
         } else {
             expect_sound(read_plate(file, {}), name);
+            expect_sound(read_contours(file, {}), name);
         }
     }
 }

@@ -2,12 +2,15 @@
 //
 //     gsim-solid mesh FILE TOLERANCE-MM
 //     gsim-solid plate FILE TOLERANCE-MM flip|as-it-lies AXIS
+//     gsim-solid contours FILE TOLERANCE-MM holes|outlines|all SIDE walls|any "X Y Z X Y Z" [FACE ...]
 //
 // A packet begins with whether all went well; if not, a sentence follows.
 
 #include <Standard_Failure.hxx>
+#include <array>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,7 +19,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "cam/solid/contours_packet.h"
 #include "cam/solid/mesh_packet.h"
+#include "cam/solid/occ/contour_reader.h"
 #include "cam/solid/occ/plate_reader.h"
 #include "cam/solid/occ/shape_file.h"
 #include "cam/solid/occ/tessellation.h"
@@ -75,10 +80,40 @@ Answer plate_answer(const std::string& file, const PlateOptions& options) {
     return packet;
 }
 
+std::optional<std::array<double, 6>> box_of(const char* text) {
+    std::array<double, 6> box_mm{};
+    for (double& value : box_mm) {
+        char* end = nullptr;
+        value = std::strtod(text, &end);
+        if (end == text) return std::nullopt;
+        text = end;
+    }
+    return box_mm;
+}
+
+Answer contours_answer(std::span<char* const> arguments) {
+    const auto shapes = ShapeFile::read(arguments[2]);
+    if (!shapes) return tl::unexpected(shapes.error());
+    ContourOptions options;
+    options.tolerance_mm = std::strtod(arguments[3], nullptr);
+    options.kind = arguments[4];
+    options.side = arguments[5];
+    options.along_walls = arguments[6] == std::string_view("walls");
+    options.box_mm = box_of(arguments[7]);
+    options.faces.assign(arguments.begin() + 8, arguments.end());
+    const auto contours = contours_of(*shapes, options);
+    if (!contours) return tl::unexpected(contours.error());
+    PacketWriter packet;
+    packet.put_flag(true);
+    put_contours(packet, *contours);
+    return packet;
+}
+
 Answer answer(std::span<char* const> arguments) {
     const std::string_view question = arguments[1];
     const double tolerance_mm = std::strtod(arguments[3], nullptr);
     if (question == "mesh") return mesh_answer(arguments[2], tolerance_mm);
+    if (question == "contours" && arguments.size() > 7) return contours_answer(arguments);
     if (question == "plate" && arguments.size() > 5)
         return plate_answer(arguments[2],
                             {tolerance_mm, arguments[4] == std::string_view("flip"), arguments[5]});

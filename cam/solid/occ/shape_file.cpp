@@ -16,6 +16,7 @@
 
 #include "base/os/input_file.h"
 #include "cam/solid/occ/file_frame.h"
+#include "cam/solid/occ/step_item.h"
 
 namespace gsim::solid {
 
@@ -85,6 +86,14 @@ std::string ShapeFile::label(const TopoDS_Shape& shape) const {
     const int* number = entities_.Seek(shape);
     if (number == nullptr) return {};
     return reader_->Model()->StringLabel(reader_->Model()->Value(*number))->ToCString();
+}
+
+bool ShapeFile::goes_by(const TopoDS_Shape& shape, const std::string& name) const {
+    const int* number = entities_.Seek(shape);
+    if (number == nullptr || name.empty()) return false;
+    if (label(shape) == name) return true;
+    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(reader_->Model()->Value(*number));
+    return !item.IsNull() && solid::goes_by(reader_->WS(), item, name);
 }
 
 }  // namespace gsim::solid

@@ -19,6 +19,9 @@ class ShapeFile {
     const TopoDS_Shape& shape() const { return shape_; }
     /// What the file calls a shape: "#57" in STEP, "D57" in IGES; empty if it is not known.
     std::string label(const TopoDS_Shape& shape) const;
+    /// Whether that is a shape's label, its name in the file, that of a layer which it is on, or its colour
+    /// (STEP).
+    bool goes_by(const TopoDS_Shape& shape, const std::string& name) const;
 
   private:
     ShapeFile() = default;

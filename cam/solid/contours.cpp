@@ -1,0 +1,21 @@
+#include "cam/solid/contours.h"
+
+#include <fmt/format.h>
+
+#include "cam/solid/contours_packet.h"
+#include "cam/solid/reader_process.h"
+
+namespace gsim::solid {
+
+tl::expected<WallContours, std::string> read_contours(const std::filesystem::path& file,
+                                                      const ContourOptions& options) {
+    std::vector<std::string> settings{fmt::format("{}", options.tolerance_mm), options.kind, options.side,
+                                      options.along_walls ? "walls" : "any"};
+    std::string box;
+    if (options.box_mm) box = fmt::format("{}", fmt::join(*options.box_mm, " "));
+    settings.push_back(box);
+    settings.insert(settings.end(), options.faces.begin(), options.faces.end());
+    return ask_reader_for("contours", file, settings, take_contours);
+}
+
+}  // namespace gsim::solid

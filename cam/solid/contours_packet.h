@@ -1,0 +1,11 @@
+#pragma once
+
+#include "cam/solid/contours.h"
+#include "cam/solid/packet.h"
+
+namespace gsim::solid {
+
+void put_contours(PacketWriter& packet, const WallContours& contours);
+WallContours take_contours(PacketReader& packet);
+
+}  // namespace gsim::solid

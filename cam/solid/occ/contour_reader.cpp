@@ -1,0 +1,199 @@
+#include "cam/solid/occ/contour_reader.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "cam/solid/occ/face.h"
+#include "cam/solid/occ/plate_bodies.h"
+#include "cam/solid/occ/wall_contour.h"
+
+namespace gsim::solid {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+
+// A loop that may be cut.
+struct Candidate {
+    TopoDS_Face face;
+    FaceLoop loop;
+    double area_mm2 = 0;  ///< Of the face.
+};
+
+// How far a face looks to a side, -1 to 1, on the average along a loop.
+double look_of(const WallContour& contour, std::string_view side) {
+    const double sense = side.front() == '-' ? -1 : 1;
+    const auto axis = static_cast<std::size_t>(side.back() - 'x');
+    double sum = 0;
+    std::size_t count = 0;
+    for (const WallEdge& edge : contour.edges) {
+        for (const WallPoint& point : edge.points) sum += sense * point.normal[axis];
+        count += edge.points.size();
+    }
+    return sum / static_cast<double>(count);
+}
+
+bool lies_within(const FaceLoop& loop, const std::array<double, 6>& box_mm) {
+    for (const TopoDS_Edge& edge : loop.edges) {
+        const BRepAdaptor_Curve curve(edge);
+        const double from = curve.FirstParameter();
+        const double to = curve.LastParameter();
+        for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const gp_Pnt at = curve.Value(from + share * (to - from));
+            for (int axis = 1; axis <= 3; ++axis) {
+                const auto i = static_cast<std::size_t>(axis - 1);
+                if (at.Coord(axis) < box_mm[i] || at.Coord(axis) > box_mm[i + 3]) return false;
+            }
+        }
+    }
+    return true;
+}
+
+class Reader {
+  public:
+    Reader(const ShapeFile& file, const ContourOptions& options) : file_(file), options_(options) {}
+
+    tl::expected<WallContours, std::string> run() {
+        const Bodies bodies = sort_bodies(file_.shape());
+        if (bodies.solids.empty()) return Fault("there is no body in it; contours are those of bodies");
+        Bnd_Box box;
+        for (const TopoDS_Solid& solid : bodies.solids) {
+            BRepBndLib::AddOptimal(solid, box, false, false);
+            if (auto added = add(solid); !added) return Fault(added.error());
+        }
+        box.Get(found_.low_mm[0], found_.low_mm[1], found_.low_mm[2], found_.high_mm[0], found_.high_mm[1],
+                found_.high_mm[2]);
+        for (const auto& [face, known] : asked_) {
+            if (!known)
+                return Fault(fmt::format("it has no face with the number, name, layer or colour '{}'", face));
+        }
+        tell_rest(bodies);
+        if (found_.contours.empty()) return Fault(nothing_found());
+        return std::move(found_);
+    }
+
+  private:
+    bool is_asked_for(const TopoDS_Face& face) {
+        if (options_.faces.empty()) return true;
+        bool any = false;
+        for (const std::string& name : options_.faces) {
+            const bool same = file_.goes_by(face, name);
+            asked_[name] = asked_[name] || same;
+            any |= same;
+        }
+        return any;
+    }
+
+    tl::expected<void, std::string> add(const TopoDS_Solid& solid) {
+        FacesOfEdges faces_of;
+        TopExp::MapShapesAndUniqueAncestors(solid, TopAbs_EDGE, TopAbs_FACE, faces_of);
+        const ContourWalk walk(file_, solid, faces_of, options_);
+        TopTools_MapOfShape walls;
+        for (const Candidate& candidate : candidates(solid)) {
+            // What is cut along is not cut into as well.
+            if (options_.faces.empty() && walls.Contains(candidate.face)) continue;
+            auto contour = walk.walk(candidate.face, candidate.loop);
+            if (!contour) {
+                if (auto left = leave_out(candidate, contour.error()); !left) return left;
+            } else if (look_of(*contour, options_.side) <= kLeastLook) {
+                ++other_sides_;
+            } else {
+                found_.contours.push_back(*std::move(contour));
+                for (const TopoDS_Edge& edge : candidate.loop.edges) {
+                    for (const TopoDS_Shape& face : faces_of.FindFromKey(edge)) {
+                        if (!face.IsSame(candidate.face)) walls.Add(face);
+                    }
+                }
+            }
+        }
+        return {};
+    }
+
+    // Those that are chosen: holes first, and those of large faces, for walls are small.
+    std::vector<Candidate> candidates(const TopoDS_Solid& solid) {
+        std::vector<Candidate> found;
+        for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
+            const TopoDS_Face& face = TopoDS::Face(faces.Current());
+            if (!is_asked_for(face)) continue;
+            GProp_GProps properties;
+            BRepGProp::SurfaceProperties(face, properties);
+            for (FaceLoop& loop : loops_of(face)) {
+                if (options_.kind != "all" && (options_.kind == "holes") != loop.is_hole) continue;
+                if (options_.box_mm && !lies_within(loop, *options_.box_mm)) continue;
+                found.push_back({face, std::move(loop), properties.Mass()});
+            }
+        }
+        std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+            if (a.loop.is_hole != b.loop.is_hole) return a.loop.is_hole;
+            return a.area_mm2 > b.area_mm2;
+        });
+        return found;
+    }
+
+    // A loop that is no contour is told, unless its face was asked for: then it is refused.
+    tl::expected<void, std::string> leave_out(const Candidate& candidate, const std::string& why) {
+        if (!looks_there(candidate.face)) return {};
+        std::string sentence = fmt::format("{} of {} {}", candidate.loop.is_hole ? "a hole" : "the outline",
+                                           shown(candidate.face, file_), why);
+        if (!options_.faces.empty()) return Fault(std::move(sentence));
+        left_out_.push_back(std::move(sentence));
+        return {};
+    }
+
+    // By one normal: of loops that are no contours there is no more.
+    bool looks_there(const TopoDS_Face& face) const {
+        double u_low = 0, u_high = 0, v_low = 0, v_high = 0;
+        BRepTools::UVBounds(face, u_low, u_high, v_low, v_high);
+        const auto normal = outward_normal(face, (u_low + u_high) / 2, (v_low + v_high) / 2);
+        const double sense = options_.side.front() == '-' ? -1 : 1;
+        return normal && sense * normal->Coord(options_.side.back() - 'x' + 1) > kLeastLook;
+    }
+
+    void tell_rest(const Bodies& bodies) {
+        for (const std::string& sentence : left_out_) found_.notes.push_back(sentence + "; it is not cut");
+        if (other_sides_ > 0) {
+            found_.notes.push_back(fmt::format("{} contours look to another side than {}, and are not cut",
+                                               other_sides_, options_.side));
+        }
+        if (!bodies.faces.empty())
+            found_.notes.push_back(
+                fmt::format("{} surfaces beside the bodies are left out", bodies.faces.size()));
+    }
+
+    std::string nothing_found() const {
+        if (!left_out_.empty()) return left_out_.front();
+        return fmt::format(
+            "no {} of its faces that was chosen looks to {}",
+            options_.kind == "all" ? "contour" : options_.kind.substr(0, options_.kind.size() - 1),
+            options_.side);
+    }
+
+    static constexpr double kLeastLook = 0.01;
+
+    const ShapeFile& file_;
+    const ContourOptions& options_;
+    WallContours found_;
+    std::vector<std::string> left_out_;
+    std::size_t other_sides_ = 0;
+    std::map<std::string, bool> asked_;
+};
+
+}  // namespace
+
+tl::expected<WallContours, std::string> contours_of(const ShapeFile& file, const ContourOptions& options) {
+    return Reader(file, options).run();
+}
+
+}  // namespace gsim::solid

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "cam/solid/contours.h"
+#include "cam/solid/occ/shape_file.h"
+
+namespace gsim::solid {
+
+/// The contours of the bodies of a file, as the options choose them. The error is a sentence.
+tl::expected<WallContours, std::string> contours_of(const ShapeFile& file, const ContourOptions& options);
+
+}  // namespace gsim::solid

@@ -1,0 +1,92 @@
+#include "cam/solid/occ/face_loops.h"
+
+#include <BRepAdaptor_Curve2d.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <cmath>
+
+namespace gsim::solid {
+
+namespace {
+
+struct OpenEdges {
+    std::vector<TopoDS_Edge> edges;
+    bool has_seam = false;
+};
+
+OpenEdges edges_of_wire(const TopoDS_Shape& wire, const TopoDS_Face& face) {
+    OpenEdges found;
+    for (TopExp_Explorer edges(wire, TopAbs_EDGE); edges.More(); edges.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+        if (BRep_Tool::IsClosed(edge, face)) {
+            found.has_seam = true;
+        } else if (!BRep_Tool::Degenerated(edge)) {
+            found.edges.push_back(edge);
+        }
+    }
+    return found;
+}
+
+// Takes a loop out of edges; what does not close is no loop.
+std::vector<TopoDS_Edge> take_loop(std::vector<TopoDS_Edge>& rest) {
+    std::vector<TopoDS_Edge> loop{rest.back()};
+    rest.pop_back();
+    const TopoDS_Vertex start = TopExp::FirstVertex(loop.front(), true);
+    TopoDS_Vertex end = TopExp::LastVertex(loop.front(), true);
+    while (!end.IsSame(start)) {
+        auto next = rest.begin();
+        while (next != rest.end() && !TopExp::FirstVertex(*next, true).IsSame(end)) ++next;
+        if (next == rest.end()) return {};
+        loop.push_back(*next);
+        end = TopExp::LastVertex(*next, true);
+        rest.erase(next);
+    }
+    return loop;
+}
+
+// Whether a loop goes round a face that closes upon itself: then its parameters do not come back.
+bool goes_round(const std::vector<TopoDS_Edge>& loop, const TopoDS_Face& face) {
+    double u = 0;
+    double v = 0;
+    for (const TopoDS_Edge& edge : loop) {
+        const BRepAdaptor_Curve2d curve(edge, face);
+        const double sense = edge.Orientation() == TopAbs_REVERSED ? -1 : 1;
+        const gp_Pnt2d from = curve.Value(curve.FirstParameter());
+        const gp_Pnt2d to = curve.Value(curve.LastParameter());
+        u += sense * (to.X() - from.X());
+        v += sense * (to.Y() - from.Y());
+    }
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    const auto is_period = [](double way, bool closed, double low, double high) {
+        return closed && std::abs(way) > (high - low) / 2;
+    };
+    double u_low = 0, u_high = 0, v_low = 0, v_high = 0;
+    surface->Bounds(u_low, u_high, v_low, v_high);
+    return is_period(u, surface->IsUClosed(), u_low, u_high) ||
+           is_period(v, surface->IsVClosed(), v_low, v_high);
+}
+
+}  // namespace
+
+std::vector<FaceLoop> loops_of(const TopoDS_Face& face) {
+    std::vector<FaceLoop> loops;
+    const TopoDS_Wire outer = BRepTools::OuterWire(face);
+    for (TopExp_Explorer wires(face, TopAbs_WIRE); wires.More(); wires.Next()) {
+        OpenEdges open = edges_of_wire(wires.Current(), face);
+        const bool is_outer = wires.Current().IsSame(outer);
+        while (!open.edges.empty()) {
+            auto loop = take_loop(open.edges);
+            if (loop.empty()) continue;
+            const bool is_hole = open.has_seam ? !goes_round(loop, face) : !is_outer;
+            loops.push_back({std::move(loop), is_hole});
+        }
+    }
+    return loops;
+}
+
+}  // namespace gsim::solid

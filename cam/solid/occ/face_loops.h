@@ -1,0 +1,19 @@
+#pragma once
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <vector>
+
+namespace gsim::solid {
+
+/// A closed loop of edges of a face, in order.
+struct FaceLoop {
+    std::vector<TopoDS_Edge> edges;
+    bool is_hole = false;  ///< Within the face; else around it.
+};
+
+/// The loops of a face. A face that closes upon itself, as that of a cone, has a seam, which is left out: so
+/// a slot that crosses the seam is one loop, and so are both ends.
+std::vector<FaceLoop> loops_of(const TopoDS_Face& face);
+
+}  // namespace gsim::solid

@@ -1,0 +1,134 @@
+#include "cam/solid/occ/wall.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <array>
+#include <cmath>
+
+#include "cam/solid/occ/face.h"
+
+namespace gsim::solid {
+
+namespace {
+
+constexpr double kOffLine_mm = 0.005;   // how far the wall may be off its straight line
+constexpr double kLeastLine_mm = 0.01;  // a shorter line says nothing of a direction
+constexpr double kLeastDown = 0.05;     // of a line of length 1, away from the edge
+
+// The straight edge from a vertex to its other end; nothing where it bends.
+std::optional<gp_Vec> straight_from(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
+    const BRepAdaptor_Curve curve(edge);
+    const double from = curve.FirstParameter();
+    const double to = curve.LastParameter();
+    const gp_Pnt first = curve.Value(from);
+    const gp_Pnt last = curve.Value(to);
+    const gp_Vec whole(first, last);
+    if (whole.Magnitude() < kLeastLine_mm) return std::nullopt;
+    for (const double share : {0.25, 0.5, 0.75}) {
+        const gp_Vec off(first, curve.Value(from + share * (to - from)));
+        if (off.Crossed(whole).Magnitude() > kOffLine_mm * whole.Magnitude()) return std::nullopt;
+    }
+    const gp_Pnt start = BRep_Tool::Pnt(vertex);
+    return start.Distance(first) < start.Distance(last) ? whole : whole.Reversed();
+}
+
+}  // namespace
+
+Wall::Wall(const TopoDS_Edge& edge, const TopoDS_Face& wall)
+    : edge_(edge), wall_(wall), curve_(edge), on_wall_(edge, wall), plane_(plane_of(wall).has_value()) {
+    BRepTools::UVBounds(wall, u_low_, u_high_, v_low_, v_high_);
+    for (TopExp_Explorer edges(wall, TopAbs_EDGE); edges.More(); edges.Next()) {
+        if (edges.Current().IsSame(edge)) sense_ = edges.Current().Orientation() == TopAbs_REVERSED ? -1 : 1;
+    }
+    if (plane_) find_sides();
+}
+
+std::optional<gp_Dir> Wall::normal(double parameter) const {
+    const gp_Pnt2d at = on_wall_.Value(parameter);
+    return outward_normal(wall_, at.X(), at.Y());
+}
+
+// In the wall, across the edge, away from it: faces are to the left of their edges.
+std::optional<gp_Vec> Wall::inwards(double parameter) const {
+    const auto outward = normal(parameter);
+    gp_Pnt point;
+    gp_Vec tangent;
+    curve_.D1(parameter, point, tangent);
+    if (!outward || tangent.Magnitude() <= 1e-12) return std::nullopt;
+    return gp_Vec(*outward).Crossed(tangent.Normalized() * sense_);
+}
+
+void Wall::find_sides() {
+    TopoDS_Vertex first, last;
+    TopExp::Vertices(edge_, first, last);  // by the curve, whichever way the edge runs
+    if (first.IsNull() || last.IsNull() || first.IsSame(last)) return;
+    for (TopExp_Explorer edges(wall_, TopAbs_EDGE); edges.More(); edges.Next()) {
+        const TopoDS_Edge& side = TopoDS::Edge(edges.Current());
+        if (side.IsSame(edge_) || BRep_Tool::Degenerated(side)) continue;
+        for (TopExp_Explorer ends(side, TopAbs_VERTEX); ends.More(); ends.Next()) {
+            if (ends.Current().IsSame(first)) first_side_ = straight_from(side, first);
+            if (ends.Current().IsSame(last)) last_side_ = straight_from(side, last);
+        }
+    }
+}
+
+// The side edge at an end, where it leads down the wall.
+gp_Vec Wall::side_at(double parameter, bool first) const {
+    const gp_Vec down = inwards(parameter).value_or(gp_Vec(0, 0, 0));
+    const auto& side = first ? first_side_ : last_side_;
+    if (side && side->Dot(down) > kLeastDown * side->Magnitude()) return *side;
+    return down;
+}
+
+WallLine Wall::plane_line(double parameter) const {
+    const double from = curve_.FirstParameter();
+    const double to = curve_.LastParameter();
+    const double share = (parameter - from) / (to - from);
+    const gp_Vec first = side_at(from, true);
+    const gp_Vec last = side_at(to, false);
+    const gp_Vec direction = first.Normalized() * (1 - share) + last.Normalized() * share;
+    return {direction.Normalized(), first.Magnitude() * (1 - share) + last.Magnitude() * share,
+            gp_Vec(*normal(parameter))};
+}
+
+std::optional<WallLine> Wall::iso_line(double parameter, bool along_u) const {
+    const auto down = inwards(parameter);
+    if (!down) return std::nullopt;
+    const BRepAdaptor_Surface surface(wall_, false);
+    const gp_Pnt2d at = on_wall_.Value(parameter);
+    const gp_Pnt start = surface.Value(at.X(), at.Y());
+    std::optional<WallLine> found;
+    for (const double end : {along_u ? u_low_ : v_low_, along_u ? u_high_ : v_high_}) {
+        const auto point = [&](double share) {
+            return along_u ? surface.Value(at.X() + share * (end - at.X()), at.Y())
+                           : surface.Value(at.X(), at.Y() + share * (end - at.Y()));
+        };
+        const gp_Vec whole(start, point(1));
+        const double length = whole.Magnitude();
+        if (length < kLeastLine_mm || whole.Dot(*down) < kLeastDown * length) continue;
+        bool straight = true;
+        for (const double share : {0.2, 0.4, 0.6, 0.8})
+            straight &= gp_Vec(start, point(share)).Crossed(whole).Magnitude() <= kOffLine_mm * length;
+        if (!straight || (found && length <= found->depth_mm)) continue;
+        const auto there = along_u ? outward_normal(wall_, end, at.Y()) : outward_normal(wall_, at.X(), end);
+        found = WallLine{whole.Normalized(), length, there ? gp_Vec(*there) : gp_Vec(*normal(parameter))};
+    }
+    return found;
+}
+
+std::optional<WallLine> Wall::line(double parameter) const {
+    if (plane_) return plane_line(parameter);
+    const auto u = iso_line(parameter, true);
+    const auto v = iso_line(parameter, false);
+    if (!u || !v) return u ? u : v;
+    // Both are straight on a saddle; the one that goes down more is the wall's.
+    const gp_Vec down = *inwards(parameter);
+    return u->direction.Dot(down) > v->direction.Dot(down) ? u : v;
+}
+
+}  // namespace gsim::solid

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Curve2d.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Vec.hxx>
+#include <optional>
+
+namespace gsim::solid {
+
+/// A direction down a wall, of length 1, how far the wall reaches along it, and its outward normal there.
+struct WallLine {
+    gp_Vec direction{0, 0, 0};
+    double depth_mm = 0;
+    gp_Vec far_normal{0, 0, 0};
+};
+
+/// The face across an edge, down which a jet goes.
+class Wall {
+  public:
+    Wall(const TopoDS_Edge& edge, const TopoDS_Face& wall);
+
+    /// Out of the material, at a parameter of the edge's curve.
+    std::optional<gp_Dir> normal(double parameter) const;
+    /// The straight line in the wall that begins at that point of the edge. In a plane wall it turns from the
+    /// one side edge to the other, so that walls that meet in a corner have one line there. Nothing where no
+    /// line of the wall is straight.
+    std::optional<WallLine> line(double parameter) const;
+
+  private:
+    std::optional<gp_Vec> inwards(double parameter) const;
+    void find_sides();
+    gp_Vec side_at(double parameter, bool first) const;
+    WallLine plane_line(double parameter) const;
+    std::optional<WallLine> iso_line(double parameter, bool along_u) const;
+
+    TopoDS_Edge edge_;
+    TopoDS_Face wall_;
+    BRepAdaptor_Curve curve_;
+    BRepAdaptor_Curve2d on_wall_;
+    bool plane_ = false;
+    double sense_ = 1;  ///< -1: the wall has its edge the other way round.
+    double u_low_ = 0, u_high_ = 0, v_low_ = 0, v_high_ = 0;
+    std::optional<gp_Vec> first_side_, last_side_;  ///< Of a plane wall, with their lengths.
+};
+
+}  // namespace gsim::solid

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace gsim::surface {
+
+using Vector = Eigen::Vector3d;
+
+inline Vector vector_of(const std::array<double, 3>& values) {
+    return {values[0], values[1], values[2]};
+}
+
+/// Where the jet is as it cuts a point of an edge. Directions have the length 1.
+struct JetPoint {
+    Vector edge_mm;        ///< On the contour, where the jet enters.
+    Vector normal;         ///< Of the face there, out of the material.
+    Vector tangent;        ///< Along the contour; material to its left.
+    Vector aside;          ///< From the edge to the jet's middle, across its axis.
+    Vector axis;           ///< From the tip up to the nozzle.
+    double depth_mm = 0;   ///< Of the wall, along the jet.
+    std::size_t edge = 0;  ///< Index in the contour.
+    bool stays = false;    ///< No move may pass it by.
+};
+
+/// A contour's way of the jet. Material is to its left.
+struct JetWay {
+    /// Closed: the last is where the first is.
+    std::vector<JetPoint> points;
+    bool is_hole = false;
+    std::string name;                ///< Of the contour, for messages.
+    std::vector<std::string> edges;  ///< Their names.
+};
+
+/// How a jet is made of a point: its width, and how high the tip stands over the face.
+struct JetShape {
+    double kerf_mm = 0;
+    double height_mm = 0;
+};
+
+/// Where the jet's middle is beside the edge.
+inline Vector middle_of(const JetPoint& at, const JetShape& jet) {
+    return at.edge_mm + jet.kerf_mm / 2 * at.aside;
+}
+
+/// The tip, so high over the plane that touches the face at the edge.
+inline Vector tip_of(const JetPoint& at, const JetShape& jet) {
+    const double rise_mm = jet.height_mm - jet.kerf_mm / 2 * at.aside.dot(at.normal);
+    return middle_of(at, jet) + rise_mm / at.axis.dot(at.normal) * at.axis;
+}
+
+}  // namespace gsim::surface

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "cam/solid/contours.h"
+#include "cam/surface/jet_point.h"
+
+namespace gsim::surface {
+
+/// Which way the jet goes.
+struct JetChoice {
+    bool along_walls = true;   ///< Else along the face's normal, leaned by `lean_deg`.
+    double lean_deg = 0;       ///< Sideways from the normal; above 0 the part is smaller below.
+    double tilt_deg = 0;       ///< Forwards: the nozzle goes ahead of where it cuts.
+    double max_lean_deg = 60;  ///< From the face's normal.
+};
+
+/// The jet's way round a contour: half of its width beside the edges, about corners that open, trimmed where
+/// they close. The error is a sentence: an edge where the jet would lean too much or go up, a bend or corner
+/// that is narrower than the jet.
+tl::expected<JetWay, std::string> jet_way(const solid::WallContour& contour, const JetShape& jet,
+                                          const JetChoice& choice);
+
+/// A share of the way from one point to the next.
+JetPoint between(const JetPoint& a, const JetPoint& b, double share);
+
+/// "(1, 2, 3)"
+std::string shown(const Vector& place);
+
+}  // namespace gsim::surface

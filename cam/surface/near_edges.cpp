@@ -1,0 +1,62 @@
+#include "cam/surface/near_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gsim::surface {
+
+namespace {
+
+constexpr double kKerfShare = 0.25;  // how far places of an edge are from each other
+constexpr std::size_t kGroupPlaces = 64;
+
+}  // namespace
+
+NearEdges::NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet)
+    : contours_(contours), jet_(jet) {
+    std::vector<Place> places;
+    const double step_mm = kKerfShare * jet.kerf_mm;
+    for (std::size_t c = 0; c < contours.size(); ++c) {
+        for (std::size_t e = 0; e < contours[c].edges.size(); ++e) {
+            const std::vector<solid::WallPoint>& points = contours[c].edges[e].points;
+            for (std::size_t i = 1; i < points.size(); ++i) {
+                const Vector from = vector_of(points[i - 1].position_mm);
+                const Vector along = vector_of(points[i].position_mm) - from;
+                const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / step_mm)));
+                for (int k = 0; k < steps; ++k)
+                    places.push_back({from + static_cast<double>(k) / steps * along, c, e});
+            }
+        }
+    }
+    for (std::size_t begin = 0; begin < places.size(); begin += kGroupPlaces) {
+        const std::size_t end = std::min(places.size(), begin + kGroupPlaces);
+        Group group{places[(begin + end) / 2].at,
+                    0,
+                    {places.begin() + static_cast<std::ptrdiff_t>(begin),
+                     places.begin() + static_cast<std::ptrdiff_t>(end)}};
+        for (const Place& place : group.places)
+            group.radius_mm = std::max(group.radius_mm, (place.at - group.middle).norm());
+        groups_.push_back(std::move(group));
+    }
+}
+
+NearEdges::Nearest NearEdges::nearest(const Vector& middle, const Vector& axis, double depth_mm) const {
+    Nearest found{std::numeric_limits<double>::infinity()};
+    const double up_mm = jet_.height_mm + jet_.kerf_mm;
+    const auto distance = [&](const Vector& place) {
+        const double along = std::clamp((place - middle).dot(axis), -depth_mm, up_mm);
+        return (place - middle - along * axis).norm();
+    };
+    for (const Group& group : groups_) {
+        if (distance(group.middle) - group.radius_mm >= found.distance_mm) continue;
+        for (const Place& place : group.places) {
+            const double each = distance(place.at);
+            if (each < found.distance_mm)
+                found = {each, place.at, contours_[place.contour].edges[place.edge].name};
+        }
+    }
+    return found;
+}
+
+}  // namespace gsim::surface

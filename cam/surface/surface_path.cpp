@@ -1,0 +1,164 @@
+#include "cam/surface/surface_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cam/surface/near_edges.h"
+#include "cam/surface/surface_lead.h"
+#include "cam/surface/surface_program.h"
+#include "cam/surface/upright.h"
+#include "runtime/path/validate.h"
+
+namespace gsim::surface {
+
+namespace {
+
+using Fault = tl::unexpected<std::string>;
+
+constexpr double kLeadKerfs = 3;
+constexpr double kTold_mm = 0.02;     // of a wall that is taken more
+constexpr double kInto_mm = 0.03;     // how far a jet may come into an edge
+constexpr double kWallTolerance = 3;  // of the wall's lower end, by that of the tip
+
+// Holes before outlines, and of each the nearest next one.
+std::vector<SurfaceCut> in_order(std::vector<SurfaceCut> cuts, const JetShape& jet, Vector at) {
+    std::vector<SurfaceCut> ordered;
+    while (!cuts.empty()) {
+        const auto cost = [&](const SurfaceCut& cut) {
+            return std::pair(!cut.way.is_hole, (cut.pierce(jet) - at).norm());
+        };
+        const auto next = std::min_element(cuts.begin(), cuts.end(),
+                                           [&](const auto& a, const auto& b) { return cost(a) < cost(b); });
+        at = next->end(jet);
+        ordered.push_back(std::move(*next));
+        cuts.erase(next);
+    }
+    return ordered;
+}
+
+class PathMaker {
+  public:
+    PathMaker(const solid::WallContours& part, const cutting::CutRules& rules, const SurfaceOptions& options)
+        : part_(part), rules_(rules), options_(options), jet_{rules.kerf_mm, options.cut_height_mm} {}
+
+    tl::expected<cutting::Autopath, std::string> run() {
+        std::vector<JetWay> ways;
+        for (const solid::WallContour& contour : part_.contours) {
+            auto way = jet_way(contour, jet_, options_.jet);
+            if (!way) return Fault(way.error());
+            ways.push_back(*std::move(way));
+        }
+        const NearEdges edges(part_.contours, jet_);
+        for (const JetWay& way : ways) {
+            if (auto good = check(way, edges); !good) return Fault(good.error());
+        }
+        std::vector<SurfaceCut> cuts;
+        for (const JetWay& way : ways) {
+            SurfaceCut cut{way, std::nullopt, {}};
+            cut.leads = find_leads(cut.way, jet_, edges, lead_mm());
+            settle_upright(cut.way.points);
+            cut.pieces = pieces_between(cut.way.points, options_.bridges, rules_.kerf_mm);
+            if (cut.pieces.empty()) {
+                return Fault(fmt::format("{} has no room for {} bridges of {:g} mm", way.name,
+                                         options_.bridges.count, options_.bridges.width_mm));
+            }
+            cuts.push_back(std::move(cut));
+        }
+        const Vector start = options_.start_mm.value_or(Vector::Zero()) - options_.origin_mm;
+        return written(in_order(std::move(cuts), jet_, start));
+    }
+
+  private:
+    double lead_mm() const { return options_.lead_mm > 0 ? options_.lead_mm : kLeadKerfs * rules_.kerf_mm; }
+
+    tl::expected<void, std::string> check(const JetWay& way, const NearEdges& edges) const {
+        for (const JetPoint& at : way.points) {
+            const auto found = edges.nearest(middle_of(at, jet_), at.axis, at.depth_mm);
+            const double into_mm = rules_.kerf_mm / 2 - found.distance_mm;
+            if (into_mm <= kInto_mm) continue;
+            return Fault(fmt::format("{} cannot be cut: at {} the jet would go {:.3g} mm into {} at {}",
+                                     way.edges[at.edge], shown(at.edge_mm), into_mm, found.edge,
+                                     shown(found.place)));
+        }
+        return {};
+    }
+
+    tl::expected<cutting::Autopath, std::string> written(std::vector<SurfaceCut> cuts) const {
+        SurfaceProgramOptions options;
+        options.name = options_.name;
+        options.jet = jet_;
+        options.tolerance = {options_.tolerance_mm, kWallTolerance * options_.tolerance_mm};
+        options.safe_height_mm = options_.safe_height_mm;
+        options.part_top_mm = part_.high_mm[2];
+        options.origin_mm = options_.origin_mm;
+        options.start_mm = options_.start_mm;
+        cutting::Autopath made;
+        made.program = surface_program(cuts, rules_, options, made.summary);
+        made.notes = part_.notes;
+        tell_behind(made.notes);
+        if (options_.jet.along_walls) tell_twisted(made.notes);
+        if (made.summary.without_leads > 0) {
+            made.notes.push_back(
+                fmt::format("{} contours have no room for leads: the jet pierces on the contour",
+                            made.summary.without_leads));
+        }
+        if (const auto fault = path::validate(made.program)) return Fault(fault->sentence);
+        return made;
+    }
+
+    void tell_behind(std::vector<std::string>& notes) const {
+        for (const solid::WallContour& contour : part_.contours) {
+            double nearest = 0;
+            const solid::WallEdge* at = nullptr;
+            for (const solid::WallEdge& edge : contour.edges) {
+                if (edge.behind_mm <= 0 || (at != nullptr && edge.behind_mm >= nearest)) continue;
+                nearest = edge.behind_mm;
+                at = &edge;
+            }
+            if (at == nullptr) continue;
+            notes.push_back(fmt::format("behind {} of {} the jet meets the part again, {:.4g} mm on",
+                                        at->name, contour.face, nearest));
+        }
+    }
+
+    // Where a wall turns from its upper to its lower edge a straight jet touches it at both, and takes more
+    // in between.
+    void tell_twisted(std::vector<std::string>& notes) const {
+        double most_mm = kTold_mm;
+        std::string where;
+        for (const solid::WallContour& contour : part_.contours) {
+            for (const solid::WallEdge& edge : contour.edges) {
+                for (const solid::WallPoint& point : edge.points) {
+                    const double cosine = vector_of(point.wall_normal).dot(vector_of(point.far_normal));
+                    const double more_mm = rules_.kerf_mm / 2 * (1 - std::clamp(cosine, 0.0, 1.0));
+                    if (more_mm <= most_mm) continue;
+                    most_mm = more_mm;
+                    where = fmt::format("{} at {}", edge.name, shown(vector_of(point.position_mm)));
+                }
+            }
+        }
+        if (where.empty()) return;
+        notes.push_back(fmt::format(
+            "walls are twisted: at their lower edges the jet takes up to {:.2g} mm more, below {}", most_mm,
+            where));
+    }
+
+    const solid::WallContours& part_;
+    const cutting::CutRules& rules_;
+    const SurfaceOptions& options_;
+    JetShape jet_;
+};
+
+}  // namespace
+
+tl::expected<cutting::Autopath, std::string> surface_path(const solid::WallContours& part,
+                                                          const cutting::CutRules& rules,
+                                                          const SurfaceOptions& options) {
+    return PathMaker(part, rules, options).run();
+}
+
+}  // namespace gsim::surface

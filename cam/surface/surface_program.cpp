@@ -1,0 +1,166 @@
+#include "cam/surface/surface_program.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+
+namespace gsim::surface {
+
+using path::MotionType;
+
+namespace {
+
+constexpr double kStandsStill_mm = 1e-6;
+constexpr double kUprightAxis = 1 - 1e-8;
+// The tip's feed as a share of that along the edge: beyond these it is not the edge that counts.
+constexpr double kLeastShare = 0.05;
+constexpr double kMostShare = 5;
+
+class CutWriter {
+  public:
+    CutWriter(const cutting::CutRules& rules, const SurfaceProgramOptions& options,
+              cutting::CutSummary& summary)
+        : rules_(rules), options_(options), summary_(summary) {}
+
+    path::Path run(const SurfaceCut& cut) {
+        const JetPoint& first = cut.way.points.front();
+        come(cut.pierce(options_.jet), first.axis);
+        if (cut.leads) lead(cut.leads->in.via_mm, tip_of(first, options_.jet), *cut.leads);
+        for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+            if (i > 0) step_over(cut.pieces[i - 1].back(), cut.pieces[i].front());
+            for (const JetMove& each : fit_moves(cut.pieces[i], options_.jet, options_.tolerance)) add(each);
+        }
+        if (cut.leads) lead(cut.leads->out.via_mm, cut.leads->out.far_mm, *cut.leads);
+        last_point().actions = {"abrasive_off", "waterjet_off"};
+        leave(cut.end(options_.jet), cut.way.points.back().axis);
+        return std::move(path_);
+    }
+
+  private:
+    path::Point& last_point() { return std::get<path::Point>(path_.targets.back()); }
+
+    path::Point& add_point(MotionType motion, const Vector& tip) {
+        path::Point point;
+        point.motion = motion;
+        point.position_mm = in_work(tip);
+        path_.targets.emplace_back(std::move(point));
+        return last_point();
+    }
+
+    path::Vector in_work(const Vector& place) const {
+        const Vector at = options_.origin_mm + place;
+        return {at.x(), at.y(), at.z()};
+    }
+
+    static path::ToolAxis tool_axis(const Vector& axis) { return {{axis.x(), axis.y(), axis.z()}}; }
+
+    double safe_z() const { return options_.part_top_mm + options_.safe_height_mm; }
+
+    // Away from the part along the axis, and straight up from there.
+    Vector away(const Vector& tip, const Vector& axis) const { return tip + options_.safe_height_mm * axis; }
+    Vector above(const Vector& tip, const Vector& axis) const {
+        Vector up = axis.z() > kUprightAxis ? tip : away(tip, axis);
+        up.z() = std::max(up.z(), safe_z());
+        return up;
+    }
+
+    void come(const Vector& pierce, const Vector& axis) {
+        add_point(MotionType::rapid, above(pierce, axis)).orientation = tool_axis(axis);
+        if (axis.z() <= kUprightAxis) add_point(MotionType::rapid, away(pierce, axis));
+        turn_on(pierce);
+    }
+
+    void turn_on(const Vector& pierce) {
+        add_point(MotionType::rapid, pierce).actions = {"waterjet_on", "abrasive_on"};
+        ++summary_.pierces;
+        if (rules_.pierce_s <= 0) return;
+        path::Point& wait = add_point(MotionType::linear, pierce);
+        wait.feed_mm_min = rules_.speed_mm_min;
+        wait.dwell_s = rules_.pierce_s;
+    }
+
+    // From one side of a bridge to the other, off the part.
+    void step_over(const JetPoint& from, const JetPoint& to) {
+        last_point().actions = {"abrasive_off", "waterjet_off"};
+        add_point(MotionType::rapid, away(tip_of(from, options_.jet), from.axis));
+        path::Point& over = add_point(MotionType::rapid, away(tip_of(to, options_.jet), to.axis));
+        over.orientation = tool_axis(to.axis);
+        turn_on(tip_of(to, options_.jet));
+    }
+
+    void leave(const Vector& tip, const Vector& axis) {
+        if (axis.z() <= kUprightAxis) add_point(MotionType::rapid, away(tip, axis));
+        add_point(MotionType::rapid, above(tip, axis));
+    }
+
+    double arc_feed_mm_min(double radius_mm) const {
+        return rules_.feed_on_arc_mm_min ? rules_.feed_on_arc_mm_min(radius_mm) : rules_.speed_mm_min;
+    }
+
+    void lead(const Vector& via, const Vector& end, const Leads& leads) {
+        path::Point& point = add_point(MotionType::circular, end);
+        point.arc = path::ViaPoint{in_work(via)};
+        point.feed_mm_min = arc_feed_mm_min(leads.length_mm * 4 / kTurn_rad);
+        count(leads.length_mm, *point.feed_mm_min);
+    }
+
+    void add(const JetMove& move) {
+        path::Point& point = add_point(move.via_mm ? MotionType::circular : MotionType::linear, move.end_mm);
+        if (move.via_mm) point.arc = path::ViaPoint{in_work(*move.via_mm)};
+        if (move.turns) point.orientation = tool_axis(move.axis);
+        if (move.tip_mm < kStandsStill_mm) {
+            point.feed_deg_min = options_.turn_feed_deg_min;
+            return;
+        }
+        const double feed = move.via_mm ? arc_feed_mm_min(move.radius_mm) : rules_.speed_mm_min;
+        const double share = move.edge_mm > kStandsStill_mm ? move.tip_mm / move.edge_mm : 1;
+        point.feed_mm_min = feed * std::clamp(share, kLeastShare, kMostShare);
+        count(move.tip_mm, *point.feed_mm_min);
+    }
+
+    void count(double mm, double feed_mm_min) {
+        summary_.cut_mm += mm;
+        summary_.cut_s += kSecondsPerMinute * mm / feed_mm_min;
+    }
+
+    const cutting::CutRules& rules_;
+    const SurfaceProgramOptions& options_;
+    cutting::CutSummary& summary_;
+    path::Path path_;
+};
+
+path::Point start_of(const Vector& place) {
+    path::Point point;
+    point.motion = MotionType::rapid;
+    point.position_mm = {place.x(), place.y(), place.z()};
+    point.orientation = path::ToolAxis{{0, 0, 1}};
+    return point;
+}
+
+}  // namespace
+
+path::Program surface_program(std::span<const SurfaceCut> cuts, const cutting::CutRules& rules,
+                              const SurfaceProgramOptions& options, cutting::CutSummary& summary) {
+    path::Program program;
+    program.name = options.name;
+    program.paths.resize(1);
+    program.paths.front().name = "all contours";
+    if (options.start_mm) program.paths.front().targets.emplace_back(start_of(*options.start_mm));
+    std::optional<Vector> last;
+    for (const SurfaceCut& cut : cuts) {
+        program.paths.front().targets.emplace_back(path::SubPath{program.paths.size(), 1});
+        program.paths.push_back(CutWriter(rules, options, summary).run(cut));
+        program.paths.back().name = fmt::format("contour {}", program.paths.size() - 1);
+        ++summary.outlines;
+        if (!cut.leads) ++summary.without_leads;
+        if (last) summary.travel_mm += (cut.pierce(options.jet) - *last).norm();
+        last = cut.end(options.jet);
+    }
+    if (options.start_mm) program.paths.front().targets.emplace_back(start_of(*options.start_mm));
+    return program;
+}
+
+}  // namespace gsim::surface

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cam/cutting/autopath.h"
+#include "cam/cutting/cut_rules.h"
+#include "cam/surface/motion_fit.h"
+#include "cam/surface/surface_lead.h"
+
+namespace gsim::surface {
+
+/// A way with its leads, ready to be cut.
+struct SurfaceCut {
+    JetWay way;
+    std::optional<Leads> leads;                      ///< None where there is no room.
+    std::vector<std::vector<JetPoint>> pieces = {};  ///< Of the way, between bridges.
+
+    Vector pierce(const JetShape& jet) const {
+        return leads ? leads->in.far_mm : tip_of(way.points.front(), jet);
+    }
+    Vector end(const JetShape& jet) const {
+        return leads ? leads->out.far_mm : tip_of(way.points.back(), jet);
+    }
+};
+
+struct SurfaceProgramOptions {
+    std::string name;
+    JetShape jet;
+    FitTolerance tolerance;
+    double safe_height_mm = 25;         ///< Over the part, and away from it along the axis.
+    double part_top_mm = 0;             ///< The part's highest point, in its own frame.
+    Vector origin_mm = Vector::Zero();  ///< Where the part's origin lies in the work frame.
+    std::optional<Vector> start_mm;     ///< In the work frame: where the program begins and ends.
+    double turn_feed_deg_min = 3600;    ///< Where the tool turns on the spot.
+};
+
+/// The program that makes the cuts in their order, a path for each: over the part at the safe height, down,
+/// along the axis to the pierce, jet and abrasive on, pierce time, lead-in, contour, lead-out, off, and back
+/// the same way. Adds up what it cuts.
+path::Program surface_program(std::span<const SurfaceCut> cuts, const cutting::CutRules& rules,
+                              const SurfaceProgramOptions& options, cutting::CutSummary& summary);
+
+}  // namespace gsim::surface

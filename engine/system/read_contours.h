@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "engine/contours.h"
+
+namespace gsim::engine {
+
+/// Host::read_contours by the program that reads STEP and IGES files.
+tl::expected<Contours, std::string> read_contours(const std::string& file, const ContourChoice& choice);
+
+}  // namespace gsim::engine

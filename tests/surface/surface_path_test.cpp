@@ -1,0 +1,207 @@
+#include "cam/surface/surface_path.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gsim::surface::surface_path_test {
+
+namespace {
+
+using solid::Triple;
+using solid::WallContour;
+using solid::WallContours;
+using solid::WallEdge;
+using solid::WallPoint;
+using testing::HasSubstr;
+
+constexpr double kKerf_mm = 0.8;
+constexpr double kDepth_mm = 6;
+
+Triple triple_of(const Vector& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+// A point of the level face z = 0. The wall leans over the waste by an angle: the part is smaller below.
+WallPoint wall_point(const Vector& at, const Vector& tangent, double lean_rad = 0) {
+    const Vector up(0, 0, 1);
+    const Vector waste = tangent.cross(up);
+    WallPoint point;
+    point.position_mm = triple_of(at);
+    point.normal = triple_of(up);
+    point.tangent = triple_of(tangent);
+    point.wall_normal = triple_of(std::cos(lean_rad) * waste - std::sin(lean_rad) * up);
+    point.along_wall = triple_of(-std::cos(lean_rad) * up - std::sin(lean_rad) * waste);
+    point.depth_mm = kDepth_mm / std::cos(lean_rad);
+    point.far_normal = point.wall_normal;
+    return point;
+}
+
+// A round hole: material to the left means clockwise, seen from above.
+WallContour round_hole(double radius_mm, double lean_rad = 0) {
+    WallEdge edge{"edge #7", {}, 0};
+    for (int i = 0; i <= 360; ++i) {
+        const double turn = -std::numbers::pi / 180 * i;
+        const Vector out(std::cos(turn), std::sin(turn), 0);
+        edge.points.push_back(wall_point(radius_mm * out, Vector(0, 0, -1).cross(out), lean_rad));
+    }
+    return {"the plane face #1", true, {edge}};
+}
+
+// Corners one behind the other, material to the left.
+WallContour polygon(const std::vector<Vector>& corners, bool is_hole) {
+    WallContour contour{"the plane face #1", is_hole, {}};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vector& from = corners[i];
+        const Vector& to = corners[(i + 1) % corners.size()];
+        const Vector along = (to - from).normalized();
+        contour.edges.push_back(
+            {"edge #" + std::to_string(i + 1),
+             {wall_point(from, along), wall_point((from + to) / 2, along), wall_point(to, along)},
+             0});
+    }
+    return contour;
+}
+
+tl::expected<cutting::Autopath, std::string> made(const WallContour& contour, SurfaceOptions options = {}) {
+    WallContours part;
+    part.contours = {contour};
+    cutting::CutRules rules;
+    rules.kerf_mm = kKerf_mm;
+    rules.speed_mm_min = 300;
+    return surface_path(part, rules, options);
+}
+
+std::string refusal(const WallContour& contour, const SurfaceOptions& options = {}) {
+    const auto path = made(contour, options);
+    return path ? "" : path.error();
+}
+
+std::vector<path::Point> points_of(const cutting::Autopath& path) {
+    std::vector<path::Point> points;
+    for (const path::Target& target : path.program.paths.at(1).targets)
+        points.push_back(std::get<path::Point>(target));
+    return points;
+}
+
+TEST(SurfacePath, ARoundHoleIsArcsHalfAKerfInside) {
+    const auto path = made(round_hole(5));
+    ASSERT_TRUE(path) << path.error();
+    EXPECT_EQ(path->summary.pierces, 1U);
+    EXPECT_EQ(path->summary.without_leads, 0U);
+    int on_hole = 0;
+    for (const path::Point& point : points_of(*path)) {
+        const double radius = std::hypot(point.position_mm[0], point.position_mm[1]);
+        EXPECT_LE(radius, 5 - kKerf_mm / 2 + 0.006);
+        if (point.motion == path::MotionType::circular && std::abs(radius - 4.6) < 0.006) ++on_hole;
+    }
+    EXPECT_GE(on_hole, 3);  // the lead-in, and two arcs at least round the hole
+    EXPECT_LE(on_hole, 6);
+}
+
+TEST(SurfacePath, TheTipOfALeaningJetIsBesideTheEdgeByItsHeight) {
+    const double lean = 0.3;
+    SurfaceOptions options;
+    options.cut_height_mm = 2;
+    const auto path = made(round_hole(20, lean), options);
+    ASSERT_TRUE(path) << path.error();
+    // Beside the edge by the height's share, and by half of the kerf as it is across on the level face.
+    const double aside = 2 * std::tan(lean) + kKerf_mm / 2 / std::cos(lean);
+    for (const path::Point& point : points_of(*path)) {
+        if (point.motion != path::MotionType::circular || !point.orientation) continue;
+        EXPECT_NEAR(std::hypot(point.position_mm[0], point.position_mm[1]), 20 - aside, 0.006);
+        EXPECT_NEAR(point.position_mm[2], 2, 0.006);
+        const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
+        EXPECT_NEAR(axis[2], std::cos(lean), 1e-9);
+    }
+}
+
+TEST(SurfacePath, CornersThatCloseAreTrimmedAndThoseThatOpenAreTurnedAbout) {
+    const std::vector<Vector> square{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
+    const auto outside = made(polygon(square, false));
+    const auto inside = made(polygon({square.rbegin(), square.rend()}, true));
+    ASSERT_TRUE(outside) << outside.error();
+    ASSERT_TRUE(inside) << inside.error();
+    double most = 0;
+    for (const path::Point& point : points_of(*inside))
+        most = std::max({most, std::abs(point.position_mm[0]), std::abs(point.position_mm[1])});
+    EXPECT_NEAR(most, 10 - kKerf_mm / 2, 1e-6);
+    int arcs = 0;
+    for (const path::Point& point : points_of(*outside)) {
+        if (point.motion != path::MotionType::circular) continue;
+        ++arcs;
+        const auto& at = point.position_mm;
+        const double beyond =
+            std::hypot(std::max(std::abs(at[0]) - 10, 0.0), std::max(std::abs(at[1]) - 10, 0.0));
+        EXPECT_GE(beyond, kKerf_mm / 2 - 0.006);
+    }
+    EXPECT_GE(arcs, 4 + 2);  // the corners and both leads
+}
+
+TEST(SurfacePath, TheFaceNormalMayBeLeanedOverTheWaste) {
+    SurfaceOptions options;
+    options.jet.along_walls = false;
+    options.jet.lean_deg = 30;
+    const auto path = made(round_hole(20), options);
+    ASSERT_TRUE(path) << path.error();
+    for (const path::Point& point : points_of(*path)) {
+        if (!point.orientation) continue;
+        const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
+        const auto& at = point.position_mm;
+        EXPECT_NEAR(axis[2], std::cos(std::numbers::pi / 6), 1e-6);
+        if (point.motion == path::MotionType::circular) {
+            EXPECT_LT(at[0] * axis[0] + at[1] * axis[1], 0);  // towards the middle of the hole
+        }
+    }
+}
+
+TEST(SurfacePath, BridgesStayWhereTheJetIsOff) {
+    SurfaceOptions options;
+    options.bridges = {3, 0.5};
+    const auto whole = made(round_hole(20));
+    const auto held = made(round_hole(20), options);
+    ASSERT_TRUE(whole && held);
+    EXPECT_EQ(held->summary.pierces, 4U);
+    // Of the edge each bridge takes its width and that of the jet; the jet's way is the shorter by radius.
+    const double share = (20 - kKerf_mm / 2) / 20;
+    EXPECT_NEAR(whole->summary.cut_mm - held->summary.cut_mm, 3 * (0.5 + kKerf_mm) * share, 0.01);
+    options.bridges = {40, 2};
+    EXPECT_EQ(refusal(round_hole(20), options),
+              "a hole of the plane face #1 has no room for 40 bridges of 2 mm");
+}
+
+TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
+    EXPECT_EQ(refusal(round_hole(0.3)),
+              "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half of the "
+              "kerf, 0.4 mm");
+    EXPECT_EQ(refusal(round_hole(20, 1.2)),
+              "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.8 deg from the face's normal, more "
+              "than 60 "
+              "deg (--max-lean)");
+    // A slit of 0.6 mm: the ways along both sides do not even cross.
+    const std::vector<Vector> slit{{0, 0, 0}, {0, 0.6, 0}, {20, 0.6, 0}, {20, 0, 0}};
+    EXPECT_THAT(refusal(polygon(slit, true)),
+                HasSubstr("cannot be cut: it is narrower than the kerf of 0.8 mm"));
+    // Narrow in its middle, wide at its ends.
+    const std::vector<Vector> waist{{0, 0, 0},    {0, 6, 0},    {8, 6, 0},   {9, 3.3, 0},
+                                    {11, 3.3, 0}, {12, 6, 0},   {20, 6, 0},  {20, 0, 0},
+                                    {12, 0, 0},   {11, 2.7, 0}, {9, 2.7, 0}, {8, 0, 0}};
+    EXPECT_THAT(refusal(polygon(waist, true)), HasSubstr("the jet would go"));
+}
+
+TEST(SurfacePath, WhatTheJetMeetsBehindAWallIsTold) {
+    WallContour hole = round_hole(5);
+    hole.edges.front().behind_mm = 42;
+    const auto path = made(hole);
+    ASSERT_TRUE(path) << path.error();
+    EXPECT_THAT(
+        path->notes,
+        testing::Contains("behind edge #7 of the plane face #1 the jet meets the part again, 42 mm on"));
+}
+
+}  // namespace
+}  // namespace gsim::surface::surface_path_test
