@@ -66,7 +66,6 @@ class Walk {
         return std::nullopt;
     }
     std::optional<Fault> run(const TipMotion& motion, const Point& point, const State& before);
-    void note_turn_over(const TipMotion& motion);
     std::optional<Feed> feed_of(const TipMotion& motion, const Point& point, const State& before,
                                 bool rotary_alone) const;
     Feed feed_of_axes(const TipMotion& motion, double from, double to, const Feed& feed) const;
@@ -179,23 +178,6 @@ std::optional<Walk::Feed> Walk::feed_of(const TipMotion& motion, const Point& po
     return Feed{*feed, false, std::nullopt, per_rev > 0 ? std::optional(per_rev) : std::nullopt};
 }
 
-// A tool that leans at both ends of an arc and not between them: the head tilts over the arc's normal, though
-// whoever leans a tool along an arc means it to turn with it.
-void Walk::note_turn_over(const TipMotion& motion) {
-    constexpr double kLeast_rad = 1e-3;
-    constexpr double kSame = 0.7;  // on the shortest way between two axes a quarter turn apart
-    if (!motion.arc() || motion.turn_deg() == 0) return;
-    const auto lean_rad = [&](double share) {
-        const Vector3d axis = space_.tool_axis(motion.at(share));
-        return std::atan2(axis.cross(motion.arc()->normal).norm(), std::abs(axis.dot(motion.arc()->normal)));
-    };
-    const double at_ends_rad = std::min(lean_rad(0), lean_rad(1));
-    if (at_ends_rad < kLeast_rad || lean_rad(0.5) > kSame * at_ends_rad) return;
-    sink_.note(here(),
-               "the tool, which leans at both ends of this arc, stands upright between them; with a point in "
-               "between it would turn with the arc");
-}
-
 std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, const State& before) {
     // Where the way to the point is not known, it is taken for a line of some length.
     const bool start_is_known = before.position_mm.value().has_value();
@@ -220,7 +202,12 @@ std::optional<Fault> Walk::run(const TipMotion& motion, const Point& point, cons
             if (auto beyond = check_range(motion.at(static_cast<double>(i) / kRangeSamples))) return beyond;
         }
     }
-    note_turn_over(motion);
+    if (motion.tilts_over_the_upright()) {
+        sink_.note(
+            here(),
+            "the tool, which leans at both ends of this arc, stands upright between them; with a point "
+            "in between it would turn with the arc");
+    }
     if (motion.arc()) {
         if (!is_worth_an_arc(*motion.arc(), options_) && (!space_.coupled() || motion.turn_deg() == 0)) {
             // The program's numbers say no more of such an arc.

@@ -69,6 +69,19 @@ double TipMotion::deviation(double from, double to) const {
     return greatest;
 }
 
+bool TipMotion::tilts_over_the_upright() const {
+    constexpr double kLeast_rad = 1e-3;
+    constexpr double kMostOfEnds =
+        0.7;  // on the shortest way between two axes a quarter turn apart it is that
+    if (!arc_ || turn_deg() == 0) return false;
+    const auto lean_rad = [&](double share) {
+        const Vector3d axis = space_.tool_axis(at(share));
+        return std::atan2(axis.cross(arc_->normal).norm(), std::abs(axis.dot(arc_->normal)));
+    };
+    const double at_ends_rad = std::min(lean_rad(0), lean_rad(1));
+    return at_ends_rad >= kLeast_rad && lean_rad(0.5) <= kMostOfEnds * at_ends_rad;
+}
+
 bool TipMotion::is_line_of_axes(double tolerance_mm) const {
     if (arc_) return false;
     if (!space_.coupled() || turn_deg() == 0) return true;

@@ -20,6 +20,9 @@ class TipMotion {
     const std::optional<ArcShape>& arc() const { return arc_; }
     double turn_deg() const { return (end_rotary_ - start_rotary_).norm(); }
 
+    /// Whether the tool leans against an arc's normal at both of its ends and hardly between them: whoever
+    /// leans a tool along an arc means it to turn with it.
+    bool tilts_over_the_upright() const;
     /// Whether a single linear move of the axes keeps the tip within the tolerance of the line.
     bool is_line_of_axes(double tolerance_mm) const;
     /// The arc of the axes from one share to another, if that is one in a plane of the axes, within the
