@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include "base/units.h"
@@ -22,6 +23,25 @@ std::vector<bool> lines_with_jet(const std::string& program) {
         if (line.ends_with("M09")) on.back() = false;
     }
     return on;
+}
+
+/// Jets one behind the other, with a ball about their tips, so that those that are far are not looked at.
+struct Together {
+    std::span<const Jet> jets;
+    Eigen::Vector3d middle_mm;
+    double radius_mm = 0;
+};
+
+std::vector<Together> in_groups(std::span<const Jet> jets) {
+    constexpr std::size_t kSize = 100;
+    std::vector<Together> groups;
+    for (; !jets.empty(); jets = jets.subspan(groups.back().jets.size())) {
+        Together group{jets.first(std::min(kSize, jets.size())), jets.front().tip_mm};
+        for (const Jet& jet : group.jets)
+            group.radius_mm = std::max(group.radius_mm, (jet.tip_mm - group.middle_mm).norm());
+        groups.push_back(group);
+    }
+    return groups;
 }
 
 }  // namespace
@@ -55,14 +75,18 @@ Deviation deviation(const std::vector<Eigen::Vector3d>& points, const std::vecto
                     double kerf_mm) {
     constexpr double kReach_mm = 40;  // of the jet, from its tip
     constexpr double kTube_mm = 5;    // the nozzle ends so far above the tip
+    const std::vector<Together> groups = in_groups(jets);
     Deviation found{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Eigen::Vector3d& point : points) {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const Jet& jet : jets) {
-            const Eigen::Vector3d off = point - jet.tip_mm;
-            const double along = off.dot(jet.axis);
-            if (along > kTube_mm || along < -kReach_mm) continue;
-            nearest = std::min(nearest, off.squaredNorm() - along * along);
+        for (const Together& group : groups) {
+            if ((point - group.middle_mm).norm() - group.radius_mm > kReach_mm + std::sqrt(nearest)) continue;
+            for (const Jet& jet : group.jets) {
+                const Eigen::Vector3d off = point - jet.tip_mm;
+                const double along = off.dot(jet.axis);
+                if (along > kTube_mm || along < -kReach_mm) continue;
+                nearest = std::min(nearest, off.squaredNorm() - along * along);
+            }
         }
         const double left = std::sqrt(std::max(nearest, 0.0)) - kerf_mm / 2;
         found.least_mm = std::min(found.least_mm, left);
