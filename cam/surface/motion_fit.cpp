@@ -156,7 +156,7 @@ class MoveFitter {
     }
 
     std::optional<Circle> arc(std::size_t from, std::size_t to) const {
-        const auto circle = circle_through(tips_[from], tips_[(from + to) / 2], tips_[to]);
+        auto circle = circle_through(tips_[from], tips_[(from + to) / 2], tips_[to]);
         if (!circle || way_mm_[to] - way_mm_[from] > kMostSweep_rad * circle->radius_mm) return std::nullopt;
         for (std::size_t i = from; i <= to; ++i) {
             const Vector off = tips_[i] - circle->center;

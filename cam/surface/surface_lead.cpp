@@ -53,6 +53,7 @@ std::vector<std::size_t> starts_of(const std::vector<JetPoint>& points) {
     }
     std::sort(stretches.begin(), stretches.end());
     std::vector<std::size_t> starts;
+    starts.reserve(stretches.size());
     for (const auto& [length, at] : stretches) starts.push_back(at);
     if (starts.size() > kMostStarts) starts.resize(kMostStarts);
     return starts;
