@@ -76,6 +76,7 @@ class DrawingPath::State {
     std::string job_report() const;
 
   private:
+    tl::expected<void, Failure> settle(double thickness_mm);
     waterjet::JobPrice price() const {
         return waterjet::price_job(*cutting_.plan, materials_->prices,
                                    {.cut_length_mm = figures_.cut_mm,
@@ -94,6 +95,14 @@ class DrawingPath::State {
     CuttingFigures figures_;
 };
 
+/// How what is so thick is cut.
+tl::expected<void, Failure> DrawingPath::State::settle(double thickness_mm) {
+    auto settled = settle_cutting(request_.cutting, materials_, thickness_mm);
+    if (!settled) return tl::unexpected(failure_of(DiagnosticKind::usage, settled.error()));
+    cutting_ = *std::move(settled);
+    return {};
+}
+
 tl::expected<void, Failure> DrawingPath::State::read_surface() {
     if (request_.cutting.straighten || request_.cutting.moving_pierce) {
         return tl::unexpected(
@@ -105,10 +114,7 @@ tl::expected<void, Failure> DrawingPath::State::read_surface() {
     if (!contours)
         return tl::unexpected(failure_of(DiagnosticKind::input_file, contours.error(), request_.drawing));
     contours_ = *std::move(contours);
-    auto settled = settle_cutting(request_.cutting, materials_, greatest_depth_mm(contours_));
-    if (!settled) return tl::unexpected(failure_of(DiagnosticKind::usage, settled.error()));
-    cutting_ = *std::move(settled);
-    return {};
+    return settle(greatest_depth_mm(contours_));
 }
 
 tl::expected<void, Failure> DrawingPath::State::read() {
@@ -119,10 +125,7 @@ tl::expected<void, Failure> DrawingPath::State::read() {
     drawing_ = std::move(plate->drawing);
     if (auto note = other_thickness(request_.cutting, plate->thickness_mm))
         drawing_.notes.push_back(*std::move(note));
-    auto settled = settle_cutting(request_.cutting, materials_, plate->thickness_mm);
-    if (!settled) return tl::unexpected(failure_of(DiagnosticKind::usage, settled.error()));
-    cutting_ = *std::move(settled);
-    return {};
+    return settle(plate->thickness_mm);
 }
 
 tl::expected<void, Failure> DrawingPath::State::make(const Tell& tell) {
