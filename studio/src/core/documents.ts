@@ -97,6 +97,11 @@ export class Documents {
     return this.ownFiles.has(name) ? undefined : this.elsewhere.get(name);
   }
 
+  /** Whether there is such a file: here, among the samples, or in the folder and not read yet. */
+  exists(name: string): boolean {
+    return this.get(name) !== undefined || this.elsewhere.has(name);
+  }
+
   /** The bytes to save: as they were opened, where nothing is edited; else in the same encoding. */
   toSave(name: string): Uint8Array | undefined {
     const content = this.get(name);

@@ -42,6 +42,7 @@ export class Folder {
     private readonly session: Session,
   ) {
     session.on(() => this.readChosen());
+    session.store.watch(["pathFile", "variantsFile"], () => this.readChosen());
     session.documents.on((name) => {
       if (this.isTakenBack(name)) void this.readAll([name]);
       this.tell();
@@ -261,9 +262,11 @@ export class Folder {
     return waiting.filter(([, entry]) => (bytes += entry.bytes) <= BEGIN_BYTES).slice(0, BEGIN_FILES).map(([name]) => name);
   }
 
-  /** What is run is read however late it is chosen. */
+  /** What is run and what is worked on is read however late it is chosen. */
   private readChosen(): void {
-    void this.readAll(Object.values(this.session.setup).filter((name) => typeof name === "string"));
+    const { setup, store } = this.session;
+    const chosen = [...Object.values(setup), store.get("pathFile"), store.get("variantsFile")];
+    void this.readAll(chosen.filter((name) => typeof name === "string"));
   }
 
   /** A file that was made and saved here, whose making was undone: the folder has it still. */

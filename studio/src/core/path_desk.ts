@@ -31,7 +31,9 @@ const exists = (file: PathFile, place: Place): boolean =>
 export function watchPath(store: Store, { documents }: Session): void {
   const renew = () => {
     const name = store.get("pathFile");
-    if (name && documents.get(name) === undefined) return store.set("pathFile", "");
+    if (name && !documents.exists(name)) return store.set("pathFile", "");
+    // What a folder has may not be read yet: it is shown as soon as it is.
+    if (name && documents.get(name) === undefined) return store.set("path", null);
     const text = documents.text(name);
     const shown = store.get("path");
     if (name && shown?.name === name && shown.text === text) return;

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-export const modules = ["core/folder", "core/history", "core/documents", "core/turns", "texts"];
+export const modules = ["core/folder", "core/history", "core/documents", "core/turns", "core/store", "core/path_desk", "texts"];
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 const textOf = (bytes) => new TextDecoder().decode(bytes);
@@ -63,17 +63,18 @@ function gate(server, kind) {
 }
 
 /** A folder with these files, all read, and a page about it; `editor.kept` is what was typed and not handed on. */
-async function opened({ Folder, History, Documents }, disk, setup = {}) {
-  const server = fakeServer(disk);
+async function opened({ Folder, History, Documents, Store, initialState }, disk, setup = {}, server = fakeServer(disk)) {
   const documents = new Documents(new Map([["samples/wheel.nc", "G21\n"]]), true);
   const notices = [];
+  const store = new Store(initialState());
+  store.on("notice", (notice) => notices.push(notice));
   const session = {
     documents,
     setup: { program: "", ...setup },
     change: (part) => (session.setup = { ...session.setup, ...part }),
     on: () => {},
     changed: () => false,
-    store: { get: () => "", set: (key, value) => notices.push(value) },
+    store,
   };
   const history = (session.history = new History(documents, session));
   const editor = { kept: null };
@@ -92,7 +93,7 @@ async function opened({ Folder, History, Documents }, disk, setup = {}) {
   await folder.open();
   void folder.follow();
   await settled();
-  return { server, documents, session, history, folder, editor, notices, type };
+  return { server, documents, session, history, folder, editor, notices, store, type };
 }
 
 export default {
@@ -119,6 +120,21 @@ export default {
     server.files.delete("b.nc");
     await server.begun();
     assert.ok(!documents.names().includes("b.nc"));
+  },
+
+  "a path file that is chosen before it was read is shown as soon as it is, one that goes is chosen no longer": async (page) => {
+    const path = JSON.stringify({ paths: [{ name: "P", targets: [{ motion: "linear", position_mm: [1, 2, 3] }] }] });
+    const server = fakeServer({ "a.path.json": path, "b.variants.json": "{}" });
+    const open = gate(server, "read");
+    const { store, session, documents } = await opened(page, {}, {}, server);
+    page.watchPath(store, session);
+    store.set("pathFile", "a.path.json");
+    assert.deepEqual([store.get("pathFile"), store.get("path"), documents.exists("b.variants.json")], ["a.path.json", null, true]);
+    await open();
+    assert.deepEqual([store.get("path")?.name, store.get("path")?.fault], ["a.path.json", ""]);
+    server.files.delete("a.path.json");
+    await server.tell("a.path.json", undefined);
+    assert.deepEqual([store.get("pathFile"), store.get("path")], ["", null]);
   },
 
   "turns of one name wait for each other, whatever became of those before": async ({ Turns }) => {

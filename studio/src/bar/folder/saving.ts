@@ -93,7 +93,7 @@ export class Saving {
     const [, stem, ending] = /^(.*?)(\.[^./]*)?$/.exec(name)!;
     const named = (i: number) => `${stem}-${i}${ending ?? ""}`;
     let i = 2;
-    while (this.folder.has(named(i)) || this.session.documents.get(named(i)) !== undefined) ++i;
+    while (this.folder.has(named(i)) || this.session.documents.exists(named(i))) ++i;
     return named(i);
   }
 }

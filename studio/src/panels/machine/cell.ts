@@ -83,7 +83,7 @@ const section = (title: string, open: boolean, ...parts: Section[]): Section => 
 /** A cell with nothing in it but the machine that runs. */
 function newCell(context: Context): void {
   const { edits, model, session } = context;
-  const name = freeName("my-cell.toml", (each) => session.documents.get(each) !== undefined);
+  const name = freeName("my-cell.toml", (each) => session.documents.exists(each));
   const machine = model.file("machine");
   const isMachine = kindOfFile(machine, session.documents.get(machine) ?? "") === "machine";
   const text = `[cell]\nname = ${JSON.stringify(words.newName)}\n${isMachine ? `machine = ${JSON.stringify(referenceTo(name, machine))}\n` : ""}`;

@@ -12,7 +12,7 @@ const words = texts.paths;
 /** A name that no file has yet: "part 2.path.json". */
 export function freeFile(documents: Documents, stem: string): string {
   let name = `${stem}.path.json`;
-  for (let i = 2; documents.get(name) !== undefined; ++i) name = `${stem} ${i}.path.json`;
+  for (let i = 2; documents.exists(name); ++i) name = `${stem} ${i}.path.json`;
   return name;
 }
 

@@ -105,7 +105,7 @@ export class Edits {
   private nameOfOwn(part: Part): string {
     const { documents } = this.model.session;
     const file = this.model.file(part);
-    return documents.isOwn(file) ? file : nameOfCopy(file, (name) => documents.get(name) !== undefined);
+    return documents.isOwn(file) ? file : nameOfCopy(file, (name) => documents.exists(name));
   }
 
   /** What becomes of all files when one of them changes. */

@@ -59,7 +59,7 @@ export class Draft {
   /** "my-mill.toml" */
   get file(): string {
     const bare = this.name.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
-    return freeName(`${bare || "machine"}.toml`, (name) => this.session.documents.get(name) !== undefined);
+    return freeName(`${bare || "machine"}.toml`, (name) => this.session.documents.exists(name));
   }
 
   private changes(): TomlChange[] {

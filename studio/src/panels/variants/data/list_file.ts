@@ -18,7 +18,7 @@ export class ListFile {
 
   /** Whether none is chosen, or there is none of that name (any more): `name` is then what new ones will be called. */
   get isNew(): boolean {
-    return this.session.documents.get(this.store.get("variantsFile")) === undefined;
+    return !this.session.documents.exists(this.store.get("variantsFile"));
   }
 
   get name(): string {
@@ -29,7 +29,7 @@ export class ListFile {
     const { documents, setup } = this.session;
     const stem = baseName(setup.program).replace(/\.[^.]*$/, "") || "part";
     let name = `${stem}.variants.json`;
-    for (let i = 2; documents.get(name) !== undefined; ++i) name = `${stem} ${i}.variants.json`;
+    for (let i = 2; documents.exists(name); ++i) name = `${stem} ${i}.variants.json`;
     return name;
   }
 
