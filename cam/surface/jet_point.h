@@ -21,9 +21,19 @@ struct JetPoint {
     Vector tangent;        ///< Along the contour; material to its left.
     Vector aside;          ///< From the edge to the jet's middle, across its axis.
     Vector axis;           ///< From the tip up to the nozzle.
+    Vector low_mm;         ///< On the wall's lower edge, where the jet leaves.
+    Vector low_aside;      ///< From there to the jet's middle, across its axis.
     double depth_mm = 0;   ///< Of the wall, along the jet.
     std::size_t edge = 0;  ///< Index in the contour.
     bool stays = false;    ///< No move may pass it by.
+};
+
+/// A corner of a wall's lower edge that closes where the upper edge has none: a jet does not reach into it.
+struct LowCorner {
+    Vector place_mm;       ///< Of the lower edge.
+    double turn_deg = 0;   ///< Of the edge there.
+    double stays_mm = 0;   ///< Material between it and the jet.
+    std::size_t edge = 0;  ///< Index in the contour, of the edge before it.
 };
 
 /// A contour's way of the jet. Material is to its left.
@@ -33,6 +43,7 @@ struct JetWay {
     bool is_hole = false;
     std::string name;                ///< Of the contour, for messages.
     std::vector<std::string> edges;  ///< Their names.
+    std::vector<LowCorner> low_corners;
 };
 
 /// How a jet is made of a point: its width, and how high the tip stands over the face.
@@ -44,6 +55,12 @@ struct JetShape {
 /// Where the jet's middle is beside the edge.
 inline Vector middle_of(const JetPoint& at, const JetShape& jet) {
     return at.edge_mm + jet.kerf_mm / 2 * at.aside;
+}
+
+/// Where it is beside the wall's lower edge.
+inline Vector low_middle_of(const JetPoint& at, const JetShape& jet) {
+    const Vector middle = middle_of(at, jet);
+    return middle + (at.low_mm - middle).dot(at.axis) * at.axis;
 }
 
 /// The tip, so high over the plane that touches the face at the edge.

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "base/text/number.h"
 #include "base/units.h"
+#include "cam/surface/wall_touch.h"
 
 namespace gsim::surface {
 
@@ -21,17 +23,15 @@ using EdgeWay = std::vector<JetPoint>;
 constexpr double kSmooth_rad = 1.5 * kRadPerDeg;    // a turn that is no corner
 constexpr double kCornerStep_rad = 5 * kRadPerDeg;  // of the jet about a corner
 constexpr double kSame_mm = 1e-7;
+constexpr double kFarKerfs = 20;  // from a lower corner to where the jet comes no nearer
 constexpr double kSame = 1e-9;
 
 double angle_between(const Vector& a, const Vector& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-Vector across(const Vector& direction, const Vector& axis) {
-    return (direction - direction.dot(axis) * axis).normalized();
-}
-
-JetPoint jet_point(const solid::WallPoint& point, std::size_t edge, const JetChoice& choice) {
+JetPoint jet_point(const solid::WallPoint& point, std::size_t edge, const JetShape& jet,
+                   const JetChoice& choice) {
     JetPoint at;
     at.edge_mm = vector_of(point.position_mm);
     at.normal = vector_of(point.normal);
@@ -53,6 +53,12 @@ JetPoint jet_point(const solid::WallPoint& point, std::size_t edge, const JetCho
     }
     at.axis.normalize();
     at.aside = across(at.aside, at.axis);
+    at.low_mm = at.edge_mm - at.depth_mm * at.axis;
+    at.low_aside = at.aside;
+    if (choice.touches_both()) {
+        at.low_aside = vector_of(point.far_normal);
+        touch_twisted(at, jet);
+    }
     return at;
 }
 
@@ -68,6 +74,14 @@ std::optional<std::pair<double, double>> crossing(const Eigen::Vector2d& a, cons
     const double second = (off.x() * along.y() - off.y() * along.x()) / turn;
     if (first < -kSame || first > 1 + kSame || second < -kSame || second > 1 + kSame) return std::nullopt;
     return std::pair(first, second);
+}
+
+enum class Corner { none, opens, closes };
+
+// How what turns from one direction to the other about an axis makes room, with material to its left.
+Corner corner_of(const Vector& end, const Vector& start, const Vector& about) {
+    if (angle_between(end, start) <= kSmooth_rad) return Corner::none;
+    return end.cross(start).dot(about) > 0 ? Corner::opens : Corner::closes;
 }
 
 class WayMaker {
@@ -94,7 +108,7 @@ class WayMaker {
     tl::expected<void, std::string> add_edge(std::size_t number) {
         EdgeWay way;
         for (const solid::WallPoint& point : contour_.edges[number].points) {
-            way.push_back(jet_point(point, number, choice_));
+            way.push_back(jet_point(point, number, jet_, choice_));
             const JetPoint& at = way.back();
             const double lean_deg = angle_between(at.axis, at.normal) * kDegPerRad;
             if (lean_deg <= choice_.max_lean_deg) continue;
@@ -121,40 +135,107 @@ class WayMaker {
         EdgeWay& after = edges_[next];
         const JetPoint end = before.back();
         const JetPoint start = after.front();
-        const double turn = angle_between(end.tangent, start.tangent);
-        if (turn <= kSmooth_rad) return {};
-        if (end.tangent.cross(start.tangent).dot(end.normal) > 0) {
-            turn_about(end, start, corners_[number]);
-            return {};
+        const Corner above = corner_of(end.tangent, start.tangent, end.normal);
+        const Corner below =
+            choice_.touches_both() ? corner_of(end.low_aside, start.low_aside, end.axis) : Corner::none;
+        if (above == Corner::closes && !trim(before, after)) {
+            return Fault(
+                fmt::format("the corner at {} between {} and {} cannot be cut: it is narrower than the "
+                            "kerf of {:g} mm",
+                            shown(end.edge_mm), name(end.edge), name(start.edge), jet_.kerf_mm));
         }
-        if (trim(before, after)) return {};
-        return Fault(
-            fmt::format("the corner at {} between {} and {} cannot be cut: it is narrower than the "
-                        "kerf of {:g} mm",
-                        shown(end.edge_mm), name(end.edge), name(start.edge), jet_.kerf_mm));
+        std::optional<Vector> low_stays;
+        if (below == Corner::closes && takes_below(before, after))
+            low_stays = stay_below(before, after, end, start);
+        const Vector low_step = low_middle_of(before.back(), jet_) - low_middle_of(after.front(), jet_);
+        if (above == Corner::opens || (below == Corner::opens && low_step.norm() > kMayTake_mm))
+            turn_about(before.back(), after.front(), low_stays, corners_[number]);
+        return {};
     }
 
-    static void turn_about(const JetPoint& end, const JetPoint& start, EdgeWay& corner) {
+    // Whether the jet at the end of one edge takes of the lower edge of the other.
+    bool takes_below(const EdgeWay& before, const EdgeWay& after) const {
+        const double least_mm = jet_.kerf_mm / 2 - kMayTake_mm;
+        return low_distance_mm(before.back(), after) < least_mm ||
+               low_distance_mm(after.front(), before) < least_mm;
+    }
+
+    // From the jet's middle to a lower edge, across the jet.
+    double low_distance_mm(const JetPoint& at, const EdgeWay& edge) const {
+        const Vector middle = middle_of(at, jet_);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 1; i < edge.size(); ++i) {
+            const auto flat = [&](const Vector& place) -> Vector {
+                const Vector off = place - middle;
+                return off - off.dot(at.axis) * at.axis;
+            };
+            const Vector from = flat(edge[i - 1].low_mm);
+            const Vector along = flat(edge[i].low_mm) - from;
+            const double share =
+                along.norm() < kSame_mm ? 0 : std::clamp(-from.dot(along) / along.squaredNorm(), 0.0, 1.0);
+            nearest = std::min(nearest, (from + share * along).norm());
+        }
+        return nearest;
+    }
+
+    // Where the lower end of the jet stays, as both edges come too near to it behind that.
+    std::optional<Vector> stay_below(EdgeWay& before, EdgeWay& after, const JetPoint& end,
+                                     const JetPoint& start) {
+        const auto place = trim_below(before, after, end.low_mm);
+        if (!place) return std::nullopt;
+        const double turn_rad = angle_between(end.low_aside, start.low_aside);
+        const double off_mm = (*place - end.low_mm).cross(end.axis).norm();
+        low_corners_.push_back(
+            {end.low_mm, turn_rad * kDegPerRad, std::max(0.0, off_mm - jet_.kerf_mm / 2), end.edge});
+        return place;
+    }
+
+    void turn_about(const JetPoint& end, const JetPoint& start, const std::optional<Vector>& low_stays,
+                    EdgeWay& corner) const {
         const double turn =
-            std::max(angle_between(end.aside, start.aside), angle_between(end.axis, start.axis));
+            std::max({angle_between(end.aside, start.aside), angle_between(end.axis, start.axis),
+                      angle_between(end.low_aside, start.low_aside)});
         const int steps = static_cast<int>(std::ceil(turn / kCornerStep_rad));
-        const auto half_way = Eigen::Quaterniond::FromTwoVectors(end.aside, start.aside);
+        const auto above = Eigen::Quaterniond::FromTwoVectors(end.aside, start.aside);
+        const auto below = Eigen::Quaterniond::FromTwoVectors(end.low_aside, start.low_aside);
+        EdgeWay straight;  // from axis to axis
+        double most_mm = 0;
         for (int i = 1; i < steps; ++i) {
             const double share = static_cast<double>(i) / steps;
+            const auto part = [share](const Eigen::Quaterniond& whole) {
+                return Eigen::Quaterniond::Identity().slerp(share, whole);
+            };
             JetPoint at = between(end, start, share);
-            const Eigen::Quaterniond part = Eigen::Quaterniond::Identity().slerp(share, half_way);
-            at.aside = across(part * end.aside, at.axis);
+            at.low_aside = part(below) * end.low_aside;
+            const Vector aside = part(above) * end.aside;
+            at.aside = across(aside, at.axis);
+            straight.push_back(at);
+            at.aside = aside;
+            if (low_stays)
+                aim_low(at, *low_stays, jet_);
+            else
+                touch_both(at, jet_);
             corner.push_back(at);
+            most_mm =
+                std::max(most_mm, (low_middle_of(at, jet_) - low_middle_of(straight.back(), jet_)).norm());
         }
+        if (most_mm <= kMayTake_mm) corner = std::move(straight);
     }
 
-    // Cuts both off where their ways cross, seen along the jet.
-    bool trim(EdgeWay& before, EdgeWay& after) const {
+    struct Meeting {
+        std::size_t before = 0, after = 0;         // they cross behind these points
+        double before_share = 0, after_share = 0;  // of the way to the next one
+    };
+
+    // Where two ways cross, seen along the jet, as near to the end of the first as can be.
+    template <typename MiddleOf>
+    static std::optional<Meeting> meeting(const EdgeWay& before, const EdgeWay& after,
+                                          MiddleOf middle_of_point) {
         const Vector along = (before.back().axis + after.front().axis).normalized();
         const Vector x = across(before.back().tangent, along);
         const Vector y = along.cross(x);
         const auto flat = [&](const JetPoint& at) {
-            const Vector middle = middle_of(at, jet_);
+            const Vector middle = middle_of_point(at);
             return Eigen::Vector2d(middle.dot(x), middle.dot(y));
         };
         for (std::size_t i = before.size() - 1; i > 0; --i) {
@@ -162,17 +243,42 @@ class WayMaker {
             const Eigen::Vector2d to = flat(before[i]);
             for (std::size_t k = 0; k + 1 < after.size(); ++k) {
                 const auto found = crossing(from, to, flat(after[k]), flat(after[k + 1]));
-                if (!found) continue;
-                const JetPoint last = between(before[i - 1], before[i], found->first);
-                const JetPoint first = between(after[k], after[k + 1], found->second);
-                before.resize(i);
-                before.push_back(last);
-                after.erase(after.begin(), after.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-                after.insert(after.begin(), first);
-                return true;
+                if (found) return Meeting{i - 1, k, found->first, found->second};
             }
         }
-        return false;
+        return std::nullopt;
+    }
+
+    // Cuts both off where their ways cross.
+    bool trim(EdgeWay& before, EdgeWay& after) const {
+        const auto found = meeting(before, after, [this](const JetPoint& at) { return middle_of(at, jet_); });
+        if (!found) return false;
+        const JetPoint last = between(before[found->before], before[found->before + 1], found->before_share);
+        const JetPoint first = between(after[found->after], after[found->after + 1], found->after_share);
+        before.resize(found->before + 1);
+        before.push_back(last);
+        after.erase(after.begin(), after.begin() + static_cast<std::ptrdiff_t>(found->after) + 1);
+        after.insert(after.begin(), first);
+        return true;
+    }
+
+    // Where the ways of the lower ends cross, near to their corner, the jet stays while its upper end goes
+    // on.
+    std::optional<Vector> trim_below(EdgeWay& before, EdgeWay& after, const Vector& corner_mm) const {
+        const auto found =
+            meeting(before, after, [this](const JetPoint& at) { return low_middle_of(at, jet_); });
+        if (!found) return std::nullopt;
+        const JetPoint last = between(before[found->before], before[found->before + 1], found->before_share);
+        const JetPoint first = between(after[found->after], after[found->after + 1], found->after_share);
+        const Vector place = (low_middle_of(last, jet_) + low_middle_of(first, jet_)) / 2;
+        if ((place - corner_mm).norm() > kFarKerfs * jet_.kerf_mm) return std::nullopt;
+        const std::size_t stays = found->before + 1;
+        before.insert(before.begin() + static_cast<std::ptrdiff_t>(stays), last);
+        for (std::size_t i = stays; i < before.size(); ++i) aim_low(before[i], place, jet_);
+        const std::size_t leaves = found->after + 1;
+        after.insert(after.begin() + static_cast<std::ptrdiff_t>(leaves), first);
+        for (std::size_t i = 0; i <= leaves; ++i) aim_low(after[i], place, jet_);
+        return place;
     }
 
     // Beside a bend that is narrower than the jet its way turns back.
@@ -201,6 +307,7 @@ class WayMaker {
             for (const JetPoint& at : corners_[i]) add(at, way.points);
         }
         way.points.push_back(way.points.front());
+        way.low_corners = low_corners_;
         return way;
     }
 
@@ -219,6 +326,7 @@ class WayMaker {
     const JetChoice& choice_;
     std::vector<EdgeWay> edges_;
     std::vector<EdgeWay> corners_;  // behind each edge
+    std::vector<LowCorner> low_corners_;
 };
 
 }  // namespace
@@ -230,6 +338,8 @@ JetPoint between(const JetPoint& a, const JetPoint& b, double share) {
     at.tangent = (a.tangent + share * (b.tangent - a.tangent)).normalized();
     at.axis = (a.axis + share * (b.axis - a.axis)).normalized();
     at.aside = across(a.aside + share * (b.aside - a.aside), at.axis);
+    at.low_mm = a.low_mm + share * (b.low_mm - a.low_mm);
+    at.low_aside = across(a.low_aside + share * (b.low_aside - a.low_aside), at.axis);
     at.stays = false;
     at.depth_mm = a.depth_mm + share * (b.depth_mm - a.depth_mm);
     return at;

@@ -15,6 +15,9 @@ struct JetChoice {
     double lean_deg = 0;       ///< Sideways from the normal; above 0 the part is smaller below.
     double tilt_deg = 0;       ///< Forwards: the nozzle goes ahead of where it cuts.
     double max_lean_deg = 60;  ///< From the face's normal.
+
+    /// Whether it goes beside the upper and the lower edge of each wall.
+    bool touches_both() const { return along_walls && tilt_deg == 0; }
 };
 
 /// The jet's way round a contour: half of its width beside the edges, about corners that open, trimmed where

@@ -11,9 +11,14 @@ namespace {
 constexpr double kKerfShare = 0.25;  // how far places of an edge are from each other
 constexpr std::size_t kGroupPlaces = 64;
 
+Vector place_of(const solid::WallPoint& point, WallEnd end) {
+    const Vector upper = vector_of(point.position_mm);
+    return end == WallEnd::upper ? upper : upper + point.depth_mm * vector_of(point.along_wall);
+}
+
 }  // namespace
 
-NearEdges::NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet)
+NearEdges::NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet, WallEnd which)
     : contours_(contours), jet_(jet) {
     std::vector<Place> places;
     const double step_mm = kKerfShare * jet.kerf_mm;
@@ -21,8 +26,8 @@ NearEdges::NearEdges(std::span<const solid::WallContour> contours, const JetShap
         for (std::size_t e = 0; e < contours[c].edges.size(); ++e) {
             const std::vector<solid::WallPoint>& points = contours[c].edges[e].points;
             for (std::size_t i = 1; i < points.size(); ++i) {
-                const Vector from = vector_of(points[i - 1].position_mm);
-                const Vector along = vector_of(points[i].position_mm) - from;
+                const Vector from = place_of(points[i - 1], which);
+                const Vector along = place_of(points[i], which) - from;
                 const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / step_mm)));
                 for (int k = 0; k < steps; ++k)
                     places.push_back({from + static_cast<double>(k) / steps * along, c, e});

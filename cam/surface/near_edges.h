@@ -9,10 +9,14 @@
 
 namespace gsim::surface {
 
+/// Which edges of walls: where the jet enters, or where it leaves.
+enum class WallEnd { upper, lower };
+
 /// All edges of what is cut, to be asked how near a jet comes to them.
 class NearEdges {
   public:
-    NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet);
+    NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet,
+              WallEnd which = WallEnd::upper);
 
     /// A place of a part, and how far the jet's middle is from it.
     struct Nearest {

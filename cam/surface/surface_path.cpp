@@ -20,7 +20,7 @@ namespace {
 using Fault = tl::unexpected<std::string>;
 
 constexpr double kLeadKerfs = 3;
-constexpr double kTold_mm = 0.02;     // of a wall that is taken more
+constexpr double kTold_mm = 0.02;     // of material at a lower edge that is taken or stays
 constexpr double kInto_mm = 0.03;     // how far a jet may come into an edge
 constexpr double kWallTolerance = 3;  // of the wall's lower end, by that of the tip
 
@@ -55,6 +55,10 @@ class PathMaker {
         const NearEdges edges(part_.contours, jet_);
         for (const JetWay& way : ways) {
             if (auto good = check(way, edges); !good) return Fault(good.error());
+        }
+        if (options_.jet.touches_both()) {
+            tell_taken(ways);
+            tell_low_corners(ways);
         }
         std::vector<SurfaceCut> cuts;
         for (const JetWay& way : ways) {
@@ -100,7 +104,7 @@ class PathMaker {
         made.program = surface_program(cuts, rules_, options, made.summary);
         made.notes = part_.notes;
         tell_behind(made.notes);
-        if (options_.jet.along_walls) tell_twisted(made.notes);
+        made.notes.insert(made.notes.end(), notes_.begin(), notes_.end());
         if (made.summary.without_leads > 0) {
             made.notes.push_back(
                 fmt::format("{} contours have no room for leads: the jet pierces on the contour",
@@ -125,32 +129,51 @@ class PathMaker {
         }
     }
 
-    // Where a wall turns from its upper to its lower edge a straight jet touches it at both, and takes more
-    // in between.
-    void tell_twisted(std::vector<std::string>& notes) const {
+    // A jet beside both edges of a wall may come into what bends more than it is wide.
+    void tell_taken(const std::vector<JetWay>& ways) {
+        const NearEdges edges(part_.contours, jet_, WallEnd::lower);
         double most_mm = kTold_mm;
-        std::string where;
-        for (const solid::WallContour& contour : part_.contours) {
-            for (const solid::WallEdge& edge : contour.edges) {
-                for (const solid::WallPoint& point : edge.points) {
-                    const double cosine = vector_of(point.wall_normal).dot(vector_of(point.far_normal));
-                    const double more_mm = rules_.kerf_mm / 2 * (1 - std::clamp(cosine, 0.0, 1.0));
-                    if (more_mm <= most_mm) continue;
-                    most_mm = more_mm;
-                    where = fmt::format("{} at {}", edge.name, shown(vector_of(point.position_mm)));
-                }
+        NearEdges::Nearest most;
+        for (const JetWay& way : ways) {
+            for (const JetPoint& at : way.points) {
+                const auto found = edges.nearest(low_middle_of(at, jet_), at.axis, at.depth_mm);
+                if (rules_.kerf_mm / 2 - found.distance_mm <= most_mm) continue;
+                most_mm = rules_.kerf_mm / 2 - found.distance_mm;
+                most = found;
             }
         }
-        if (where.empty()) return;
-        notes.push_back(fmt::format(
-            "walls are twisted: at their lower edges the jet takes up to {:.2g} mm more, below {}", most_mm,
-            where));
+        if (most.edge.empty()) return;
+        notes_.push_back(
+            fmt::format("at lower edges of walls the jet takes up to {:.2g} mm more: below {} at {}", most_mm,
+                        most.edge, shown(most.place)));
+    }
+
+    void tell_low_corners(const std::vector<JetWay>& ways) {
+        std::size_t count = 0;
+        LowCorner most;
+        std::string edge;
+        for (const JetWay& way : ways) {
+            for (const LowCorner& corner : way.low_corners) {
+                if (corner.stays_mm <= kTold_mm) continue;
+                ++count;
+                if (corner.stays_mm <= most.stays_mm) continue;
+                most = corner;
+                edge = way.edges[corner.edge];
+            }
+        }
+        if (count == 0) return;
+        notes_.push_back(
+            fmt::format("{} corners of lower edges are narrower than the jet: material stays in them, up to "
+                        "{:.2g} mm at {}, "
+                        "below {}, where the lower edge turns by {:.0f} deg",
+                        count, most.stays_mm, shown(most.place_mm), edge, most.turn_deg));
     }
 
     const solid::WallContours& part_;
     const cutting::CutRules& rules_;
     const SurfaceOptions& options_;
     JetShape jet_;
+    std::vector<std::string> notes_;
 };
 
 }  // namespace

@@ -1,0 +1,136 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "cam/surface/jet_way.h"
+#include "cam/surface/wall_touch.h"
+
+namespace gsim::surface::twisted_wall_test {
+
+namespace {
+
+constexpr JetShape kJet{0.8, 0};
+constexpr double kDepth_mm = 6;
+constexpr double kTiny = 1e-5;
+
+using Curve = std::function<Vector(double)>;
+
+solid::Triple triple_of(const Vector& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+Vector slope(const Curve& curve, double at) {
+    return (curve(at + kTiny) - curve(at - kTiny)).normalized();
+}
+
+// The wall from one curve to another one below it, by straight lines between the same parameters. Material
+// is to the left of the way from 0 to 1.
+solid::WallEdge wall(const std::string& name, const Curve& upper, const Curve& lower) {
+    constexpr int kSteps = 400;
+    const Vector up(0, 0, 1);
+    solid::WallEdge edge{name, {}, 0};
+    for (int i = 0; i <= kSteps; ++i) {
+        const double at = static_cast<double>(i) / kSteps;
+        const Vector down = lower(at) - upper(at);
+        solid::WallPoint point;
+        point.position_mm = triple_of(upper(at));
+        point.normal = triple_of(up);
+        point.tangent = triple_of(slope(upper, at));
+        point.along_wall = triple_of(down.normalized());
+        point.depth_mm = down.norm();
+        point.wall_normal = triple_of(down.cross(slope(upper, at)).normalized());
+        point.far_normal = triple_of(down.cross(slope(lower, at)).normalized());
+        edge.points.push_back(point);
+    }
+    return edge;
+}
+
+JetWay way_of(const std::vector<solid::WallEdge>& edges) {
+    const solid::WallContour contour{"the plane face #1", true, edges};
+    auto way = jet_way(contour, kJet, {});
+    EXPECT_TRUE(way) << way.error();
+    return way ? *way : JetWay{};
+}
+
+// How far what the jets leave of a curve is off it: least and greatest.
+std::pair<double, double> off(const Curve& curve, const JetWay& way) {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -least;
+    for (int i = 0; i < 250; ++i) {
+        const Vector place = curve(i / 250.0);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const JetPoint& at : way.points)
+            nearest = std::min(nearest, (place - middle_of(at, kJet)).cross(at.axis).norm());
+        least = std::min(least, nearest - kJet.kerf_mm / 2);
+        greatest = std::max(greatest, nearest - kJet.kerf_mm / 2);
+    }
+    return {least, greatest};
+}
+
+// Round a circle clockwise, so that what is around it is to the left.
+Vector around(double radius_mm, double share, double z_mm) {
+    const double turn = -2 * std::numbers::pi * share;
+    return {radius_mm * std::cos(turn), radius_mm * std::sin(turn), z_mm};
+}
+
+Curve line(const Vector& from, const Vector& to) {
+    return [=](double share) -> Vector { return from + share * (to - from); };
+}
+
+}  // namespace
+
+TEST(TwistedWall, BothCirclesOfAHyperboloidAreLeft) {
+    // The lower one is larger, and each line of the wall goes on by 40 degrees: its normals differ by 35 deg.
+    const Curve upper = [](double share) { return around(10, share, 0); };
+    const Curve lower = [](double share) { return around(12, share + 40.0 / 360, -kDepth_mm); };
+    const JetWay way = way_of({wall("edge #1", upper, lower)});
+    for (const Curve& each : {upper, lower}) {
+        const auto [least, greatest] = off(each, way);
+        EXPECT_GT(least, -0.002);
+        EXPECT_LT(greatest, 0.005);
+    }
+    EXPECT_TRUE(way.low_corners.empty());
+}
+
+TEST(TwistedWall, LowerCornersUnderAStraightEdgeAreTurnedAboutOrKeepWhatIsNarrow) {
+    // A square hole; the wall below the upper half of its right side leans more and more, so that the lower
+    // edge has a corner in its middle, into the hole or out of it.
+    for (const double lean_mm : {-4.0, 4.0}) {
+        const Vector down(0, 0, -kDepth_mm);
+        const Vector a(10, -10, 0), middle(10, 0, 0), b(10, 10, 0), c(-10, 10, 0), d(-10, -10, 0);
+        const Vector off_b = b + down + Vector(lean_mm, 0, 0);
+        // Clockwise: up the left side, to the right, down the right side.
+        const JetWay way = way_of({wall("edge #1", line(d, c), line(d + down, c + down)),
+                                   wall("edge #2", line(c, b), line(c + down, off_b)),
+                                   wall("edge #3", line(b, middle), line(off_b, middle + down)),
+                                   wall("edge #4", line(middle, a), line(middle + down, a + down)),
+                                   wall("edge #5", line(a, d), line(a + down, d + down))});
+        const double turn_rad = std::atan(std::abs(lean_mm) / 10);
+        const auto [least, greatest] = off(line(middle + down, a + down), way);
+        EXPECT_GT(least, -kMayTake_mm) << lean_mm;
+        const auto [least_beside, greatest_beside] = off(line(off_b, middle + down), way);
+        EXPECT_GT(least_beside, -kMayTake_mm) << lean_mm;
+        const auto found = std::find_if(
+            way.low_corners.begin(), way.low_corners.end(),
+            [&](const LowCorner& each) { return (each.place_mm - (middle + down)).norm() < 1e-9; });
+        if (lean_mm > 0) {
+            // The hole is wider there: material comes to a point, about which the jet turns.
+            EXPECT_EQ(found, way.low_corners.end());
+            EXPECT_LT(std::max(greatest, greatest_beside), 0.35);  // at the corners of the square alone
+            continue;
+        }
+        ASSERT_NE(found, way.low_corners.end());
+        const LowCorner& corner = *found;
+        EXPECT_NEAR(corner.turn_deg, turn_rad * 180 / std::numbers::pi, 2);
+        // A circle in the corner between two lines is off its point by as much.
+        const double stays = kJet.kerf_mm / 2 * (1 / std::cos(turn_rad / 2) - 1);
+        EXPECT_NEAR(corner.stays_mm, stays, 0.2 * stays + 0.002);
+    }
+}
+
+}  // namespace gsim::surface::twisted_wall_test
