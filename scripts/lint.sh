@@ -3,7 +3,7 @@
 # Usage: scripts/lint.sh format         is everything formatted as .clang-format says, are tests named NamedLikeThis?
 #        scripts/lint.sh tidy [SINCE]   clang-tidy (.clang-tidy) over all sources of the programs, in batches: most of the time goes into
 #                                       headers, which are looked at once for each batch. SINCE, a commit: over the batches with sources that
-#                                       have changed since
+#                                       have changed since, and one with each header that has
 #        scripts/lint.sh alone SINCE    does each source that has changed since that commit compile by itself? Batches hide a missing #include
 set -euo pipefail
 
@@ -33,18 +33,20 @@ prepare() {
     cmake --build "$1" --target generated >/dev/null
 }
 
-# The sources that have changed since a commit, and those that include a header that has.
+# The sources that have changed since a commit, and of those that include a header that has, in these rooms, as many as asked.
+# Usage: changed COMMIT ROOMS [MOST]
 changed() {
-    local base=$1 file
+    local base=$1 most=${3:-1000000} file
     git diff --name-only --diff-filter=d "$base" -- '*.cpp' '*.h' | while read -r file; do
-        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi
-    done | sed -nE "\\#^($rooms|tests)/#p" | sort -u
+        if [[ $file == *.h ]]; then git grep -l -F "#include \"$file\"" -- '*.cpp' || true; else echo "$file"; fi |
+            sed -nE "\\#^($2)/#p" | head -n "$most"
+    done | sort -u
 }
 
-# The batches and sources in which a commit's changes are, as patterns of whole names.
+# The batches and sources in which a commit's changes are, as patterns of whole names. A header is looked at in one of them.
 batches_since() {
     local source batches
-    changed "$1" | while read -r source; do
+    changed "$1" "$rooms" 1 | while read -r source; do
         batches=$(grep -rlF --include='*.cxx' "\"$PWD/$source\"" build-lint) || true
         printf '%s\n' "${batches:-$source}"
     done | sort -u | sed -E 's#^build-lint/#'"$PWD"'/build-lint/#; s#^([^/].*)#'"$PWD"'/\1#; s/[.]/\\./g; s/^/^/; s/$/$/'
@@ -71,7 +73,7 @@ tidy() {
 
 alone() {
     prepare build-alone -DCMAKE_UNITY_BUILD=OFF -DGSIM_TESTS=ON
-    changed "$1" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
+    changed "$1" "$rooms|tests" | python3 scripts/compile_alone.py build-alone "$(scripts/jobs.sh)"
 }
 
 case ${1:-} in
