@@ -123,6 +123,9 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
     line.add("--face", &contours.faces,
              "only those of this face: its number in the file (#57), name, layer or colour (red; 255,128,0); "
              "may be given more than once");
+    line.add("--choose", &arguments.surface.choose,
+             "only those of which the function that this script returns is true")
+        .of_file(apps::FileKind::input, {".lua"});
     line.add("--bridges", &arguments.bridges, "leave so many places of each contour uncut")
         .within(0, 1000)
         .shows_default();
@@ -202,6 +205,7 @@ std::string lonely_option(const AutopathArguments& arguments) {
     if (!arguments.contours.empty()) return {};
     if (given.contours.side != none.surface.contours.side) return "--side";
     if (!given.contours.faces.empty()) return "--face";
+    if (!given.choose.empty()) return "--choose";
     if (arguments.bridges != none.bridges) return "--bridges";
     if (given.bridge_mm != none.surface.bridge_mm) return "--bridge-width";
     if (arguments.start_mm != none.start_mm) return "--start";
@@ -245,7 +249,7 @@ tl::expected<void, std::string> confine_reading(const AutopathArguments& argumen
                             std::array{arguments.output, arguments.findings.sarif});
 }
 
-/// A drawing that cannot be cut is no fault of who runs this.
+/// A drawing that cannot be cut, or a script with a mistake, is no fault of who runs this.
 int tell_failure(apps::Findings& findings, const engine::Failure& failure) {
     const int status = findings.fail(failure);
     return failure.in_program ? apps::kProgramFault : status;
@@ -262,7 +266,7 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     if (!path) return findings.fail(path.error());
     if (auto confined = confine_reading(arguments, *path); !confined)
         return findings.fail(Kind::usage, confined.error());
-    if (const auto read = path->read(); !read) return findings.fail(read.error());
+    if (const auto read = path->read(); !read) return tell_failure(findings, read.error());
     if (arguments.report && arguments.request.cutting.material.empty())
         return findings.fail(Kind::usage, "--report needs --material and --thickness");
     const auto made = path->make([&](const engine::Diagnostic& told) { findings.take(told); });

@@ -56,6 +56,9 @@ struct CuttingWays {
 /// along the normal of the face that it enters.
 struct SurfaceChoice {
     ContourChoice contours = {};  ///< Its tolerance is DrawingChoice::curve_tolerance_mm.
+    /// A script that chooses among these: it returns a function that is true of what is cut
+    /// (docs/autopath.md). Empty: all are.
+    std::string choose = {};
     double lean_deg =
         0;  ///< From the normal to the side; above 0 the part is smaller below. Not along walls.
     double tilt_deg = 0;       ///< Forwards.

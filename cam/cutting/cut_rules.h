@@ -18,6 +18,9 @@ struct CutRules {
     /// The feed where the way turns by an angle in rad, for `corner_zone_mm` before and behind the corner.
     std::function<double(double)> feed_in_corner_mm_min = {};
     double corner_zone_mm = 0;
+    /// The feed on a straight line where the jet goes through so many mm; everywhere `speed_mm_min` where
+    /// there is no function.
+    std::function<double(double)> speed_at_depth_mm_min = {};
     /// How far the jet leans over the waste, in deg, at a feed in mm/min, so that the kerf, which closes
     /// downwards, leaves a side as it is meant to be; where there is no function sides keep their taper.
     std::function<double(double)> straightening_lean_deg = {};

@@ -16,16 +16,17 @@ inline Vector vector_of(const std::array<double, 3>& values) {
 
 /// Where the jet is as it cuts a point of an edge. Directions have the length 1.
 struct JetPoint {
-    Vector edge_mm;        ///< On the contour, where the jet enters.
-    Vector normal;         ///< Of the face there, out of the material.
-    Vector tangent;        ///< Along the contour; material to its left.
-    Vector aside;          ///< From the edge to the jet's middle, across its axis.
-    Vector axis;           ///< From the tip up to the nozzle.
-    Vector low_mm;         ///< On the wall's lower edge, where the jet leaves.
-    Vector low_aside;      ///< From there to the jet's middle, across its axis.
-    double depth_mm = 0;   ///< Of the wall, along the jet.
-    std::size_t edge = 0;  ///< Index in the contour.
-    bool stays = false;    ///< No move may pass it by.
+    Vector edge_mm;         ///< On the contour, where the jet enters.
+    Vector normal;          ///< Of the face there, out of the material.
+    Vector tangent;         ///< Along the contour; material to its left.
+    Vector aside;           ///< From the edge to the jet's middle, across its axis.
+    Vector axis;            ///< From the tip up to the nozzle.
+    Vector low_mm;          ///< On the wall's lower edge, where the jet leaves.
+    Vector low_aside;       ///< From there to the jet's middle, across its axis.
+    double depth_mm = 0;    ///< Of the wall, along the jet.
+    std::size_t edge = 0;   ///< Index in the contour.
+    bool stays = false;     ///< No move may pass it by.
+    double corner_rad = 0;  ///< By how much the way turns in a corner near to it; 0: there is none.
 };
 
 /// A corner of a wall's lower edge that closes where the upper edge has none: a jet does not reach into it.

@@ -26,10 +26,6 @@ constexpr double kSame_mm = 1e-7;
 constexpr double kFarKerfs = 20;  // from a lower corner to where the jet comes no nearer
 constexpr double kSame = 1e-9;
 
-double angle_between(const Vector& a, const Vector& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 JetPoint jet_point(const solid::WallPoint& point, std::size_t edge, const JetShape& jet,
                    const JetChoice& choice) {
     JetPoint at;
@@ -76,14 +72,6 @@ std::optional<std::pair<double, double>> crossing(const Eigen::Vector2d& a, cons
     return std::pair(first, second);
 }
 
-enum class Corner { none, opens, closes };
-
-// How what turns from one direction to the other about an axis makes room, with material to its left.
-Corner corner_of(const Vector& end, const Vector& start, const Vector& about) {
-    if (angle_between(end, start) <= kSmooth_rad) return Corner::none;
-    return end.cross(start).dot(about) > 0 ? Corner::opens : Corner::closes;
-}
-
 class WayMaker {
   public:
     WayMaker(const solid::WallContour& contour, const JetShape& jet, const JetChoice& choice)
@@ -110,7 +98,7 @@ class WayMaker {
         for (const solid::WallPoint& point : contour_.edges[number].points) {
             way.push_back(jet_point(point, number, jet_, choice_));
             const JetPoint& at = way.back();
-            const double lean_deg = angle_between(at.axis, at.normal) * kDegPerRad;
+            const double lean_deg = angle_between_rad(at.axis, at.normal) * kDegPerRad;
             if (lean_deg <= choice_.max_lean_deg) continue;
             return Fault(
                 fmt::format("{} cannot be cut: at {} the jet would lean {:.1f} deg from the face's "
@@ -183,7 +171,7 @@ class WayMaker {
                                      const JetPoint& start) {
         const auto place = trim_below(before, after, end.low_mm);
         if (!place) return std::nullopt;
-        const double turn_rad = angle_between(end.low_aside, start.low_aside);
+        const double turn_rad = angle_between_rad(end.low_aside, start.low_aside);
         const double off_mm = (*place - end.low_mm).cross(end.axis).norm();
         low_corners_.push_back(
             {end.low_mm, turn_rad * kDegPerRad, std::max(0.0, off_mm - jet_.kerf_mm / 2), end.edge});
@@ -193,8 +181,8 @@ class WayMaker {
     void turn_about(const JetPoint& end, const JetPoint& start, const std::optional<Vector>& low_stays,
                     EdgeWay& corner) const {
         const double turn =
-            std::max({angle_between(end.aside, start.aside), angle_between(end.axis, start.axis),
-                      angle_between(end.low_aside, start.low_aside)});
+            std::max({angle_between_rad(end.aside, start.aside), angle_between_rad(end.axis, start.axis),
+                      angle_between_rad(end.low_aside, start.low_aside)});
         const int steps = static_cast<int>(std::ceil(turn / kCornerStep_rad));
         const auto above = Eigen::Quaterniond::FromTwoVectors(end.aside, start.aside);
         const auto below = Eigen::Quaterniond::FromTwoVectors(end.low_aside, start.low_aside);
@@ -330,6 +318,15 @@ class WayMaker {
 };
 
 }  // namespace
+
+double angle_between_rad(const Vector& a, const Vector& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+Corner corner_of(const Vector& end, const Vector& start, const Vector& about) {
+    if (angle_between_rad(end, start) <= kSmooth_rad) return Corner::none;
+    return end.cross(start).dot(about) > 0 ? Corner::opens : Corner::closes;
+}
 
 JetPoint between(const JetPoint& a, const JetPoint& b, double share) {
     JetPoint at = a;

@@ -26,6 +26,14 @@ struct JetChoice {
 tl::expected<JetWay, std::string> jet_way(const solid::WallContour& contour, const JetShape& jet,
                                           const JetChoice& choice);
 
+/// How a way with material to its left turns from one direction to another about an axis: out of the room
+/// that it has, so that the jet has to turn about the corner, or into it.
+enum class Corner { none, opens, closes };
+Corner corner_of(const Vector& end, const Vector& start, const Vector& about);
+
+/// Between two directions.
+double angle_between_rad(const Vector& a, const Vector& b);
+
 /// A share of the way from one point to the next.
 JetPoint between(const JetPoint& a, const JetPoint& b, double share);
 

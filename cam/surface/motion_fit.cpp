@@ -183,6 +183,10 @@ class MoveFitter {
         found.axis = points_[to].axis;
         found.tip_mm = way_mm_[to] - way_mm_[from];
         found.turns = (points_[to].axis - points_[from].axis).norm() > kSameAxis;
+        found.corner_rad = points_[from].corner_rad;
+        found.depth_mm = points_[from].depth_mm;
+        for (std::size_t i = from; i < to; ++i)
+            found.depth_mm = std::max(found.depth_mm, points_[i + 1].depth_mm);
         for (std::size_t i = from; i < to; ++i)
             found.edge_mm += (points_[i + 1].edge_mm - points_[i].edge_mm).norm();
         if (to - from < 2 || is_line(from, to)) return found;

@@ -16,6 +16,8 @@ struct JetMove {
     Vector axis;                   ///< At its end.
     double edge_mm = 0;            ///< How far it goes along the contour.
     double tip_mm = 0;             ///< How far the tip goes.
+    double depth_mm = 0;           ///< The most that the jet goes through.
+    double corner_rad = 0;         ///< Of a corner that it is near to, see JetPoint.
     bool turns = false;            ///< The axis at its end is another one than at its begin.
 };
 

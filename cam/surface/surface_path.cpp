@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cam/surface/corner_zones.h"
 #include "cam/surface/near_edges.h"
 #include "cam/surface/surface_lead.h"
 #include "cam/surface/surface_program.h"
@@ -64,6 +65,7 @@ class PathMaker {
         for (const JetWay& way : ways) {
             SurfaceCut cut{way, std::nullopt, {}};
             cut.leads = find_leads(cut.way, jet_, edges, lead_mm());
+            mark_corners(cut.way.points, jet_, rules_.feed_in_corner_mm_min ? rules_.corner_zone_mm : 0);
             settle_upright(cut.way.points);
             cut.pieces = pieces_between(cut.way.points, options_.bridges, rules_.kerf_mm);
             if (cut.pieces.empty()) {

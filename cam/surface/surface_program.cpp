@@ -28,12 +28,12 @@ class CutWriter {
     path::Path run(const SurfaceCut& cut) {
         const JetPoint& first = cut.way.points.front();
         come(cut.pierce(options_.jet), first.axis);
-        if (cut.leads) lead(cut.leads->in.via_mm, tip_of(first, options_.jet), *cut.leads);
+        if (cut.leads) lead(cut.leads->in.via_mm, tip_of(first, options_.jet), cut);
         for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
             if (i > 0) step_over(cut.pieces[i - 1].back(), cut.pieces[i].front());
             for (const JetMove& each : fit_moves(cut.pieces[i], options_.jet, options_.tolerance)) add(each);
         }
-        if (cut.leads) lead(cut.leads->out.via_mm, cut.leads->out.far_mm, *cut.leads);
+        if (cut.leads) lead(cut.leads->out.via_mm, cut.leads->out.far_mm, cut);
         last_point().actions = {"abrasive_off", "waterjet_off"};
         leave(cut.end(options_.jet), cut.way.points.back().axis);
         return std::move(path_);
@@ -100,11 +100,26 @@ class CutWriter {
         return rules_.feed_on_arc_mm_min ? rules_.feed_on_arc_mm_min(radius_mm) : rules_.speed_mm_min;
     }
 
-    void lead(const Vector& via, const Vector& end, const Leads& leads) {
+    // Where a jet leans it has more of the material to go through.
+    double depth_share(double depth_mm) const {
+        if (!rules_.speed_at_depth_mm_min || depth_mm <= 0) return 1;
+        return rules_.speed_at_depth_mm_min(depth_mm) / rules_.speed_mm_min;
+    }
+
+    double feed_mm_min(const JetMove& move) const {
+        double feed = move.via_mm ? arc_feed_mm_min(move.radius_mm) : rules_.speed_mm_min;
+        if (move.corner_rad != 0 && rules_.feed_in_corner_mm_min)
+            feed = std::min(feed, rules_.feed_in_corner_mm_min(move.corner_rad));
+        return feed * depth_share(move.depth_mm);
+    }
+
+    void lead(const Vector& via, const Vector& end, const SurfaceCut& cut) {
+        const double length_mm = cut.leads->length_mm;
         path::Point& point = add_point(MotionType::circular, end);
         point.arc = path::ViaPoint{in_work(via)};
-        point.feed_mm_min = arc_feed_mm_min(leads.length_mm * 4 / kTurn_rad);
-        count(leads.length_mm, *point.feed_mm_min);
+        point.feed_mm_min =
+            arc_feed_mm_min(length_mm * 4 / kTurn_rad) * depth_share(cut.way.points.front().depth_mm);
+        count(length_mm, *point.feed_mm_min);
     }
 
     void add(const JetMove& move) {
@@ -115,9 +130,8 @@ class CutWriter {
             point.feed_deg_min = options_.turn_feed_deg_min;
             return;
         }
-        const double feed = move.via_mm ? arc_feed_mm_min(move.radius_mm) : rules_.speed_mm_min;
         const double share = move.edge_mm > kStandsStill_mm ? move.tip_mm / move.edge_mm : 1;
-        point.feed_mm_min = feed * std::clamp(share, kLeastShare, kMostShare);
+        point.feed_mm_min = feed_mm_min(move) * std::clamp(share, kLeastShare, kMostShare);
         count(move.tip_mm, *point.feed_mm_min);
     }
 

@@ -49,7 +49,7 @@ void settle_upright(std::vector<JetPoint>& points) {
         const bool upright = is_upright(at);
         const bool came_leaning = upright && i > 0 && !is_upright(points[i - 1]);
         const bool goes_leaning = upright && i + 1 < count && !is_upright(points[i + 1]);
-        at.stays = came_leaning || goes_leaning;
+        at.stays = at.stays || came_leaning || goes_leaning;
         if (came_leaning) {
             const JetPoint* far = i > 1 ? &points[i - 2] : nullptr;
             at.axis = axis_of(azimuth_beside(at, points[i - 1], far), kHair_rad);

@@ -197,6 +197,10 @@ double corner_zone_mm(const CuttingPlan& plan) {
     return plan.lag_mm;
 }
 
+double speed_at_thickness_mm_min(const CuttingPlan& plan, double thickness_mm) {
+    return plan.cutting_speed_mm_min * std::pow(plan.thickness_mm / thickness_mm, kSpeedExponent);
+}
+
 double straightening_lean_deg(const CuttingPlan& plan, double feed_mm_min) {
     const double closes_mm = taper_mm(plan.kerf, plan.kerf_mm, feed_mm_min / plan.separation_speed_mm_min);
     return std::atan(closes_mm / plan.thickness_mm) * kDegPerRad;

@@ -67,6 +67,10 @@ double feed_for_corner_mm_min(const CuttingPlan& plan, double turn_rad);
 /// How long before a corner and behind it the jet's exit has not come round it: the lag at the cutting speed.
 double corner_zone_mm(const CuttingPlan& plan);
 
+/// The feed on a straight line where the jet has this much of the material to go through, as a jet has that
+/// leans: the cutting speed at the plan's thickness, else by the cutting equation. `thickness_mm` > 0.
+double speed_at_thickness_mm_min(const CuttingPlan& plan, double thickness_mm);
+
 /// How far the jet has to lean over the waste, in deg, so that the side of the part gets straight that is cut
 /// at that feed: by what the kerf closes over the thickness.
 double straightening_lean_deg(const CuttingPlan& plan, double feed_mm_min);

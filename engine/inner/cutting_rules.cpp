@@ -1,6 +1,8 @@
 #include "engine/inner/cutting_rules.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,7 +30,7 @@ waterjet::CuttingRequest cutting_request(const CuttingChoice& choice, double pla
     return request;
 }
 
-cutting::CutRules rules_of(const waterjet::CuttingPlan& plan, bool straighten) {
+cutting::CutRules rules_of(const waterjet::CuttingPlan& plan, const CuttingChoice& choice) {
     cutting::CutRules rules{
         .kerf_mm = plan.kerf_mm,
         .speed_mm_min = plan.cutting_speed_mm_min,
@@ -39,7 +41,13 @@ cutting::CutRules rules_of(const waterjet::CuttingPlan& plan, bool straighten) {
         .feed_in_corner_mm_min =
             [plan](double turn_rad) { return waterjet::feed_for_corner_mm_min(plan, turn_rad); },
         .corner_zone_mm = waterjet::corner_zone_mm(plan)};
-    if (straighten) {
+    // Less than a thickness that was given is no reason to be faster: behind the wall there may be more.
+    const double most_mm_min =
+        choice.thickness_mm > 0 ? plan.cutting_speed_mm_min : std::numeric_limits<double>::infinity();
+    rules.speed_at_depth_mm_min = [plan, most_mm_min](double depth_mm) {
+        return std::min(most_mm_min, waterjet::speed_at_thickness_mm_min(plan, depth_mm));
+    };
+    if (choice.straighten) {
         rules.straightening_lean_deg = [plan](double feed_mm_min) {
             return waterjet::straightening_lean_deg(plan, feed_mm_min);
         };
@@ -80,7 +88,7 @@ tl::expected<SettledCutting, std::string> settle_cutting(const CuttingChoice& ch
     if (!materials) return settle_by_figures(choice);
     return waterjet::plan_cutting(*materials, cutting_request(choice, plate_mm))
         .map([&](waterjet::CuttingPlan plan) {
-            SettledCutting settled{.rules = rules_of(plan, choice.straighten)};
+            SettledCutting settled{.rules = rules_of(plan, choice)};
             settled.plan = std::move(plan);
             return settled;
         });

@@ -62,8 +62,12 @@ double greatest_depth_mm(const solid::WallContours& part) {
 
 class DrawingPath::State {
   public:
-    State(DrawingRequest request, std::string file, std::optional<waterjet::Materials> materials)
-        : request_(std::move(request)), file_(std::move(file)), materials_(std::move(materials)) {}
+    State(DrawingRequest request, std::string file, std::optional<waterjet::Materials> materials,
+          std::string script)
+        : request_(std::move(request)),
+          file_(std::move(file)),
+          materials_(std::move(materials)),
+          script_(std::move(script)) {}
 
     const std::string& file() const { return file_; }
     const CuttingFigures& figures() const { return figures_; }
@@ -88,6 +92,7 @@ class DrawingPath::State {
     DrawingRequest request_;
     std::string file_;
     std::optional<waterjet::Materials> materials_;  ///< None where no material is asked for.
+    std::string script_;                            ///< Text of the one that chooses contours.
     drawing::Drawing drawing_;
     solid::WallContours contours_;  ///< In place of a drawing, where a surface is asked for.
     SettledCutting cutting_;
@@ -104,16 +109,20 @@ tl::expected<void, Failure> DrawingPath::State::settle(double thickness_mm) {
 }
 
 tl::expected<void, Failure> DrawingPath::State::read_surface() {
-    if (request_.cutting.straighten || request_.cutting.moving_pierce) {
-        return tl::unexpected(
-            failure_of(DiagnosticKind::usage,
-                       fmt::format("{} is for drawings and flat parts: it does not go with --contours",
-                                   request_.cutting.straighten ? "--straighten" : "--moving-pierce")));
-    }
+    if (std::string fault = misplaced_with_contours(request_); !fault.empty())
+        return tl::unexpected(failure_of(DiagnosticKind::usage, std::move(fault)));
     auto contours = read_surface_input(request_.host, file_, request_);
     if (!contours)
         return tl::unexpected(failure_of(DiagnosticKind::input_file, contours.error(), request_.drawing));
     contours_ = *std::move(contours);
+    if (!request_.surface->choose.empty()) {
+        auto chosen = choose_contours(script_, request_.surface->choose, contours_);
+        if (!chosen) {
+            Failure failure = failure_of(DiagnosticKind::path, chosen.error());
+            failure.in_program = true;
+            return tl::unexpected(std::move(failure));
+        }
+    }
     return settle(greatest_depth_mm(contours_));
 }
 
@@ -189,8 +198,15 @@ tl::expected<DrawingPath, Failure> DrawingPath::open(DrawingRequest request) {
             }
             materials = *std::move(read);
         }
-        return DrawingPath(
-            std::make_unique<State>(std::move(request), *std::move(file), std::move(materials)));
+        std::string script;
+        if (request.surface && !request.surface->choose.empty()) {
+            const std::string& name = request.surface->choose;
+            auto text = request.host.files.inner().read_text(name, os::NamedBy::command_line);
+            if (!text) return tl::unexpected(failure_of(DiagnosticKind::input_file, text.error(), name));
+            script = *std::move(text);
+        }
+        return DrawingPath(std::make_unique<State>(std::move(request), *std::move(file), std::move(materials),
+                                                   std::move(script)));
     });
 }
 

@@ -1,12 +1,17 @@
 #include "engine/inner/surface_input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "cam/solid/mesh.h"
+#include "runtime/script/contour_choice.h"
 
 namespace gsim::engine {
 
@@ -34,9 +39,52 @@ solid::WallContours inner_contours(Contours given) {
     return contours;
 }
 
-// What is for flat parts and drawings alone.
-std::string misplaced(const DrawingRequest& request) {
+double angle_deg(const surface::Vector& a, const surface::Vector& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegPerRad;
+}
+
+std::array<double, 3> triple_of(const surface::Vector& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+script::ContourFacts facts_of(const solid::WallContour& contour) {
+    script::ContourFacts facts{.face = contour.face, .is_hole = contour.is_hole};
+    surface::Vector low = surface::Vector::Constant(std::numeric_limits<double>::infinity());
+    surface::Vector high = -low;
+    surface::Vector normal = surface::Vector::Zero();
+    for (const solid::WallEdge& edge : contour.edges) {
+        script::ContourFacts::Edge of_edge{edge.name, 0};
+        for (std::size_t i = 0; i < edge.points.size(); ++i) {
+            const solid::WallPoint& point = edge.points[i];
+            const surface::Vector at = surface::vector_of(point.position_mm);
+            low = low.cwiseMin(at);
+            high = high.cwiseMax(at);
+            facts.depth_mm = std::max(facts.depth_mm, point.depth_mm);
+            const surface::Vector up = surface::vector_of(point.normal);
+            const surface::Vector wall = -surface::vector_of(point.along_wall);
+            if (wall.norm() > 0) facts.lean_deg = std::max(facts.lean_deg, angle_deg(wall, up));
+            if (i == 0) continue;
+            const double step_mm = (at - surface::vector_of(edge.points[i - 1].position_mm)).norm();
+            of_edge.length_mm += step_mm;
+            normal += step_mm * up;
+        }
+        facts.length_mm += of_edge.length_mm;
+        facts.edges.push_back(std::move(of_edge));
+    }
+    facts.low_mm = triple_of(low);
+    facts.high_mm = triple_of(high);
+    if (normal.norm() > 0) facts.normal = triple_of(normal.normalized());
+    return facts;
+}
+
+}  // namespace
+
+std::string misplaced_with_contours(const DrawingRequest& request) {
     const DrawingChoice& reading = request.reading;
+    if (request.cutting.straighten || request.cutting.moving_pierce) {
+        return fmt::format("{} is for drawings and flat parts: it does not go with --contours",
+                           request.cutting.straighten ? "--straighten" : "--moving-pierce");
+    }
     if (reading.flip || !reading.up.empty()) return "--up and --flip are for flat parts, without --contours";
     if (reading.unit_mm != 0 || !reading.layers.empty())
         return "--unit and --layer are for drawings; a STEP or IGES file says its unit";
@@ -48,13 +96,10 @@ std::string misplaced(const DrawingRequest& request) {
     return {};
 }
 
-}  // namespace
-
 tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
                                                                   const DrawingRequest& request) {
     if (!solid::is_solid_file(file))
         return tl::unexpected(std::string("--contours is for STEP and IGES files"));
-    if (auto fault = misplaced(request); !fault.empty()) return tl::unexpected(std::move(fault));
     if (!host.read_contours) {
         return tl::unexpected(
             fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
@@ -62,6 +107,25 @@ tl::expected<solid::WallContours, std::string> read_surface_input(const Host& ho
     ContourChoice choice = request.surface->contours;
     choice.tolerance_mm = request.reading.curve_tolerance_mm;
     return host.read_contours(file, choice).map(inner_contours);
+}
+
+tl::expected<void, std::string> choose_contours(std::string_view script, const std::string& file_name,
+                                                solid::WallContours& part) {
+    std::vector<script::ContourFacts> facts;
+    facts.reserve(part.contours.size());
+    for (const solid::WallContour& contour : part.contours) facts.push_back(facts_of(contour));
+    const auto chosen = script::choose_contours(script, file_name, facts);
+    if (!chosen) return tl::unexpected(chosen.error());
+    std::vector<solid::WallContour> kept;
+    for (std::size_t i = 0; i < chosen->size(); ++i) {
+        if ((*chosen)[i]) kept.push_back(std::move(part.contours[i]));
+    }
+    if (kept.empty()) {
+        return tl::unexpected(
+            fmt::format("{}:1: the script chooses none of the {} contours", file_name, part.contours.size()));
+    }
+    part.contours = std::move(kept);
+    return {};
 }
 
 surface::SurfaceOptions surface_options(const DrawingRequest& request) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -10,10 +11,16 @@
 
 namespace gsim::engine {
 
-/// Reads the contours of a part through the host. The error is a sentence: why it cannot be read, or what of
-/// the choice is not for such a part.
+/// What of a request for contours is for drawings and flat parts alone, as a sentence; empty: nothing.
+std::string misplaced_with_contours(const DrawingRequest& request);
+
+/// Reads the contours of a part through the host. The error is a sentence.
 tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
                                                                   const DrawingRequest& request);
+
+/// Leaves those of which the script of a file is true. The error is "file:line: sentence".
+tl::expected<void, std::string> choose_contours(std::string_view script, const std::string& file_name,
+                                                solid::WallContours& part);
 
 /// How the contours that a request names become a path.
 surface::SurfaceOptions surface_options(const DrawingRequest& request);

@@ -5,6 +5,7 @@
 #include <STEPControl_Reader.hxx>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 
 #include <fmt/format.h>
@@ -280,6 +281,28 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     const Ended far = run_program(GSIM_PATH2GCODE, {"part.path.json", "-o", "part.nc"}, folder_);
     EXPECT_NE(far.status, 0);
     EXPECT_TRUE(holds(far.err, "X")) << far.err;
+}
+
+TEST_F(SurfaceProgram, AScriptChoosesContours) {
+    const auto autopath = [&](const std::string& script) {
+        write("choose.lua", script);
+        return run_program(GSIM_AUTOPATH,
+                           {sample("parts/bracket.step"), "--contours", "holes", "--choose", "choose.lua",
+                            "--kerf", "0.8", "--speed", "400", "-o", "part.path.json"},
+                           folder_);
+    };
+    // One of the bracket's holes is tapered, by 12 degrees.
+    const Ended one =
+        autopath("return function(contour) return contour.lean_deg > 10 and contour.lean_deg < 14 end");
+    EXPECT_EQ(one.status, 0) << one.err;
+    EXPECT_TRUE(holds(one.err, "1 contours, 1 pierces")) << one.err;
+    std::filesystem::remove(folder_ / "part.path.json");
+    const Ended none = autopath("return function(contour) return contour.length_mm < 1 end");
+    EXPECT_EQ(none.status, 1);
+    EXPECT_TRUE(holds(none.err, "choose.lua:1: the script chooses none of the 4 contours")) << none.err;
+    EXPECT_FALSE(exists("part.path.json"));
+    const Ended lonely = run_program(GSIM_AUTOPATH, {sample("plate.svg"), "--choose", "choose.lua"}, folder_);
+    EXPECT_TRUE(holds(lonely.err, "--choose needs --contours")) << lonely.err;
 }
 
 TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {

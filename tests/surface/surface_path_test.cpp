@@ -67,12 +67,17 @@ WallContour polygon(const std::vector<Vector>& corners, bool is_hole) {
     return contour;
 }
 
-tl::expected<cutting::Autopath, std::string> made(const WallContour& contour, SurfaceOptions options = {}) {
-    WallContours part;
-    part.contours = {contour};
+cutting::CutRules some_rules() {
     cutting::CutRules rules;
     rules.kerf_mm = kKerf_mm;
     rules.speed_mm_min = 300;
+    return rules;
+}
+
+tl::expected<cutting::Autopath, std::string> made(const WallContour& contour, SurfaceOptions options = {},
+                                                  const cutting::CutRules& rules = some_rules()) {
+    WallContours part;
+    part.contours = {contour};
     return surface_path(part, rules, options);
 }
 
@@ -140,6 +145,47 @@ TEST(SurfacePath, CornersThatCloseAreTrimmedAndThoseThatOpenAreTurnedAbout) {
         EXPECT_GE(beyond, kKerf_mm / 2 - 0.006);
     }
     EXPECT_GE(arcs, 4 + 2);  // the corners and both leads
+}
+
+TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
+    cutting::CutRules rules = some_rules();
+    rules.feed_in_corner_mm_min = [](double turn_rad) { return turn_rad > 1.5 ? 100.0 : 300.0; };
+    rules.corner_zone_mm = 2;
+    const std::vector<Vector> square{{-10, 10, 0}, {10, 10, 0}, {10, -10, 0}, {-10, -10, 0}};
+    const auto path = made(polygon(square, true), {}, rules);
+    ASSERT_TRUE(path) << path.error();
+    const std::vector<path::Point> points = points_of(*path);
+    double slow_mm = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto& from = points[i - 1].position_mm;
+        const auto& to = points[i].position_mm;
+        if (!points[i].feed_mm_min || points[i].motion != path::MotionType::linear) continue;
+        const double mm = std::hypot(to[0] - from[0], to[1] - from[1]);
+        if (*points[i].feed_mm_min < 200) slow_mm += mm;
+        // Where it is slow a corner of the jet's way is as near as the zone.
+        const double nearest =
+            std::hypot(std::abs(to[0]) - 10 + kKerf_mm / 2, std::abs(to[1]) - 10 + kKerf_mm / 2);
+        if (*points[i].feed_mm_min < 200) {
+            EXPECT_LT(nearest, 2 + 1e-6);
+        }
+    }
+    EXPECT_NEAR(slow_mm, 4 * 2 * 2, 1e-6);
+}
+
+TEST(SurfacePath, AJetThatLeansIsSlowerByWhatItGoesThrough) {
+    const double lean = 0.9;
+    cutting::CutRules rules = some_rules();
+    const auto plain = made(round_hole(20, lean), {}, rules);
+    rules.speed_at_depth_mm_min = [](double depth_mm) { return 300 * kDepth_mm / depth_mm; };
+    const auto slower = made(round_hole(20, lean), {}, rules);
+    const auto upright = made(round_hole(20), {}, rules);
+    ASSERT_TRUE(plain && slower && upright);
+    // The jet's way through the wall is longer by 1 / cos.
+    EXPECT_NEAR(plain->summary.cut_s / slower->summary.cut_s, std::cos(lean), 1e-6);
+    for (const path::Point& point : points_of(*upright)) {
+        if (!point.feed_mm_min) continue;
+        EXPECT_LE(*point.feed_mm_min, 300.0 + 1e-9);
+    }
 }
 
 TEST(SurfacePath, TheFaceNormalMayBeLeanedOverTheWaste) {

@@ -123,6 +123,16 @@ TEST(CuttingPlan, PiercingTakesLongerThroughMore) {
         << "more than with the square of the thickness";
 }
 
+TEST(CuttingPlan, TheSpeedThroughMoreIsThatOfThickerMaterial) {
+    const CuttingPlan plan = plan_cutting(sample_materials(), request_of("aluminum", 12)).value();
+    for (const double thickness_mm : {6.0, 12.0, 30.0}) {
+        const CuttingPlan other =
+            plan_cutting(sample_materials(), request_of("aluminum", thickness_mm)).value();
+        EXPECT_NEAR(speed_at_thickness_mm_min(plan, thickness_mm), other.cutting_speed_mm_min,
+                    1e-9 * other.cutting_speed_mm_min);
+    }
+}
+
 TEST(CuttingPlan, WarnsOfASpeedThatDoesNotComeThrough) {
     CuttingRequest request = request_of("stainless steel", 50);
     request.speed_mm_min = 5000;
