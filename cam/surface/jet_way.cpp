@@ -101,7 +101,7 @@ class WayMaker {
             const double lean_deg = angle_between_rad(at.axis, at.normal) * kDegPerRad;
             if (lean_deg <= choice_.max_lean_deg) continue;
             return Fault(
-                fmt::format("{} cannot be cut: at {} the jet would lean {:.1f} deg from the face's "
+                fmt::format("{} cannot be cut: at {} the jet would lean {:.4g} deg from the face's "
                             "normal, more than {:g} deg (--max-lean)",
                             name(number), shown(at.edge_mm), lean_deg, choice_.max_lean_deg));
         }

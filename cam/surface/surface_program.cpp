@@ -119,7 +119,8 @@ class CutWriter {
         point.arc = path::ViaPoint{in_work(via)};
         point.feed_mm_min =
             arc_feed_mm_min(length_mm * 4 / kTurn_rad) * depth_share(cut.way.points.front().depth_mm);
-        count(length_mm, *point.feed_mm_min);
+        count(length_mm, *point.feed_mm_min,
+              rules_.speed_mm_min * depth_share(cut.way.points.front().depth_mm));
     }
 
     void add(const JetMove& move) {
@@ -131,13 +132,16 @@ class CutWriter {
             return;
         }
         const double share = move.edge_mm > kStandsStill_mm ? move.tip_mm / move.edge_mm : 1;
-        point.feed_mm_min = feed_mm_min(move) * std::clamp(share, kLeastShare, kMostShare);
-        count(move.tip_mm, *point.feed_mm_min);
+        const double of_tip = std::clamp(share, kLeastShare, kMostShare);
+        point.feed_mm_min = feed_mm_min(move) * of_tip;
+        count(move.tip_mm, *point.feed_mm_min, rules_.speed_mm_min * depth_share(move.depth_mm) * of_tip);
     }
 
-    void count(double mm, double feed_mm_min) {
+    // `straight_mm_min`: what the feed is where nothing bends.
+    void count(double mm, double feed_mm_min, double straight_mm_min) {
         summary_.cut_mm += mm;
         summary_.cut_s += kSecondsPerMinute * mm / feed_mm_min;
+        summary_.slower_s += kSecondsPerMinute * mm * (1 / feed_mm_min - 1 / straight_mm_min);
     }
 
     const cutting::CutRules& rules_;

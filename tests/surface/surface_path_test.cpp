@@ -170,6 +170,7 @@ TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
         }
     }
     EXPECT_NEAR(slow_mm, 4 * 2 * 2, 1e-6);
+    EXPECT_NEAR(path->summary.slower_s, 60 * slow_mm * (1.0 / 100 - 1.0 / 300), 1e-6);
 }
 
 TEST(SurfacePath, AJetThatLeansIsSlowerByWhatItGoesThrough) {
@@ -224,10 +225,11 @@ TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
     EXPECT_EQ(refusal(round_hole(0.3)),
               "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half of the "
               "kerf, 0.4 mm");
-    EXPECT_EQ(refusal(round_hole(20, 1.2)),
-              "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.8 deg from the face's normal, more "
-              "than 60 "
-              "deg (--max-lean)");
+    EXPECT_EQ(
+        refusal(round_hole(20, 1.2)),
+        "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.75 deg from the face's normal, more "
+        "than 60 "
+        "deg (--max-lean)");
     // A slit of 0.6 mm: the ways along both sides do not even cross.
     const std::vector<Vector> slit{{0, 0, 0}, {0, 0.6, 0}, {20, 0.6, 0}, {20, 0, 0}};
     EXPECT_THAT(refusal(polygon(slit, true)),
