@@ -25,7 +25,7 @@ struct ContourFacts {
     std::array<double, 3> normal{};             ///< Of the face, out of the material, on the average.
     double depth_mm = 0;                        ///< The most that a wall reaches below it.
     double lean_deg = 0;                        ///< The most that a wall leans from the normal.
-    std::vector<Edge> edges = {};                    ///< In order.
+    std::vector<Edge> edges = {};               ///< In order.
 };
 
 /// Runs a script that returns a function, and calls that with a table of each contour: of those for which it
