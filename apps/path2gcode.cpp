@@ -38,6 +38,7 @@ struct WriteArguments {
     std::string output;  ///< Empty: standard output.
     std::string post = "ab9";
     std::string machine;
+    std::string machine_data;
     std::string rotary;
     std::string offsets;
     std::string work_offset;
@@ -81,6 +82,9 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
             "--machine", &a.machine,
             "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
         .of_file(FileKind::input, {".toml"});
+    line.add("--machine-data", &a.machine_data,
+             "machine data (NCFILE), which say where the fixed points of the path lie")
+        .of_file(FileKind::input, {".txt"});
     line.add("--rotary", &a.rotary,
              "least-turn: rotary axes go the way that turns least; as-given: rotary_deg is taken as it is, "
              "the default for recorded paths")
@@ -141,6 +145,7 @@ int write_program(const engine::PathTranslation& program, const WriteArguments& 
     const std::vector<apps::TakenFile> taken = {{"the program itself", output},
                                                 {"the path", a.input},
                                                 {"the machine file", a.machine},
+                                                {"the machine data", a.machine_data},
                                                 {"the post", a.post},
                                                 {"what --sarif names", a.findings.sarif}};
     auto files = apps::ProgramFiles::open(output, program.file_names(), taken, a.overwrite);
@@ -183,6 +188,7 @@ engine::PathRequest request_of(const WriteArguments& a, bool to_standard_output)
     }
     request.post = a.post;
     request.machine = a.machine;
+    request.machine_data = a.machine_data;
     if (!to_standard_output) request.program_name = fs::path(a.output).stem().string();
     if (!a.rotary.empty()) request.rotary_as_given = a.rotary == kAsGiven;
     for (const auto& [name, offsets] : kOffsets) {

@@ -32,7 +32,8 @@ struct PathRequest {
     ReadBytes bytes = {};      ///< A path file that is no file's text (a pipe); `path` is for messages then.
     std::string post = {};     ///< A name of post_names(), or a file that ends in .toml.
     std::string machine = {};  ///< Empty: the one built in.
-    std::string program_name = {};             ///< {program} of the post; empty: the path's name.
+    std::string machine_data = {};  ///< Where fixed points lie; empty: none, or what `machine` has of them.
+    std::string program_name = {};  ///< {program} of the post; empty: the path's name.
     std::optional<bool> rotary_as_given = {};  ///< Left out: of recorded paths, else the least turn.
     std::optional<Offsets> offsets = {};       ///< Left out: keep for recorded paths, else as_path.
     /// Of paths that no run has recorded and that name none: the work coordinate system ("G55"), where the
@@ -62,7 +63,7 @@ GSIM_API std::vector<std::string> post_names();
 /// wrong with the path itself is a failure with `in_program`.
 class GSIM_API PathTranslation {
   public:
-    /// Reads what the request names beside the path: post and machine.
+    /// Reads what the request names beside the path: post, machine and machine data.
     static tl::expected<PathTranslation, Failure> open(PathRequest request);
     PathTranslation(PathTranslation&&) noexcept;
     PathTranslation& operator=(PathTranslation&&) noexcept;

@@ -59,6 +59,7 @@ std::int64_t GcodeWriter::units(std::size_t axis, double value) const {
 }
 
 void GcodeWriter::begin_block() {
+    machine_z_ = kUnknown;
     block_begin_ = text_.size();
     first_word_ = true;
     if (post_.number_step == 0) return;
@@ -108,6 +109,7 @@ void GcodeWriter::lines(const std::vector<std::string>& templates) {
 }
 
 void GcodeWriter::forget() {
+    machine_z_ = kUnknown;
     std::fill(at_.begin(), at_.end(), kUnknown);
     motion_ = kNoMotion;
     plane_ = -1;
@@ -117,58 +119,6 @@ void GcodeWriter::forget() {
     next_words_.clear();
     acceleration_units_ = kUnknown;
     std::fill(rest_.begin(), rest_.end(), 0);
-}
-
-void GcodeWriter::here(std::string_view word, std::span<const double> values) {
-    begin_block();
-    code(word);
-    axis_words(values);
-    end_block();
-}
-
-void GcodeWriter::stand(std::span<const double> values) {
-    for (std::size_t i = 0; i < axes_.size(); ++i) at_[i] = stand_at(i, values[i]);
-}
-
-void GcodeWriter::begin_in(const std::string& name) {
-    system_ = name;
-}
-
-void GcodeWriter::work_offset(const std::string& name) {
-    if (system_ == name) return;
-    system_ = name;
-    std::fill(at_.begin(), at_.end(), kUnknown);
-    Places places = places_;
-    places["system"] = name;
-    begin_block();
-    code(filled(post_.offsets.system, places));
-    end_block();
-}
-
-void GcodeWriter::set_work_offset(const std::string& name, const std::array<double, 3>& origin_mm) {
-    const std::vector<std::string>& systems = post_.offsets.systems;
-    Places places = places_;
-    places["index"] =
-        fmt::format("{}", std::find(systems.begin(), systems.end(), name) - systems.begin() + 1);
-    for (std::size_t i = 0; i < origin_mm.size(); ++i) {
-        fmt::memory_buffer number;
-        length_.append(number, length_.units(in_unit(origin_mm[i])));
-        places[std::string(1, static_cast<char>('x' + i))] = fmt::to_string(number);
-    }
-    begin_block();
-    code(filled(post_.offsets.set, places));
-    end_block();
-}
-
-void GcodeWriter::retract(double z_mm) {
-    std::fill(at_.begin(), at_.end(), kUnknown);
-    if (post_.offsets.machine.empty()) return;
-    begin_block();
-    code(post_.offsets.machine);
-    motion_ = kNoMotion;
-    motion_word(0);
-    word('Z', length_.units(in_unit(z_mm)), length_);
-    end_block();
 }
 
 // What has been put off to this block, and that its numbers are those of the machine.

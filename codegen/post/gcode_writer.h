@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -78,6 +79,12 @@ class GcodeWriter {
     /// A rapid of Z alone to a machine coordinate, where the post has a word for these. Behind it all axes
     /// are written again.
     void retract(double z_mm);
+    /// Rapids of some axes each, by letter, to machine coordinates; the post must have a word for these.
+    /// Behind them all axes are written again.
+    void machine_rapids(const std::vector<std::map<char, double>>& steps);
+    /// The same to a reference point, from 1, by the post's words for it, of which it must have this one. Of
+    /// the steps the letters count.
+    void go_to_reference(int number, const std::vector<std::map<char, double>>& steps);
     /// A rapid (without feed) or linear move to these values, one for each axis. Nothing is written where no
     /// word would change.
     void move(std::span<const double> values, const std::optional<WrittenFeed>& feed);
@@ -103,6 +110,7 @@ class GcodeWriter {
     static constexpr std::int64_t kUnknown = INT64_MIN;
     static constexpr int kNoMotion = -1;  // of G00 to G03 that is known to be in force
 
+    void machine_block(const std::map<char, double>& axes);
     void begin_block();
     void end_block();
     void code(std::string_view text);
@@ -137,6 +145,8 @@ class GcodeWriter {
     std::uint64_t number_ = 0;
     std::vector<std::int64_t> at_;  // printed units of each axis
     std::vector<double> rest_;      // of each axis: its value less the printed one, in the program's unit
+    std::int64_t machine_z_ =
+        kUnknown;  // printed units, where the last block has led to a place of the machine
     int motion_ = kNoMotion;
     int plane_ = -1;
     std::int64_t feed_units_ = kUnknown;

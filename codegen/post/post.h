@@ -50,6 +50,14 @@ struct OffsetWords {
     bool operator==(const OffsetWords&) const = default;
 };
 
+/// How the control goes to its home positions.
+struct ReferenceWords {
+    std::vector<std::string> go;   ///< A template with {axes} for each of those that it has.
+    std::vector<std::string> end;  ///< Lines that take back what these leave in force.
+
+    bool operator==(const ReferenceWords&) const = default;
+};
+
 /// What the word for the change of the tool stops by itself, as paths do not say.
 struct ToolChangeWords {
     bool stops_spindle = false;
@@ -60,7 +68,7 @@ struct ToolChangeWords {
 
 /// One controller's way of writing programs (docs/paths.md). Templates hold {number}, {title}, {program},
 /// {lower}, {unit}, {repeats}, {label}, {seconds}, {milliseconds}, {acceleration}, {system}, {index}, {x},
-/// {y} and {z}.
+/// {y}, {z} and {axes}.
 struct Post {
     std::string name;
     std::string reads_as;  ///< The dialect of gcode2lua that reads these programs.
@@ -80,6 +88,7 @@ struct Post {
     std::string thread_lead;  ///< The letter of its lead.
     FeedModes feed_modes;
     OffsetWords offsets;
+    ReferenceWords references;
     ToolChangeWords tool_change;
     std::vector<std::string> acceleration;      ///< Lines that set it; empty: the controller has no words.
     std::vector<std::string> end_acceleration;  ///< Lines that take it back, at the program's end.

@@ -21,9 +21,9 @@ constexpr std::string_view kExtension = ".toml";
 constexpr int kMostDecimals = 6;
 constexpr int kMostDigits = 9;
 
-constexpr std::array<std::string_view, 12> kPostKeys = {
-    "name",       "reads_as", "numbers",      "blocks",     "arcs",    "program",
-    "subprogram", "actions",  "acceleration", "feed_modes", "offsets", "tool_change"};
+constexpr std::array<std::string_view, 13> kPostKeys = {
+    "name",    "reads_as",     "numbers",    "blocks",  "arcs",        "program",         "subprogram",
+    "actions", "acceleration", "feed_modes", "offsets", "tool_change", "reference_points"};
 constexpr std::array<std::string_view, 3> kArcKeys = {"through_point", "oblique", "turns"};
 constexpr std::array<std::string_view, 2> kOblique = {"lines", "refuse"};
 constexpr std::array<std::string_view, 6> kNumberKeys = {
@@ -34,6 +34,9 @@ constexpr std::array<std::string_view, 4> kFeedModeKeys = {"per_minute", "invers
                                                            "inverse_time_of_arcs"};
 constexpr std::array<std::string_view, 7> kOffsetKeys = {"system", "systems", "set", "machine",
                                                          "here",   "begin",   "end"};
+constexpr std::array<std::string_view, 2> kReferenceKeys = {"go", "end"};
+constexpr std::array<std::string_view, 1> kReferencePlaces = {"axes"};
+constexpr std::size_t kMostReferences = 4;
 constexpr std::array<std::string_view, 1> kToolChangeKeys = {"stops"};
 constexpr std::array<std::string_view, 2> kStopped = {"spindle", "coolant"};
 constexpr std::array<std::string_view, 2> kTimesOfArcs = {"move", "radian"};
@@ -90,6 +93,7 @@ class PostReader {
         if (const auto* modes = section.table("feed_modes")) read_feed_modes(*modes);
         if (const auto* offsets = section.table("offsets")) read_offsets(*offsets);
         if (const auto* change = section.table("tool_change")) read_tool_change(*change);
+        if (const auto* references = section.table("reference_points")) read_references(*references);
         if (const auto* actions = section.table("actions")) read_actions(*actions);
     }
 
@@ -165,6 +169,19 @@ class PostReader {
             if (words.set.empty() || words.set.find(fmt::format("{{{}}}", place)) != std::string::npos)
                 continue;
             section.fail("set", fmt::format("'set' must hold {{{}}}", fmt::join(kSetPlaces, "}, {")));
+        }
+    }
+
+    void read_references(const toml::table& table) {
+        TomlSection section(error_, table, "[reference_points]", kReferenceKeys);
+        post_.references.go = lines(section, "go", kReferencePlaces);
+        if (section.has("end")) post_.references.end = lines(section, "end", {});
+        if (post_.references.go.size() > kMostReferences)
+            section.fail(
+                "go", fmt::format("'go' has a line for each reference point, {} at most", kMostReferences));
+        for (const std::string& line : post_.references.go) {
+            if (line.find("{axes}") == std::string::npos)
+                section.fail("go", "each line of 'go' must hold {axes}");
         }
     }
 

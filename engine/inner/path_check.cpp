@@ -51,10 +51,11 @@ tl::expected<PathCheck::Found, std::string> PathCheck::finish() {
                         accelerations_, post_.name));
     }
     if (retracts_ > 0 && post_.offsets.machine.empty()) {
-        notes_.push_back(
-            fmt::format("the tool does not go up {} times to be changed or to another work offset: the "
-                        "post '{}' has no word for machine coordinates ([offsets] machine)",
-                        retracts_, post_.name));
+        notes_.push_back(fmt::format(
+            "the tool does not go up {} times to be changed, to another work offset or on the way "
+            "of a reference point: the post '{}' has no word for machine coordinates ([offsets] "
+            "machine)",
+            retracts_, post_.name));
     }
     note_feeds();
     if (!go_on_ && !without_word_.empty()) return tl::unexpected(refusal());

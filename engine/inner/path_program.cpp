@@ -99,6 +99,10 @@ class PathProgram::Sink : public path::MoveSink {
     }
     void stand(const path::AxisValues& axes) override { writer_.stand(values_of(axes)); }
     void retract() override { writer_.retract(program_.retract_mm()); }
+    void go_to(const path::MachineWay& way) override {
+        if (way.reference > 0) return writer_.go_to_reference(way.reference, way.steps);
+        writer_.machine_rapids(way.steps);
+    }
     // The numbers of a recorded path are counted from where the machine's data has the system.
     void work_offset(const std::string& name) override {
         if (program_.offsets() == Offsets::as_path) return writer_.work_offset(name);
@@ -265,7 +269,8 @@ path::MoveOptions PathProgram::move_options() const {
             offsets() != Offsets::machine,
             !post_->turns_of_arcs.empty(),
             {post_->tool_change.stops_spindle, post_->tool_change.stops_coolant},
-            frames_.places_mm()};
+            frames_.places_mm(),
+            options_.retract_mm ? options_.retract_mm : space_.top_mm()};
 }
 
 tl::expected<void, std::string> PathProgram::look_at_moves() {

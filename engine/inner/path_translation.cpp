@@ -9,6 +9,7 @@
 #include "engine/inner/machine_input.h"
 #include "engine/inner/path_frames.h"
 #include "engine/inner/path_input.h"
+#include "engine/inner/path_points.h"
 #include "engine/inner/path_program.h"
 #include "engine/inner/values.h"
 
@@ -36,6 +37,19 @@ tl::expected<codegen::Post, std::string> read_post(const Host& host, const std::
         .and_then([&](const std::string& text) { return codegen::read_post(text, *file); });
 }
 
+// Those of the machine's settings, unless the request names others.
+tl::expected<void, std::string> read_data(const PathRequest& request, MachineInput& input) {
+    if (request.machine_data.empty()) return {};
+    const auto file = find_name(request.host, NameKind::sample, request.machine_data);
+    if (!file) return tl::unexpected(file.error());
+    return request.host.files.inner()
+        .read_text(*file, os::NamedBy::command_line)
+        .and_then([&](const std::string& text) {
+            return machine::read_machine_data(text, *file, input.machine.axes);
+        })
+        .map([&](machine::MachineData data) { input.data = std::move(data); });
+}
+
 PathProgramOptions options_of(const PathRequest& request, const path::Program& path) {
     PathProgramOptions options;
     options.words.inch = request.inch;
@@ -56,7 +70,7 @@ PathProgramOptions options_of(const PathRequest& request, const path::Program& p
 // What a PathProgram is given stays where it is.
 class PathTranslation::State {
   public:
-    State(PathRequest request, std::string file, codegen::Post post, machine::Machine machine)
+    State(PathRequest request, std::string file, codegen::Post post, MachineInput machine)
         : request_(std::move(request)),
           file_(std::move(file)),
           post_(std::move(post)),
@@ -70,6 +84,7 @@ class PathTranslation::State {
     const std::string& file() const { return file_; }
     const os::CpuLimit& cpu() const { return cpu_; }
     const PathProgram& program() const { return *program_; }
+    const std::vector<std::string>& notes() const { return notes_; }
 
     tl::expected<void, Failure> read() {
         const script::LuaState::Limits limits{.memory_bytes =
@@ -84,20 +99,31 @@ class PathTranslation::State {
     tl::expected<void, Failure> plan() {
         if (auto completed = complete_frames(*path_, request_, post_); !completed)
             return tl::unexpected(fault_of_path(completed.error()));
-        auto program = PathProgram::plan(*path_, machine_, post_, options_of(request_, path_->program));
+        const PointTables tables{machine_.machine, machine_.data ? &*machine_.data : nullptr, data_name()};
+        auto notes = complete_points(*path_, tables, post_);
+        if (!notes) return tl::unexpected(fault_of_path(notes.error()));
+        auto program =
+            PathProgram::plan(*path_, machine_.machine, post_, options_of(request_, path_->program));
         if (!program) return tl::unexpected(fault_of_path(program.error()));
+        notes_ = *std::move(notes);
+        notes_.insert(notes_.end(), program->notes().begin(), program->notes().end());
         program_.emplace(*std::move(program));
         return {};
     }
 
   private:
+    const std::string& data_name() const {
+        return request_.machine_data.empty() ? request_.machine : request_.machine_data;
+    }
+
     PathRequest request_;
     std::string file_;
     codegen::Post post_;
-    machine::Machine machine_;
+    MachineInput machine_;
     os::CpuLimit cpu_;
     std::optional<path::PathFile> path_;
     std::optional<PathProgram> program_;
+    std::vector<std::string> notes_;
 };
 
 tl::expected<PathTranslation, Failure> PathTranslation::open(PathRequest request) {
@@ -109,11 +135,12 @@ tl::expected<PathTranslation, Failure> PathTranslation::open(PathRequest request
         if (!post) return refused(post.error());
         auto input = read_machine_input(request.host, request.machine, os::NamedBy::command_line);
         if (!input) return refused(input.error());
+        if (auto read = read_data(request, *input); !read) return refused(read.error());
         auto file = request.bytes ? tl::expected<std::string, std::string>(request.path)
                                   : find_name(request.host, NameKind::sample, request.path);
         if (!file) return tl::unexpected(failure_of(DiagnosticKind::file, file.error()));
         return PathTranslation(std::make_unique<State>(std::move(request), *std::move(file), *std::move(post),
-                                                       std::move(input->machine)));
+                                                       std::move(*input)));
     });
 }
 
@@ -139,7 +166,7 @@ tl::expected<void, Failure> PathTranslation::plan() {
 }
 
 const std::vector<std::string>& PathTranslation::notes() const {
-    return state_->program().notes();
+    return state_->notes();
 }
 
 std::vector<std::string> PathTranslation::file_names() const {

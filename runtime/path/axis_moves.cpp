@@ -34,16 +34,19 @@ class Walk {
           path_(path),
           is_sub_path_(is_sub_path),
           set_up_(set_up),
-          sink_(sink) {
-        if (rotary) rotary_ = *rotary;
-    }
+          sink_(sink),
+          rotary_(rotary.value_or(AxisValues())) {}
 
     std::optional<Fault> go_to(const Point& point, std::size_t target, const State& before);
+    std::optional<Fault> go_to(const MachinePoint& point, std::size_t target, const State& before);
     /// Turns about the tip, if `to` is not null.
     std::optional<Fault> unwind(std::size_t target, const AxisValues* to, const State& at);
     void set_rotary(const AxisValues& rotary) { rotary_ = rotary; }
-    /// Behind a call.
-    void forget_work_offset() { work_offset_.clear(); }
+    /// Behind the call of a sub-path.
+    void return_from(std::size_t target) {
+        if (turns_.knows(target)) rotary_ = turns_.at(target);
+        work_offset_.clear();
+    }
 
   private:
     struct Feed {
@@ -79,7 +82,7 @@ class Walk {
                                                              double tolerance_mm) const;
     bool arcs(const TipMotion& motion, const Feed& feed);
     bool arcs(const TipMotion& motion, const Feed& feed, int pieces, PieceOfArc piece_of, int turns = 1);
-    std::optional<Fault> act(const Point& point, const State& before);
+    std::optional<Fault> arrive(double dwell_s, const std::vector<std::string>& actions, const State& before);
 
     const MachineSpace& space_;
     const PathTurns& turns_;
@@ -100,9 +103,10 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
     const Vector3d end = to_eigen(point.position_mm);
     const AxisValues axes = space_.axes(end, rotary);
     if (auto beyond = check_range(axes)) return beyond;
-    std::optional<Fault> failed;
+    if (before.at_machine_point.value() != false) sink_.retract();
     if (point.acceleration_mm_s2) sink_.acceleration(*point.acceleration_mm_s2);
     if (auto differs = tell_work_offset(point, before)) return differs;
+    std::optional<Fault> failed;
     if (point.motion == MotionType::rapid) {
         sink_.move({axes, true, std::nullopt, 0, false});
     } else if (point.motion == MotionType::none) {
@@ -122,21 +126,28 @@ std::optional<Fault> Walk::go_to(const Point& point, std::size_t target, const S
             run(TipMotion(space_, start ? to_eigen(*start) : end, end, rotary_, rotary, arc), point, before);
     }
     rotary_ = rotary;
-    if (failed) return failed;
-    if (point.dwell_s > 0) sink_.dwell(point.dwell_s);
-    return act(point, before);
+    return failed ? failed : arrive(point.dwell_s, point.actions, before);
 }
 
-std::optional<Fault> Walk::act(const Point& point, const State& before) {
-    Running running = before.running;
-    for (const std::string& action : point.actions) {
-        sink_.action(action);
-        running.pass(action);
-        if (!is_tool_change(action)) continue;
-        const auto again = restored(running, options_.tool_change_stops);
-        if (!again) return fault(again.error());
-        for (const std::string& each : *again) sink_.action(each);
-    }
+std::optional<Fault> Walk::go_to(const MachinePoint& point, std::size_t target, const State& before) {
+    target_ = target;
+    if (jet_ && before.jet_on.value() != false)
+        return fault(fmt::format("the jet may be on where the machine goes to {}; turn it off before",
+                                 title_of(point)));
+    if (std::string beyond = space_.range_fault(point.axes); !beyond.empty()) return fault(std::move(beyond));
+    const MachineWay way = way_to(point, options_.retract_mm);
+    if (way.from_above) sink_.retract();
+    sink_.go_to(way);
+    if (turns_.knows(target)) rotary_ = turns_.at(target);
+    return arrive(point.dwell_s, point.actions, before);
+}
+
+std::optional<Fault> Walk::arrive(double dwell_s, const std::vector<std::string>& actions,
+                                  const State& before) {
+    if (dwell_s > 0) sink_.dwell(dwell_s);
+    const auto all = with_restored(actions, before.running, options_.tool_change_stops);
+    if (!all) return fault(all.error());
+    for (const std::string& each : *all) sink_.action(each);
     return std::nullopt;
 }
 
@@ -349,14 +360,12 @@ std::optional<Fault> call(const SubPath& sub_path, std::size_t target, const Pat
     } else {
         for (int i = 0; i < sub_path.repeats; ++i) {
             walk.set_rotary(turns.at(target));
-            if (i > 0) {
-                if (auto fault = walk.unwind(target, to, behind)) return fault;
-            }
+            auto fault = i > 0 ? walk.unwind(target, to, behind) : std::nullopt;
+            if (fault) return fault;
             sink.call({sub_path.path, 1});
         }
     }
-    walk.set_rotary(turns.at(target));
-    walk.forget_work_offset();
+    walk.return_from(target);
     return std::nullopt;
 }
 
@@ -373,12 +382,12 @@ tl::expected<void, Fault> AxisMoves::run(std::size_t path, MoveSink& sink) const
         states_.set_up(state, path, targets[i]);
         if (const auto* point = std::get_if<Point>(&targets[i])) {
             if (auto fault = walk.go_to(*point, i, state)) return tl::unexpected(*fault);
-            states_.pass(state, targets[i]);
-        } else {
-            states_.pass(state, targets[i]);
-            const auto& sub_path = std::get<SubPath>(targets[i]);
-            if (auto fault = call(sub_path, i, turns_[path], state, walk, sink))
-                return tl::unexpected(*fault);
+        } else if (const auto* place = std::get_if<MachinePoint>(&targets[i])) {
+            if (auto fault = walk.go_to(*place, i, state)) return tl::unexpected(*fault);
+        }
+        states_.pass(state, targets[i]);
+        if (const auto* use = std::get_if<SubPath>(&targets[i])) {
+            if (auto fault = call(*use, i, turns_[path], state, walk, sink)) return tl::unexpected(*fault);
         }
         if (auto fault = walk.unwind(i, turns_[path].unwinding(i), state)) return tl::unexpected(*fault);
     }

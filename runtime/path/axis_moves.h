@@ -11,6 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/path/arc_shape.h"
+#include "runtime/path/machine_way.h"
 #include "runtime/path/rotary_entries.h"
 
 namespace gsim::path {
@@ -51,6 +52,8 @@ class MoveSink {
     virtual void stand(const AxisValues& /*axes*/) {}
     /// The tool goes up, to change something: itself, or what positions are counted in.
     virtual void retract() {}
+    /// Some axes go to a place of the machine; the others stay where they are.
+    virtual void go_to(const MachineWay& /*way*/) {}
     /// A work coordinate system is selected, by its name; axis values of a recorded path stay those of the
     /// machine.
     virtual void work_offset(const std::string& /*name*/) {}
@@ -72,6 +75,8 @@ struct MoveOptions {
     ToolChangeStops tool_change_stops = {};  ///< What is set going again behind a change of the tool.
     /// Where work coordinate systems lie; of those without a place the ranges of X, Y and Z say nothing.
     std::map<std::string, std::optional<Vector>, std::less<>> frames_mm = {};
+    /// Machine coordinate of Z that MoveSink::retract() leads to; none: Z has no end above.
+    std::optional<double> retract_mm = {};
 };
 
 /// Turns the points of a path into moves of the axes. Arcs stay arcs where they lie in a plane of the axes,

@@ -5,12 +5,20 @@
 
 namespace gsim::path {
 
-/// A value that a path takes over from those that use it: not there, the same from all of them, or not.
+/// A value that a path takes over from those that use it: not there, the same from all of them, or not; or
+/// one that a target has left unknown.
 template <typename T>
 class Inherited {
   public:
     Inherited() = default;
     explicit Inherited(T value) : value_(std::move(value)) {}
+
+    /// One that nobody can tell.
+    static Inherited unknown() {
+        Inherited made;
+        made.differs_ = true;
+        return made;
+    }
 
     const std::optional<T>& value() const { return value_; }
     bool differs() const { return differs_; }
@@ -21,7 +29,7 @@ class Inherited {
     }
     /// Takes over what something behind it sets; nothing where that leaves it.
     void set(const Inherited& later) {
-        if (later.value_) *this = later;
+        if (later.value_ || later.differs_) *this = later;
     }
     bool operator==(const Inherited&) const = default;
 

@@ -68,6 +68,8 @@ std::string JsonHandler::wanted() const {
         case TargetDraft::ValueKind::text: return fmt::format("'{}' must be a string", name_of(target_key_));
         case TargetDraft::ValueKind::number:
             return fmt::format("'{}' must be a number", name_of(target_key_));
+        case TargetDraft::ValueKind::text_or_number:
+            return fmt::format("'{}' must be a name or a number", name_of(target_key_));
         case TargetDraft::ValueKind::vector:
             return fmt::format("'{}' must be an array of three numbers", name_of(target_key_));
         case TargetDraft::ValueKind::letters: return "'rotary_deg' must be an object such as {\"B\": 90}";
@@ -90,7 +92,8 @@ bool JsonHandler::number(double value) {
     if (level() == Level::path) return number_of_path(value);
     if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
     const bool wants_number =
-        level() == Level::target && TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::number;
+        level() == Level::target && (target_wants(TargetDraft::ValueKind::number) ||
+                                     target_wants(TargetDraft::ValueKind::text_or_number));
     return wants_number ? check(draft_.set_number(target_key_, value)) : wrong_type("a number");
 }
 
@@ -107,7 +110,8 @@ bool JsonHandler::string(std::string& value) {
         case Level::path: return string_of_path(value);
         case Level::actions: draft_.add_action(std::move(value)); return true;
         case Level::target:
-            if (TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::text) {
+            if (target_wants(TargetDraft::ValueKind::text) ||
+                target_wants(TargetDraft::ValueKind::text_or_number)) {
                 return check(draft_.set_text(target_key_, value));
             }
             [[fallthrough]];
@@ -176,6 +180,10 @@ bool JsonHandler::path_key(const std::string& name) {
 
 bool JsonHandler::wants(PathDraft::ValueKind kind) const {
     return PathDraft::kind_of(path_key_) == kind;
+}
+
+bool JsonHandler::target_wants(TargetDraft::ValueKind kind) const {
+    return TargetDraft::kind_of(target_key_) == kind;
 }
 
 bool JsonHandler::string_of_path(std::string& value) {

@@ -77,6 +77,7 @@ class JsonHandler {
     bool string_of_path(std::string& value);
     bool number_of_path(double value);
     bool wants(PathDraft::ValueKind kind) const;
+    bool target_wants(TargetDraft::ValueKind kind) const;
     std::string_view vector_key() const;
     bool end_path();
     bool end_target();

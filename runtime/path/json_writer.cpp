@@ -116,6 +116,20 @@ class Writer {
         put("}}");
     }
 
+    void write_target(const MachinePoint& point) {
+        put("{{");
+        if (!point.name.empty()) put("\"name\": {}, ", quoted(point.name));
+        if (point.kind == MachinePoint::Kind::reference) {
+            put("\"{}\": {}", name_of(TargetKey::reference), point.number);
+        } else {
+            put("\"{}\": {}", name_of(TargetKey::fixed),
+                point.called.empty() ? fmt::format("{}", point.number) : quoted(point.called));
+        }
+        if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
+        write_actions(point.actions);
+        put("}}");
+    }
+
     void write_arc(const ViaPoint& arc) { vector(TargetKey::via_mm, arc.via_mm); }
     void write_arc(const CenterArc& arc) {
         vector(TargetKey::center_mm, arc.center_mm);

@@ -20,7 +20,8 @@ inline constexpr std::array<std::string_view, 7> kPathKeys = {
     "name", "targets", "work_offset", "set_offset_mm", "tool", "length_offset", "diameter_offset"};
 inline constexpr std::size_t kNeededPathKeys = 2;
 
-/// A target's keys; those from `path` on are of sub-paths, as is `work_offset`.
+/// A target's keys; those from `path` on are of sub-paths, as is `work_offset`. `fixed` and `reference` make
+/// a target a point of the machine, which has `name`, `dwell_s` and `actions` beside them.
 enum class TargetKey {
     name,
     motion,
@@ -41,17 +42,38 @@ enum class TargetKey {
     acceleration_mm_s2,
     dwell_s,
     actions,
+    fixed,
+    reference,
     path,
     repeats,
     set_offset_mm,
 };
 
 /// In the order of TargetKey.
-inline constexpr std::array<std::string_view, 22> kTargetKeys = {
-    "name",       "motion",      "position_mm", "via_mm",       "center_mm",          "normal",
-    "turn_deg",   "tool_axis",   "rpy_deg",     "rotary_deg",   "feed_mm_min",        "feed_deg_min",
-    "duration_s", "feed_mm_rev", "lead_mm",     "work_offset",  "acceleration_mm_s2", "dwell_s",
-    "actions",    "path",        "repeats",     "set_offset_mm"};
+inline constexpr std::array<std::string_view, 24> kTargetKeys = {"name",
+                                                                 "motion",
+                                                                 "position_mm",
+                                                                 "via_mm",
+                                                                 "center_mm",
+                                                                 "normal",
+                                                                 "turn_deg",
+                                                                 "tool_axis",
+                                                                 "rpy_deg",
+                                                                 "rotary_deg",
+                                                                 "feed_mm_min",
+                                                                 "feed_deg_min",
+                                                                 "duration_s",
+                                                                 "feed_mm_rev",
+                                                                 "lead_mm",
+                                                                 "work_offset",
+                                                                 "acceleration_mm_s2",
+                                                                 "dwell_s",
+                                                                 "actions",
+                                                                 "fixed",
+                                                                 "reference",
+                                                                 "path",
+                                                                 "repeats",
+                                                                 "set_offset_mm"};
 
 /// The key of a work coordinate system that is no axis.
 inline constexpr std::string_view kRotationKey = "rotation_deg";

@@ -235,6 +235,14 @@ std::string MachineSpace::range_fault(AxisValues axes, const std::optional<Vecto
     return range_fault(axes);
 }
 
+std::string MachineSpace::range_fault(const std::map<char, double>& axes) const {
+    AxisValues values = home();
+    for (const auto& [letter, value] : axes) {
+        if (const auto axis = machine_->find(letter)) values[static_cast<Eigen::Index>(*axis)] = value;
+    }
+    return range_fault(values);
+}
+
 std::optional<double> MachineSpace::top_mm() const {
     const double top_mm = machine_->axes[linear_[2]].max;
     return std::isfinite(top_mm) ? std::optional(top_mm) : std::nullopt;

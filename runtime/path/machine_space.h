@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,8 @@ class MachineSpace {
     /// The same where the values are counted from another place of X, Y and Z; without it those of X, Y and Z
     /// are not looked at.
     std::string range_fault(AxisValues axes, const std::optional<Vector>& origin_mm) const;
+    /// The same of machine coordinates of some axes, by letter.
+    std::string range_fault(const std::map<char, double>& axes) const;
     /// The end of Z above the work; none where it has none.
     std::optional<double> top_mm() const;
 

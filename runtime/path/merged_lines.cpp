@@ -90,6 +90,12 @@ void MergedLines::retract() {
     sink_.retract();
 }
 
+void MergedLines::go_to(const MachineWay& way) {
+    flush();
+    at_.reset();
+    sink_.go_to(way);
+}
+
 void MergedLines::work_offset(const std::string& name) {
     flush();
     sink_.work_offset(name);

@@ -22,6 +22,7 @@ class MergedLines final : public MoveSink {
     void move(const AxisMove& move) override;
     void stand(const AxisValues& axes) override;
     void retract() override;
+    void go_to(const MachineWay& way) override;
     void work_offset(const std::string& name) override;
     void dwell(double seconds) override;
     void acceleration(double mm_s2) override;

@@ -107,7 +107,32 @@ struct SubPath {
     bool operator==(const SubPath&) const = default;
 };
 
-using Target = std::variant<Point, SubPath>;
+/// A place of the machine's axes that the control, or its data, knows. The machine goes there by a rapid, in
+/// machine coordinates; where that is in the work nobody knows, so that what follows is a rapid, too.
+struct MachinePoint {
+    enum class Kind {
+        fixed,     ///< An entry of FIXED of the machine data.
+        reference  ///< A home position of the control, which goes there by a word of its own.
+    };
+    std::string name = {};  ///< For people.
+    Kind kind = Kind::fixed;
+    int number = 0;  ///< 1 to 4 of a reference point; of a fixed point above 0, or 0: its name counts.
+    std::string called = {};                ///< The name of a fixed point, in any case.
+    double dwell_s = 0;                     ///< On arrival, before the actions.
+    std::vector<std::string> actions = {};  ///< On arrival, in this order.
+    /// Machine coordinates by axis letter, mm or deg. No path file has them: who has the machine data fills
+    /// them in. Of a reference point that nobody knows they are empty.
+    std::map<char, double> axes = {};
+
+    bool operator==(const MachinePoint&) const = default;
+};
+
+/// Of a number that the machine data give a fixed point.
+inline constexpr int kGreatestFixedPoint = 99'999;
+/// How many reference points there are.
+inline constexpr int kReferencePoints = 4;
+
+using Target = std::variant<Point, SubPath, MachinePoint>;
 
 /// A list of targets, gone through in order.
 struct Path {
@@ -147,6 +172,12 @@ struct Program {
 
 /// A work coordinate system as paths name it: "55" for "G55" as well.
 std::string frame_name(std::string_view text);
+
+/// What a machine point is called in sentences: "the fixed point 'CLAMP1'", "the reference point 2".
+std::string title_of(const MachinePoint& point);
+
+/// What is done on arrival at a target; nothing of a sub-path.
+const std::vector<std::string>& actions_of(const Target& target);
 
 /// The frame of a sub-path, where the use or the path itself names one; else that of the user.
 const WorkFrame& frame_of(const Program& program, const SubPath& use);

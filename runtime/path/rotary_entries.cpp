@@ -28,15 +28,16 @@ std::vector<std::optional<AxisValues>> rotary_entries(const Program& program, co
         std::optional<AxisValues> now = entries[path].rotary;
         const std::vector<Target>& targets = program.paths[path].targets;
         for (std::size_t i = 0; i < targets.size(); ++i) {
-            const AxisValues behind = turns[path].at(i);
+            const std::optional<AxisValues> behind =
+                turns[path].knows(i) ? std::optional(turns[path].at(i)) : now;
             if (const auto* sub_path = std::get_if<SubPath>(&targets[i])) {
                 entries[sub_path->path].merge(now);
                 const AxisValues* between = turns[path].between_repeats(i);
                 if (sub_path->repeats > 1)
-                    entries[sub_path->path].merge(between != nullptr ? *between : behind);
+                    entries[sub_path->path].merge(between != nullptr ? std::optional(*between) : behind);
             }
             const AxisValues* unwound = turns[path].unwinding(i);
-            now = unwound != nullptr ? *unwound : behind;
+            now = unwound != nullptr ? std::optional(*unwound) : behind;
         }
     }
     std::vector<std::optional<AxisValues>> rotary;

@@ -31,8 +31,10 @@ class Search {
   public:
     explicit Search(std::size_t rotary_count) : rotary_count_(rotary_count) {}
 
-    /// Where the axes may stand; empty before the first target.
+    /// Where the axes may stand; empty before the first target that says so.
     const std::vector<AxisValues>& now() const { return now_; }
+    /// A target at the beginning leaves the axes as they come.
+    void pass() { ++unknown_; }
 
     void begin(std::vector<AxisValues> candidates, const AxisValues& home, bool near_home) {
         cost_.clear();
@@ -117,6 +119,7 @@ class Search {
     }
 
     std::size_t rotary_count_;
+    std::size_t unknown_ = 0;
     std::vector<AxisValues> now_;
     std::vector<double> cost_;         // of each of now_
     std::vector<std::size_t> layers_;  // where each target's candidates begin
@@ -128,6 +131,8 @@ class Search {
 
 PathTurns Search::result() const {
     PathTurns turns(rotary_count_);
+    turns.unknown = unknown_;
+    if (layers_.empty()) return turns;
     turns.values.resize(layers_.size() * rotary_count_);
     auto at = static_cast<std::size_t>(std::min_element(cost_.begin(), cost_.end()) - cost_.begin());
     for (std::size_t layer = layers_.size(); layer-- > 0;) {
@@ -137,7 +142,7 @@ PathTurns Search::result() const {
         if (layer == 0) break;
         const std::size_t left_as = from_[layers_[layer] + at];
         at = turned_from_[layers_[layer - 1] + left_as];
-        if (at != left_as) turns.unwindings.push_back({layer - 1, value(layer - 1, left_as)});
+        if (at != left_as) turns.unwindings.push_back({unknown_ + layer - 1, value(layer - 1, left_as)});
     }
     std::reverse(turns.unwindings.begin(), turns.unwindings.end());
     return turns;
@@ -172,33 +177,48 @@ class Planner {
         const std::vector<Target>& targets = program_.paths[path].targets;
         for (std::size_t i = 0; i < targets.size(); ++i) {
             const auto* sub_path = std::get_if<SubPath>(&targets[i]);
+            const auto* place = std::get_if<MachinePoint>(&targets[i]);
             auto fault = sub_path != nullptr ? enter(search, state, *sub_path, {path, i})
+                         : place != nullptr  ? go_to(search, state, *place, {path, i})
                                              : go_to(search, state, std::get<Point>(targets[i]), {path, i});
             if (fault) return fault;
             states_.pass(state, targets[i]);
         }
         turns_[path] = search.result();
         turns_[path].between = std::exchange(between_, {});
-        entries_[path] = std::holds_alternative<SubPath>(targets[0])
-                             ? entries_[std::get<SubPath>(targets[0]).path]
-                             : turns_[path].at(0);
+        entries_[path] = entry_of(path);
         return std::nullopt;
     }
 
-    const Point& first_point(std::size_t path) const {
-        const Target& first = program_.paths[path].targets.front();
-        if (const auto* point = std::get_if<Point>(&first)) return *point;
-        return first_point(std::get<SubPath>(first).path);
+    // None of a path that leaves the axes as they come.
+    std::optional<AxisValues> entry_of(std::size_t path) const {
+        const std::vector<Target>& targets = program_.paths[path].targets;
+        const std::size_t first = turns_[path].unknown;
+        if (first == targets.size()) return std::nullopt;
+        const auto* sub_path = std::get_if<SubPath>(&targets[first]);
+        return sub_path != nullptr ? entries_[sub_path->path] : turns_[path].at(first);
+    }
+
+    bool cuts(const Point& point, const State& before) const {
+        return is_cutting(point, before, jet_) && !options_.as_given;
+    }
+    // Whether a sub-path begins with a motion at which the tool cuts.
+    bool cuts_into(const SubPath& use, const State& before) const {
+        const Target& first = program_.paths[use.path].targets.front();
+        if (const auto* inner = std::get_if<SubPath>(&first)) return cuts_into(*inner, before);
+        const auto* point = std::get_if<Point>(&first);
+        return point != nullptr && cuts(*point, before);
     }
     AxisValues exit_of(std::size_t path) const {
         return turns_[path].at(program_.paths[path].targets.size() - 1);
     }
 
     MaybeFault enter(Search& search, State& state, const SubPath& sub_path, const TargetId& id) {
-        const AxisValues& entry = entries_[sub_path.path];
+        const bool cutting = cuts_into(sub_path, state);
+        const std::optional<AxisValues>& entry = entries_[sub_path.path];
+        if (!entry) return stay(search, state, id);
         const AxisValues exit = exit_of(sub_path.path);
-        const Point& first = first_point(sub_path.path);
-        if (auto fault = advance(search, state, first, {entry}, id)) return fault;
+        if (auto fault = advance(search, state, cutting, {*entry}, id)) return fault;
         if (sub_path.repeats > 1) {
             if (auto fault = check_repeats(state, sub_path, id)) return fault;
         }
@@ -210,13 +230,12 @@ class Planner {
 
     // Where the sub-path begins while the tool cuts, the axes come to its beginning by the short way too.
     MaybeFault check_repeats(const State& before, const SubPath& sub_path, const TargetId& id) {
-        const AxisValues& entry = entries_[sub_path.path];
+        const AxisValues& entry = *entries_[sub_path.path];
         const AxisValues exit = exit_of(sub_path.path);
         State again = before;
         states_.pass(again, Target(sub_path));
         const bool short_way = turn_between(exit, entry) <= least_turn_between(exit, entry) + kSameTurn_deg;
-        const bool cutting = is_cutting(first_point(sub_path.path), again, jet_) && !options_.as_given;
-        if (short_way || !cutting) return std::nullopt;
+        if (short_way || !cuts_into(sub_path, again)) return std::nullopt;
         AxisValues unwound = entry;
         for (Eigen::Index i = 0; i < unwound.size(); ++i) {
             unwound[i] += std::remainder(exit[i] - entry[i], 360.0);
@@ -231,25 +250,62 @@ class Planner {
         return std::nullopt;
     }
 
+    // The axes stay as they are, wherever that is.
+    MaybeFault stay(Search& search, const State& state, const TargetId& id) {
+        if (!search.now().empty()) return advance(search, state, false, search.now(), id);
+        search.pass();
+        return std::nullopt;
+    }
+
+    // It turns the axes that it names.
+    MaybeFault go_to(Search& search, const State& state, const MachinePoint& point, const TargetId& id) {
+        std::size_t named = 0;
+        for (std::size_t i = 0; i < space_.rotary_count(); ++i)
+            named += point.axes.contains(space_.rotary_axis(i).letter) ? 1 : 0;
+        if (named == 0 && space_.rotary_count() > 0) return stay(search, state, id);
+        std::vector<AxisValues> from = search.now();
+        if (from.empty() && named < space_.rotary_count()) {
+            return Fault{id,
+                         fmt::format("{} says of some rotary axes where they stand there, and nothing before "
+                                     "it does of the others; begin with a point that has an orientation",
+                                     title_of(point))};
+        }
+        if (from.empty()) from.push_back(space_.home_rotary());
+        std::vector<AxisValues> next;
+        for (AxisValues& each : from) {
+            for (std::size_t i = 0; i < space_.rotary_count(); ++i) {
+                const auto value = point.axes.find(space_.rotary_axis(i).letter);
+                if (value != point.axes.end()) each[static_cast<Eigen::Index>(i)] = value->second;
+            }
+            if (std::find(next.begin(), next.end(), each) == next.end()) next.push_back(each);
+        }
+        return advance(search, state, false, std::move(next), id);
+    }
+
     MaybeFault go_to(Search& search, const State& state, const Point& point, const TargetId& id) {
+        const bool cutting = cuts(point, state);
         if (space_.rotary_count() == 0) {
             if (point.orientation && !std::holds_alternative<ToolAxis>(*point.orientation)) {
                 auto none = candidates(search, point, *point.orientation);
                 if (!none) return Fault{id, none.error()};
             }
-            return advance(search, state, point, {AxisValues(0)}, id);
+            return advance(search, state, cutting, {AxisValues(0)}, id);
         }
-        const bool stays = !point.orientation && !search.now().empty();
-        if (stays) return advance(search, state, point, search.now(), id);
+        const bool stays = !point.orientation && !search.now().empty() && !state.orientation.differs();
+        if (stays) return advance(search, state, cutting, search.now(), id);
         const std::optional<Orientation> orientation =
             point.orientation ? point.orientation : state.orientation.value();
         if (!orientation) return Fault{id, missing_orientation(state)};
         auto found = candidates(search, point, *orientation);
         if (!found) return Fault{id, found.error()};
-        return advance(search, state, point, std::move(*found), id);
+        return advance(search, state, cutting, std::move(*found), id);
     }
 
     static std::string missing_orientation(const State& state) {
+        if (state.orientation.differs() && state.at_machine_point.value() == true) {
+            return "the point needs an orientation: the fixed or reference point before it has turned the "
+                   "rotary axes";
+        }
         if (state.orientation.differs()) {
             return "the first point of this sub-path needs an orientation: the places that use it hand over "
                    "different ones";
@@ -265,14 +321,13 @@ class Planner {
                                  search.now().empty() ? home : search.now(), options_.as_given);
     }
 
-    MaybeFault advance(Search& search, const State& state, const Point& point, std::vector<AxisValues> next,
+    MaybeFault advance(Search& search, const State& state, bool cutting, std::vector<AxisValues> next,
                        const TargetId& id) const {
         if (search.now().empty()) {
             search.begin(std::move(next), space_.home_rotary(), id.path != program_.root);
             return std::nullopt;
         }
         const bool jet_off = jet_ && state.jet_on.value() == false;
-        const bool cutting = is_cutting(point, state, jet_) && !options_.as_given;
         if (search.step(std::move(next), cutting, jet_off ? kStopIdle_deg : kStopCutting_deg)) {
             return std::nullopt;
         }
@@ -287,15 +342,16 @@ class Planner {
     const RotaryOptions& options_;
     bool jet_;
     std::vector<PathTurns> turns_;
-    std::vector<AxisValues> entries_;            // where each path begins
-    std::vector<PathTurns::Unwinding> between_;  // of the path being planned
+    std::vector<std::optional<AxisValues>> entries_;  // where each path begins
+    std::vector<PathTurns::Unwinding> between_;       // of the path being planned
 };
 
 }  // namespace
 
 AxisValues PathTurns::at(std::size_t target) const {
     AxisValues found(static_cast<Eigen::Index>(count_));
-    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(target * count_), count_, found.begin());
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>((target - unknown) * count_), count_,
+                found.begin());
     return found;
 }
 
@@ -317,12 +373,8 @@ const AxisValues* PathTurns::between_repeats(std::size_t target) const {
 bool has_jet(const Program& program) {
     for (const Path& path : program.paths) {
         for (const Target& target : path.targets) {
-            const auto* point = std::get_if<Point>(&target);
-            if (point == nullptr) continue;
-            if (std::find(point->actions.begin(), point->actions.end(), "waterjet_on") !=
-                point->actions.end()) {
-                return true;
-            }
+            const std::vector<std::string>& actions = actions_of(target);
+            if (std::find(actions.begin(), actions.end(), "waterjet_on") != actions.end()) return true;
         }
     }
     return false;

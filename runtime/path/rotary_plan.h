@@ -14,7 +14,10 @@ class PathTurns {
   public:
     explicit PathTurns(std::size_t rotary_count = 0) : count_(rotary_count) {}
 
-    /// The rotary values on arrival at a target; of a sub-path, behind it.
+    /// Whether the axes stand at values of this path behind a target; else they stand as they did before it:
+    /// so far there were fixed or reference points alone, which name no rotary axis.
+    bool knows(std::size_t target) const { return target >= unknown; }
+    /// The rotary values on arrival at a target that it knows; of a sub-path, behind it.
     AxisValues at(std::size_t target) const;
     /// Where the axes turn once a target is done, if they have to before they go on.
     const AxisValues* unwinding(std::size_t target) const;
@@ -26,7 +29,8 @@ class PathTurns {
         std::size_t target = 0;
         AxisValues to;
     };
-    std::vector<double> values;         ///< Of all targets, one behind the other.
+    std::size_t unknown = 0;            ///< So many targets at the beginning leave the axes as they come.
+    std::vector<double> values;         ///< Of all targets behind these, one behind the other.
     std::vector<Unwinding> unwindings;  ///< By target.
     std::vector<Unwinding> between;     ///< By target; of repeated sub-paths.
 

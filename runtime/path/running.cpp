@@ -79,4 +79,19 @@ tl::expected<std::vector<std::string>, std::string> restored(const Running& runn
     return actions;
 }
 
+tl::expected<std::vector<std::string>, std::string> with_restored(const std::vector<std::string>& actions,
+                                                                  Running running,
+                                                                  const ToolChangeStops& stops) {
+    std::vector<std::string> all;
+    for (const std::string& action : actions) {
+        all.push_back(action);
+        running.pass(action);
+        if (!is_tool_change(action)) continue;
+        const auto again = restored(running, stops);
+        if (!again) return again;
+        all.insert(all.end(), again->begin(), again->end());
+    }
+    return all;
+}
+
 }  // namespace gsim::path

@@ -39,4 +39,10 @@ bool is_tool_change(const std::string& action);
 tl::expected<std::vector<std::string>, std::string> restored(const Running& running,
                                                              const ToolChangeStops& stops);
 
+/// The actions of a target, each change of the tool among them followed by what it has stopped and is set
+/// going again. `running`: before them. The error is a sentence, see restored().
+tl::expected<std::vector<std::string>, std::string> with_restored(const std::vector<std::string>& actions,
+                                                                  Running running,
+                                                                  const ToolChangeStops& stops);
+
 }  // namespace gsim::path

@@ -93,7 +93,8 @@ std::optional<Fault> SetUp::change_tool(const Tool& tool, const State& at) {
 std::optional<Fault> SetUp::must_be_rapid(const TargetId& id) const {
     const Target& target = program_.paths[id.path].targets[*id.target];
     if (const auto* use = std::get_if<SubPath>(&target)) return must_be_rapid({use->path, 0});
-    if (std::get<Point>(target).motion == MotionType::rapid) return std::nullopt;
+    const auto* point = std::get_if<Point>(&target);
+    if (point == nullptr || point->motion == MotionType::rapid) return std::nullopt;
     return Fault{
         id,
         "the first motion in another work offset or with another tool must be a rapid: the tool comes "

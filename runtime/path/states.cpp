@@ -11,6 +11,11 @@ void set(Inherited<T>& target, const std::optional<T>& value) {
     if (value) target = Inherited<T>(*value);
 }
 
+bool turns_tool(const MachinePoint& point) {
+    return std::any_of(point.axes.begin(), point.axes.end(),
+                       [](const auto& each) { return each.first < 'X' || each.first > 'Z'; });
+}
+
 }  // namespace
 
 void State::merge(const State& other) {
@@ -24,6 +29,7 @@ void State::merge(const State& other) {
     tool.merge(other.tool);
     jet_on.merge(other.jet_on);
     abrasive_on.merge(other.abrasive_on);
+    at_machine_point.merge(other.at_machine_point);
     running.merge(other.running);
 }
 
@@ -34,7 +40,20 @@ void State::pass(const Point& point) {
     if (point.feed_mm_min) feed_mm_rev = Inherited<double>(point.feed_mm_rev.value_or(0));
     set(feed_deg_min, point.feed_deg_min);
     if (!point.work_offset.empty()) work_offset = Inherited<std::string>(point.work_offset);
-    for (const std::string& action : point.actions) {
+    at_machine_point = Inherited<bool>(false);
+    act(point.actions);
+}
+
+// Where the tool is in the work nobody knows behind it, nor how it leans once rotary axes have turned.
+void State::pass(const MachinePoint& point) {
+    position_mm = Inherited<Vector>::unknown();
+    if (turns_tool(point)) orientation = Inherited<Orientation>::unknown();
+    at_machine_point = Inherited<bool>(true);
+    act(point.actions);
+}
+
+void State::act(const std::vector<std::string>& actions) {
+    for (const std::string& action : actions) {
         if (action == "waterjet_on") jet_on = Inherited<bool>(true);
         if (action == "waterjet_off") jet_on = Inherited<bool>(false);
         if (action == "abrasive_on") abrasive_on = Inherited<bool>(true);
@@ -54,6 +73,7 @@ States::States(const Program& program)
     State start;
     start.jet_on = Inherited<bool>(false);
     start.abrasive_on = Inherited<bool>(false);
+    start.at_machine_point = Inherited<bool>(false);
     start.frame = Inherited<std::string>(program.paths[program.root].frame.name);
     frames_[program.root] = {program.paths[program.root].frame.name};
     entries_[program.root] = start;
@@ -108,6 +128,7 @@ void States::set_up(State& state, std::size_t path, const Target& target) const 
 
 void States::pass(State& state, const Target& target) const {
     if (const auto* point = std::get_if<Point>(&target)) return state.pass(*point);
+    if (const auto* point = std::get_if<MachinePoint>(&target)) return state.pass(*point);
     const State& change = changes_[std::get<SubPath>(target).path];
     state.position_mm.set(change.position_mm);
     state.orientation.set(change.orientation);
@@ -118,6 +139,7 @@ void States::pass(State& state, const Target& target) const {
     state.tool.set(change.tool);
     state.jet_on.set(change.jet_on);
     state.abrasive_on.set(change.abrasive_on);
+    state.at_machine_point.set(change.at_machine_point);
     state.running.set(change.running);
 }
 

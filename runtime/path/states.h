@@ -21,12 +21,17 @@ struct State {
     Inherited<std::string> frame;  ///< Of the path that is gone through, as paths and their uses name it.
     Inherited<Tool> tool;          ///< In the spindle, as paths name it.
     Inherited<bool> jet_on, abrasive_on;
+    Inherited<bool> at_machine_point;  ///< The machine has come to where it stands by a MachinePoint.
     Running running;
 
     void merge(const State& other);
     /// What a point changes, its actions included.
     void pass(const Point& point);
+    void pass(const MachinePoint& point);
     bool operator==(const State&) const = default;
+
+  private:
+    void act(const std::vector<std::string>& actions);
 };
 
 /// What holds where each path begins, over all places that use it, and what holds behind it.

@@ -1,6 +1,7 @@
 #include "runtime/path/target_draft.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,6 +14,8 @@ namespace gsim::path {
 namespace {
 
 constexpr double kGreatestRepeats = 1e9;
+constexpr std::array kMachinePointKeys = {TargetKey::name, TargetKey::dwell_s, TargetKey::actions,
+                                          TargetKey::fixed, TargetKey::reference};
 
 Vector to_vector(const std::vector<double>& values) {
     return {values[0], values[1], values[2]};
@@ -35,6 +38,7 @@ TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
         case TargetKey::set_offset_mm: return ValueKind::vector;
         case TargetKey::rotary_deg: return ValueKind::letters;
         case TargetKey::actions: return ValueKind::list;
+        case TargetKey::fixed: return ValueKind::text_or_number;
         default: return ValueKind::number;
     }
 }
@@ -50,6 +54,8 @@ tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string
         point_.name = value;
     } else if (key == TargetKey::path) {
         path_name_ = value;
+    } else if (key == TargetKey::fixed) {
+        machine_point_.called = value;
     } else if (key == TargetKey::work_offset) {
         point_.work_offset = frame_name(value);
         return frame_.set_text(PathKey::work_offset, value);
@@ -74,6 +80,8 @@ tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double va
         case TargetKey::lead_mm: point_.lead_mm = value; break;
         case TargetKey::acceleration_mm_s2: point_.acceleration_mm_s2 = value; break;
         case TargetKey::dwell_s: point_.dwell_s = value; break;
+        case TargetKey::fixed: return set_point_number(key, value, kGreatestFixedPoint);
+        case TargetKey::reference: return set_point_number(key, value, kReferencePoints);
         default:
             if (!(value >= 1 && value <= kGreatestRepeats) || value != std::floor(value)) {
                 return tl::unexpected<std::string>(
@@ -81,6 +89,15 @@ tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double va
             }
             repeats_ = static_cast<int>(value);
     }
+    return {};
+}
+
+tl::expected<void, std::string> TargetDraft::set_point_number(TargetKey key, double value, int most) {
+    if (!(value >= 1 && value <= most) || value != std::floor(value)) {
+        return tl::unexpected(
+            fmt::format("'{}' must be a whole number from 1 to {}; it is {}", name_of(key), most, value));
+    }
+    machine_point_.number = static_cast<int>(value);
     return {};
 }
 
@@ -154,12 +171,39 @@ std::optional<std::string> TargetDraft::fault_of_point() const {
     return fault_of_arc();
 }
 
+std::optional<std::string> TargetDraft::fault_of_machine_point() const {
+    if (has(TargetKey::fixed) && has(TargetKey::reference))
+        return "'fixed' and 'reference' are two points; a target is one of them";
+    for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
+        const auto key = static_cast<TargetKey>(i);
+        const bool is_of_point =
+            std::find(kMachinePointKeys.begin(), kMachinePointKeys.end(), key) != kMachinePointKeys.end();
+        if (!seen_[i] || is_of_point) continue;
+        return fmt::format(
+            "a target with the key '{}' is a point of the machine, which it goes to by a rapid; it cannot "
+            "have "
+            "'{}'",
+            name_of(has(TargetKey::fixed) ? TargetKey::fixed : TargetKey::reference), kTargetKeys[i]);
+    }
+    return std::nullopt;
+}
+
 tl::expected<Target, std::string> TargetDraft::finish() {
     if (is_sub_path()) {
         if (auto sentence = fault_of_sub_path()) return tl::unexpected<std::string>(std::move(*sentence));
         auto frame = frame_.finish_frame();
         if (!frame) return tl::unexpected(frame.error());
         return SubPath{0, repeats_, *std::move(frame)};
+    }
+    if (is_machine_point()) {
+        if (auto sentence = fault_of_machine_point()) return tl::unexpected(*std::move(sentence));
+        machine_point_.kind =
+            has(TargetKey::fixed) ? MachinePoint::Kind::fixed : MachinePoint::Kind::reference;
+        machine_point_.name = std::move(point_.name);
+        machine_point_.dwell_s = point_.dwell_s;
+        machine_point_.actions = std::move(point_.actions);
+        machine_point_.actions.shrink_to_fit();
+        return std::move(machine_point_);
     }
     if (auto sentence = fault_of_point()) return tl::unexpected<std::string>(std::move(*sentence));
     if (has(TargetKey::center_mm)) {

@@ -19,7 +19,7 @@ namespace gsim::path {
 class TargetDraft {
   public:
     /// What kind of value a key takes.
-    enum class ValueKind { text, number, vector, letters, list };
+    enum class ValueKind { text, number, text_or_number, vector, letters, list };
     static ValueKind kind_of(TargetKey key);
 
     /// Whether the key was there before; it is from now on.
@@ -44,12 +44,16 @@ class TargetDraft {
 
   private:
     bool has(TargetKey key) const { return seen_[static_cast<std::size_t>(key)]; }
+    tl::expected<void, std::string> set_point_number(TargetKey key, double value, int most);
+    bool is_machine_point() const { return has(TargetKey::fixed) || has(TargetKey::reference); }
     std::optional<std::string> fault_of_sub_path() const;
     std::optional<std::string> fault_of_point() const;
+    std::optional<std::string> fault_of_machine_point() const;
     std::optional<std::string> fault_of_arc() const;
 
     std::bitset<kTargetKeys.size()> seen_;
     Point point_;
+    MachinePoint machine_point_;
     CenterArc center_;
     ViaPoint via_;
     PathDraft frame_;  // of a sub-path

@@ -83,9 +83,16 @@ Sentence rates_fault(const Point& point) {
     if (auto fault = rate_fault(TargetKey::lead_mm, point.lead_mm)) return fault;
     if (point.feed_mm_rev && !point.feed_mm_min) return "'feed_mm_rev' goes with 'feed_mm_min'";
     if (point.lead_mm && point.motion != MotionType::linear) return "'lead_mm' is of linear motions only";
-    if (auto fault = rate_fault(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2)) return fault;
-    if (!(point.dwell_s >= 0 && point.dwell_s <= kGreatest)) {
-        return fmt::format("'dwell_s' must be 0 or greater and at most 1e6; it is {}", point.dwell_s);
+    return rate_fault(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2);
+}
+
+// What is done on arrival.
+Sentence arrival_fault(double dwell_s, const std::vector<std::string>& actions) {
+    if (!(dwell_s >= 0 && dwell_s <= kGreatest))
+        return fmt::format("'dwell_s' must be 0 or greater and at most 1e6; it is {}", dwell_s);
+    for (const std::string& action : actions) {
+        if (action.empty()) return "an action must have a name";
+        if (auto fault = name_fault("an action's name", action)) return fault;
     }
     return std::nullopt;
 }
@@ -98,12 +105,37 @@ Sentence point_fault(const Point& point) {
         if (auto fault = orientation_fault(*point.orientation)) return fault;
     }
     if (auto fault = rates_fault(point)) return fault;
-    for (const std::string& action : point.actions) {
-        if (action.empty()) return "an action must have a name";
-        if (auto fault = name_fault("an action's name", action)) return fault;
-    }
-    return std::nullopt;
+    return arrival_fault(point.dwell_s, point.actions);
 }
+
+// As machine data have such names.
+bool is_name_of_fixed_point(std::string_view name) {
+    const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+    return !name.empty() && is_letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
+        return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+    });
+}
+
+Sentence machine_point_fault(const MachinePoint& point) {
+    if (auto fault = name_fault("the point's name", point.name)) return fault;
+    const bool is_reference = point.kind == MachinePoint::Kind::reference;
+    const int most = is_reference ? kReferencePoints : kGreatestFixedPoint;
+    if (is_reference || point.number != 0) {
+        if (point.number < 1 || point.number > most)
+            return fmt::format("a {} point has a number from 1 to {}", is_reference ? "reference" : "fixed",
+                               most);
+    } else if (point.called.size() > kLongestName || !is_name_of_fixed_point(point.called)) {
+        return "'fixed' takes the number of a fixed point, or its name: a letter first, then letters, digits "
+               "and _";
+    }
+    return arrival_fault(point.dwell_s, point.actions);
+}
+
+// From where the tool comes to a target.
+struct Start {
+    std::optional<Vector> at_mm = {};
+    bool is_machine_point = false;
+};
 
 class Validator {
   public:
@@ -119,8 +151,8 @@ class Validator {
         check_tools();
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_values(path);
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_nesting(path);
-        for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_arcs(path);
-        if (!fault_) check_entry(program_.root, std::nullopt);
+        for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_motions(path);
+        if (!fault_) check_motion({program_.root, 0}, {});
         return fault_;
     }
 
@@ -205,10 +237,10 @@ class Validator {
     }
 
     // What is in the spindle is known by the paths' tools alone.
-    Sentence tool_action_fault(const Point& point) const {
+    Sentence tool_action_fault(const std::vector<std::string>& actions) const {
         if (!names_tools_) return std::nullopt;
-        const auto change = std::find_if(point.actions.begin(), point.actions.end(), is_tool_change);
-        if (change == point.actions.end()) return std::nullopt;
+        const auto change = std::find_if(actions.begin(), actions.end(), is_tool_change);
+        if (change == actions.end()) return std::nullopt;
         return fmt::format(
             "the action '{}' stands beside paths that name their 'tool'; name that one so, too", *change);
     }
@@ -231,7 +263,14 @@ class Validator {
             if (const auto* point = std::get_if<Point>(&targets[i])) {
                 if (auto sentence = point_fault(*point)) fail(path, i, *sentence);
                 if (auto sentence = work_offset_fault(*point)) fail(path, i, *sentence);
-                if (auto sentence = tool_action_fault(*point)) fail(path, i, *sentence);
+                if (auto sentence = tool_action_fault(point->actions)) fail(path, i, *sentence);
+                continue;
+            }
+            if (const auto* point = std::get_if<MachinePoint>(&targets[i])) {
+                if (auto sentence = machine_point_fault(*point)) fail(path, i, *sentence);
+                if (auto sentence = tool_action_fault(point->actions)) fail(path, i, *sentence);
+                if (program_.is_recorded())
+                    fail(path, i, "a path that was recorded from a run has no fixed or reference points");
                 continue;
             }
             const auto& sub_path = std::get<SubPath>(targets[i]);
@@ -274,46 +313,41 @@ class Validator {
         return refuse(fmt::format("sub-paths are nested deeper than {} levels here", kMaxDepth));
     }
 
-    const Point* last_point(std::size_t path) const {
-        const Target& last = program_.paths[path].targets.back();
-        if (const auto* point = std::get_if<Point>(&last)) return point;
-        return last_point(std::get<SubPath>(last).path);
+    Start end_of(const Target& target) const {
+        if (const auto* point = std::get_if<Point>(&target)) return {point->position_mm};
+        if (std::holds_alternative<MachinePoint>(target)) return {std::nullopt, true};
+        return end_of(program_.paths[std::get<SubPath>(target).path].targets.back());
     }
 
-    // All arcs but one that the path begins with.
-    void check_arcs(std::size_t path) {
-        std::optional<Vector> at_mm;
+    // All motions but one that the path begins with.
+    void check_motions(std::size_t path) {
+        Start start;
         const std::vector<Target>& targets = program_.paths[path].targets;
         for (std::size_t i = 0; i < targets.size() && !fault_; ++i) {
-            if (const auto* point = std::get_if<Point>(&targets[i])) {
-                if (i > 0) check_arc({path, i}, *point, at_mm);
-                at_mm = point->position_mm;
-                continue;
-            }
-            const auto& sub_path = std::get<SubPath>(targets[i]);
-            if (i > 0) check_entry(sub_path.path, at_mm);
-            at_mm = last_point(sub_path.path)->position_mm;
-            if (sub_path.repeats > 1) check_entry(sub_path.path, at_mm);
+            if (i > 0) check_motion({path, i}, start);
+            start = end_of(targets[i]);
+            const auto* sub_path = std::get_if<SubPath>(&targets[i]);
+            if (sub_path != nullptr && sub_path->repeats > 1) check_motion({path, i}, start);
         }
     }
 
-    // The arc that a path begins with, if it does, for one of the places that lead to it.
-    void check_entry(std::size_t path, const std::optional<Vector>& start_mm) {
-        const Target& first = program_.paths[path].targets.front();
-        if (const auto* point = std::get_if<Point>(&first)) {
-            check_arc({path, 0}, *point, start_mm);
-        } else {
-            check_entry(std::get<SubPath>(first).path, start_mm);
+    // The motion that a target begins with, for one of the places that lead to it.
+    void check_motion(const TargetId& id, const Start& start) {
+        const Target& target = program_.paths[id.path].targets[*id.target];
+        if (const auto* use = std::get_if<SubPath>(&target)) return check_motion({use->path, 0}, start);
+        const auto* point = std::get_if<Point>(&target);
+        if (point == nullptr) return;
+        if (start.is_machine_point && point->motion != MotionType::rapid) {
+            return fail(id.path, id.target,
+                        "the first motion behind a fixed or reference point must be a rapid: where that "
+                        "point is in the work nobody knows");
         }
-    }
-
-    void check_arc(const TargetId& id, const Point& point, const std::optional<Vector>& start_mm) {
-        if (point.motion != MotionType::circular) return;
-        if (!start_mm) {
+        if (point->motion != MotionType::circular) return;
+        if (!start.at_mm) {
             return fail(id.path, id.target,
                         "the first motion of a program cannot be circular: nothing says where it starts");
         }
-        if (const auto arc = arc_shape(*start_mm, point); !arc) fail(id.path, id.target, arc.error());
+        if (const auto arc = arc_shape(*start.at_mm, *point); !arc) fail(id.path, id.target, arc.error());
     }
 
     const Program& program_;

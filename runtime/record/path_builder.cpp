@@ -29,6 +29,11 @@ std::size_t hash_of(std::size_t hash, const SubPath& sub_path) {
     return mixed(mixed(hash, sub_path.path), static_cast<std::uint64_t>(sub_path.repeats));
 }
 
+// A run has none.
+std::size_t hash_of(std::size_t hash, const path::MachinePoint& point) {
+    return mixed(hash, static_cast<std::uint64_t>(point.number));
+}
+
 std::size_t hash_of(const std::vector<Target>& targets) {
     std::size_t hash = 0xcbf29ce484222325ULL;
     for (const Target& target : targets) {

@@ -40,7 +40,7 @@ constexpr const char* kPoints = "the path of the script";
 /// What the script has made so far.
 struct Builder {
     struct MadePoint {
-        path::Point point;
+        path::Target point;  ///< No sub-path.
         path::Place place;
     };
     PathFile file;
@@ -60,10 +60,14 @@ const Handle* handle_at(lua_State* state, int index) {
 }
 
 /// About what a point takes, with its place.
-std::size_t bytes_of(const path::Point& point) {
+std::size_t bytes_of(const path::Target& target) {
     constexpr std::size_t kBytesOfLetter = 64;  // a node of a map
-    std::size_t bytes = sizeof(path::Target) + sizeof(path::Place) + point.name.size();
-    for (const std::string& action : point.actions) bytes += sizeof(std::string) + action.size();
+    std::size_t bytes = sizeof(path::Target) + sizeof(path::Place);
+    for (const std::string& action : path::actions_of(target)) bytes += sizeof(std::string) + action.size();
+    if (const auto* place = std::get_if<path::MachinePoint>(&target))
+        return bytes + place->name.size() + place->called.size();
+    const auto& point = std::get<path::Point>(target);
+    bytes += point.name.size();
     if (point.orientation) {
         if (const auto* axes = std::get_if<path::RotaryAxes>(&*point.orientation))
             bytes += axes->size() * kBytesOfLetter;
@@ -150,6 +154,12 @@ void read_value(lua_State* state, TargetDraft& draft, TargetKey key) {
             if (lua_type(state, value) != LUA_TNUMBER)
                 raise(state, fmt::format("'{}' must be a number", name));
             return check(state, draft.set_number(key, lua_tonumber(state, value)));
+        case TargetDraft::ValueKind::text_or_number:
+            if (lua_type(state, value) == LUA_TNUMBER)
+                return check(state, draft.set_number(key, lua_tonumber(state, value)));
+            if (lua_type(state, value) != LUA_TSTRING)
+                raise(state, fmt::format("'{}' must be a name or a number", name));
+            return check(state, draft.set_text(key, text_at(state, value)));
         case TargetDraft::ValueKind::vector:
             return check(state, draft.set_vector(key, numbers_at(state, value, name)));
         case TargetDraft::ValueKind::letters: return read_letters(state, draft, value);
@@ -223,8 +233,8 @@ int make_point(lua_State* state) {
     }
     tl::expected<path::Target, std::string> target = draft.finish();
     if (!target) raise(state, target.error());
-    LuaState::of(state).hold(state, bytes_of(std::get<path::Point>(*target)), kPoints);
-    builder.points.push_back({std::get<path::Point>(std::move(*target)), calling_place(state)});
+    LuaState::of(state).hold(state, bytes_of(*target), kPoints);
+    builder.points.push_back({*std::move(target), calling_place(state)});
     push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
     return 1;
 }

@@ -72,6 +72,7 @@ Done answer_write(const json& own, const engine::Request& request, const Post& p
     const auto machine = engine::Machine::read(request);
     if (!machine) return tl::unexpected(machine.error());
     asked->machine = machine->machine_file();
+    asked->machine_data = machine->machine_data_file();
     asked->host = request.host;
     const auto path = planned(*std::move(asked));
     if (!path) return tl::unexpected(path.error());

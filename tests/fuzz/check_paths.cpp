@@ -4,6 +4,7 @@
 
 #include "codegen/post/post_file.h"
 #include "codegen/translate.h"
+#include "engine/inner/path_points.h"
 #include "engine/inner/path_program.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/json_reader.h"
@@ -45,11 +46,12 @@ bool is_small(const path::Program& program) {
                 if (sub->repeats > kMostRepeats) return false;
                 continue;
             }
-            const auto& point = std::get<path::Point>(target);
-            for (const double at_mm : point.position_mm) {
+            const auto* point = std::get_if<path::Point>(&target);
+            if (point == nullptr) continue;
+            for (const double at_mm : point->position_mm) {
                 if (std::abs(at_mm) > kFarthest_mm) return false;
             }
-            const auto* arc = std::get_if<path::CenterArc>(&point.arc);
+            const auto* arc = std::get_if<path::CenterArc>(&point->arc);
             if (arc != nullptr && arc->turn_deg > kMostTurn_deg) return false;
         }
     }
@@ -57,8 +59,14 @@ bool is_small(const path::Program& program) {
 }
 
 /// What a path becomes by a post, in a program or several; the error is a sentence.
-tl::expected<std::string, std::string> written(const path::PathFile& file, const machine::Machine& machine,
+tl::expected<std::string, std::string> written(path::PathFile file, const machine::Machine& machine,
                                                const codegen::Post& post) {
+    machine::MachineData data;
+    data.fixed = {{1, {{'X', 10}, {'Y', 20}, {'Z', 30}}},
+                  {2, {{'X', 1}, {'Y', 2}, {'Z', 3}, {'B', 40}, {'C', 5}}}};
+    data.fixed_names = {{2, "CLAMP1"}};
+    if (const auto placed = engine::complete_points(file, {machine, &data, "data"}, post); !placed)
+        return tl::unexpected(placed.error());
     engine::PathProgramOptions options;
     options.name = "fuzz";
     options.go_on = true;

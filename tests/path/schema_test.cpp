@@ -36,7 +36,8 @@ TEST(PathSchema, HasTheReadersKeys) {
     EXPECT_EQ(keys_of(all["properties"]), as_set(kProgramKeys));
     EXPECT_EQ(keys_of(all["$defs"]["path"]["properties"]), as_set(kPathKeys));
     std::set<std::string> targets = keys_of(all["$defs"]["point"]["properties"]);
-    targets.merge(keys_of(all["$defs"]["sub_path"]["properties"]));
+    for (const char* other : {"sub_path", "machine_point"})
+        targets.merge(keys_of(all["$defs"][other]["properties"]));
     EXPECT_EQ(targets, as_set(kTargetKeys));
     EXPECT_EQ(all["$defs"]["point"]["properties"]["motion"]["enum"], json(kMotionNames));
 }
@@ -45,18 +46,39 @@ TEST(PathSchema, HasTheReadersTypes) {
     const json all = schema();
     for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
         const auto key = static_cast<TargetKey>(i);
-        const bool of_sub_path = key >= TargetKey::path;
-        const json property =
-            all["$defs"][of_sub_path ? "sub_path" : "point"]["properties"][std::string(kTargetKeys[i])];
+        const char* const of = key >= TargetKey::path    ? "sub_path"
+                               : key >= TargetKey::fixed ? "machine_point"
+                                                         : "point";
+        const json property = all["$defs"][of]["properties"][std::string(kTargetKeys[i])];
         const std::string type = property.value("type", "string");
         switch (TargetDraft::kind_of(key)) {
             case TargetDraft::ValueKind::text: EXPECT_EQ(type, "string") << kTargetKeys[i]; break;
             case TargetDraft::ValueKind::number:
                 EXPECT_TRUE(type == "number" || type == "integer") << kTargetKeys[i];
                 break;
+            case TargetDraft::ValueKind::text_or_number:
+                EXPECT_EQ(property["oneOf"][0]["type"], "string") << kTargetKeys[i];
+                EXPECT_EQ(property["oneOf"][1]["type"], "integer") << kTargetKeys[i];
+                break;
             case TargetDraft::ValueKind::letters: EXPECT_EQ(type, "object") << kTargetKeys[i]; break;
             default: EXPECT_EQ(type, "array") << kTargetKeys[i];
         }
+    }
+}
+
+TEST(PathSchema, HasTheReadersNumbersOfMachinePoints) {
+    const json all = schema();
+    const auto accepted = [](const std::string& key, int number) {
+        const json point = {{key, number}};
+        return read_json(json{{"paths", {{{"name", "a"}, {"targets", {point}}}}}}.dump(), "f").has_value();
+    };
+    const json properties = all["$defs"]["machine_point"]["properties"];
+    for (const auto& [key, limits] : {std::pair{"fixed", properties["fixed"]["oneOf"][1]},
+                                      std::pair{"reference", properties["reference"]}}) {
+        EXPECT_TRUE(accepted(key, limits["minimum"])) << key;
+        EXPECT_FALSE(accepted(key, limits["minimum"].get<int>() - 1)) << key;
+        EXPECT_TRUE(accepted(key, limits["maximum"])) << key;
+        EXPECT_FALSE(accepted(key, limits["maximum"].get<int>() + 1)) << key;
     }
 }
 

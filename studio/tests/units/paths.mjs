@@ -71,6 +71,42 @@ export default {
     assert.match(tell(part('{"path": "a", "repeats": 1.5}')), /'repeats' must be a whole number/);
   },
 
+  "fixed and reference points, work frames and tools are read, and stay where a form changes what is beside them": (page) => {
+    const text =
+      '{"paths": [{"name": "p", "work_offset": "G55", "set_offset_mm": [1, 2, 3], "tool": 3, "length_offset": 0, "diameter_offset": 4, "targets": [' +
+      '\n{"reference": 1},\n{"motion": "rapid", "position_mm": [0, 0, 5]},\n{"fixed": "CLAMP1", "name": "left", "dwell_s": 1, "actions": ["clamp"]},' +
+      '\n{"path": "q", "work_offset": "G56", "set_offset_mm": [4, 5, 6]}]},\n{"name": "q", "targets": [{"fixed": 2}, {"motion": "rapid", "position_mm": [1, 1, 1]}]}]}';
+    const file = read(page, text);
+    const { motions, before, faults } = page.walkPath(file);
+    assert.deepEqual(faults, []);
+    assert.deepEqual(motions.map(({ from_mm, to_mm }) => [from_mm, to_mm]), [[null, [0, 0, 5]], [null, [1, 1, 1]]]);
+    assert.equal(before.get("0/1").atMachinePoint, true);
+    assert.equal(before.get("1/1").atMachinePoint, true);
+    const changed = page.setTarget(text, place(1), { position_mm: [7, 8, 9] });
+    assert.equal(changed, text.replace("[0, 0, 5]", "[7, 8, 9]"));
+    assert.equal(page.setTarget(text, place(3), { repeats: 2 }), text.replace('"path": "q", "work', '"path": "q", "repeats": 2, "work'));
+  },
+
+  "what is wrong with fixed and reference points, frames and tools is told": (page) => {
+    const tell = (targets, keys = "") => page.readPathFile(`{"paths": [{"name": "p"${keys}, "targets": [${targets}]}]}`).text;
+    assert.match(tell('{"fixed": 1, "reference": 1}'), /are two points; a target is one of them/);
+    assert.match(tell('{"fixed": "2nd"}'), /'fixed' must be the number of a fixed point, or its name/);
+    assert.match(tell('{"fixed": 100000}'), /'fixed' must be/);
+    assert.match(tell('{"reference": 5}'), /'reference' must be a whole number from 1 to 4/);
+    assert.match(tell('{"reference": 1, "motion": "rapid"}'), /unknown key 'motion' in a fixed or reference point; it may hold: name, fixed/);
+    assert.match(tell('{"fixed": 1}', ', "tool": 1.5'), /'tool' must be a whole number from 0/);
+    assert.match(tell('{"fixed": 1}', ', "length_offset": 1'), /'length_offset' goes with 'tool'/);
+    assert.match(tell('{"fixed": 1}', ', "set_offset_mm": [1, 2, 3]'), /'set_offset_mm' goes with 'work_offset'/);
+    assert.match(tell('{"path": "q", "set_offset_mm": [1, 2, 3]}'), /'set_offset_mm' goes with 'work_offset'/);
+    const line = '{"position_mm": [0, 0, 0], "feed_mm_min": 1}';
+    for (const targets of [`{"fixed": 1}, ${line}`, `{"path": "p2"}, ${line}`]) {
+      const text = `{"paths": [{"name": "p", "targets": [${targets}]}, {"name": "p2", "targets": [{"reference": 2}]}]}`;
+      assert.deepEqual(faultsOf(page, text), [
+        "The first motion behind a fixed or reference point must be a rapid: where that point is in the work nobody knows.",
+      ]);
+    }
+  },
+
   "values go into a text where they stand, and leave the rest": ({ setMember, replaceValue, insertItems, removeItems, reorderItems }) => {
     const text = '{ "a" : [1,  2,\n 3], "c":{"x": 1.50} }';
     assert.equal(replaceValue(text, ["a", 1], 7), '{ "a" : [1,  7,\n 3], "c":{"x": 1.50} }');

@@ -14,7 +14,7 @@ import {
   removeTargets,
   usersOf,
 } from "../../run/path/path_edit";
-import { isSubPath, pointAt, rootOf, type Place, type Point, type Target } from "../../run/path/path_file";
+import { isPoint, pointAt, rootOf, type Place, type Point, type Target } from "../../run/path/path_file";
 import { add, between, roundedVector, scaled, subtract, unit, type Vector } from "../../run/path/vector";
 import { texts } from "../../texts";
 import type { PointChoice, Range } from "./choice_of_points";
@@ -152,7 +152,7 @@ function placeBehind({ file, walk }: PathShown, place: Place): Vector {
   const { path, target } = place;
   const here = pointAt(file, place)?.position_mm ?? walk.motions.find((motion) => motion.place.path === path)?.to_mm ?? [0, 0, 0];
   const next = file.paths[path].targets[target + 1];
-  if (next && !isSubPath(next)) return roundedVector(between(here, next.position_mm, 0.5));
+  if (next && isPoint(next)) return roundedVector(between(here, next.position_mm, 0.5));
   const before = pointAt(file, { path, target: target - 1 })?.position_mm;
   const along = (before && unit(subtract(here, before))) ?? [1, 0, 0];
   return roundedVector(add(here, scaled(along, STEP_MM)));

@@ -7,7 +7,7 @@ import { namesOfKind, shortName } from "../../core/kinds";
 import { watchPath, type PathShown } from "../../core/path_desk";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
-import { isSubPath, keyOfPlace, targetAt } from "../../run/path/path_file";
+import { isPoint, isSubPath, keyOfPlace, targetAt } from "../../run/path/path_file";
 import { texts } from "../../texts";
 import type { Form } from "../index";
 import { PathActions } from "./actions";
@@ -132,7 +132,7 @@ class PathsPanel {
     const place = this.choice.point;
     const target = shown && place ? targetAt(shown.file, place) : undefined;
     const { point, subPath, path } = this.forms;
-    point.element.hidden = !target || isSubPath(target);
+    point.element.hidden = !target || !isPoint(target);
     subPath.element.hidden = !target || !isSubPath(target);
     path.element.hidden = !shown || place === null || place.target >= 0;
     this.heading.hidden = place === null;
@@ -144,7 +144,7 @@ class PathsPanel {
     } else if (target) {
       this.heading.textContent = words.form.ofTarget(name, place.target + 1, range?.count ?? 1);
       if (isSubPath(target)) subPath.show(shown, place, target);
-      else point.show({ shown, place, point: target, before: shown.walk.before.get(keyOfPlace(place)) ?? {} });
+      else if (isPoint(target)) point.show({ shown, place, point: target, before: shown.walk.before.get(keyOfPlace(place)) ?? {} });
     }
   }
 

@@ -5,7 +5,7 @@ import { element } from "../../core/dom";
 import type { PathShown } from "../../core/path_desk";
 import type { Store } from "../../core/store";
 import { lengthNumber } from "../../core/units";
-import { isSubPath, type Place, type Point } from "../../run/path/path_file";
+import { isMachinePoint, isSubPath, type MachinePoint, type Place, type Point } from "../../run/path/path_file";
 import { texts } from "../../texts";
 import type { PointChoice } from "./choice_of_points";
 import { isRowOf, reveal, rowsOf, TreeState, type TreeRow } from "./tree_rows";
@@ -114,6 +114,7 @@ export class PathTree {
     }
     const number = String(place.target + 1);
     if (isSubPath(target)) return [number, target.path, target.repeats ? words.times(target.repeats) : ""];
+    if (isMachinePoint(target)) return [number, words.machinePoint(target.fixed ?? null, target.reference ?? 0), this.doneAt(target)];
     return [number, this.nameOf(target), this.doneAt(target)];
   }
 
@@ -123,7 +124,8 @@ export class PathTree {
     return `${words.signs[motion ?? "linear"]} ${name ? `${name}: ${place}` : place}`;
   }
 
-  private doneAt({ actions, dwell_s, feed_mm_min }: Point): string {
+  private doneAt({ actions, dwell_s, ...motion }: Point | MachinePoint): string {
+    const feed_mm_min = "feed_mm_min" in motion ? motion.feed_mm_min : undefined;
     const parts = [...(actions ?? []).map((action) => action.replaceAll("_", " "))];
     if (dwell_s) parts.unshift(words.dwell(dwell_s));
     if (feed_mm_min) parts.unshift(words.feed(lengthNumber(feed_mm_min, this.store.get("units")).replace(/\.?0+$/, "")));

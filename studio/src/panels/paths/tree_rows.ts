@@ -3,6 +3,7 @@
 import type { PathShown } from "../../core/path_desk";
 import {
   indexOfPath,
+  isPoint,
   isSamePlace,
   isSubPath,
   keyOfPlace,
@@ -89,7 +90,7 @@ function* rowsBelow(shown: PathShown, state: TreeState, parent: TreeRow, faults:
     const key = `${parent.key}/${target}`;
     const row = { ...plainRow, key, level: parent.level + 1, place, target: each, fault: faults.get(keyOfPlace(place)) ?? "" };
     if (!isSubPath(each)) {
-      yield { ...row, motion: motionOf(each) };
+      yield { ...row, motion: isPoint(each) ? motionOf(each) : "rapid" };
       continue;
     }
     // One that leads back to itself is not opened.

@@ -4,7 +4,7 @@ import { element } from "../../core/dom";
 import { baseName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
-import { isSubPath, keyOfPlace, targetAt, type MotionType, type Place, type Point } from "../../run/path/path_file";
+import { isPoint, keyOfPlace, targetAt, type MotionType, type Place, type Point } from "../../run/path/path_file";
 import { stateBehind, type State } from "../../run/path/path_walk";
 import { rounded } from "../../run/path/vector";
 import type { Axis } from "../../run/scene";
@@ -89,7 +89,7 @@ export class Recording {
   private stateAt(place: Place | null): State {
     const shown = this.store.get("path");
     const target = shown && place ? targetAt(shown.file, place) : undefined;
-    if (!shown || !place || !target || isSubPath(target)) return {};
+    if (!shown || !place || !target || !isPoint(target)) return {};
     return stateBehind(shown.walk.before.get(keyOfPlace(place)) ?? {}, target);
   }
 
@@ -122,7 +122,7 @@ export class Recording {
     if (!shown || !place) return null;
     const wanted = { path: place.path, target: place.target + by };
     const target = targetAt(shown.file, wanted);
-    return target && !isSubPath(target) ? { place: wanted, point: target } : null;
+    return target && isPoint(target) ? { place: wanted, point: target } : null;
   }
 
   private goTo(by: number): void {

@@ -3,7 +3,7 @@
 import { texts } from "../../texts";
 import { directionOfArc } from "./path_arc";
 import { insertTargets, setTarget } from "./path_edit";
-import { isSamePlace, isSubPath, keyOfPlace, pointAt, type PathFile, type Place, type Point, type Target } from "./path_file";
+import { isPoint, isSamePlace, keyOfPlace, pointAt, type PathFile, type Place, type Point, type Target } from "./path_file";
 import { stateBehind, type Motion, type State, type Walk } from "./path_walk";
 import { add, cross, distance, dot, lengthOf, roundedVector, scaled, subtract, unit, type Vector } from "./vector";
 
@@ -48,7 +48,7 @@ function motionOfLead(to: Vector, at: Vector, along: Vector, aside: Vector, { ki
 
 /** Whether a target stands at a place, or over it along the tool. */
 function standsOver(target: Target | undefined, at: Vector, up: Vector): target is Point {
-  if (!target || isSubPath(target)) return false;
+  if (!target || !isPoint(target)) return false;
   const off = subtract(target.position_mm, at);
   return lengthOf(subtract(off, scaled(up, dot(off, up)))) < NEAR_MM;
 }

@@ -2,7 +2,7 @@
 
 import { JsonFault, readJson, spanOf, type JsonPlace, type JsonValue } from "../../core/json_text";
 import { texts } from "../../texts";
-import { faultOfTarget } from "./target_faults";
+import { faultOfSetUp, faultOfTarget, setUpKeys } from "./target_faults";
 import type { Vector } from "./vector";
 
 export const motionTypes = ["rapid", "linear", "circular", "none"] as const;
@@ -32,15 +32,35 @@ export interface Point {
   actions?: string[];
 }
 
-export interface SubPath {
+/** What a path, or the use of one, says of the work coordinate system that its positions are counted in. */
+export interface WorkFrame {
+  work_offset?: string;
+  set_offset_mm?: Vector;
+}
+
+export interface SubPath extends WorkFrame {
   path: string;
   repeats?: number;
 }
 
-export type Target = Point | SubPath;
+/** A place of the machine that its control, or its data, knows: where it is in the work nobody can tell. */
+export interface MachinePoint {
+  name?: string;
+  /** A fixed point of the machine data, by its name or its number. */
+  fixed?: string | number;
+  /** A home position of the control, 1 to 4. */
+  reference?: number;
+  dwell_s?: number;
+  actions?: string[];
+}
 
-export interface Path {
+export type Target = Point | SubPath | MachinePoint;
+
+export interface Path extends WorkFrame {
   name: string;
+  tool?: number;
+  length_offset?: number;
+  diameter_offset?: number;
   targets: Target[];
 }
 
@@ -65,6 +85,8 @@ export interface Fault {
 }
 
 export const isSubPath = (target: Target): target is SubPath => "path" in target;
+export const isMachinePoint = (target: Target): target is MachinePoint => "fixed" in target || "reference" in target;
+export const isPoint = (target: Target): target is Point => !isSubPath(target) && !isMachinePoint(target);
 export const motionOf = ({ motion }: Point): MotionType => motion ?? "linear";
 
 export const keyOfPlace = ({ path, target }: Place): string => `${path}/${target}`;
@@ -79,7 +101,7 @@ export const targetAt = (file: PathFile, { path, target }: Place): Target | unde
 
 export function pointAt(file: PathFile, place: Place): Point | undefined {
   const target = targetAt(file, place);
-  return target && !isSubPath(target) ? target : undefined;
+  return target && isPoint(target) ? target : undefined;
 }
 
 export const indexOfPath = (file: PathFile, name: string): number => file.paths.findIndex((path) => path.name === name);
@@ -90,7 +112,7 @@ export const rootOf = (file: PathFile): number => (file.root === undefined ? 0 :
 const words = texts.paths.faults;
 
 const FILE_KEYS = ["$schema", "name", "root", "paths", "work_offsets"];
-const PATH_KEYS = ["name", "targets"];
+const PATH_KEYS = ["name", ...setUpKeys, "targets"];
 
 const isObject = (value: JsonValue | undefined): value is { [key: string]: JsonValue | undefined } =>
   typeof value === "object" && value !== null && !Array.isArray(value);
@@ -123,6 +145,8 @@ function faultOfPath(path: JsonValue): { text: string; at: JsonPlace } | null {
   const unknown = strange(path, PATH_KEYS, words.ofPath);
   if (unknown) return { text: unknown, at: [] };
   if (typeof path.name !== "string" || path.name === "") return { text: words.noName, at: [] };
+  const ofSetUp = faultOfSetUp(path);
+  if (ofSetUp) return { text: ofSetUp, at: [] };
   const { targets } = path;
   if (!Array.isArray(targets) || targets.length === 0) return { text: words.noTargets(path.name), at: [] };
   for (let i = 0; i < targets.length; ++i) {

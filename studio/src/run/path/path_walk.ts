@@ -3,7 +3,7 @@
 
 import { texts } from "../../texts";
 import { arcTo, type Arc } from "./path_arc";
-import { indexOfPath, isSubPath, keyOfPlace, motionOf, rootOf, type Fault, type PathFile, type Place, type Point, type SubPath } from "./path_file";
+import { indexOfPath, isMachinePoint, isSubPath, keyOfPlace, motionOf, rootOf, type Fault, type PathFile, type Place, type Point, type SubPath } from "./path_file";
 import type { Vector } from "./vector";
 
 /** How deep sub-paths may be nested; the root is not counted. */
@@ -17,6 +17,8 @@ export interface State extends Orientation {
   position_mm?: Vector;
   /** The point that the position is of. */
   at?: Place;
+  /** The machine stands at a fixed or reference point, so that nobody knows the position. */
+  atMachinePoint?: boolean;
   feed_mm_min?: number;
   feed_deg_min?: number;
   feed_mm_rev?: number;
@@ -49,9 +51,11 @@ export function stateBehind(before: State, later: State): State {
   const turning = later.tool_axis ?? later.rpy_deg ?? later.rotary_deg ? later : before;
   const feeding = later.feed_mm_min !== undefined ? later : before;
   // Member by member: paths may have very many points.
+  const standing = later.position_mm || later.atMachinePoint ? later : before;
   return {
-    position_mm: later.position_mm ?? before.position_mm,
+    position_mm: standing.position_mm,
     at: later.at ?? before.at,
+    atMachinePoint: standing.atMachinePoint,
     tool_axis: turning.tool_axis,
     rpy_deg: turning.rpy_deg,
     rotary_deg: turning.rotary_deg,
@@ -107,6 +111,10 @@ class Walker {
         const below = this.follow(place, target, state, [...way, path]);
         change = stateBehind(change, below);
         state = stateBehind(state, below);
+      } else if (isMachinePoint(target)) {
+        const behind: State = { atMachinePoint: true, at: place };
+        change = stateBehind(change, behind);
+        state = stateBehind(state, behind);
       } else {
         this.go(place, target, state, way.length === 0);
         change = stateBehind(change, target);
@@ -139,6 +147,7 @@ class Walker {
   private comeTo(path: number, state: State, depth = 0): void {
     const [first] = this.file.paths[path].targets;
     const place = { path, target: 0 };
+    if (isMachinePoint(first)) return;
     if (!isSubPath(first)) return this.go(place, first, state, false);
     const below = indexOfPath(this.file, first.path);
     if (depth < MOST_DEPTH && this.changes.has(below)) this.comeTo(below, state, depth + 1);
@@ -149,13 +158,14 @@ class Walker {
     if (!this.walk.before.has(key)) this.walk.before.set(key, state);
     const from_mm = state.position_mm ?? null;
     if (place.target === 0) {
-      const way = `${key} ${from_mm}`;
+      const way = `${key} ${from_mm} ${state.atMachinePoint}`;
       if (this.ways.has(way)) return;
       this.ways.add(way);
     }
     const motion = motionOf(point);
     let arc: Arc | null = null;
-    if (motion === "circular") {
+    if (state.atMachinePoint && motion !== "rapid") this.fail(place, words.rapidBehindPoint);
+    else if (motion === "circular") {
       const shape = from_mm ? arcTo(from_mm, point) : isOutermost ? words.firstIsArc : null;
       if (typeof shape === "string") this.fail(place, shape);
       else arc = shape;

@@ -12,6 +12,9 @@ const GREATEST = 1e6; // mm or deg; beyond any machine
 const GREATEST_RATE = 1e9;
 const MOST_REPEATS = 1e9;
 const MOST_TURN_DEG = 360_000;
+const REFERENCES = 4;
+const MOST_FIXED = 99_999;
+const MOST_TOOLS = 99_999_999;
 
 const isNumber = (value: JsonValue): value is number => typeof value === "number";
 const isVector = (value: JsonValue): value is number[] => Array.isArray(value) && value.length === 3 && value.every(isNumber);
@@ -31,6 +34,13 @@ const isDwell: Check = (value) =>
   isNumber(value) && value >= 0 && value <= GREATEST ? null : words.dwell;
 const isRepeats: Check = (value) =>
   isNumber(value) && Number.isInteger(value) && value >= 1 && value <= MOST_REPEATS ? null : words.repeats;
+
+const isWhole = (value: JsonValue, least: number, most: number): boolean =>
+  isNumber(value) && Number.isInteger(value) && value >= least && value <= most;
+const isReference: Check = (value) => (isWhole(value, 1, REFERENCES) ? null : words.reference);
+const isFixedPoint: Check = (value) =>
+  isWhole(value, 1, MOST_FIXED) || (typeof value === "string" && /^[A-Za-z][A-Za-z0-9_]{0,255}$/.test(value)) ? null : words.fixed;
+const isToolNumber: Check = (value) => (isWhole(value, 0, MOST_TOOLS) ? null : words.tool);
 
 function areAxes(value: JsonValue): string | null {
   const isOne = ([letter, angle]: [string, JsonValue | undefined]) =>
@@ -63,7 +73,24 @@ const pointChecks: Record<string, Check> = {
   dwell_s: isDwell,
   actions: areActions,
 };
-const subPathChecks: Record<string, Check> = { path: isText, repeats: isRepeats };
+const frameChecks: Record<string, Check> = { work_offset: isText, set_offset_mm: isPlace };
+const subPathChecks: Record<string, Check> = { path: isText, repeats: isRepeats, ...frameChecks };
+const machinePointChecks: Record<string, Check> = {
+  name: isName,
+  fixed: isFixedPoint,
+  reference: isReference,
+  dwell_s: isDwell,
+  actions: areActions,
+};
+const setUpChecks: Record<string, Check> = {
+  ...frameChecks,
+  tool: isToolNumber,
+  length_offset: isToolNumber,
+  diameter_offset: isToolNumber,
+};
+
+/** Keys of a path that say where it is and with what it works. */
+export const setUpKeys: readonly string[] = Object.keys(setUpChecks);
 
 /** Keys of a point, in the order in which files have them. */
 export const pointKeys: readonly string[] = Object.keys(pointChecks);
@@ -104,11 +131,24 @@ function faultOfPoint(point: Members): string | null {
   return faultOfArc(point);
 }
 
+const faultOfFrame = (of: Members): string | null =>
+  of.set_offset_mm !== undefined && of.work_offset === undefined ? words.goesWith("set_offset_mm", "work_offset") : null;
+
+/** What is wrong with what a path says of its work frame and its tool; other keys are passed over. */
+export function faultOfSetUp(path: Members): string | null {
+  const own = Object.fromEntries(Object.entries(path).filter(([key]) => setUpKeys.includes(key)));
+  const lone = ["length_offset", "diameter_offset"].find((key) => path[key] !== undefined && path.tool === undefined);
+  if (lone) return words.goesWith(lone, "tool");
+  return faultOfValues(own, setUpChecks, words.ofPath) ?? faultOfFrame(path);
+}
+
 /** A sentence; null: nothing does. */
 export function faultOfTarget(target: JsonValue): string | null {
   if (typeof target !== "object" || target === null || Array.isArray(target)) {
     return words.noTarget;
   }
-  if ("path" in target) return faultOfValues(target, subPathChecks, words.ofSubPath);
+  if ("path" in target) return faultOfValues(target, subPathChecks, words.ofSubPath) ?? faultOfFrame(target);
+  if ("fixed" in target && "reference" in target) return words.fixedOrReference;
+  if ("fixed" in target || "reference" in target) return faultOfValues(target, machinePointChecks, words.ofMachinePoint);
   return faultOfValues(target, pointChecks, words.ofPoint) ?? faultOfPoint(target);
 }

@@ -17,7 +17,7 @@ import {
 } from "three";
 import type { PathShown } from "../../core/path_desk";
 import { pointOfArc, sampleArc } from "../../run/path/path_arc";
-import { isSubPath, type Place } from "../../run/path/path_file";
+import { isPoint, type Place } from "../../run/path/path_file";
 import type { Motion } from "../../run/path/path_walk";
 import { between, distance, subtract, type Vector } from "../../run/path/vector";
 import type { CameraRig } from "../camera";
@@ -141,6 +141,6 @@ function middleOf({ from_mm, to_mm, arc }: Motion): [at: Vector, along: Vector] 
 const dotsOf = (shown: PathShown | null): Dot[] =>
   shown?.file.paths.flatMap(({ targets }, path) =>
     targets.flatMap((each, target) =>
-      isSubPath(each) ? [] : [{ place: { path, target }, at: new Vector3(...each.position_mm) }],
+      isPoint(each) ? [{ place: { path, target }, at: new Vector3(...each.position_mm) }] : [],
     ),
   ) ?? [];
