@@ -33,19 +33,56 @@ void GcodeWriter::work_offset(const std::string& name) {
     end_block();
 }
 
-void GcodeWriter::set_work_offset(const std::string& name, const std::array<double, 3>& origin_mm) {
+std::string GcodeWriter::length_text(double mm) const {
+    fmt::memory_buffer number;
+    length_.append(number, length_.units(in_unit(mm)));
+    return fmt::to_string(number);
+}
+
+// As G10 counts them, from 1.
+std::string GcodeWriter::index_of(const std::string& system) const {
     const std::vector<std::string>& systems = post_.offsets.systems;
+    return fmt::format("{}", std::find(systems.begin(), systems.end(), system) - systems.begin() + 1);
+}
+
+void GcodeWriter::set_work_offset(const std::string& name, const std::array<double, 3>& origin_mm) {
     Places places = places_;
-    places["index"] =
-        fmt::format("{}", std::find(systems.begin(), systems.end(), name) - systems.begin() + 1);
-    for (std::size_t i = 0; i < origin_mm.size(); ++i) {
-        fmt::memory_buffer number;
-        length_.append(number, length_.units(in_unit(origin_mm[i])));
-        places[std::string(1, static_cast<char>('x' + i))] = fmt::to_string(number);
-    }
+    places["index"] = index_of(name);
+    for (std::size_t i = 0; i < origin_mm.size(); ++i)
+        places[std::string(1, static_cast<char>('x' + i))] = length_text(origin_mm[i]);
     begin_block();
     code(filled(post_.offsets.set, places));
     end_block();
+}
+
+// Of X, Y and Z those that are named.
+void GcodeWriter::rapid_block(std::string_view letters, const std::array<double, 3>& xyz_mm) {
+    begin_block();
+    motion_ = kNoMotion;
+    motion_word(0);
+    for (const char letter : letters)
+        word(letter, length_.units(in_unit(xyz_mm[static_cast<std::size_t>(letter - 'X')])), length_);
+    end_block();
+}
+
+void GcodeWriter::touch(const std::string& system, const WrittenTouch& touch) {
+    rapid_block("XY", touch.from_mm);
+    rapid_block("Z", touch.from_mm);
+    fmt::memory_buffer feed;
+    feed_.append(feed, std::max<std::int64_t>(1, feed_.units(in_unit(touch.feed_mm_min))));
+    const Places before = places_;
+    places_["axis"] = std::string(1, touch.axis);
+    places_["number"] = fmt::format("{}", touch.axis - 'X' + 1);
+    places_["to"] = length_text(touch.to_mm);
+    places_["surface"] = length_text(touch.contact_mm);
+    places_["feed"] = fmt::to_string(feed);
+    places_["index"] = index_of(system);
+    places_["system"] = system;
+    lines(post_.touch);
+    places_ = before;
+    rapid_block({&touch.axis, 1}, touch.from_mm);
+    std::fill(at_.begin(), at_.end(), kUnknown);
+    feed_units_ = kUnknown;
 }
 
 void GcodeWriter::retract(double z_mm) {

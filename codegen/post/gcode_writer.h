@@ -44,6 +44,15 @@ struct WrittenFeed {
     std::optional<double> lead_mm = {};     ///< Of a line in step with the spindle, in a turn.
 };
 
+/// A straight way along an axis until the tool touches something, by which a work offset is found.
+struct WrittenTouch {
+    char axis = 'Z';
+    std::array<double, 3> from_mm{};  ///< Where it begins.
+    double to_mm = 0;                 ///< Where it ends at most.
+    double contact_mm = 0;            ///< What the axis shall have where the touch is.
+    double feed_mm_min = 0;
+};
+
 struct WriterOptions {
     bool inch = false;
     bool verbose_words = false;           ///< Words are written though they have not changed.
@@ -79,6 +88,9 @@ class GcodeWriter {
     /// A rapid of Z alone to a machine coordinate, where the post has a word for these. Behind it all axes
     /// are written again.
     void retract(double z_mm);
+    /// The post's blocks that find by a touch where a work offset lies, which is in force; the post must have
+    /// some. The tool, which is up, comes down to the beginning of the touch, and goes back there behind it.
+    void touch(const std::string& system, const WrittenTouch& touch);
     /// Rapids of some axes each, by letter, to machine coordinates; the post must have a word for these.
     /// Behind them all axes are written again.
     void machine_rapids(const std::vector<std::map<char, double>>& steps);
@@ -111,6 +123,9 @@ class GcodeWriter {
     static constexpr int kNoMotion = -1;  // of G00 to G03 that is known to be in force
 
     void machine_block(const std::map<char, double>& axes);
+    void rapid_block(std::string_view letters, const std::array<double, 3>& xyz_mm);
+    std::string length_text(double mm) const;
+    std::string index_of(const std::string& system) const;
     void begin_block();
     void end_block();
     void code(std::string_view text);

@@ -68,7 +68,7 @@ struct ToolChangeWords {
 
 /// One controller's way of writing programs (docs/paths.md). Templates hold {number}, {title}, {program},
 /// {lower}, {unit}, {repeats}, {label}, {seconds}, {milliseconds}, {acceleration}, {system}, {index}, {x},
-/// {y}, {z} and {axes}.
+/// {y}, {z}, {axes}, {axis}, {number}, {to}, {feed} and {surface}.
 struct Post {
     std::string name;
     std::string reads_as;  ///< The dialect of gcode2lua that reads these programs.
@@ -89,6 +89,7 @@ struct Post {
     FeedModes feed_modes;
     OffsetWords offsets;
     ReferenceWords references;
+    std::vector<std::string> touch;  ///< Lines that find a work offset along one axis; empty: it cannot.
     ToolChangeWords tool_change;
     std::vector<std::string> acceleration;      ///< Lines that set it; empty: the controller has no words.
     std::vector<std::string> end_acceleration;  ///< Lines that take it back, at the program's end.

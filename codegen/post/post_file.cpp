@@ -21,9 +21,9 @@ constexpr std::string_view kExtension = ".toml";
 constexpr int kMostDecimals = 6;
 constexpr int kMostDigits = 9;
 
-constexpr std::array<std::string_view, 13> kPostKeys = {
-    "name",    "reads_as",     "numbers",    "blocks",  "arcs",        "program",         "subprogram",
-    "actions", "acceleration", "feed_modes", "offsets", "tool_change", "reference_points"};
+constexpr std::array<std::string_view, 14> kPostKeys = {
+    "name",    "reads_as",     "numbers",    "blocks",  "arcs",        "program",          "subprogram",
+    "actions", "acceleration", "feed_modes", "offsets", "tool_change", "reference_points", "probe"};
 constexpr std::array<std::string_view, 3> kArcKeys = {"through_point", "oblique", "turns"};
 constexpr std::array<std::string_view, 2> kOblique = {"lines", "refuse"};
 constexpr std::array<std::string_view, 6> kNumberKeys = {
@@ -37,6 +37,10 @@ constexpr std::array<std::string_view, 7> kOffsetKeys = {"system", "systems", "s
 constexpr std::array<std::string_view, 2> kReferenceKeys = {"go", "end"};
 constexpr std::array<std::string_view, 1> kReferencePlaces = {"axes"};
 constexpr std::size_t kMostReferences = 4;
+constexpr std::array<std::string_view, 1> kProbeKeys = {"touch"};
+constexpr std::array<std::string_view, 7> kTouchPlaces = {"axis",  "number", "to",     "feed",
+                                                          "index", "system", "surface"};
+constexpr std::array<std::string_view, 3> kNeededTouchPlaces = {"axis", "to", "surface"};
 constexpr std::array<std::string_view, 1> kToolChangeKeys = {"stops"};
 constexpr std::array<std::string_view, 2> kStopped = {"spindle", "coolant"};
 constexpr std::array<std::string_view, 2> kTimesOfArcs = {"move", "radian"};
@@ -94,6 +98,7 @@ class PostReader {
         if (const auto* offsets = section.table("offsets")) read_offsets(*offsets);
         if (const auto* change = section.table("tool_change")) read_tool_change(*change);
         if (const auto* references = section.table("reference_points")) read_references(*references);
+        if (const auto* probe = section.table("probe")) read_probe(*probe);
         if (const auto* actions = section.table("actions")) read_actions(*actions);
     }
 
@@ -182,6 +187,17 @@ class PostReader {
         for (const std::string& line : post_.references.go) {
             if (line.find("{axes}") == std::string::npos)
                 section.fail("go", "each line of 'go' must hold {axes}");
+        }
+    }
+
+    void read_probe(const toml::table& table) {
+        TomlSection section(error_, table, "[probe]", kProbeKeys);
+        post_.touch = lines(section, "touch", kTouchPlaces);
+        const std::string all = fmt::format("{}", fmt::join(post_.touch, "\n"));
+        for (const std::string_view place : kNeededTouchPlaces) {
+            if (all.find(fmt::format("{{{}}}", place)) == std::string::npos)
+                section.fail("touch",
+                             fmt::format("'touch' must hold {{{}}}", fmt::join(kNeededTouchPlaces, "}, {")));
         }
     }
 

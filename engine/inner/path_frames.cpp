@@ -37,6 +37,9 @@ std::optional<std::string> frame_fault(const WorkFrame& frame, const codegen::Po
     if (std::find(systems.begin(), systems.end(), frame.name) == systems.end())
         return fmt::format("the post '{}' has no work offset G{}; it has G{}", post.name, frame.name,
                            fmt::join(systems, ", G"));
+    if (!frame.touches.empty() && post.touch.empty())
+        return fmt::format("the post '{}' has no words that find a work offset by touches ([probe] touch)",
+                           post.name);
     if (frame.set_offset_mm && post.offsets.set.empty())
         return fmt::format("the post '{}' has no word that sets a work offset ([offsets] set)", post.name);
     return std::nullopt;
@@ -70,15 +73,54 @@ std::optional<std::string> give_defaults(path::Program& program, const PathReque
 }  // namespace
 
 PathFrames::PathFrames(const path::Program& program) {
-    for_each_frame(program, [this](const TargetId&, const WorkFrame& frame) { add(frame); });
+    for_each_frame(program, [this](const TargetId& where, const WorkFrame& frame) { add(where, frame); });
     tools_ = std::any_of(program.paths.begin(), program.paths.end(),
                          [](const path::Path& path) { return path.tool.has_value(); });
 }
 
-void PathFrames::add(const WorkFrame& frame) {
+void PathFrames::add(const TargetId& where, const WorkFrame& frame) {
     if (frame.name.empty()) return;
     std::optional<path::Vector>& place_mm = places_mm_[frame.name];
     if (frame.set_offset_mm) place_mm = frame.set_offset_mm;
+    const bool is_found =
+        std::any_of(found_.begin(), found_.end(), [&](const Found& each) { return each.name == frame.name; });
+    if (!frame.touches.empty() && !is_found) found_.push_back({frame.name, &frame.touches, where});
+}
+
+std::optional<path::Fault> PathFrames::fault_of_touches(const path::MachineSpace& space) const {
+    for (const Found& frame : found_) {
+        const auto& place_mm = places_mm_.find(frame.name)->second;
+        if (!place_mm) continue;
+        for (const path::Touch& touch : *frame.touches) {
+            std::map<char, double> at;
+            for (std::size_t i = 0; i < 3; ++i)
+                at[static_cast<char>('X' + i)] = touch.from_mm[i] + (*place_mm)[i];
+            std::string fault = space.range_fault(at);
+            at[touch.axis] += touch.to_mm - touch.from_mm[static_cast<std::size_t>(touch.axis - 'X')];
+            if (fault.empty()) fault = space.range_fault(at);
+            if (!fault.empty()) return path::Fault{frame.where, std::move(fault)};
+        }
+    }
+    return std::nullopt;
+}
+
+// The tool is up before each touch, and behind the last one.
+void PathFrames::tell_touches(path::MoveSink& sink) const {
+    std::optional<int> tool;
+    for (const Found& frame : found_) {
+        for (const path::Touch& touch : *frame.touches) {
+            sink.retract();
+            if (touch.tool && touch.tool != tool) {
+                sink.action(fmt::format("tool_select T{}", *touch.tool));
+                sink.action(fmt::format("tool_change T{}", *touch.tool));
+                sink.action(fmt::format("tool_length H{}", *touch.tool));
+                tool = touch.tool;
+            }
+            sink.work_offset(frame.name);
+            sink.touch(frame.name, touch);
+        }
+    }
+    if (!found_.empty()) sink.retract();
 }
 
 std::vector<std::string> PathFrames::notes() const {

@@ -9,6 +9,7 @@
 
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
+#include "runtime/path/axis_moves.h"
 #include "runtime/path/place.h"
 
 namespace gsim::engine {
@@ -16,12 +17,25 @@ namespace gsim::engine {
 /// The work frames and the tools that the paths of a program, and the uses of them, name themselves.
 class PathFrames {
   public:
-    /// None where no frame is named.
+    /// None where no frame is named. `program` must outlive this.
     explicit PathFrames(const path::Program& program);
 
     /// Whether any is named; then positions are counted in them.
     bool any() const { return !places_mm_.empty(); }
     bool tools() const { return tools_; }
+    /// A frame that the program finds by touches.
+    struct Found {
+        std::string name;
+        const std::vector<path::Touch>* touches = nullptr;
+        path::TargetId where;  ///< What says so first.
+    };
+    /// In the order of the file.
+    const std::vector<Found>& found() const { return found_; }
+    /// Where a touch is beyond the ranges of the axes, as far as that is known: of frames that the program
+    /// puts somewhere before it finds them.
+    std::optional<path::Fault> fault_of_touches(const path::MachineSpace& space) const;
+    /// Tells a sink, at the beginning of the program, how the frames are found.
+    void tell_touches(path::MoveSink& sink) const;
     /// Where each lies, of those that the program sets.
     const std::map<std::string, std::optional<path::Vector>, std::less<>>& places_mm() const {
         return places_mm_;
@@ -30,9 +44,10 @@ class PathFrames {
     std::vector<std::string> notes() const;
 
   private:
-    void add(const path::WorkFrame& frame);
+    void add(const path::TargetId& where, const path::WorkFrame& frame);
 
     std::map<std::string, std::optional<path::Vector>, std::less<>> places_mm_;
+    std::vector<Found> found_;
     bool tools_ = false;
 };
 

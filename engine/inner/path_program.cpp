@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "engine/inner/path_check.h"
 #include "runtime/path/merged_lines.h"
+#include "runtime/path/touches.h"
 
 namespace gsim::engine {
 
@@ -72,6 +73,7 @@ class PathProgram::Sink : public path::MoveSink {
             if (place_mm) writer_.set_work_offset(name, *place_mm);
         }
         if (!post.offsets.systems.empty()) writer_.begin_in(post.offsets.systems.front());
+        program_.frames_.tell_touches(*this);
     }
     /// Those before the lines of its end.
     void end() {
@@ -99,6 +101,10 @@ class PathProgram::Sink : public path::MoveSink {
     }
     void stand(const path::AxisValues& axes) override { writer_.stand(values_of(axes)); }
     void retract() override { writer_.retract(program_.retract_mm()); }
+    void touch(const std::string& frame, const path::Touch& touch) override {
+        writer_.touch(frame,
+                      {touch.axis, touch.from_mm, touch.to_mm, path::contact_mm(touch), touch.feed_mm_min});
+    }
     void go_to(const path::MachineWay& way) override {
         if (way.reference > 0) return writer_.go_to_reference(way.reference, way.steps);
         writer_.machine_rapids(way.steps);
@@ -282,6 +288,8 @@ tl::expected<void, std::string> PathProgram::look_at_moves() {
     }
     const path::AxisMoves moves(file_->program, space_, states_, turns_, move_options());
     PathCheck check(*file_, *post_, offsets() == Offsets::machine, options_.go_on);
+    if (const auto beyond = frames_.fault_of_touches(space_)) return located(*beyond);
+    frames_.tell_touches(check);
     for (const std::size_t path : states_.users_first()) {
         if (auto run = moves.run(path, check); !run) return located(run.error());
     }

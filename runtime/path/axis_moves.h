@@ -52,6 +52,8 @@ class MoveSink {
     virtual void stand(const AxisValues& /*axes*/) {}
     /// The tool goes up, to change something: itself, or what positions are counted in.
     virtual void retract() {}
+    /// The tool, which is up, finds by a touch where a work coordinate system lies, which is in force.
+    virtual void touch(const std::string& /*frame*/, const Touch& /*touch*/) {}
     /// Some axes go to a place of the machine; the others stay where they are.
     virtual void go_to(const MachineWay& /*way*/) {}
     /// A work coordinate system is selected, by its name; axis values of a recorded path stay those of the

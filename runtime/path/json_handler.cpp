@@ -42,42 +42,6 @@ bool JsonHandler::check(tl::expected<void, std::string> done) {
     return done ? true : fail(done.error());
 }
 
-std::string JsonHandler::wanted() const {
-    switch (level()) {
-        case Level::outside: return "a path file must be an object {...}";
-        case Level::program:
-            if (key_ == "work_offsets") return "'work_offsets' must be an object of offsets by name";
-            return fmt::format("'{}' must be {}", key_, key_ == "paths" ? "an array of paths" : "a string");
-        case Level::paths: return "'paths' must hold objects, each a path with 'name' and 'targets'";
-        case Level::path:
-            return fmt::format("'{}' must be {}", key_,
-                               path_key_ == PathKey::targets         ? "an array of targets"
-                               : wants(PathDraft::ValueKind::number) ? "a number"
-                               : wants(PathDraft::ValueKind::vector) ? "an array of three numbers"
-                                                                     : "a string");
-        case Level::targets: return "'targets' must hold objects, each a point or a sub-path";
-        case Level::vector: return fmt::format("'{}' must hold three numbers", vector_key());
-        case Level::offsets:
-            return fmt::format("the work offset '{}' must be an object such as {{\"X\": 200}}", offset_name_);
-        case Level::offset:
-        case Level::rotary: return fmt::format("'{}' must be a number", key_);
-        case Level::actions: return "'actions' must hold strings";
-        case Level::target: break;
-    }
-    switch (TargetDraft::kind_of(target_key_)) {
-        case TargetDraft::ValueKind::text: return fmt::format("'{}' must be a string", name_of(target_key_));
-        case TargetDraft::ValueKind::number:
-            return fmt::format("'{}' must be a number", name_of(target_key_));
-        case TargetDraft::ValueKind::text_or_number:
-            return fmt::format("'{}' must be a name or a number", name_of(target_key_));
-        case TargetDraft::ValueKind::vector:
-            return fmt::format("'{}' must be an array of three numbers", name_of(target_key_));
-        case TargetDraft::ValueKind::letters: return "'rotary_deg' must be an object such as {\"B\": 90}";
-        case TargetDraft::ValueKind::list: return "'actions' must be an array of strings";
-    }
-    return {};
-}
-
 bool JsonHandler::wrong_type(std::string_view found) {
     return fail(fmt::format("{}, not {}", wanted(), found));
 }
@@ -89,6 +53,7 @@ bool JsonHandler::number(double value) {
         return true;
     }
     if (level() == Level::offset) return offset_value(value);
+    if (level() == Level::touch) return value_of_touch(value);
     if (level() == Level::path) return number_of_path(value);
     if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
     const bool wants_number =
@@ -109,6 +74,7 @@ bool JsonHandler::string(std::string& value) {
             return true;
         case Level::path: return string_of_path(value);
         case Level::actions: draft_.add_action(std::move(value)); return true;
+        case Level::touch: return value_of_touch(std::string_view(value));
         case Level::target:
             if (target_wants(TargetDraft::ValueKind::text) ||
                 target_wants(TargetDraft::ValueKind::text_or_number)) {
@@ -140,6 +106,11 @@ bool JsonHandler::start_object(std::size_t) {
             draft_ = {};
             draft_place_ = bytes_.token();
             return true;
+        case Level::touches:
+            levels_.push_back(Level::touch);
+            touch_draft_ = {};
+            touch_place_ = bytes_.token();
+            return true;
         case Level::target:
             if (TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::letters) {
                 levels_.push_back(Level::rotary);
@@ -158,6 +129,7 @@ bool JsonHandler::key(std::string& name) {
         case Level::target: return target_key(name);
         case Level::offsets: offset_name_ = frame_name(name); return true;
         case Level::offset: return offset_key(name);
+        case Level::touch: return touch_key(name);
         default: key_ = std::move(name); return true;
     }
 }
@@ -200,8 +172,9 @@ bool JsonHandler::number_of_path(double value) {
 
 // Of the vector that is open.
 std::string_view JsonHandler::vector_key() const {
-    const bool of_path = levels_[levels_.size() - 2] == Level::path;
-    return of_path ? name_of(path_key_) : name_of(target_key_);
+    const Level of = levels_[levels_.size() - 2];
+    if (of == Level::touch) return name_of(touch_key_);
+    return of == Level::path ? name_of(path_key_) : name_of(target_key_);
 }
 
 bool JsonHandler::start_offset() {
@@ -240,11 +213,42 @@ bool JsonHandler::target_key(const std::string& name) {
     return true;
 }
 
+bool JsonHandler::touch_key(const std::string& name) {
+    const auto* const found = std::find(kTouchKeys.begin(), kTouchKeys.end(), name);
+    if (found == kTouchKeys.end()) return fail(unknown_key(name, "a touch", kTouchKeys));
+    touch_key_ = static_cast<TouchKey>(found - kTouchKeys.begin());
+    if (touch_draft_.mark(touch_key_)) return fail(fmt::format("'{}' is given twice", name));
+    return true;
+}
+
+bool JsonHandler::value_of_touch(double value) {
+    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::number) return wrong_type("a number");
+    return check(touch_draft_.set_number(touch_key_, value));
+}
+
+bool JsonHandler::value_of_touch(std::string_view value) {
+    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::text) return wrong_type("a string");
+    return check(touch_draft_.set_text(touch_key_, value));
+}
+
+// Of a path, or of the use of one.
+bool JsonHandler::end_touch() {
+    const auto touch = touch_draft_.finish();
+    if (!touch) return fail(touch_place_, touch.error());
+    if (levels_[levels_.size() - 2] == Level::path) {
+        path_draft_.add_touch(*touch);
+    } else {
+        draft_.add_touch(*touch);
+    }
+    return true;
+}
+
 bool JsonHandler::end_object() {
     const Level ended = level();
     levels_.pop_back();
     if (ended == Level::path) return end_path();
     if (ended == Level::target) return end_target();
+    if (ended == Level::touch) return end_touch();
     return true;
 }
 
@@ -254,14 +258,23 @@ bool JsonHandler::start_array(std::size_t) {
         return true;
     }
     if (level() == Level::path) return start_path_array();
+    if (level() == Level::touch) return start_touch_array();
     return level() == Level::target ? start_target_array() : wrong_type("an array");
 }
 
 bool JsonHandler::start_path_array() {
     const bool is_vector = wants(PathDraft::ValueKind::vector);
-    if (!is_vector && path_key_ != PathKey::targets) return wrong_type("an array");
+    const bool are_touches = wants(PathDraft::ValueKind::touches);
+    if (!is_vector && !are_touches && path_key_ != PathKey::targets) return wrong_type("an array");
     values_.clear();
-    levels_.push_back(is_vector ? Level::vector : Level::targets);
+    levels_.push_back(is_vector ? Level::vector : are_touches ? Level::touches : Level::targets);
+    return true;
+}
+
+bool JsonHandler::start_touch_array() {
+    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::vector) return wrong_type("an array");
+    values_.clear();
+    levels_.push_back(Level::vector);
     return true;
 }
 
@@ -269,6 +282,10 @@ bool JsonHandler::start_target_array() {
     const TargetDraft::ValueKind kind = TargetDraft::kind_of(target_key_);
     if (kind == TargetDraft::ValueKind::list) {
         levels_.push_back(Level::actions);
+        return true;
+    }
+    if (kind == TargetDraft::ValueKind::touches) {
+        levels_.push_back(Level::touches);
         return true;
     }
     if (kind != TargetDraft::ValueKind::vector) return wrong_type("an array");
@@ -280,10 +297,13 @@ bool JsonHandler::start_target_array() {
 bool JsonHandler::end_array() {
     const Level ended = level();
     levels_.pop_back();
+    if (ended == Level::touches)
+        return check(level() == Level::path ? path_draft_.end_touches() : draft_.end_touches());
     return ended == Level::vector ? end_vector() : true;
 }
 
 bool JsonHandler::end_vector() {
+    if (level() == Level::touch) return check(touch_draft_.set_vector(touch_key_, values_));
     return check(level() == Level::path ? path_draft_.set_vector(path_key_, values_)
                                         : draft_.set_vector(target_key_, values_));
 }

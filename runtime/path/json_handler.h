@@ -12,6 +12,7 @@
 #include "runtime/path/json_bytes.h"
 #include "runtime/path/path_draft.h"
 #include "runtime/path/target_draft.h"
+#include "runtime/path/touches.h"
 
 namespace gsim::path {
 
@@ -55,6 +56,8 @@ class JsonHandler {
         target,
         vector,
         rotary,
+        touches,
+        touch,
         actions,
         offsets,
         offset
@@ -74,6 +77,11 @@ class JsonHandler {
     bool start_offset();
     bool start_target_array();
     bool start_path_array();
+    bool start_touch_array();
+    bool touch_key(const std::string& name);
+    bool value_of_touch(double value);
+    bool value_of_touch(std::string_view value);
+    bool end_touch();
     bool string_of_path(std::string& value);
     bool number_of_path(double value);
     bool wants(PathDraft::ValueKind kind) const;
@@ -101,6 +109,9 @@ class JsonHandler {
     Place root_place_;
     PathKey path_key_ = PathKey::name;
     PathDraft path_draft_;
+    TouchKey touch_key_ = TouchKey::axis;
+    TouchDraft touch_draft_;
+    Place touch_place_;
     TargetKey target_key_ = TargetKey::name;
     TargetDraft draft_;
     Place draft_place_;

@@ -82,6 +82,25 @@ class Writer {
     void write_frame(const WorkFrame& frame) {
         if (!frame.name.empty()) put(", \"{}\": {}", name_of(TargetKey::work_offset), quoted(frame.name));
         if (frame.set_offset_mm) vector(TargetKey::set_offset_mm, *frame.set_offset_mm);
+        if (frame.touches.empty()) return;
+        put(", \"{}\": [", name_of(TargetKey::probe_offset));
+        for (const Touch& touch : frame.touches) {
+            if (&touch != &frame.touches.front()) put(", ");
+            write_touch(touch);
+        }
+        put("]");
+    }
+
+    void write_touch(const Touch& touch) {
+        put("{{\"{}\": \"{}\", \"{}\": [{}, {}, {}]", name_of(TouchKey::axis), touch.axis,
+            name_of(TouchKey::from_mm), touch.from_mm[0], touch.from_mm[1], touch.from_mm[2]);
+        put(", \"{}\": {}, \"{}\": {}, \"{}\": {}", name_of(TouchKey::to_mm), touch.to_mm,
+            name_of(TouchKey::surface_mm), touch.surface_mm, name_of(TouchKey::feed_mm_min),
+            touch.feed_mm_min);
+        if (touch.probe_radius_mm != 0)
+            put(", \"{}\": {}", name_of(TouchKey::probe_radius_mm), touch.probe_radius_mm);
+        if (touch.tool) put(", \"{}\": {}", name_of(TouchKey::tool), *touch.tool);
+        put("}}");
     }
 
     void write_tool(const Tool& tool) {

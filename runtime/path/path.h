@@ -77,17 +77,33 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
+/// Of a tool or an offset.
+inline constexpr int kGreatestToolNumber = 99'999'999;
+
+/// A straight way along one axis, until the tool touches something, by which a program finds where a work
+/// coordinate system lies along that axis.
+struct Touch {
+    char axis = 'Z';             ///< X, Y or Z.
+    Vector from_mm{};            ///< Where the way begins: X, Y and Z, counted as the system lies before.
+    double to_mm = 0;            ///< Where it ends along the axis if it touches nothing.
+    double surface_mm = 0;       ///< Where what it touches lies along the axis in the system as it is behind.
+    double feed_mm_min = 0;      ///< > 0
+    double probe_radius_mm = 0;  ///< >= 0; of the ball that touches, along X and Y.
+    std::optional<int> tool =
+        {};  ///< That touches, with the length offset of its number; none: the one there is.
+
+    bool operator==(const Touch&) const = default;
+};
+
 /// The work coordinate system that positions are counted in.
 struct WorkFrame {
     std::string name = {};  ///< "54", "59.1"; empty: that of the user.
     std::optional<Vector> set_offset_mm =
-        {};  ///< Where the program itself puts it: X, Y and Z of the machine.
+        {};                           ///< Where the program itself puts it: X, Y and Z of the machine.
+    std::vector<Touch> touches = {};  ///< By which the program finds where it lies, behind that.
 
     bool operator==(const WorkFrame&) const = default;
 };
-
-/// Of a tool or an offset.
-inline constexpr int kGreatestToolNumber = 99'999'999;
 
 /// A tool and the offsets that go with it, by their numbers in the control.
 struct Tool {

@@ -12,6 +12,7 @@ PathDraft::ValueKind PathDraft::kind_of(PathKey key) {
         case PathKey::targets: return ValueKind::other;
         case PathKey::work_offset: return ValueKind::text;
         case PathKey::set_offset_mm: return ValueKind::vector;
+        case PathKey::probe_offset: return ValueKind::touches;
         default: return ValueKind::number;
     }
 }
@@ -43,9 +44,19 @@ tl::expected<void, std::string> PathDraft::set_vector(PathKey key, const std::ve
     return {};
 }
 
+tl::expected<void, std::string> PathDraft::end_touches() const {
+    if (frame_.touches.empty())
+        return tl::unexpected(
+            fmt::format("'{}' must hold one touch at least", name_of(PathKey::probe_offset)));
+    return {};
+}
+
 tl::expected<WorkFrame, std::string> PathDraft::finish_frame() const {
     if (frame_.set_offset_mm && frame_.name.empty())
         return tl::unexpected<std::string>("'set_offset_mm' goes with 'work_offset', which says what is set");
+    if (!frame_.touches.empty() && frame_.name.empty())
+        return tl::unexpected<std::string>(
+            "'probe_offset' goes with 'work_offset', which says what is found");
     return frame_;
 }
 

@@ -16,13 +16,17 @@ namespace gsim::path {
 class PathDraft {
   public:
     /// What kind of value a key takes; those of the name and of the targets are others.
-    enum class ValueKind { other, text, number, vector };
+    enum class ValueKind { other, text, number, vector, touches };
     static ValueKind kind_of(PathKey key);
 
     tl::expected<void, std::string> set_text(PathKey key, std::string_view value);
     tl::expected<void, std::string> set_number(PathKey key, double value);
     /// As many values as a vector has, no more and no fewer.
     tl::expected<void, std::string> set_vector(PathKey key, const std::vector<double>& values);
+
+    /// One of the list of `probe_offset`, and behind the last one of it.
+    void add_touch(const Touch& touch) { frame_.touches.push_back(touch); }
+    tl::expected<void, std::string> end_touches() const;
 
     /// Gives them to the path, once all keys are there.
     tl::expected<void, std::string> finish(Path& path) const;

@@ -39,6 +39,7 @@ TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
         case TargetKey::rotary_deg: return ValueKind::letters;
         case TargetKey::actions: return ValueKind::list;
         case TargetKey::fixed: return ValueKind::text_or_number;
+        case TargetKey::probe_offset: return ValueKind::touches;
         default: return ValueKind::number;
     }
 }
@@ -133,7 +134,9 @@ tl::expected<void, std::string> TargetDraft::set_rotary(std::string_view letter,
 std::optional<std::string> TargetDraft::fault_of_sub_path() const {
     if (!has(TargetKey::path)) {
         return fmt::format("'{}' is of sub-paths; this target lacks the key 'path'",
-                           name_of(has(TargetKey::repeats) ? TargetKey::repeats : TargetKey::set_offset_mm));
+                           name_of(has(TargetKey::repeats)         ? TargetKey::repeats
+                                   : has(TargetKey::set_offset_mm) ? TargetKey::set_offset_mm
+                                                                   : TargetKey::probe_offset));
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(TargetKey::path); ++i) {
         if (seen_[i] && static_cast<TargetKey>(i) != TargetKey::work_offset) {

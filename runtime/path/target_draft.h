@@ -19,7 +19,7 @@ namespace gsim::path {
 class TargetDraft {
   public:
     /// What kind of value a key takes.
-    enum class ValueKind { text, number, text_or_number, vector, letters, list };
+    enum class ValueKind { text, number, text_or_number, vector, letters, list, touches };
     static ValueKind kind_of(TargetKey key);
 
     /// Whether the key was there before; it is from now on.
@@ -31,6 +31,9 @@ class TargetDraft {
     tl::expected<void, std::string> set_vector(TargetKey key, const std::vector<double>& values);
     tl::expected<void, std::string> set_rotary(std::string_view letter, double value_deg);
     void add_action(std::string action) { point_.actions.push_back(std::move(action)); }
+    /// One of the list of `probe_offset`, and behind the last one of it.
+    void add_touch(const Touch& touch) { frame_.add_touch(touch); }
+    tl::expected<void, std::string> end_touches() const { return frame_.end_touches(); }
     /// An empty table of rotary axes is one too.
     void begin_rotary() { point_.orientation = RotaryAxes{}; }
 
@@ -38,7 +41,8 @@ class TargetDraft {
     /// meant.
     tl::expected<Target, std::string> finish();
     bool is_sub_path() const {
-        return has(TargetKey::path) || has(TargetKey::repeats) || has(TargetKey::set_offset_mm);
+        return has(TargetKey::path) || has(TargetKey::repeats) || has(TargetKey::set_offset_mm) ||
+               has(TargetKey::probe_offset);
     }
     const std::string& path_name() const { return path_name_; }
 

@@ -12,6 +12,7 @@
 #include "runtime/path/arc_shape.h"
 #include "runtime/path/keys.h"
 #include "runtime/path/running.h"
+#include "runtime/path/touches.h"
 
 namespace gsim::path {
 
@@ -135,6 +136,7 @@ Sentence machine_point_fault(const MachinePoint& point) {
 struct Start {
     std::optional<Vector> at_mm = {};
     bool is_machine_point = false;
+    bool is_touch = false;
 };
 
 class Validator {
@@ -152,7 +154,7 @@ class Validator {
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_values(path);
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_nesting(path);
         for (std::size_t path = 0; path < program_.paths.size() && !fault_; ++path) check_motions(path);
-        if (!fault_) check_motion({program_.root, 0}, {});
+        if (!fault_) check_motion({program_.root, 0}, {std::nullopt, false, !touches_.empty()});
         return fault_;
     }
 
@@ -203,18 +205,34 @@ class Validator {
 
     // The offsets that a program sets are set once, at its beginning.
     void check_frame(const TargetId& id, const WorkFrame& frame) {
-        if (frame.name.empty() && !frame.set_offset_mm) return;
+        if (frame.name.empty() && !frame.set_offset_mm && frame.touches.empty()) return;
         if (auto sentence = frame_fault(frame)) return fail(id.path, id.target, *sentence);
+        check_touches(id, frame);
         if (!frame.set_offset_mm) return;
         const auto [set, is_new] = set_.emplace(frame.name, *frame.set_offset_mm);
         if (!is_new && set->second != *frame.set_offset_mm)
             fail(id.path, id.target, fmt::format("the work offset '{}' is set to two places", frame.name));
     }
 
+    // Likewise those that it finds.
+    void check_touches(const TargetId& id, const WorkFrame& frame) {
+        if (frame.touches.empty()) return;
+        for (const Touch& touch : frame.touches) {
+            if (auto sentence = touch_fault(touch)) fail(id.path, id.target, *sentence);
+            if (touch.tool && !program_.paths[program_.root].tool)
+                fail(id.path, id.target,
+                     "a touch names its tool, so that the path that the program begins with must name its "
+                     "own");
+        }
+        const auto [found, is_new] = touches_.emplace(frame.name, &frame.touches);
+        if (!is_new && *found->second != frame.touches)
+            fail(id.path, id.target, fmt::format("the work offset '{}' is found in two ways", frame.name));
+    }
+
     Sentence frame_fault(const WorkFrame& frame) const {
         if (program_.is_recorded())
             return "a path that was recorded from a run has its work offsets at its points, not at paths";
-        if (frame.name.empty()) return "'set_offset_mm' goes with 'work_offset', which says what is set";
+        if (frame.name.empty()) return "'set_offset_mm' and 'probe_offset' go with 'work_offset'";
         if (auto fault = name_fault("a work offset's name", frame.name)) return fault;
         return frame.set_offset_mm ? vector_fault(TargetKey::set_offset_mm, *frame.set_offset_mm)
                                    : std::nullopt;
@@ -342,6 +360,9 @@ class Validator {
                         "the first motion behind a fixed or reference point must be a rapid: where that "
                         "point is in the work nobody knows");
         }
+        if (start.is_touch && point->motion != MotionType::rapid)
+            return fail(id.path, id.target,
+                        "the first motion behind the touches of 'probe_offset' must be a rapid");
         if (point->motion != MotionType::circular) return;
         if (!start.at_mm) {
             return fail(id.path, id.target,
@@ -353,6 +374,7 @@ class Validator {
     const Program& program_;
     std::optional<Fault> fault_;
     std::map<std::string_view, Vector> set_;  // work offsets
+    std::map<std::string_view, const std::vector<Touch>*> touches_;
     bool names_tools_ = false;
     std::vector<std::optional<int>> height_;  // of each path
     std::vector<std::size_t> way_;            // from the path where the search began

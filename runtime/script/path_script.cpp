@@ -1,7 +1,6 @@
 #include "runtime/script/path_script.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,21 +10,25 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "runtime/path/path_draft.h"
-#include "runtime/path/target_draft.h"
 #include "runtime/path/validate.h"
 #include "runtime/script/object_names.h"
+#include "runtime/script/path_values.h"
 #include "runtime/script/sandbox.h"
 
 namespace gsim::script {
 
 namespace {
 
-using path::PathDraft;
 using path::PathFile;
 using path::PathKey;
 using path::TargetDraft;
 using path::TargetKey;
+using path_values::check;
+using path_values::kFrameKeys;
+using path_values::kSetUpKeys;
+using path_values::raise;
+using path_values::read_set_up;
+using path_values::text_at;
 
 /// What the constructors hand to the script; no script can make one itself.
 struct Handle {
@@ -75,6 +78,10 @@ std::size_t bytes_of(const path::Target& target) {
     return bytes;
 }
 
+std::size_t bytes_of(const path::WorkFrame& frame) {
+    return sizeof(frame) + frame.touches.size() * sizeof(path::Touch);
+}
+
 /// Where the function is, `level` levels up, or if that is none of Lua the one that calls it.
 path::Place calling_place(lua_State* state, int level = 1) {
     lua_Debug caller{};
@@ -82,124 +89,6 @@ path::Place calling_place(lua_State* state, int level = 1) {
         if (lua_getstack(state, level++, &caller) == 0 || lua_getinfo(state, "l", &caller) == 0) return {};
     } while (caller.currentline < 0);
     return {static_cast<std::uint32_t>(std::max(1, caller.currentline)), 0};
-}
-
-[[noreturn]] void raise(lua_State* state, const std::string& sentence) {
-    luaL_where(state, 1);
-    lua_pushlstring(state, sentence.data(), sentence.size());
-    lua_concat(state, 2);
-    lua_error(state);
-    std::abort();  // lua_error does not return
-}
-
-// Errors of Lua pass as exceptions, so that destructors run.
-void check(lua_State* state, const tl::expected<void, std::string>& done) {
-    if (!done) raise(state, done.error());
-}
-
-std::string_view text_at(lua_State* state, int index) {
-    std::size_t size = 0;
-    const char* text = lua_tolstring(state, index, &size);
-    return {text, size};
-}
-
-std::vector<double> numbers_at(lua_State* state, int table, std::string_view key) {
-    std::vector<double> numbers;
-    if (lua_istable(state, table)) {
-        const lua_Unsigned count = std::min<lua_Unsigned>(lua_rawlen(state, table), 4);
-        for (lua_Unsigned i = 1; i <= count; ++i) {
-            if (lua_rawgeti(state, table, static_cast<lua_Integer>(i)) == LUA_TNUMBER) {
-                numbers.push_back(lua_tonumber(state, -1));
-            }
-            lua_pop(state, 1);
-        }
-    }
-    if (numbers.size() != 3) raise(state, fmt::format("'{}' must be a table of three numbers", key));
-    return numbers;
-}
-
-void read_letters(lua_State* state, TargetDraft& draft, int table) {
-    if (!lua_istable(state, table)) raise(state, "'rotary_deg' must be a table such as {B = 90}");
-    draft.begin_rotary();
-    std::map<std::string, double> values;  // in the order of the letters, which that of a table is not
-    for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
-        if (lua_type(state, -2) != LUA_TSTRING || lua_type(state, -1) != LUA_TNUMBER) {
-            raise(state, "'rotary_deg' must be a table such as {B = 90}");
-        }
-        values.emplace(text_at(state, -2), lua_tonumber(state, -1));
-    }
-    for (const auto& [letter, value] : values) check(state, draft.set_rotary(letter, value));
-}
-
-void read_actions(lua_State* state, TargetDraft& draft, int table) {
-    if (!lua_istable(state, table)) raise(state, "'actions' must be a table of strings");
-    const auto count = static_cast<lua_Integer>(lua_rawlen(state, table));
-    for (lua_Integer i = 1; i <= count; ++i) {
-        if (lua_rawgeti(state, table, i) != LUA_TSTRING) raise(state, "'actions' must be a table of strings");
-        draft.add_action(std::string(text_at(state, -1)));
-        lua_pop(state, 1);
-    }
-}
-
-// The value is on top of the stack.
-void read_value(lua_State* state, TargetDraft& draft, TargetKey key) {
-    const int value = lua_gettop(state);
-    const std::string_view name = path::name_of(key);
-    switch (TargetDraft::kind_of(key)) {
-        case TargetDraft::ValueKind::text:
-            if (lua_type(state, value) != LUA_TSTRING)
-                raise(state, fmt::format("'{}' must be a string", name));
-            return check(state, draft.set_text(key, text_at(state, value)));
-        case TargetDraft::ValueKind::number:
-            if (lua_type(state, value) != LUA_TNUMBER)
-                raise(state, fmt::format("'{}' must be a number", name));
-            return check(state, draft.set_number(key, lua_tonumber(state, value)));
-        case TargetDraft::ValueKind::text_or_number:
-            if (lua_type(state, value) == LUA_TNUMBER)
-                return check(state, draft.set_number(key, lua_tonumber(state, value)));
-            if (lua_type(state, value) != LUA_TSTRING)
-                raise(state, fmt::format("'{}' must be a name or a number", name));
-            return check(state, draft.set_text(key, text_at(state, value)));
-        case TargetDraft::ValueKind::vector:
-            return check(state, draft.set_vector(key, numbers_at(state, value, name)));
-        case TargetDraft::ValueKind::letters: return read_letters(state, draft, value);
-        case TargetDraft::ValueKind::list: return read_actions(state, draft, value);
-    }
-}
-
-constexpr auto kSetUpKeys = std::span(path::kPathKeys).subspan(path::kNeededPathKeys);
-constexpr auto kFrameKeys = kSetUpKeys.first(2);  // of a use of a path
-static_assert(kFrameKeys.back() == path::name_of(PathKey::set_offset_mm));
-
-// The value is on top of the stack.
-void read_value(lua_State* state, PathDraft& draft, PathKey key) {
-    const int value = lua_gettop(state);
-    const std::string_view name = path::name_of(key);
-    switch (PathDraft::kind_of(key)) {
-        case PathDraft::ValueKind::text:
-            if (lua_type(state, value) != LUA_TSTRING)
-                raise(state, fmt::format("'{}' must be a string", name));
-            return check(state, draft.set_text(key, text_at(state, value)));
-        case PathDraft::ValueKind::number:
-            if (lua_type(state, value) != LUA_TNUMBER)
-                raise(state, fmt::format("'{}' must be a number", name));
-            return check(state, draft.set_number(key, lua_tonumber(state, value)));
-        case PathDraft::ValueKind::vector:
-            return check(state, draft.set_vector(key, numbers_at(state, value, name)));
-        case PathDraft::ValueKind::other: return;
-    }
-}
-
-/// Those of the first so many keys that a table has.
-PathDraft read_set_up(lua_State* state, int table, std::size_t keys) {
-    PathDraft draft;
-    for (std::size_t i = 0; i < keys; ++i) {
-        lua_pushlstring(state, kSetUpKeys[i].data(), kSetUpKeys[i].size());
-        if (lua_rawget(state, table) != LUA_TNIL)
-            read_value(state, draft, static_cast<PathKey>(path::kNeededPathKeys + i));
-        lua_pop(state, 1);
-    }
-    return draft;
 }
 
 constexpr auto kPointKeys = std::span(path::kTargetKeys).first(static_cast<std::size_t>(TargetKey::path));
@@ -227,7 +116,7 @@ int make_point(lua_State* state) {
         if (lua_rawget(state, 1) != LUA_TNIL) {
             const auto key = static_cast<TargetKey>(i);
             draft.mark(key);
-            read_value(state, draft, key);
+            path_values::read_value(state, draft, key);
         }
         lua_pop(state, 1);
     }
@@ -252,7 +141,7 @@ std::optional<std::size_t> read_frame(lua_State* state) {
     auto frame = read_set_up(state, 3, kFrameKeys.size()).finish_frame();
     if (!frame) raise(state, frame.error());
     auto& frames = bound<Builder>(state).frames;
-    LuaState::of(state).hold(state, 2 * sizeof(path::WorkFrame), kPoints);
+    LuaState::of(state).hold(state, 2 * bytes_of(*frame), kPoints);
     frames.push_back(*std::move(frame));
     return frames.size() - 1;
 }
@@ -312,6 +201,7 @@ int make_path(lua_State* state) {
         } else {
             LuaState::of(state).hold(state, 2 * sizeof(path::Target), kPoints);
             const path::WorkFrame frame = handle->frame ? builder.frames[*handle->frame] : path::WorkFrame();
+            LuaState::of(state).hold(state, bytes_of(frame), kPoints);
             made.targets.emplace_back(path::SubPath{handle->index, handle->repeats, frame});
             places.push_back(here);
         }

@@ -189,6 +189,14 @@ TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
     EXPECT_NE(error_of(std::string(101, 'a') + "{number}"), "");
 }
 
+TEST(PostFile, SaysHowTheControlGoesToReferencePoints) {
+    const auto count = [](const std::string& name) { return find_post(name).value().references.go.size(); };
+    EXPECT_EQ(count("ab9"), 4U);
+    EXPECT_EQ(count("fanuc"), 4U);
+    EXPECT_EQ(count("rs274ngc"), 2U) << "G28 and G30";
+    EXPECT_EQ(count("grbl"), 2U) << "G28 and G30";
+}
+
 TEST(PostFile, SaysWhatAChangeOfTheToolStops) {
     const auto stops = [](const std::string& name) { return find_post(name).value().tool_change; };
     EXPECT_EQ(stops("rs274ngc"), (ToolChangeWords{true, false}));
@@ -219,6 +227,16 @@ TEST(PostFile, ErrorsNameThePlace) {
     EXPECT_EQ(
         error(head + numbers + blocks + "[program]\nbegin = []\nend = []\n[tool_change]\nstops = [\"jet\"]"),
         "p:17:9: 'stops' holds spindle and coolant, not \"jet\"");
+    const std::string whole = head + numbers + blocks + "[program]\nbegin = []\nend = []\n";
+    EXPECT_EQ(error(whole + "[reference_points]\ngo = [\"G28\"]"),
+              "p:17:6: each line of 'go' must hold {axes}");
+    EXPECT_EQ(error(whole + "[reference_points]\ngo = [\"G28 {axis}\"]"),
+              "p:17:7: 'go' knows no {axis}; it may hold {axes}");
+    EXPECT_EQ(error(whole +
+                    "[reference_points]\ngo = [\"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\"]"),
+              "p:17:6: 'go' has a line for each reference point, 4 at most");
+    EXPECT_EQ(error(whole + "[probe]\ntouch = [\"G31 {axis}{to}\"]"),
+              "p:17:9: 'touch' must hold {axis}, {to}, {surface}");
 }
 
 }  // namespace

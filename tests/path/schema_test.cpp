@@ -9,6 +9,7 @@
 #include "runtime/path/json_reader.h"
 #include "runtime/path/keys.h"
 #include "runtime/path/target_draft.h"
+#include "runtime/path/touches.h"
 
 namespace gsim::path::schema_test {
 namespace {
@@ -62,6 +63,22 @@ TEST(PathSchema, HasTheReadersTypes) {
                 break;
             case TargetDraft::ValueKind::letters: EXPECT_EQ(type, "object") << kTargetKeys[i]; break;
             default: EXPECT_EQ(type, "array") << kTargetKeys[i];
+        }
+    }
+}
+
+TEST(PathSchema, HasTheReadersTouches) {
+    const json touch = schema()["$defs"]["touch"];
+    EXPECT_EQ(keys_of(touch["properties"]), as_set(kTouchKeys));
+    EXPECT_EQ(as_set(touch["required"].get<std::vector<std::string>>()),
+              as_set(std::span(kTouchKeys).first(kNeededTouchKeys)));
+    for (std::size_t i = 0; i < kTouchKeys.size(); ++i) {
+        const json property = touch["properties"][std::string(kTouchKeys[i])];
+        switch (TouchDraft::kind_of(static_cast<TouchKey>(i))) {
+            case TouchDraft::ValueKind::text: EXPECT_EQ(property["enum"], (json{"X", "Y", "Z"})); break;
+            case TouchDraft::ValueKind::vector: EXPECT_EQ(property["type"], "array"); break;
+            case TouchDraft::ValueKind::number:
+                EXPECT_TRUE(property["type"] == "number" || property["type"] == "integer") << kTouchKeys[i];
         }
     }
 }

@@ -50,6 +50,31 @@ TEST(PathScript, PathsAndUsesHaveFramesAndTools) {
               (path::SubPath{0, 2, {"55", path::Vector{4, 5, 6}}}));
 }
 
+TEST(PathScript, MachinePointsAndTouches) {
+    const auto file = run_path_script(R"lua(
+        local part = path{name = "part", point{reference = 2}, point{motion = "rapid", position_mm = {1, 2, 3}}}
+        return path{name = "job", repeated(1, part, {work_offset = "G55", probe_offset = {
+            {axis = "Z", from_mm = {1, 2, 9}, to_mm = -1, surface_mm = 0.5, feed_mm_min = 60},
+            {axis = "X", from_mm = {-9, 2, 1}, to_mm = 1, surface_mm = 0, feed_mm_min = 60, probe_radius_mm = 2},
+        }}), point{fixed = "CLAMP1", name = "left", dwell_s = 2, actions = {"clamp"}}, point{fixed = 7}}
+    )lua",
+                                      "f.lua");
+    ASSERT_TRUE(file) << file.error();
+    const path::Program& program = file->program;
+    EXPECT_EQ(std::get<path::MachinePoint>(program.paths[0].targets[0]).number, 2);
+    const std::vector<path::Touch>& touches =
+        std::get<path::SubPath>(program.paths[1].targets[0]).frame.touches;
+    ASSERT_EQ(touches.size(), 2U);
+    EXPECT_EQ(touches[0], (path::Touch{'Z', {1, 2, 9}, -1, 0.5, 60, 0, {}}));
+    EXPECT_EQ(touches[1], (path::Touch{'X', {-9, 2, 1}, 1, 0, 60, 2, {}}));
+    const auto& left = std::get<path::MachinePoint>(program.paths[1].targets[1]);
+    EXPECT_EQ(left.called, "CLAMP1");
+    EXPECT_EQ(left.name, "left");
+    EXPECT_EQ(left.dwell_s, 2);
+    EXPECT_EQ(left.actions, (std::vector<std::string>{"clamp"}));
+    EXPECT_EQ(std::get<path::MachinePoint>(program.paths[1].targets[2]).number, 7);
+}
+
 struct Wrong {
     std::string script, error;
 };
@@ -66,10 +91,24 @@ TEST(PathScript, ErrorsNameTheLine) {
         {"return path{name = 'a', tool = 'T1'}", "f.lua:1: 'tool' must be a number"},
         {"return path{name = 'a', length_offset = 1}", "f.lua:1: 'length_offset' goes with 'tool'"},
         {"return path{name = 'a', tol = 1}",
-         "f.lua:1: path{..} takes 'name', 'work_offset', 'set_offset_mm', 'tool', 'length_offset', "
+         "f.lua:1: path{..} takes 'name', 'work_offset', 'set_offset_mm', 'probe_offset', 'tool', "
+         "'length_offset', "
          "'diameter_offset' and, in their order, points and sub-paths"},
         {"return repeated(1, path{name = 'a'}, {tool = 1})",
          "f.lua:1: unknown key 'tool' in a use of a path"},
+        {"return path{name = 'a', probe_offset = 1}",
+         "f.lua:1: 'probe_offset' must be a table of touches, each a table"},
+        {"return path{name = 'a', probe_offset = {}}",
+         "f.lua:1: 'probe_offset' must hold one touch at least"},
+        {"return path{name = 'a', probe_offset = {7}}",
+         "f.lua:1: 'probe_offset' must be a table of touches, each a table"},
+        {"return path{name = 'a', probe_offset = {{axis = 'X', depth = 1}}}",
+         "f.lua:1: unknown key 'depth' in a touch"},
+        {"return path{name = 'a', probe_offset = {{axis = 'X'}}}",
+         "f.lua:1: a touch lacks the key 'from_mm'"},
+        {"return path{name = 'a', probe_offset = {{axis = 7}}}", "f.lua:1: 'axis' must be a string"},
+        {"return path{name = 'a', probe_offset = {{from_mm = {1, 2}}}}",
+         "f.lua:1: 'from_mm' must be a table of three numbers"},
         {"return path{name = 'a', 7}", "f.lua:1: target 1 of the path 'a' is neither"},
         {"return path{name = 'a'}", "f.lua:1: the path 'a' has no targets"},
         {"return repeated(0, path{name = 'a'})", "f.lua:1: repeated(n, p)"},

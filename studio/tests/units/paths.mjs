@@ -73,7 +73,7 @@ export default {
 
   "fixed and reference points, work frames and tools are read, and stay where a form changes what is beside them": (page) => {
     const text =
-      '{"paths": [{"name": "p", "work_offset": "G55", "set_offset_mm": [1, 2, 3], "tool": 3, "length_offset": 0, "diameter_offset": 4, "targets": [' +
+      '{"paths": [{"name": "p", "work_offset": "G55", "set_offset_mm": [1, 2, 3], "probe_offset": [{"axis": "Z", "from_mm": [0, 0, 9], "to_mm": -1, "surface_mm": 0, "feed_mm_min": 60, "tool": 9}], "tool": 3, "length_offset": 0, "diameter_offset": 4, "targets": [' +
       '\n{"reference": 1},\n{"motion": "rapid", "position_mm": [0, 0, 5]},\n{"fixed": "CLAMP1", "name": "left", "dwell_s": 1, "actions": ["clamp"]},' +
       '\n{"path": "q", "work_offset": "G56", "set_offset_mm": [4, 5, 6]}]},\n{"name": "q", "targets": [{"fixed": 2}, {"motion": "rapid", "position_mm": [1, 1, 1]}]}]}';
     const file = read(page, text);
@@ -98,6 +98,13 @@ export default {
     assert.match(tell('{"fixed": 1}', ', "length_offset": 1'), /'length_offset' goes with 'tool'/);
     assert.match(tell('{"fixed": 1}', ', "set_offset_mm": [1, 2, 3]'), /'set_offset_mm' goes with 'work_offset'/);
     assert.match(tell('{"path": "q", "set_offset_mm": [1, 2, 3]}'), /'set_offset_mm' goes with 'work_offset'/);
+    const touch = (members) => tell('{"fixed": 1}', `, "work_offset": "G55", "probe_offset": [{${members}}]`);
+    const way = '"from_mm": [0, 0, 9], "to_mm": -1, "surface_mm": 0, "feed_mm_min": 60';
+    assert.match(touch(way), /'probe_offset' has a touch that lacks the key 'axis'/);
+    assert.match(touch(`"axis": "B", ${way}`), /'probe_offset' has a touch in which 'axis' must be "X", "Y" or "Z"/);
+    assert.match(touch(`"axis": "X", ${way}, "depth": 1`), /has a touch in which unknown key 'depth' in a touch; it may hold: axis, from_mm/);
+    assert.match(tell('{"fixed": 1}', ', "work_offset": "G55", "probe_offset": []'), /'probe_offset' must be a list of touches, one at least/);
+    assert.match(tell('{"fixed": 1}', `, "probe_offset": [{"axis": "X", ${way}}]`), /'probe_offset' goes with 'work_offset'/);
     const line = '{"position_mm": [0, 0, 0], "feed_mm_min": 1}';
     for (const targets of [`{"fixed": 1}, ${line}`, `{"path": "p2"}, ${line}`]) {
       const text = `{"paths": [{"name": "p", "targets": [${targets}]}, {"name": "p2", "targets": [{"reference": 2}]}]}`;

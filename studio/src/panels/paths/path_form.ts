@@ -1,6 +1,7 @@
 // The properties of a path, and of a place where one is used.
 
 import { element } from "../../core/dom";
+import type { JsonValue } from "../../core/json_text";
 import { editPath, type PathShown } from "../../core/path_desk";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
@@ -77,7 +78,7 @@ export class SubPathForm {
   private change(change: Partial<SubPath>): void {
     if (!this.at) return;
     const { shown, place, target } = this.at;
-    const fault = faultOfTarget({ ...target, ...change });
+    const fault = faultOfTarget({ ...target, ...change } as unknown as JsonValue);
     this.say(fault ? words.refused(fault) : "");
     if (fault) return this.show(shown, place, target);
     editPath(this.store, this.session, labels.change, setTarget(shown.text, place, change));

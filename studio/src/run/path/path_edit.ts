@@ -34,7 +34,7 @@ import type { Walk } from "./path_walk";
 export type PointChange = { [Key in keyof Point]?: Point[Key] | undefined };
 
 const targetsOf = (path: number) => ["paths", path, "targets"];
-const subPathKeys = ["path", "repeats", "work_offset", "set_offset_mm"];
+const subPathKeys = ["path", "repeats", "work_offset", "set_offset_mm", "probe_offset"];
 
 /** Keeps or takes away members of a target, one after the other. */
 export const setTarget = (text: string, place: Place, change: PointChange | Partial<SubPath>): string =>

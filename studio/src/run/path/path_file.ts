@@ -36,6 +36,18 @@ export interface Point {
 export interface WorkFrame {
   work_offset?: string;
   set_offset_mm?: Vector;
+  probe_offset?: Touch[];
+}
+
+/** A straight way along an axis until the tool touches something, by which a program finds where a work offset lies. */
+export interface Touch {
+  axis: "X" | "Y" | "Z";
+  from_mm: Vector;
+  to_mm: number;
+  surface_mm: number;
+  feed_mm_min: number;
+  probe_radius_mm?: number;
+  tool?: number;
 }
 
 export interface SubPath extends WorkFrame {

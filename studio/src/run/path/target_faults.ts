@@ -42,6 +42,10 @@ const isFixedPoint: Check = (value) =>
   isWhole(value, 1, MOST_FIXED) || (typeof value === "string" && /^[A-Za-z][A-Za-z0-9_]{0,255}$/.test(value)) ? null : words.fixed;
 const isToolNumber: Check = (value) => (isWhole(value, 0, MOST_TOOLS) ? null : words.tool);
 
+const isAxis: Check = (value) => (["X", "Y", "Z"].includes(value as string) ? null : words.axis);
+const isLength: Check = (value) => (isNumber(value) && Math.abs(value) <= GREATEST ? null : words.length);
+const isRadius: Check = (value) => (isNumber(value) && value >= 0 && value <= GREATEST ? null : words.radius);
+
 function areAxes(value: JsonValue): string | null {
   const isOne = ([letter, angle]: [string, JsonValue | undefined]) =>
     /^[A-Z]$/.test(letter) && typeof angle === "number" && Math.abs(angle) <= GREATEST;
@@ -73,7 +77,30 @@ const pointChecks: Record<string, Check> = {
   dwell_s: isDwell,
   actions: areActions,
 };
-const frameChecks: Record<string, Check> = { work_offset: isText, set_offset_mm: isPlace };
+const touchChecks: Record<string, Check> = {
+  axis: isAxis,
+  from_mm: isPlace,
+  to_mm: isLength,
+  surface_mm: isLength,
+  feed_mm_min: isRate,
+  probe_radius_mm: isRadius,
+  tool: isToolNumber,
+};
+const NEEDED_OF_TOUCH = 5;
+
+function areTouches(value: JsonValue): string | null {
+  if (!Array.isArray(value) || value.length === 0) return words.touches;
+  for (const touch of value) {
+    if (typeof touch !== "object" || touch === null || Array.isArray(touch)) return words.touches;
+    const lacked = Object.keys(touchChecks).slice(0, NEEDED_OF_TOUCH).find((key) => touch[key] === undefined);
+    if (lacked) return words.touchLacks(lacked);
+    const fault = faultOfValues(touch, touchChecks, words.ofTouch);
+    if (fault) return words.inTouch(fault);
+  }
+  return null;
+}
+
+const frameChecks: Record<string, Check> = { work_offset: isText, set_offset_mm: isPlace, probe_offset: areTouches };
 const subPathChecks: Record<string, Check> = { path: isText, repeats: isRepeats, ...frameChecks };
 const machinePointChecks: Record<string, Check> = {
   name: isName,
@@ -131,8 +158,10 @@ function faultOfPoint(point: Members): string | null {
   return faultOfArc(point);
 }
 
-const faultOfFrame = (of: Members): string | null =>
-  of.set_offset_mm !== undefined && of.work_offset === undefined ? words.goesWith("set_offset_mm", "work_offset") : null;
+function faultOfFrame(of: Members): string | null {
+  const lone = ["set_offset_mm", "probe_offset"].find((key) => of[key] !== undefined && of.work_offset === undefined);
+  return lone ? words.goesWith(lone, "work_offset") : null;
+}
 
 /** What is wrong with what a path says of its work frame and its tool; other keys are passed over. */
 export function faultOfSetUp(path: Members): string | null {
