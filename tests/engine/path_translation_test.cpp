@@ -86,6 +86,27 @@ TEST(PathTranslation, APathThatCannotBeReadIsNoMistakeOfIts) {
     EXPECT_EQ(made.error().message, "the pipe broke");
 }
 
+TEST(PathTranslation, FixedPointsLieWhereTheMachineDataHaveThem) {
+    PathRequest request =
+        request_of_path("p.lua", {{"p.lua", "return path{name='p', point{fixed='park'}}\n"},
+                                  {"d.txt", "NCFILE\nFIXED\n3 10 20 30 NAME=PARK\nENDFILE\n"},
+                                  {"broken.txt", "NCFILE\nFIXED\n3 10\nENDFILE\n"}});
+    const auto nowhere = program_of(request);
+    ASSERT_FALSE(nowhere);
+    EXPECT_TRUE(nowhere.error().in_program);
+    EXPECT_THAT(nowhere.error().message,
+                HasSubstr("p.lua:1: nothing says where the fixed point 'park' lies"));
+
+    request.machine_data = "broken.txt";
+    const auto broken = program_of(request);
+    ASSERT_FALSE(broken);
+    EXPECT_FALSE(broken.error().in_program);
+    EXPECT_THAT(broken.error().message, HasSubstr("broken.txt:3"));
+
+    request.machine_data = "d.txt";
+    EXPECT_THAT(program_of(request).value(), HasSubstr("G53 G00 X10.000 Y20.000\n"));
+}
+
 TEST(PathTranslation, PostsHaveNamesAndOthersAreRefused) {
     EXPECT_THAT(post_names(), Contains("ab9"));
     PathRequest request = request_of_path("p.lua", {{"p.lua", kScript}});
