@@ -130,7 +130,7 @@ std::vector<std::string> PathFrames::notes() const {
     }
     if (names.empty()) return {};
     return {fmt::format(
-        "nobody knows here where {} lies, so whether X, Y and Z stay in their ranges is not looked at",
+        "the path does not say where {} lies, so whether X, Y and Z stay in their ranges is not looked at",
         fmt::join(names, ", "))};
 }
 

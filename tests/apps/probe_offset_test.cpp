@@ -171,10 +171,13 @@ TEST_F(ProbeOffset, AToolOfItsOwn) {
     // In the model the lengths count, and the stylus is there with each tool: the frame is off by the
     // probe's.
     write("d.txt", "NCFILE\nTOOL\n3 11 6\n9 2 6\nENDFILE\n");
-    const Ended ran = run(program, "rs274ngc", {"--machine-data", "d.txt", "--save-machine-data", "s.txt"});
-    ASSERT_EQ(ran.status, 0) << ran.err << ran.out << program;
-    EXPECT_NEAR(frame("s.txt")[2], -70 - 2, 3e-6);
-    EXPECT_NEAR(cut()["Z"], -72 + 11 + 7, 3e-6);
+    for (const std::string dialect : {"rs274ngc", "ab9"}) {
+        const Ended ran =
+            run(written(dialect), dialect, {"--machine-data", "d.txt", "--save-machine-data", "s.txt"});
+        ASSERT_EQ(ran.status, 0) << ran.err << ran.out << program;
+        EXPECT_NEAR(frame("s.txt")[2], -70 - 2, 3e-6) << dialect;
+        EXPECT_NEAR(cut()["Z"], -72 + 11 + 7, 3e-6) << dialect;
+    }
 }
 
 // Once for each frame, in the order of the file, wherever the paths that are in them come.

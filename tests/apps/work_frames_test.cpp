@@ -205,7 +205,7 @@ TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
 TEST_F(WorkFrames, WhatIsNotLookedAtIsSaid) {
     EXPECT_EQ(
         path2gcode({part(), "--work-offset", "G55", "-o", "o.nc"}).err,
-        "note: nobody knows here where G55 lies, so whether X, Y and Z stay in their ranges is not looked "
+        "note: the path does not say where G55 lies, so whether X, Y and Z stay in their ranges is not looked "
         "at\n");
 }
 

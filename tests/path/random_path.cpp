@@ -41,7 +41,12 @@ class Generator {
     void fill(std::vector<Target>& targets, std::size_t users_index) {
         targets.push_back(first_point());
         for (int count = 2 + below(8); count > 0; --count) {
-            if (users_index > 0 && chance(25)) {
+            if (options_.machine_points && chance(15)) {
+                targets.push_back(machine_point());
+                Point behind = first_point();
+                behind.motion = MotionType::rapid;
+                targets.push_back(behind);
+            } else if (users_index > 0 && chance(25)) {
                 targets.push_back(
                     SubPath{static_cast<std::size_t>(below(static_cast<int>(users_index))), 1 + below(3)});
                 targets.push_back(first_point());
@@ -57,6 +62,21 @@ class Generator {
         point.position_mm = at_mm_ = somewhere();
         point.feed_mm_min = number(100, 5000);
         if (options_.orientations) point.orientation = turned();
+        return point;
+    }
+
+    MachinePoint machine_point() {
+        MachinePoint point;
+        point.kind = chance(50) ? MachinePoint::Kind::fixed : MachinePoint::Kind::reference;
+        const bool is_reference = point.kind == MachinePoint::Kind::reference;
+        if (is_reference || chance(50)) {
+            point.number = 1 + below(is_reference ? kReferencePoints : kGreatestFixedPoint);
+        } else {
+            point.called = fmt::format("P{}_x", below(100));
+        }
+        if (chance(30)) point.name = fmt::format("P \"{}\" \u00e4", below(100));
+        if (chance(30)) point.dwell_s = number(0.1, 2);
+        if (chance(30)) point.actions = {"clamp (left)", "waterjet_off"};
         return point;
     }
 

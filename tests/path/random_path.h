@@ -12,6 +12,7 @@ struct RandomPathOptions {
     bool orientations = true;  ///< rotary_deg with B and C; otherwise none.
     bool extras = true;        ///< Names, dwells, actions, accelerations, durations.
     int sub_paths = 3;
+    bool machine_points = false;  ///< Fixed and reference points, whose places nobody knows.
 };
 
 /// A well-formed program inside a box of 100 mm to 400 mm.
