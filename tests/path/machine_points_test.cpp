@@ -1,10 +1,13 @@
 // Fixed and reference points: what is read, the way to them, and where the rotary axes stand behind them.
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "runtime/machine/machine_file.h"
 #include "runtime/path/axis_moves.h"
 #include "runtime/path/json_reader.h"
 #include "runtime/path/json_writer.h"
+#include "tests/path/random_path.h"
 
 namespace gsim::path::machine_points_test {
 namespace {
@@ -175,6 +178,92 @@ TEST_F(Plan, PathsThatNameNoRotaryAxisPassThemOn) {
     EXPECT_FALSE(entries_[1]) << "not known, and 30";
     ASSERT_TRUE(entries_[2]);
     EXPECT_EQ((*entries_[2])[0], 30);
+}
+
+// The machine as it is driven, sub-paths included.
+struct Driven : MoveSink {
+    Driven(const AxisMoves& moves, const machine::Machine& machine) : moves_(moves), machine_(machine) {}
+
+    void move(const AxisMove& move) override {
+        for (Eigen::Index i = 0; i < move.axes.size() && at.size() > 0 && !move.rapid; ++i) {
+            if (machine_.axes[static_cast<std::size_t>(i)].kind != machine::AxisKind::rotary) continue;
+            most_turned_deg = std::max(most_turned_deg, std::abs(move.axes[i] - at[i]));
+            ++lines;
+        }
+        at = move.axes;
+        behind_point = false;
+    }
+    void retract() override { ups += behind_point ? 1 : 0; }
+    void go_to(const MachineWay& way) override {
+        for (const auto& step : way.steps) {
+            for (const auto& [letter, value] : step)
+                if (at.size() > 0) at[static_cast<Eigen::Index>(*machine_.find(letter))] = value;
+        }
+        behind_point = true;
+    }
+    void dwell(double) override {}
+    void acceleration(double) override {}
+    void action(const std::string&) override {}
+    void call(const SubPath& use) override {
+        for (int i = 0; i < use.repeats; ++i) take(moves_.run(use.path, *this));
+    }
+    void note(const TargetId&, std::string_view) override {}
+
+    void take(const tl::expected<void, Fault>& done) {
+        if (!done && fault.empty()) fault = done.error().sentence;
+    }
+
+    AxisValues at;
+    std::string fault;
+    double most_turned_deg = 0;
+    int lines = 0, ups = 0;
+    bool behind_point = false;
+
+  private:
+    const AxisMoves& moves_;
+    const machine::Machine& machine_;
+};
+
+// Programs without a jet cut with each line, so that axes go the short way: from where they really stand,
+// wherever points of the machine have left them.
+TEST_F(Plan, LinesTurnTheShortWayFromWhereTheAxesReallyStand) {
+    std::mt19937 random(11);
+    int driven = 0, lines = 0, ups = 0;
+    for (int i = 0; i < 400; ++i) {
+        RandomPathOptions options;
+        options.machine_points = true;
+        options.extras = options.tilted_arcs = false;
+        Program program = random_program(random, options);
+        const auto below = [&](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
+        for (Path& path : program.paths) {
+            for (Target& target : path.targets) {
+                auto* point = std::get_if<MachinePoint>(&target);
+                if (point == nullptr) continue;
+                point->axes = {{'X', 10}, {'Y', 20}, {'Z', 30}};
+                const int named = below(3);
+                if (named > 0) point->axes['B'] = below(340) - 170;
+                if (named > 1) point->axes['C'] = below(160) - 80;
+            }
+        }
+        ASSERT_FALSE(validate(program));
+        plan(program);
+        if (!turns_ && turns_.error().sentence.starts_with("out of reach")) continue;
+        ASSERT_TRUE(turns_) << turns_.error().sentence << to_json(program_);
+        const MachineSpace space = MachineSpace::make(machine_).value();
+        const States states(program_);
+        const AxisMoves moves(program_, space, states, *turns_, {});
+        Driven machine(moves, machine_);
+        machine.take(moves.run(program_.root, machine));
+        if (machine.fault.starts_with("out of reach")) continue;
+        ASSERT_EQ(machine.fault, "") << to_json(program_);
+        ++driven;
+        lines += machine.lines;
+        ups += machine.ups;
+        EXPECT_LE(machine.most_turned_deg, 180 + 1e-6) << to_json(program_);
+    }
+    EXPECT_GT(driven, 100);
+    EXPECT_GT(lines, 1000);
+    EXPECT_GT(ups, 100);
 }
 
 }  // namespace
