@@ -17,28 +17,39 @@ using Sentence = std::optional<std::string>;
 
 constexpr std::size_t kMostNamed = 10;
 
-std::string known_points(const machine::MachineData& data) {
+/// A section of the machine data.
+struct Points {
+    const std::map<int, machine::AxisValues>& values;
+    const std::map<int, std::string>& names;
+};
+
+Points points_of(const machine::MachineData& data, MachinePoint::Kind kind) {
+    if (kind == MachinePoint::Kind::fixed) return {data.fixed, data.fixed_names};
+    return {data.references, data.reference_names};
+}
+
+std::string known_points(const Points& points) {
     std::vector<std::string> texts;
-    for (const auto& [number, values] : data.fixed) {
+    for (const auto& [number, values] : points.values) {
         if (texts.size() == kMostNamed) break;
-        const auto name = data.fixed_names.find(number);
-        texts.push_back(name == data.fixed_names.end() ? fmt::format("{}", number)
-                                                       : fmt::format("{} ({})", number, name->second));
+        const auto name = points.names.find(number);
+        texts.push_back(name == points.names.end() ? fmt::format("{}", number)
+                                                   : fmt::format("{} ({})", number, name->second));
     }
     if (texts.empty()) return "there are none";
-    const std::size_t more = data.fixed.size() - texts.size();
+    const std::size_t more = points.values.size() - texts.size();
     return fmt::format("there are {}{}", fmt::join(texts, ", "),
                        more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 // Names are the same in any case.
-const machine::AxisValues* find_fixed(const machine::MachineData& data, const MachinePoint& point) {
+const machine::AxisValues* find_point(const Points& points, const MachinePoint& point) {
     int number = point.number;
-    for (const auto& [each, name] : data.fixed_names) {
+    for (const auto& [each, name] : points.names) {
         if (!point.called.empty() && text::lower(name) == text::lower(point.called)) number = each;
     }
-    const auto found = data.fixed.find(number);
-    return found == data.fixed.end() ? nullptr : &found->second;
+    const auto found = points.values.find(number);
+    return found == points.values.end() ? nullptr : &found->second;
 }
 
 class Completer {
@@ -52,26 +63,9 @@ class Completer {
     }
 
     Sentence complete(MachinePoint& point) {
-        const bool is_reference = point.kind == MachinePoint::Kind::reference;
-        if (auto fault = is_reference ? word_for_reference(point) : word_for_fixed(point)) return fault;
-        if (is_reference) {
-            const auto home = homes_.find(point.number);
-            if (home == homes_.end()) {
-                unknown_.insert(point.number);
-            } else {
-                point.axes = moved(home->second);
-            }
-            return std::nullopt;
-        }
-        if (tables_.data == nullptr)
-            return fmt::format("nothing says where {} lies; name the machine data by --machine-data",
-                               path::title_of(point));
-        const machine::AxisValues* values = find_fixed(*tables_.data, point);
-        if (values == nullptr)
-            return fmt::format("{} is not among those of {}; {}", path::title_of(point), tables_.data_name,
-                               known_points(*tables_.data));
-        point.axes = moved(*values);
-        return std::nullopt;
+        const bool is_home = point.kind == MachinePoint::Kind::reference && point.called.empty();
+        if (auto fault = is_home ? word_for_home(point) : word_for_place(point)) return fault;
+        return is_home ? complete_home(point) : complete_place(point);
     }
 
     std::vector<std::string> notes() const {
@@ -83,14 +77,37 @@ class Completer {
     }
 
   private:
-    Sentence word_for_fixed(const MachinePoint& point) const {
+    Sentence complete_home(MachinePoint& point) {
+        const auto home = homes_.find(point.number);
+        if (home == homes_.end()) {
+            unknown_.insert(point.number);
+        } else {
+            point.axes = moved(home->second);
+        }
+        return std::nullopt;
+    }
+
+    Sentence complete_place(MachinePoint& point) const {
+        if (tables_.data == nullptr)
+            return fmt::format("nothing says where {} lies; name the machine data by --machine-data",
+                               path::title_of(point));
+        const Points points = points_of(*tables_.data, point.kind);
+        const machine::AxisValues* values = find_point(points, point);
+        if (values == nullptr)
+            return fmt::format("{} is not among those of {}; {}", path::title_of(point), tables_.data_name,
+                               known_points(points));
+        point.axes = moved(*values);
+        return std::nullopt;
+    }
+
+    Sentence word_for_place(const MachinePoint& point) const {
         if (!post_.offsets.machine.empty()) return std::nullopt;
         return fmt::format(
             "the post '{}' has no word for machine coordinates ([offsets] machine), by which the "
             "machine would go to {}",
             post_.name, path::title_of(point));
     }
-    Sentence word_for_reference(const MachinePoint& point) const {
+    Sentence word_for_home(const MachinePoint& point) const {
         const std::size_t count = post_.references.go.size();
         if (static_cast<std::size_t>(point.number) <= count) return std::nullopt;
         if (count == 0)

@@ -19,10 +19,10 @@ struct PointTables {
     std::string data_name = {};                  ///< Of their file, for sentences.
 };
 
-/// Fills in where the machine points of a path lie: fixed points by the machine data, reference points as far
-/// as the machine file or the machine data have home positions. Axes that paths do not move are left out.
-/// Gives what the user should know of them, in sentences. The error is "file:line:column: sentence": nobody
-/// knows a fixed point, or the post has no word for the way there.
+/// Fills in where the machine points of a path lie: fixed points, and reference points with a name, by the
+/// machine data; other reference points as far as the machine file or the machine data have home positions.
+/// Axes that paths do not move are left out. Gives what the user should know of them, in sentences. The error
+/// is "file:line:column: sentence": nobody knows a fixed point, or the post has no word for the way there.
 tl::expected<std::vector<std::string>, std::string> complete_points(path::PathFile& file,
                                                                     const PointTables& tables,
                                                                     const codegen::Post& post);

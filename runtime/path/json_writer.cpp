@@ -138,12 +138,9 @@ class Writer {
     void write_target(const MachinePoint& point) {
         put("{{");
         if (!point.name.empty()) put("\"name\": {}, ", quoted(point.name));
-        if (point.kind == MachinePoint::Kind::reference) {
-            put("\"{}\": {}", name_of(TargetKey::reference), point.number);
-        } else {
-            put("\"{}\": {}", name_of(TargetKey::fixed),
-                point.called.empty() ? fmt::format("{}", point.number) : quoted(point.called));
-        }
+        const auto key = point.kind == MachinePoint::Kind::fixed ? TargetKey::fixed : TargetKey::reference;
+        put("\"{}\": {}", name_of(key),
+            point.called.empty() ? fmt::format("{}", point.number) : quoted(point.called));
         if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
         write_actions(point.actions);
         put("}}");

@@ -11,10 +11,9 @@ std::string frame_name(std::string_view text) {
 }
 
 std::string title_of(const MachinePoint& point) {
-    if (point.kind == MachinePoint::Kind::reference)
-        return fmt::format("the reference point {}", point.number);
-    return point.called.empty() ? fmt::format("the fixed point {}", point.number)
-                                : fmt::format("the fixed point '{}'", point.called);
+    const char* const kind = point.kind == MachinePoint::Kind::fixed ? "fixed" : "reference";
+    return point.called.empty() ? fmt::format("the {} point {}", kind, point.number)
+                                : fmt::format("the {} point '{}'", kind, point.called);
 }
 
 const std::vector<std::string>& actions_of(const Target& target) {

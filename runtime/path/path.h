@@ -128,12 +128,13 @@ struct SubPath {
 struct MachinePoint {
     enum class Kind {
         fixed,     ///< An entry of FIXED of the machine data.
-        reference  ///< A home position of the control, which goes there by a word of its own.
+        reference  ///< A home position of the control, which goes there by a word of its own; by a name, an
+                   ///< entry of REFERENCE of the machine data.
     };
     std::string name = {};  ///< For people.
     Kind kind = Kind::fixed;
-    int number = 0;  ///< 1 to 4 of a reference point; of a fixed point above 0, or 0: its name counts.
-    std::string called = {};                ///< The name of a fixed point, in any case.
+    int number = 0;  ///< Above 0, of a reference point 1 to 4; or 0: its name in the machine data counts.
+    std::string called = {};                ///< That name, in any case.
     double dwell_s = 0;                     ///< On arrival, before the actions.
     std::vector<std::string> actions = {};  ///< On arrival, in this order.
     /// Machine coordinates by axis letter, mm or deg. No path file has them: who has the machine data fills

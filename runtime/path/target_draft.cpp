@@ -38,7 +38,8 @@ TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
         case TargetKey::set_offset_mm: return ValueKind::vector;
         case TargetKey::rotary_deg: return ValueKind::letters;
         case TargetKey::actions: return ValueKind::list;
-        case TargetKey::fixed: return ValueKind::text_or_number;
+        case TargetKey::fixed:
+        case TargetKey::reference: return ValueKind::text_or_number;
         case TargetKey::probe_offset: return ValueKind::touches;
         default: return ValueKind::number;
     }
@@ -55,7 +56,7 @@ tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string
         point_.name = value;
     } else if (key == TargetKey::path) {
         path_name_ = value;
-    } else if (key == TargetKey::fixed) {
+    } else if (key == TargetKey::fixed || key == TargetKey::reference) {
         machine_point_.called = value;
     } else if (key == TargetKey::work_offset) {
         point_.work_offset = frame_name(value);

@@ -110,7 +110,7 @@ Sentence point_fault(const Point& point) {
 }
 
 // As machine data have such names.
-bool is_name_of_fixed_point(std::string_view name) {
+bool is_name_of_machine_point(std::string_view name) {
     const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
     return !name.empty() && is_letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
         return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
@@ -121,13 +121,14 @@ Sentence machine_point_fault(const MachinePoint& point) {
     if (auto fault = name_fault("the point's name", point.name)) return fault;
     const bool is_reference = point.kind == MachinePoint::Kind::reference;
     const int most = is_reference ? kReferencePoints : kGreatestFixedPoint;
-    if (is_reference || point.number != 0) {
+    const std::string_view kind = is_reference ? "reference" : "fixed";
+    if (point.number != 0) {
         if (point.number < 1 || point.number > most)
-            return fmt::format("a {} point has a number from 1 to {}", is_reference ? "reference" : "fixed",
-                               most);
-    } else if (point.called.size() > kLongestName || !is_name_of_fixed_point(point.called)) {
-        return "'fixed' takes the number of a fixed point, or its name: a letter first, then letters, digits "
-               "and _";
+            return fmt::format("a {} point has a number from 1 to {}", kind, most);
+    } else if (point.called.size() > kLongestName || !is_name_of_machine_point(point.called)) {
+        return fmt::format(
+            "'{0}' takes the number of a {0} point, or its name: a letter first, then letters, digits and _",
+            kind);
     }
     return arrival_fault(point.dwell_s, point.actions);
 }

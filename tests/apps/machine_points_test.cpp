@@ -209,6 +209,24 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
     EXPECT_TRUE(holds(of_router({"--machine-data", "e.txt"}), "out of reach: X 700 is outside 0 to 600"));
 }
 
+// Those of the machine data by their names, as fixed points; numbers are the control's own.
+TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
+    const std::string data = write(
+        "d.txt", "NCFILE\nFIXED\n1 1 1 -1 NAME=DOCK\nREFERENCE\n2 70 80 -25 NAME=Dock\n3 1 2 3\nENDFILE\n");
+    path(std::string(kStart) + R"({"reference": "DOCK"})");
+    for (const std::string dialect : {"ab9", "grbl"}) {
+        const std::string program =
+            written(dialect, {"p.path.json", "--machine", kRouter, "--machine-data", data});
+        EXPECT_EQ(driven(program, dialect, {"--machine", kRouter, "--machine-data", data}).back().second,
+                  at(70, 80, -25))
+            << program;
+    }
+    path(std::string(kStart) + R"({"reference": "PIER"})");
+    EXPECT_EQ(refused({"p.path.json", "--machine", kRouter, "--machine-data", data}),
+              "p.path.json:1:88: error: the reference point 'PIER' is not among those of d.txt; there are 2 "
+              "(Dock), 3\n");
+}
+
 // Where a reference point lies only the control may know.
 TEST_F(MachinePoints, AReferencePointThatNobodyKnowsIsNoted) {
     path(std::string(kStart) + R"({"reference": 4})");

@@ -203,10 +203,10 @@ TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
 }
 
 TEST_F(WorkFrames, WhatIsNotLookedAtIsSaid) {
-    EXPECT_EQ(
-        path2gcode({part(), "--work-offset", "G55", "-o", "o.nc"}).err,
-        "note: the path does not say where G55 lies, so whether X, Y and Z stay in their ranges is not looked "
-        "at\n");
+    EXPECT_EQ(path2gcode({part(), "--work-offset", "G55", "-o", "o.nc"}).err,
+              "note: the path does not say where G55 lies, so whether X, Y and Z stay in their ranges is not "
+              "looked "
+              "at\n");
 }
 
 TEST_F(WorkFrames, LinuxCncReadsIt) {

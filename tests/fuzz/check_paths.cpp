@@ -65,6 +65,8 @@ tl::expected<std::string, std::string> written(path::PathFile file, const machin
     data.fixed = {{1, {{'X', 10}, {'Y', 20}, {'Z', 30}}},
                   {2, {{'X', 1}, {'Y', 2}, {'Z', 3}, {'B', 40}, {'C', 5}}}};
     data.fixed_names = {{2, "CLAMP1"}};
+    data.references = data.fixed;
+    data.reference_names = {{1, "DOCK"}};
     if (const auto placed = engine::complete_points(file, {machine, &data, "data"}, post); !placed)
         return tl::unexpected(placed.error());
     engine::PathProgramOptions options;

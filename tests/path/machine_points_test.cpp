@@ -41,7 +41,7 @@ Point rapid(const Vector& place, std::optional<Orientation> orientation = {}) {
 TEST(MachinePoints, WhatIsReadIsWritten) {
     const auto file =
         read_json(path_of(R"({"fixed": "CLAMP1", "name": "left", "dwell_s": 1.5, "actions": ["a", "b"]},
-                   {"fixed": 12}, {"reference": 4})"),
+                   {"fixed": 12}, {"reference": 4}, {"reference": "DOCK"})"),
                   "f");
     ASSERT_TRUE(file) << file.error();
     const std::vector<Target>& targets = file->program.paths[0].targets;
@@ -53,6 +53,7 @@ TEST(MachinePoints, WhatIsReadIsWritten) {
     EXPECT_EQ(std::get<MachinePoint>(targets[0]), left);
     EXPECT_EQ(std::get<MachinePoint>(targets[1]).number, 12);
     EXPECT_EQ(std::get<MachinePoint>(targets[2]).kind, MachinePoint::Kind::reference);
+    EXPECT_EQ(std::get<MachinePoint>(targets[3]).called, "DOCK");
     EXPECT_EQ(read_json(to_json(file->program), "f").value().program, file->program);
 }
 
@@ -67,7 +68,12 @@ TEST(MachinePoints, WhatIsIllFormedIsTold) {
               "f:1:38: a target with the key 'path' is a sub-path and cannot have 'fixed'");
     EXPECT_EQ(error_of(R"({"fixed": true})"),
               "f:1:48: 'fixed' must be a name or a number, not true or false");
-    EXPECT_EQ(error_of(R"({"reference": "HOME"})"), "f:1:52: 'reference' must be a number, not a string");
+    EXPECT_EQ(error_of(R"({"reference": ""})"),
+              "f:1:38: 'reference' takes the number of a reference point, or its name: a letter first, then "
+              "letters, "
+              "digits and _");
+    EXPECT_EQ(error_of(R"({"reference": 1.5})"),
+              "f:1:52: 'reference' must be a whole number from 1 to 4; it is 1.5");
     EXPECT_EQ(error_of(R"({"fixed": 0})"), "f:1:48: 'fixed' must be a whole number from 1 to 99999; it is 0");
     EXPECT_EQ(error_of(R"({"fixed": "a-b"})"),
               "f:1:38: 'fixed' takes the number of a fixed point, or its name: a letter first, then letters, "

@@ -69,7 +69,7 @@ class Generator {
         MachinePoint point;
         point.kind = chance(50) ? MachinePoint::Kind::fixed : MachinePoint::Kind::reference;
         const bool is_reference = point.kind == MachinePoint::Kind::reference;
-        if (is_reference || chance(50)) {
+        if (chance(50)) {
             point.number = 1 + below(is_reference ? kReferencePoints : kGreatestFixedPoint);
         } else {
             point.called = fmt::format("P{}_x", below(100));

@@ -91,7 +91,7 @@ TEST(PathSchema, HasTheReadersNumbersOfMachinePoints) {
     };
     const json properties = all["$defs"]["machine_point"]["properties"];
     for (const auto& [key, limits] : {std::pair{"fixed", properties["fixed"]["oneOf"][1]},
-                                      std::pair{"reference", properties["reference"]}}) {
+                                      std::pair{"reference", properties["reference"]["oneOf"][1]}}) {
         EXPECT_TRUE(accepted(key, limits["minimum"])) << key;
         EXPECT_FALSE(accepted(key, limits["minimum"].get<int>() - 1)) << key;
         EXPECT_TRUE(accepted(key, limits["maximum"])) << key;

@@ -51,7 +51,7 @@ export const paths = {
     times: (count: number) => `${count} times`,
     more: (count: number) => `Show more of ${count}`,
     signs: { rapid: "⇢", linear: "→", circular: "⌒", none: "•" },
-    machinePoint: (fixed: string | number | null, reference: number) =>
+    machinePoint: (fixed: string | number | null, reference: string | number) =>
       fixed === null ? `⇢ reference point ${reference}` : `⇢ fixed point ${fixed}`,
     dwell: (time_s: number) => `wait ${time_s} s`,
     feed: (feed: string) => `F ${feed}`,
@@ -211,7 +211,7 @@ export const paths = {
     axes: 'must be an object such as {"B": 90}, with one capital letter for an axis',
     actions: "must be a list of names",
     fixed: "must be the number of a fixed point, or its name: a letter first, then letters, digits and _",
-    reference: "must be a whole number from 1 to 4",
+    reference: "must be a whole number from 1 to 4, or the name of a reference point: a letter first, then letters, digits and _",
     tool: "must be a whole number from 0 to 99999999",
     axis: 'must be "X", "Y" or "Z"',
     length: "must be a number between -1e6 and 1e6",

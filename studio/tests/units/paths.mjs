@@ -92,6 +92,7 @@ export default {
     assert.match(tell('{"fixed": 1, "reference": 1}'), /are two points; a target is one of them/);
     assert.match(tell('{"fixed": "2nd"}'), /'fixed' must be the number of a fixed point, or its name/);
     assert.match(tell('{"fixed": 100000}'), /'fixed' must be/);
+    assert.match(tell('{"reference": "DOCK"}, {"reference": "a-b"}'), /'reference' must be a whole number from 1 to 4, or the name/);
     assert.match(tell('{"reference": 5}'), /'reference' must be a whole number from 1 to 4/);
     assert.match(tell('{"reference": 1, "motion": "rapid"}'), /unknown key 'motion' in a fixed or reference point; it may hold: name, fixed/);
     assert.match(tell('{"fixed": 1}', ', "tool": 1.5'), /'tool' must be a whole number from 0/);

@@ -60,8 +60,8 @@ export interface MachinePoint {
   name?: string;
   /** A fixed point of the machine data, by its name or its number. */
   fixed?: string | number;
-  /** A home position of the control, 1 to 4. */
-  reference?: number;
+  /** A home position of the control, 1 to 4; a reference point of the machine data, by its name. */
+  reference?: string | number;
   dwell_s?: number;
   actions?: string[];
 }

@@ -37,9 +37,9 @@ const isRepeats: Check = (value) =>
 
 const isWhole = (value: JsonValue, least: number, most: number): boolean =>
   isNumber(value) && Number.isInteger(value) && value >= least && value <= most;
-const isReference: Check = (value) => (isWhole(value, 1, REFERENCES) ? null : words.reference);
-const isFixedPoint: Check = (value) =>
-  isWhole(value, 1, MOST_FIXED) || (typeof value === "string" && /^[A-Za-z][A-Za-z0-9_]{0,255}$/.test(value)) ? null : words.fixed;
+const isPointName = (value: JsonValue): boolean => typeof value === "string" && /^[A-Za-z][A-Za-z0-9_]{0,255}$/.test(value);
+const isReference: Check = (value) => (isWhole(value, 1, REFERENCES) || isPointName(value) ? null : words.reference);
+const isFixedPoint: Check = (value) => (isWhole(value, 1, MOST_FIXED) || isPointName(value) ? null : words.fixed);
 const isToolNumber: Check = (value) => (isWhole(value, 0, MOST_TOOLS) ? null : words.tool);
 
 const isAxis: Check = (value) => (["X", "Y", "Z"].includes(value as string) ? null : words.axis);
