@@ -11,13 +11,11 @@ cd "$(dirname "$0")/.."
 readonly rooms='base|lexer|grammar|codegen|runtime|cam|lua_lib|engine|studio|apps|bench'
 
 format() {
-    local file code=0
-    while read -r file; do
-        clang-format --dry-run -Werror "$file" 2>/dev/null || {
-            echo "$file: not formatted; make format" >&2
-            code=1
-        }
-    done < <(scripts/sources.sh)
+    local code=0
+    if ! scripts/sources.sh | xargs -d '\n' -P "$(scripts/jobs.sh)" -n 20 clang-format --dry-run -Werror 2>&1 |
+        sed -nE 's/^([^: ]+):[0-9]+:[0-9]+: error: .*/\1: not formatted; make format/p' | sort -u >&2; then
+        code=1
+    fi
     test_names || code=1
     return $code
 }

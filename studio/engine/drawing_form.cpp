@@ -19,17 +19,17 @@ namespace {
 
 constexpr double kMost = 1e6;
 constexpr double kLeast = 1e-6;
+constexpr std::array kSides{"x", "y", "z", "-x", "-y", "-z"};
 
 void take_reading(Keys& keys, engine::DrawingChoice& reading) {
-    constexpr std::array kAxes{"x", "y", "z", "-x", "-y", "-z"};
     std::optional<std::size_t> up;
     keys.number("unit_mm", kLeast, kMost, reading.unit_mm);
     keys.number("curve_tolerance_mm", 1e-5, 10, reading.curve_tolerance_mm);
     keys.number("gap_mm", 1e-6, 10, reading.gap_mm);
     keys.texts("layers", reading.layers);
-    keys.word("up", kAxes, up);
+    keys.word("up", kSides, up);
     keys.truth("flip", reading.flip);
-    if (up) reading.up = kAxes[*up];
+    if (up) reading.up = kSides[*up];
 }
 
 void take_cutting(Keys& keys, engine::CuttingChoice& cutting) {
@@ -40,6 +40,8 @@ void take_cutting(Keys& keys, engine::CuttingChoice& cutting) {
     keys.number("speed_mm_min", 1e-3, 1e6, cutting.speed_mm_min);
     keys.number("kerf_mm", 1e-3, 100, cutting.kerf_mm);
     keys.number("pierce_s", 0, 3600, cutting.pierce_s);
+    keys.truth("moving_pierce", cutting.moving_pierce);
+    keys.truth("straighten", cutting.straighten);
     if (cutting.material.empty() && !(cutting.speed_mm_min && cutting.kerf_mm))
         keys.fault("a drawing needs 'material' and 'thickness_mm', or 'speed_mm_min' and 'kerf_mm'");
 }
@@ -52,6 +54,33 @@ void take_ways(Keys& keys, engine::CuttingWays& ways) {
     keys.number("bevel_deg", -60, 60, ways.bevel_deg);
 }
 
+// {"kind": "holes", "side": "z"}
+void take_surface(Keys& keys, std::optional<engine::SurfaceChoice>& surface) {
+    const json* given = keys.object("contours");
+    if (given == nullptr) return;
+    constexpr std::array kKinds{"holes", "outlines", "all"};
+    constexpr std::array kAxes{"wall", "normal"};
+    engine::SurfaceChoice& choice = surface.emplace();
+    Keys own(*given, "contours");
+    std::optional<std::size_t> kind, side, axis;
+    std::optional<int> bridges;
+    own.word("kind", kKinds, kind);
+    own.word("side", kSides, side);
+    own.texts("faces", choice.contours.faces);
+    own.word("axis", kAxes, axis);
+    own.number("lean_deg", -80, 80, choice.lean_deg);
+    own.number("tilt_deg", -60, 60, choice.tilt_deg);
+    own.number("max_lean_deg", 0, 85, choice.max_lean_deg);
+    own.whole("bridges", 0, 1000, bridges);
+    own.number("bridge_mm", 0, 100, choice.bridge_mm);
+    own.point("start_mm", -kMost, kMost, choice.start_mm);
+    if (kind) choice.contours.kind = kKinds[*kind];
+    if (side) choice.contours.side = kSides[*side];
+    if (axis) choice.contours.along_walls = *axis == 0;
+    choice.bridges = bridges.value_or(0);
+    if (auto read = own.end(); !read) keys.fault(read.error());
+}
+
 tl::expected<DrawingRequest, engine::Failure> drawing_request(const json& own) {
     DrawingRequest request;
     Keys keys(own, "a drawing");
@@ -59,6 +88,7 @@ tl::expected<DrawingRequest, engine::Failure> drawing_request(const json& own) {
     take_reading(keys, request.reading);
     take_ways(keys, request.ways);
     take_cutting(keys, request.cutting);
+    take_surface(keys, request.surface);
     return end_of(keys).map([&] { return std::move(request); });
 }
 

@@ -69,6 +69,20 @@ TEST(DrawingForm, AMaterialSettlesFeedsAndPrice) {
     EXPECT_LT(path_of(finer).header["job"]["speed_mm_min"], job["speed_mm_min"]);
 }
 
+TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
+    json asked = {{"drawing", "plate.svg"}, {"material", "aluminum"}, {"thickness_mm", 12}};
+    const json plain = path_of(asked).header["figures"];
+    const std::string upright = path_of(asked).columns.at("text");
+    asked["straighten"] = true;
+    const Frame leaning = path_of(asked);
+    EXPECT_GT(leaning.header["figures"]["cut_s"], plain["cut_s"]);
+    EXPECT_NE(leaning.columns.at("text"), upright);
+    asked["straighten"] = false;
+    const double rests_s = path_of(asked).header["job"]["jet_s"];
+    asked["moving_pierce"] = true;
+    EXPECT_LT(path_of(asked).header["job"]["jet_s"].get<double>(), rests_s);
+}
+
 // From the drawing to the machine: all three requests of the way.
 TEST(DrawingForm, APathIsWrittenAndRun) {
     json asked = by_figures("plate.svg");
@@ -109,6 +123,19 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
     EXPECT_THAT(fault(asked), HasSubstr("'unit_mm' should be from 1e-06"));
     EXPECT_EQ(fault(by_figures("part.step")),
               "part.step: STEP and IGES files are not read here; DXF and SVG files are");
+    asked = by_figures("part.step");
+    asked["contours"] = {{"kind", "holes"}, {"side", "up"}};
+    EXPECT_EQ(fault(asked), "'side' should be one of x, y, z, -x, -y, -z, not 'up'");
+    asked["contours"] = {{"kind", "holes"}, {"colour", "red"}};
+    EXPECT_EQ(fault(asked), "there is no key 'colour' of contours");
+    asked["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"lean_deg", 5}};
+    EXPECT_THAT(fault(asked), HasSubstr("--lean is from the face's normal"));
+    asked["contours"] = {{"kind", "holes"}};
+    asked["straighten"] = true;
+    EXPECT_THAT(fault(asked), HasSubstr("--straighten"));
+    asked = by_figures("square.svg");
+    asked["contours"] = {{"kind", "holes"}};
+    EXPECT_THAT(fault(asked), HasSubstr("--contours is for STEP and IGES files"));
     EXPECT_THAT(fault({{"drawing", "plate.svg"}, {"material", "aluminium"}, {"thickness_mm", 12}}),
                 HasSubstr("did you mean \"aluminum\"?"));
     EXPECT_THAT(fault(by_figures("none.svg")), HasSubstr("none.svg"));

@@ -27,7 +27,7 @@ export const paths = {
     new: "New",
     newTitle: "Begin a path file with a point where the tool is",
     drawing: "From drawing…",
-    drawingTitle: "Make a path from a DXF or SVG, which may be dropped on the page, too",
+    drawingTitle: "Make a path from a DXF, SVG, STEP or IGES file, which may be dropped on the page, too",
     save: "Save",
     saveTitle: "Save the path file",
   },
@@ -186,8 +186,28 @@ export const paths = {
       curve_tolerance_mm: "Tolerance of curves",
       gap_mm: "Ends joined within",
     },
+    straighten: "lean against the kerf's taper",
+    movingPierce: "pierce moving",
     make: "Make path",
     cancel: "Cancel",
+  },
+  /** Of parts that need not be flat. */
+  contours: {
+    kind: "Cut",
+    flat: "the outline of a flat part",
+    kinds: { holes: "holes in faces", outlines: "outlines of faces", all: "holes and outlines" },
+    side: "Faces look along",
+    faces: "Faces",
+    allFaces: "all; else numbers, names, layers or colours, with ; between",
+    axis: "The jet goes",
+    axes: { wall: "along the walls", normal: "along the face's normal" },
+    numbers: {
+      lean_deg: "Lean over the waste",
+      tilt_deg: "Tilt forwards",
+      max_lean_deg: "Lean at most",
+      bridges: "Bridges",
+      bridge_mm: "Width of a bridge",
+    },
   },
   /** What is wrong with a path file. */
   faults: {

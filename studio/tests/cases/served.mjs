@@ -1,7 +1,8 @@
 // The page that gsim-studio serves: files of a folder, saved and watched.
 
 import assert from "node:assert/strict";
-import { rmSync } from "node:fs";
+import { existsSync, readFileSync, rmSync } from "node:fs";
+import { join } from "node:path";
 import { noticed, typeAfter, withServed } from "../served.mjs";
 import { state } from "../steps.mjs";
 
@@ -25,6 +26,34 @@ async function makeConflict(page, served) {
 }
 
 export default {
+  "the holes of a part that is bent become a path, by which the jet follows their walls": (places) => {
+    if (!existsSync(join(places.build, "bin/gsim-solid"))) return console.log("  skipped: there is no OpenCASCADE here");
+    const step = readFileSync(join(places.samples, "parts/bracket.step"), "latin1");
+    return withServed(places, { "part.nc": PART, "bracket.step": step }, async (page) => {
+      const side = page.locator("#side");
+      await side.getByRole("tab", { name: "Paths", exact: true }).click();
+      await side.getByRole("button", { name: "From drawing…" }).click();
+      const dialog = page.getByRole("dialog", { name: "Path from drawing" });
+      await dialog.getByLabel("Drawing").selectOption("bracket.step");
+      await dialog.getByLabel("Speed, mm/min").fill("400");
+      await dialog.getByLabel("Kerf, mm").fill("0.8");
+      assert.equal(await dialog.getByText("turned over").isVisible(), true);
+      await dialog.getByLabel("Cut", { exact: true }).selectOption("holes");
+      assert.equal(await dialog.getByText("turned over").isVisible(), false);
+      for (const [letter, value] of Object.entries({ X: 600, Y: 600, Z: 120 })) await dialog.getByLabel(`Origin at ${letter}`).fill(String(value));
+      // A hole is tapered, by 12 degrees.
+      await dialog.getByLabel("Lean at most").fill("5");
+      await dialog.getByRole("button", { name: "Make path" }).click();
+      await dialog.getByRole("alert").filter({ hasText: "more than 5 deg (--max-lean)" }).waitFor();
+      await dialog.getByLabel("Lean at most").fill("60");
+      await dialog.getByRole("button", { name: "Make path" }).click();
+      await dialog.waitFor({ state: "detached" });
+      await side.getByText(/4 contours, 4 pierces/).waitFor();
+      const axes = await page.evaluate(() => window.studio.store.get("path").file.paths.flatMap(({ targets }) => targets.flatMap((each) => each.tool_axis ?? [])));
+      assert.ok(axes.length > 0 && axes.some((value) => Math.abs(value) > 0.1 && Math.abs(value) < 0.9));
+    });
+  },
+
   "a served folder is listed, and its first program runs": (places) =>
     withServed(places, { ...files, "machine.toml": ROUTER }, async (page) => {
       assert.equal((await runOf(page)).program, "part.nc");

@@ -5,6 +5,7 @@ import { namesOfKind, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { texts } from "../../texts";
+import { ContourFields, type ContourChoice } from "./contour_fields";
 import { materials, pathOfDrawing, type DrawnPath } from "./engine_requests";
 import { ChoiceRow, NumberRow, NumbersRow, TextRow, type Quantity } from "./fields";
 
@@ -30,6 +31,11 @@ export interface DrawingChoice {
   /** Of a solid: where its upper side looks, and whether it is turned over. */
   up?: string;
   flip?: boolean;
+  /** The jet leans against the taper of its kerf; it moves while it pierces. Of flat parts and drawings. */
+  straighten?: boolean;
+  moving_pierce?: boolean;
+  /** Of a solid that need not be flat. */
+  contours?: ContourChoice;
 }
 
 type NumberKey = {
@@ -55,12 +61,20 @@ const own: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
 const ways: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
 const rare: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
 
-/** Flat parts, which the native engine reads. */
+/** Parts, which the native engine reads. */
 const isSolid = (name: string): boolean => /\.(step|stp|iges|igs)$/i.test(name);
 
 /** What a path can be made of. */
-function drawingsOf({ documents }: Session): string[] {
-  return [...namesOfKind("drawing", documents), ...documents.ownNames().filter(isSolid)];
+export function drawingsOf({ documents }: Session): string[] {
+  return [...namesOfKind("drawing", documents), ...documents.names().filter(isSolid)];
+}
+
+/** What goes with the drawing, of all that was chosen for this one and others. */
+function requestOf(drawing: string, { material, up, flip, contours, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest }: DrawingChoice) {
+  const common = { drawing, ...rest, material: material || undefined };
+  if (isSolid(drawing) && contours) return { ...common, contours };
+  const ofJet = { straighten: material ? straighten : undefined, moving_pierce, bevel_deg };
+  return isSolid(drawing) ? { ...common, ...ofJet, up, flip } : { ...common, ...ofJet, unit_mm, layers };
 }
 
 export const firstDrawingChoice: DrawingChoice = { material: "", origin_mm: [0, 0, 0] };
@@ -98,7 +112,12 @@ export class DrawingDialog {
     (up) => this.set({ up: up || undefined }),
   );
   private readonly flip = check(words.flip, (flip) => this.set({ flip: flip || undefined }));
-  private readonly ofSolid = element("div", { class: "group" }, this.up.element, this.flip.row);
+  private readonly ofPlate = element("div", { class: "group" }, this.up.element, this.flip.row);
+  private readonly contours = new ContourFields((contours) => this.set({ contours }));
+  private readonly ofSolid = element("div", { class: "group" }, this.contours.element, this.ofPlate);
+  private readonly straighten = check(words.straighten, (straighten) => this.set({ straighten: straighten || undefined }));
+  private readonly moving = check(words.movingPierce, (moving) => this.set({ moving_pierce: moving || undefined }));
+  private readonly accuracy = element("div", { class: "group" }, this.moving.row, this.straighten.row);
   private readonly refused = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly make = element("button", { type: "submit", class: "primary" }, words.make);
   private readonly ofMaterial = element("div", { class: "group" });
@@ -145,6 +164,7 @@ export class DrawingDialog {
       this.material.element,
       this.ofMaterial,
       this.ownGroup,
+      this.accuracy,
       this.ofSolid,
       this.origin.element,
       element("details", {}, element("summary", {}, words.ways), ...of(ways)),
@@ -174,7 +194,15 @@ export class DrawingDialog {
     this.ofMaterial.hidden = this.choice.material === "";
     this.own.box.checked = this.overrules;
     this.ownGroup.hidden = !this.overrules && this.choice.material !== "";
+    const isSurface = isSolid(this.drawing) && this.choice.contours !== undefined;
     this.ofSolid.hidden = !isSolid(this.drawing);
+    this.ofPlate.hidden = isSurface;
+    this.contours.show(this.choice.contours, units);
+    this.accuracy.hidden = isSurface;
+    this.straighten.box.checked = this.choice.straighten ?? false;
+    this.straighten.row.hidden = this.choice.material === "";
+    this.moving.box.checked = this.choice.moving_pierce ?? false;
+    this.rows.get("bevel_deg")!.element.hidden = isSurface;
     this.up.show(this.choice.up ?? "");
     this.flip.box.checked = this.choice.flip ?? false;
     this.origin.show(this.choice.origin_mm, units);
@@ -186,9 +214,7 @@ export class DrawingDialog {
     event.preventDefault();
     this.make.disabled = true;
     const { drawing } = this;
-    const { material, up, flip, ...rest } = this.choice;
-    const solid = isSolid(drawing) ? { up, flip } : {};
-    const made = await pathOfDrawing(this.session, { drawing, ...rest, ...solid, material: material || undefined });
+    const made = await pathOfDrawing(this.session, requestOf(drawing, this.choice));
     this.make.disabled = false;
     // Cancelled meanwhile.
     if (!this.element.open) return;

@@ -12,7 +12,7 @@ import { texts } from "../../texts";
 import type { Form } from "../index";
 import { PathActions } from "./actions";
 import { PointChoice } from "./choice_of_points";
-import { DrawingDialog, firstDrawingChoice } from "./drawing_dialog";
+import { DrawingDialog, drawingsOf, firstDrawingChoice } from "./drawing_dialog";
 import type { DrawnPath } from "./engine_requests";
 import { LeadsForm } from "./leads_form";
 import { beginFile, freeFile, takeFile } from "./path_files";
@@ -106,7 +106,7 @@ class PathsPanel {
     this.files.replaceChildren(
       select,
       button(words.file.new, words.file.newTitle, () => this.begin()),
-      button(words.file.drawing, words.file.drawingTitle, () => this.askDrawing(namesOfKind("drawing", session.documents)[0] ?? "")),
+      button(words.file.drawing, words.file.drawingTitle, () => this.askDrawing(drawingsOf(session)[0] ?? "")),
       button(words.file.save, words.file.saveTitle, () => void session.save(name), name === ""),
     );
     const again = [...this.files.children].find((child) => child.textContent === focused);
