@@ -216,6 +216,8 @@ export const texts = {
     stopped: (message: string) => `The run was stopped: ${message}`,
     longerRuns: "gsim studio, which has the engine beside the page, runs up to 20,000,000 blocks.",
     completed: "The program ran to its end.",
+    touchesNothing: (pairs: number) => `Nothing touches, of ${pairs} ${pairs === 1 ? "pair" : "pairs"} of bodies that were looked at.`,
+    notLooked: "Whether bodies touch was not looked at.",
     violated: (count: number) =>
       `The program ran to its end, but past limits or zones in ${count === 1 ? "one place" : `${count} places`}.`,
     validUntil: (time: string) => `The machine would have stopped at ${time}; later times are not its own.`,

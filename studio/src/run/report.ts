@@ -80,7 +80,7 @@ export interface Report {
   findings?: (Placed & { t_s: number; code: string; message: string })[];
   collisions?: Collision[];
   clearances?: Clearance[];
-  cell?: { name: string; clearance_mm: number };
+  cell?: { name: string; clearance_mm: number; looked_at?: { pairs: number; with_robots?: number } };
   time_by_limit?: { limited_by: string; time_s: number }[];
   lower_bound_s?: number | null;
   robots?: (Report & { name: string; idle_s: number })[];

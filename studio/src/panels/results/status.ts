@@ -20,6 +20,12 @@ const toldItem = (told: Told, store: Store): Item => ({
   choose: () => goTo(store, { file: told.file || null, line: told.line || null }, null),
 });
 
+/** That nothing touches means little where nothing was looked at. */
+function touchingOf({ cell }: Report): string {
+  const pairs = (cell?.looked_at?.pairs ?? 0) + (cell?.looked_at?.with_robots ?? 0);
+  return pairs > 0 ? words.touchesNothing(pairs) : words.notLooked;
+}
+
 /** The sentence, and how bad it is. */
 function sentenceOf(run: Run, report: Report | null): [text: string, severity: string] {
   if (run.failure) return [words.refused(run.failure.message), "error"];
@@ -34,7 +40,7 @@ function sentenceOf(run: Run, report: Report | null): [text: string, severity: s
   const violations = report.violation_count ?? 0;
   const contacts = report.collisions?.length ?? 0;
   const said = [violations > 0 ? words.violated(violations) : words.completed];
-  if (contacts > 0) said.push(words.collided(contacts));
+  said.push(contacts > 0 ? words.collided(contacts) : touchingOf(report));
   if (report.valid_until_s != null) said.push(words.validUntil(timeText(report.valid_until_s, 1)));
   return [said.join(" "), violations + contacts > 0 ? "error" : "good"];
 }
