@@ -87,7 +87,7 @@ tl::expected<std::vector<std::string>, std::string> with_restored(const std::vec
         all.push_back(action);
         running.pass(action);
         if (!is_tool_change(action)) continue;
-        const auto again = restored(running, stops);
+        auto again = restored(running, stops);
         if (!again) return again;
         all.insert(all.end(), again->begin(), again->end());
     }

@@ -25,7 +25,8 @@ const openSection = async (page, title) => {
 /** A card by its title, opened. */
 const openCard = async (page, title) => {
   const card = form(page).locator("details.card:visible").filter({ has: page.locator(`summary > b:text-is("${title}")`) });
-  if ((await card.getAttribute("open")) === null) await card.locator("summary").first().click();
+  // The engine may be looking at all bodies of the machine before it makes the card.
+  if ((await card.getAttribute("open", { timeout: 90_000 })) === null) await card.locator("summary").first().click();
   return card;
 };
 /** A card has fields for both kinds of axes, or all shapes, of which some are in sight. */
