@@ -169,7 +169,7 @@ class WayMaker {
     // Where the lower end of the jet stays, as both edges come too near to it behind that.
     std::optional<Vector> stay_below(EdgeWay& before, EdgeWay& after, const JetPoint& end,
                                      const JetPoint& start) {
-        const auto place = trim_below(before, after, end.low_mm);
+        auto place = trim_below(before, after, end.low_mm);
         if (!place) return std::nullopt;
         const double turn_rad = angle_between_rad(end.low_aside, start.low_aside);
         const double off_mm = (*place - end.low_mm).cross(end.axis).norm();
