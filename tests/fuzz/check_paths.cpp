@@ -4,6 +4,7 @@
 
 #include "codegen/post/post_file.h"
 #include "codegen/translate.h"
+#include "engine/inner/path_frames.h"
 #include "engine/inner/path_points.h"
 #include "engine/inner/path_program.h"
 #include "runtime/machine/machine_file.h"
@@ -67,6 +68,8 @@ tl::expected<std::string, std::string> written(path::PathFile file, const machin
     data.fixed_names = {{2, "CLAMP1"}};
     data.references = data.fixed;
     data.reference_names = {{1, "DOCK"}};
+    if (const auto framed = engine::complete_frames(file, {}, post); !framed)
+        return tl::unexpected(framed.error());
     if (const auto placed = engine::complete_points(file, {machine, &data, "data"}, post); !placed)
         return tl::unexpected(placed.error());
     engine::PathProgramOptions options;

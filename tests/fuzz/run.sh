@@ -12,12 +12,22 @@ wanted=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
 jobs=${JOBS:-1}
 
+# What libFuzzer tells of a finding, without its progress, which says nothing to people, and the input itself where it may be gone with this machine.
+tell() {
+    local target=$1 log=$2 findings=$3 found
+    echo "FAILED: $target"
+    grep -v -E '^(#[0-9]+\s|INFO:|stat::)' "$log" | head -n 50
+    found=$(find "$findings" -type f -newer "$log.began" | head -n 1)
+    [[ $found && ${CI:-} ]] && { echo "$found, by base64 -d | gunzip:"; gzip -9 -c "$found" | base64; }
+}
+
 # A target by many names of one program. New inputs go to the first folder only: the seeds stay as they were written.
 fuzz_one() {
     local target=$1 family=$2
     local inputs="$build/fuzz-corpus/$target" findings="$here/findings/$target" log="$build/fuzz-$target.log" status
     mkdir -p "$inputs" "$findings" "$build/bin/fuzz"
     ln -sf ../gsim-fuzz "$build/bin/fuzz/$target"
+    touch "$log.began"
     local TIMEFORMAT='cpu_s %U %S'
     { time "$build/bin/fuzz/$target" "$inputs" "$here/corpus/$family" "$findings" -dict="$here/dictionaries/$family.dict" \
         -seed="${SEED:-0}" -max_len=4096 -timeout=10 -rss_limit_mb=2048 -max_total_time="$seconds" -print_final_stats=1 -print_funcs=0 -close_fd_mask=1 \
@@ -26,8 +36,7 @@ fuzz_one() {
     cat "$log.time" >>"$log"
     rm -f "$log.time"
     "$here/count.py" "$log" "$target" "$here" "${RECORD:-}" || status=1
-    # What libFuzzer tells of a finding; else its progress says nothing to people.
-    ((status == 0)) || grep -v -E '^#[0-9]+\s+(NEW|REDUCE|RELOAD|pulse|INITED) ' "$log" | tail -n 60
+    ((status == 0)) || tell "$target" "$log" "$findings" >"$log.failed"
     rmdir "$findings" 2>/dev/null
     return "$status"
 }
@@ -43,4 +52,9 @@ if [[ ! $list ]]; then
     echo "tests/fuzz/run.sh: there is no target '$wanted'; there are:" "$("$build/bin/gsim-fuzz" | cut -d ' ' -f 1 | tr '\n' ' ')"
     exit 2
 fi
+rm -f "$build"/fuzz-*.log.failed
 xargs -P "$jobs" -L 1 "$0" "$build" "$seconds" <<<"$list"
+status=$?
+# Behind all others, where nobody has to look for them.
+cat "$build"/fuzz-*.log.failed 2>/dev/null
+exit "$status"
