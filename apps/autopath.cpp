@@ -30,6 +30,7 @@ struct AutopathArguments {
     std::string axis = "wall";
     engine::SurfaceChoice surface;
     std::uint64_t bridges = 0;
+    engine::CuttingPlace place;
     std::array<double, 3> start_mm = kNowhere_mm;
     std::array<double, 3> box_low_mm{-kAnywhere_mm, -kAnywhere_mm, -kAnywhere_mm};
     std::array<double, 3> box_high_mm = kNowhere_mm;
@@ -161,6 +162,22 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
         .shows_default();
 }
 
+void add_place_options(apps::CommandLine& line, AutopathArguments& arguments) {
+    using apps::FileKind;
+    engine::CuttingPlace& place = arguments.place;
+    line.begin_group("Machine and cell");
+    line.add("--cell", &place.cell,
+             "cell file (TOML): ways between cuts lead past its bodies, and cuts that they are in the way of "
+             "are "
+             "refused; it may name machine and machine data")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--machine", &place.machine,
+             "machine that cuts, with its own bodies where no cell is named (that of the cell)")
+        .of_file(FileKind::input, {".toml"});
+    line.add("--machine-data", &place.machine_data, "where G54 lies on it (at the machine's zero)")
+        .of_file(FileKind::input, {".txt"});
+}
+
 void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments) {
     using apps::FileKind;
     line.add("drawing", &arguments.request.drawing,
@@ -175,6 +192,7 @@ void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments)
     add_path_options(line, arguments);
     add_reading_options(line, arguments);
     add_surface_options(line, arguments);
+    add_place_options(line, arguments);
     line.begin_group("Limits");
     apps::add_cpu_option(line, arguments.max_cpu_s);
     apps::add_confine_option(line, arguments.no_confine);
@@ -222,6 +240,8 @@ engine::DrawingRequest request_of(const AutopathArguments& arguments) {
     request.host = engine::host_of_system();
     if (!arguments.units.empty()) request.reading.unit_mm = arguments.units == "inch" ? kMmPerInch : 1;
     if (!arguments.contours.empty()) request.surface = surface_choice(arguments);
+    const engine::CuttingPlace& place = arguments.place;
+    if (!place.cell.empty() || !place.machine.empty() || !place.machine_data.empty()) request.place = place;
     return request;
 }
 

@@ -70,6 +70,15 @@ struct SurfaceChoice {
     std::optional<std::array<double, 3>> start_mm = {};
 };
 
+/// What stands round the machine that is to cut: ways between cuts lead past it, and cuts that it is in the
+/// way of are refused. Names are those of files, or what Host::find finds; without a cell the machine's own
+/// bodies are looked at alone.
+struct CuttingPlace {
+    std::string cell = {};
+    std::string machine = {};       ///< Empty: that of the cell, or the one built in.
+    std::string machine_data = {};  ///< Where G54 lies; empty: what cell or machine name, or at 0.
+};
+
 /// A drawing to be cut out. Names are those of files, or what Host::find finds; flat parts come by
 /// Host::read_plate.
 struct DrawingRequest {
@@ -79,6 +88,8 @@ struct DrawingRequest {
     CuttingWays ways = {};
     /// Contours of a part (Host::read_contours) in place of a drawing or a flat one.
     std::optional<SurfaceChoice> surface = {};
+    /// Left out: nobody looks.
+    std::optional<CuttingPlace> place = {};
     Host host = {};
 };
 
@@ -94,6 +105,8 @@ struct CuttingFigures {
     double turning_s = 0;        ///< Of that, turning in one place.
     double straightening_s = 0;  ///< Of that, what leaning against the taper adds.
     std::size_t moving_pierces = 0;
+    /// Of DrawingRequest::place: ways from cut to cut, and those that lead round something.
+    std::size_t ways = 0, ways_round = 0;
 };
 
 /// What cutting it takes, by the material. Money is in `currency`.

@@ -37,6 +37,8 @@ struct Autopath {
     path::Program program;
     CutSummary summary;
     std::vector<std::string> notes;  ///< Sentences: what is not cut as it was drawn.
+    /// What each path of the program cuts, for messages; "" where that is said by its name alone.
+    std::vector<std::string> cuts = {};
 };
 
 /// From a drawing to the path that cuts it. The error is a sentence that names entities and places.

@@ -104,6 +104,8 @@ class PathMaker {
         options.start_mm = options_.start_mm;
         cutting::Autopath made;
         made.program = surface_program(cuts, rules_, options, made.summary);
+        made.cuts.emplace_back();
+        for (const SurfaceCut& cut : cuts) made.cuts.push_back(cut.way.name);
         made.notes = part_.notes;
         tell_behind(made.notes);
         made.notes.insert(made.notes.end(), notes_.begin(), notes_.end());

@@ -10,6 +10,7 @@
 #include "cam/solid/mesh.h"
 #include "cam/waterjet/job_report.h"
 #include "engine/inner/cutting_rules.h"
+#include "engine/inner/cutting_site.h"
 #include "engine/inner/drawing_input.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/host_names.h"
@@ -63,11 +64,12 @@ double greatest_depth_mm(const solid::WallContours& part) {
 class DrawingPath::State {
   public:
     State(DrawingRequest request, std::string file, std::optional<waterjet::Materials> materials,
-          std::string script)
+          std::string script, std::optional<CuttingSite> site)
         : request_(std::move(request)),
           file_(std::move(file)),
           materials_(std::move(materials)),
-          script_(std::move(script)) {}
+          script_(std::move(script)),
+          site_(std::move(site)) {}
 
     const std::string& file() const { return file_; }
     const CuttingFigures& figures() const { return figures_; }
@@ -80,6 +82,12 @@ class DrawingPath::State {
     std::string job_report() const;
 
   private:
+    Failure fault_of_drawing(const std::string& sentence) const {
+        Failure failure = failure_of(DiagnosticKind::path, fmt::format("{}: {}", request_.drawing, sentence),
+                                     request_.drawing);
+        failure.in_program = true;
+        return failure;
+    }
     tl::expected<void, Failure> settle(double thickness_mm);
     waterjet::JobPrice price() const {
         return waterjet::price_job(*cutting_.plan, materials_->prices,
@@ -93,6 +101,7 @@ class DrawingPath::State {
     std::string file_;
     std::optional<waterjet::Materials> materials_;  ///< None where no material is asked for.
     std::string script_;                            ///< Text of the one that chooses contours.
+    std::optional<CuttingSite> site_;               ///< None: nobody looks at what stands there.
     drawing::Drawing drawing_;
     solid::WallContours contours_;  ///< In place of a drawing, where a surface is asked for.
     SettledCutting cutting_;
@@ -141,21 +150,22 @@ tl::expected<void, Failure> DrawingPath::State::make(const Tell& tell) {
     auto made = request_.surface
                     ? surface::surface_path(contours_, cutting_.rules, surface_options(request_))
                     : cutting::autopath(std::move(drawing_), cutting_.rules, options_of(request_));
-    if (!made) {
-        Failure failure = failure_of(DiagnosticKind::path,
-                                     fmt::format("{}: {}", request_.drawing, made.error()), request_.drawing);
-        failure.in_program = true;
-        return tl::unexpected(std::move(failure));
-    }
-    for (const std::string& note : made->notes) {
-        if (!tell) break;
+    if (!made) return tl::unexpected(fault_of_drawing(made.error()));
+    const auto note = [&](const std::string& sentence) {
+        if (!tell) return;
         tell({.severity = Severity::note,
               .code = std::string(text::code_of(DiagnosticKind::path)),
               .file = request_.drawing,
-              .text = note});
+              .text = sentence});
+    };
+    for (const std::string& sentence : made->notes) note(sentence);
+    figures_ = figures_of(made->summary);
+    if (site_) {
+        for (const std::string& sentence : site_->notes()) note(sentence);
+        if (auto clear = site_->clear_ways(*made, figures_); !clear)
+            return tl::unexpected(fault_of_drawing(clear.error()));
     }
     program_ = std::move(made->program);
-    figures_ = figures_of(made->summary);
     return {};
 }
 
@@ -205,8 +215,14 @@ tl::expected<DrawingPath, Failure> DrawingPath::open(DrawingRequest request) {
             if (!text) return tl::unexpected(failure_of(DiagnosticKind::input_file, text.error(), name));
             script = *std::move(text);
         }
+        std::optional<CuttingSite> site;
+        if (request.place) {
+            auto read = CuttingSite::read(request.host, *request.place);
+            if (!read) return tl::unexpected(read.error());
+            site.emplace(*std::move(read));
+        }
         return DrawingPath(std::make_unique<State>(std::move(request), *std::move(file), std::move(materials),
-                                                   std::move(script)));
+                                                   std::move(script), std::move(site)));
     });
 }
 
@@ -243,8 +259,12 @@ const CuttingFigures& DrawingPath::figures() const {
 
 std::string DrawingPath::summary() const {
     const CuttingFigures& figures = state_->figures();
-    return fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
-                       figures.outlines, figures.pierces, figures.cut_mm, figures.cut_s, figures.travel_mm);
+    std::string sentence =
+        fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
+                    figures.outlines, figures.pierces, figures.cut_mm, figures.cut_s, figures.travel_mm);
+    if (figures.ways == 0) return sentence;
+    return sentence + fmt::format("; nothing is touched, and {} of {} ways lead round something",
+                                  figures.ways_round, figures.ways);
 }
 
 std::optional<JobFigures> DrawingPath::job() const {

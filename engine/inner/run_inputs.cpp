@@ -17,21 +17,6 @@ namespace gsim::engine {
 
 namespace {
 
-tl::expected<machine::MachineDataDocument, std::string> read_data(const FoundRequest& found,
-                                                                  const MachineInput& input) {
-    const Request& request = found.request;
-    const machine::Machine& machine = input.machine;
-    if (request.machine_data.empty()) {
-        machine::MachineDataDocument document(machine.axes);
-        if (!input.data) return document;
-        return document.update(*input.data).map([&] { return document; });
-    }
-    const auto text = request.host.files.inner().read_text(request.machine_data, found.machine_data_named_by);
-    if (!text) return tl::unexpected(text.error());
-    return machine::MachineDataDocument::read(*text, request.machine_data, machine.axes)
-        .map_error([](const std::vector<std::string>& errors) { return errors.front(); });
-}
-
 tl::expected<machine::MachineData, std::string> with_variables(const Request& request,
                                                                machine::MachineData data) {
     if (request.variables.empty()) return data;
@@ -74,6 +59,21 @@ std::string first_override(const OverrideChoice& choice) {
 }
 
 }  // namespace
+
+tl::expected<machine::MachineDataDocument, std::string> read_data_of(const FoundRequest& found,
+                                                                     const MachineInput& input) {
+    const Request& request = found.request;
+    const machine::Machine& machine = input.machine;
+    if (request.machine_data.empty()) {
+        machine::MachineDataDocument document(machine.axes);
+        if (!input.data) return document;
+        return document.update(*input.data).map([&] { return document; });
+    }
+    const auto text = request.host.files.inner().read_text(request.machine_data, found.machine_data_named_by);
+    if (!text) return tl::unexpected(text.error());
+    return machine::MachineDataDocument::read(*text, request.machine_data, machine.axes)
+        .map_error([](const std::vector<std::string>& errors) { return errors.front(); });
+}
 
 tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,
                                                                      const machine::Machine& machine) {
@@ -164,7 +164,7 @@ tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, M
     if (!probe) return fault(probe.error());
     auto overrides = read_overrides(request.host.files.inner(), request.overrides, machine.controller);
     if (!overrides) return fault(overrides.error());
-    auto document = read_data(found, input);
+    auto document = read_data_of(found, input);
     if (!document) return fault(document.error());
     auto data = with_variables(request, document->data());
     if (!data) return fault(data.error());

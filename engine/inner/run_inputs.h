@@ -61,6 +61,11 @@ struct RunInputs {
     motion::OverrideSchedule overrides;
 };
 
+/// The machine data of a request, or of what it takes in their place; empty where there are none. The error
+/// is a sentence.
+tl::expected<machine::MachineDataDocument, std::string> read_data_of(const FoundRequest& found,
+                                                                     const MachineInput& input);
+
 /// The controller module that is asked for, made for the machine; nothing where none is. The error is a
 /// sentence.
 tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Request& request,

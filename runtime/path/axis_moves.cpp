@@ -378,6 +378,7 @@ tl::expected<void, Fault> AxisMoves::run(std::size_t path, MoveSink& sink) const
     State state = states_.entry(path);
     const std::vector<Target>& targets = program_.paths[path].targets;
     for (std::size_t i = 0; i < targets.size(); ++i) {
+        sink.begin({path, i});
         if (auto fault = set_up.before(i, state)) return tl::unexpected(*fault);
         states_.set_up(state, path, targets[i]);
         if (const auto* point = std::get_if<Point>(&targets[i])) {

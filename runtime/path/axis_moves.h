@@ -47,6 +47,8 @@ struct AxisMove {
 class MoveSink {
   public:
     virtual ~MoveSink() = default;
+    /// What follows is of this target.
+    virtual void begin(const TargetId& /*where*/) {}
     virtual void move(const AxisMove& move) = 0;
     /// The axes stand there, though no move has led there.
     virtual void stand(const AxisValues& /*axes*/) {}

@@ -33,6 +33,10 @@ class MachineSpace {
     bool coupled() const { return coupled_; }
     /// All axes with the tip at `tip_mm` and the rotary axes at these values.
     AxisValues axes(const Eigen::Vector3d& tip_mm, const AxisValues& rotary) const;
+    /// Where the tip of the tool is then, in the work frame.
+    Eigen::Vector3d tip(const AxisValues& axes) const;
+    /// Joint values, mm or rad.
+    rrs::JointPos joints(const AxisValues& axes) const;
     /// Where the tool points up to, a unit vector.
     Eigen::Vector3d tool_axis(const AxisValues& axes) const;
     /// X, Y and Z of them.
@@ -57,11 +61,9 @@ class MachineSpace {
 
   private:
     explicit MachineSpace(const machine::Machine& machine) : machine_(&machine) {}
-    rrs::JointPos joints(const AxisValues& axes) const;
     rrs::CartPos pose_for(const Eigen::Vector3d& tip_mm, const Orientation& orientation,
                           const rrs::JointPos& from) const;
     AxisValues with_rotary(const AxisValues& rotary) const;
-    Eigen::Vector3d tip(const AxisValues& axes) const;
     void study();
 
     const machine::Machine* machine_;

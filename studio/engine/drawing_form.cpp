@@ -81,6 +81,18 @@ void take_surface(Keys& keys, std::optional<engine::SurfaceChoice>& surface) {
     if (auto read = own.end(); !read) keys.fault(read.error());
 }
 
+// {"cell": "cell.toml"}
+void take_place(Keys& keys, std::optional<engine::CuttingPlace>& place) {
+    const json* given = keys.object("place");
+    if (given == nullptr) return;
+    engine::CuttingPlace& chosen = place.emplace();
+    Keys own(*given, "place");
+    own.text("cell", chosen.cell);
+    own.text("machine", chosen.machine);
+    own.text("machine_data", chosen.machine_data);
+    if (auto read = own.end(); !read) keys.fault(read.error());
+}
+
 tl::expected<DrawingRequest, engine::Failure> drawing_request(const json& own) {
     DrawingRequest request;
     Keys keys(own, "a drawing");
@@ -89,13 +101,19 @@ tl::expected<DrawingRequest, engine::Failure> drawing_request(const json& own) {
     take_ways(keys, request.ways);
     take_cutting(keys, request.cutting);
     take_surface(keys, request.surface);
+    take_place(keys, request.place);
     return end_of(keys).map([&] { return std::move(request); });
 }
 
 nlohmann::ordered_json figures_json(const engine::CuttingFigures& figures) {
-    return {{"outlines", figures.outlines},           {"pierces", figures.pierces},
-            {"without_leads", figures.without_leads}, {"cut_mm", figures.cut_mm},
-            {"travel_mm", figures.travel_mm},         {"cut_s", figures.cut_s}};
+    return {{"outlines", figures.outlines},
+            {"pierces", figures.pierces},
+            {"without_leads", figures.without_leads},
+            {"cut_mm", figures.cut_mm},
+            {"travel_mm", figures.travel_mm},
+            {"cut_s", figures.cut_s},
+            {"ways", figures.ways},
+            {"ways_round", figures.ways_round}};
 }
 
 nlohmann::ordered_json job_json(const std::optional<engine::JobFigures>& job) {

@@ -212,9 +212,11 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
     const auto& at = kWheelMiddle_mm;
     const auto way = jets(sample("parts/wheel.step"), {at[0], at[1], at[2]},
                           {"--contours", "all", "--cut-height", "0", "--max-lean", "72", "--speed", "6350",
-                           "--start", "500", "120", "150"},
+                           "--cell", sample("cell/wheel.toml")},
                           sample("cell/wheel.toml"), "af5");
     EXPECT_TRUE(holds(told_, "6 contours, 6 pierces")) << told_;
+    // The machine's home is below the table, with clamps between.
+    EXPECT_TRUE(holds(told_, "1 of 7 ways lead round something")) << told_;
     // The control that was measured rounds the corners of B and C; its time is of interest.
     const Ended measured =
         gsim_run({"part.nc", "--machine", "af5-measured", "--cell", sample("cell/wheel.toml")});

@@ -16,11 +16,47 @@ const char* const kSquareSvg =
     R"(<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">)"
     R"(<path d="M20,20 h100 v100 h-100 z"/></svg>)";
 
+// A machine whose only body is a pin on the tip, and a post that stands where the square is cut.
+const char* const kPin = R"([machine]
+name = "pin"
+inverse = "numeric"
+[[axis]]
+letter = "X"
+kind = "linear"
+max_mm = 1000
+direction = "x"
+[[axis]]
+letter = "Y"
+kind = "linear"
+max_mm = 1000
+direction = "y"
+[[axis]]
+letter = "Z"
+kind = "linear"
+max_mm = 400
+direction = "z"
+[[shape]]
+name = "pin"
+on = "tool"
+shape = { cylinder_mm = [4, 60] }
+frame = { z_mm = 30 }
+)";
+const char* const kPost = R"([cell]
+name = "post"
+machine = "pin.toml"
+[[object]]
+name = "post"
+shape = { cylinder_mm = [20, 50] }
+frame = { x_mm = 120, y_mm = 100, z_mm = 25 }
+)";
+
 Files files_of_drawings() {
     return {{"square.svg", kSquareSvg},
             {"plate.svg", sample("plate.svg")},
             {"mine.toml", sample("materials.toml")},
-            {"part.step", "ISO-10303-21;"}};
+            {"part.step", "ISO-10303-21;"},
+            {"pin.toml", kPin},
+            {"post.toml", kPost}};
 }
 
 std::string drawing_request(json asked) {
@@ -148,6 +184,24 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
     EXPECT_THAT(fault({{"drawing", "plate.svg"}, {"material", "aluminium"}, {"thickness_mm", 12}}),
                 HasSubstr("did you mean \"aluminum\"?"));
     EXPECT_THAT(fault(by_figures("none.svg")), HasSubstr("none.svg"));
+}
+
+TEST(DrawingForm, WhatStandsThereIsLookedAt) {
+    const auto fault = [](const json& asked) {
+        return failure_of(drawing_request(asked), files_of_drawings());
+    };
+    json asked = by_figures("square.svg");
+    asked["place"] = {{"cell", "post.toml"}};
+    EXPECT_THAT(fault(asked), HasSubstr("'pin' touches 'post'"));
+    asked["origin_mm"] = {200, 0, 0};
+    const Frame path = path_of(asked);
+    ASSERT_TRUE(path.header.contains("figures")) << path.header;
+    EXPECT_EQ(path.header["figures"]["ways"], 2);
+    EXPECT_THAT(path.header["summary"].get<std::string>(), HasSubstr("nothing is touched"));
+    asked["place"] = {{"room", "post.toml"}};
+    EXPECT_EQ(fault(asked), "there is no key 'room' of place");
+    asked["place"] = {{"cell", "none.toml"}};
+    EXPECT_THAT(fault(asked), HasSubstr("none.toml"));
 }
 
 TEST(MaterialsForm, AreThoseOfTheFile) {

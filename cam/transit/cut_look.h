@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cam/transit/clear_ways.h"
+
+namespace gsim::transit {
+
+/// What touches what on the way of a program, the first contact of each of its paths.
+std::vector<path::Fault> look_at_steps(std::span<const AxisStep> steps, const RapidSpace& space,
+                                       const AxisValues& start);
+
+}  // namespace gsim::transit

@@ -1,0 +1,116 @@
+#include "cam/transit/rapid_space.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "runtime/motion/apart_move.h"
+#include "runtime/motion/joint_move.h"
+
+namespace gsim::transit {
+
+namespace {
+
+// Above the higher end, in mm; the last one is the end of the axis.
+constexpr std::array<double, 8> kLifts_mm{5, 10, 20, 40, 80, 160, 320, 1e9};
+constexpr int kMostQuestions = 4000;
+// How far an axis without an end is sought beyond both places, mm or deg.
+constexpr double kBeyond = 360;
+
+motion::TimeLaw even_law(double length) {
+    return motion::TimeLaw::fastest(length, length, motion::kUnlimited);
+}
+
+}  // namespace
+
+motion::Segment RapidSpace::rapid(const AxisValues& from, const AxisValues& to) const {
+    motion::Segment segment;
+    segment.start = machine_->joints(from);
+    segment.end = machine_->joints(to);
+    const bool is_planned = setup_->controller.interpolated_rapids
+                                ? motion::plan_joint_move(*setup_, {}, 1, segment).has_value()
+                                : motion::plan_apart(*setup_, {}, segment).has_value();
+    if (is_planned) return segment;
+    // What the machine says of its axes makes no time law: the way is straight all the same.
+    segment.kind = motion::SegmentKind::joint;
+    segment.lead = even_law((segment.end - segment.start).norm());
+    segment.duration_s = segment.lead.duration_s();
+    return segment;
+}
+
+AxisValues RapidSpace::in_program(AxisValues axes) const {
+    for (const auto& [letter, value] : origin_) {
+        if (const auto axis = machine_->machine().find(letter))
+            axes[static_cast<Eigen::Index>(*axis)] -= value;
+    }
+    return axes;
+}
+
+std::string RapidSpace::told(const AxisValues& axes, const cell::ItemPair& items) const {
+    const Eigen::Vector3d tip = tip_mm(axes);
+    const auto name = [this](std::size_t item) { return cell().items[item].name; };
+    return fmt::format("({:.4g}, {:.4g}, {:.4g}): '{}' touches '{}'", tip.x(), tip.y(), tip.z(),
+                       name(items.first), name(items.second));
+}
+
+std::optional<cell::Obstacle> RapidSpace::obstacle(const AxisValues& from, const AxisValues& to,
+                                                   double clearance_mm) const {
+    return bodies_->obstacle(rapid(from, to), clearance_mm);
+}
+
+std::optional<cell::Obstacle> RapidSpace::obstacle_at(const AxisValues& axes, double clearance_mm) const {
+    return bodies_->obstacle_at(machine_->joints(axes), clearance_mm);
+}
+
+WaySpace RapidSpace::space(const AxisValues& from, const AxisValues& to, double clearance_mm) const {
+    WaySpace space;
+    space.low = from.cwiseMin(to);
+    space.high = from.cwiseMax(to);
+    space.pace = AxisValues::Zero(from.size());
+    for (Eigen::Index i = 0; i < from.size(); ++i) {
+        const machine::Axis& axis = machine_->machine().axes[static_cast<std::size_t>(i)];
+        const bool rotary = axis.kind == machine::AxisKind::rotary;
+        if (rotary ? !turns_ : axis.letter < 'X' || axis.letter > 'Z') continue;  // U, V and W stay
+        const bool wide = rotary || !std::isfinite(axis.max - axis.min);
+        space.low[i] = std::max(axis.min, wide ? space.low[i] - kBeyond : axis.min);
+        space.high[i] = std::min(axis.max, wide ? space.high[i] + kBeyond : axis.max);
+        space.pace[i] = std::isfinite(axis.max_speed) ? 1 / axis.max_speed : 0;
+    }
+    if (space.pace.isZero()) space.pace.setOnes();
+    space.is_clear = [this, clearance_mm](const AxisValues& a, const AxisValues& b) {
+        return !obstacle(a, b, clearance_mm);
+    };
+    space.seconds = [this](const AxisValues& a, const AxisValues& b) { return rapid(a, b).duration_s; };
+    return space;
+}
+
+// Up, over with what turns, and down: what people do, and can read in a program.
+std::optional<Way> RapidSpace::over(const WaySpace& space, const AxisValues& from,
+                                    const AxisValues& to) const {
+    const auto z = static_cast<Eigen::Index>(*machine_->machine().find('Z'));
+    const double higher = std::max(from[z], to[z]);
+    const double top = machine_->top_mm().value_or(higher + kBeyond);
+    double before = from[z] - 1;
+    for (const double lift_mm : kLifts_mm) {
+        const double height = std::min(std::ceil(higher + lift_mm), top);
+        if (height <= before) break;
+        before = height;
+        AxisValues up = from;
+        AxisValues over = to;
+        up[z] = over[z] = height;
+        if (space.is_clear(from, up) && space.is_clear(over, to) && space.is_clear(up, over))
+            return Way{up, over, to};
+    }
+    return std::nullopt;
+}
+
+std::optional<Way> RapidSpace::find(const AxisValues& from, const AxisValues& to, double clearance_mm) const {
+    const WaySpace space = this->space(from, to, clearance_mm);
+    if (space.is_clear(from, to)) return Way{to};
+    if (auto way = over(space, from, to)) return way;
+    return search_way(space, from, to, kMostQuestions);
+}
+
+}  // namespace gsim::transit

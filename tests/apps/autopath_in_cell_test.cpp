@@ -1,0 +1,127 @@
+// Paths that lead past what stands on the machine, held against the run that looks for collisions.
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/run_program.h"
+
+namespace gsim::apps::autopath_in_cell_test {
+
+namespace {
+
+// Two holes in a plate, 200 mm apart; a block between them, higher than ways between cuts.
+constexpr const char* kHoles =
+    "<svg width='300mm' height='60mm' viewBox='0 0 300 60'>"
+    "<circle cx='50' cy='30' r='10'/><circle cx='250' cy='30' r='10'/></svg>";
+constexpr const char* kPlate = R"(
+[[object]]
+name = "plate"
+role = "workpiece"
+shape = { box_mm = [320.0, 80.0, 10.0] }
+frame = { x_mm = 650.0, y_mm = 530.0, z_mm = 95.0 }
+)";
+constexpr const char* kBlock = R"(
+[[object]]
+name = "block"
+shape = { box_mm = [20.0, 60.0, 120.0] }
+frame = { x_mm = 650.0, y_mm = 530.0, z_mm = 160.0 }
+)";
+
+class AutopathInCell : public Apps {
+  protected:
+    void SetUp() override { write("holes.svg", kHoles); }
+
+    std::string cell(const std::string& objects) const {
+        return write("cell.toml",
+                     "[cell]\nname = \"two holes\"\nmachine = \"af5\"\nclearance_mm = 2.0\n" + objects);
+    }
+    Ended autopath(std::vector<std::string> options) const {
+        options.insert(options.begin(), {"holes.svg", "--speed", "400", "--kerf", "1", "--at", "500", "500",
+                                         "100", "-o", "holes.path.json"});
+        return run_program(GSIM_AUTOPATH, options, folder_);
+    }
+    Ended drive(const std::vector<std::string>& options = {}) const {
+        const Ended written =
+            run_program(GSIM_PATH2GCODE, {"--machine", "af5", "holes.path.json", "-o", "holes.nc"}, folder_);
+        EXPECT_EQ(written.status, 0) << written.err;
+        std::vector<std::string> arguments{"--cell", "cell.toml", "holes.nc"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return gsim_run(arguments);
+    }
+};
+
+TEST_F(AutopathInCell, WaysLeadPastTheBlockThatARunFindsWithout) {
+    cell(std::string(kPlate) + kBlock);
+    ASSERT_EQ(autopath({}).status, 0);
+    const Ended hit = drive();
+    EXPECT_EQ(hit.status, 1) << hit.out;
+    EXPECT_TRUE(holds(hit.out, "block")) << hit.out;
+    const Ended made = autopath({"--cell", "cell.toml"});
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_TRUE(holds(made.err, "nothing is touched")) << made.err;
+    const Ended clean = drive();
+    EXPECT_EQ(clean.status, 0) << clean.out;
+}
+
+TEST_F(AutopathInCell, WithNothingInTheWayThePathIsTheSame) {
+    cell(kPlate);
+    ASSERT_EQ(autopath({}).status, 0);
+    const std::string without = read("holes.path.json");
+    // The machine's home is below the plate: the first way is another one.
+    write("on_top.toml",
+          "[cell]\nname = \"nothing\"\nmachine = \"af5\"\n[[object]]\nname = \"far\"\n"
+          "shape = { box_mm = [10.0, 10.0, 10.0] }\nframe = { x_mm = 1800.0, y_mm = 2400.0, z_mm = 5.0 }\n");
+    ASSERT_EQ(autopath({"--cell", "on_top.toml"}).status, 0);
+    EXPECT_EQ(read("holes.path.json"), without);
+}
+
+TEST_F(AutopathInCell, AHoleBelowAClampIsRefusedByItsName) {
+    cell(std::string(kPlate) +
+         "[[object]]\nname = \"clamp\"\nshape = { box_mm = [40.0, 40.0, 30.0] }\n"
+         "frame = { x_mm = 750.0, y_mm = 530.0, z_mm = 115.0 }\n");
+    const Ended made = autopath({"--cell", "cell.toml"});
+    EXPECT_EQ(made.status, 1) << made.err;
+    EXPECT_TRUE(holds(made.err, "contour 2")) << made.err;
+    EXPECT_TRUE(holds(made.err, "touches 'clamp'")) << made.err;
+    EXPECT_FALSE(holds(made.err, "contour 1")) << made.err;
+    EXPECT_FALSE(exists("holes.path.json"));
+}
+
+TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
+    // The same places, as the program counts them from (500, 500, 100).
+    write("cell.toml",
+          "[cell]\nname = \"two holes\"\nmachine = \"af5\"\nmachine_data = \"data.txt\"\n"
+          "clearance_mm = 2.0\n" +
+              std::string(kPlate) + kBlock);
+    write("data.txt", "NCFILE\nOFFSET\n54 500 500 100\nENDFILE\n");
+    const Ended made = run_program(
+        GSIM_AUTOPATH,
+        {"holes.svg", "--speed", "400", "--kerf", "1", "--cell", "cell.toml", "-o", "holes.path.json"},
+        folder_);
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_TRUE(holds(made.err, "of 3 ways lead round something")) << made.err;
+    const Ended clean = drive();
+    EXPECT_EQ(clean.status, 0) << clean.out << clean.err;
+}
+
+TEST_F(AutopathInCell, WhatTheMachineDoesNotReachIsSaidWithItsContour) {
+    cell(kPlate);
+    const Ended made = run_program(GSIM_AUTOPATH,
+                                   {"holes.svg", "--speed", "400", "--kerf", "1", "--at", "1700", "500",
+                                    "100", "--machine", "af5", "-o", "holes.path.json"},
+                                   folder_);
+    EXPECT_EQ(made.status, 1) << made.err;
+    EXPECT_TRUE(holds(made.err, "contour 2")) << made.err;
+    EXPECT_TRUE(holds(made.err, "X")) << made.err;
+}
+
+TEST_F(AutopathInCell, ACellThatIsNotThereIsAnError) {
+    const Ended made = autopath({"--cell", "nowhere.toml"});
+    EXPECT_NE(made.status, 0);
+    EXPECT_TRUE(holds(made.err, "nowhere.toml")) << made.err;
+    EXPECT_FALSE(exists("holes.path.json"));
+}
+
+}  // namespace
+
+}  // namespace gsim::apps::autopath_in_cell_test
