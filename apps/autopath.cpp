@@ -124,6 +124,8 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
     line.add("--face", &contours.faces,
              "only those of this face: its number in the file (#57), name, layer or colour (red; 255,128,0); "
              "may be given more than once");
+    line.add("--edge", &contours.edges,
+             "only those that have this edge, by its number in the file (#95); may be given more than once");
     line.add("--choose", &arguments.surface.choose,
              "only those of which the function that this script returns is true")
         .of_file(apps::FileKind::input, {".lua"});
@@ -223,6 +225,7 @@ std::string lonely_option(const AutopathArguments& arguments) {
     if (!arguments.contours.empty()) return {};
     if (given.contours.side != none.surface.contours.side) return "--side";
     if (!given.contours.faces.empty()) return "--face";
+    if (!given.contours.edges.empty()) return "--edge";
     if (!given.choose.empty()) return "--choose";
     if (arguments.bridges != none.bridges) return "--bridges";
     if (given.bridge_mm != none.surface.bridge_mm) return "--bridge-width";

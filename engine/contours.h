@@ -13,6 +13,8 @@ struct ContourChoice {
     std::string kind = "holes";   ///< "holes": loops within faces; "outlines": around them; "all".
     /// Only those of these faces: by number in the file ("#57"), name, layer or colour; empty: of all.
     std::vector<std::string> faces = {};
+    /// Of these only those that have one of these edges: by number in the file ("#95" or "95"); empty: all.
+    std::vector<std::string> edges = {};
     /// "x", "-x", "y" and so on: only those of faces that look to this side; empty: to any.
     std::string side = "z";
     /// Only those within: the low corner, then the high one.

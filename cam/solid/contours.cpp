@@ -14,7 +14,8 @@ tl::expected<WallContours, std::string> read_contours(const std::filesystem::pat
     std::string box;
     if (options.box_mm) box = fmt::format("{}", fmt::join(*options.box_mm, " "));
     settings.push_back(box);
-    settings.insert(settings.end(), options.faces.begin(), options.faces.end());
+    for (const std::string& face : options.faces) settings.push_back("face:" + face);
+    for (const std::string& edge : options.edges) settings.push_back("edge:" + edge);
     return ask_reader_for("contours", file, settings, take_contours);
 }
 

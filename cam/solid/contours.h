@@ -18,10 +18,12 @@ struct ContourOptions {
     double tolerance_mm = 0.005;  ///< How far chords from point to point may be off an edge.
     std::string kind = "holes";   ///< "holes": loops within faces; "outlines": around them; "all".
     /// Only those of these faces: by number in the file ("#57"), name, layer or colour; empty: of all.
-    std::vector<std::string> faces;
+    std::vector<std::string> faces = {};
+    /// Of these only those that have one of these edges: by number in the file ("#95" or "95"); empty: all.
+    std::vector<std::string> edges = {};
     /// "z", "-x": only those of faces that look to this side of the file, on the middle of their contour.
     std::string side = "z";
-    std::optional<std::array<double, 6>> box_mm;  ///< Only those within: low corner, high corner.
+    std::optional<std::array<double, 6>> box_mm = {};  ///< Only those within: low corner, high corner.
     bool along_walls = true;  ///< The jet goes along the walls, which have to be straight that way.
 };
 

@@ -20,7 +20,7 @@ Contours::Edge edge_of(solid::WallEdge read) {
 }  // namespace
 
 tl::expected<Contours, std::string> read_contours(const std::string& file, const ContourChoice& choice) {
-    const solid::ContourOptions options{choice.tolerance_mm, choice.kind,   choice.faces,
+    const solid::ContourOptions options{choice.tolerance_mm, choice.kind,   choice.faces,      choice.edges,
                                         choice.side,         choice.box_mm, choice.along_walls};
     return solid::read_contours(file, options).map([](solid::WallContours read) {
         Contours contours{.low_mm = read.low_mm, .high_mm = read.high_mm, .notes = std::move(read.notes)};

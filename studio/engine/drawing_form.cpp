@@ -67,6 +67,7 @@ void take_surface(Keys& keys, std::optional<engine::SurfaceChoice>& surface) {
     own.word("kind", kKinds, kind);
     own.word("side", kSides, side);
     own.texts("faces", choice.contours.faces);
+    own.texts("edges", choice.contours.edges);
     own.word("axis", kAxes, axis);
     own.number("lean_deg", -80, 80, choice.lean_deg);
     own.number("tilt_deg", -60, 60, choice.tilt_deg);

@@ -307,6 +307,25 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     EXPECT_TRUE(holds(lonely.err, "--choose needs --contours")) << lonely.err;
 }
 
+TEST_F(SurfaceProgram, AnEdgeChoosesItsContour) {
+    const auto autopath = [&](const std::vector<std::string>& options, const std::string& kerf = "0.8") {
+        std::vector<std::string> arguments{
+            sample("parts/bracket.step"), "--kerf", kerf, "--speed", "400", "-o", "part.path.json"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return run_program(GSIM_AUTOPATH, arguments, folder_);
+    };
+    // The refusal names an edge of the hole that is narrower than this kerf.
+    const Ended narrow = autopath({"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
+    const std::size_t begin = narrow.err.find("edge #") + 5;
+    const std::string edge = narrow.err.substr(begin, narrow.err.find(' ', begin) - begin);
+    const Ended one = autopath({"--contours", "holes", "--edge", edge});
+    EXPECT_EQ(one.status, 0) << one.err;
+    EXPECT_TRUE(holds(one.err, "1 contours, 1 pierces")) << one.err;
+    const Ended none = autopath({"--contours", "holes", "--edge", "7"});
+    EXPECT_TRUE(holds(none.err, "bracket.step: it has no edge with the number '7'")) << none.err;
+    EXPECT_TRUE(holds(autopath({"--edge", edge}).err, "--edge needs --contours"));
+}
+
 TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {
     std::string text = solid::read_file(sample("parts/bracket.step"));
     for (std::size_t at = 0; (at = text.find("ADVANCED_FACE(''", at)) != std::string::npos; at += 20)

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "cam/solid/occ/edge_choice.h"
 #include "cam/solid/occ/face.h"
 #include "cam/solid/occ/plate_bodies.h"
 #include "cam/solid/occ/wall_contour.h"
@@ -63,7 +64,8 @@ bool lies_within(const FaceLoop& loop, const std::array<double, 6>& box_mm) {
 
 class Reader {
   public:
-    Reader(const ShapeFile& file, const ContourOptions& options) : file_(file), options_(options) {}
+    Reader(const ShapeFile& file, const ContourOptions& options)
+        : file_(file), options_(options), edges_(file, options.edges) {}
 
     tl::expected<WallContours, std::string> run() {
         const Bodies bodies = sort_bodies(file_.shape());
@@ -79,6 +81,7 @@ class Reader {
             if (!known)
                 return Fault(fmt::format("it has no face with the number, name, layer or colour '{}'", face));
         }
+        if (auto fault = edges_.find_fault()) return Fault(*std::move(fault));
         tell_rest(bodies);
         if (found_.contours.empty()) return Fault(nothing_found());
         return std::move(found_);
@@ -100,6 +103,7 @@ class Reader {
         FacesOfEdges faces_of;
         TopExp::MapShapesAndUniqueAncestors(solid, TopAbs_EDGE, TopAbs_FACE, faces_of);
         const ContourWalk walk(file_, solid, faces_of, options_);
+        edges_.find_in(solid);
         TopTools_MapOfShape walls;
         for (const Candidate& candidate : candidates(solid)) {
             // What is cut along is not cut into as well.
@@ -108,9 +112,13 @@ class Reader {
             if (!contour) {
                 if (auto left = leave_out(candidate, contour.error()); !left) return left;
             } else if (look_of(*contour, options_.side) <= kLeastLook) {
-                ++other_sides_;
+                edges_.mark_refused(
+                    candidate.loop.edges,
+                    fmt::format("it is of one that looks to another side than {}", options_.side));
+                if (edges_.takes_any()) ++other_sides_;
             } else {
-                found_.contours.push_back(*std::move(contour));
+                if (edges_.takes(candidate.loop.edges)) found_.contours.push_back(*std::move(contour));
+                edges_.mark_cut(candidate.loop.edges);
                 for (const TopoDS_Edge& edge : candidate.loop.edges) {
                     for (const TopoDS_Shape& face : faces_of.FindFromKey(edge)) {
                         if (!face.IsSame(candidate.face)) walls.Add(face);
@@ -147,6 +155,8 @@ class Reader {
         if (!looks_there(candidate.face)) return {};
         std::string sentence = fmt::format("{} of {} {}", candidate.loop.is_hole ? "a hole" : "the outline",
                                            shown(candidate.face, file_), why);
+        edges_.mark_refused(candidate.loop.edges, sentence);
+        if (!edges_.takes_any()) return {};
         if (!options_.faces.empty()) return Fault(std::move(sentence));
         left_out_.push_back(std::move(sentence));
         return {};
@@ -187,6 +197,7 @@ class Reader {
     WallContours found_;
     std::vector<std::string> left_out_;
     std::size_t other_sides_ = 0;
+    EdgeChoice edges_;
     std::map<std::string, bool> asked_;
 };
 

@@ -2,7 +2,8 @@
 //
 //     gsim-solid mesh FILE TOLERANCE-MM
 //     gsim-solid plate FILE TOLERANCE-MM flip|as-it-lies AXIS
-//     gsim-solid contours FILE TOLERANCE-MM holes|outlines|all SIDE walls|any "X Y Z X Y Z" [FACE ...]
+//     gsim-solid contours FILE TOLERANCE-MM holes|outlines|all SIDE walls|any "X Y Z X Y Z" [face:FACE |
+//     edge:EDGE ...]
 //
 // A packet begins with whether all went well; if not, a sentence follows.
 
@@ -100,7 +101,11 @@ Answer contours_answer(std::span<char* const> arguments) {
     options.side = arguments[5];
     options.along_walls = arguments[6] == std::string_view("walls");
     options.box_mm = box_of(arguments[7]);
-    options.faces.assign(arguments.begin() + 8, arguments.end());
+    for (const std::string_view each : arguments.subspan(8)) {
+        const std::size_t colon = each.find(':');
+        auto& names = each.substr(0, colon) == "edge" ? options.edges : options.faces;
+        names.emplace_back(each.substr(colon + 1));
+    }
     const auto contours = contours_of(*shapes, options);
     if (!contours) return tl::unexpected(contours.error());
     PacketWriter packet;
