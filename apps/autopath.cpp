@@ -116,8 +116,9 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
     engine::ContourChoice& contours = arguments.surface.contours;
     line.begin_group("Parts that are not flat (STEP, IGES)");
     line.add("--contours", &arguments.contours,
-             "cut these closed loops of edges of faces; the other options of this group need it")
-        .one_of({"holes", "outlines", "all"});
+             "cut these closed loops of edges of faces, or the edges that --edge names; the other options of "
+             "this group need it")
+        .one_of({"holes", "outlines", "all", "edges"});
     line.add("--side", &contours.side, "only those of faces that look to this side")
         .one_of({"x", "y", "z", "-x", "-y", "-z"})
         .shows_default();

@@ -7,10 +7,12 @@
 
 namespace gsim::engine {
 
-/// Which contours of a part are cut that need not be flat. A contour is a closed loop of edges of one face.
+/// Which contours of a part are cut that need not be flat. A contour is a closed loop of edges of one face,
+/// or a chain of edges that are asked for by their numbers.
 struct ContourChoice {
     double tolerance_mm = 0.005;  ///< How far chords from point to point may be off an edge.
-    std::string kind = "holes";   ///< "holes": loops within faces; "outlines": around them; "all".
+    /// "holes": loops within faces; "outlines": around them; "all"; "edges": those of `edges`, in chains.
+    std::string kind = "holes";
     /// Only those of these faces: by number in the file ("#57"), name, layer or colour; empty: of all.
     std::vector<std::string> faces = {};
     /// Of these only those that have one of these edges: by number in the file ("#95" or "95"); empty: all.
@@ -39,17 +41,26 @@ struct Contours {
     struct Edge {
         std::string name = {};  ///< For messages.
         std::vector<Point> points = {};
-        double behind_mm = 0;  ///< How far along the jet it meets the part again; 0: it does not.
+        double behind_mm = 0;    ///< How far along the jet it meets the part again; 0: it does not.
+        std::string label = {};  ///< Its number in the file, for ContourChoice::edges; may be empty.
     };
     struct Contour {
         std::string face = {};  ///< For messages.
         bool is_hole = false;
         std::vector<Edge> edges = {};  ///< In order, the end of each the begin of the next.
+        bool is_open = false;          ///< A chain of edges; else the last edge ends where the first begins.
+    };
+    /// An edge beside those that are cut.
+    struct PartEdge {
+        std::string name = {};  ///< For messages.
+        std::vector<Triple> points_mm = {};
     };
 
     std::vector<Contour> contours = {};
     Triple low_mm = {}, high_mm = {};     ///< The box about all bodies.
     std::vector<std::string> notes = {};  ///< What was left out, in sentences.
+    /// With chains of edges: what else of the part a jet could come into, but for the walls' lower ends.
+    std::vector<PartEdge> other_edges = {};
 };
 
 }  // namespace gsim::engine

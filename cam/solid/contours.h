@@ -13,10 +13,12 @@ namespace gsim::solid {
 /// A place or a direction in the file's frame, in mm or of length 1.
 using Triple = std::array<double, 3>;
 
-/// Which contours of a part's faces are read, and what for. A contour is a closed loop of edges of one face.
+/// Which contours of a part's faces are read, and what for. A contour is a closed loop of edges of one face,
+/// or a chain of edges that were asked for by their numbers.
 struct ContourOptions {
     double tolerance_mm = 0.005;  ///< How far chords from point to point may be off an edge.
-    std::string kind = "holes";   ///< "holes": loops within faces; "outlines": around them; "all".
+    /// "holes": loops within faces; "outlines": around them; "all"; "edges": those of `edges`, in chains.
+    std::string kind = "holes";
     /// Only those of these faces: by number in the file ("#57"), name, layer or colour; empty: of all.
     std::vector<std::string> faces = {};
     /// Of these only those that have one of these edges: by number in the file ("#95" or "95"); empty: all.
@@ -39,17 +41,26 @@ struct WallPoint {
 };
 
 struct WallEdge {
-    std::string name;               ///< "edge #12 of the plane face #40": in messages.
-    std::vector<WallPoint> points;  ///< Two or more.
+    std::string name;                    ///< "edge #12 of the plane face #40": in messages.
+    std::vector<WallPoint> points = {};  ///< Two or more.
     /// How far along the jet, from the edge on, it meets the part again behind the wall; 0: it does not.
     double behind_mm = 0;
+    std::string label = {};  ///< Its number in the file, "#12"; empty where it has none.
 };
 
-/// Edges in order, the end of each the begin of the next, and of the last that of the first.
+/// Edges in order, the end of each the begin of the next, and of the last that of the first unless it is
+/// open.
 struct WallContour {
-    std::string face;  ///< "the plane face #40 at (1, 2, 3)"
+    std::string face;  ///< "the plane face #40 at (1, 2, 3)"; of a chain, that of its first edge.
     bool is_hole = false;
-    std::vector<WallEdge> edges;
+    std::vector<WallEdge> edges = {};
+    bool is_open = false;
+};
+
+/// An edge beside those that are cut.
+struct PartEdge {
+    std::string name;                    ///< "edge #12": in messages.
+    std::vector<Triple> points_mm = {};  ///< With chords as close as the tolerance says.
 };
 
 /// The contours of a part that need not be flat, with the walls below them.
@@ -57,6 +68,9 @@ struct WallContours {
     std::vector<WallContour> contours;
     Triple low_mm{}, high_mm{};      ///< The box about all bodies.
     std::vector<std::string> notes;  ///< What of the part is left out, in sentences.
+    /// With chains of edges: what else of the part a jet could come into. Without the lower ends of the
+    /// walls.
+    std::vector<PartEdge> other_edges = {};
 };
 
 /// Reads contours of a STEP or IGES file with bodies in it; docs/autopath.md says what is understood. The

@@ -6,6 +6,7 @@ namespace {
 
 void put_edge(PacketWriter& packet, const WallEdge& edge) {
     packet.put_text(edge.name);
+    packet.put_text(edge.label);
     packet.put(edge.behind_mm);
     packet.put_all(edge.points);
 }
@@ -13,6 +14,7 @@ void put_edge(PacketWriter& packet, const WallEdge& edge) {
 WallEdge take_edge(PacketReader& packet) {
     WallEdge edge;
     edge.name = packet.get_text();
+    edge.label = packet.get_text();
     edge.behind_mm = packet.get<double>();
     edge.points = packet.get_all<WallPoint>();
     return edge;
@@ -27,11 +29,17 @@ void put_contours(PacketWriter& packet, const WallContours& contours) {
     for (const WallContour& contour : contours.contours) {
         packet.put_text(contour.face);
         packet.put_flag(contour.is_hole);
+        packet.put_flag(contour.is_open);
         packet.put(static_cast<std::uint64_t>(contour.edges.size()));
         for (const WallEdge& edge : contour.edges) put_edge(packet, edge);
     }
     packet.put(static_cast<std::uint64_t>(contours.notes.size()));
     for (const std::string& note : contours.notes) packet.put_text(note);
+    packet.put(static_cast<std::uint64_t>(contours.other_edges.size()));
+    for (const PartEdge& edge : contours.other_edges) {
+        packet.put_text(edge.name);
+        packet.put_all(edge.points_mm);
+    }
 }
 
 WallContours take_contours(PacketReader& packet) {
@@ -42,11 +50,17 @@ WallContours take_contours(PacketReader& packet) {
     for (WallContour& contour : contours.contours) {
         contour.face = packet.get_text();
         contour.is_hole = packet.get_flag();
+        contour.is_open = packet.get_flag();
         contour.edges.resize(packet.get_count(1));
         for (WallEdge& edge : contour.edges) edge = take_edge(packet);
     }
     contours.notes.resize(packet.get_count(1));
     for (std::string& note : contours.notes) note = packet.get_text();
+    contours.other_edges.resize(packet.get_count(1));
+    for (PartEdge& edge : contours.other_edges) {
+        edge.name = packet.get_text();
+        edge.points_mm = packet.get_all<Triple>();
+    }
     return contours;
 }
 

@@ -39,9 +39,10 @@ struct LowCorner {
 
 /// A contour's way of the jet. Material is to its left.
 struct JetWay {
-    /// Closed: the last is where the first is.
+    /// The last is where the first is, unless it is open.
     std::vector<JetPoint> points;
     bool is_hole = false;
+    bool is_open = false;
     std::string name;                ///< Of the contour, for messages.
     std::vector<std::string> edges;  ///< Their names.
     std::vector<LowCorner> low_corners;

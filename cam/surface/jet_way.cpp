@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -81,9 +82,10 @@ class WayMaker {
         for (std::size_t i = 0; i < contour_.edges.size(); ++i) {
             if (auto added = add_edge(i); !added) return Fault(added.error());
         }
-        if (edges_.size() == 1) split_single();
+        if (edges_.size() == 1 && !contour_.is_open) split_single();
         corners_.resize(edges_.size());
-        for (std::size_t i = 0; i < edges_.size(); ++i) {
+        const std::size_t joints = contour_.is_open ? edges_.size() - 1 : edges_.size();
+        for (std::size_t i = 0; i < joints; ++i) {
             if (auto joined = join(i, (i + 1) % edges_.size()); !joined) return Fault(joined.error());
         }
         if (auto good = check_bends(); !good) return Fault(good.error());
@@ -288,13 +290,15 @@ class WayMaker {
     JetWay whole() const {
         JetWay way;
         way.is_hole = contour_.is_hole;
-        way.name = fmt::format("{} of {}", contour_.is_hole ? "a hole" : "the outline", contour_.face);
+        way.is_open = contour_.is_open;
+        const std::string_view closed = contour_.is_hole ? "a hole" : "the outline";
+        way.name = fmt::format("{} of {}", contour_.is_open ? "a chain of edges" : closed, contour_.face);
         for (const solid::WallEdge& edge : contour_.edges) way.edges.push_back(edge.name);
         for (std::size_t i = 0; i < edges_.size(); ++i) {
             for (const JetPoint& at : edges_[i]) add(at, way.points);
             for (const JetPoint& at : corners_[i]) add(at, way.points);
         }
-        way.points.push_back(way.points.front());
+        if (!contour_.is_open) way.points.push_back(way.points.front());
         way.low_corners = low_corners_;
         return way;
     }

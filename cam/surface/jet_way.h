@@ -20,9 +20,9 @@ struct JetChoice {
     bool touches_both() const { return along_walls && tilt_deg == 0; }
 };
 
-/// The jet's way round a contour: half of its width beside the edges, about corners that open, trimmed where
-/// they close. The error is a sentence: an edge where the jet would lean too much or go up, a bend or corner
-/// that is narrower than the jet.
+/// The jet's way round a contour, or along an open one from end to end: half of its width beside the edges,
+/// about corners that open, trimmed where they close. The error is a sentence: an edge where the jet would
+/// lean too much or go up, a bend or corner that is narrower than the jet.
 tl::expected<JetWay, std::string> jet_way(const solid::WallContour& contour, const JetShape& jet,
                                           const JetChoice& choice);
 

@@ -18,21 +18,28 @@ Vector place_of(const solid::WallPoint& point, WallEnd end) {
 
 }  // namespace
 
-NearEdges::NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet, WallEnd which)
-    : contours_(contours), jet_(jet) {
+void NearEdges::add_line(const Vector& from, const Vector& to, const std::string& edge,
+                         std::vector<Place>& places) {
+    const double step_mm = kKerfShare * jet_.kerf_mm;
+    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / step_mm)));
+    for (int k = 0; k < steps; ++k)
+        places.push_back({from + static_cast<double>(k) / steps * (to - from), &edge});
+}
+
+NearEdges::NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet, WallEnd which,
+                     std::span<const solid::PartEdge> others)
+    : jet_(jet) {
     std::vector<Place> places;
-    const double step_mm = kKerfShare * jet.kerf_mm;
-    for (std::size_t c = 0; c < contours.size(); ++c) {
-        for (std::size_t e = 0; e < contours[c].edges.size(); ++e) {
-            const std::vector<solid::WallPoint>& points = contours[c].edges[e].points;
-            for (std::size_t i = 1; i < points.size(); ++i) {
-                const Vector from = place_of(points[i - 1], which);
-                const Vector along = place_of(points[i], which) - from;
-                const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / step_mm)));
-                for (int k = 0; k < steps; ++k)
-                    places.push_back({from + static_cast<double>(k) / steps * along, c, e});
-            }
+    for (const solid::WallContour& contour : contours) {
+        for (const solid::WallEdge& edge : contour.edges) {
+            for (std::size_t i = 1; i < edge.points.size(); ++i)
+                add_line(place_of(edge.points[i - 1], which), place_of(edge.points[i], which), edge.name,
+                         places);
         }
+    }
+    for (const solid::PartEdge& edge : others) {
+        for (std::size_t i = 1; i < edge.points_mm.size(); ++i)
+            add_line(vector_of(edge.points_mm[i - 1]), vector_of(edge.points_mm[i]), edge.name, places);
     }
     for (std::size_t begin = 0; begin < places.size(); begin += kGroupPlaces) {
         const std::size_t end = std::min(places.size(), begin + kGroupPlaces);
@@ -57,8 +64,7 @@ NearEdges::Nearest NearEdges::nearest(const Vector& middle, const Vector& axis, 
         if (distance(group.middle) - group.radius_mm >= found.distance_mm) continue;
         for (const Place& place : group.places) {
             const double each = distance(place.at);
-            if (each < found.distance_mm)
-                found = {each, place.at, contours_[place.contour].edges[place.edge].name};
+            if (each < found.distance_mm) found = {each, place.at, *place.edge};
         }
     }
     return found;

@@ -12,11 +12,11 @@ namespace gsim::surface {
 /// Which edges of walls: where the jet enters, or where it leaves.
 enum class WallEnd { upper, lower };
 
-/// All edges of what is cut, to be asked how near a jet comes to them.
+/// All edges of what is cut, to be asked how near a jet comes to them, and others of the part.
 class NearEdges {
   public:
     NearEdges(std::span<const solid::WallContour> contours, const JetShape& jet,
-              WallEnd which = WallEnd::upper);
+              WallEnd which = WallEnd::upper, std::span<const solid::PartEdge> others = {});
 
     /// A place of a part, and how far the jet's middle is from it.
     struct Nearest {
@@ -31,7 +31,7 @@ class NearEdges {
   private:
     struct Place {
         Vector at;
-        std::size_t contour = 0, edge = 0;
+        const std::string* edge = nullptr;  ///< Its name.
     };
     struct Group {
         Vector middle;
@@ -39,7 +39,8 @@ class NearEdges {
         std::vector<Place> places;
     };
 
-    std::span<const solid::WallContour> contours_;
+    void add_line(const Vector& from, const Vector& to, const std::string& edge, std::vector<Place>& places);
+
     JetShape jet_;
     std::vector<Group> groups_;
 };

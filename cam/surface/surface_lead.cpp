@@ -13,6 +13,7 @@ namespace {
 constexpr double kLeastRadius_mm = 0.05;
 constexpr double kTouch_mm = 0.02;  // of which points of edges between those that are known may be nearer
 constexpr int kProbes = 9;
+constexpr double kProbesOfKerf = 4;  // of a straight lead
 constexpr int kMostStarts = 24;
 
 // Of a quarter circle that ends on the way: off it by `turn` of its radius's sweep, back against the way.
@@ -66,15 +67,38 @@ void begin_at(std::size_t start, std::vector<JetPoint>& points) {
     points.push_back(points.front());
 }
 
-Leads::Quarter quarter(const JetPoint& at, const JetShape& jet, double radius_mm, double sense) {
+Leads::Lead quarter(const JetPoint& at, const JetShape& jet, double radius_mm, double sense) {
     const Vector tip = tip_of(at, jet);
     return {tip + off_way(at, radius_mm, std::numbers::pi / 2, sense),
             tip + off_way(at, radius_mm, std::numbers::pi / 4, sense)};
 }
 
+// Beyond an end of an open way, along its tangent.
+std::optional<Leads::Lead> straight(const JetPoint& at, const JetShape& jet, const NearEdges& edges,
+                                    double length_mm, double sense) {
+    const Vector along = sense * length_mm * at.tangent;
+    const int probes =
+        std::max(kProbes, static_cast<int>(std::ceil(kProbesOfKerf * length_mm / jet.kerf_mm)));
+    for (int i = 1; i <= probes; ++i) {
+        const Vector middle = middle_of(at, jet) + static_cast<double>(i) / probes * along;
+        if (edges.nearest(middle, at.axis, at.depth_mm).distance_mm < jet.kerf_mm / 2 - kTouch_mm)
+            return std::nullopt;
+    }
+    return Leads::Lead{tip_of(at, jet) + along, std::nullopt};
+}
+
+std::optional<Leads> straight_leads(const JetWay& way, const JetShape& jet, const NearEdges& edges,
+                                    double length_mm) {
+    const Leads leads{straight(way.points.front(), jet, edges, length_mm, -1),
+                      straight(way.points.back(), jet, edges, length_mm, 1), length_mm};
+    if (!leads.in && !leads.out) return std::nullopt;
+    return leads;
+}
+
 }  // namespace
 
 std::optional<Leads> find_leads(JetWay& way, const JetShape& jet, const NearEdges& edges, double radius_mm) {
+    if (way.is_open) return straight_leads(way, jet, edges, radius_mm);
     const std::vector<std::size_t> starts = starts_of(way.points);
     for (double radius = radius_mm; radius >= kLeastRadius_mm; radius /= 2) {
         for (const std::size_t start : starts) {

@@ -25,12 +25,13 @@ constexpr double kTold_mm = 0.02;     // of material at a lower edge that is tak
 constexpr double kInto_mm = 0.03;     // how far a jet may come into an edge
 constexpr double kWallTolerance = 3;  // of the wall's lower end, by that of the tip
 
-// Holes before outlines, and of each the nearest next one.
+// Holes first, outlines last, and of each the nearest next one.
 std::vector<SurfaceCut> in_order(std::vector<SurfaceCut> cuts, const JetShape& jet, Vector at) {
     std::vector<SurfaceCut> ordered;
     while (!cuts.empty()) {
         const auto cost = [&](const SurfaceCut& cut) {
-            return std::pair(!cut.way.is_hole, (cut.pierce(jet) - at).norm());
+            const int rank = cut.way.is_hole ? 0 : cut.way.is_open ? 1 : 2;
+            return std::pair(rank, (cut.pierce(jet) - at).norm());
         };
         const auto next = std::min_element(cuts.begin(), cuts.end(),
                                            [&](const auto& a, const auto& b) { return cost(a) < cost(b); });
@@ -53,7 +54,7 @@ class PathMaker {
             if (!way) return Fault(way.error());
             ways.push_back(*std::move(way));
         }
-        const NearEdges edges(part_.contours, jet_);
+        const NearEdges edges(part_.contours, jet_, WallEnd::upper, part_.other_edges);
         for (const JetWay& way : ways) {
             if (auto good = check(way, edges); !good) return Fault(good.error());
         }

@@ -28,12 +28,13 @@ class CutWriter {
     path::Path run(const SurfaceCut& cut) {
         const JetPoint& first = cut.way.points.front();
         come(cut.pierce(options_.jet), first.axis);
-        if (cut.leads) lead(cut.leads->in.via_mm, tip_of(first, options_.jet), cut);
+        if (cut.leads && cut.leads->in) lead(cut.leads->in->via_mm, tip_of(first, options_.jet), cut, first);
         for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
             if (i > 0) step_over(cut.pieces[i - 1].back(), cut.pieces[i].front());
             for (const JetMove& each : fit_moves(cut.pieces[i], options_.jet, options_.tolerance)) add(each);
         }
-        if (cut.leads) lead(cut.leads->out.via_mm, cut.leads->out.far_mm, cut);
+        if (cut.leads && cut.leads->out)
+            lead(cut.leads->out->via_mm, cut.leads->out->far_mm, cut, cut.way.points.back());
         last_point().actions = {"abrasive_off", "waterjet_off"};
         leave(cut.end(options_.jet), cut.way.points.back().axis);
         return std::move(path_);
@@ -113,14 +114,15 @@ class CutWriter {
         return feed * depth_share(move.depth_mm);
     }
 
-    void lead(const Vector& via, const Vector& end, const SurfaceCut& cut) {
+    void lead(const std::optional<Vector>& via, const Vector& end, const SurfaceCut& cut,
+              const JetPoint& at) {
         const double length_mm = cut.leads->length_mm;
-        path::Point& point = add_point(MotionType::circular, end);
-        point.arc = path::ViaPoint{in_work(via)};
+        const double straight_mm_min = rules_.speed_mm_min * depth_share(at.depth_mm);
+        path::Point& point = add_point(via ? MotionType::circular : MotionType::linear, end);
+        if (via) point.arc = path::ViaPoint{in_work(*via)};
         point.feed_mm_min =
-            arc_feed_mm_min(length_mm * 4 / kTurn_rad) * depth_share(cut.way.points.front().depth_mm);
-        count(length_mm, *point.feed_mm_min,
-              rules_.speed_mm_min * depth_share(cut.way.points.front().depth_mm));
+            via ? arc_feed_mm_min(length_mm * 4 / kTurn_rad) * depth_share(at.depth_mm) : straight_mm_min;
+        count(length_mm, *point.feed_mm_min, straight_mm_min);
     }
 
     void add(const JetMove& move) {
@@ -173,7 +175,7 @@ path::Program surface_program(std::span<const SurfaceCut> cuts, const cutting::C
         program.paths.push_back(CutWriter(rules, options, summary).run(cut));
         program.paths.back().name = fmt::format("contour {}", program.paths.size() - 1);
         ++summary.outlines;
-        if (!cut.leads) ++summary.without_leads;
+        if (!cut.has_both_leads()) ++summary.without_leads;
         if (last) summary.travel_mm += (cut.pierce(options.jet) - *last).norm();
         last = cut.end(options.jet);
     }

@@ -19,11 +19,12 @@ struct SurfaceCut {
     std::vector<std::vector<JetPoint>> pieces = {};  ///< Of the way, between bridges.
 
     Vector pierce(const JetShape& jet) const {
-        return leads ? leads->in.far_mm : tip_of(way.points.front(), jet);
+        return leads && leads->in ? leads->in->far_mm : tip_of(way.points.front(), jet);
     }
     Vector end(const JetShape& jet) const {
-        return leads ? leads->out.far_mm : tip_of(way.points.back(), jet);
+        return leads && leads->out ? leads->out->far_mm : tip_of(way.points.back(), jet);
     }
+    bool has_both_leads() const { return leads && leads->in && leads->out; }
 };
 
 struct SurfaceProgramOptions {

@@ -18,7 +18,7 @@ namespace gsim::engine {
 namespace {
 
 solid::WallEdge inner_edge(Contours::Edge given) {
-    solid::WallEdge edge{std::move(given.name), {}, given.behind_mm};
+    solid::WallEdge edge{std::move(given.name), {}, given.behind_mm, std::move(given.label)};
     edge.points.reserve(given.points.size());
     for (const Contours::Point& point : given.points)
         edge.points.push_back({point.position_mm, point.normal, point.tangent, point.wall_normal,
@@ -32,10 +32,12 @@ solid::WallContours inner_contours(Contours given) {
     contours.high_mm = given.high_mm;
     contours.notes = std::move(given.notes);
     for (Contours::Contour& each : given.contours) {
-        solid::WallContour contour{std::move(each.face), each.is_hole, {}};
+        solid::WallContour contour{std::move(each.face), each.is_hole, {}, each.is_open};
         for (Contours::Edge& edge : each.edges) contour.edges.push_back(inner_edge(std::move(edge)));
         contours.contours.push_back(std::move(contour));
     }
+    for (Contours::PartEdge& edge : given.other_edges)
+        contours.other_edges.push_back({std::move(edge.name), std::move(edge.points_mm)});
     return contours;
 }
 
@@ -48,7 +50,7 @@ std::array<double, 3> triple_of(const surface::Vector& v) {
 }
 
 script::ContourFacts facts_of(const solid::WallContour& contour) {
-    script::ContourFacts facts{.face = contour.face, .is_hole = contour.is_hole};
+    script::ContourFacts facts{.face = contour.face, .is_hole = contour.is_hole, .is_open = contour.is_open};
     surface::Vector low = surface::Vector::Constant(std::numeric_limits<double>::infinity());
     surface::Vector high = -low;
     surface::Vector normal = surface::Vector::Zero();
@@ -91,6 +93,8 @@ std::string misplaced_with_contours(const DrawingRequest& request) {
     if (std::abs(request.ways.bevel_deg) > 0)
         return "--bevel is for flat parts; with --contours the jet goes along the walls, or leans by --lean";
     const SurfaceChoice& surface = *request.surface;
+    if (surface.contours.kind == "edges" && surface.contours.edges.empty())
+        return "--contours edges needs the numbers of edges (--edge)";
     if (surface.contours.along_walls && std::abs(surface.lean_deg) > 0)
         return "--lean is from the face's normal (--axis normal); along walls they say how the jet leans";
     return {};

@@ -9,7 +9,8 @@ namespace gsim::engine {
 namespace {
 
 Contours::Edge edge_of(solid::WallEdge read) {
-    Contours::Edge edge{.name = std::move(read.name), .behind_mm = read.behind_mm};
+    Contours::Edge edge{
+        .name = std::move(read.name), .behind_mm = read.behind_mm, .label = std::move(read.label)};
     edge.points.reserve(read.points.size());
     for (const solid::WallPoint& point : read.points)
         edge.points.push_back({point.position_mm, point.normal, point.tangent, point.wall_normal,
@@ -25,10 +26,13 @@ tl::expected<Contours, std::string> read_contours(const std::string& file, const
     return solid::read_contours(file, options).map([](solid::WallContours read) {
         Contours contours{.low_mm = read.low_mm, .high_mm = read.high_mm, .notes = std::move(read.notes)};
         for (solid::WallContour& each : read.contours) {
-            Contours::Contour contour{.face = std::move(each.face), .is_hole = each.is_hole};
+            Contours::Contour contour{
+                .face = std::move(each.face), .is_hole = each.is_hole, .is_open = each.is_open};
             for (solid::WallEdge& edge : each.edges) contour.edges.push_back(edge_of(std::move(edge)));
             contours.contours.push_back(std::move(contour));
         }
+        for (solid::PartEdge& edge : read.other_edges)
+            contours.other_edges.push_back({std::move(edge.name), std::move(edge.points_mm)});
         return contours;
     });
 }

@@ -35,10 +35,12 @@ void set_triple(lua_State* state, const char* name, const std::array<double, 3>&
 }
 
 void push_facts(lua_State* state, const ContourFacts& facts) {
-    lua_createtable(state, 0, 9);
+    lua_createtable(state, 0, 10);
     set_text(state, "face", facts.face);
     lua_pushboolean(state, facts.is_hole ? 1 : 0);
     lua_setfield(state, -2, "is_hole");
+    lua_pushboolean(state, facts.is_open ? 1 : 0);
+    lua_setfield(state, -2, "is_open");
     set_number(state, "length_mm", facts.length_mm);
     set_triple(state, "low_mm", facts.low_mm);
     set_triple(state, "high_mm", facts.high_mm);

@@ -12,7 +12,7 @@
 
 namespace gsim::script {
 
-/// What a script is told of a closed loop of edges of a part, in the frame of its file.
+/// What a script is told of a closed loop or a chain of edges of a part, in the frame of its file.
 struct ContourFacts {
     struct Edge {
         std::string name;  ///< "edge #12 of the plane face #40"
@@ -20,6 +20,7 @@ struct ContourFacts {
     };
     std::string face;  ///< "the plane face #40 at (1, 2, 3)"
     bool is_hole = false;
+    bool is_open = false;  ///< A chain.
     double length_mm = 0;
     std::array<double, 3> low_mm{}, high_mm{};  ///< Corners of the box about it.
     std::array<double, 3> normal{};             ///< Of the face, out of the material, on the average.

@@ -58,7 +58,7 @@ void take_ways(Keys& keys, engine::CuttingWays& ways) {
 void take_surface(Keys& keys, std::optional<engine::SurfaceChoice>& surface) {
     const json* given = keys.object("contours");
     if (given == nullptr) return;
-    constexpr std::array kKinds{"holes", "outlines", "all"};
+    constexpr std::array kKinds{"holes", "outlines", "all", "edges"};
     constexpr std::array kAxes{"wall", "normal"};
     engine::SurfaceChoice& choice = surface.emplace();
     Keys own(*given, "contours");

@@ -256,6 +256,40 @@ TEST(DrawingPath, ContoursOfAPartThatIsNotFlatComeFromTheHost) {
     EXPECT_EQ(told, std::vector<std::string>{"half is left"});
 }
 
+TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
+    DrawingRequest request = request_of_contours();
+    ContourChoice asked;
+    request.surface->contours.kind = "edges";
+    request.surface->contours.edges = {"#2"};
+    const auto one_side = [&](const std::string& file, const ContourChoice& choice) {
+        asked = choice;
+        Contours hole = square_hole(file, choice).value();
+        Contours::Contour& contour = hole.contours.front();
+        for (std::size_t i = 1; i < 4; ++i) {
+            Contours::PartEdge other{.name = contour.edges[i].name};
+            for (const Contours::Point& point : contour.edges[i].points)
+                other.points_mm.push_back(point.position_mm);
+            hole.other_edges.push_back(other);
+        }
+        contour.edges.resize(1);
+        contour.is_hole = false;
+        contour.is_open = true;
+        return hole;
+    };
+    request.host.read_contours = one_side;
+    EXPECT_THAT(refusal(request),
+                HasSubstr("edge #2 cannot be cut: at (0, 0, 0) the jet would go 0.5 mm into edge #5"));
+    EXPECT_EQ(asked.edges, std::vector<std::string>{"#2"});
+    request.host.read_contours = [&](const std::string& file, const ContourChoice& choice) {
+        Contours alone = one_side(file, choice);
+        alone.other_edges.clear();
+        return tl::expected<Contours, std::string>(alone);
+    };
+    const auto path = made(request);
+    ASSERT_TRUE(path) << path.error().message;
+    EXPECT_NEAR(path->figures().cut_mm, 20 + 2 * 3, 0.01);  // and three kerfs beyond each end
+}
+
 TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
     DrawingRequest drawing = request_of_contours();
     drawing.drawing = "part.svg";
@@ -269,6 +303,9 @@ TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
     DrawingRequest leaned = request_of_contours();
     leaned.surface->lean_deg = 10;
     EXPECT_THAT(refusal(leaned), HasSubstr("--lean is from the face's normal"));
+    DrawingRequest edges = request_of_contours();
+    edges.surface->contours.kind = "edges";
+    EXPECT_THAT(refusal(edges), HasSubstr("--contours edges needs the numbers of edges (--edge)"));
     DrawingRequest alone = request_of_contours();
     alone.host.read_contours = {};
     EXPECT_THAT(refusal(alone), HasSubstr("STEP and IGES files are not read here"));

@@ -10,14 +10,16 @@ namespace {
 using testing::HasSubstr;
 
 std::vector<ContourFacts> two() {
-    ContourFacts hole{.face = "the plane face #40 at (1, 2, 3)", .is_hole = true, .length_mm = 30};
+    ContourFacts hole{
+        .face = "the plane face #40 at (1, 2, 3)", .is_hole = true, .is_open = false, .length_mm = 30};
     hole.low_mm = {1, 2, 3};
     hole.high_mm = {11, 12, 3};
     hole.normal = {0, 0, 1};
     hole.depth_mm = 6;
     hole.lean_deg = 12;
     hole.edges = {{"edge #1 of the plane face #41", 20}, {"edge #2 of the plane face #42", 10}};
-    ContourFacts outline{.face = "the plane face #50 at (0, 0, 3)", .is_hole = false, .length_mm = 400};
+    ContourFacts outline{
+        .face = "the plane face #50 at (0, 0, 3)", .is_hole = false, .is_open = true, .length_mm = 400};
     return {hole, outline};
 }
 
@@ -34,6 +36,7 @@ std::string fault(const std::string& lua, const LuaState::Limits& limits = {}) {
 
 TEST(ContourChoice, TheFunctionIsAskedOfEachInTheirOrder) {
     EXPECT_EQ(chosen("return function(contour) return contour.is_hole end"), (std::vector{true, false}));
+    EXPECT_EQ(chosen("return function(contour) return contour.is_open end"), (std::vector{false, true}));
     EXPECT_EQ(chosen("return function(contour) return contour.length_mm > 100 end"),
               (std::vector{false, true}));
     EXPECT_EQ(chosen("local n = 0\nreturn function() n = n + 1 if n == 2 then return true end end"),

@@ -6,18 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/solid/solids.h"
+#include "tests/solid/step_edges.h"
 
 namespace gsim::solid::contours_test {
 
 namespace {
 
 using testing::HasSubstr;
-
-// "#12" of "edge #12 of the plane face #40"
-std::string number_of(const WallEdge& edge) {
-    const std::size_t begin = edge.name.find('#');
-    return edge.name.substr(begin, edge.name.find(' ', begin) - begin);
-}
 
 class Contours : public testing::Test {
   protected:
@@ -42,7 +37,7 @@ class Contours : public testing::Test {
     std::string edge_at(double x_mm) const {
         for (const WallContour& contour : read({.kind = "holes"}).contours) {
             const Triple& at = contour.edges.front().points.front().position_mm;
-            if (std::abs(at[0] - x_mm) < 10) return number_of(contour.edges.front());
+            if (std::abs(at[0] - x_mm) < 10) return contour.edges.front().label;
         }
         ADD_FAILURE() << "there is no hole at " << x_mm;
         return {};
@@ -57,7 +52,7 @@ TEST_F(Contours, AnEdgeChoosesTheContourThatHasIt) {
     for (const std::string& number : {edge, edge.substr(1)}) {
         const WallContours one = read({.kind = "holes", .edges = {number}});
         ASSERT_EQ(one.contours.size(), 1U);
-        EXPECT_EQ(number_of(one.contours.front().edges.front()), edge);
+        EXPECT_EQ(one.contours.front().edges.front().label, edge);
         for (const WallPoint& point : one.contours.front().edges.front().points)
             EXPECT_NEAR(std::hypot(point.position_mm[0] - 60, point.position_mm[1] - 25), 5, 1e-6);
         // What else the part has is not told of: nobody asked for it.
@@ -72,7 +67,7 @@ TEST_F(Contours, ManyEdgesOfOneContourChooseItOnce) {
     const WallContours outline = read({.kind = "outlines"});
     ASSERT_EQ(outline.contours.size(), 1U);
     ContourOptions options{.kind = "all"};
-    for (const WallEdge& edge : outline.contours.front().edges) options.edges.push_back(number_of(edge));
+    for (const WallEdge& edge : outline.contours.front().edges) options.edges.push_back(edge.label);
     const WallContours one = read(options);
     ASSERT_EQ(one.contours.size(), 1U);
     EXPECT_EQ(one.contours.front().edges.size(), 4U);
@@ -86,7 +81,7 @@ TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
               file_.string() + ": edge " + hole + " is of no contour that is chosen");
     EXPECT_THAT(refusal({.edges = {hole}, .side = "-z"}),
                 HasSubstr("edge " + hole + " is of no contour that is chosen"));
-    const std::string below = number_of(read({.side = "-z"}).contours.front().edges.front());
+    const std::string below = read({.side = "-z"}).contours.front().edges.front().label;
     EXPECT_THAT(
         refusal({.edges = {hole, below}}),
         HasSubstr("edge " + below +
@@ -102,6 +97,64 @@ TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {
     const std::string blind = all.notes.front().substr(begin, all.notes.front().find(' ', begin) - begin);
     EXPECT_THAT(refusal({.kind = "holes", .edges = {blind}}),
                 HasSubstr("edge " + blind + " is of no contour that is chosen: a hole of the plane face #"));
+}
+
+TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {
+    const std::string front = edge_between(file_, {0, 0, 0}, {80, 0, 0});
+    const std::string right = edge_between(file_, {80, 0, 0}, {80, 50, 0});
+    const std::string left = edge_between(file_, {0, 0, 0}, {0, 50, 0});
+    // In whatever order they are asked for.
+    const WallContours two = read({.kind = "edges", .edges = {right, front}});
+    ASSERT_EQ(two.contours.size(), 1U);
+    const WallContour& chain = two.contours.front();
+    EXPECT_TRUE(chain.is_open);
+    EXPECT_FALSE(chain.is_hole);
+    ASSERT_EQ(chain.edges.size(), 2U);
+    EXPECT_EQ(chain.edges[0].label, front);
+    EXPECT_EQ(chain.edges[1].label, right);
+    // Seen from above, the plate is to the left of a way towards +X along its front.
+    EXPECT_EQ(chain.edges[0].points.front().position_mm, (Triple{0, 0, 0}));
+    EXPECT_EQ(chain.edges[1].points.back().position_mm, (Triple{80, 50, 0}));
+    EXPECT_NEAR(chain.edges[0].points.front().tangent[0], 1, 1e-9);
+    for (const WallEdge& edge : chain.edges) {
+        for (const WallPoint& point : edge.points) EXPECT_NEAR(point.depth_mm, 10, 1e-6);
+    }
+    // Edges that share no ends are chains of their own.
+    const WallContours apart = read({.kind = "edges", .edges = {right, left}});
+    ASSERT_EQ(apart.contours.size(), 2U);
+    for (const WallContour& each : apart.contours) EXPECT_TRUE(each.is_open);
+}
+
+TEST_F(Contours, ChainsThatCloseAreOutlinesOrHoles) {
+    ContourOptions around{.kind = "edges"};
+    for (const WallEdge& edge : read({.kind = "outlines"}).contours.front().edges)
+        around.edges.push_back(edge.label);
+    const WallContours outline = read(around);
+    ASSERT_EQ(outline.contours.size(), 1U);
+    EXPECT_FALSE(outline.contours.front().is_open);
+    EXPECT_FALSE(outline.contours.front().is_hole);
+    EXPECT_EQ(outline.contours.front().edges.size(), 4U);
+    const WallContours hole = read({.kind = "edges", .edges = {edge_at(60)}});
+    ASSERT_EQ(hole.contours.size(), 1U);
+    EXPECT_FALSE(hole.contours.front().is_open);
+    EXPECT_TRUE(hole.contours.front().is_hole);
+    EXPECT_THAT(refusal({.kind = "edges", .edges = {"#99999"}}),
+                HasSubstr("it has no edge with the number '#99999'"));
+}
+
+TEST_F(Contours, ChainsComeWithWhatElseAJetCouldComeInto) {
+    const WallContours front = read({.kind = "edges", .edges = {edge_between(file_, {0, 0, 0}, {80, 0, 0})}});
+    const auto has = [&](const Place& a, const Place& b) {
+        const std::string name = "edge " + edge_between(file_, a, b);
+        return std::any_of(front.other_edges.begin(), front.other_edges.end(),
+                           [&](const PartEdge& edge) { return edge.name == name; });
+    };
+    EXPECT_FALSE(has({0, 0, 0}, {80, 0, 0}));      // it is cut
+    EXPECT_FALSE(has({0, 0, -10}, {80, 0, -10}));  // the other end of its wall
+    EXPECT_FALSE(has({80, 0, 0}, {80, 0, -10}));   // and its side
+    EXPECT_TRUE(has({80, 0, 0}, {80, 50, 0}));     // next to it
+    EXPECT_TRUE(has({80, 0, -10}, {80, 50, -10}));
+    EXPECT_TRUE(read({.kind = "all"}).other_edges.empty());
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ TEST(MangledSolid, NeitherHangsNorCrashes) {
         } else {
             expect_sound(read_plate(file, {}), name);
             expect_sound(read_contours(file, {}), name);
+            expect_sound(read_contours(file, {.kind = "edges", .edges = {"21"}}), name);
         }
     }
 }

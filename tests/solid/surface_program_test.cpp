@@ -1,18 +1,17 @@
 // Parts that are not flat, from their STEP files to what a machine that runs the program leaves of them.
 
+#include "tests/solid/surface_program.h"
+
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <STEPControl_Reader.hxx>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "tests/apps/run_program.h"
-#include "tests/solid/jet_record.h"
 #include "tests/solid/part_models.h"
 #include "tests/solid/solids.h"
 #include "tests/solid/wheel_way.h"
@@ -23,18 +22,6 @@ namespace {
 
 using namespace solid::models;
 using Eigen::Vector3d;
-using Points = std::vector<Vector3d>;
-
-constexpr double kKerf_mm = 0.8;
-constexpr double kNear_mm = 0.05;
-
-// Points of a curve that is closed in its parameter, 0 to 1.
-Points along(const std::function<Vector3d(double)>& curve, int count = 360) {
-    Points points;
-    for (int i = 0; i < count; ++i) points.push_back(curve(static_cast<double>(i) / count));
-    return points;
-}
-
 // A slot with round ends along y, in the plane: 0 to 1 round it.
 Eigen::Vector2d slot(double half_mm, double radius_mm, double share) {
     const double quarter = share * 4;
@@ -71,65 +58,17 @@ Points together(const std::vector<Points>& edges) {
 }
 
 // Whether a jet along the wall may stand beside a place of an edge without coming into another place.
-bool has_room(const WheelStep& step, std::size_t n, const Points& edge, const Points& all) {
+bool has_room(const WheelStep& step, std::size_t n, const Points& edge, const Points& all, double kerf_mm,
+              double near_mm) {
     const auto values = step.axis(static_cast<double>(n) / kStepsOfEdge);
     const Vector3d axis(values[0], values[1], values[2]);
     const Vector3d along = edge[std::min(n + 1, edge.size() - 1)] - edge[n == 0 ? 0 : n - 1];
     const Vector3d waste = along.cross(axis).normalized();  // the program goes round clockwise
-    const Vector3d middle = edge[n] + kKerf_mm / 2 * waste;
+    const Vector3d middle = edge[n] + kerf_mm / 2 * waste;
     return std::none_of(all.begin(), all.end(), [&](const Vector3d& place) {
-        return (place - middle).cross(axis).norm() < kKerf_mm / 2 - kNear_mm;
+        return (place - middle).cross(axis).norm() < kerf_mm / 2 - near_mm;
     });
 }
-
-class SurfaceProgram : public Apps {
-  protected:
-    // From a part to where the jet goes on the gantry, in the part's frame; with the part as a body of the
-    // cell.
-    std::vector<Jet> jets(const std::string& step, const Vector3d& at,
-                          const std::vector<std::string>& options, const std::string& cell = {},
-                          const std::string& machine = "af5-measured") {
-        std::vector<std::string> arguments{
-            step, "-o", "part.path.json", "--kerf", fmt::format("{}", kKerf_mm), "--at"};
-        for (const double value : at) arguments.push_back(fmt::format("{}", value));
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        const Ended path = run_program(GSIM_AUTOPATH, arguments, folder_);
-        EXPECT_EQ(path.status, 0) << path.err;
-        told_ = path.err;
-        const Ended program = run_program(GSIM_PATH2GCODE, {"part.path.json", "-o", "part.nc"}, folder_);
-        EXPECT_EQ(program.status, 0) << program.err;
-        const std::string own_cell = write("cell.toml", fmt::format(R"(ignore = [["jet", "part"]]
-[cell]
-name = "a part"
-[[object]]
-name = "part"
-role = "workpiece"
-shape = {{ mesh = "{}", tolerance_mm = 0.02 }}
-frame = {{ x_mm = {}, y_mm = {}, z_mm = {} }}
-)",
-                                                                    step, at.x(), at.y(), at.z()));
-        const Ended run = gsim_run({"part.nc", "--machine", machine, "--cell", cell.empty() ? own_cell : cell,
-                                    "--trajectory", "way.csv", "--step", "0.001"});
-        EXPECT_EQ(run.status, 0) << run.err << run.out;
-        report_ = run.out;
-        return read_jets(read("way.csv"), read("part.nc"), at);
-    }
-
-    static void expect_cut(const std::string& what, const Points& points, const std::vector<Jet>& jets,
-                           double into_mm = kNear_mm) {
-        const Deviation off = deviation(points, jets, kKerf_mm);
-        RecordProperty(what, fmt::format("{:.4f} to {:.4f} mm", off.least_mm, off.greatest_mm));
-        fmt::print("{}: {:.4f} to {:.4f} mm\n", what, off.least_mm, off.greatest_mm);
-        EXPECT_GE(off.least_mm, -into_mm) << what;
-        EXPECT_LE(off.greatest_mm, kNear_mm) << what;
-    }
-
-    static std::string sample(const std::string& name) {
-        return std::string(GSIM_SOURCE) + "/samples/" + name;
-    }
-
-    std::string told_, report_;
-};
 
 TEST_F(SurfaceProgram, ABentBracketHasItsHolesWhereTheyBelong) {
     using B = Bracket;
@@ -245,7 +184,8 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
                 EXPECT_GE(off.least_mm, -kNear_mm) << what;
                 Points open;
                 for (std::size_t n = 0; n < edges[k].size(); ++n) {
-                    if (has_room(pockets[i][k], n, edges[k], all)) open.push_back(edges[k][n]);
+                    if (has_room(pockets[i][k], n, edges[k], all, kKerf_mm, kNear_mm))
+                        open.push_back(edges[k][n]);
                 }
                 out_of_reach += static_cast<int>(edges[k].size() - open.size());
                 expect_cut(what, open, way);
@@ -259,12 +199,6 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
 }
 
 TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
-    const auto autopath = [&](const std::string& part, const std::vector<std::string>& options,
-                              const std::string& kerf = "0.8") {
-        std::vector<std::string> arguments{part, "--kerf", kerf, "--speed", "400", "-o", "part.path.json"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        return run_program(GSIM_AUTOPATH, arguments, folder_);
-    };
     const std::string bracket = sample("parts/bracket.step");
     const Ended lean = autopath(sample("parts/wheel.step"), {"--contours", "all"});
     EXPECT_EQ(lean.status, 1);
@@ -305,25 +239,6 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     EXPECT_FALSE(exists("part.path.json"));
     const Ended lonely = run_program(GSIM_AUTOPATH, {sample("plate.svg"), "--choose", "choose.lua"}, folder_);
     EXPECT_TRUE(holds(lonely.err, "--choose needs --contours")) << lonely.err;
-}
-
-TEST_F(SurfaceProgram, AnEdgeChoosesItsContour) {
-    const auto autopath = [&](const std::vector<std::string>& options, const std::string& kerf = "0.8") {
-        std::vector<std::string> arguments{
-            sample("parts/bracket.step"), "--kerf", kerf, "--speed", "400", "-o", "part.path.json"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        return run_program(GSIM_AUTOPATH, arguments, folder_);
-    };
-    // The refusal names an edge of the hole that is narrower than this kerf.
-    const Ended narrow = autopath({"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
-    const std::size_t begin = narrow.err.find("edge #") + 5;
-    const std::string edge = narrow.err.substr(begin, narrow.err.find(' ', begin) - begin);
-    const Ended one = autopath({"--contours", "holes", "--edge", edge});
-    EXPECT_EQ(one.status, 0) << one.err;
-    EXPECT_TRUE(holds(one.err, "1 contours, 1 pierces")) << one.err;
-    const Ended none = autopath({"--contours", "holes", "--edge", "7"});
-    EXPECT_TRUE(holds(none.err, "bracket.step: it has no edge with the number '7'")) << none.err;
-    EXPECT_TRUE(holds(autopath({"--edge", edge}).err, "--edge needs --contours"));
 }
 
 TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {

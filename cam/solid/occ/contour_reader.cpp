@@ -1,6 +1,5 @@
 #include "cam/solid/occ/contour_reader.h"
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
@@ -15,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "cam/solid/occ/chain_reader.h"
 #include "cam/solid/occ/edge_choice.h"
 #include "cam/solid/occ/face.h"
 #include "cam/solid/occ/plate_bodies.h"
@@ -44,22 +44,6 @@ double look_of(const WallContour& contour, std::string_view side) {
         count += edge.points.size();
     }
     return sum / static_cast<double>(count);
-}
-
-bool lies_within(const FaceLoop& loop, const std::array<double, 6>& box_mm) {
-    for (const TopoDS_Edge& edge : loop.edges) {
-        const BRepAdaptor_Curve curve(edge);
-        const double from = curve.FirstParameter();
-        const double to = curve.LastParameter();
-        for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-            const gp_Pnt at = curve.Value(from + share * (to - from));
-            for (int axis = 1; axis <= 3; ++axis) {
-                const auto i = static_cast<std::size_t>(axis - 1);
-                if (at.Coord(axis) < box_mm[i] || at.Coord(axis) > box_mm[i + 3]) return false;
-            }
-        }
-    }
-    return true;
 }
 
 class Reader {
@@ -139,7 +123,7 @@ class Reader {
             BRepGProp::SurfaceProperties(face, properties);
             for (FaceLoop& loop : loops_of(face)) {
                 if (options_.kind != "all" && (options_.kind == "holes") != loop.is_hole) continue;
-                if (options_.box_mm && !lies_within(loop, *options_.box_mm)) continue;
+                if (options_.box_mm && !lies_within(loop.edges, *options_.box_mm)) continue;
                 found.push_back({face, std::move(loop), properties.Mass()});
             }
         }
@@ -190,8 +174,6 @@ class Reader {
             options_.side);
     }
 
-    static constexpr double kLeastLook = 0.01;
-
     const ShapeFile& file_;
     const ContourOptions& options_;
     WallContours found_;
@@ -204,6 +186,7 @@ class Reader {
 }  // namespace
 
 tl::expected<WallContours, std::string> contours_of(const ShapeFile& file, const ContourOptions& options) {
+    if (options.kind == "edges") return chains_of(file, options);
     return Reader(file, options).run();
 }
 

@@ -1,5 +1,6 @@
 #include "cam/solid/occ/edge_choice.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -17,6 +18,22 @@ bool is_number(const std::string& label, const std::string& number) {
 }
 
 }  // namespace
+
+bool lies_within(const std::vector<TopoDS_Edge>& edges, const std::array<double, 6>& box_mm) {
+    for (const TopoDS_Edge& edge : edges) {
+        const BRepAdaptor_Curve curve(edge);
+        const double from = curve.FirstParameter();
+        const double to = curve.LastParameter();
+        for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const gp_Pnt at = curve.Value(from + share * (to - from));
+            for (int axis = 1; axis <= 3; ++axis) {
+                const auto i = static_cast<std::size_t>(axis - 1);
+                if (at.Coord(axis) < box_mm[i] || at.Coord(axis) > box_mm[i + 3]) return false;
+            }
+        }
+    }
+    return true;
+}
 
 bool EdgeChoice::is_asked_for(const std::string& label) const {
     return std::any_of(numbers_.begin(), numbers_.end(),

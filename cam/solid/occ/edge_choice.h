@@ -2,6 +2,7 @@
 
 #include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS_Edge.hxx>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "cam/solid/occ/shape_file.h"
 
 namespace gsim::solid {
+
+/// Whether edges lie in a box, given by its low corner and its high one.
+bool lies_within(const std::vector<TopoDS_Edge>& edges, const std::array<double, 6>& box_mm);
 
 /// The edges that are asked for by their numbers in a file, and what becomes of each.
 class EdgeChoice {

@@ -3,10 +3,15 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_IntCS.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -39,8 +44,13 @@ std::optional<gp_Vec> straight_from(const TopoDS_Edge& edge, const TopoDS_Vertex
 
 }  // namespace
 
-Wall::Wall(const TopoDS_Edge& edge, const TopoDS_Face& wall)
-    : edge_(edge), wall_(wall), curve_(edge), on_wall_(edge, wall), plane_(plane_of(wall).has_value()) {
+Wall::Wall(const TopoDS_Edge& edge, const TopoDS_Face& wall, bool any_edge)
+    : edge_(edge),
+      wall_(wall),
+      curve_(edge),
+      on_wall_(edge, wall),
+      plane_(plane_of(wall).has_value()),
+      any_edge_(any_edge) {
     BRepTools::UVBounds(wall, u_low_, u_high_, v_low_, v_high_);
     for (TopExp_Explorer edges(wall, TopAbs_EDGE); edges.More(); edges.Next()) {
         if (edges.Current().IsSame(edge)) sense_ = edges.Current().Orientation() == TopAbs_REVERSED ? -1 : 1;
@@ -78,22 +88,47 @@ void Wall::find_sides() {
 }
 
 // The side edge at an end, where it leads down the wall.
-gp_Vec Wall::side_at(double parameter, bool first) const {
+std::optional<gp_Vec> Wall::side_at(double parameter, bool first) const {
     const gp_Vec down = inwards(parameter).value_or(gp_Vec(0, 0, 0));
     const auto& side = first ? first_side_ : last_side_;
-    if (side && side->Dot(down) > kLeastDown * side->Magnitude()) return *side;
-    return down;
+    if (side && side->Dot(down) > kLeastDown * side->Magnitude()) return side;
+    return std::nullopt;
+}
+
+// How far a plane wall reaches along a direction, to the first edge that ends it.
+std::optional<double> Wall::reach_mm(double parameter, const gp_Vec& direction) const {
+    const gp_Pnt start = curve_.Value(parameter);
+    const Handle(Geom_Plane) plane = new Geom_Plane(start, direction.Crossed(gp_Vec(*normal(parameter))));
+    std::optional<double> reach;
+    for (TopExp_Explorer edges(wall_, TopAbs_EDGE); edges.More(); edges.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+        if (BRep_Tool::Degenerated(edge)) continue;
+        double from = 0;
+        double to = 0;
+        const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
+        if (curve.IsNull()) continue;
+        const GeomAPI_IntCS meets(new Geom_TrimmedCurve(curve, from, to), plane);
+        for (int i = 1; meets.IsDone() && i <= meets.NbPoints(); ++i) {
+            const double along_mm = gp_Vec(start, meets.Point(i)).Dot(direction);
+            if (along_mm > kLeastLine_mm) reach = std::min(along_mm, reach.value_or(along_mm));
+        }
+    }
+    return reach;
 }
 
 WallLine Wall::plane_line(double parameter) const {
     const double from = curve_.FirstParameter();
     const double to = curve_.LastParameter();
     const double share = (parameter - from) / (to - from);
-    const gp_Vec first = side_at(from, true);
-    const gp_Vec last = side_at(to, false);
-    const gp_Vec direction = first.Normalized() * (1 - share) + last.Normalized() * share;
-    return {direction.Normalized(), first.Magnitude() * (1 - share) + last.Magnitude() * share,
-            gp_Vec(*normal(parameter))};
+    const auto first = side_at(from, true);
+    const auto last = side_at(to, false);
+    const gp_Vec down = inwards(parameter).value_or(gp_Vec(0, 0, 0));
+    gp_Vec direction = (first ? first->Normalized() : down) * (1 - share);
+    direction += (last ? last->Normalized() : down) * share;
+    direction.Normalize();
+    const double depth_mm = first && last ? first->Magnitude() * (1 - share) + last->Magnitude() * share
+                                          : reach_mm(parameter, direction).value_or(1);
+    return {direction, depth_mm, gp_Vec(*normal(parameter))};
 }
 
 std::optional<WallLine> Wall::iso_line(double parameter, bool along_u) const {
@@ -122,7 +157,11 @@ std::optional<WallLine> Wall::iso_line(double parameter, bool along_u) const {
 }
 
 std::optional<WallLine> Wall::line(double parameter) const {
-    if (plane_) return plane_line(parameter);
+    if (plane_) {
+        const bool has_sides = first_side_ || last_side_;
+        if (!any_edge_ && !has_sides && curve_.GetType() != GeomAbs_Line) return std::nullopt;
+        return plane_line(parameter);
+    }
     const auto u = iso_line(parameter, true);
     const auto v = iso_line(parameter, false);
     if (!u || !v) return u ? u : v;

@@ -19,19 +19,24 @@ struct WallLine {
 /// The face across an edge, down which a jet goes.
 class Wall {
   public:
-    Wall(const TopoDS_Edge& edge, const TopoDS_Face& wall);
+    /// `any_edge`: an edge may bend within a plane wall that has no side edge at its ends, as part of a
+    /// longer edge of that wall does. Loops of one face have such edges only where the wall is none to cut
+    /// along.
+    Wall(const TopoDS_Edge& edge, const TopoDS_Face& wall, bool any_edge = false);
 
     /// Out of the material, at a parameter of the edge's curve.
     std::optional<gp_Dir> normal(double parameter) const;
     /// The straight line in the wall that begins at that point of the edge. In a plane wall it turns from the
-    /// one side edge to the other, so that walls that meet in a corner have one line there. Nothing where no
-    /// line of the wall is straight.
+    /// one side edge to the other, so that walls that meet in a corner have one line there; where the edge
+    /// has none at an end, as within a side of several edges, it is square to the edge. Nothing where no line
+    /// of the wall is straight.
     std::optional<WallLine> line(double parameter) const;
 
   private:
     std::optional<gp_Vec> inwards(double parameter) const;
     void find_sides();
-    gp_Vec side_at(double parameter, bool first) const;
+    std::optional<gp_Vec> side_at(double parameter, bool first) const;
+    std::optional<double> reach_mm(double parameter, const gp_Vec& direction) const;
     WallLine plane_line(double parameter) const;
     std::optional<WallLine> iso_line(double parameter, bool along_u) const;
 
@@ -40,6 +45,7 @@ class Wall {
     BRepAdaptor_Curve curve_;
     BRepAdaptor_Curve2d on_wall_;
     bool plane_ = false;
+    bool any_edge_ = false;
     double sense_ = 1;  ///< -1: the wall has its edge the other way round.
     double u_low_ = 0, u_high_ = 0, v_low_ = 0, v_high_ = 0;
     std::optional<gp_Vec> first_side_, last_side_;  ///< Of a plane wall, with their lengths.

@@ -1,6 +1,7 @@
 #include "cam/solid/occ/wall_contour.h"
 
 #include <IntCurvesFace_ShapeIntersector.hxx>
+#include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
@@ -49,7 +50,11 @@ class EdgeSampler {
   public:
     EdgeSampler(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Face& wall,
                 const ContourOptions& options)
-        : curve_(edge), on_face_(edge, face), face_(face), wall_(edge, wall), options_(options) {}
+        : curve_(edge),
+          on_face_(edge, face),
+          face_(face),
+          wall_(edge, wall, options.kind == "edges"),
+          options_(options) {}
 
     /// In the order of the curve's parameter; an error where the wall is not straight, or there are no
     /// normals.
@@ -137,6 +142,18 @@ class EdgeSampler {
     std::string fault_;
 };
 
+// Whether two faces are one in the middle of their edge.
+bool is_smooth(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Face& other) {
+    const auto normal_of = [&edge](const TopoDS_Face& each) {
+        const BRepAdaptor_Curve2d curve(edge, each);
+        const gp_Pnt2d at = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
+        return outward_normal(each, at.X(), at.Y());
+    };
+    const auto first = normal_of(face);
+    const auto second = normal_of(other);
+    return first && second && first->Dot(*second) > kSmooth;
+}
+
 void turn_round(WallEdge& edge) {
     std::reverse(edge.points.begin(), edge.points.end());
     for (WallPoint& point : edge.points) {
@@ -178,16 +195,17 @@ tl::expected<WallEdge, std::string> ContourWalk::edge_of(const TopoDS_Edge& edge
         if (!each.IsSame(face)) other = TopoDS::Face(each);
     }
     if (other.IsNull()) return No("closes upon itself in a seam");
+    if (is_smooth(edge, face, other))
+        return No(fmt::format("goes over smoothly into {}", shown(other, file_)));
     auto points = EdgeSampler(edge, face, other, options_).run();
     if (!points) return No(fmt::format("has {} below it, which {}", shown(other, file_), points.error()));
     WallEdge found;
+    found.label = file_.label(edge);
     found.name =
         fmt::format("edge{} of the {} face{}", label_of(file_, edge), kind_of(other), label_of(file_, other));
     found.points = *std::move(points);
     const WallPoint& middle = found.points[found.points.size() / 2];
     const gp_Vec normal = vector_of(middle.normal);
-    if (normal.Dot(vector_of(middle.wall_normal)) > kSmooth)
-        return No(fmt::format("goes over smoothly into {}", shown(other, file_)));
     if (normal.Dot(vector_of(middle.along_wall)) > 0)
         return No(fmt::format("is the foot of {}, which stands up there", shown(other, file_)));
     if (edge.Orientation() == TopAbs_REVERSED) turn_round(found);
@@ -211,15 +229,33 @@ tl::expected<WallContour, std::string> ContourWalk::walk(const TopoDS_Face& face
         std::reverse(contour.edges.begin(), contour.edges.end());
         for (WallEdge& edge : contour.edges) turn_round(edge);
     }
+    if (auto blind = find_blind(contour)) return No(*std::move(blind));
+    return contour;
+}
+
+std::optional<std::string> ContourWalk::find_blind(const WallContour& contour) {
     const auto blind = std::find_if(contour.edges.begin(), contour.edges.end(), [](const WallEdge& edge) {
         return edge.behind_mm > 0 && edge.behind_mm <= edge.points.front().depth_mm + kBlind_mm;
     });
-    if (blind != contour.edges.end()) {
-        return No(
-            {fmt::format("does not go through: below {} at {} there is material {:.4g} mm down", blind->name,
-                         shown(point_of(blind->points.front().position_mm)), blind->behind_mm)});
+    if (blind == contour.edges.end()) return std::nullopt;
+    return fmt::format("does not go through: below {} at {} there is material {:.4g} mm down", blind->name,
+                       shown(point_of(blind->points.front().position_mm)), blind->behind_mm);
+}
+
+tl::expected<EdgeAlone, std::string> ContourWalk::walk_along(const TopoDS_Edge& edge,
+                                                             const TopoDS_Face& face) const {
+    const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    auto found = edge_of(forward, face);
+    if (!found) return No(found.error());
+    EdgeAlone alone{*std::move(found), {}, {}};
+    TopExp::Vertices(forward, alone.begin, alone.end);
+    double right = 0;
+    for (const WallPoint& point : alone.edge.points) right += waste_to_the_right(point);
+    if (right < 0) {
+        turn_round(alone.edge);
+        std::swap(alone.begin, alone.end);
     }
-    return contour;
+    return alone;
 }
 
 }  // namespace gsim::solid

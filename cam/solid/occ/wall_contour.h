@@ -3,6 +3,8 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -13,10 +15,19 @@
 
 namespace gsim::solid {
 
+/// How far a face looks to a side at least that a jet enters from there, -1 to 1.
+inline constexpr double kLeastLook = 0.01;
+
 using FacesOfEdges = TopTools_IndexedDataMapOfShapeListOfShape;
 
-/// Walks round a loop of a face's edges, with the walls across them. Errors say why it is no contour that a
-/// jet could cut, as the end of a sentence.
+/// An edge between a face that a jet enters and the wall below, with material to the left of its way.
+struct EdgeAlone {
+    WallEdge edge;
+    TopoDS_Vertex begin, end;  ///< Of its way.
+};
+
+/// Walks round a loop of a face's edges, or along one of them, with the walls across them. Errors say why it
+/// is no contour that a jet could cut, as the end of a sentence.
 class ContourWalk {
   public:
     ContourWalk(const ShapeFile& file, const TopoDS_Solid& solid, const FacesOfEdges& faces_of,
@@ -24,6 +35,9 @@ class ContourWalk {
         : file_(file), solid_(solid), faces_of_(faces_of), options_(options) {}
 
     tl::expected<WallContour, std::string> walk(const TopoDS_Face& face, const FaceLoop& loop) const;
+    tl::expected<EdgeAlone, std::string> walk_along(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
+    /// Nothing where all walls go through.
+    static std::optional<std::string> find_blind(const WallContour& contour);
 
   private:
     tl::expected<WallEdge, std::string> edge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
