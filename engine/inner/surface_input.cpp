@@ -11,7 +11,6 @@
 
 #include "base/units.h"
 #include "cam/solid/mesh.h"
-#include "runtime/script/contour_choice.h"
 
 namespace gsim::engine {
 
@@ -49,6 +48,8 @@ std::array<double, 3> triple_of(const surface::Vector& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+}  // namespace
+
 script::ContourFacts facts_of(const solid::WallContour& contour) {
     script::ContourFacts facts{.face = contour.face, .is_hole = contour.is_hole, .is_open = contour.is_open};
     surface::Vector low = surface::Vector::Constant(std::numeric_limits<double>::infinity());
@@ -79,8 +80,6 @@ script::ContourFacts facts_of(const solid::WallContour& contour) {
     return facts;
 }
 
-}  // namespace
-
 std::string misplaced_with_contours(const DrawingRequest& request) {
     const DrawingChoice& reading = request.reading;
     if (request.cutting.straighten || request.cutting.moving_pierce) {
@@ -100,17 +99,22 @@ std::string misplaced_with_contours(const DrawingRequest& request) {
     return {};
 }
 
-tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
-                                                                  const DrawingRequest& request) {
+tl::expected<solid::WallContours, std::string> read_part_contours(const Host& host, const std::string& file,
+                                                                  const ContourChoice& choice) {
     if (!solid::is_solid_file(file))
         return tl::unexpected(std::string("--contours is for STEP and IGES files"));
     if (!host.read_contours) {
         return tl::unexpected(
             fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
     }
+    return host.read_contours(file, choice).map(inner_contours);
+}
+
+tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
+                                                                  const DrawingRequest& request) {
     ContourChoice choice = request.surface->contours;
     choice.tolerance_mm = request.reading.curve_tolerance_mm;
-    return host.read_contours(file, choice).map(inner_contours);
+    return read_part_contours(host, file, choice);
 }
 
 tl::expected<void, std::string> choose_contours(std::string_view script, const std::string& file_name,

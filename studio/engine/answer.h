@@ -32,6 +32,7 @@ Done answer_languages(const nlohmann::json& own, const engine::Request& request,
 
 // Of forms.
 Done answer_data(const nlohmann::json& own, const engine::Request& request, const Post& post);
+Done answer_contours(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_drawing(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_materials(const nlohmann::json& own, const engine::Request& request, const Post& post);
 Done answer_toml(const nlohmann::json& own, const engine::Request& request, const Post& post);

@@ -7,6 +7,7 @@
 #include "engine/drawing_path.h"
 #include "engine/materials.h"
 #include "studio/engine/answer.h"
+#include "studio/engine/contour_keys.h"
 #include "studio/engine/keys.h"
 #include "studio/engine/message.h"
 
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double kMost = 1e6;
 constexpr double kLeast = 1e-6;
-constexpr std::array kSides{"x", "y", "z", "-x", "-y", "-z"};
 
 void take_reading(Keys& keys, engine::DrawingChoice& reading) {
     std::optional<std::size_t> up;
@@ -27,9 +27,9 @@ void take_reading(Keys& keys, engine::DrawingChoice& reading) {
     keys.number("curve_tolerance_mm", 1e-5, 10, reading.curve_tolerance_mm);
     keys.number("gap_mm", 1e-6, 10, reading.gap_mm);
     keys.texts("layers", reading.layers);
-    keys.word("up", kSides, up);
+    keys.word("up", kContourSides, up);
     keys.truth("flip", reading.flip);
-    if (up) reading.up = kSides[*up];
+    if (up) reading.up = kContourSides[*up];
 }
 
 void take_cutting(Keys& keys, engine::CuttingChoice& cutting) {
@@ -54,34 +54,6 @@ void take_ways(Keys& keys, engine::CuttingWays& ways) {
     keys.number("bevel_deg", -60, 60, ways.bevel_deg);
 }
 
-// {"kind": "holes", "side": "z"}
-void take_surface(Keys& keys, std::optional<engine::SurfaceChoice>& surface) {
-    const json* given = keys.object("contours");
-    if (given == nullptr) return;
-    constexpr std::array kKinds{"holes", "outlines", "all", "edges"};
-    constexpr std::array kAxes{"wall", "normal"};
-    engine::SurfaceChoice& choice = surface.emplace();
-    Keys own(*given, "contours");
-    std::optional<std::size_t> kind, side, axis;
-    std::optional<int> bridges;
-    own.word("kind", kKinds, kind);
-    own.word("side", kSides, side);
-    own.texts("faces", choice.contours.faces);
-    own.texts("edges", choice.contours.edges);
-    own.word("axis", kAxes, axis);
-    own.number("lean_deg", -80, 80, choice.lean_deg);
-    own.number("tilt_deg", -60, 60, choice.tilt_deg);
-    own.number("max_lean_deg", 0, 85, choice.max_lean_deg);
-    own.whole("bridges", 0, 1000, bridges);
-    own.number("bridge_mm", 0, 100, choice.bridge_mm);
-    own.point("start_mm", -kMost, kMost, choice.start_mm);
-    if (kind) choice.contours.kind = kKinds[*kind];
-    if (side) choice.contours.side = kSides[*side];
-    if (axis) choice.contours.along_walls = *axis == 0;
-    choice.bridges = bridges.value_or(0);
-    if (auto read = own.end(); !read) keys.fault(read.error());
-}
-
 // {"cell": "cell.toml"}
 void take_place(Keys& keys, std::optional<engine::CuttingPlace>& place) {
     const json* given = keys.object("place");
@@ -101,7 +73,7 @@ tl::expected<DrawingRequest, engine::Failure> drawing_request(const json& own) {
     take_reading(keys, request.reading);
     take_ways(keys, request.ways);
     take_cutting(keys, request.cutting);
-    take_surface(keys, request.surface);
+    take_contours(keys, request.surface);
     take_place(keys, request.place);
     return end_of(keys).map([&] { return std::move(request); });
 }

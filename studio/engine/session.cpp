@@ -36,6 +36,7 @@ constexpr std::array kRows = {
     Row{"envelope", Common::of_run, answer_envelope},
     Row{"languages", Common::of_run, answer_languages},
     Row{"data", Common::of_form, answer_data},
+    Row{"contours", Common::of_form, answer_contours},
     Row{"drawing", Common::of_form, answer_drawing},
     Row{"materials", Common::of_form, answer_materials},
     Row{"toml", Common::of_form, answer_toml},

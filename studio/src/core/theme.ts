@@ -4,7 +4,9 @@
 export const themeColour = (name: string): string =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** Calls when the page has turned light or dark. */
-export function onTheme(listener: () => void): void {
-  new MutationObserver(listener).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+/** Calls when the page has turned light or dark; gives what ends that. */
+export function onTheme(listener: () => void): () => void {
+  const observer = new MutationObserver(listener);
+  observer.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  return () => observer.disconnect();
 }

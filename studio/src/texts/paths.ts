@@ -208,6 +208,23 @@ export const paths = {
       bridges: "Bridges",
       bridge_mm: "Width of a bridge",
     },
+    /** What could be cut, to be chosen from. */
+    picture: {
+      title: "Contours of the part",
+      label: "Contours of the part: arrows turn the picture, + and − zoom, 0 goes back. The list below says what they are.",
+      hint: "Drag turns, wheel zooms, a click takes a contour out or in, a double click goes back.",
+      list: "Contours of the part",
+      hole: "Hole",
+      outline: "Outline",
+      contour: (kind: string, edge: string, face: string, length: string, depth: string, lean_deg: string) =>
+        `${kind}${edge ? ` at edge ${edge}` : ""} of ${face}: ${length} long, ${depth} deep, leans by ${lean_deg}°`,
+      all: "All",
+      none: "None",
+      asking: "The part's contours are being read…",
+      cut: (cut: number, all: number) => `${cut} of ${all} contours are cut.`,
+      unnumbered: (all: number) => `${all} contours are cut. They cannot be told apart: the file has no numbers of edges.`,
+      noneCut: "No contour is chosen: tick one at least.",
+    },
   },
   /** What is wrong with a path file. */
   faults: {

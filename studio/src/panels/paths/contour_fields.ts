@@ -12,6 +12,8 @@ export interface ContourChoice {
   kind: string;
   side?: string;
   faces?: string[];
+  /** Of these those that have one of these edges; none: all. */
+  edges?: string[];
   axis?: string;
   lean_deg?: number;
   tilt_deg?: number;

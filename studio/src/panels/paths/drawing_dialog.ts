@@ -3,9 +3,10 @@
 import { check, choice, element } from "../../core/dom";
 import { namesOfKind, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
-import type { Store } from "../../core/store";
+import type { Store, Units } from "../../core/store";
 import { texts } from "../../texts";
 import { ContourFields, type ContourChoice } from "./contour_fields";
+import { ContourPicker } from "./contour_picker";
 import { materials, pathOfDrawing, type DrawnPath } from "./engine_requests";
 import { ChoiceRow, NumberRow, NumbersRow, TextRow, type Quantity } from "./fields";
 
@@ -36,6 +37,8 @@ export interface DrawingChoice {
   moving_pierce?: boolean;
   /** Of a solid that need not be flat. */
   contours?: ContourChoice;
+  /** Of which part contours were taken out, and an edge of each that was left. */
+  picked?: { drawing: string; edges: string[] };
 }
 
 type NumberKey = {
@@ -69,10 +72,18 @@ export function drawingsOf({ documents }: Session): string[] {
   return [...namesOfKind("drawing", documents), ...documents.names().filter(isSolid)];
 }
 
+/** undefined: all contours are cut. */
+const picksFor = (drawing: string, { picked }: DrawingChoice): string[] | undefined => (picked?.drawing === drawing ? picked.edges : undefined);
+
+/** Whether fields choose the same contours of a part. */
+const chooseTheSame = (a: ContourChoice | undefined, b: ContourChoice | undefined): boolean =>
+  a?.kind === b?.kind && a?.side === b?.side && a?.faces?.join(";") === b?.faces?.join(";");
+
 /** What goes with the drawing, of all that was chosen for this one and others. */
-function requestOf(drawing: string, { material, up, flip, contours, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest }: DrawingChoice) {
+function requestOf(drawing: string, choice: DrawingChoice) {
+  const { material, up, flip, contours, picked, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
   const common = { drawing, ...rest, material: material || undefined };
-  if (isSolid(drawing) && contours) return { ...common, contours };
+  if (isSolid(drawing) && contours) return { ...common, contours: { ...contours, edges: picksFor(drawing, choice) } };
   const ofJet = { straighten: material ? straighten : undefined, moving_pierce, bevel_deg };
   return isSolid(drawing) ? { ...common, ...ofJet, up, flip } : { ...common, ...ofJet, unit_mm, layers };
 }
@@ -113,7 +124,10 @@ export class DrawingDialog {
   );
   private readonly flip = check(words.flip, (flip) => this.set({ flip: flip || undefined }));
   private readonly ofPlate = element("div", { class: "group" }, this.up.element, this.flip.row);
-  private readonly contours = new ContourFields((contours) => this.set({ contours }));
+  private readonly contours = new ContourFields((contours) =>
+    this.set(chooseTheSame(contours, this.choice.contours) ? { contours } : { contours, picked: undefined }),
+  );
+  private readonly picker: ContourPicker;
   private readonly ofSolid = element("div", { class: "group" }, this.contours.element, this.ofPlate);
   private readonly straighten = check(words.straighten, (straighten) => this.set({ straighten: straighten || undefined }));
   private readonly moving = check(words.movingPierce, (moving) => this.set({ moving_pierce: moving || undefined }));
@@ -141,6 +155,7 @@ export class DrawingDialog {
       this.rows.set(key, new NumberRow(words.numbers[key as keyof typeof words.numbers], known[0], (value) => this.set({ [key]: value })));
     }
     this.overrules = own.some((key) => choice[key] !== undefined);
+    this.picker = new ContourPicker(session, (edges) => this.set({ picked: edges && { drawing: this.drawing, edges } }));
     this.element = this.build();
     document.body.append(this.element);
     this.element.showModal();
@@ -172,8 +187,13 @@ export class DrawingDialog {
       this.refused,
       element("div", { class: "buttons" }, this.make, element("button", { type: "button", onclick: () => this.element.close() }, words.cancel)),
     );
-    const attributes = { class: "drawing-dialog", "aria-label": words.title, onclose: () => this.element.remove() };
-    return element("dialog", attributes, element("h2", {}, words.title), form);
+    const attributes = { class: "drawing-dialog", "aria-label": words.title, onclose: () => this.end() };
+    return element("dialog", attributes, element("h2", {}, words.title), element("div", { class: "columns" }, form, this.picker.element));
+  }
+
+  private end(): void {
+    this.picker.end();
+    this.element.remove();
   }
 
   private async askMaterials(): Promise<void> {
@@ -198,6 +218,7 @@ export class DrawingDialog {
     this.ofSolid.hidden = !isSolid(this.drawing);
     this.ofPlate.hidden = isSurface;
     this.contours.show(this.choice.contours, units);
+    this.showPicker(units);
     this.accuracy.hidden = isSurface;
     this.straighten.box.checked = this.choice.straighten ?? false;
     this.straighten.row.hidden = this.choice.material === "";
@@ -210,18 +231,30 @@ export class DrawingDialog {
     this.layers.show(this.choice.layers?.join(", ") ?? "", words.allLayers);
   }
 
+  private showPicker(units: Units): void {
+    const { drawing, choice } = this;
+    const { contours, curve_tolerance_mm } = choice;
+    const source = isSolid(drawing) && contours ? { drawing, curve_tolerance_mm, contours } : null;
+    this.element.classList.toggle("with-picture", source !== null);
+    this.picker.show(source, picksFor(drawing, choice), units);
+  }
+
+  private refuse(sentence: string): void {
+    this.refused.hidden = sentence === "";
+    this.refused.textContent = sentence;
+  }
+
   private async submit(event: Event): Promise<void> {
     event.preventDefault();
-    this.make.disabled = true;
     const { drawing } = this;
+    if (this.choice.contours && isSolid(drawing) && picksFor(drawing, this.choice)?.length === 0) return this.refuse(texts.paths.contours.picture.noneCut);
+    this.make.disabled = true;
     const made = await pathOfDrawing(this.session, requestOf(drawing, this.choice));
     this.make.disabled = false;
     // Cancelled meanwhile.
     if (!this.element.open) return;
-    const isRefused = "refused" in made;
-    this.refused.hidden = !isRefused;
-    this.refused.textContent = isRefused ? made.refused : "";
-    if (isRefused) return;
+    this.refuse("refused" in made ? made.refused : "");
+    if ("refused" in made) return;
     this.element.close();
     this.on.made(made, drawing);
   }

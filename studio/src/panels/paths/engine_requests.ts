@@ -1,6 +1,7 @@
 // What forms of paths ask the engine for (docs/studio.md).
 
 import type { Answered, Session } from "../../core/session";
+import type { ListedContour } from "./contour_picks";
 
 const decode = (bytes: unknown): string => new TextDecoder().decode(bytes as Uint8Array);
 
@@ -72,4 +73,34 @@ export async function pathOfDrawing(session: Session, request: Record<string, un
   if (!answer.ok || !message) return { refused: answer.message };
   const { summary, job_text } = message.header as Record<string, string>;
   return { text: decode(message.columns.get("text")), summary, job: job_text, told: toldOf(answer) };
+}
+
+export interface PartContours {
+  contours: ListedContour[];
+  /** What of the part is left out, in sentences. */
+  notes: string[];
+}
+
+interface ContourHeader {
+  face: string;
+  is_hole: boolean;
+  edges: string[];
+  length_mm: number;
+  depth_mm: number;
+  lean_deg: number;
+  points: number;
+}
+
+/** What of a part could be cut. */
+export async function contoursOfPart(session: Session, request: Record<string, unknown>): Promise<PartContours | Refused> {
+  const answer = await session.question({ do: "contours", ...request });
+  const message = messageOf(answer, "contours");
+  if (!answer.ok || !message) return { refused: answer.message };
+  const lines = message.columns.get("lines") as Float64Array;
+  let at = 0;
+  const contours = (message.header.contours as ContourHeader[]).map(({ is_hole, points, ...rest }) => {
+    const line_mm = lines.subarray(at, (at += 3 * points));
+    return { ...rest, isHole: is_hole, line_mm };
+  });
+  return { contours, notes: message.header.notes as string[] };
 }

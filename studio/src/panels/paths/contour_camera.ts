@@ -1,0 +1,135 @@
+// How lines in space are seen, without perspective, and what of them is near to a place of the picture.
+
+import type { Vector } from "../../run/path/vector";
+
+/** Where one looks from. */
+export interface Camera {
+  /** About Z, and from the level up. */
+  yaw_rad: number;
+  rise_rad: number;
+  /** 1: all just fit as they are seen at first. */
+  zoom: number;
+  /** What stands in the middle of the picture, to the right and up from the middle of the lines. */
+  aside_mm: readonly [right: number, up: number];
+}
+
+export interface Size {
+  width: number;
+  height: number;
+}
+
+/** What there is to see: its middle, and how wide and high it is by its first camera. */
+export interface Extent {
+  middle: Vector;
+  width_mm: number;
+  height_mm: number;
+}
+
+const ASKEW_rad = -0.5;
+const RISE_rad = 0.4;
+const STEEP_rad = 1.1;
+const YAWS: Record<string, number> = { x: 0, y: Math.PI / 2, "-x": Math.PI, "-y": -Math.PI / 2 };
+const MARGIN = 0.88;
+
+/** Faces that look to this side are seen, somewhat askew. */
+export function firstCamera(side: string): Camera {
+  const rise_rad = side === "z" ? STEEP_rad : side === "-z" ? -STEEP_rad : RISE_rad;
+  return { yaw_rad: (YAWS[side] ?? -Math.PI / 2) + ASKEW_rad, rise_rad, zoom: 1, aside_mm: [0, 0] };
+}
+
+/** Turned by a drag across the picture. */
+export function turned(camera: Camera, right_px: number, down_px: number): Camera {
+  const PER_PX_rad = 0.01;
+  const rise_rad = camera.rise_rad + down_px * PER_PX_rad;
+  const most = Math.PI / 2;
+  return { ...camera, yaw_rad: camera.yaw_rad - right_px * PER_PX_rad, rise_rad: Math.min(most, Math.max(-most, rise_rad)) };
+}
+
+function directions({ yaw_rad, rise_rad }: Camera): [right: Vector, up: Vector] {
+  const [sin, cos, sinRise] = [Math.sin(yaw_rad), Math.cos(yaw_rad), Math.sin(rise_rad)];
+  return [
+    [-sin, cos, 0],
+    [-sinRise * cos, -sinRise * sin, Math.cos(rise_rad)],
+  ];
+}
+
+/** Calls with each place as it is seen: to the right and up from the middle. */
+function seen(line_mm: Float64Array, middle: Vector, camera: Camera, take: (right: number, up: number) => void): void {
+  const [right, up] = directions(camera);
+  for (let i = 0; i < line_mm.length; i += 3) {
+    const [x, y, z] = [line_mm[i] - middle[0], line_mm[i + 1] - middle[1], line_mm[i + 2] - middle[2]];
+    take(x * right[0] + y * right[1] + z * right[2], x * up[0] + y * up[1] + z * up[2]);
+  }
+}
+
+export function extentOf(lines_mm: readonly Float64Array[], camera: Camera): Extent {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (const line of lines_mm) {
+    line.forEach((value, i) => {
+      low[i % 3] = Math.min(low[i % 3], value);
+      high[i % 3] = Math.max(high[i % 3], value);
+    });
+  }
+  const middle = low.map((value, i) => (value + high[i]) / 2) as unknown as Vector;
+  let [width_mm, height_mm] = [0, 0];
+  for (const line of lines_mm) {
+    seen(line, middle, camera, (right, up) => {
+      width_mm = Math.max(width_mm, 2 * Math.abs(right));
+      height_mm = Math.max(height_mm, 2 * Math.abs(up));
+    });
+  }
+  return { middle, width_mm, height_mm };
+}
+
+/** Pixels of a mm. */
+export function scaleOf({ width_mm, height_mm }: Extent, { zoom }: Camera, { width, height }: Size): number {
+  const LEAST_mm = 1e-3;
+  return MARGIN * zoom * Math.min(width / Math.max(width_mm, LEAST_mm), height / Math.max(height_mm, LEAST_mm));
+}
+
+/** Zoomed so that what is at a place of the picture stays there. */
+export function zoomed(camera: Camera, factor: number, extent: Extent, size: Size, x: number, y: number): Camera {
+  const [LEAST, MOST] = [0.2, 200];
+  const zoom = Math.min(MOST, Math.max(LEAST, camera.zoom * factor));
+  const [before, after] = [scaleOf(extent, camera, size), scaleOf(extent, { ...camera, zoom }, size)];
+  const shift = 1 / before - 1 / after;
+  const [right, up] = camera.aside_mm;
+  return { ...camera, zoom, aside_mm: [right + (x - size.width / 2) * shift, up - (y - size.height / 2) * shift] };
+}
+
+/** A line on the picture: x and y of each place. */
+export function drawn(line_mm: Float64Array, extent: Extent, camera: Camera, size: Size): Float32Array {
+  const scale = scaleOf(extent, camera, size);
+  const [right, up] = camera.aside_mm;
+  const line = new Float32Array((line_mm.length / 3) * 2);
+  let at = 0;
+  seen(line_mm, extent.middle, camera, (x, y) => {
+    line[at++] = size.width / 2 + (x - right) * scale;
+    line[at++] = size.height / 2 - (y - up) * scale;
+  });
+  return line;
+}
+
+/** From a place to a line. */
+function distance(line: Float32Array, x: number, y: number): number {
+  let nearest = Infinity;
+  for (let i = 2; i < line.length; i += 2) {
+    const [fromX, fromY] = [line[i - 2], line[i - 1]];
+    const [alongX, alongY] = [line[i] - fromX, line[i + 1] - fromY];
+    const length2 = alongX * alongX + alongY * alongY;
+    const share = length2 > 0 ? Math.min(1, Math.max(0, ((x - fromX) * alongX + (y - fromY) * alongY) / length2)) : 0;
+    nearest = Math.min(nearest, Math.hypot(x - fromX - share * alongX, y - fromY - share * alongY));
+  }
+  return nearest;
+}
+
+/** The line that is nearest to a place, and near enough; -1: none is. */
+export function lineAt(lines: readonly Float32Array[], x: number, y: number, within_px: number): number {
+  let [found, least] = [-1, within_px];
+  lines.forEach((line, i) => {
+    const each = distance(line, x, y);
+    if (each < least) [found, least] = [i, each];
+  });
+  return found;
+}

@@ -1,0 +1,155 @@
+// What of a part could be cut, as a picture and a list to choose from. The engine is asked anew where the fields choose other contours.
+
+import { element } from "../../core/dom";
+import type { Session } from "../../core/session";
+import type { Units } from "../../core/store";
+import { texts } from "../../texts";
+import type { ContourChoice } from "./contour_fields";
+import { ContourList, contourText } from "./contour_list";
+import { canBePicked, pickedBy, picksOf, stillKnown, type ListedContour } from "./contour_picks";
+import { ContourView } from "./contour_view";
+import { contoursOfPart } from "./engine_requests";
+
+const words = texts.paths.contours.picture;
+
+/** Of what part, and by what fields. */
+export interface ContourSource {
+  drawing: string;
+  curve_tolerance_mm: number | undefined;
+  contours: ContourChoice;
+}
+
+/** What the engine is asked, which other fields do not change. */
+function requestOf({ drawing, curve_tolerance_mm, contours: { kind, side, faces, axis } }: ContourSource) {
+  return { drawing, curve_tolerance_mm, contours: { kind, side, faces, axis } };
+}
+
+export class ContourPicker {
+  readonly element: HTMLElement;
+  private readonly view = new ContourView({
+    pointed: (contour) => this.point(contour, true),
+    clicked: (contour) => this.toggle(contour),
+  });
+  private readonly list = new ContourList({
+    pointed: (contour) => this.point(contour, false),
+    ticked: (contour, isCut) => this.pick((each, i) => (i === contour ? isCut : each)),
+  });
+  private readonly status = element("p", { class: "status", role: "status" });
+  private readonly fault = element("p", { class: "fault", role: "alert", hidden: true });
+  private readonly pointedAt = element("p", { class: "pointed-at", "aria-hidden": "true" });
+  private readonly notes = element("ul", { class: "notes" });
+  private readonly all = element("button", { type: "button", onclick: () => this.pick(() => true) }, words.all);
+  private readonly none = element("button", { type: "button", onclick: () => this.pick(() => false) }, words.none);
+  private readonly found: HTMLElement;
+  private contours: ListedContour[] = [];
+  private picks: readonly string[] | undefined;
+  private isCut: boolean[] = [];
+  private highlighted = -1;
+  private units: Units = "mm";
+  /** What is to be known, and of what it is known: requests as text. Empty: nothing. */
+  private wanted = "";
+  private known = "";
+  private isAsking = false;
+
+  /** `picked`: an edge of each contour that is cut; undefined: all are. */
+  constructor(
+    private readonly session: Session,
+    private readonly picked: (edges: string[] | undefined) => void,
+  ) {
+    const buttons = element("div", { class: "buttons" }, this.all, this.none);
+    const picture = element("div", { class: "picture" }, this.view.element, this.pointedAt);
+    this.found = element("div", { class: "found" }, picture, element("div", { class: "listed" }, buttons, this.list.element), this.notes);
+    this.element = element("section", { class: "contour-picker", "aria-label": words.title }, this.status, this.fault, this.found);
+  }
+
+  /** null: nothing is to be chosen from. */
+  show(source: ContourSource | null, picks: readonly string[] | undefined, units: Units): void {
+    this.element.hidden = source === null;
+    this.wanted = source ? JSON.stringify(requestOf(source)) : "";
+    this.picks = picks;
+    if (units !== this.units) {
+      this.units = units;
+      this.showContours();
+    }
+    this.showPicks();
+    this.showState();
+    void this.ask();
+  }
+
+  end(): void {
+    this.wanted = "";
+    this.view.end();
+  }
+
+  /** One question at a time; what was asked for meanwhile is asked behind it, and an answer that is late by then changes nothing. */
+  private async ask(): Promise<void> {
+    if (this.isAsking) return;
+    this.isAsking = true;
+    while (this.wanted !== "" && this.wanted !== this.known) {
+      const asked = this.wanted;
+      this.showState();
+      const answer = await contoursOfPart(this.session, JSON.parse(asked) as Record<string, unknown>);
+      if (asked !== this.wanted) continue;
+      this.known = asked;
+      this.contours = "refused" in answer ? [] : answer.contours;
+      this.fault.textContent = "refused" in answer ? answer.refused : "";
+      this.notes.replaceChildren(...("refused" in answer ? [] : answer.notes).map((note) => element("li", {}, note)));
+      this.take(asked);
+    }
+    this.isAsking = false;
+    this.showState();
+  }
+
+  private take(asked: string): void {
+    const { contours } = JSON.parse(asked) as ContourSource;
+    this.highlighted = -1;
+    this.view.showLines(
+      this.contours.map(({ line_mm }) => line_mm),
+      contours.side ?? "z",
+    );
+    this.showContours();
+    const known = stillKnown(this.contours, this.picks);
+    if (this.contours.length > 0 && known?.join() !== this.picks?.join()) this.picked(known);
+    this.showPicks();
+  }
+
+  private toggle(contour: number): void {
+    if (canBePicked(this.contours)) this.pick((each, i) => (i === contour ? !each : each));
+  }
+
+  private pick(change: (isCut: boolean, contour: number) => boolean): void {
+    this.isCut = this.isCut.map(change);
+    this.picked(picksOf(this.contours, this.isCut));
+  }
+
+  private point(contour: number, inPicture: boolean): void {
+    if (contour === this.highlighted) return;
+    this.highlighted = contour;
+    if (inPicture && contour >= 0) this.list.scrollTo(contour);
+    this.showPicks();
+  }
+
+  private showContours(): void {
+    this.list.showContours(this.contours, this.units, canBePicked(this.contours));
+  }
+
+  private showPicks(): void {
+    const { contours, highlighted } = this;
+    this.isCut = pickedBy(contours, this.picks);
+    this.view.show(this.isCut, highlighted);
+    this.list.show(this.isCut, highlighted);
+    this.pointedAt.textContent = highlighted < 0 ? words.hint : contourText(contours[highlighted], this.units);
+    this.element.classList.toggle("pointed", highlighted >= 0);
+  }
+
+  private showState(): void {
+    const isKnown = this.known === this.wanted;
+    const { contours } = this;
+    this.found.hidden = !isKnown || contours.length === 0;
+    this.fault.hidden = !isKnown || this.fault.textContent === "";
+    const cut = this.isCut.filter(Boolean).length;
+    const count = canBePicked(contours) ? words.cut(cut, contours.length) : words.unnumbered(contours.length);
+    this.status.textContent = !isKnown ? words.asking : contours.length > 0 ? count : "";
+    this.all.disabled = this.none.disabled = !canBePicked(contours);
+  }
+}

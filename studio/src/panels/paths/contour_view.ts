@@ -1,0 +1,166 @@
+// The picture of a part's contours, which can be turned: a click on one takes it out, or in again.
+
+import { element } from "../../core/dom";
+import { onTheme, themeColour } from "../../core/theme";
+import { texts } from "../../texts";
+import { drawn, extentOf, firstCamera, lineAt, turned, zoomed, type Camera, type Extent, type Size } from "./contour_camera";
+
+const words = texts.paths.contours.picture;
+
+const NEAR_px = 9;
+/** A pointer that has gone this far turns the picture, and clicks on nothing. */
+const DRAG_px = 4;
+const KEY_px = 12;
+const ZOOM = 1.25;
+
+export interface ContourViewEvents {
+  /** The contour under the pointer; -1: there is none. */
+  pointed(contour: number): void;
+  clicked(contour: number): void;
+}
+
+export class ContourView {
+  readonly element: HTMLCanvasElement;
+  private lines_mm: Float64Array[] = [];
+  private lines: Float32Array[] = [];
+  private isCut: readonly boolean[] = [];
+  private highlighted = -1;
+  private side = "z";
+  private camera: Camera = firstCamera("z");
+  private extent: Extent = extentOf([], this.camera);
+  /** Where the pointer went down, and whether it has turned the picture since. */
+  private held: { x: number; y: number; turns: boolean } | null = null;
+  private frame = 0;
+  private readonly resizing = new ResizeObserver(() => this.draw());
+  private readonly endTheme = onTheme(() => this.draw());
+
+  constructor(private readonly on: ContourViewEvents) {
+    this.element = element("canvas", {
+      class: "contour-view",
+      role: "img",
+      tabindex: 0,
+      "aria-label": words.label,
+      onpointerdown: (event) => this.down(event as PointerEvent),
+      onpointermove: (event) => this.move(event as PointerEvent),
+      onpointerup: (event) => this.up(event as PointerEvent),
+      onpointercancel: () => (this.held = null),
+      onpointerleave: () => this.on.pointed(-1),
+      ondblclick: () => this.look(firstCamera(this.side)),
+      onwheel: (event) => this.wheel(event as WheelEvent),
+      onkeydown: (event) => this.key(event as KeyboardEvent),
+    });
+    this.resizing.observe(this.element);
+  }
+
+  /** Other lines, seen from a side. */
+  showLines(lines_mm: Float64Array[], side: string): void {
+    this.lines_mm = lines_mm;
+    this.side = side;
+    this.extent = extentOf(lines_mm, firstCamera(side));
+    this.look(firstCamera(side));
+  }
+
+  show(isCut: readonly boolean[], highlighted: number): void {
+    this.isCut = isCut;
+    this.highlighted = highlighted;
+    this.draw();
+  }
+
+  end(): void {
+    this.resizing.disconnect();
+    this.endTheme();
+    cancelAnimationFrame(this.frame);
+  }
+
+  private get size(): Size {
+    return { width: this.element.clientWidth, height: this.element.clientHeight };
+  }
+
+  private look(camera: Camera): void {
+    this.camera = camera;
+    this.draw();
+  }
+
+  private at(event: MouseEvent): [x: number, y: number] {
+    const { left, top } = this.element.getBoundingClientRect();
+    return [event.clientX - left - this.element.clientLeft, event.clientY - top - this.element.clientTop];
+  }
+
+  private down(event: PointerEvent): void {
+    if (event.button !== 0) return;
+    const [x, y] = this.at(event);
+    this.held = { x, y, turns: false };
+    this.element.setPointerCapture(event.pointerId);
+  }
+
+  private move(event: PointerEvent): void {
+    const [x, y] = this.at(event);
+    if (!this.held) return this.on.pointed(lineAt(this.lines, x, y, NEAR_px));
+    const { held } = this;
+    if (!held.turns && Math.hypot(x - held.x, y - held.y) < DRAG_px) return;
+    this.look(turned(this.camera, x - held.x, y - held.y));
+    this.held = { x, y, turns: true };
+  }
+
+  private up(event: PointerEvent): void {
+    const { held } = this;
+    this.held = null;
+    if (!held || held.turns) return;
+    const contour = lineAt(this.lines, ...this.at(event), NEAR_px);
+    if (contour >= 0) this.on.clicked(contour);
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    this.look(zoomed(this.camera, event.deltaY < 0 ? ZOOM : 1 / ZOOM, this.extent, this.size, ...this.at(event)));
+  }
+
+  private key(event: KeyboardEvent): void {
+    const turns: Record<string, [number, number]> = {
+      ArrowLeft: [-KEY_px, 0],
+      ArrowRight: [KEY_px, 0],
+      ArrowUp: [0, -KEY_px],
+      ArrowDown: [0, KEY_px],
+    };
+    const zooms: Record<string, number> = { "+": ZOOM, "=": ZOOM, "-": 1 / ZOOM };
+    const { width, height } = this.size;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key in turns) this.look(turned(this.camera, ...turns[event.key]));
+    else if (event.key in zooms) this.look(zoomed(this.camera, zooms[event.key], this.extent, this.size, width / 2, height / 2));
+    else if (event.key === "0") this.look(firstCamera(this.side));
+    else return;
+    event.preventDefault();
+  }
+
+  /** With the next frame. */
+  private draw(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => this.drawNow());
+  }
+
+  private drawNow(): void {
+    const { element: canvas, size } = this;
+    const context = canvas.getContext("2d");
+    if (!context || size.width === 0 || size.height === 0) return;
+    const ratio = window.devicePixelRatio;
+    canvas.width = Math.round(size.width * ratio);
+    canvas.height = Math.round(size.height * ratio);
+    context.scale(ratio, ratio);
+    context.lineJoin = "round";
+    this.lines = this.lines_mm.map((line) => drawn(line, this.extent, this.camera, size));
+    const [accent, dim] = [themeColour("--accent"), themeColour("--dim")];
+    const stroke = (i: number, width: number) => {
+      context.strokeStyle = this.isCut[i] ? accent : dim;
+      context.lineWidth = width;
+      context.setLineDash(this.isCut[i] ? [] : [4, 3]);
+      context.beginPath();
+      const line = this.lines[i];
+      for (let k = 0; k < line.length; k += 2) context.lineTo(line[k], line[k + 1]);
+      context.stroke();
+    };
+    // What is cut lies above what is not, and what is pointed at above all.
+    this.lines.forEach((_, i) => !this.isCut[i] && stroke(i, 1.2));
+    this.lines.forEach((_, i) => this.isCut[i] && stroke(i, 2));
+    if (this.highlighted >= 0 && this.highlighted < this.lines.length) stroke(this.highlighted, 5);
+  }
+}
