@@ -157,6 +157,21 @@ TEST_F(Contours, ChainsComeWithWhatElseAJetCouldComeInto) {
     EXPECT_TRUE(read({.kind = "all"}).other_edges.empty());
 }
 
+// Nothing of such a file tells them apart.
+TEST_F(Contours, EdgesOfAnIgesFileHaveNoNumbers) {
+    const auto file =
+        folder_.iges("plate.iges", without(box({0, 0, -10}, {80, 50, 0}), {cylinder({20, 25, -11}, 8, 12)}));
+    const auto all = read_contours(file, {.kind = "all"});
+    ASSERT_TRUE(all) << all.error();
+    ASSERT_EQ(all->contours.size(), 2U);
+    for (const WallContour& contour : all->contours) {
+        for (const WallEdge& edge : contour.edges) EXPECT_EQ(edge.label, "");
+    }
+    const auto asked = read_contours(file, {.kind = "all", .edges = {"57"}});
+    ASSERT_FALSE(asked);
+    EXPECT_THAT(asked.error(), HasSubstr("it has no edge with the number '57'"));
+}
+
 }  // namespace
 
 }  // namespace gsim::solid::contours_test

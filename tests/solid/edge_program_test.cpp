@@ -104,6 +104,19 @@ TEST_F(EdgeProgram, ACornerWithinAChainThatClosesIsTrimmed) {
     }
 }
 
+TEST_F(EdgeProgram, WallsThatLeanAreCutAlongAndAboutTheirCorner) {
+    // Larger below by 5 mm on each side over 10 mm: the walls lean by 26.6 degrees.
+    const std::string block = step("block.step", solid::frustum({0, 0, -10}, 90, 70, 80, 60, 10));
+    const auto way =
+        jets(block, {600, 600, 120}, cut(edges(block, {{-40, -30, 0}, {40, -30, 0}, {40, 30, 0}})));
+    for (const double depth : {0.0, 5.0, 10.0}) {
+        const double x = 40 + depth / 2;
+        const double y = 30 + depth / 2;
+        expect_cut(fmt::format("leaning walls at {} mm", depth),
+                   on_stretches({{-x, -y, 0}, {x, -y, 0}, {x, y, 0}}, depth), way);
+    }
+}
+
 TEST_F(EdgeProgram, TheFrontEdgeOfABentBracketIsCutRoundItsBend) {
     using B = Bracket;
     const double bend = B::kBend_deg * kRadPerDeg;

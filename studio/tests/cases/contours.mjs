@@ -40,6 +40,22 @@ const withBracket = (places, test) => {
   return withServed(places, { "part.nc": PART, "bracket.step": step }, test);
 };
 
+/** Holds back the engine's answers about contours until go() is called; asked() waits until so many were asked for. */
+async function holdContours(page) {
+  const held = { count: 0 };
+  const gate = new Promise((go) => (held.go = go));
+  await page.route("**/ask", async (route) => {
+    if (!route.request().postData()?.includes('"do":"contours"')) return route.fallback();
+    ++held.count;
+    await gate;
+    return route.continue();
+  });
+  held.asked = async (count) => {
+    while (held.count < count) await page.waitForTimeout(20);
+  };
+  return held;
+}
+
 export default {
   "a hole of a bent part is clicked off in its picture, and the path has one contour less": (places) =>
     withBracket(places, async (page) => {
@@ -57,6 +73,7 @@ export default {
       await saysCut(dialog, 4, 4);
       await page.mouse.click(...at);
       await saysCut(dialog, 3, 4);
+      if (process.env.GSIM_RENEW_PICTURES) await dialog.screenshot({ path: join(places.samples, "../docs/images/studio-contours.png") });
       await dialog.getByRole("button", { name: "Make path" }).click();
       await dialog.waitFor({ state: "detached" });
       await page.locator("#side").getByText(/3 contours, 3 pierces/).waitFor();
@@ -103,5 +120,32 @@ export default {
       assert.equal(await canvas.isVisible(), false);
       await dialog.getByLabel("Cut", { exact: true }).selectOption("");
       assert.equal(await dialog.getByRole("region", { name: "Contours of the part" }).isVisible(), false);
+    }),
+
+  "while contours are read the dialog is usable, and an answer that comes too late changes nothing": (places) =>
+    withBracket(places, async (page) => {
+      const held = await holdContours(page);
+      const dialog = await openDialog(page);
+      await held.asked(1);
+      await dialog.getByRole("status").filter({ hasText: "are being read" }).waitFor();
+      await dialog.getByLabel("Faces look along").selectOption("-z");
+      await dialog.getByLabel("Bridges").fill("2");
+      held.go();
+      await saysCut(dialog, 4, 4);
+      assert.equal(held.count, 2);
+      const rows = await dialog.locator("li").filter({ has: page.getByRole("checkbox") }).allInnerTexts();
+      assert.equal(rows.length, 4);
+      // Of the faces below, not of those above, whose answer came first.
+      assert.ok(rows.every((row) => /leans by/.test(row) && !row.includes("#933 ")), rows.join("\n"));
+      assert.equal(await dialog.getByLabel("Bridges").inputValue(), "2");
+      await page.unroute("**/ask");
+      const late = await holdContours(page);
+      await dialog.getByLabel("Faces look along").selectOption("z");
+      await late.asked(1);
+      await dialog.getByRole("button", { name: "Cancel" }).click();
+      await dialog.waitFor({ state: "detached" });
+      late.go();
+      await page.waitForTimeout(500);
+      assert.equal(await page.getByRole("dialog").count(), 0);
     }),
 };
