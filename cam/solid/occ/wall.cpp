@@ -25,9 +25,8 @@ constexpr double kOffLine_mm = 0.005;   // how far the wall may be off its strai
 constexpr double kLeastLine_mm = 0.01;  // a shorter line says nothing of a direction
 constexpr double kLeastDown = 0.05;     // of a line of length 1, away from the edge
 
-// The straight edge from a vertex to its other end; nothing where it bends.
-std::optional<gp_Vec> straight_from(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
-    const BRepAdaptor_Curve curve(edge);
+// From the begin of a curve to its end; nothing where it bends.
+std::optional<gp_Vec> straight(const BRepAdaptor_Curve& curve) {
     const double from = curve.FirstParameter();
     const double to = curve.LastParameter();
     const gp_Pnt first = curve.Value(from);
@@ -38,8 +37,18 @@ std::optional<gp_Vec> straight_from(const TopoDS_Edge& edge, const TopoDS_Vertex
         const gp_Vec off(first, curve.Value(from + share * (to - from)));
         if (off.Crossed(whole).Magnitude() > kOffLine_mm * whole.Magnitude()) return std::nullopt;
     }
+    return whole;
+}
+
+// The straight edge from a vertex to its other end.
+std::optional<gp_Vec> straight_from(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
+    const BRepAdaptor_Curve curve(edge);
+    const auto whole = straight(curve);
+    if (!whole) return std::nullopt;
     const gp_Pnt start = BRep_Tool::Pnt(vertex);
-    return start.Distance(first) < start.Distance(last) ? whole : whole.Reversed();
+    const bool begins_here = start.Distance(curve.Value(curve.FirstParameter())) <
+                             start.Distance(curve.Value(curve.LastParameter()));
+    return begins_here ? *whole : whole->Reversed();
 }
 
 }  // namespace
@@ -159,7 +168,7 @@ std::optional<WallLine> Wall::iso_line(double parameter, bool along_u) const {
 std::optional<WallLine> Wall::line(double parameter) const {
     if (plane_) {
         const bool has_sides = first_side_ || last_side_;
-        if (!any_edge_ && !has_sides && curve_.GetType() != GeomAbs_Line) return std::nullopt;
+        if (!any_edge_ && !has_sides && !straight(curve_)) return std::nullopt;
         return plane_line(parameter);
     }
     const auto u = iso_line(parameter, true);
