@@ -1,6 +1,10 @@
 #include "cam/solid/contours.h"
 
+#include <Interface_Static.hxx>
+#include <TopLoc_Location.hxx>
 #include <algorithm>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -170,6 +174,29 @@ TEST_F(Contours, EdgesOfAnIgesFileHaveNoNumbers) {
     const auto asked = read_contours(file, {.kind = "all", .edges = {"57"}});
     ASSERT_FALSE(asked);
     EXPECT_THAT(asked.error(), HasSubstr("it has no edge with the number '57'"));
+}
+
+TEST_F(Contours, InAnAssemblyShapesGoByTheNumbersOfTheirPart) {
+    const TopoDS_Shape plate = without(box({0, 0, -10}, {80, 50, 0}), {cylinder({20, 25, -11}, 8, 12)});
+    gp_Trsf aside;
+    aside.SetTranslation(gp_Vec(200, 0, 0));
+    const int before = Interface_Static::IVal("write.step.assembly");
+    Interface_Static::SetIVal("write.step.assembly", 1);
+    const auto file = folder_.step("plates.step", together({plate, plate.Moved(TopLoc_Location(aside))}));
+    Interface_Static::SetIVal("write.step.assembly", before);
+    ASSERT_THAT(read_file(file), HasSubstr("NEXT_ASSEMBLY_USAGE_OCCURRENCE"));
+    const auto both = read_contours(file, {.kind = "holes"});
+    ASSERT_TRUE(both) << both.error();
+    ASSERT_EQ(both->contours.size(), 2U);
+    const std::string edge = both->contours[0].edges.front().label;
+    EXPECT_NE(edge, "");
+    EXPECT_EQ(both->contours[1].edges.front().label, edge);
+    // The box tells them apart.
+    const auto one = read_contours(
+        file, {.kind = "holes", .edges = {edge}, .box_mm = std::array<double, 6>{100, 0, -10, 300, 50, 0}});
+    ASSERT_TRUE(one) << one.error();
+    ASSERT_EQ(one->contours.size(), 1U);
+    EXPECT_GT(one->contours.front().edges.front().points.front().position_mm[0], 200);
 }
 
 }  // namespace

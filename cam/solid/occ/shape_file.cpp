@@ -6,6 +6,7 @@
 #include <Interface_InterfaceModel.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopLoc_Location.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -82,14 +83,20 @@ void ShapeFile::list_entities() {
     }
 }
 
-std::string ShapeFile::label(const TopoDS_Shape& shape) const {
+// In an assembly a shape of the file stands in other places, perhaps in several.
+const int* ShapeFile::number_of(const TopoDS_Shape& shape) const {
     const int* number = entities_.Seek(shape);
+    return number != nullptr ? number : entities_.Seek(shape.Located(TopLoc_Location()));
+}
+
+std::string ShapeFile::label(const TopoDS_Shape& shape) const {
+    const int* number = number_of(shape);
     if (number == nullptr) return {};
     return reader_->Model()->StringLabel(reader_->Model()->Value(*number))->ToCString();
 }
 
 bool ShapeFile::goes_by(const TopoDS_Shape& shape, const std::string& name) const {
-    const int* number = entities_.Seek(shape);
+    const int* number = number_of(shape);
     if (number == nullptr || name.empty()) return false;
     if (label(shape) == name) return true;
     const auto item = Handle(StepRepr_RepresentationItem)::DownCast(reader_->Model()->Value(*number));

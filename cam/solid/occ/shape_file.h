@@ -26,6 +26,8 @@ class ShapeFile {
   private:
     ShapeFile() = default;
     void list_entities();
+    /// In the model; null: it is not known.
+    const int* number_of(const TopoDS_Shape& shape) const;
 
     std::unique_ptr<XSControl_Reader> reader_;
     TopoDS_Shape shape_;

@@ -32,6 +32,12 @@ export default {
     assert.deepEqual(pickedBy(sharing, picks), [false, true, false]);
   },
 
+  "contours with the same edges, of a body that stands in an assembly twice, go together": ({ withTicked }) => {
+    const twins = [contour(["#1", "#2"]), contour(["#3"]), contour(["#1", "#2"])];
+    assert.deepEqual(withTicked(twins, [true, true, true], 2, false), [false, true, false]);
+    assert.deepEqual(withTicked(twins, [false, false, false], 1, true), [false, true, false]);
+  },
+
   "what an earlier list of contours knew goes with it": ({ stillKnown }) => {
     assert.equal(stillKnown(three, undefined), undefined);
     assert.deepEqual(stillKnown(three, []), []);

@@ -6,7 +6,7 @@ import type { Units } from "../../core/store";
 import { texts } from "../../texts";
 import type { ContourChoice } from "./contour_fields";
 import { ContourList, contourText } from "./contour_list";
-import { canBePicked, pickedBy, picksOf, stillKnown, type ListedContour } from "./contour_picks";
+import { canBePicked, pickedBy, picksOf, stillKnown, withTicked, type ListedContour } from "./contour_picks";
 import { ContourView } from "./contour_view";
 import { contoursOfPart } from "./engine_requests";
 
@@ -32,14 +32,14 @@ export class ContourPicker {
   });
   private readonly list = new ContourList({
     pointed: (contour) => this.point(contour, false),
-    ticked: (contour, isCut) => this.pick((each, i) => (i === contour ? isCut : each)),
+    ticked: (contour, isCut) => this.tick(contour, isCut),
   });
   private readonly status = element("p", { class: "status", role: "status" });
   private readonly fault = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly pointedAt = element("p", { class: "pointed-at", "aria-hidden": "true" });
   private readonly notes = element("ul", { class: "notes" });
-  private readonly all = element("button", { type: "button", onclick: () => this.pick(() => true) }, words.all);
-  private readonly none = element("button", { type: "button", onclick: () => this.pick(() => false) }, words.none);
+  private readonly all = element("button", { type: "button", onclick: () => this.pick(this.isCut.map(() => true)) }, words.all);
+  private readonly none = element("button", { type: "button", onclick: () => this.pick(this.isCut.map(() => false)) }, words.none);
   private readonly found: HTMLElement;
   private contours: ListedContour[] = [];
   private picks: readonly string[] | undefined;
@@ -114,12 +114,15 @@ export class ContourPicker {
   }
 
   private toggle(contour: number): void {
-    if (canBePicked(this.contours)) this.pick((each, i) => (i === contour ? !each : each));
+    if (canBePicked(this.contours)) this.tick(contour, !this.isCut[contour]);
   }
 
-  private pick(change: (isCut: boolean, contour: number) => boolean): void {
-    this.isCut = this.isCut.map(change);
-    this.picked(picksOf(this.contours, this.isCut));
+  private tick(contour: number, isCut: boolean): void {
+    this.pick(withTicked(this.contours, this.isCut, contour, isCut));
+  }
+
+  private pick(isCut: readonly boolean[]): void {
+    this.picked(picksOf(this.contours, isCut));
   }
 
   private point(contour: number, inPicture: boolean): void {

@@ -41,3 +41,9 @@ export function stillKnown(contours: readonly ListedContour[], picks: readonly s
   const isCut = pickedBy(contours, picks);
   return isCut.some(Boolean) ? picksOf(contours, isCut) : undefined;
 }
+
+/** Which are cut when one is taken out or in. Bodies that stand in an assembly twice have the same edges: their contours go together. */
+export function withTicked(contours: readonly ListedContour[], isCut: readonly boolean[], contour: number, on: boolean): boolean[] {
+  const edges = contours[contour].edges.join();
+  return isCut.map((each, i) => (contours[i].edges.join() === edges ? on : each));
+}
