@@ -188,6 +188,7 @@ export const paths = {
     },
     straighten: "lean against the kerf's taper",
     movingPierce: "pierce moving",
+    past: "lead ways past machine and cell",
     make: "Make path",
     cancel: "Cancel",
   },

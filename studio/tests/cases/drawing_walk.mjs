@@ -93,6 +93,9 @@ export default {
         await tab(page, "Paths");
         await side(page).getByRole("button", { name: "From drawing…" }).click();
         const again = page.getByRole("dialog", { name: "Path from drawing" });
+        await again.getByLabel("lead ways past machine and cell").check();
+        await again.getByRole("button", { name: "Make path" }).click();
+        await again.getByRole("alert").filter({ hasText: "touches 'left clamp'" }).waitFor();
         await makePath(page, again, { X: 160 });
         const second = await writeAndRun(page, "plate 2.nc");
         assert.deepEqual([second.status, second.collisions ?? []], ["completed", []]);

@@ -3,6 +3,7 @@
 import { check, choice, element } from "../../core/dom";
 import { namesOfKind, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
+import type { Setup } from "../../core/setup";
 import type { Store, Units } from "../../core/store";
 import { texts } from "../../texts";
 import { ContourFields, type ContourChoice } from "./contour_fields";
@@ -37,6 +38,8 @@ export interface DrawingChoice {
   moving_pierce?: boolean;
   /** Of a solid that need not be flat. */
   contours?: ContourChoice;
+  /** Ways between cuts lead past machine and cell of the set-up. */
+  past?: boolean;
   /** Of which part contours were taken out, and an edge of each that was left. */
   picked?: { drawing: string; edges: string[] };
 }
@@ -80,9 +83,9 @@ const chooseTheSame = (a: ContourChoice | undefined, b: ContourChoice | undefine
   a?.kind === b?.kind && a?.side === b?.side && a?.faces?.join(";") === b?.faces?.join(";");
 
 /** What goes with the drawing, of all that was chosen for this one and others. */
-function requestOf(drawing: string, choice: DrawingChoice) {
-  const { material, up, flip, contours, picked, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
-  const common = { drawing, ...rest, material: material || undefined };
+function requestOf(drawing: string, choice: DrawingChoice, { machine, cell, machine_data }: Readonly<Setup>) {
+  const { material, up, flip, contours, picked, past, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
+  const common = { drawing, ...rest, material: material || undefined, place: past ? { machine, cell, machine_data } : undefined };
   if (isSolid(drawing) && contours) return { ...common, contours: { ...contours, edges: picksFor(drawing, choice) } };
   const ofJet = { straighten: material ? straighten : undefined, moving_pierce, bevel_deg };
   return isSolid(drawing) ? { ...common, ...ofJet, up, flip } : { ...common, ...ofJet, unit_mm, layers };
@@ -131,6 +134,7 @@ export class DrawingDialog {
   private readonly ofSolid = element("div", { class: "group" }, this.contours.element, this.ofPlate);
   private readonly straighten = check(words.straighten, (straighten) => this.set({ straighten: straighten || undefined }));
   private readonly moving = check(words.movingPierce, (moving) => this.set({ moving_pierce: moving || undefined }));
+  private readonly past = check(words.past, (past) => this.set({ past: past || undefined }));
   private readonly accuracy = element("div", { class: "group" }, this.moving.row, this.straighten.row);
   private readonly refused = element("p", { class: "fault", role: "alert", hidden: true });
   private readonly make = element("button", { type: "submit", class: "primary" }, words.make);
@@ -182,6 +186,7 @@ export class DrawingDialog {
       this.accuracy,
       this.ofSolid,
       this.origin.element,
+      this.past.row,
       element("details", {}, element("summary", {}, words.ways), ...of(ways)),
       element("details", {}, element("summary", {}, words.reading), this.unit.element, this.layers.element, ...of(rare)),
       this.refused,
@@ -227,6 +232,7 @@ export class DrawingDialog {
     this.up.show(this.choice.up ?? "");
     this.flip.box.checked = this.choice.flip ?? false;
     this.origin.show(this.choice.origin_mm, units);
+    this.past.box.checked = this.choice.past ?? false;
     this.unit.show(this.choice.unit_mm ? String(this.choice.unit_mm) : "");
     this.layers.show(this.choice.layers?.join(", ") ?? "", words.allLayers);
   }
@@ -249,7 +255,7 @@ export class DrawingDialog {
     const { drawing } = this;
     if (this.choice.contours && isSolid(drawing) && picksFor(drawing, this.choice)?.length === 0) return this.refuse(texts.paths.contours.picture.noneCut);
     this.make.disabled = true;
-    const made = await pathOfDrawing(this.session, requestOf(drawing, this.choice));
+    const made = await pathOfDrawing(this.session, requestOf(drawing, this.choice, this.session.setup));
     this.make.disabled = false;
     // Cancelled meanwhile.
     if (!this.element.open) return;
