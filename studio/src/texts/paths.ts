@@ -6,6 +6,7 @@ export const paths = {
     begin: "a new path file",
     drawing: (name: string) => `a path from ${name}`,
     add: "adding a point",
+    addMachinePoint: "adding a fixed or reference point",
     addSubPath: "adding a sub-path",
     duplicate: "copying points",
     remove: "deleting points",
@@ -16,6 +17,7 @@ export const paths = {
     move: "moving a point",
     turn: "turning the tool",
     change: "changing a point",
+    changeMachinePoint: "changing a fixed or reference point",
     rename: "renaming a path",
     root: "changing the first path",
     write: (name: string) => `writing ${name}`,
@@ -33,9 +35,10 @@ export const paths = {
   },
   toolbar: {
     label: "What is chosen of the path",
-    names: { add: "+ Point", duplicate: "Copy", remove: "Delete", up: "↑", down: "↓", makeSubPath: "Make sub-path" },
+    names: { add: "+ Point", addMachinePoint: "+ Machine point", duplicate: "Copy", remove: "Delete", up: "↑", down: "↓", makeSubPath: "Make sub-path" },
     titles: {
       add: "Add a point behind the chosen one",
+      addMachinePoint: "Add a fixed or reference point behind the chosen one",
       duplicate: "Copy what is chosen (Insert)",
       remove: "Delete what is chosen (Delete)",
       up: "Move up (Alt and arrow up)",
@@ -51,8 +54,8 @@ export const paths = {
     times: (count: number) => `${count} times`,
     more: (count: number) => `Show more of ${count}`,
     signs: { rapid: "⇢", linear: "→", circular: "⌒", none: "•" },
-    machinePoint: (fixed: string | number | null, reference: string | number) =>
-      fixed === null ? `⇢ reference point ${reference}` : `⇢ fixed point ${fixed}`,
+    machinePoint: (name: string, fixed: string | number | null, reference: string | number) =>
+      `⇢ ${name ? `${name}: ` : ""}${fixed === null ? `reference point ${reference}` : `fixed point ${fixed}`}`,
     dwell: (time_s: number) => `wait ${time_s} s`,
     feed: (feed: string) => `F ${feed}`,
     newSubPath: "sub-path",
@@ -106,6 +109,20 @@ export const paths = {
     makeRoot: "Begin the program with this path",
     subPath: "Path",
     repeats: "Times",
+  },
+  /** Of a fixed or reference point. */
+  machinePoint: {
+    kind: "Kind",
+    kinds: { fixed: "fixed point", reference: "reference point" },
+    which: "Which",
+    ident: "Number or name",
+    named: (name: string, number: number) => `${name} (${number})`,
+    home: (number: number) => `${number}, ${number === 1 ? "the machine's home (G28)" : "home position (G30)"}`,
+    another: "another one, by number or name",
+    noData: "No machine data are chosen, which say where it is (More, in the bar).",
+    notThere: (file: string, kind: string, ident: string | number) => `${file} has no ${kind} '${ident}'.`,
+    unreadable: (file: string) => `${file} cannot be read: the tab Data says why.`,
+    notRecorded: "Not added: a path that was recorded from a run has no fixed or reference points.",
   },
   leads: {
     title: "Leads",

@@ -6,15 +6,17 @@ import { row } from "./fields";
 
 const words = texts.paths.form;
 const usual = ["waterjet_on", "waterjet_off", "abrasive_on", "abrasive_off"];
-const LIST_ID = "path-actions";
+/** Each list of what is offered has an id of its own. */
+let lists = 0;
 
 export class ActionList {
   readonly element: HTMLElement;
   private actions: readonly string[] = [];
+  private readonly listId = `path-actions-${++lists}`;
   private readonly list = element("span", { class: "chips" });
   private readonly input = element("input", {
     class: "text",
-    list: LIST_ID,
+    list: this.listId,
     "aria-label": words.newAction,
     placeholder: words.newAction,
     autocomplete: "off",
@@ -26,7 +28,7 @@ export class ActionList {
   });
 
   constructor(private readonly change: (actions: string[]) => void) {
-    const offered = element("datalist", { id: LIST_ID }, ...usual.map((value) => element("option", { value })));
+    const offered = element("datalist", { id: this.listId }, ...usual.map((value) => element("option", { value })));
     const button = element("button", { type: "button", title: words.addAction, "aria-label": words.addAction, onclick: () => this.add() }, "+");
     this.element = row(words.actions, this.list, this.input, button, offered);
   }

@@ -14,7 +14,7 @@ import {
   removeTargets,
   usersOf,
 } from "../../run/path/path_edit";
-import { isPoint, pointAt, rootOf, type Place, type Point, type Target } from "../../run/path/path_file";
+import { isMachinePoint, isPoint, isRecorded, pointAt, rootOf, targetAt, type MachinePoint, type Place, type Point, type Target } from "../../run/path/path_file";
 import { add, between, roundedVector, scaled, subtract, unit, type Vector } from "../../run/path/vector";
 import { texts } from "../../texts";
 import type { PointChoice, Range } from "./choice_of_points";
@@ -69,7 +69,18 @@ export class PathActions implements TreeActions {
   /** A point on the way to the next one, or beyond the last one. */
   add(): void {
     const at = this.behind;
-    if (at) this.addPoint({ motion: "linear", position_mm: placeBehind(at.shown, at.place) });
+    if (!at) return;
+    const before = targetAt(at.shown.file, at.place);
+    // Where a machine point is in the work nobody knows: only a rapid leads from there.
+    const motion = before && isMachinePoint(before) ? "rapid" : "linear";
+    this.addPoint({ motion, position_mm: placeBehind(at.shown, at.place) });
+  }
+
+  addMachinePoint(point: MachinePoint): void {
+    const { shown } = this;
+    if (!shown) return;
+    if (isRecorded(shown.file)) return this.say(words.machinePoint.notRecorded);
+    this.insert(words.labels.addMachinePoint, point);
   }
 
   addSubPath(name: string): void {

@@ -7,14 +7,16 @@ import { namesOfKind, shortName } from "../../core/kinds";
 import { watchPath, type PathShown } from "../../core/path_desk";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
-import { isPoint, isSubPath, keyOfPlace, targetAt } from "../../run/path/path_file";
+import { isMachinePoint, isPoint, isSubPath, keyOfPlace, targetAt } from "../../run/path/path_file";
 import { texts } from "../../texts";
 import type { Form } from "../index";
 import { PathActions } from "./actions";
 import { PointChoice } from "./choice_of_points";
 import { DrawingDialog, drawingsOf, firstDrawingChoice } from "./drawing_dialog";
 import type { DrawnPath } from "./engine_requests";
+import { KnownPointsOfSetup } from "./known_points";
 import { LeadsForm } from "./leads_form";
+import { MachinePointForm } from "./machine_point_form";
 import { beginFile, freeFile, takeFile } from "./path_files";
 import { PathForm, SubPathForm } from "./path_form";
 import { PointForm } from "./point_form";
@@ -34,7 +36,8 @@ class PathsPanel {
   private readonly fault = element("p", { class: "fault", role: "alert" });
   private readonly toolbar: PathToolbar;
   private readonly tree: PathTree;
-  private readonly forms: { point: PointForm; subPath: SubPathForm; path: PathForm };
+  private readonly known: KnownPointsOfSetup;
+  private readonly forms: { point: PointForm; machinePoint: MachinePointForm; subPath: SubPathForm; path: PathForm };
   private readonly heading = element("h3", { class: "heading" });
   private readonly leads: LeadsForm;
   private readonly write: WriteForm;
@@ -47,11 +50,13 @@ class PathsPanel {
   ) {
     const say = (sentence: string) => this.say(sentence);
     this.choice = new PointChoice(store);
+    this.known = new KnownPointsOfSetup(session, () => this.showProperties(store.get("path")));
     this.actions = new PathActions(store, session, this.choice, say);
-    this.toolbar = new PathToolbar(this.actions, this.choice);
+    this.toolbar = new PathToolbar(this.actions, this.choice, this.known);
     this.tree = new PathTree(store, this.choice, this.actions);
     this.forms = {
       point: new PointForm(store, session, say),
+      machinePoint: new MachinePointForm(store, session, this.known, say),
       subPath: new SubPathForm(store, session, say),
       path: new PathForm(store, session, say),
     };
@@ -81,11 +86,13 @@ class PathsPanel {
   shown(): void {
     this.store.set("showPath", true);
     void this.write.begin();
+    this.known.shown();
     this.show();
   }
 
   hidden(): void {
     this.store.set("showPath", false);
+    this.known.hidden();
   }
 
   /** `table` is text in columns, which may be wider than the side. */
@@ -131,8 +138,9 @@ class PathsPanel {
     const { range } = this.choice;
     const place = this.choice.point;
     const target = shown && place ? targetAt(shown.file, place) : undefined;
-    const { point, subPath, path } = this.forms;
+    const { point, machinePoint, subPath, path } = this.forms;
     point.element.hidden = !target || !isPoint(target);
+    machinePoint.element.hidden = !target || !isMachinePoint(target);
     subPath.element.hidden = !target || !isSubPath(target);
     path.element.hidden = !shown || place === null || place.target >= 0;
     this.heading.hidden = place === null;
@@ -144,7 +152,8 @@ class PathsPanel {
     } else if (target) {
       this.heading.textContent = words.form.ofTarget(name, place.target + 1, range?.count ?? 1);
       if (isSubPath(target)) subPath.show(shown, place, target);
-      else if (isPoint(target)) point.show({ shown, place, point: target, before: shown.walk.before.get(keyOfPlace(place)) ?? {} });
+      else if (isMachinePoint(target)) machinePoint.show(shown, place, target);
+      else point.show({ shown, place, point: target, before: shown.walk.before.get(keyOfPlace(place)) ?? {} });
     }
   }
 

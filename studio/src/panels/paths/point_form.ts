@@ -6,7 +6,7 @@ import type { Session } from "../../core/session";
 import { robotOf } from "../../core/shown";
 import type { Store } from "../../core/store";
 import { movePoint, setTarget, type PointChange } from "../../run/path/path_edit";
-import { keyOfPlace, motionOf, motionTypes, type MotionType, type Place, type Point } from "../../run/path/path_file";
+import { isRecorded, motionOf, motionTypes, type MotionType, type Place, type Point } from "../../run/path/path_file";
 import { upOf } from "../../run/path/leads";
 import { motionChange } from "../../run/path/path_motion";
 import type { State } from "../../run/path/path_walk";
@@ -16,6 +16,7 @@ import type { JsonValue } from "../../core/json_text";
 import { texts } from "../../texts";
 import { ActionList } from "./action_list";
 import { ArcFields } from "./arc_fields";
+import { FaultLine } from "./fault_line";
 import { ChoiceRow, NumberRow, NumbersRow, TextRow, type Quantity } from "./fields";
 import { OrientationFields } from "./orientation_fields";
 
@@ -43,7 +44,7 @@ export interface PointShown {
 export class PointForm {
   readonly element: HTMLElement;
   private at: PointShown | null = null;
-  private readonly fault = element("p", { class: "fault", role: "alert" });
+  private readonly fault = new FaultLine();
   private readonly name = new TextRow(words.name, (name) => this.change({ name: name || undefined }));
   private readonly motion = new ChoiceRow<MotionType>(
     words.motion,
@@ -73,7 +74,7 @@ export class PointForm {
     this.element = element(
       "div",
       { class: "form" },
-      this.fault,
+      this.fault.element,
       this.name.element,
       this.motion.element,
       this.position.element,
@@ -89,9 +90,7 @@ export class PointForm {
     this.at = at;
     const { shown, place, point, before } = at;
     const units = this.store.get("units");
-    const key = keyOfPlace(place);
-    this.fault.textContent = shown.walk.faults.find((fault) => fault.place && keyOfPlace(fault.place) === key)?.text ?? "";
-    this.fault.hidden = this.fault.textContent === "";
+    this.fault.show(shown, place);
     this.name.show(point.name ?? "");
     this.motion.show(motionOf(point));
     this.position.show(point.position_mm, units);
@@ -101,6 +100,8 @@ export class PointForm {
       const inherited = each.key in before ? before[each.key as keyof State] : undefined;
       this.numbers[i].show({ value: point[each.key], inherited: inherited as number | undefined }, units);
     });
+    // Other paths say it themselves.
+    this.offset.element.hidden = !isRecorded(shown.file) && point.work_offset === undefined;
     this.offset.show(point.work_offset ?? "", before.work_offset ?? "");
     this.actions.show(point.actions ?? []);
   }

@@ -2,12 +2,14 @@
 
 import { choice, element, offer } from "../../core/dom";
 import type { PathShown } from "../../core/path_desk";
+import { firstMachinePoint, noPoints } from "../../run/path/machine_points";
 import { texts } from "../../texts";
 import type { PathActions } from "./actions";
 import type { PointChoice } from "./choice_of_points";
+import type { KnownPointsOfSetup } from "./known_points";
 
 const words = texts.paths.toolbar;
-type Name = "add" | "duplicate" | "remove" | "up" | "down" | "makeSubPath";
+type Name = "add" | "addMachinePoint" | "duplicate" | "remove" | "up" | "down" | "makeSubPath";
 
 export class PathToolbar {
   readonly element: HTMLElement;
@@ -17,11 +19,13 @@ export class PathToolbar {
   constructor(
     actions: PathActions,
     private readonly chosen: PointChoice,
+    known: KnownPointsOfSetup,
   ) {
     const button = (name: Name, act: () => void) =>
       element("button", { type: "button", title: words.titles[name], "aria-label": words.titles[name], onclick: act }, words.names[name]);
     this.buttons = {
       add: button("add", () => actions.add()),
+      addMachinePoint: button("addMachinePoint", () => actions.addMachinePoint(firstMachinePoint(known.points ?? noPoints))),
       duplicate: button("duplicate", () => actions.duplicate()),
       remove: button("remove", () => actions.remove()),
       up: button("up", () => actions.move(-1)),

@@ -114,7 +114,7 @@ export class PathTree {
     }
     const number = String(place.target + 1);
     if (isSubPath(target)) return [number, target.path, target.repeats ? words.times(target.repeats) : ""];
-    if (isMachinePoint(target)) return [number, words.machinePoint(target.fixed ?? null, target.reference ?? 0), this.doneAt(target)];
+    if (isMachinePoint(target)) return [number, words.machinePoint(target.name ?? "", target.fixed ?? null, target.reference ?? 0), this.doneAt(target)];
     return [number, this.nameOf(target), this.doneAt(target)];
   }
 

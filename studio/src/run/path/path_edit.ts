@@ -5,6 +5,7 @@ import {
   insertItems,
   insertTexts,
   jsonLine,
+  readJson,
   removeItems,
   reorderItems,
   replaceValue,
@@ -15,35 +16,53 @@ import {
 import { arcTo, isPlainArc, pointOfArc } from "./path_arc";
 import {
   indexOfPath,
+  isMachinePoint,
   isSamePlace,
   isSubPath,
   jsonPlaceOf,
+  pathKeys,
   pointAt,
   rootOf,
+  type MachinePoint,
   type PathFile,
   type Place,
   type Point,
+  type SetUp,
   type SubPath,
   type Target,
 } from "./path_file";
-import { pointKeys } from "./target_faults";
+import { machinePointKeys, pointKeys, subPathKeys } from "./target_faults";
 import { roundedVector, type Vector } from "./vector";
 import type { Walk } from "./path_walk";
 
 /** Values to be set; what is undefined is taken away. */
-export type PointChange = { [Key in keyof Point]?: Point[Key] | undefined };
+type ChangeOf<Object> = { [Key in keyof Object]?: Object[Key] | undefined };
+export type PointChange = ChangeOf<Point>;
+export type SubPathChange = ChangeOf<SubPath>;
+export type MachinePointChange = ChangeOf<MachinePoint>;
+export type SetUpChange = ChangeOf<SetUp>;
 
 const targetsOf = (path: number) => ["paths", path, "targets"];
-const subPathKeys = ["path", "repeats", "work_offset", "set_offset_mm", "probe_offset"];
+
+/** The text of an object with other members; new ones stand where `order` has them. */
+function withMembers(object: string, change: object, order: readonly string[]): string {
+  // What goes, goes first: of two kinds of orientation there is one at most.
+  const all = Object.entries(change).sort((a, b) => Number(a[1] !== undefined) - Number(b[1] !== undefined));
+  return all.reduce((text, [key, value]) => setMember(text, [], key, value as JsonValue, order), object);
+}
+
+function keysOf(target: Target): readonly string[] {
+  if (isSubPath(target)) return subPathKeys;
+  return isMachinePoint(target) ? machinePointKeys : pointKeys;
+}
 
 /** Keeps or takes away members of a target, one after the other. */
-export const setTarget = (text: string, place: Place, change: PointChange | Partial<SubPath>): string =>
-  changeValue(text, jsonPlaceOf(place), (target) => {
-    const order = "path" in change || "repeats" in change ? subPathKeys : pointKeys;
-    // What goes, goes first: of two kinds of orientation there is one at most.
-    const all = Object.entries(change).sort((a, b) => Number(a[1] !== undefined) - Number(b[1] !== undefined));
-    return all.reduce((all, [key, value]) => setMember(all, [], key, value as JsonValue, order), target);
-  });
+export const setTarget = (text: string, place: Place, change: PointChange | SubPathChange | MachinePointChange): string =>
+  changeValue(text, jsonPlaceOf(place), (target) => withMembers(target, change, keysOf(readJson(target) as unknown as Target)));
+
+/** Keeps or takes away what a path says of its work frame and its tool. */
+export const setPath = (text: string, path: number, change: SetUpChange): string =>
+  changeValue(text, ["paths", path], (own) => withMembers(own, change, pathKeys));
 
 /** Puts targets in front of one of a path, by its number; that of none: at the end. */
 export const insertTargets = (text: string, path: number, before: number, targets: Target[]): string =>

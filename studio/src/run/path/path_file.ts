@@ -68,11 +68,16 @@ export interface MachinePoint {
 
 export type Target = Point | SubPath | MachinePoint;
 
-export interface Path extends WorkFrame {
-  name: string;
+/** Where a path is, and with what it works. */
+export interface SetUp extends WorkFrame {
   tool?: number;
+  /** Without it: that of the tool. */
   length_offset?: number;
   diameter_offset?: number;
+}
+
+export interface Path extends SetUp {
+  name: string;
   targets: Target[];
 }
 
@@ -121,10 +126,14 @@ export const indexOfPath = (file: PathFile, name: string): number => file.paths.
 /** The number of the path to begin with; -1: there is none of that name. */
 export const rootOf = (file: PathFile): number => (file.root === undefined ? 0 : indexOfPath(file, file.root));
 
+/** Whether it was recorded from a run: its points say work offsets, their actions tools, and it has no machine points. */
+export const isRecorded = ({ work_offsets }: PathFile): boolean => Object.keys(work_offsets ?? {}).length > 0;
+
 const words = texts.paths.faults;
 
 const FILE_KEYS = ["$schema", "name", "root", "paths", "work_offsets"];
-const PATH_KEYS = ["name", ...setUpKeys, "targets"];
+/** Keys of a path, in the order in which files have them. */
+export const pathKeys = ["name", ...setUpKeys, "targets"];
 
 const isObject = (value: JsonValue | undefined): value is { [key: string]: JsonValue | undefined } =>
   typeof value === "object" && value !== null && !Array.isArray(value);
@@ -154,7 +163,7 @@ function faultOfShape(value: JsonValue): { text: string; at: JsonPlace } | null 
 
 function faultOfPath(path: JsonValue): { text: string; at: JsonPlace } | null {
   if (!isObject(path)) return { text: words.noPathObject, at: [] };
-  const unknown = strange(path, PATH_KEYS, words.ofPath);
+  const unknown = strange(path, pathKeys, words.ofPath);
   if (unknown) return { text: unknown, at: [] };
   if (typeof path.name !== "string" || path.name === "") return { text: words.noName, at: [] };
   const ofSetUp = faultOfSetUp(path);

@@ -116,6 +116,12 @@ const setUpChecks: Record<string, Check> = {
   diameter_offset: isToolNumber,
 };
 
+/** Keys of the use of a path, in the order in which files have them. */
+export const subPathKeys: readonly string[] = Object.keys(subPathChecks);
+
+/** Keys of a fixed or reference point, in the order in which files have them. */
+export const machinePointKeys: readonly string[] = Object.keys(machinePointChecks);
+
 /** Keys of a path that say where it is and with what it works. */
 export const setUpKeys: readonly string[] = Object.keys(setUpChecks);
 
