@@ -19,6 +19,7 @@ export const paths = {
     change: "changing a point",
     changeMachinePoint: "changing a fixed or reference point",
     rename: "renaming a path",
+    setUp: "changing work offset or tool of a path",
     root: "changing the first path",
     write: (name: string) => `writing ${name}`,
   },
@@ -109,6 +110,21 @@ export const paths = {
     makeRoot: "Begin the program with this path",
     subPath: "Path",
     repeats: "Times",
+  },
+  /** Where a path is, and with what it works. */
+  frame: {
+    origin: "Its place",
+    origins: { control: "as the control has it", program: "set by the program" },
+    place: "Its zero in the machine",
+    touches: (count: number) =>
+      `The program finds it by ${count === 1 ? "a touch" : `${count} touches`} (probe_offset in the file, which has no form).`,
+    ofPost: "that of the post",
+    ofUser: "that of its user",
+    ofPath: "that of the path",
+    tool: "Tool",
+    lengthOffset: "Length offset",
+    diameterOffset: "Diameter offset",
+    recorded: "It was recorded from a run: work offsets stand at its points, tools among their actions, and none here.",
   },
   /** Of a fixed or reference point. */
   machinePoint: {

@@ -24,8 +24,8 @@ const field = (page, label) => form(page).getByLabel(label, { exact: true }).and
 const pathText = (page) => page.evaluate(() => window.studio.store.get("path").text);
 const paths = (page) => page.evaluate(() => window.studio.store.get("path").file.paths);
 const said = (page) => form(page).locator(".said").textContent();
+const undoLabel = (page) => page.evaluate(() => window.studio.session.history.undoLabel);
 const choose = (page, path, target) => setState(page, "pathPoint", { path, target });
-const theme = (page, name) => setState(page, "theme", name);
 
 async function chosenTarget(page) {
   const { path, target } = await state(page, "pathPoint");
@@ -37,23 +37,17 @@ async function put(page, label, value) {
   await field(page, label).press("Enter");
 }
 
-const pictures = process.env.GSIM_FORM_PICTURES;
-
 /** A page with a path, and machine data with points. */
 const withPath = (places, test, text = PATH) =>
-  withPage(
-    places.studio,
-    async (page) => {
-      const files = { "square.nc": "G21 G90 G54\nG0 X10\nM2\n", "shop.txt": DATA, "job.path.json": text };
-      const { status } = await run(page, { program: "square.nc", machine: "samples/machines/router3.toml", dialect: "ab9", machine_data: "shop.txt" }, files);
-      assert.equal(status, "completed");
-      await page.locator("#side").getByRole("tab", { name: "Paths", exact: true }).click();
-      await setState(page, "pathFile", "job.path.json");
-      await page.waitForFunction(() => window.studio.store.get("path")?.name === "job.path.json");
-      await test(page);
-    },
-    { width: 1280, height: 1000 },
-  );
+  withPage(places.studio, async (page) => {
+    const files = { "square.nc": "G21 G90 G54\nG0 X10\nM2\n", "shop.txt": DATA, "job.path.json": text };
+    const { status } = await run(page, { program: "square.nc", machine: "samples/machines/router3.toml", dialect: "ab9", machine_data: "shop.txt" }, files);
+    assert.equal(status, "completed");
+    await page.locator("#side").getByRole("tab", { name: "Paths", exact: true }).click();
+    await setState(page, "pathFile", "job.path.json");
+    await page.waitForFunction(() => window.studio.store.get("path")?.name === "job.path.json");
+    await test(page);
+  });
 
 export default {
   "a fixed point is added by its name, changed, and taken back": (places) =>
@@ -84,10 +78,9 @@ export default {
       await button(page, "Add a point").click();
       assert.equal((await chosenTarget(page)).motion, "rapid");
       assert.deepEqual(await page.evaluate(() => window.studio.store.get("path").walk.faults), []);
-      const undoLabel = () => page.evaluate(() => window.studio.session.history.undoLabel);
       await page.locator("#undo-button").click();
-      assert.equal(await undoLabel(), "changing a fixed or reference point");
-      while (await undoLabel()) await page.locator("#undo-button").click();
+      assert.equal(await undoLabel(page), "changing a fixed or reference point");
+      while (await undoLabel(page)) await page.locator("#undo-button").click();
       assert.equal(await pathText(page), PATH);
       await page.locator("#redo-button").click();
       assert.deepEqual((await paths(page))[0].targets[3], { fixed: "CLAMP1" });
@@ -95,11 +88,80 @@ export default {
       await choose(page, 0, 3);
       await page.evaluate((text) => window.studio.documents.put("shop.txt", text), DATA.replace("7 350 60 -10", "8 350 60 -10 NAME=PARK"));
       await field(page, "Which").locator("option", { hasText: "PARK (8)" }).waitFor({ state: "attached" });
-      if (pictures) {
-        for (const name of ["light", "dark"]) {
-          await theme(page, name);
-          await page.screenshot({ path: `${pictures}/point-${name}.png` });
-        }
-      }
     }),
+
+  "a path is given a work offset and a tool, and the program has their words and those of a fixed point": (places) =>
+    withPath(places, async (page) => {
+      await choose(page, 0, 2);
+      await button(page, "Add a fixed or reference point").click();
+      await choose(page, 0, -1);
+      assert.deepEqual([await field(page, "Its place").count(), await field(page, "Length offset").count()], [0, 0]);
+      await put(page, "Work offset", "G55");
+      await field(page, "Its place").selectOption("program");
+      for (const [letter, value] of [["X", 320], ["Y", 40], ["Z", -60]]) await put(page, `Its zero in the machine ${letter}, mm`, value);
+      await put(page, "Tool", 3);
+      await put(page, "Length offset, 3 where it is empty", 4);
+      const [job] = await paths(page);
+      assert.deepEqual({ ...job, targets: [] }, { name: "job", work_offset: "G55", set_offset_mm: [320, 40, -60], tool: 3, length_offset: 4, targets: [] });
+      await put(page, "Tool", 1.5);
+      assert.match(await said(page), /Not changed: 'tool' must be a whole number from 0/);
+      assert.equal((await paths(page))[0].tool, 3);
+
+      // The use of a sub-path has a frame of its own.
+      await choose(page, 0, 4);
+      await put(page, "Work offset", "G56");
+      await field(page, "Its place").selectOption("program");
+      await put(page, "Its zero in the machine X, mm", 350);
+      assert.deepEqual(await chosenTarget(page), { path: "part", work_offset: "G56", set_offset_mm: [350, 0, 0] });
+      await put(page, "Its zero in the machine Z, mm", -60);
+      await page.locator("#side .write .primary").click();
+      await page.waitForFunction(() => window.studio.store.get("run")?.report?.program === "job.nc" && !window.studio.store.get("running"), null, { timeout: 60_000 });
+      assert.equal(await page.evaluate(() => window.studio.store.get("run").report.status), "completed");
+      const program = await page.evaluate(() => window.studio.documents.text("job.nc"));
+      for (const words of [/G10 L2 P2 X320\.000 Y40\.000 Z-60\.000/, /G10 L2 P3 X350\.000 Y0\.000 Z-60\.000/, /T3\n.*M06\n.*G43 H4\n.*G55/, /G53 G00 X300\.000 Y20\.000\n.*G53 G00 Z-30\.000/, /G56/]) {
+        assert.match(program, words);
+      }
+
+      // A frame that the post does not have is refused, with those that it has.
+      await put(page, "Work offset", "G77");
+      await page.locator("#side .write .primary").click();
+      await page.locator("#side .write .fault").filter({ hasText: "G77" }).waitFor();
+
+      // What is emptied is taken away, with what goes with it.
+      await put(page, "Work offset", "");
+      assert.deepEqual(await chosenTarget(page), { path: "part" });
+      await choose(page, 0, -1);
+      await field(page, "Its place").selectOption("control");
+      assert.equal((await paths(page))[0].set_offset_mm, undefined);
+      await put(page, "Work offset", "");
+      await put(page, "Tool", "");
+      assert.deepEqual(Object.keys((await paths(page))[0]), ["name", "targets"]);
+      assert.equal(await undoLabel(page), "changing work offset or tool of a path");
+      await page.locator("#undo-button").click();
+      assert.deepEqual([(await paths(page))[0].tool, (await paths(page))[0].length_offset], [3, 4]);
+    }),
+
+  "touches that find a work offset are kept, and a recorded path takes neither frames nor machine points": (places) => {
+    const touch = '{"axis": "Z", "from_mm": [0, 0, 9], "to_mm": -1, "surface_mm": 0, "feed_mm_min": 60}';
+    const text = PATH.replace('"name": "part",', `"name": "part", "work_offset": "G55", "probe_offset": [${touch}],`);
+    return withPath(
+      places,
+      async (page) => {
+        await choose(page, 1, -1);
+        assert.match(await form(page).locator(".form .note:visible").textContent(), /finds it by a touch/);
+        await put(page, "Work offset", "");
+        assert.match(await said(page), /Not changed: 'probe_offset' goes with 'work_offset'/);
+        assert.equal(await pathText(page), text);
+        const recorded = PATH.replace('"paths"', '"work_offsets": {"54": {"X": 1}}, "paths"');
+        await page.evaluate((own) => window.studio.documents.put("job.path.json", own), recorded);
+        await choose(page, 0, -1);
+        assert.equal(await field(page, "Tool").count(), 0);
+        assert.match(await form(page).locator(".form .note:visible").textContent(), /recorded from a run/);
+        await button(page, "Add a fixed or reference point").click();
+        assert.match(await said(page), /Not added: a path that was recorded/);
+        assert.equal(await pathText(page), recorded);
+      },
+      text,
+    );
+  },
 };

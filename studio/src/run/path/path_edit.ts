@@ -30,6 +30,7 @@ import {
   type SetUp,
   type SubPath,
   type Target,
+  type WorkFrame,
 } from "./path_file";
 import { machinePointKeys, pointKeys, subPathKeys } from "./target_faults";
 import { roundedVector, type Vector } from "./vector";
@@ -41,6 +42,7 @@ export type PointChange = ChangeOf<Point>;
 export type SubPathChange = ChangeOf<SubPath>;
 export type MachinePointChange = ChangeOf<MachinePoint>;
 export type SetUpChange = ChangeOf<SetUp>;
+export type FrameChange = ChangeOf<WorkFrame>;
 
 const targetsOf = (path: number) => ["paths", path, "targets"];
 
