@@ -171,8 +171,7 @@ void add_place_options(apps::CommandLine& line, AutopathArguments& arguments) {
     line.begin_group("Machine and cell");
     line.add("--cell", &place.cell,
              "cell file (TOML): ways between cuts lead past its bodies, and cuts that they are in the way of "
-             "are "
-             "refused; it may name machine and machine data")
+             "are refused; it may name machine and machine data")
         .of_file(FileKind::input, {".toml"});
     line.add("--machine", &place.machine,
              "machine that cuts, with its own bodies where no cell is named (that of the cell)")

@@ -12,14 +12,6 @@ using path::Fault;
 
 constexpr double kChords_mm = 0.01;
 
-AxisValues shift_of(const Origin& origin, const machine::Machine& machine) {
-    AxisValues shift = AxisValues::Zero(static_cast<Eigen::Index>(machine.axes.size()));
-    for (const auto& [letter, value] : origin) {
-        if (const auto axis = machine.find(letter)) shift[static_cast<Eigen::Index>(*axis)] = value;
-    }
-    return shift;
-}
-
 path::Vector linear_of(const Origin& origin) {
     path::Vector linear{};
     for (const auto& [letter, value] : origin) {

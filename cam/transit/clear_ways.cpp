@@ -42,8 +42,7 @@ struct Run {
 /// What is to be done before a target, and with it.
 struct Edit {
     std::vector<AxisValues> before = {};
-    bool leaves = false;  ///< The target itself is left out.
-    bool turns = false;   ///< It says itself how the tool stands.
+    bool leaves = false;  ///< The target itself is left out; else it says itself how the tool stands.
 };
 
 // Of targets, by path and number.
@@ -203,7 +202,6 @@ class WayMaker {
         for (const Node& node : run.nodes) {
             Edit& edit = edits_[key_of(steps[node.step].where)];
             edit.leaves = std::find(kept.begin(), kept.end(), &node) == kept.end();
-            edit.turns = true;
         }
         for (std::size_t i = 0; i < kept.size(); ++i) {
             ways[i].pop_back();
@@ -259,8 +257,7 @@ class WayMaker {
                 if (edit != edits_.end()) {
                     for (const AxisValues& axes : edit->second.before) targets.emplace_back(point_of(axes));
                     if (edit->second.leaves) continue;
-                    if (auto* point = std::get_if<Point>(&old[target]);
-                        point != nullptr && edit->second.turns)
+                    if (auto* point = std::get_if<Point>(&old[target]))
                         point->orientation = state.orientation.value();
                 }
                 targets.push_back(std::move(old[target]));

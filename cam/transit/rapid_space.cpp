@@ -19,11 +19,26 @@ constexpr int kMostQuestions = 4000;
 // How far an axis without an end is sought beyond both places, mm or deg.
 constexpr double kBeyond = 360;
 
-motion::TimeLaw even_law(double length) {
-    return motion::TimeLaw::fastest(length, length, motion::kUnlimited);
+}  // namespace
+
+AxisValues shift_of(const Origin& origin, const machine::Machine& machine) {
+    AxisValues shift = AxisValues::Zero(static_cast<Eigen::Index>(machine.axes.size()));
+    for (const auto& [letter, value] : origin) {
+        if (const auto axis = machine.find(letter)) shift[static_cast<Eigen::Index>(*axis)] = value;
+    }
+    return shift;
 }
 
-}  // namespace
+motion::Segment RapidSpace::straight(const AxisValues& from, const AxisValues& to) const {
+    motion::Segment segment;
+    segment.kind = motion::SegmentKind::joint;
+    segment.start = machine_->joints(from);
+    segment.end = machine_->joints(to);
+    const double length = (segment.end - segment.start).norm();
+    segment.lead = motion::TimeLaw::fastest(length, length, motion::kUnlimited);
+    segment.duration_s = segment.lead.duration_s();
+    return segment;
+}
 
 motion::Segment RapidSpace::rapid(const AxisValues& from, const AxisValues& to) const {
     motion::Segment segment;
@@ -32,20 +47,8 @@ motion::Segment RapidSpace::rapid(const AxisValues& from, const AxisValues& to) 
     const bool is_planned = setup_->controller.interpolated_rapids
                                 ? motion::plan_joint_move(*setup_, {}, 1, segment).has_value()
                                 : motion::plan_apart(*setup_, {}, segment).has_value();
-    if (is_planned) return segment;
-    // What the machine says of its axes makes no time law: the way is straight all the same.
-    segment.kind = motion::SegmentKind::joint;
-    segment.lead = even_law((segment.end - segment.start).norm());
-    segment.duration_s = segment.lead.duration_s();
-    return segment;
-}
-
-AxisValues RapidSpace::in_program(AxisValues axes) const {
-    for (const auto& [letter, value] : origin_) {
-        if (const auto axis = machine_->machine().find(letter))
-            axes[static_cast<Eigen::Index>(*axis)] -= value;
-    }
-    return axes;
+    // Where what the machine says of its axes makes no time law, the way is straight all the same.
+    return is_planned ? segment : straight(from, to);
 }
 
 std::string RapidSpace::told(const AxisValues& axes, const cell::ItemPair& items) const {

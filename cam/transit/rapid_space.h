@@ -16,6 +16,9 @@ namespace gsim::transit {
 /// Where the origin of a program lies, by axis letter, mm or deg: a work offset.
 using Origin = std::map<char, double>;
 
+/// What machine coordinates of the axes are more than those of a program with that origin.
+AxisValues shift_of(const Origin& origin, const machine::Machine& machine);
+
 /// Rapids of a machine among the bodies of its cell. Axis values are machine coordinates.
 class RapidSpace {
   public:
@@ -28,6 +31,8 @@ class RapidSpace {
     const path::MachineSpace& machine() const { return *machine_; }
     const cell::Cell& cell() const { return bodies_->cell(); }
 
+    /// Straight in the axes, at an even pace.
+    motion::Segment straight(const AxisValues& from, const AxisValues& to) const;
     /// A rapid from rest to rest as the controller makes it: in proportion, or each axis by itself.
     motion::Segment rapid(const AxisValues& from, const AxisValues& to) const;
     std::optional<cell::Obstacle> obstacle(const AxisValues& from, const AxisValues& to,
@@ -35,7 +40,9 @@ class RapidSpace {
     std::optional<cell::Obstacle> obstacle_at(const AxisValues& axes, double clearance_mm) const;
     const Origin& origin() const { return origin_; }
     /// As programs give them.
-    AxisValues in_program(AxisValues axes) const;
+    AxisValues in_program(const AxisValues& axes) const {
+        return axes - shift_of(origin_, machine_->machine());
+    }
     /// Where the tip of the tool is, as programs give it.
     Eigen::Vector3d tip_mm(const AxisValues& axes) const { return machine_->tip(in_program(axes)); }
     /// "(1, 2, 3): 'nozzle' touches 'clamp'": where the tip is, and what else.

@@ -21,7 +21,8 @@ class CuttingSite {
     CuttingSite& operator=(CuttingSite&&) noexcept;
     ~CuttingSite();
 
-    /// What of a control's settings is not taken over, in sentences.
+    /// What of a control's settings is not taken over, and that nothing is looked at where there are no
+    /// bodies, in sentences.
     const std::vector<std::string>& notes() const;
     /// Leads the ways between cuts past what stands there, and notes how many. The error is a sentence, or
     /// several lines: cuts that the machine does not reach, that something is in the way of, ways that were
