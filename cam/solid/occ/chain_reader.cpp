@@ -2,9 +2,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Curve2d.hxx>
-#include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
 #include <TopExp.hxx>
 #include <TopTools_MapOfShape.hxx>
@@ -18,7 +16,6 @@
 #include "cam/solid/occ/edge_chains.h"
 #include "cam/solid/occ/edge_choice.h"
 #include "cam/solid/occ/face.h"
-#include "cam/solid/occ/plate_bodies.h"
 #include "cam/solid/occ/plate_frame.h"
 #include "cam/solid/occ/wall_contour.h"
 
@@ -35,16 +32,10 @@ class ChainReader {
     ChainReader(const ShapeFile& file, const ContourOptions& options)
         : file_(file), options_(options), choice_(file, options.edges) {}
 
-    tl::expected<WallContours, std::string> run() {
-        const Bodies bodies = sort_bodies(file_.shape());
-        if (bodies.solids.empty()) return Fault("there is no body in it; contours are those of bodies");
-        Bnd_Box box;
+    tl::expected<WallContours, std::string> run(const Bodies& bodies) {
         for (const TopoDS_Solid& solid : bodies.solids) {
-            BRepBndLib::AddOptimal(solid, box, false, false);
             if (auto added = add(solid); !added) return Fault(added.error());
         }
-        box.Get(found_.low_mm[0], found_.low_mm[1], found_.low_mm[2], found_.high_mm[0], found_.high_mm[1],
-                found_.high_mm[2]);
         if (auto fault = choice_.find_fault()) return Fault(*std::move(fault));
         if (found_.contours.empty()) return Fault("no edge is asked for");
         return std::move(found_);
@@ -189,8 +180,9 @@ class ChainReader {
 
 }  // namespace
 
-tl::expected<WallContours, std::string> chains_of(const ShapeFile& file, const ContourOptions& options) {
-    return ChainReader(file, options).run();
+tl::expected<WallContours, std::string> chains_of(const ShapeFile& file, const Bodies& bodies,
+                                                  const ContourOptions& options) {
+    return ChainReader(file, options).run(bodies);
 }
 
 }  // namespace gsim::solid

@@ -51,16 +51,10 @@ class Reader {
     Reader(const ShapeFile& file, const ContourOptions& options)
         : file_(file), options_(options), edges_(file, options.edges) {}
 
-    tl::expected<WallContours, std::string> run() {
-        const Bodies bodies = sort_bodies(file_.shape());
-        if (bodies.solids.empty()) return Fault("there is no body in it; contours are those of bodies");
-        Bnd_Box box;
+    tl::expected<WallContours, std::string> run(const Bodies& bodies) {
         for (const TopoDS_Solid& solid : bodies.solids) {
-            BRepBndLib::AddOptimal(solid, box, false, false);
             if (auto added = add(solid); !added) return Fault(added.error());
         }
-        box.Get(found_.low_mm[0], found_.low_mm[1], found_.low_mm[2], found_.high_mm[0], found_.high_mm[1],
-                found_.high_mm[2]);
         for (const auto& [face, known] : asked_) {
             if (!known)
                 return Fault(fmt::format("it has no face with the number, name, layer or colour '{}'", face));
@@ -183,11 +177,23 @@ class Reader {
     std::map<std::string, bool> asked_;
 };
 
+// About all bodies.
+void put_box(const Bodies& bodies, WallContours& contours) {
+    Bnd_Box box;
+    for (const TopoDS_Solid& solid : bodies.solids) BRepBndLib::AddOptimal(solid, box, false, false);
+    box.Get(contours.low_mm[0], contours.low_mm[1], contours.low_mm[2], contours.high_mm[0],
+            contours.high_mm[1], contours.high_mm[2]);
+}
+
 }  // namespace
 
 tl::expected<WallContours, std::string> contours_of(const ShapeFile& file, const ContourOptions& options) {
-    if (options.kind == "edges") return chains_of(file, options);
-    return Reader(file, options).run();
+    const Bodies bodies = sort_bodies(file.shape());
+    if (bodies.solids.empty()) return Fault("there is no body in it; contours are those of bodies");
+    auto found =
+        options.kind == "edges" ? chains_of(file, bodies, options) : Reader(file, options).run(bodies);
+    if (found) put_box(bodies, *found);
+    return found;
 }
 
 }  // namespace gsim::solid
