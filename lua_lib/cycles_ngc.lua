@@ -45,15 +45,20 @@ function strokes.G82(hole)
   hole.rapid(hole.clear)
 end
 
-local CHIP_CLEARANCE_MM = 0.254   -- above the last depth: 0.010 in, fixed in LinuxCNC
+local function feed_and_wait(hole, depth)
+  hole.feed(depth)
+  if core.drilling.dwell > 0 then path.dwell(core.drilling.dwell) end
+end
 
 local function peck(hole, name, retract)
+  local feeds_down = retract and core.drilling.feeds_down
   for _, depth in ipairs(cycles.pecks(hole.r, hole.bottom, hole.q, name)) do
-    hole.feed(depth)
-    if retract then hole.rapid(hole.r) end
-    hole.rapid(depth + CHIP_CLEARANCE_MM / core.unit_mm())
+    feed_and_wait(hole, depth)
+    if retract then hole.rapid(feeds_down and hole.clear or hole.r) end
+    if not feeds_down then hole.rapid(depth + core.drilling.clearance_mm / core.unit_mm()) end
   end
-  strokes.G81(hole)
+  feed_and_wait(hole, hole.bottom)
+  hole.rapid(hole.clear)
 end
 
 function strokes.G73(hole) peck(hole, "G73", false) end
@@ -253,12 +258,19 @@ local function leaves_tool(name)
   return name == "G88" or core.plane() ~= "xy" and (name == "G74" or name == "G84")
 end
 
+-- Cycles that a control may read without making them.
+local bores = { G85 = true, G86 = true, G89 = true }
+
 local NOWHERE = 0 / 0
 
 local function drill(name, words, before)
   check_table(words, name)
   words = words or {}
   cycles.check_modes(name)
+  if bores[name] and not core.drilling.bores then
+    core.warn(name .. ": this control reads it, and moves nothing")
+    return
+  end
   local p, again = plane_view.planes[core.plane()], before == name
   check_axes(words, name, p)
   local repeats = cycles.repeats(cycles.word(words, "l", name), "L", name)

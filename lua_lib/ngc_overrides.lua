@@ -14,8 +14,9 @@ function switches.is_enabled(name) return enabled[name] end
 
 local function set(names, on)
   for _, name in ipairs(names) do
+    local changed = enabled[name] ~= on
     enabled[name] = on
-    path.event("override", ("%s %s"):format(name, on and "enabled" or "disabled"))
+    path.event("override", ("%s %s"):format(name, on and "enabled" or "disabled"), nil, changed)
   end
   overrides.lock("M48 to M51", { feed = not enabled.feed, rapid = not enabled.feed, spindle = not enabled.speed })
 end

@@ -35,8 +35,26 @@ local function put_out(points, weights, order)
   end
 end
 
+local function put_out_chords(points)
+  local chords, lengths, whole = splines.chords(points, core.spline_chord_mm), {}, 0
+  local from = points[1]
+  for i, place in ipairs(chords) do
+    lengths[i] = space_between(from, place)
+    whole, from = whole + lengths[i], place
+  end
+  local feed = core.take_feed()
+  for i, place in ipairs(chords) do
+    if lengths[i] > SAME_MM then
+      path.line(on_machine(place), feed_of_part(feed, lengths[i] / whole), "spline")
+    end
+  end
+end
+
 -- A Bezier curve is a NURBS whose order is the number of its points.
 local function put_out_bezier(points)
+  if core.spline_chord_mm > 0 then
+    return put_out_chords(#points == 3 and splines.raised(points) or points)
+  end
   local weights = {}
   for i = 1, #points do weights[i] = 1 end
   put_out(points, weights, #points)
@@ -86,6 +104,8 @@ word("G5", function(words)
   local goes_on = last_g5 ~= nil and space_between(last_g5.point, start) < SAME_MM
   local first = pair(words, "i", "j", "G5", true) or goes_on and last_g5.lead or { 0, 0 }
   local last = pair(words, "p", "q", "G5")
+  -- grblHAL takes P and Q of the block itself, turned round, where others take those of the one before.
+  if goes_on and words.i == nil and core.spline_chord_mm > 0 then first = { -last[1], -last[2] } end
   local target, named = core.target(words, " i j p q ")
   if not named then alarm("word-missing", "G5 needs X or Y, its end") end
   put_out_bezier { start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target }

@@ -121,4 +121,48 @@ function splines.arcs(points, weights, order)
   return pieces
 end
 
+local SHORTEST_STEP, LONGEST_STEP = 0.002, 0.1   -- of the parameter, from 0 to 1
+
+-- How far the middle of the line from `a` to `b` is from `middle`, as the sum of its coordinates.
+local function off(a, middle, b)
+  return math.abs((a.x + b.x) / 2 - middle.x) + math.abs((a.y + b.y) / 2 - middle.y)
+end
+
+-- Ends of the chords of a cubic Bezier curve with these four control points, as grblHAL chooses them
+-- (mc_cubic_b_spline() of its motion_control.c): a step of the parameter is that of the chord before, halved until the
+-- middle of the chord is within `tolerance` of the curve, or, where it was so at once, doubled while it stays so.
+function splines.chords(points, tolerance)
+  local curve = { points = {}, order = #points, knots = even_knots(#points, #points) }
+  for i, point in ipairs(points) do curve.points[i] = weighted(point, 1) end
+  local ends, from, at, step = {}, points[1], 0, LONGEST_STEP
+  while at < 1 do
+    local to = math.min(at + step, 1)
+    local place, halved = place_at(curve, to), false
+    while to - at >= SHORTEST_STEP do
+      local middle = place_at(curve, (at + to) / 2)
+      if off(from, middle, place) <= tolerance then break end
+      to, place, halved = (at + to) / 2, middle, true
+    end
+    while not halved and to - at <= LONGEST_STEP do
+      local further = at + 2 * (to - at)
+      if further >= 1 then break end
+      local candidate = place_at(curve, further)
+      if off(from, place, candidate) > tolerance then break end
+      to, place = further, candidate
+    end
+    step, at, from = to - at, to, place
+    ends[#ends + 1] = place
+  end
+  ends[#ends] = points[#points]
+  return ends
+end
+
+-- The four control points of the cubic curve that is a quadratic one with these three.
+function splines.raised(points)
+  local a, middle, b = points[1], points[2], points[3]
+  local function toward(point) return { x = point.x + (middle.x - point.x) * 2 / 3,
+    y = point.y + (middle.y - point.y) * 2 / 3, z = point.z + (middle.z - point.z) * 2 / 3 } end
+  return { a, toward(a), toward(b), b }
+end
+
 return splines

@@ -64,11 +64,21 @@ std::vector<GuideKey> ways_guide() {
                   "straight line"),
         truth_key("limit_jerk", false, "ramps keep the axes' jerk limits; else they are straight"),
         number_key(
+            "ramp_step_s", kStep, "0.0",
+            "with limit_jerk: ramps go in steps of this time, as in grblHAL built with jerk; 0: exactly"),
+        choice_key("path_measure", "\"tool\"", {"tool", "all-axes"},
+                   "what speeds count along: the tool's way, or the norm of all axes' ways, a degree as a "
+                   "millimetre, as in grbl"),
+        choice_key("feed_measure", "\"tool\"", {"tool", "all-axes"},
+                   "the same of the feed of moves of rotary axes and others, with path_measure all-axes"),
+        number_key(
             "centripetal_share", kShare, "0.866",
             "share of the acceleration limit that the way round a curve may take; inf: curves do not slow "
             "the motion"),
         number_key("arc_chord_tolerance_mm", kStep, "0.0",
                    "arcs become chords that lie off the circle by this much; 0: they stay arcs"),
+        number_key("spline_chord_tolerance_mm", kStep, "0.0",
+                   "splines become chords whose middles lie off them by this much; 0: pairs of arcs"),
         number_key("tcp_tolerance_mm", kPositive, "0.001",
                    "how far the tip may leave its way under G43.4 and in moves to poses, where the joints go "
                    "curved ways"),
@@ -103,6 +113,19 @@ std::vector<GuideKey> waits_guide() {
         number_key("corner_override_after_mm", kNotNegative, "0.0", "to how far behind it"),
         number_key("corner_override_angle_deg", kNotNegative, "90.0",
                    "the greatest angle between the two moves that counts as a corner; 180 is straight on"),
+    };
+}
+
+std::vector<GuideKey> drilling_guide() {
+    return {
+        number_key("peck_clearance_mm", kNotNegative, "0.254",
+                   "G73 of rs274ngc backs off by it, and G83 comes back to so far above the last depth"),
+        number_key("peck_dwell_s", kNotNegative, "0.0", "they wait so long at the bottom of each peck"),
+        truth_key("pecks_feed_down", false,
+                  "G83 leaves the hole as after the last peck, and feeds all the way down again, as in "
+                  "grblHAL"),
+        truth_key("boring_cycles", true,
+                  "G85, G86 and G89 of rs274ngc bore; else they are read and nothing moves, as in grblHAL"),
     };
 }
 
@@ -143,7 +166,7 @@ GuideTable overrides_table() {
 
 std::vector<GuideTable> controller_guide() {
     GuideTable controller{.at = {"controller"}, .meaning = "how moves become motion"};
-    for (auto part : {look_ahead_guide(), ways_guide(), waits_guide()})
+    for (auto part : {look_ahead_guide(), ways_guide(), waits_guide(), drilling_guide()})
         controller.keys.insert(controller.keys.end(), part.begin(), part.end());
     return {{.at = {},
              .meaning = "the controller file",

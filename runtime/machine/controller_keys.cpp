@@ -46,6 +46,18 @@ constexpr std::array<std::string_view, 5> kCorners{"stop", "velocity-step", "jun
 
 constexpr std::array<std::string_view, 2> kOrientations{"joints", "great-circle"};
 
+struct MeasureKey {
+    std::string_view key;
+    rrs::PathMeasure Rules::*value;
+};
+
+constexpr std::array<std::string_view, 2> kMeasures{"tool", "all-axes"};
+
+constexpr std::array kMeasureKeys{
+    MeasureKey{"path_measure", &Rules::path_measure},
+    MeasureKey{"feed_measure", &Rules::feed_measure},
+};
+
 constexpr std::array kCornerKeys{
     CornerKey{"corner", &Rules::corner},
     CornerKey{"exact_path_corner", &Rules::exact_path_corner},
@@ -59,6 +71,10 @@ constexpr std::array kNumberKeys{
     NumberKey{"centripetal_share", &Rules::centripetal_share, NumberRule::share},
     NumberKey{"tcp_tolerance_mm", &Rules::tcp_tolerance_mm, NumberRule::positive},
     NumberKey{"arc_chord_tolerance_mm", &Rules::arc_chord_tolerance_mm, NumberRule::step},
+    NumberKey{"spline_chord_tolerance_mm", &Rules::spline_chord_tolerance_mm, NumberRule::step},
+    NumberKey{"ramp_step_s", &Rules::ramp_step_s, NumberRule::step},
+    NumberKey{"peck_clearance_mm", &Rules::peck_clearance_mm, NumberRule::not_negative},
+    NumberKey{"peck_dwell_s", &Rules::peck_dwell_s, NumberRule::not_negative},
     NumberKey{"least_feed_mm_min", &Rules::least_feed_mm_min, NumberRule::not_negative},
     NumberKey{"settle_s", &Rules::settle_s, NumberRule::not_negative},
     NumberKey{"position_gain_1_s", &Rules::position_gain_1_s, NumberRule::step},
@@ -80,15 +96,18 @@ constexpr std::array kFlagKeys{
     FlagKey{"interpolated_rapids", &Rules::interpolated_rapids},
     FlagKey{"limit_jerk", &Rules::limit_jerk},
     FlagKey{"inverse_time_of_chords", &Rules::inverse_time_of_chords},
+    FlagKey{"pecks_feed_down", &Rules::pecks_feed_down},
+    FlagKey{"boring_cycles", &Rules::boring_cycles},
 };
 
 constexpr auto kKeys = [] {
-    std::array<std::string_view,
-               kSingleKeys.size() + kCornerKeys.size() + kNumberKeys.size() + kFlagKeys.size()>
+    std::array<std::string_view, kSingleKeys.size() + kCornerKeys.size() + kMeasureKeys.size() +
+                                     kNumberKeys.size() + kFlagKeys.size()>
         keys{};
     std::size_t end = 0;
     for (const std::string_view key : kSingleKeys) keys[end++] = key;
     for (const CornerKey& corner : kCornerKeys) keys[end++] = corner.key;
+    for (const MeasureKey& measure : kMeasureKeys) keys[end++] = measure.key;
     for (const NumberKey& number : kNumberKeys) keys[end++] = number.key;
     for (const FlagKey& flag : kFlagKeys) keys[end++] = flag.key;
     return keys;
@@ -119,6 +138,8 @@ void read_controller_keys(TomlSection& section, Rules& rules) {
     rules.orientation = read_kind(section, kOrientationKey, rules.orientation, kOrientations);
     for (const auto& [key, value] : kCornerKeys)
         rules.*value = read_kind(section, key, rules.*value, kCorners);
+    for (const auto& [key, value] : kMeasureKeys)
+        rules.*value = read_kind(section, key, rules.*value, kMeasures);
     for (const auto& [key, value, rule] : kNumberKeys) rules.*value = section.number(key, rules.*value, rule);
     for (const auto& [key, value] : kFlagKeys) rules.*value = section.flag(key, rules.*value);
     read_stops(section, rules);
@@ -134,6 +155,9 @@ void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base)
         print_kind(out, kOrientationKey, rules.orientation, kOrientations);
     for (const auto& [key, value] : kCornerKeys) {
         if (rules.*value != base.*value) print_kind(out, key, rules.*value, kCorners);
+    }
+    for (const auto& [key, value] : kMeasureKeys) {
+        if (rules.*value != base.*value) print_kind(out, key, rules.*value, kMeasures);
     }
     for (const auto& [key, value, rule] : kNumberKeys) {
         if (rules.*value != base.*value) out.number(key, rules.*value);

@@ -141,6 +141,14 @@ std::optional<std::string> find_controller_fault(const Machine& machine) {
         return "'interpolated_rapids = false' does not go with 'max_rapid_mm_s': each axis has its own "
                "speed, "
                "and nothing keeps that of the tool";
+    const bool chords = machine.controller.planner == rrs::PlannerKind::look_ahead &&
+                        machine.controller.arc_chord_tolerance_mm > 0;
+    if (machine.controller.path_measure == rrs::PathMeasure::all_axes && !chords)
+        return "'path_measure = \"all-axes\"' is of the planner \"look-ahead\" with arcs as chords alone "
+               "(arc_chord_tolerance_mm): it plans lines";
+    if (machine.controller.limit_jerk && machine.controller.ramp_step_s > 0 && !chords)
+        return "'ramp_step_s' is of the planner \"look-ahead\" with arcs as chords alone "
+               "(arc_chord_tolerance_mm): it drives lines";
     if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
         return "'orientation = \"great-circle\"' is not for the planner \"linuxcnc\" nor for arcs as chords: "

@@ -13,6 +13,7 @@
 #include "runtime/motion/lead_path.h"
 #include "runtime/motion/line_move.h"
 #include "runtime/motion/orientation_path.h"
+#include "runtime/motion/stepped_ramps.h"
 
 namespace gsim::motion {
 
@@ -52,19 +53,40 @@ void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Blo
     }
 }
 
-/// The programmed speed along the lead: of the tool, or of orientation where rotary joints alone move.
-double programmed_speed(const PathMove& move, const MoveRules& rules, const Block& block,
-                        const rrs::ControllerRules& controller) {
+/// How far the joints other than the rotary ones go, mm.
+double linear_way(const JointChanges& changes) {
+    return std::hypot(changes.norm(JointRole::position), changes.norm(JointRole::secondary));
+}
+
+/// Whether rotary joints alone move.
+bool only_turns(const JointChanges& changes) {
+    return linear_way(changes) == 0;
+}
+
+/// The programmed speed along the lead: of the tool, or of orientation where rotary joints alone move; where
+/// the lead is of all axes, what that makes of it.
+double programmed_speed(const PathMove& move, const MoveRules& rules, const JointChanges& changes,
+                        const Block& block, const rrs::ControllerRules& controller) {
     if (rules.least_duration_s > 0) return block.lead.length / rules.least_duration_s;
     if (block.lead.role == JointRole::rotary) return rules.orientation_speed_rad_s;
     if (move.rapid) return kUnlimited;
-    return std::max(rules.programmed_speed_mm_s, controller.least_feed_mm_min / 60);
+    const bool of_all_axes = controller.path_measure == rrs::PathMeasure::all_axes;
+    if (of_all_axes && only_turns(changes)) return rules.orientation_speed_rad_s / kRadPerDeg;
+    const double feed = std::max(rules.programmed_speed_mm_s, controller.least_feed_mm_min / 60);
+    if (!of_all_axes || controller.feed_measure == rrs::PathMeasure::all_axes) return feed;
+    return feed * block.lead.length / linear_way(changes);
 }
 
-void limit_by_program(const PathMove& move, const MoveRules& asked, const PlannerSetup& setup, double turn,
-                      Block& block) {
+/// How far the tool turns: along the great circle, or by the norm of the rotary joints.
+double turn_of(const PathMove& move, const JointChanges& changes) {
+    return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
+}
+
+void limit_by_program(const PathMove& move, const MoveRules& asked, const PlannerSetup& setup,
+                      const JointChanges& changes, Block& block) {
+    const double turn = turn_of(move, changes);
     const MoveRules rules = asked.resolved(turn > 0 && block.lead.role != JointRole::rotary);
-    limit(block.max_speed, block.speed_limit, programmed_speed(move, asked, block, setup.controller),
+    limit(block.max_speed, block.speed_limit, programmed_speed(move, asked, changes, block, setup.controller),
           {asked.least_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
     if (block.lead.role != JointRole::rotary) {
         limit(block.max_speed, block.speed_limit, rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
@@ -146,12 +168,11 @@ void limit_by_bend(const PlannerSetup& setup, const ToolPiece& piece, const rrs:
     }
 }
 
-/// How far the tool turns: along the great circle, or by the norm of the rotary joints.
-double turn_of(const PathMove& move, const JointChanges& changes) {
-    return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
-}
-
-Lead lead_of(const PathMove& move, const JointChanges& changes) {
+Lead lead_of(const PathMove& move, const JointChanges& changes, const rrs::ControllerRules& controller) {
+    if (controller.path_measure == rrs::PathMeasure::all_axes && move.kind == SegmentKind::linear) {
+        const double turn_deg = changes.norm(JointRole::rotary) / kRadPerDeg;
+        return {JointRole::position, std::hypot(linear_way(changes), turn_deg)};
+    }
     if (move.piece) return {move.piece->role, move.piece->length};
     if (move.kind == SegmentKind::circular) return {JointRole::position, move.arc.length_mm()};
     for (const JointRole role : {JointRole::position, JointRole::secondary}) {
@@ -179,6 +200,24 @@ void set_slopes(const PathMove& move, const PlannerSetup& setup, const JointChan
     if (move.kind != SegmentKind::circular) return;
     put_position(setup.position_joints, move.arc.tangent(0), block.slope_in);
     put_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
+}
+
+/// Of the tool; 0 where rotary joints alone move.
+double tool_way(const Lead& lead, const JointChanges& changes, const rrs::ControllerRules& controller) {
+    if (lead.role == JointRole::rotary) return 0;
+    return controller.path_measure == rrs::PathMeasure::all_axes ? linear_way(changes) : lead.length;
+}
+
+/// `asked`: the programmed speed, of which alone the mean acceleration depends.
+void drive_in_steps(double asked, Block& block) {
+    const double speed = std::isfinite(asked) ? asked : block.max_speed;
+    const double acceleration = std::min(block.acceleration, block.deceleration);
+    if (!std::isfinite(block.jerk) || !std::isfinite(acceleration) || !std::isfinite(speed)) return;
+    block.steps = SteppedLimits{acceleration, block.jerk};
+    block.acceleration = block.deceleration =
+        SteppedRamps::mean_acceleration_s(speed, acceleration, block.jerk);
+    block.acceleration_limit = block.jerk_limit;
+    block.jerk = kUnlimited;
 }
 
 Settling settling_of(const rrs::ControllerRules& controller) {
@@ -219,16 +258,16 @@ tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, con
                                                        const Overrides& overrides) {
     const JointChanges changes(setup, move.start, move.end);
     Block block;
-    block.lead = lead_of(move, changes);
+    block.lead = lead_of(move, changes, setup.controller);
     if (block.lead.length == 0) return std::nullopt;
     const MoveRules rules = move.rules.overridden(overrides, move.obeyed, move.rapid);
-    const bool feed = block.lead.role != JointRole::rotary && !move.rapid && rules.least_duration_s <= 0;
+    const bool feed = !only_turns(changes) && !move.rapid && rules.least_duration_s <= 0;
     if (feed && rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
     block.move = move;
-    block.move.length_mm = block.lead.role == JointRole::rotary ? 0 : block.lead.length;
+    block.move.length_mm = tool_way(block.lead, changes, setup.controller);
     block.settling = settling_of(setup.controller);
     set_slopes(move, setup, changes, block);
-    limit_by_program(move, rules, setup, turn_of(move, changes), block);
+    limit_by_program(move, rules, setup, changes, block);
     limit_by_joints(setup, shares_of(move, setup, block), block);
     if (move.piece) limit_by_bend(setup, *move.piece, block.slope_in.cwiseAbs(), block);
     if (move.kind == SegmentKind::circular) {
@@ -240,6 +279,10 @@ tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, con
     if (rules.rapid_share < 1)
         limit(block.max_speed, block.speed_limit, rules.rapid_share * block.max_speed,
               {LimitKind::rapid_override, -1});
+    if (setup.controller.limit_jerk && setup.controller.ramp_step_s > 0) {
+        const double asked = programmed_speed(move, move.rules, changes, block, setup.controller);
+        drive_in_steps(asked, block);
+    }
     if (Planned checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
     return block;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include <tl/expected.hpp>
 
@@ -32,6 +33,13 @@ struct Settling {
     double in_position_rad = kUnlimited;
 };
 
+/// What ramps in steps of time (SteppedRamps) may take along a way. The block is then planned with a mean
+/// acceleration.
+struct SteppedLimits {
+    double acceleration = 0;
+    double jerk = 0;
+};
+
 /// A move in a look-ahead window: its way, the limits along it, and what is planned for its ends. All along
 /// the way by the measure of the lead joints (mm or rad).
 struct Block {
@@ -46,6 +54,7 @@ struct Block {
     double deceleration = kUnlimited;
     double jerk = kUnlimited;
     LimitedBy jerk_limit;
+    std::optional<SteppedLimits> steps;       ///< Where its ramps go in steps of time.
     Settling settling;                        ///< At its end, if that is an exact stop.
     Blend entry_blend;                        ///< At its start.
     double exit_cut = 0;                      ///< What the blend at its end cuts off.

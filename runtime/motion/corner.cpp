@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/blend.h"
 #include "runtime/motion/corner_window.h"
@@ -24,14 +25,28 @@ double velocity_step_speed(const PlannerSetup& setup, const rrs::JointPos& turn)
     return speed;
 }
 
+/// Of a change of the joints' slopes what counts for the angle between two ways: that of the position joints,
+/// or of all, a degree as a millimetre.
+rrs::JointPos direction_of(const PlannerSetup& setup, const rrs::JointPos& slope) {
+    const bool of_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
+    rrs::JointPos direction = slope;
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const JointRole role = setup.role(joint);
+        if (role == JointRole::rotary) direction[joint] /= kRadPerDeg;
+        if (role != JointRole::position && !of_all_axes) direction[joint] = 0;
+    }
+    return direction;
+}
+
 /// The greatest acceleration along a direction that the joints allow.
-double acceleration_along(const PlannerSetup& setup, const Eigen::Vector3d& direction) {
+double acceleration_along(const PlannerSetup& setup, const rrs::JointPos& direction) {
     double acceleration = kUnlimited;
-    for (int axis = 0; axis < 3; ++axis) {
-        const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
-        if (joint < 0 || std::abs(direction[axis]) < kStraight) continue;
+    for (int joint = 0; joint < setup.joint_count(); ++joint) {
+        const double share = std::abs(direction[joint]);
+        if (share < kStraight) continue;
         const double limit = setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
-        acceleration = std::min(acceleration, limit / std::abs(direction[axis]));
+        const double unit = setup.role(joint) == JointRole::rotary ? kRadPerDeg : 1;
+        acceleration = std::min(acceleration, limit / unit / share);
     }
     return acceleration;
 }
@@ -42,8 +57,8 @@ double acceleration_along(const PlannerSetup& setup, const Eigen::Vector3d& dire
 double junction_deviation_speed(const PlannerSetup& setup, const Block& from, const Block& to) {
     constexpr double kStraightOn = -0.999999;
     constexpr double kBack = 0.999999;
-    const Eigen::Vector3d in = position_of(setup, from.slope_out);
-    const Eigen::Vector3d out = position_of(setup, to.slope_in);
+    const rrs::JointPos in = direction_of(setup, from.slope_out);
+    const rrs::JointPos out = direction_of(setup, to.slope_in);
     const double cosine = -in.dot(out);
     if (cosine < kStraightOn) return kUnlimited;
     if (cosine > kBack) return 0;
@@ -116,7 +131,9 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const BlocksBefore& before
             return pass_by_blend(setup, before, to, most, rule == CornerRule::smooth_blend);
         case CornerRule::junction_deviation: break;
     }
-    if (from.lead.role != JointRole::position || !only_position_turns(setup, turn)) return {};
+    const bool of_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
+    if (from.lead.role != JointRole::position || (!of_all_axes && !only_position_turns(setup, turn)))
+        return {};
     return {{}, junction_deviation_speed(setup, from, to), false};
 }
 

@@ -173,7 +173,12 @@ void LookAhead::put_out_front() {
     // The wait depends on the motion that it follows, which is put out first.
     const bool may_wait =
         settles && (block.settling.fixed_s > 0 || std::isfinite(block.settling.in_position_mm));
-    put_out_way(block, exit, block.move.reaches_target && !blended && !may_wait);
+    const bool reaches_target = block.move.reaches_target && !blended && !may_wait;
+    if (block.steps) {
+        put_out_steps(block, exit, reaches_target);
+    } else {
+        put_out_way(block, exit, reaches_target);
+    }
     if (blended) {
         const Block& next = window_[1];
         put_out_blend(block, next, exit, blend_limited_by(block, next, exit), output_);
@@ -260,6 +265,7 @@ void LookAhead::clear() {
     planned_ = 0;
     inner_ = 0;
     output_.clear();
+    stepped_ = SteppedRamps(setup_.controller.ramp_step_s);
     speed_ = 0;
     has_rounded_ = false;
 }

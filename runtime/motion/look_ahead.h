@@ -7,6 +7,7 @@
 #include "runtime/motion/block.h"
 #include "runtime/motion/following_error.h"
 #include "runtime/motion/motion_model.h"
+#include "runtime/motion/stepped_ramps.h"
 
 namespace gsim::motion {
 
@@ -25,13 +26,15 @@ namespace gsim::motion {
 /// were given, unless they may now be passed faster. With jerk limits the change waits for an instant without
 /// acceleration.
 ///
+/// Where ramps go in steps of time (SteppedRamps) an override acts from the next block on.
+///
 /// What a blend may yet cut off the newest block is not counted as way to brake on, so that a corner which
 /// becomes known never makes speeds infeasible that are final.
 class LookAhead final : public MotionModel {
   public:
     /// Both must outlive this.
     LookAhead(const PlannerSetup& setup, SegmentOutput& output)
-        : setup_(setup), output_(setup.controller, output) {}
+        : setup_(setup), output_(setup.controller, output), stepped_(setup.controller.ramp_step_s) {}
 
     Planned add(const PathMove& move) override;
     void come_to_rest() override;
@@ -57,6 +60,10 @@ class LookAhead final : public MotionModel {
     void join_faster(const std::vector<double>& most);
     void plan_anew();
     void put_out_way(const Block& block, double exit_speed, bool reaches_target);
+    // Ramps in steps of time (look_ahead_steps.cpp).
+    void put_out_steps(const Block& block, double exit_speed, bool reaches_target);
+    void put_out_pieces(const Block& block, const TimeLaw& law, double from, LimitedBy limited_by,
+                        bool reaches_target);
     void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
     void drop_slow_blend();
     void fit_blend(double speed);
@@ -70,6 +77,7 @@ class LookAhead final : public MotionModel {
 
     const PlannerSetup& setup_;
     FollowingError output_;
+    SteppedRamps stepped_;
     std::deque<Block> window_;
     std::size_t planned_ = 0;  ///< Blocks of the window whose entries were planned, from the oldest on.
     std::size_t inner_ = 0;    ///< Pieces in it that only lead on within their move: they count as no blocks.

@@ -29,7 +29,7 @@ bool LookAhead::turn_overrides() {
     }
     const Block& front = window_.front();
     const double way = front.way();
-    if (!(way > kLeastPart)) return false;
+    if (!(way > kLeastPart) || front.steps) return false;
     const TimeLaw law =
         is_held() ? braking_law(way, speed_, speed_, front.limits()) : front_law(front_exit_speed());
     const bool stands_inside = is_held() && law.length() < way * (1 - kWholeWay);

@@ -52,6 +52,7 @@ enum class LimitKind : std::uint8_t {
     look_ahead,      ///< The controller did not know further blocks.
     time,            ///< A programmed time (inverse time feed, dwell).
     rapid_override,  ///< The operator has turned it down.
+    short_brakes,    ///< Ramps in steps of time had braked before the end (SteppedRamps).
     unknown,         ///< A controller module does not say.
 };
 

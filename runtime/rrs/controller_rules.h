@@ -33,6 +33,12 @@ enum class OrientationRule {
     great_circle,  ///< Its direction goes along the great circle, evenly with the length of the way.
 };
 
+/// What the speed of a block in the look-ahead window counts along.
+enum class PathMeasure {
+    tool,      ///< The tool's way; rotary axes go along in proportion.
+    all_axes,  ///< The norm of all axes' ways, a degree as a millimetre (grbl's planner).
+};
+
 /// When the control waits at a word until all moves have been made.
 enum class StopRule {
     always,
@@ -69,11 +75,22 @@ struct ControllerRules {
     bool stop_between_rapid_and_feed = true;
     /// Ramps keep the joints' jerk limits (S-curves); else they are straight.
     bool limit_jerk = false;
+    /// With limit_jerk: ramps are driven in steps of this time, the acceleration the same in each, and
+    /// planned by a mean acceleration (grblHAL's ENABLE_JERK_ACCELERATION; motion/stepped_ramps.h). 0: exact
+    /// S-curves. Needs chords for arcs.
+    double ramp_step_s = 0;
+    PathMeasure path_measure = PathMeasure::tool;
+    /// What F counts along in a move of rotary axes and of others, where path_measure is all_axes (grblHAL:
+    /// $701 = 1 is the tool's way).
+    PathMeasure feed_measure = PathMeasure::tool;
     /// Share of the acceleration limit that the way round a curve may take; what is left of it is for
     /// speeding up and slowing down. Infinite: curves do not slow the motion.
     double centripetal_share = 0.866;
     /// Arcs become chords that lie off the circle by this much; 0: they stay arcs.
     double arc_chord_tolerance_mm = 0;
+    /// Splines become chords by halving steps of the parameter until the middle of each lies off the curve by
+    /// this much at most, in the sum of its coordinates (grblHAL); 0: pairs of arcs, as in LinuxCNC.
+    double spline_chord_tolerance_mm = 0;
     /// The feed of an arc in inverse time mode counts once for each chord, in mm/min (grbl 1.1).
     bool inverse_time_of_chords = false;
     /// How far the tip may leave its way where the joints go curved ways to keep it there (tool-centre-point
@@ -100,6 +117,12 @@ struct ControllerRules {
     /// docs/stops.md).
     std::map<std::string, StopRule, std::less<>> stops;
     OverrideRules overrides = {};
+    // Of the drilling cycles of RS274/NGC:
+    double peck_clearance_mm = 0.254;  ///< G73 backs off by it, and G83 comes back by rapid to as far above.
+    double peck_dwell_s = 0;           ///< G73 and G83 wait at the bottom of each peck.
+    bool pecks_feed_down =
+        false;                  ///< G83 leaves the hole as after the last peck, and feeds all the way down.
+    bool boring_cycles = true;  ///< G85, G86 and G89 bore; else they are read, and nothing moves.
     double rest_s = 0;        ///< Time at each stop that waits for the program's next block (dwell, M code).
     double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
     double servo_period_s = 0;  ///< Of the controller's position loop; 0: continuous.

@@ -110,6 +110,18 @@ void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "corner_override");
 }
 
+/// core.drilling: how the control's deep drilling goes.
+void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
+    lua_createtable(state, 0, 4);
+    set_number(state, "clearance_mm", rules.peck_clearance_mm);
+    set_number(state, "dwell", rules.peck_dwell_s);
+    lua_pushboolean(state, rules.pecks_feed_down ? 1 : 0);
+    lua_setfield(state, -2, "feeds_down");
+    lua_pushboolean(state, rules.boring_cycles ? 1 : 0);
+    lua_setfield(state, -2, "bores");
+    lua_setfield(state, -2, "drilling");
+}
+
 int refuse_unknown_name(lua_State* state) {
     return luaL_error(state, "the library knows no '%s'", luaL_tolstring(state, 2, nullptr));
 }
@@ -227,6 +239,8 @@ void Control::set_options(lua_State* state, const Switches& switches) const {
     lua_pushstring(state, prefix().c_str());
     lua_setfield(state, -2, "signal_prefix");
     set_corner_override(state, robot_.simulator.machine().controller);
+    set_drilling(state, robot_.simulator.machine().controller);
+    set_number(state, "spline_chord_mm", robot_.simulator.machine().controller.spline_chord_tolerance_mm);
     if (robot_.simulator.machine().process) set_machine_process(state, *robot_.simulator.machine().process);
     if (const machine::WordTimes& times = robot_.simulator.machine().times; times != machine::WordTimes{})
         set_word_times(state, times);

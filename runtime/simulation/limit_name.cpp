@@ -34,6 +34,7 @@ std::string describe(motion::LimitedBy limited_by, const machine::Machine& machi
         case LimitKind::look_ahead: return "look-ahead";
         case LimitKind::time: return "time";
         case LimitKind::rapid_override: return "rapid override";
+        case LimitKind::short_brakes: return "braked short";
         case LimitKind::unknown: break;
     }
     return "unknown";

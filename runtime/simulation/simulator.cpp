@@ -58,6 +58,7 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
         position_[static_cast<Eigen::Index>(i)] = machine_.axes[i].home;
     for (const machine::AxisGroup& group : machine_.groups) group_motions_.push_back(group.motion);
     recorder_.add_output(centripetal_);
+    recorder_.add_output(short_brakes_);
     recorder_.add_output(events_);
     recorder_.add_output(violations_);
     if (sampled()) recorder_.add_output(steps_);
@@ -379,6 +380,7 @@ Report Simulator::finish(std::string program) {
     report.events = events_.release();
     report.warnings = std::move(warnings_);
     if (const auto warning = centripetal_.warning(files_)) report.warnings.push_back(*warning);
+    if (const auto warning = short_brakes_.warning(files_)) report.warnings.push_back(*warning);
     if (events_.dropped() > 0) {
         report.warnings.push_back(
             fmt::format("{} more events than the report lists were left out", events_.dropped()));

@@ -26,6 +26,7 @@
 #include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/short_brakes_watch.h"
 #include "runtime/simulation/step_ranges.h"
 #include "runtime/simulation/tip_frame.h"
 #include "runtime/simulation/tool_tips.h"
@@ -304,6 +305,7 @@ class Simulator {
     RunLimits limits_;
     Recorder recorder_;
     CentripetalWatch centripetal_;
+    ShortBrakesWatch short_brakes_;
     CellWatch* cell_ = nullptr;
     bool controller_has_cell_ = false;  ///< Its services know the frames of cell_.
     EventLog events_;

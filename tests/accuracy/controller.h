@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace gsim::accuracy {
@@ -13,28 +16,58 @@ struct Tolerance {
     bool holds(double error_s, double recorded_s) const;
 };
 
+/// A line of a table.tsv by the names of its columns.
+using TableRow = std::map<std::string, std::string, std::less<>>;
+
+/// How a table.tsv lists runs, one a line, where a program was run on several machines.
+struct RunTable {
+    std::string (*machine_of)(const TableRow& row) = nullptr;  ///< Name of its machine file, without .toml.
+    /// Of what a program is called that the table has more than once; null: by its own name.
+    std::string (*variant_of)(const TableRow& row) = nullptr;
+    /// Why a run says nothing of the controller's motion; empty: it is counted.
+    std::string (*left_out_for)(const TableRow& row) = nullptr;
+};
+
 /// A recorded controller: how its recordings are written and how close gsim shall come to it.
 struct Controller {
     std::string_view name;             ///< Of its folder.
     std::string_view time_key;         ///< Where the JSON of a recording has the cycle time, s.
     std::string_view note_key;         ///< Where it has a word about the program.
     bool times_dwells = true;          ///< Whether recorded dwells are in the controller's own time.
-    Tolerance close;                   ///< Most programs shall be this close ...
-    Tolerance fair;                    ///< ... and all, but for those that known.h lists, this close.
+    Tolerance close = {};              ///< Most programs shall be this close ...
+    Tolerance fair = {};               ///< ... and all, but for those that known.h lists, this close.
     std::size_t close_percent = 95;    ///< How many are most,
     std::size_t fair_percent = 100;    ///< and all.
     bool from_first_move = false;      ///< Recorded times begin with the first motion, whatever was before.
     int tools = 0;                     ///< It has tools 1 to this many, without lengths.
     std::string_view machines = name;  ///< What the names of its machine files begin with.
+    std::string_view dialect = "rs274ngc";
+    const RunTable* runs = nullptr;  ///< All its runs are lines of its table; null: files with figures.
 };
 
+/// grblhal-MACHINE, with dashes.
+std::string machine_of_grblhal(const TableRow& row);
+std::string never_left_out(const TableRow& row);
+
+inline constexpr RunTable kGrblHalRuns{machine_of_grblhal, nullptr, never_left_out};
+
 /// LinuxCNC times a dwell by the wall clock, and stops at multiples of its servo period: some ms for a
-/// program. The second set is of whole part programs and of single words between moves. grbl's time is exact.
+/// program. The second set is of whole part programs and of single words between moves. grbl's time is exact,
+/// and so is grblHAL's: that of its fine clock, which is nearest to the law that it follows.
 inline constexpr std::array kControllers{
     Controller{"linuxcnc", "cycle_time_s", "mode", false, {0.5, 0.005}, {2, 0.005}},
     Controller{"grbl", "cycle_time_nominal_s", "notes", true, {0.2, 0.002}, {1, 0.002}},
     Controller{
         "linuxcnc2", "cycle_time_s", "mode", true, {0.05, 0.002}, {0.5, 0.005}, 85, 97, true, 9, "linuxcnc"},
+    Controller{.name = "grblhal",
+               .time_key = "cycle_time_fine_clock_s",
+               .note_key = "notes",
+               .close = {0.1, 0.001},
+               .fair = {0.5, 0.005},
+               .close_percent = 90,
+               .fair_percent = 95,
+               .tools = 9,
+               .runs = &kGrblHalRuns},
 };
 
 }  // namespace gsim::accuracy

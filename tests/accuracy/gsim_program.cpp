@@ -67,11 +67,15 @@ GsimProgram::GsimProgram(std::string gsim_run, fs::path machines)
 tl::expected<std::string, std::string> GsimProgram::run(const Recording& recording,
                                                         const std::vector<std::string>& outputs) const {
     std::vector<std::string> command{
-        gsim_run_, "--dialect", "rs274ngc", "--machine", (machines_ / recording.machine_file).string(),
+        gsim_run_, "--dialect", recording.dialect, "--machine", (machines_ / recording.machine_file).string(),
         "--json"};
     if (recording.tools > 0) {
         const fs::path data = scratch_.write("tools.txt", table_of_tools(recording.tools));
         command.insert(command.end(), {"--machine-data", data.string()});
+    }
+    if (!recording.overrides.empty()) {
+        const fs::path turned = scratch_.write("overrides.toml", recording.overrides);
+        command.insert(command.end(), {"--overrides", turned.string()});
     }
     command.insert(command.end(), outputs.begin(), outputs.end());
     command.push_back(recording.program.string());

@@ -1,17 +1,17 @@
 #include "tests/accuracy/recording.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "tests/accuracy/run_table.h"
 
 namespace gsim::accuracy {
 
@@ -83,18 +83,6 @@ tl::expected<std::map<std::string, double>, std::string> listed_times(const fs::
     return times;
 }
 
-std::vector<std::string> columns_of(const std::string& line) {
-    std::vector<std::string> columns(1);
-    for (const char c : line) {
-        if (c == '\t') {
-            columns.emplace_back();
-        } else if (c != '\r') {
-            columns.back() += c;
-        }
-    }
-    return columns;
-}
-
 tl::expected<Recording, std::string> read_recording(const fs::path& program, const Controller& controller,
                                                     const std::map<std::string, double>& times) {
     Recording recording;
@@ -120,10 +108,18 @@ tl::expected<Recording, std::string> read_recording(const fs::path& program, con
     return recording;
 }
 
+tl::expected<std::vector<Recording>, std::string> runs_of_table(const fs::path& folder,
+                                                                const Controller& controller) {
+    return read_file(folder / "table.tsv").and_then([&](const std::string& text) {
+        return listed_runs(folder, read_rows(text), controller);
+    });
+}
+
 }  // namespace
 
 tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path& folder,
                                                                   const Controller& controller) {
+    if (controller.runs != nullptr) return runs_of_table(folder, controller);
     std::error_code error;
     const auto times = listed_times(folder, controller);
     if (!times) return tl::unexpected(times.error());
@@ -162,26 +158,14 @@ tl::expected<void, std::string> read_figures(const std::string& json_text, const
 
 tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
                                                                     const Controller& controller) {
-    std::istringstream lines(table);
-    std::string line;
-    std::getline(lines, line);
-    const std::vector<std::string> heading = columns_of(line);
-    const auto column = [&](std::string_view name) {
-        return static_cast<std::size_t>(std::find(heading.begin(), heading.end(), name) - heading.begin());
-    };
-    const std::size_t name = column("name"), time = column(controller.time_key);
-    if (std::max(name, time) >= heading.size())
-        return tl::unexpected(fmt::format("there is no column 'name' or no '{}'", controller.time_key));
+    const std::vector<TableRow> rows = read_rows(table);
     std::map<std::string, double> times;
-    while (std::getline(lines, line)) {
-        const std::vector<std::string> columns = columns_of(line);
-        if (columns.size() <= std::max(name, time)) continue;
-        double time_s = 0;
-        const std::string& text = columns[time];
-        const auto read = std::from_chars(text.data(), text.data() + text.size(), time_s);
-        if (read.ec != std::errc() || !(time_s >= 0))
-            return tl::unexpected(fmt::format("'{}' is no time", text));
-        times[columns[name]] = time_s;
+    for (const TableRow& row : rows) {
+        const auto name = row.find("name");
+        if (name == row.end()) return tl::unexpected<std::string>("there is no column 'name'");
+        const auto time_s = column_s(row, controller.time_key);
+        if (!time_s) return tl::unexpected(time_s.error());
+        times[name->second] = *time_s;
     }
     return times;
 }

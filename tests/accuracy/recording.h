@@ -19,17 +19,20 @@ struct Recording {
     std::filesystem::path program;  ///< The part program.
     std::filesystem::path samples;  ///< The trajectory, CSV compressed by gzip.
     std::string machine_file;       ///< Name of the machine file: CONTROLLER-MACHINE.toml.
-    std::string note;               ///< The mode, or a word about the program.
+    std::string dialect = "rs274ngc";
+    std::string note;  ///< The mode, or a word about the program.
     double cycle_time_s = 0;
     bool from_first_move = false;  ///< The time begins with the first motion.
     int tools = 0;                 ///< The controller had tools 1 to this many, without lengths.
+    std::string overrides = {};    ///< What the operator turned, as a file for --overrides.
     bool counted = true;           ///< Whether the controller timed all of it.
     bool exact_stop = false;       ///< Whether it rests after each block (G61.1).
     std::vector<Block> blocks;     ///< Where they were recorded.
 };
 
 /// The recordings in a folder, sorted by name: programs with a JSON beside them, or with a line of the
-/// folder's table.tsv. The error names the folder or file that cannot be read.
+/// folder's table.tsv, or, where the controller has a RunTable, the runs that the table lists. The error
+/// names the folder or file that cannot be read.
 tl::expected<std::vector<Recording>, std::string> find_recordings(const std::filesystem::path& folder,
                                                                   const Controller& controller);
 

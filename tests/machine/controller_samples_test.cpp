@@ -24,7 +24,7 @@ Machine sample(const std::string& name) {
 
 TEST(BuiltInControllers, AreThoseOfTheSamples) {
     EXPECT_THAT(built_in_controllers(),
-                testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1", "blend"));
+                testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1", "grblhal", "blend"));
     for (const std::string_view name : built_in_controllers()) {
         const auto file = os::read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
         ASSERT_TRUE(file) << file.error();
@@ -74,6 +74,20 @@ TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
     EXPECT_EQ(rules.least_feed_mm_min, 1);
     EXPECT_EQ(rules.dwell_step_s, 0.05);
     EXPECT_EQ(rules.rest_s, 0);
+}
+
+TEST(BuiltInControllers, GrblHalLooksFurtherAndCountsAllAxesAlike) {
+    const ControllerRules rules = built_in_controller("grblhal").value();
+    EXPECT_EQ(rules.look_ahead_blocks, 100u);
+    EXPECT_EQ(rules.corner, CornerRule::junction_deviation);
+    EXPECT_EQ(rules.path_measure, rrs::PathMeasure::all_axes);
+    EXPECT_EQ(rules.feed_measure, rrs::PathMeasure::all_axes);
+    EXPECT_EQ(rules.spline_chord_tolerance_mm, 0.1);
+    EXPECT_EQ(rules.ramp_step_s, 0.01);
+    EXPECT_FALSE(rules.limit_jerk);
+    EXPECT_EQ(rules.peck_dwell_s, 0.25);
+    EXPECT_TRUE(rules.pecks_feed_down);
+    EXPECT_FALSE(rules.boring_cycles);
 }
 
 TEST(BuiltInControllers, BlendRoundsCornersAndKeepsJerks) {

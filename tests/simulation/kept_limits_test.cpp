@@ -122,18 +122,16 @@ TEST_P(KeptLimits, AtEachInstantAndOverWindows) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Controllers, KeptLimits,
-                         testing::Values(Excess{"exact-stop", 1, 0, 0, 1, false},
-                                         Excess{"ab9", 1, 0.01, 0, 1.866, true},
-                                         Excess{"blend", 1, 0.002, 0, 1.866, true},
-                                         Excess{"linuxcnc-2.9", 2, 0, 0, 2, true},
-                                         Excess{"grbl-1.1", 1, 0, 0.01, 5, true}),
-                         [](const testing::TestParamInfo<Excess>& excess) {
-                             std::string name = excess.param.model;
-                             for (char& c : name)
-                                 c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Controllers, KeptLimits,
+    testing::Values(Excess{"exact-stop", 1, 0, 0, 1, false}, Excess{"ab9", 1, 0.01, 0, 1.866, true},
+                    Excess{"blend", 1, 0.002, 0, 1.866, true}, Excess{"linuxcnc-2.9", 2, 0, 0, 2, true},
+                    Excess{"grbl-1.1", 1, 0, 0.01, 5, true}, Excess{"grblhal", 1, 0, 0.01, 5, true}),
+    [](const testing::TestParamInfo<Excess>& excess) {
+        std::string name = excess.param.model;
+        for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+        return name;
+    });
 
 }  // namespace
 }  // namespace gsim::simulation::kept_limits_test

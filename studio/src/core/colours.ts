@@ -36,6 +36,7 @@ export const limitColours: Record<Held, string> = {
   look_ahead: "#444b59",
   time: grey,
   rapid_override: "#a6761d",
+  braked_short: "#8c2d04",
   unknown: grey,
   dwell: grey,
 };

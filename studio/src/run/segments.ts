@@ -23,6 +23,7 @@ export const limitKinds = [
   "look_ahead",
   "time",
   "rapid_override",
+  "braked_short",
   "unknown",
 ] as const;
 export type LimitKind = (typeof limitKinds)[number];

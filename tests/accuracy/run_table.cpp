@@ -1,0 +1,101 @@
+#include "tests/accuracy/run_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "tests/accuracy/operator_inputs.h"
+
+namespace gsim::accuracy {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The part of `text` up to `end`, which is taken off with it.
+std::string_view take(std::string_view& text, char end) {
+    const std::size_t at = std::min(text.find(end), text.size());
+    const std::string_view part = text.substr(0, at);
+    text.remove_prefix(std::min(at + 1, text.size()));
+    return part;
+}
+
+std::vector<std::string> columns_of(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    std::vector<std::string> columns;
+    while (!line.empty()) columns.emplace_back(take(line, '\t'));
+    return columns;
+}
+
+std::string text_in(const TableRow& row, std::string_view column) {
+    const auto found = row.find(column);
+    return found == row.end() ? std::string() : found->second;
+}
+
+tl::expected<Recording, std::string> run_in(const TableRow& row, const fs::path& program,
+                                            const Controller& controller) {
+    const auto time_s = column_s(row, controller.time_key);
+    if (!time_s) return tl::unexpected(time_s.error());
+    const auto pause_s = row.contains("pause_s") ? column_s(row, "pause_s") : 0.0;
+    if (!pause_s) return tl::unexpected(pause_s.error());
+    const auto turned = overrides_of(text_in(row, "inputs"));
+    Recording run;
+    run.name = program.stem().string();
+    if (controller.runs->variant_of != nullptr) run.name += ' ' + controller.runs->variant_of(row);
+    run.program = program;
+    run.dialect = controller.dialect;
+    run.machine_file = controller.runs->machine_of(row) + ".toml";
+    run.cycle_time_s = *time_s - *pause_s;
+    run.overrides = turned.value_or("");
+    run.from_first_move = controller.from_first_move;
+    run.tools = controller.tools;
+    const std::string left_out = turned ? controller.runs->left_out_for(row) : turned.error();
+    run.counted = left_out.empty();
+    run.note = left_out.empty() ? text_in(row, controller.note_key) : left_out;
+    return run;
+}
+
+}  // namespace
+
+tl::expected<double, std::string> column_s(const TableRow& row, std::string_view column) {
+    const auto found = row.find(column);
+    if (found == row.end()) return tl::unexpected(fmt::format("there is no column '{}'", column));
+    const std::string& text = found->second;
+    double time_s = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), time_s);
+    if (read.ec != std::errc() || !(time_s >= 0)) return tl::unexpected(fmt::format("'{}' is no time", text));
+    return time_s;
+}
+
+std::vector<TableRow> read_rows(std::string_view table) {
+    const std::vector<std::string> heading = columns_of(take(table, '\n'));
+    std::vector<TableRow> rows;
+    while (!table.empty()) {
+        const std::vector<std::string> columns = columns_of(take(table, '\n'));
+        if (columns.empty()) continue;
+        TableRow& row = rows.emplace_back();
+        for (std::size_t i = 0; i < std::min(columns.size(), heading.size()); ++i)
+            row[heading[i]] = columns[i];
+    }
+    return rows;
+}
+
+tl::expected<std::vector<Recording>, std::string> listed_runs(const fs::path& folder,
+                                                              const std::vector<TableRow>& rows,
+                                                              const Controller& controller) {
+    std::vector<Recording> runs;
+    for (const TableRow& row : rows) {
+        const fs::path program = folder / (text_in(row, "name") + ".ngc");
+        if (!fs::is_regular_file(program)) continue;
+        auto run = run_in(row, program, controller);
+        if (!run) return tl::unexpected(fmt::format("{}: {}", program.stem().string(), run.error()));
+        runs.push_back(*std::move(run));
+    }
+    std::sort(runs.begin(), runs.end(),
+              [](const Recording& a, const Recording& b) { return a.name < b.name; });
+    return runs;
+}
+
+}  // namespace gsim::accuracy
