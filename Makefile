@@ -87,7 +87,7 @@ else
 accuracy:
 	@scripts/setup.sh test
 	@$(call build_into,release) --target gsim gsim-accuracy
-	@build/bin/gsim-accuracy --gsim-run build/bin/gsim-run --machines samples/machines --positions '$(GSIM_REFERENCE)'
+	@build/bin/gsim-accuracy --gsim-run build/bin/gsim-run --machines samples/machines --positions --summary '$(GSIM_REFERENCE)'
 endif
 
 coverage:

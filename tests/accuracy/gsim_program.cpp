@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/os/child_process.h"
+#include "runtime/machine/machine_file.h"
 
 namespace gsim::accuracy {
 
@@ -66,9 +67,14 @@ GsimProgram::GsimProgram(std::string gsim_run, fs::path machines)
 
 tl::expected<std::string, std::string> GsimProgram::run(const Recording& recording,
                                                         const std::vector<std::string>& outputs) const {
-    std::vector<std::string> command{
-        gsim_run_, "--dialect", recording.dialect, "--machine", (machines_ / recording.machine_file).string(),
-        "--json"};
+    return run_on(machines_ / recording.machine_file, recording, outputs);
+}
+
+tl::expected<std::string, std::string> GsimProgram::run_on(const fs::path& machine,
+                                                           const Recording& recording,
+                                                           const std::vector<std::string>& outputs) const {
+    std::vector<std::string> command{gsim_run_,   "--dialect",      recording.dialect,
+                                     "--machine", machine.string(), "--json"};
     if (recording.tools > 0) {
         const fs::path data = scratch_.write("tools.txt", table_of_tools(recording.tools));
         command.insert(command.end(), {"--machine-data", data.string()});
@@ -91,6 +97,23 @@ tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& rec
     if (!whole_s) return whole_s;
     std::ifstream moves(moves_file);
     return *whole_s - first_motion_s(moves);
+}
+
+tl::expected<std::vector<ProgrammedMove>, std::string> GsimProgram::programmed_moves(
+    const Recording& recording) const {
+    auto machine = machine::load_machine(machines_ / recording.machine_file);
+    if (!machine) return tl::unexpected(machine.error());
+    rrs::ControllerRules& rules = machine->controller;
+    rules.planner = rrs::PlannerKind::rest_to_rest;
+    rules.arc_chord_tolerance_mm = rules.dwell_step_s = rules.rest_s = rules.servo_period_s = 0;
+    rules.path_measure = rrs::PathMeasure::tool;
+    rules.limit_jerk = false;
+    const fs::path from_rest_to_rest = scratch_.write("machine.toml", machine::print_machine(*machine));
+    const fs::path moves_file = scratch_.path() / "moves.jsonl";
+    if (const auto ran = run_on(from_rest_to_rest, recording, {"--moves", moves_file}); !ran)
+        return tl::unexpected(ran.error());
+    std::ifstream moves(moves_file);
+    return read_programmed_moves(moves, *machine);
 }
 
 tl::expected<TimedPath, std::string> GsimProgram::path(const Recording& recording) const {

@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "tests/accuracy/path_distance.h"
+#include "tests/accuracy/programmed_move.h"
 #include "tests/accuracy/recording.h"
 #include "tests/conformance/scratch_folder.h"
 
@@ -22,12 +23,18 @@ class GsimProgram {
     /// error is the first one that gsim-run reports.
     tl::expected<double, std::string> cycle_time_s(const Recording& recording) const;
 
+    /// The moves that a program asks for: those of a run from rest to rest.
+    tl::expected<std::vector<ProgrammedMove>, std::string> programmed_moves(const Recording& recording) const;
+
     /// The path of a program, sampled every 10 ms; the error as above.
     tl::expected<TimedPath, std::string> path(const Recording& recording) const;
 
   private:
     tl::expected<std::string, std::string> run(const Recording& recording,
                                                const std::vector<std::string>& outputs) const;
+    tl::expected<std::string, std::string> run_on(const std::filesystem::path& machine,
+                                                  const Recording& recording,
+                                                  const std::vector<std::string>& outputs) const;
 
     std::string gsim_run_;
     std::filesystem::path machines_;

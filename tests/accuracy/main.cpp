@@ -1,10 +1,12 @@
 // Compares cycle times and positions of gsim with those that controllers were recorded with.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +15,8 @@
 
 #include "apps/parse.h"
 #include "tests/accuracy/controller.h"
+#include "tests/accuracy/distribution.h"
+#include "tests/accuracy/estimators.h"
 #include "tests/accuracy/gsim_program.h"
 #include "tests/accuracy/known.h"
 #include "tests/accuracy/report.h"
@@ -34,6 +38,7 @@ struct Arguments {
     std::string machines;
     bool markdown = false;
     bool positions = false;
+    bool summary = false;
 };
 
 void add_options(apps::CommandLine& line, Arguments& arguments) {
@@ -47,6 +52,8 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
     line.add("--markdown", &arguments.markdown, "tables in Markdown");
     line.add("--positions", &arguments.positions,
              "compare the positions of programs in G61.1 too; they count for the exit status");
+    line.add("--summary", &arguments.summary,
+             "one table of all controllers at the end, with what other estimators say of the same programs");
 }
 
 std::string known_difference(const Controller& controller, const std::string& program) {
@@ -89,9 +96,44 @@ bool all_good(const std::vector<PathOutcome>& outcomes) {
                        [](const PathOutcome& outcome) { return outcome.good() || !outcome.known.empty(); });
 }
 
+struct Estimator {
+    const char* name;
+    double (*time_s)(std::span<const ProgrammedMove> moves);
+};
+
+constexpr std::array kEstimators{Estimator{"length over feed", length_over_feed_s},
+                                 Estimator{"CAMotics", camotics_s},
+                                 Estimator{"proposed to LinuxCNC", linuxcnc_parse_s}};
+
+// What estimators of others say of the same programs, in the order of kEstimators. Overrides are left out, as
+// they know none.
+std::vector<std::vector<TimeOutcome>> estimate(const std::vector<TimeOutcome>& outcomes,
+                                               const std::vector<Recording>& recordings,
+                                               const GsimProgram& gsim) {
+    std::vector<std::vector<TimeOutcome>> all(kEstimators.size());
+    for (std::size_t i = 0; i < recordings.size(); ++i) {
+        if (!recordings[i].counted || !recordings[i].overrides.empty()) continue;
+        const auto moves = gsim.programmed_moves(recordings[i]);
+        for (std::size_t k = 0; k < kEstimators.size(); ++k) {
+            TimeOutcome& outcome = all[k].emplace_back(outcomes[i]);
+            outcome.found_s = moves.map([&](const auto& of) { return kEstimators[k].time_s(of); });
+        }
+    }
+    return all;
+}
+
+void add_rows(const std::vector<TimeOutcome>& outcomes, const std::vector<Recording>& recordings,
+              const Controller& controller, const GsimProgram& gsim, std::vector<EstimatedController>& rows) {
+    const std::string name(controller.name);
+    rows.push_back({name, "gsim", distribution_of(outcomes)});
+    const auto estimated = estimate(outcomes, recordings, gsim);
+    for (std::size_t k = 0; k < kEstimators.size(); ++k)
+        rows.push_back({name, kEstimators[k].name, distribution_of(estimated[k])});
+}
+
 // Prints how a controller's programs fared; whether well enough.
 bool compare(const std::vector<Recording>& recordings, const Controller& controller, const GsimProgram& gsim,
-             const Arguments& arguments) {
+             const Arguments& arguments, std::vector<EstimatedController>& rows) {
     const Format format = arguments.markdown ? Format::markdown : Format::plain;
     const auto times = compare_times(recordings, controller, gsim);
     fmt::print("{}", time_report(times, controller, format));
@@ -99,6 +141,7 @@ bool compare(const std::vector<Recording>& recordings, const Controller& control
     if (arguments.positions) paths = compare_paths(recordings, controller, gsim);
     fmt::print("{}", path_report(paths, controller, format));
     std::fflush(stdout);
+    if (arguments.summary) add_rows(times, recordings, controller, gsim, rows);
     return summarize(times, controller).good() && all_good(paths);
 }
 
@@ -119,6 +162,7 @@ int run(const Arguments& arguments) {
     const GsimProgram gsim(arguments.gsim_run, arguments.machines);
     bool any = false;
     bool good = true;
+    std::vector<EstimatedController> rows;
     for (const Controller& controller : kControllers) {
         const auto recordings = recordings_of(controller, fs::path(arguments.folder) / controller.name);
         if (recordings.empty()) {
@@ -126,9 +170,10 @@ int run(const Arguments& arguments) {
             continue;
         }
         any = true;
-        good = compare(recordings, controller, gsim, arguments) && good;
+        good = compare(recordings, controller, gsim, arguments, rows) && good;
     }
     if (!any) throw std::runtime_error(fmt::format("no recordings in {}", arguments.folder));
+    if (arguments.summary) fmt::print("{}", distribution_table(rows, arguments.markdown));
     return good ? kGood : kOff;
 }
 
