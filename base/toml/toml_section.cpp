@@ -48,6 +48,9 @@ std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule
             if (value <= 0 || (value >= 1 && std::isfinite(value)))
                 return "greater than 0 and less than 1, or inf";
             return std::nullopt;
+        case NumberRule::part:
+            if (value < 0 || value >= 1) return "0 or greater and less than 1";
+            return std::nullopt;
         case NumberRule::percent:
             if (value <= 0 || value > 100) return "greater than 0 and at most 100";
             return std::nullopt;

@@ -73,6 +73,7 @@ enum class NumberRule {
     not_negative,  ///< And finite.
     step,          ///< 0 (none), or not so small that its multiples get out of hand.
     share,         ///< Of something that must not be used up; or infinite.
+    part,          ///< Of something that must not be all of it: from 0 to below 1.
     percent,       ///< Greater than 0, and at most 100.
     count,         ///< A whole number of things to keep in memory.
 };

@@ -61,6 +61,8 @@ constexpr std::array kKindsOfOverride{
 
 /// Why the controller does not take a value; empty where it does.
 std::string fault_of(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
+    if (controller.planner == rrs::PlannerKind::klipper && percent != 100)
+        return "the planner \"klipper\" follows no override; M220 in the program sets its speed factor";
     const Allowed allowed = kind.allowed(controller.overrides);
     if (!allowed.takes(percent))
         return fmt::format("the controller {} takes {}", controller.model, allowed.text());

@@ -44,7 +44,7 @@ Json axes(const machine::Machine& machine) {
                         {"max_jerk", limit(axis.max_jerk)},
                         {"home", axis.home},
                         {"zero", axis.zero},
-                        {"carries", axis.carries == machine::Carries::work ? "work" : "tool"}});
+                        {"carries", machine::name(axis.carries)}});
     }
     return list;
 }

@@ -36,7 +36,7 @@ Json axes(const machine::Machine& machine) {
     for (const machine::Axis& axis : machine.axes) {
         list.push_back({{"letter", std::string(1, axis.letter)},
                         {"kind", axis.kind == machine::AxisKind::linear ? "linear" : "rotary"},
-                        {"carries", axis.carries == machine::Carries::work ? "work" : "tool"},
+                        {"carries", machine::name(axis.carries)},
                         {"min", number(axis.min)},
                         {"max", number(axis.max)},
                         {"home", number(axis.home)},

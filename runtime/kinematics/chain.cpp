@@ -80,22 +80,26 @@ Link link_of(int joint, const DhLink& row) {
             .row = row};
 }
 
-Chain::Chain(Branch tool_side, Branch work_side)
-    : tool_side_(std::move(tool_side)), work_side_(std::move(work_side)) {
-    const std::size_t count = tool_side_.links.size() + work_side_.links.size();
+Chain::Chain(Branch tool_side, Branch work_side, std::vector<int> idle_joints)
+    : tool_side_(std::move(tool_side)),
+      work_side_(std::move(work_side)),
+      idle_joints_(std::move(idle_joints)) {
+    const std::size_t count = tool_side_.links.size() + work_side_.links.size() + idle_joints_.size();
     if (count > static_cast<std::size_t>(rrs::kMaxJoints))
         throw std::invalid_argument("a kinematic chain has more joints than a JointPos can hold");
     kinds_.resize(count);
     std::vector<bool> seen(count);
+    const auto add = [&](int joint, rrs::JointKind kind) {
+        const auto index = static_cast<std::size_t>(joint);
+        if (index >= count || seen[index])
+            throw std::invalid_argument("the joints of a kinematic chain are not numbered from 0 up");
+        seen[index] = true;
+        kinds_[index] = kind;
+    };
     for (const Branch* branch : {&tool_side_, &work_side_}) {
-        for (const Link& link : branch->links) {
-            const auto index = static_cast<std::size_t>(link.joint);
-            if (index >= count || seen[index])
-                throw std::invalid_argument("the joints of a kinematic chain are not numbered from 0 up");
-            seen[index] = true;
-            kinds_[index] = link.kind;
-        }
+        for (const Link& link : branch->links) add(link.joint, link.kind);
     }
+    for (const int joint : idle_joints_) add(joint, rrs::JointKind::prismatic);
     work_is_world_ = work_side_.links.empty() && (work_side_.base * work_side_.end).matrix().isIdentity(0);
 }
 
@@ -113,7 +117,7 @@ std::vector<rrs::CartPos> Chain::work_frames(const rrs::JointPos& joints) const 
 }
 
 std::vector<rrs::CartPos> Chain::joint_frames(const rrs::JointPos& joints) const {
-    std::vector<rrs::CartPos> frames(kinds_.size());
+    std::vector<rrs::CartPos> frames(kinds_.size(), rrs::CartPos::Identity());
     add_joint_frames(tool_side_, joints, frames);
     add_joint_frames(work_side_, joints, frames);
     return frames;
@@ -124,7 +128,7 @@ Chain moved(const Chain& chain, const rrs::CartPos& shift) {
     tool_side.base = shift * tool_side.base;
     Branch work_side = chain.work_side();
     if (!work_side.links.empty()) work_side.base = shift * work_side.base;
-    return Chain(std::move(tool_side), std::move(work_side));
+    return Chain(std::move(tool_side), std::move(work_side), chain.idle_joints());
 }
 
 }  // namespace gsim::kinematics

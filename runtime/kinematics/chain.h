@@ -44,13 +44,15 @@ struct Branch {
 class Chain {
   public:
     /// The ends are the tool centre point and the work frame. Each joint from 0 up stands in one link, at
-    /// most kMaxJoints; throws std::invalid_argument otherwise.
-    explicit Chain(Branch tool_side, Branch work_side = {});
+    /// most kMaxJoints; throws std::invalid_argument otherwise. `idle_joints` stand in none: they are slides
+    /// that carry neither, such as what feeds filament.
+    explicit Chain(Branch tool_side, Branch work_side = {}, std::vector<int> idle_joints = {});
 
     int joint_count() const { return static_cast<int>(kinds_.size()); }
     rrs::JointKind kind(int joint) const { return kinds_[static_cast<std::size_t>(joint)]; }
     const Branch& tool_side() const { return tool_side_; }
     const Branch& work_side() const { return work_side_; }
+    const std::vector<int>& idle_joints() const { return idle_joints_; }
 
     /// The tool centre point in the work frame. `joints` holds joint_count() values.
     rrs::CartPos forward(const rrs::JointPos& joints) const;
@@ -61,12 +63,13 @@ class Chain {
     /// The same of the work's side; the last one is the work frame.
     std::vector<rrs::CartPos> work_frames(const rrs::JointPos& joints) const;
     /// A frame in the world for each joint, in the order of their values: the joint moves along or about its
-    /// Z.
+    /// Z. That of an idle joint is the world's.
     std::vector<rrs::CartPos> joint_frames(const rrs::JointPos& joints) const;
 
   private:
     Branch tool_side_;
     Branch work_side_;
+    std::vector<int> idle_joints_;
     std::vector<rrs::JointKind> kinds_;
     bool work_is_world_ = false;
 };

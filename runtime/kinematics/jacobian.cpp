@@ -40,7 +40,7 @@ Vector3d rotation_vector(const Eigen::Matrix3d& rotation) {
 Stance stance(const Chain& chain, const rrs::JointPos& joints) {
     Stance result{.tool = chain.tool_frames(joints).back(),
                   .work = chain.work_frames(joints).back(),
-                  .jacobian = Jacobian(6, chain.joint_count())};
+                  .jacobian = Jacobian::Zero(6, chain.joint_count())};
     const std::vector<rrs::CartPos> frames = chain.joint_frames(joints);
     const Vector3d tip = result.tool.translation();
     add_columns(chain.tool_side(), frames, tip, 1, result.jacobian);

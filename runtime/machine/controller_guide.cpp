@@ -26,8 +26,9 @@ std::vector<GuideKey> look_ahead_guide() {
     return {
         model_key(),
         text_key("name", "", "what the rules are called; else as the model"),
-        choice_key("planner", "\"rest-to-rest\"", {"rest-to-rest", "look-ahead", "linuxcnc"},
-                   "each move begins and ends at rest, or speeds are planned ahead, or as LinuxCNC does"),
+        choice_key("planner", "\"rest-to-rest\"", {"rest-to-rest", "look-ahead", "linuxcnc", "klipper"},
+                   "each move begins and ends at rest, or speeds are planned ahead, or as LinuxCNC or "
+                   "Klipper does"),
         number_key("look_ahead_blocks", {.least = 1, .greatest = 1e5, .whole = true}, "100",
                    "how many blocks are known ahead, the one under way included"),
         choice_key(
@@ -49,6 +50,11 @@ std::vector<GuideKey> look_ahead_guide() {
             "speed_step_s", kPositive, "0.01",
             "the jump of speed that an axis without max_speed_step_mm_s stands is what its acceleration "
             "makes in this time"),
+        number_key("square_corner_velocity_mm_s", kNotNegative, "5.0",
+                   "of the planner klipper: the speed at a right angle"),
+        number_key("minimum_cruise_ratio", kPart, "0.5",
+                   "of the planner klipper: the share of each rise and fall of the speed that is passed at "
+                   "one speed at least"),
         truth_key("stop_between_rapid_and_feed", true, "moves of both kinds meet at rest"),
     };
 }
@@ -79,6 +85,10 @@ std::vector<GuideKey> ways_guide() {
                    "arcs become chords that lie off the circle by this much; 0: they stay arcs"),
         number_key("spline_chord_tolerance_mm", kStep, "0.0",
                    "splines become chords whose middles lie off them by this much; 0: pairs of arcs"),
+        number_key(
+            "arc_resolution_mm", kStep, "0.0",
+            "of the planner klipper: arcs become chords that stand for as much of the arc at least; 0: "
+            "the control knows no arcs"),
         number_key("tcp_tolerance_mm", kPositive, "0.001",
                    "how far the tip may leave its way under G43.4 and in moves to poses, where the joints go "
                    "curved ways"),
@@ -89,6 +99,11 @@ std::vector<GuideKey> ways_guide() {
             "how the tool turns in feed moves: by the angles of the rotary axes, or its direction along "
             "the great circle"),
         number_key("least_feed_mm_min", kNotNegative, "0.0", "a lower feed is raised to it"),
+        number_key("retract_length_mm", kNotNegative, "0.0",
+                   "how far G10 of the dialect klipper draws the filament back; 0: G10 and G11 are unknown"),
+        number_key("retract_speed_mm_s", kPositive, "20.0", "how fast it does"),
+        number_key("unretract_extra_length_mm", kNotNegative, "0.0", "how much farther G11 pushes it"),
+        number_key("unretract_speed_mm_s", kPositive, "10.0", "how fast it does"),
     };
 }
 

@@ -40,7 +40,7 @@ constexpr std::array kSingleKeys{kModelKey,       kName,     kPlanner,     kLook
                                  kOrientationKey, kStopsKey, kOverridesKey};
 
 // Names of rrs::PlannerKind, rrs::CornerRule and rrs::OrientationRule in their order.
-constexpr std::array<std::string_view, 3> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc"};
+constexpr std::array<std::string_view, 4> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc", "klipper"};
 constexpr std::array<std::string_view, 5> kCorners{"stop", "velocity-step", "junction-deviation",
                                                    "parabolic-blend", "smooth-blend"};
 
@@ -75,6 +75,13 @@ constexpr std::array kNumberKeys{
     NumberKey{"ramp_step_s", &Rules::ramp_step_s, NumberRule::step},
     NumberKey{"peck_clearance_mm", &Rules::peck_clearance_mm, NumberRule::not_negative},
     NumberKey{"peck_dwell_s", &Rules::peck_dwell_s, NumberRule::not_negative},
+    NumberKey{"arc_resolution_mm", &Rules::arc_resolution_mm, NumberRule::step},
+    NumberKey{"square_corner_velocity_mm_s", &Rules::square_corner_velocity_mm_s, NumberRule::not_negative},
+    NumberKey{"minimum_cruise_ratio", &Rules::minimum_cruise_ratio, NumberRule::part},
+    NumberKey{"retract_length_mm", &Rules::retract_length_mm, NumberRule::not_negative},
+    NumberKey{"retract_speed_mm_s", &Rules::retract_speed_mm_s, NumberRule::positive},
+    NumberKey{"unretract_extra_length_mm", &Rules::unretract_extra_length_mm, NumberRule::not_negative},
+    NumberKey{"unretract_speed_mm_s", &Rules::unretract_speed_mm_s, NumberRule::positive},
     NumberKey{"least_feed_mm_min", &Rules::least_feed_mm_min, NumberRule::not_negative},
     NumberKey{"settle_s", &Rules::settle_s, NumberRule::not_negative},
     NumberKey{"position_gain_1_s", &Rules::position_gain_1_s, NumberRule::step},

@@ -40,10 +40,16 @@ kinematics::Link link(const Axis& axis, int joint) {
 kinematics::Chain chain(const Machine& machine) {
     kinematics::Branch tool{.base = frame_pose(machine.base), .end = frame_pose(machine.tool)};
     kinematics::Branch work{.end = frame_pose(machine.work)};
+    std::vector<int> idle;
     int joint = 0;
-    for (const Axis& axis : machine.axes)
-        (axis.carries == Carries::work ? work : tool).links.push_back(link(axis, joint++));
-    return kinematics::Chain(std::move(tool), std::move(work));
+    for (const Axis& axis : machine.axes) {
+        if (axis.carries == Carries::nothing) {
+            idle.push_back(joint++);
+        } else {
+            (axis.carries == Carries::work ? work : tool).links.push_back(link(axis, joint++));
+        }
+    }
+    return kinematics::Chain(std::move(tool), std::move(work), std::move(idle));
 }
 
 std::vector<kinematics::JointRange> ranges(const Machine& machine) {
@@ -151,9 +157,9 @@ std::optional<std::string> find_controller_fault(const Machine& machine) {
                "(arc_chord_tolerance_mm): it drives lines";
     if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
-        return "'orientation = \"great-circle\"' is not for the planner \"linuxcnc\" nor for arcs as chords: "
-               "both "
-               "plan lines of axis values";
+        return "'orientation = \"great-circle\"' is not for the planners \"linuxcnc\" and \"klipper\" nor "
+               "for arcs "
+               "as chords: all of these plan lines of axis values";
     }
     if (make_kinematics(machine)->tilting_head()) return std::nullopt;
     return "'orientation = \"great-circle\"' needs 'inverse = \"gantry\"' and two rotary axes through the "

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,8 +23,13 @@ namespace gsim::machine {
 
 enum class AxisKind { linear, rotary };
 
-/// What an axis moves: the tool, or the work under it.
-enum class Carries { tool, work };
+/// What an axis moves: the tool, the work under it, or neither: what feeds filament.
+enum class Carries { tool, work, nothing };
+
+constexpr std::string_view name(Carries carries) {
+    constexpr std::array<std::string_view, 3> kNames{"tool", "work", "nothing"};
+    return kNames[static_cast<std::size_t>(carries)];
+}
 
 /// How a rotary axis takes the angles that programs give it; see docs/machine-file.md.
 enum class Turning {

@@ -25,7 +25,7 @@ using base::TomlSection;
 using std::string_view_literals::operator""sv;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr std::string_view kLetters = "ABCUVWXYZ";
+constexpr std::string_view kLetters = "ABCEUVWXYZ";
 constexpr char kNoLetter = '?';  // of an axis that could not be read
 
 constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "tool"sv,   "work"sv,
@@ -34,7 +34,7 @@ constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "t
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
-constexpr std::array kCarriesNames{"tool"sv, "work"sv};                     // of Carries
+constexpr std::array kCarriesNames{"tool"sv, "work"sv, "nothing"sv};        // of Carries
 constexpr std::array kTurningNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
 constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 
@@ -151,7 +151,10 @@ void read_homes(TomlSection& section, const AxisKeys& keys, Axis& axis) {
 
 // A table of joints, by rows, frames or directions.
 void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
-    if (!section.has("frame") && !section.has("direction") && !section.has("dh")) {
+    const bool carries_nothing = axis.carries == Carries::nothing;
+    if (carries_nothing && axis.kind == AxisKind::rotary)
+        section.fail("carries", "'carries = \"nothing\"' is of linear axes alone");
+    if (!carries_nothing && !section.has("frame") && !section.has("direction") && !section.has("dh")) {
         section.fail("dh", fmt::format("{} lacks one of the keys 'direction', 'frame' and 'dh', which tell "
                                        "how its joint lies",
                                        section.title()));

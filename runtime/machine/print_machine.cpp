@@ -54,6 +54,7 @@ std::string_view name(Turning turning) {
 }
 
 void print_joint(TomlText& out, const Axis& axis) {
+    if (axis.carries == Carries::nothing) return;
     if (axis.direction) out.line("direction", base::toml_string(name(*axis.direction)));
     if (!axis.frame && !axis.direction) {
         out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
@@ -85,7 +86,7 @@ void print_axis(TomlText& out, const Axis& axis) {
         if (axis.other_homes[i]) out.number(key(fmt::format("home{}", i + 2)), *axis.other_homes[i]);
     }
     out.number(key("zero"), axis.zero);
-    if (axis.carries == Carries::work) out.line("carries", "\"work\"");
+    if (axis.carries != Carries::tool) out.line("carries", base::toml_string(name(axis.carries)));
     if (axis.turning != Turning::limited) out.line("turning", name(axis.turning));
     print_joint(out, axis);
 }

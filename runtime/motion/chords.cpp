@@ -23,6 +23,13 @@ void set_chord_speed(const PathMove& move, const rrs::ControllerRules& controlle
 
 }  // namespace
 
+int chord_count(const Arc& arc, const rrs::ControllerRules& controller) {
+    if (controller.planner != rrs::PlannerKind::klipper)
+        return chord_count(arc, controller.arc_chord_tolerance_mm);
+    return static_cast<int>(
+        std::clamp(std::floor(arc.length_mm() / controller.arc_resolution_mm), 1.0, kMostChords));
+}
+
 int chord_count(const Arc& arc, double tolerance_mm) {
     const double radius = std::max(arc.radius_mm, tolerance_mm);
     const double count =
@@ -32,7 +39,7 @@ int chord_count(const Arc& arc, double tolerance_mm) {
 
 void for_each_chord(const PathMove& move, const PlannerSetup& setup,
                     const std::function<void(const PathMove&)>& take) {
-    const int count = chord_count(move.arc, setup.controller.arc_chord_tolerance_mm);
+    const int count = chord_count(move.arc, setup.controller);
     PathMove line = move;
     line.kind = SegmentKind::linear;
     set_chord_speed(move, setup.controller, count, line);

@@ -11,6 +11,9 @@ namespace gsim::motion {
 /// (grbl 1.1: floor(|angle r / 2| / sqrt(tolerance (2 r - tolerance)))).
 int chord_count(const Arc& arc, double tolerance_mm);
 
+/// As many as the controller makes of an arc: by its tolerance, or by its arc_resolution_mm.
+int chord_count(const Arc& arc, const rrs::ControllerRules& controller);
+
 /// The lines that a circular move becomes, in their order, each a move of its own with the same target; what
 /// it has beside the position joints is shared out. An inverse time feed becomes a speed: the whole arc takes
 /// the time, or, where the controller counts it once for each chord, what that makes.

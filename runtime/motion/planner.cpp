@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/motion/klipper/klipper_model.h"
 #include "runtime/motion/linuxcnc/linuxcnc_model.h"
 #include "runtime/motion/look_ahead.h"
 
@@ -26,6 +27,7 @@ std::unique_ptr<MotionModel> make_model(const PlannerSetup& setup, SegmentOutput
         case rrs::PlannerKind::look_ahead: return std::make_unique<LookAhead>(setup, output);
         case rrs::PlannerKind::linuxcnc:
             return std::make_unique<LinuxcncModel>(setup, setup.controller, output);
+        case rrs::PlannerKind::klipper: return std::make_unique<KlipperModel>(setup, output);
         case rrs::PlannerKind::rest_to_rest: break;
     }
     return nullptr;

@@ -67,7 +67,8 @@ Planned check_motion_time(double motion_s) {
 }
 
 Planned Planner::check_ramps() const {
-    if (machine_.controller.planner != rrs::PlannerKind::linuxcnc) return {};
+    const rrs::PlannerKind planner = machine_.controller.planner;
+    if (planner != rrs::PlannerKind::linuxcnc && planner != rrs::PlannerKind::klipper) return {};
     return refused(Status::RRS_MODE_NOT_SUPPORTED,
                    "This controller has ramps of its own, which a program cannot change.");
 }

@@ -75,6 +75,9 @@ Trouble check_controller(const rrs::ControllerRules& controller) {
     const std::pair<const char*, double> not_negative[] = {
         {"junction_deviation_mm", controller.junction_deviation_mm},
         {"arc_chord_tolerance_mm", controller.arc_chord_tolerance_mm},
+        {"arc_resolution_mm", controller.arc_resolution_mm},
+        {"square_corner_velocity_mm_s", controller.square_corner_velocity_mm_s},
+        {"minimum_cruise_ratio", controller.minimum_cruise_ratio},
         {"least_feed_mm_min", controller.least_feed_mm_min},
         {"blend_tolerance_mm", controller.blend_tolerance_mm},
         {"blend_tolerance_deg", controller.blend_tolerance_deg},
@@ -87,6 +90,10 @@ Trouble check_controller(const rrs::ControllerRules& controller) {
     for (const auto& [name, value] : not_negative) {
         if (auto trouble = check_not_negative(fmt::format("{} of the controller", name), value))
             return trouble;
+    }
+    if (controller.minimum_cruise_ratio >= 1) {
+        return fmt::format("minimum_cruise_ratio of the controller is {}; it must be less than 1.",
+                           controller.minimum_cruise_ratio);
     }
     return std::nullopt;
 }

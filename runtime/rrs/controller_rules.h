@@ -15,6 +15,7 @@ enum class PlannerKind {
     rest_to_rest,  ///< Each move begins and ends at rest.
     look_ahead,    ///< Speeds at the corners by one of the CornerRules, over a window of blocks.
     linuxcnc,      ///< The trajectory planner of LinuxCNC 2.9: blend arcs, parabolic blends, servo cycles.
+    klipper,       ///< The look-ahead of Klipper: square corner velocity, minimum cruise ratio.
 };
 
 /// What limits the speed at a corner that is passed without a stop.
@@ -91,6 +92,20 @@ struct ControllerRules {
     /// Splines become chords by halving steps of the parameter until the middle of each lies off the curve by
     /// this much at most, in the sum of its coordinates (grblHAL); 0: pairs of arcs, as in LinuxCNC.
     double spline_chord_tolerance_mm = 0;
+    /// Of PlannerKind::klipper: arcs become the greatest number of equal chords that are as long as this at
+    /// least on the arc; 0: the control knows no arcs.
+    double arc_resolution_mm = 0;
+    /// Of PlannerKind::klipper: the speed at a right angle.
+    double square_corner_velocity_mm_s = 5;
+    /// Of PlannerKind::klipper: the share of a move, or of several that go faster and slower again, that is
+    /// passed at one speed at least.
+    double minimum_cruise_ratio = 0.5;
+    /// How far G10 of the dialect `klipper` draws the filament back, and how fast; 0: the control does not.
+    double retract_length_mm = 0;
+    double retract_speed_mm_s = 20;
+    /// How much farther G11 pushes it than G10 drew it back, and how fast.
+    double unretract_extra_length_mm = 0;
+    double unretract_speed_mm_s = 10;
     /// The feed of an arc in inverse time mode counts once for each chord, in mm/min (grbl 1.1).
     bool inverse_time_of_chords = false;
     /// How far the tip may leave its way where the joints go curved ways to keep it there (tool-centre-point
@@ -137,7 +152,10 @@ struct ControllerRules {
 
     /// Whether the planner can do OrientationRule::great_circle: one that knows lines in joint space alone
     /// cannot.
-    bool has_great_circles() const { return planner != PlannerKind::linuxcnc && arc_chord_tolerance_mm <= 0; }
+    bool has_great_circles() const {
+        return planner != PlannerKind::linuxcnc && planner != PlannerKind::klipper &&
+               arc_chord_tolerance_mm <= 0;
+    }
 
     bool operator==(const ControllerRules&) const = default;
 };

@@ -19,6 +19,8 @@ void Simulator::warn_of_jerk() {
     if (!machine_.controller.limit_jerk || sampled()) return;
     if (machine_.controller.planner == rrs::PlannerKind::linuxcnc) {
         warn("limit_jerk makes no difference: the planner \"linuxcnc\" has straight ramps");
+    } else if (machine_.controller.planner == rrs::PlannerKind::klipper) {
+        warn("limit_jerk makes no difference: the planner \"klipper\" has straight ramps");
     } else if (limits_no_jerk()) {
         warn("limit_jerk makes no difference: no axis of the machine has a jerk limit");
     }
@@ -49,6 +51,17 @@ void Simulator::reset_ramp_limits() {
         ramps = motion::ProgrammedRamps(setup_.joint_count());
         ramps.mode = mode;
     });
+}
+
+void Simulator::set_path_limits(const ProgrammedPathLimits& limits) {
+    motion::PlannerSetup changed = path_limits_ ? *path_limits_ : setup_;
+    const auto set = [](double& value, const std::optional<double>& to) { value = to.value_or(value); };
+    set(changed.path.max_feed_mm_s, limits.speed_mm_s);
+    set(changed.path.max_acceleration_mm_s2, limits.acceleration_mm_s2);
+    set(changed.controller.square_corner_velocity_mm_s, limits.square_corner_velocity_mm_s);
+    set(changed.controller.minimum_cruise_ratio, limits.minimum_cruise_ratio);
+    path_limits_ = std::make_shared<const motion::PlannerSetup>(std::move(changed));
+    if (observer_ != nullptr) observer_->untold_motion("the program changes limits of its path");
 }
 
 bool Simulator::takes_ramps() {

@@ -65,6 +65,9 @@ TEST_F(OverrideOption, RangesAreThoseOfTheController) {
             "--feed-override 9: the controller grbl-1.1 takes from 10 to 200 %");
     refused("grbl-router", {"--rapid-override", "33"},
             "--rapid-override 33: the controller grbl-1.1 takes 25, 50 or 100 %");
+    refused("klipper-router", {"--feed-override", "90"},
+            "--feed-override 90: the planner \"klipper\" follows no override; M220 in the program sets its "
+            "speed factor");
     refused("linuxcnc-router", {"--feed-override", "120"},
             "--feed-override 120: the controller linuxcnc-2.9 takes from 0 to 100 %");
     refused("linuxcnc-router", {"--spindle-override", "20"},

@@ -143,6 +143,24 @@ TEST(Chain, JointsAreNumberedFromZeroUp) {
     EXPECT_THROW(Chain{gap}, std::invalid_argument);
 }
 
+// What feeds filament has a value, and moves neither the tool nor the work.
+TEST(Chain, IdleJointsMoveNothing) {
+    RandomPoses random(7);
+    Branch tool{.base = random.pose(500), .end = random.pose(100)};
+    tool.links = {random.link(0, JointKind::prismatic), random.link(2, JointKind::revolute)};
+    const Chain chain(tool, {}, {1});
+    EXPECT_EQ(chain.joint_count(), 3);
+    EXPECT_EQ(chain.kind(1), JointKind::prismatic);
+    const rrs::JointPos q = random.joints(chain);
+    rrs::JointPos further = q;
+    further[1] += 50;
+    EXPECT_EQ(chain.forward(further).matrix(), chain.forward(q).matrix());
+    EXPECT_TRUE(stance(chain, q).jacobian.col(1).isZero(0));
+    EXPECT_TRUE(chain.joint_frames(q)[1].matrix().isIdentity(0));
+    EXPECT_EQ(kinematics::moved(chain, random.pose(10)).idle_joints(), std::vector<int>{1});
+    EXPECT_THROW(Chain(tool, {}, {2}), std::invalid_argument);
+}
+
 // The Jacobian against differences of poses.
 TEST(Jacobian, IsTheDerivativeOfThePose) {
     RandomPoses random(6);

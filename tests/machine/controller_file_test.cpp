@@ -83,7 +83,10 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "stop_between_rapid_and_feed = false\nexact_path_stops = true\nlimit_jerk = "
         "true\ncentripetal_share "
         "= 0.5\n"
-        "tcp_tolerance_mm = 0.02\narc_chord_tolerance_mm = 0.75\ninverse_time_of_chords = "
+        "tcp_tolerance_mm = 0.02\narc_chord_tolerance_mm = 0.75\narc_resolution_mm = 0.5\n"
+        "square_corner_velocity_mm_s = 6\nminimum_cruise_ratio = 0.25\nretract_length_mm = 1.5\n"
+        "retract_speed_mm_s = 30\nunretract_extra_length_mm = 0.125\nunretract_speed_mm_s = 25\n"
+        "inverse_time_of_chords = "
         "true\nleast_feed_mm_min = 3\nsettle_s = 4\n"
         "blend_tolerance_mm = 9\nblend_tolerance_deg = 10\nposition_gain_1_s = 11\nin_position_mm = 12\n"
         "in_position_deg = 13\nrest_s = 5\ndwell_step_s = 6\nservo_period_s = 8\ncorner_override_percent = "
@@ -107,6 +110,13 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .limit_jerk = true,
                                  .centripetal_share = 0.5,
                                  .arc_chord_tolerance_mm = 0.75,
+                                 .arc_resolution_mm = 0.5,
+                                 .square_corner_velocity_mm_s = 6,
+                                 .minimum_cruise_ratio = 0.25,
+                                 .retract_length_mm = 1.5,
+                                 .retract_speed_mm_s = 30,
+                                 .unretract_extra_length_mm = 0.125,
+                                 .unretract_speed_mm_s = 25,
                                  .inverse_time_of_chords = true,
                                  .tcp_tolerance_mm = 0.02,
                                  .least_feed_mm_min = 3,
@@ -241,18 +251,18 @@ TEST_F(OwnFile, DoesNotNameAnother) {
     EXPECT_EQ(error_of("model = \"own.toml\"", path("m.toml")),
               path("own.toml") +
                   ":2:9: 'model' of a controller file must be one of exact-stop, ab9, linuxcnc-2.9, "
-                  "grbl-1.1, blend");
+                  "grbl-1.1, blend, klipper");
 }
 
 TEST(ControllerFile, UnknownModels) {
     EXPECT_EQ(
         error_of("model = \"grbl\""),
         "m.toml:4:9: unknown controller \"grbl\"; did you mean \"grbl-1.1\"? built in are exact-stop, ab9, "
-        "linuxcnc-2.9, grbl-1.1, blend; the name of a file of one's own ends in .toml");
+        "linuxcnc-2.9, grbl-1.1, blend, klipper; the name of a file of one's own ends in .toml");
     EXPECT_EQ(
         error_of("model = \"siemens\\n840d\""),
         "m.toml:4:9: unknown controller \"siemens\\u000A840d\"; built in are exact-stop, ab9, linuxcnc-2.9, "
-        "grbl-1.1, blend; the name of a file of one's own ends in .toml");
+        "grbl-1.1, blend, klipper; the name of a file of one's own ends in .toml");
     EXPECT_EQ(error_of("model = 4"), "m.toml:4:9: 'model' must be a string, not a number");
 }
 
@@ -269,7 +279,7 @@ TEST(ControllerFile, UnknownKeys) {
 
 TEST(ControllerFile, WrongTypes) {
     EXPECT_EQ(error_of("planner = \"look_ahead\""),
-              "m.toml:4:11: 'planner' must be \"rest-to-rest\", \"look-ahead\" or \"linuxcnc\"");
+              "m.toml:4:11: 'planner' must be \"rest-to-rest\", \"look-ahead\", \"linuxcnc\" or \"klipper\"");
     EXPECT_EQ(error_of("corner = 4"),
               "m.toml:4:10: 'corner' must be \"stop\", \"velocity-step\", \"junction-deviation\", "
               "\"parabolic-blend\" or \"smooth-blend\"");

@@ -1,6 +1,8 @@
 // What the controllers and machines in samples/ say, against the figures that they stand for.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -23,8 +25,8 @@ Machine sample(const std::string& name) {
 }
 
 TEST(BuiltInControllers, AreThoseOfTheSamples) {
-    EXPECT_THAT(built_in_controllers(),
-                testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1", "grblhal", "blend"));
+    EXPECT_THAT(built_in_controllers(), testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1",
+                                                             "grblhal", "blend", "klipper"));
     for (const std::string_view name : built_in_controllers()) {
         const auto file = os::read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
         ASSERT_TRUE(file) << file.error();
@@ -99,6 +101,18 @@ TEST(BuiltInControllers, BlendRoundsCornersAndKeepsJerks) {
     EXPECT_EQ(rules.position_gain_1_s, 33.3);
 }
 
+TEST(BuiltInControllers, KlipperHasItsDefaultsAndNoOverrides) {
+    const ControllerRules rules = built_in_controller("klipper").value();
+    EXPECT_EQ(rules.planner, PlannerKind::klipper);
+    EXPECT_EQ(rules.square_corner_velocity_mm_s, 5);
+    EXPECT_EQ(rules.minimum_cruise_ratio, 0.5);
+    EXPECT_EQ(rules.arc_resolution_mm, 1);
+    EXPECT_EQ(rules.retract_length_mm, 0);
+    EXPECT_FALSE(rules.stop_between_rapid_and_feed);
+    EXPECT_EQ(rules.overrides.feed_min_percent, 100);
+    EXPECT_EQ(rules.overrides.feed_max_percent, 100);
+}
+
 struct Linuxcnc {
     const char* file;
     double path_mm_s, speed_mm_s, acceleration_mm_s2, acceleration_deg_s2;
@@ -167,6 +181,71 @@ INSTANTIATE_TEST_SUITE_P(All, GrblSample,
                              const std::string name = tested.param.file;
                              return name.substr(5, name.find('.') - 5);
                          });
+
+struct Klipper {
+    const char* file;
+    double speed_mm_s, acceleration_mm_s2, corner_mm_s, cruise_ratio, z_mm_s, z_mm_s2, resolution_mm;
+};
+
+class KlipperSample : public testing::TestWithParam<Klipper> {};
+
+TEST_P(KlipperSample, HasTheLimitsOfItsConfiguration) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const Klipper& wanted = GetParam();
+    const Machine machine = sample(wanted.file);
+    const ControllerRules& rules = machine.controller;
+    EXPECT_EQ(rules.planner, PlannerKind::klipper);
+    EXPECT_EQ(rules.square_corner_velocity_mm_s, wanted.corner_mm_s);
+    EXPECT_EQ(rules.minimum_cruise_ratio, wanted.cruise_ratio);
+    EXPECT_EQ(rules.arc_resolution_mm, wanted.resolution_mm);
+    EXPECT_EQ(machine.path.max_feed_mm_s, wanted.speed_mm_s);
+    EXPECT_EQ(machine.path.max_acceleration_mm_s2, wanted.acceleration_mm_s2);
+    for (const Axis& axis : machine.axes) {
+        EXPECT_EQ(axis.kind, AxisKind::linear);
+        if (axis.letter == 'E') continue;
+        const bool is_z = axis.letter == 'Z';
+        EXPECT_EQ(axis.max_speed, is_z ? wanted.z_mm_s : kNone);
+        EXPECT_EQ(axis.max_acceleration, is_z ? wanted.z_mm_s2 : kNone);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, KlipperSample,
+    testing::Values(Klipper{"klipper-router.toml", 100, 1000, 5, 0.5, 20, 200, 0.1},
+                    Klipper{"klipper-router-arc1.toml", 100, 1000, 5, 0.5, 20, 200, 1},
+                    Klipper{"klipper-fast.toml", 300, 3000, 5, 0.5, INFINITY, INFINITY, 0.1},
+                    Klipper{"klipper-fast-arc1.toml", 300, 3000, 5, 0.5, INFINITY, INFINITY, 1},
+                    Klipper{"klipper-fast-mcr0.toml", 300, 3000, 20, 0, INFINITY, INFINITY, 0.1},
+                    Klipper{"klipper-fast-mcr0-arc1.toml", 300, 3000, 20, 0, INFINITY, INFINITY, 1},
+                    Klipper{"klipper-fast-noarcs.toml", 300, 3000, 5, 0.5, INFINITY, INFINITY, 0},
+                    Klipper{"klipper-fast-ext.toml", 300, 3000, 5, 0.5, 15, 100, 0.1},
+                    Klipper{"klipper-fast-ext-fw.toml", 300, 3000, 5, 0.5, 15, 100, 0.1}),
+    [](const auto& tested) {
+        std::string name = tested.param.file;
+        name = name.substr(8, name.find('.') - 8);
+        std::replace(name.begin(), name.end(), '-', '_');
+        return name;
+    });
+
+// By default an extruder alone goes as fast as filament of its nozzle's greatest cross section lets the path
+// go.
+TEST(KlipperSamples, TheExtruderHasTheDefaultsOfItsNozzle) {
+    for (const char* name : {"klipper-fast-ext.toml", "klipper-fast-ext-fw.toml"}) {
+        const Machine machine = sample(name);
+        const Axis& extruder = machine.axes.at(3);
+        EXPECT_EQ(extruder.letter, 'E');
+        const double nozzle_mm = 0.4, filament_mm = 1.75;
+        const double share = 4 * nozzle_mm * nozzle_mm / (std::numbers::pi * filament_mm * filament_mm / 4);
+        EXPECT_NEAR(extruder.max_speed, 300 * share, 1e-6);
+        EXPECT_NEAR(extruder.max_acceleration, 3000 * share, 1e-5);
+        EXPECT_EQ(extruder.max_speed_step, 1);
+    }
+    const ControllerRules rules = sample("klipper-fast-ext-fw.toml").controller;
+    EXPECT_EQ(rules.retract_length_mm, 0.8);
+    EXPECT_EQ(rules.retract_speed_mm_s, 35);
+    EXPECT_EQ(rules.unretract_speed_mm_s, 35);
+    EXPECT_EQ(rules.unretract_extra_length_mm, 0);
+}
 
 }  // namespace
 }  // namespace gsim::machine::controller_samples_test

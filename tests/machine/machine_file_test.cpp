@@ -200,7 +200,7 @@ TEST(MachineFile, ValuesOutOfRange) {
 
 TEST(MachineFile, Letters) {
     EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nletter = \"F\"\nkind = \"linear\"\ndh = {}\n"),
-              "m.toml:4:10: 'letter' must be one of A B C U V W X Y Z");
+              "m.toml:4:10: 'letter' must be one of A B C E U V W X Y Z");
     EXPECT_EQ(error_of(std::string(kHead) + std::string(kAxis) + std::string(kAxis)),
               "m.toml:8:10: the letter X is given twice; first in line 4");
 }
@@ -227,7 +227,7 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
     EXPECT_EQ(error_of(with_axis_line("turning = \"shortest\"")).substr(0, 58),
               "m.toml:7:1: unknown key 'turning' in a linear [[axis]]; it");
     EXPECT_EQ(error_of(with_axis_line("carries = \"me\"")),
-              "m.toml:7:11: 'carries' must be \"tool\" or \"work\"");
+              "m.toml:7:11: 'carries' must be \"tool\", \"work\" or \"nothing\"");
     EXPECT_EQ(error_of(with_axis_line("max_mm = 10\nhome4_mm = 11")),
               "m.toml:8:12: 'home4_mm' is 11, outside of the axis's range -inf .. 10");
     const std::string rotary = std::string(kHead) + "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ndh = {}\n";

@@ -201,9 +201,12 @@ class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Models, HeldEvents,
-                         testing::Values(rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc),
+                         testing::Values(rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc,
+                                         rrs::PlannerKind::klipper),
                          [](const auto& model) {
-                             return model.param == rrs::PlannerKind::linuxcnc ? "linuxcnc" : "look_ahead";
+                             const bool linuxcnc = model.param == rrs::PlannerKind::linuxcnc;
+                             const bool klipper = model.param == rrs::PlannerKind::klipper;
+                             return linuxcnc ? "linuxcnc" : klipper ? "klipper" : "look_ahead";
                          });
 
 TEST_P(HeldEvents, BeforeATargetThatIsHeldBackComeInTheirStep) {

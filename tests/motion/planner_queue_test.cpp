@@ -335,7 +335,8 @@ TEST(PlannerQueue, WhatFollowsALineOnTheGridStartsThere) {
 
 /// 508 mm/s are the speed of the axis, 254 mm/s that of the path.
 TEST(PlannerQueue, ModelsTellOfTimesThatTheMachineCannotKeep) {
-    for (const auto kind : {rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc}) {
+    for (const auto kind :
+         {rrs::PlannerKind::look_ahead, rrs::PlannerKind::linuxcnc, rrs::PlannerKind::klipper}) {
         PlannerSetup setup = gantry_setup();
         setup.controller.planner = kind;
         ReadyPlanner ready(setup, joint_pos({0, 0, 0, 0, 0}));

@@ -54,7 +54,7 @@ TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
     EXPECT_THAT(without_jerks.finish("p").warnings, Contains(HasSubstr("limit_jerk makes no difference")));
     for (machine::Axis& axis : with.axes) axis.max_jerk = 1000;
     Simulator with_jerks(with, {});
-    const bool straight = GetParam() == PlannerKind::linuxcnc;
+    const bool straight = GetParam() == PlannerKind::linuxcnc || GetParam() == PlannerKind::klipper;
     EXPECT_EQ(with_jerks.finish("p").warnings.size(), straight ? 1U : 0U);
     Simulator plain(machine(), {});
     EXPECT_THAT(plain.finish("p").warnings, IsEmpty());
@@ -62,7 +62,7 @@ TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
 
 INSTANTIATE_TEST_SUITE_P(Planners, EachPlanner,
                          testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead,
-                                         PlannerKind::linuxcnc));
+                                         PlannerKind::linuxcnc, PlannerKind::klipper));
 
 }  // namespace
 }  // namespace gsim::simulation::simulator_test
