@@ -48,7 +48,8 @@ void add_studio_options(CommandLine& line, StudioArguments& a) {
     line.add("--cell", &a.cell, "what stands round the machine").of_file(FileKind::input, {".toml"});
     line.add("--robots", &a.robots, "several robots on one clock").of_file(FileKind::input, {".toml"});
     line.add("--dialect", &a.dialect,
-             "language of part programs: ab9, rs274ngc, or the name of a control; without it that of the "
+             "language of part programs: ab9, rs274ngc, klipper, or the name of a control; without it that "
+             "of the "
              "machine file, else ab9")
         .suggests(engine::control_names());
     line.add("--rcs", &a.module, "controller module that plans the motion")

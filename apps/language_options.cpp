@@ -3,10 +3,10 @@
 namespace gsim::apps {
 
 void add_language_options(CommandLine& line, engine::LanguageChoice& choice) {
-    line.add(
-            "--dialect", &choice.dialect,
-            "language of the part program: ab9 (Allen-Bradley 9/Series), rs274ngc (LinuxCNC), or the name of "
-            "a control; without it that of the machine file, else ab9")
+    line.add("--dialect", &choice.dialect,
+             "language of the part program: ab9 (Allen-Bradley 9/Series), rs274ngc (LinuxCNC), klipper, or "
+             "the "
+             "name of a control; without it that of the machine file, else ab9")
         .suggests(engine::control_names());
     line.add("--unknown", &choice.unknown,
              "what a code is that the dialect does not have: an error, or left out with a warning")

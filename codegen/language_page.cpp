@@ -212,6 +212,35 @@ constexpr std::string_view kNgcStatements = R"(
 
 Binding: brackets and functions; `**`; `*` `/` `MOD`; `+` `-`; comparisons; `AND` `OR` `XOR`; each from left to right.)";
 
+constexpr std::string_view kKlipperLines = R"(
+### Lines
+
+One command a line, the first; all that stands behind it are its parameters. `;` begins a remark. What Klipper does not know, or does not read, has no effect; a warning tells of it, once,
+with the count.
+
+| line | Lua |
+| --- | --- |
+| `G1 X10 Y+5 F600` | `G1{x=10, y=5, f=600}` |
+| `G21 G90 G94` | `G21()` (and a warning of G90 and G94) |
+| `M6`, `X40` | nothing, and a warning |
+| `SET_VELOCITY_LIMIT ACCEL=500` | `SET_VELOCITY_LIMIT{accel=500}` |)";
+
+void add_klipper(Page& page) {
+    const Dialect& dialect = grammar::dialect_klipper();
+    page.line("\n## {} (`--dialect {}`)\n", dialect.title(), dialect.name());
+    add_letters(page, dialect);
+    add_codes(page, dialect);
+    page.line("### Commands with names\n");
+    page.line("| command | parameters | meaning |");
+    page.line("| --- | --- | --- |");
+    for (const grammar::ExtendedCommand& command : dialect.rules().extended) {
+        const std::string_view between = command.texts.empty() || command.parameters.empty() ? "" : " ";
+        page.line("| {} | {}{}{} | {} |", command.name, command.texts, between, command.parameters,
+                  command.meaning);
+    }
+    page.line("{}", kKlipperLines);
+}
+
 }  // namespace
 
 std::string language_page() {
@@ -226,6 +255,7 @@ std::string language_page() {
     for (const lexer::FlowName& flow : lexer::kFlowNames)
         page.line("| {} | {} |", text::lower(flow.name), flow.meaning);
     page.line("{}", kNgcStatements);
+    add_klipper(page);
     return page.take();
 }
 

@@ -162,6 +162,7 @@ bool Numbers::look_like_inches() const {
 }  // namespace
 
 std::optional<text::Diagnostic> find_dialect_hint(lexer::Source& source, const grammar::Dialect& read_as) {
+    if (read_as.rules().style == lexer::Style::command_lines) return std::nullopt;
     const bool as_ngc = read_as.name() == kNgcName;
     std::optional<text::Diagnostic> unsure;
     bool has_own = false;

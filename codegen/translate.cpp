@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "codegen/command_writer.h"
 #include "codegen/lua_writer.h"
 
 namespace gsim::codegen {
@@ -17,6 +18,40 @@ std::string leader_warning(std::uint32_t lines) {
     return subject + " left out: no program, but the leader of a tape";
 }
 
+std::string_view file_name(const TranslateOptions& options) {
+    const std::size_t slash = options.source_name.rfind('/');
+    return std::string_view(options.source_name).substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+/// What a reading of the source has made.
+struct Written {
+    ProgramMap programs;
+    std::uint32_t last_line = 0;
+};
+
+Written write_commands(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
+                       lexer::Diagnostics& diagnostics) {
+    CommandWriter writer(*options.dialect, diagnostics, spool, options.annotate);
+    writer.write(source, file_name(options));
+    return {writer.map(), writer.line()};
+}
+
+Written write_blocks(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
+                     lexer::Diagnostics& diagnostics) {
+    const lexer::Style style = options.dialect->rules().style;
+    const FileScan scan = scan_file(source, options.aliases, style);
+    lexer::Lexer lexer(source, diagnostics, options.aliases, style, options.annotate);
+    lexer.pass_over_leader(scan.leader_lines);
+    if (scan.leader_lines > 0)
+        diagnostics.warning({0, 1, 1}, lexer::DiagnosticKind::syntax, leader_warning(scan.leader_lines));
+    LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
+                     {options.annotate, options.unknown == Unknown::warn, options.inch});
+    writer.begin_file(file_name(options));
+    grammar::Parser(lexer, diagnostics, writer).run();
+    if (!diagnostics.full()) writer.end_file();
+    return {writer.map(), lexer.line()};
+}
+
 }  // namespace
 
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
@@ -27,20 +62,10 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
     const auto take = [&](const text::Diagnostic& told) {
         if (!source.was_ended() && source.error() == 0) take_all(told);
     };
-    const lexer::Style style = options.dialect->rules().style;
-    const FileScan scan = scan_file(source, options.aliases, style);
     lexer::Diagnostics diagnostics(source, options.max_errors, take);
-    lexer::Lexer lexer(source, diagnostics, options.aliases, style, options.annotate);
-    lexer.pass_over_leader(scan.leader_lines);
-    if (scan.leader_lines > 0)
-        diagnostics.warning({0, 1, 1}, lexer::DiagnosticKind::syntax, leader_warning(scan.leader_lines));
-    LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
-                     {options.annotate, options.unknown == Unknown::warn, options.inch});
-    const std::size_t slash = options.source_name.rfind('/');
-    writer.begin_file(
-        std::string_view(options.source_name).substr(slash == std::string::npos ? 0 : slash + 1));
-    grammar::Parser(lexer, diagnostics, writer).run();
-    if (!diagnostics.full()) writer.end_file();
+    const bool commands = options.dialect->rules().style == lexer::Style::command_lines;
+    Written written = commands ? write_commands(source, spool, options, diagnostics)
+                               : write_blocks(source, spool, options, diagnostics);
     Translation result;
     result.ok = diagnostics.error_count() == 0;
     result.first_error = diagnostics.first_error();
@@ -52,14 +77,14 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
         result.ok = false;
         result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::run_limit,
                                               .file = options.source_name,
-                                              .line = lexer.line(),
+                                              .line = written.last_line,
                                               .text = options.end_reason()};
         take_all(*result.first_error);
     }
     if (result.ok) {
         if (const auto finished = spool.finish(); !finished) throw std::runtime_error(finished.error());
     }
-    result.programs = writer.map();
+    result.programs = std::move(written.programs);
     return result;
 }
 

@@ -23,7 +23,8 @@ struct Limits {
 
 /// How G-code is read.
 struct LanguageChoice {
-    std::string dialect = {};  ///< "ab9", "rs274ngc" or a control's name; empty: as the machine file says.
+    std::string dialect =
+        {};  ///< "ab9", "rs274ngc", "klipper" or a control's name; empty: as the machine file says.
     /// What a code is that the dialect does not have: kError, or kWarn: left out with a warning.
     std::string unknown = kError;
 

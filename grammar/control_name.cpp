@@ -20,6 +20,7 @@ struct Control {
 
 constexpr std::string_view kAb9 = "ab9";
 constexpr std::string_view kNgc = "rs274ngc";
+constexpr std::string_view kKlipper = "klipper";
 
 constexpr std::string_view kFanuc =
     "a relative of the 9/Series with the same macros and subprograms; codes and parameters of its own "
@@ -39,6 +40,7 @@ constexpr std::string_view kTinyG = "it knows a part of that language; its JSON 
 constexpr std::array kControls{
     Control{"ab9", kAb9, ""},
     Control{"rs274ngc", kNgc, ""},
+    Control{"klipper", kKlipper, ""},
     Control{"9/series", kAb9, ""},
     Control{"allen-bradley", kAb9, ""},
     Control{"linuxcnc", kNgc, ""},
@@ -86,9 +88,10 @@ std::string unknown(std::string_view name) {
     for (const Control& control : kControls) known.push_back(control.name);
     const auto nearest = text::nearest_name(name, known);
     return fmt::format("there is no dialect or control '{}'; {}", name,
-                       nearest ? fmt::format("did you mean '{}'?", *nearest)
-                               : std::string("the dialects are ab9 and rs274ngc, and docs/language.md lists "
-                                             "the controls"));
+                       nearest
+                           ? fmt::format("did you mean '{}'?", *nearest)
+                           : std::string("the dialects are ab9, rs274ngc and klipper, and docs/language.md "
+                                         "lists the controls"));
 }
 
 }  // namespace

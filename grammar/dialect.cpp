@@ -48,6 +48,7 @@ std::string_view name(Group group) {
         case Group::lathe_diameter: return "lathe diameter mode";
         case Group::modal_state: return "modal state";
         case Group::input_output: return "inputs and outputs";
+        case Group::extrusion: return "extruder mode";
         case Group::user: return "user M codes";
         case Group::one_action: return "one action a block";
     }
@@ -102,8 +103,13 @@ const Code* Dialect::find(char letter, std::int32_t code_x10) const {
     return row == 0 ? nullptr : &codes_[row - 1U];
 }
 
+std::span<const Dialect* const> dialects() {
+    static const std::array all{&dialect_ab9(), &dialect_rs274ngc(), &dialect_klipper()};
+    return all;
+}
+
 const Dialect* dialect_named(std::string_view name) {
-    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+    for (const Dialect* dialect : dialects()) {
         if (dialect->name() == name) return dialect;
     }
     return nullptr;

@@ -46,11 +46,12 @@ enum class Group : std::uint8_t {
     lathe_diameter,
     modal_state,
     input_output,
+    extrusion,
     user,
     one_action,
 };
 
-inline constexpr std::size_t kGroupCount = 34;
+inline constexpr std::size_t kGroupCount = 35;
 std::string_view name(Group group);
 
 /// What a code does with the axis words of its block.
@@ -118,18 +119,27 @@ struct Letter {
     std::string_view meaning;
 };
 
+/// A command with a name in place of a letter and a number, whose parameters are NAME=VALUE.
+struct ExtendedCommand {
+    std::string_view name;
+    std::string_view parameters;  ///< Those that are numbers, between blanks,
+    std::string_view texts;       ///< and those that are texts.
+    std::string_view meaning;
+};
+
 /// What a dialect's table says besides its codes.
 struct DialectRules {
-    std::string_view name;        ///< As --dialect has it.
-    std::string_view title;       ///< As people call it.
-    lexer::Style style;           ///< How its text is read.
-    std::string_view lua_module;  ///< What its scripts require.
-    std::string_view alone;       ///< Letters that are words by themselves, where no code takes them.
-    std::string_view move_words;  ///< Letters that a modal motion may take besides axis words.
-    std::string_view initial;     ///< Codes in force when a program begins, between blanks.
+    std::string_view name;             ///< As --dialect has it.
+    std::string_view title;            ///< As people call it.
+    lexer::Style style;                ///< How its text is read.
+    std::string_view lua_module;       ///< What its scripts require.
+    std::string_view alone = {};       ///< Letters that are words by themselves, where no code takes them.
+    std::string_view move_words = {};  ///< Letters that a modal motion may take besides axis words.
+    std::string_view initial;          ///< Codes in force when a program begins, between blanks.
     std::span<const Letter> letters;
-    std::span<const Phase>
-        order;  ///< Execution order in a block; phases that are not listed keep theirs behind.
+    std::span<const Phase> order =
+        {};  ///< Execution order in a block; phases that are not listed keep theirs behind.
+    std::span<const ExtendedCommand> extended = {};
 };
 
 /// A language of part programs: its codes, by table.
@@ -157,7 +167,11 @@ class Dialect {
 const Dialect& dialect_ab9();
 /// RS274/NGC as LinuxCNC 2.9 has it.
 const Dialect& dialect_rs274ngc();
-/// The dialect with this name ("ab9", "rs274ngc"), or null.
+/// Klipper, as klippy reads it.
+const Dialect& dialect_klipper();
+/// All of them.
+std::span<const Dialect* const> dialects();
+/// The dialect with this name ("ab9", "rs274ngc", "klipper"), or null.
 const Dialect* dialect_named(std::string_view name);
 
 /// "G92.1", "M8": the code as people write it.

@@ -1,5 +1,10 @@
 -- The files of the library that each dialect has; those that they need come with them. Their order does not matter.
 
+local klipper = {
+  "groups", "inputs", "klipper_arcs", "klipper_limits", "klipper_modes", "klipper_moves", "klipper_retraction", "modules",
+  "neutral", "processes", "programs", "stored_data", "zones",
+}
+
 local both = {
   "arcs", "comp_words", "expressions", "feed", "frames", "groups", "inputs", "modules", "motion", "neutral", "points", "polar",
   "probe", "processes", "programs", "stored_data", "switches", "times", "tools", "user_codes", "zones",
@@ -17,4 +22,5 @@ local own = {
   },
 }
 
+if core.dialect == "klipper" then return { klipper } end   -- words of the others mean nothing there
 return { both, own[core.dialect] }

@@ -3,6 +3,7 @@
 -- The ending .inch is for whoever begins the run: to a script that is called later, the units are those that hold.
 local LIBRARY = {
   ["gsim"] = "ab9", ["gsim.inch"] = "ab9", ["gsim.rs274ngc"] = "rs274ngc", ["gsim.rs274ngc.inch"] = "rs274ngc",
+  ["gsim.klipper"] = "klipper",
 }
 local TABLES = { math = true, string = true, table = true, rrs = true }   -- as in plain Lua: require "math"
 
@@ -15,7 +16,7 @@ local function is_of_library(name) return name == "gsim" or name:sub(1, 5) == "g
 local function library(name)
   local dialect = LIBRARY[name]
   if dialect == nil then
-    error(("require \"%s\": of the library there are \"gsim\" and \"gsim.rs274ngc\" alone"):format(name), 0)
+    error(("require \"%s\": of the library there are \"gsim\", \"gsim.rs274ngc\" and \"gsim.klipper\" alone"):format(name), 0)
   end
   if dialect ~= core.dialect then
     error(("this run is of the dialect %s, and \"%s\" is another one"):format(core.dialect, name), 0)

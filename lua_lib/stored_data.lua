@@ -1,6 +1,14 @@
 -- What the control holds in its tables as they are now, for gsim-run --save-machine-data: in the form of core.offsets,
 -- core.tools and core.variables.
 
+-- Klipper has none of these tables, and leaves them as they are.
+if core.dialect == "klipper" then
+  return {
+    stored_data = function() return { offsets = core.offsets, tools = core.tools, variables = core.variables } end,
+    permanent_variables = function() return {} end,
+  }
+end
+
 local copied = use("basics", "copied")
 local tools = use "tools"
 

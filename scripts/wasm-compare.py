@@ -71,14 +71,16 @@ def files(folder, *patterns):
 
 def programs(folder):
     """Each part program of a folder, and its language."""
-    for name in files(folder, "*.nc", "*.ngc"):
-        yield name, "rs274ngc" if name.endswith(".ngc") else "ab9"
+    dialects = {"nc": "ab9", "ngc": "rs274ngc", "gcode": "klipper"}
+    for name in files(folder, "*.nc", "*.ngc", "*.gcode"):
+        yield name, dialects[name.rsplit(".", 1)[1]]
 
 
 def golden_runs():
     for program, dialect in programs(GOLDEN):
         yield Run(GOLDEN, ("translate", program, "--dialect", dialect, "--output", OUTPUT))
-        yield Run(GOLDEN, ("run", program, "--dialect", dialect, "--json", "--machine-data", Input("conditions/data.txt"), "--setup",
+        machine = ("--machine", str(SAMPLES / "machines/klipper-fast-ext.toml")) if dialect == "klipper" else ()
+        yield Run(GOLDEN, ("run", program, "--dialect", dialect, "--json", *machine, "--machine-data", Input("conditions/data.txt"), "--setup",
                            Input(f"conditions/{dialect}.lua"), "--max-blocks", "2000", "--max-steps", "200000"))
 
 
@@ -144,7 +146,7 @@ def missing_inputs(runs):
         yield f"{file.relative_to(HERE)}: no run reads it, and LEFT_OUT_SAMPLES does not say why"
     for file in sorted(file for file in read if not file.is_file()):
         yield f"{file.relative_to(HERE)}: it is not there"
-    stems = {file.stem for file in read if file.suffix in (".nc", ".ngc")}
+    stems = {file.stem for file in read if file.suffix in (".nc", ".ngc", ".gcode")}
     for file in files(GOLDEN, "*.lua", "*.json", "*.err"):
         if Path(file).stem not in stems:
             yield f"tests/golden/{file}: its program is not compared"

@@ -44,8 +44,7 @@ Json language_of_dialect(const grammar::Dialect& dialect) {
 
 std::string languages_json() {
     Json list = Json::array();
-    for (const grammar::Dialect* dialect : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()})
-        list.push_back(language_of_dialect(*dialect));
+    for (const grammar::Dialect* dialect : grammar::dialects()) list.push_back(language_of_dialect(*dialect));
     return list.dump();
 }
 

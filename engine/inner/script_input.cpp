@@ -71,6 +71,7 @@ tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_
     };
     const bool ngc_inch = requires_name("gsim.rs274ngc.inch");
     const bool rs274ngc = ngc_inch || requires_name("gsim.rs274ngc");
+    const bool klipper = requires_name("gsim.klipper");
     const bool inch = ngc_inch || requires_name("gsim.inch");
     // Where it comes from is what its first line says, which anybody may have written: a file that was opened
     // is named too.
@@ -80,6 +81,7 @@ tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_
     Script script = origin.unedited ? Script::from_text(std::move(text), from, -1)
                                     : Script::from_text(std::move(text), source.name(), 0);
     if (rs274ngc) script.dialect = "rs274ngc";
+    if (klipper) script.dialect = "klipper";
     script.inch = inch;
     return script;
 }

@@ -44,7 +44,8 @@ codegen::Translation translate_source(lexer::Source& source, codegen::LuaSpool& 
         return made;
     }
     if (!language.caution.empty()) tell(about_control(source, language, text::Severity::warning));
-    if (language.units) return made;
+    const bool always_mm = language.dialect->rules().style == lexer::Style::command_lines;
+    if (language.units || always_mm) return made;
     if (const auto inches = codegen::find_inch_signs(source)) tell(*inches);
     return made;
 }

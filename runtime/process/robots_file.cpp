@@ -24,7 +24,7 @@ constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "cell"s
 constexpr std::array kConveyorKeys{"name"sv, "direction"sv, "speed_mm_s"sv};
 constexpr std::array kZoneKeys{"name"sv, "shape"sv, "frame"sv};
 constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
-constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv};
+constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv, "klipper"sv};
 
 /// Names are parts of names of signals and of files.
 bool is_plain(std::string_view name) {

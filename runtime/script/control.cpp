@@ -122,6 +122,17 @@ void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
     lua_setfield(state, -2, "drilling");
 }
 
+/// core.arc_resolution_mm, and core.retraction.length_mm, .speed_mm_s, .extra_mm and .unretract_speed_mm_s.
+void set_klipper_rules(lua_State* state, const rrs::ControllerRules& rules) {
+    set_number(state, "arc_resolution_mm", rules.arc_resolution_mm);
+    lua_createtable(state, 0, 4);
+    set_number(state, "length_mm", rules.retract_length_mm);
+    set_number(state, "speed_mm_s", rules.retract_speed_mm_s);
+    set_number(state, "extra_mm", rules.unretract_extra_length_mm);
+    set_number(state, "unretract_speed_mm_s", rules.unretract_speed_mm_s);
+    lua_setfield(state, -2, "retraction");
+}
+
 int refuse_unknown_name(lua_State* state) {
     return luaL_error(state, "the library knows no '%s'", luaL_tolstring(state, 2, nullptr));
 }
@@ -241,6 +252,7 @@ void Control::set_options(lua_State* state, const Switches& switches) const {
     set_corner_override(state, robot_.simulator.machine().controller);
     set_drilling(state, robot_.simulator.machine().controller);
     set_number(state, "spline_chord_mm", robot_.simulator.machine().controller.spline_chord_tolerance_mm);
+    set_klipper_rules(state, robot_.simulator.machine().controller);
     if (robot_.simulator.machine().process) set_machine_process(state, *robot_.simulator.machine().process);
     if (const machine::WordTimes& times = robot_.simulator.machine().times; times != machine::WordTimes{})
         set_word_times(state, times);

@@ -292,6 +292,24 @@ int reset_ramp_limits(lua_State* state) {
     return 0;
 }
 
+/// core.set_path_limits{ speed=, acceleration=, square_corner_velocity=, minimum_cruise_ratio= }: of the path
+/// in the moves that follow, mm and s; what is left out stays.
+int set_path_limits(lua_State* state) {
+    luaL_checktype(state, 1, LUA_TTABLE);
+    const auto field = [state](const char* name) {
+        std::optional<double> value;
+        if (lua_getfield(state, 1, name) != LUA_TNIL) value = luaL_checknumber(state, -1);
+        lua_pop(state, 1);
+        return value;
+    };
+    interpreter_of(state).simulator().set_path_limits(
+        {.speed_mm_s = field("speed"),
+         .acceleration_mm_s2 = field("acceleration"),
+         .square_corner_velocity_mm_s = field("square_corner_velocity"),
+         .minimum_cruise_ratio = field("minimum_cruise_ratio")});
+    return 0;
+}
+
 }  // namespace
 
 void add_moves(lua_State* state, Interpreter& interpreter) {
@@ -315,6 +333,7 @@ void add_moves(lua_State* state, Interpreter& interpreter) {
     set_function<set_path_mode>(state, "set_path_mode", &interpreter);
     set_function<set_ramps>(state, "set_ramps", &interpreter);
     set_function<set_ramp_limits>(state, "set_ramp_limits", &interpreter);
+    set_function<set_path_limits>(state, "set_path_limits", &interpreter);
     set_function<reset_ramp_limits>(state, "reset_ramp_limits", &interpreter);
 }
 

@@ -37,7 +37,7 @@ struct CodeRow {
 /// The Lua that is run, as a whole or, where `functions` is not empty, in pieces, so that memory does not
 /// grow with it. `read` gives bytes [begin, end) of it, or a sentence that says why it cannot.
 struct Script {
-    std::string dialect = "ab9";  ///< Whose words it calls: "ab9" or "rs274ngc".
+    std::string dialect = "ab9";  ///< Whose words it calls: "ab9", "rs274ngc" or "klipper".
     bool inch = false;            ///< It begins in inches, whatever the run has.
     std::string file_name;  ///< For places: of the G-code where lines are known to match, else of the Lua.
     std::int64_t line_difference =

@@ -138,6 +138,7 @@ motion::Move Simulator::new_move(const MoveInfo& info) const {
     move.terms.obeyed = info.obeyed;
     move.terms.follows_spindle = info.follows_spindle;
     if (ramps_) move.terms.ramps = ramps_;
+    if (path_limits_) move.terms.machine = path_limits_;
     return move;
 }
 

@@ -138,6 +138,15 @@ class Simulator {
     void set_ramp_limit(rrs::RampLimit limit, int axis, double value);
     /// The machine's own limits alone.
     void reset_ramp_limits();
+    /// Limits that a program gives its path; those that are left out stay as they are.
+    struct ProgrammedPathLimits {
+        std::optional<double> speed_mm_s;
+        std::optional<double> acceleration_mm_s2;
+        std::optional<double> square_corner_velocity_mm_s;  ///< Of the planner `klipper`, as the next one.
+        std::optional<double> minimum_cruise_ratio;
+    };
+    /// For the moves that follow; they take the place of the machine's.
+    void set_path_limits(const ProgrammedPathLimits& limits);
     /// CancelMotion, as a client that steps by itself calls it: the program goes on from where it stands.
     rrs::Status cancel_motion();
     /// The controller waits until all moves have been made, before it reads on.
@@ -344,8 +353,9 @@ class Simulator {
     rrs::TargetId next_id_ = 1;
     Place last_place_;  ///< Of the last move.
     std::uint64_t blocks_ = 0;
-    double warned_feed_mm_s_ = 0;                           ///< Above the machine's.
-    std::shared_ptr<const motion::ProgrammedRamps> ramps_;  ///< As the program has set them; null: not.
+    double warned_feed_mm_s_ = 0;                              ///< Above the machine's.
+    std::shared_ptr<const motion::ProgrammedRamps> ramps_;     ///< As the program has set them; null: not.
+    std::shared_ptr<const motion::PlannerSetup> path_limits_;  ///< The same of its limits of the path.
     bool process_on_ = false;
     std::uint32_t process_switches_ = 0;
     std::optional<bool> process_with_motion_;  ///< What it is from the next move on.

@@ -31,7 +31,7 @@ std::string part_of(const grammar::Dialect& dialect) {
 }
 
 TEST(LanguagePage, HasEveryCodeWithItsMeaning) {
-    for (const grammar::Dialect* dialect : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()}) {
+    for (const grammar::Dialect* dialect : grammar::dialects()) {
         const std::string part = part_of(*dialect);
         for (const grammar::Code& code : dialect->codes()) {
             const bool in_a_range = code.group == grammar::Group::user || code.code_x10 >= 5050;
@@ -47,6 +47,14 @@ TEST(LanguagePage, HasEveryCodeWithItsMeaning) {
     EXPECT_NE(part_of(grammar::dialect_ab9()).find("\n| G505 to G599 | settable frame |"), std::string::npos);
     EXPECT_NE(part_of(grammar::dialect_ab9()).find("\n| M100 to M999 | user code |"), std::string::npos);
     EXPECT_NE(part_of(grammar::dialect_rs274ngc()).find("\n| M100 to M199 | user code |"), std::string::npos);
+}
+
+TEST(LanguagePage, HasEveryCommandWithAName) {
+    const std::string klipper = part_of(grammar::dialect_klipper());
+    for (const grammar::ExtendedCommand& command : grammar::dialect_klipper().rules().extended) {
+        EXPECT_NE(klipper.find(fmt::format("\n| {} | ", command.name)), std::string::npos) << command.name;
+        EXPECT_NE(klipper.find(command.meaning), std::string::npos) << command.name;
+    }
 }
 
 TEST(LanguagePage, HasEveryFunctionAndOWord) {

@@ -115,10 +115,9 @@ TEST(ControlName, WhatIsNoneIsASentence) {
               "there is no dialect or control 'fanux'; did you mean 'fanuc'?");
     EXPECT_EQ(grammar::control_named("Heidenhain").error(),
               "Heidenhain's own language (BEGIN PGM, L X+10 FMAX) is not read");
-    EXPECT_EQ(
-        grammar::control_named("").error(),
-        "there is no dialect or control ''; the dialects are ab9 and rs274ngc, and docs/language.md lists "
-        "the controls");
+    EXPECT_EQ(grammar::control_named("").error(),
+              "there is no dialect or control ''; the dialects are ab9, rs274ngc and klipper, and "
+              "docs/language.md lists the controls");
     for (const std::string& name : grammar::control_names())
         EXPECT_TRUE(grammar::control_named(name)) << name;
 }

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path kFolder = GSIM_GOLDEN_DIR;
 constexpr const char* kMachine = GSIM_SAMPLES_DIR "/machines/unlimited.toml";
+constexpr const char* kPrinter = GSIM_SAMPLES_DIR "/machines/klipper-fast-ext.toml";
 
 std::vector<fs::path> scripts() {
     std::vector<fs::path> files;
@@ -40,13 +41,17 @@ std::string read(const fs::path& path) {
 class GoldenRun : public testing::TestWithParam<fs::path> {};
 
 TEST_P(GoldenRun, ReportsAsExpected) {
-    const bool ngc = read(GetParam()).find("\"gsim.rs274ngc\"") != std::string::npos;
-    const std::string setup = ngc ? "conditions/rs274ngc.lua" : "conditions/ab9.lua";
+    const std::string text = read(GetParam());
+    const bool ngc = text.find("\"gsim.rs274ngc\"") != std::string::npos;
+    const bool klipper = text.find("\"gsim.klipper\"") != std::string::npos;
+    const std::string setup = ngc       ? "conditions/rs274ngc.lua"
+                              : klipper ? "conditions/klipper.lua"
+                                        : "conditions/ab9.lua";
     // Programs that go round for ever do so for a few blocks and steps.
     const apps::Ended run = apps::run_program(
         GSIM_RUN,
-        {"--machine", kMachine, "--machine-data", "conditions/data.txt", "--setup", setup, "--max-blocks",
-         "2000", "--max-steps", "200000", "--json", GetParam().filename().string()},
+        {"--machine", klipper ? kPrinter : kMachine, "--machine-data", "conditions/data.txt", "--setup",
+         setup, "--max-blocks", "2000", "--max-steps", "200000", "--json", GetParam().filename().string()},
         kFolder);
     const fs::path expected = fs::path(GetParam()).replace_extension(".json");
     const char* wish = std::getenv("GSIM_RENEW_GOLDEN");

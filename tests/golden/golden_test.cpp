@@ -1,6 +1,7 @@
-// Translates each NAME.nc and NAME.ngc (RS274/NGC) of this folder and of samples/ and compares the Lua with
-// NAME.lua and the messages with NAME.err of this folder; a file that does not exist stands for no output.
-// With GSIM_RENEW_GOLDEN=1 in the environment it writes both instead: read what changed before you keep it.
+// Translates each NAME.nc, NAME.ngc (RS274/NGC) and NAME.gcode (Klipper) of this folder and of samples/ and
+// compares the Lua with NAME.lua and the messages with NAME.err of this folder; a file that does not exist
+// stands for no output. With GSIM_RENEW_GOLDEN=1 in the environment it writes both instead: read what changed
+// before you keep it.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -21,13 +22,15 @@ namespace fs = std::filesystem;
 
 const fs::path kFolder = GSIM_GOLDEN_DIR;
 constexpr std::string_view kNgc = ".ngc";
+constexpr std::string_view kKlipper = ".gcode";
 
 std::vector<fs::path> programs() {
     std::vector<fs::path> files;
     for (const fs::path& folder : {kFolder, fs::path(GSIM_SAMPLES_DIR)}) {
         for (const auto& entry : fs::directory_iterator(folder)) {
             const fs::path extension = entry.path().extension();
-            if (extension == ".nc" || extension == kNgc) files.push_back(entry.path());
+            if (extension == ".nc" || extension == kNgc || extension == kKlipper)
+                files.push_back(entry.path());
         }
     }
     std::sort(files.begin(), files.end());
@@ -53,6 +56,7 @@ TEST_P(Golden, TranslatesAsExpected) {
     TranslateOptions options;
     options.source_name = GetParam().filename().string();
     if (GetParam().extension() == kNgc) options.dialect = &grammar::dialect_rs274ngc();
+    if (GetParam().extension() == kKlipper) options.dialect = &grammar::dialect_klipper();
     const TextTranslation result = translate_text(read(GetParam()), options);
     fs::path expected = kFolder / GetParam().filename();
     const fs::path lua = expected.replace_extension(".lua");

@@ -11,7 +11,7 @@ namespace gsim::grammar::dialect_test {
 namespace {
 
 TEST(Dialect, NoCodeStandsTwiceAndEachIsFound) {
-    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+    for (const Dialect* dialect : dialects()) {
         std::set<std::string> names;
         for (const Code& code : dialect->codes()) {
             EXPECT_TRUE(names.insert(code_name(code)).second) << code_name(code) << " stands twice";
@@ -23,7 +23,7 @@ TEST(Dialect, NoCodeStandsTwiceAndEachIsFound) {
 
 /// A letter that a code takes must have a meaning in the dialect, and none is an axis already.
 TEST(Dialect, WordsOfCodesAreLettersOfTheDialect) {
-    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+    for (const Dialect* dialect : dialects()) {
         std::string letters;
         for (const Letter& letter : dialect->rules().letters) letters += letter.address;
         for (const Code& code : dialect->codes()) {
@@ -39,7 +39,7 @@ TEST(Dialect, WordsOfCodesAreLettersOfTheDialect) {
 }
 
 TEST(Dialect, CodesAtTheStartExistAndAreOfDifferentGroups) {
-    for (const Dialect* dialect : {&dialect_ab9(), &dialect_rs274ngc()}) {
+    for (const Dialect* dialect : dialects()) {
         std::istringstream initial{std::string(dialect->rules().initial)};
         std::set<Group> groups;
         for (std::string name; initial >> name;) {
@@ -149,6 +149,7 @@ TEST(Dialect, EveryGroupAndPhaseHasAName) {
 TEST(Dialect, Named) {
     EXPECT_EQ(dialect_named("ab9"), &dialect_ab9());
     EXPECT_EQ(dialect_named("rs274ngc"), &dialect_rs274ngc());
+    EXPECT_EQ(dialect_named("klipper"), &dialect_klipper());
     EXPECT_EQ(dialect_named("fanuc"), nullptr);
     EXPECT_EQ(dialect_named(""), nullptr);
 }

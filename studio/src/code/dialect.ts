@@ -60,6 +60,7 @@ export class Dialect {
 }
 
 function dialectOfControl(control: string): string {
+  if (control.toLowerCase() === "klipper") return "klipper";
   return ngcControls.has(control.toLowerCase().replace(/[\s.\-/]/g, "")) ? "rs274ngc" : "ab9";
 }
 

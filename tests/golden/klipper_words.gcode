@@ -1,0 +1,17 @@
+; words of Klipper, one command a line
+N1 G21
+G90 G94 ; the second one is not read
+G1 X10 Y+5.5 F1200 ; out
+G0X0Y0
+G2 X10 Y0 I5 J0
+G4 P250
+M204 S800
+SET_VELOCITY_LIMIT VELOCITY=80 SQUARE_CORNER_VELOCITY=3
+M220 S90
+M83
+G1 X20 E0.5
+G92 E0
+M6 T2
+X40
+M400
+M2
