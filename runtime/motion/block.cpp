@@ -261,7 +261,8 @@ tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, con
     block.lead = lead_of(move, changes, setup.controller);
     if (block.lead.length == 0) return std::nullopt;
     const MoveRules rules = move.rules.overridden(overrides, move.obeyed, move.rapid);
-    const bool feed = !only_turns(changes) && !move.rapid && rules.least_duration_s <= 0;
+    const bool turns = block.lead.role == JointRole::rotary || only_turns(changes);
+    const bool feed = !turns && !move.rapid && rules.least_duration_s <= 0;
     if (feed && rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
     block.move = move;
     block.move.length_mm = tool_way(block.lead, changes, setup.controller);
