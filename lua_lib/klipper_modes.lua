@@ -5,6 +5,7 @@ local word = use("words", "word")
 local moves, path, state = use "klipper_moves", use "path", use "klipper_state"
 
 local LETTERS = { "x", "y", "z", "e" }
+local STALL_S = 0.1   -- in front of what switches the motors off, and behind it
 
 word("G90", function() state.incremental = false end)
 word("G91", function() state.incremental = true end)
@@ -18,6 +19,14 @@ word("G4", function(words)
   if ms < 0 then alarm("word-value", "G4 P%.10g: a dwell takes 0 ms or more", ms) end
   path.dwell(ms / 1000)
 end)
+
+for _, name in ipairs { "M18", "M84" } do
+  word(name, function()
+    path.dwell(STALL_S)
+    path.dwell(STALL_S)
+    state.motors_off = true
+  end)
+end
 
 word("M400", function() path.wait() end)
 
@@ -50,10 +59,10 @@ end)
 local KEPT = { "incremental", "incremental_e", "feed", "speed_factor", "e_factor" }
 
 local function save(name)
-  local kept = { base = {}, position = {} }
+  local kept = { base = {}, offset = {}, position = {} }
   for _, field in ipairs(KEPT) do kept[field] = state[field] end
   for _, letter in ipairs(LETTERS) do
-    kept.base[letter] = state.base[letter]
+    kept.base[letter], kept.offset[letter] = state.base[letter], state.offset[letter]
     kept.position[letter] = state.position(letter)
   end
   state.saved[name] = kept
@@ -64,11 +73,37 @@ local function restore(name)
   local kept = state.saved[name]
   if kept == nil then alarm("mode", "RESTORE_GCODE_STATE: there is no state '%s'", name) end
   for _, field in ipairs(KEPT) do state[field] = kept[field] end
-  state.base = {}
-  for _, letter in ipairs(LETTERS) do state.base[letter] = kept.base[letter] end
+  state.base, state.offset = {}, {}
+  for _, letter in ipairs(LETTERS) do
+    state.base[letter], state.offset[letter] = kept.base[letter], kept.offset[letter]
+  end
   state.base.e = state.origin "e" + state.position "e" - kept.position.e
   return kept
 end
+
+-- At `mm_s`, or else the speed in force, which stays.
+local function go_to(target, mm_s)
+  local feed = state.feed
+  if mm_s then state.feed = mm_s * 60 / state.speed_factor end
+  moves.to(target)
+  state.feed = feed
+end
+
+word("SET_GCODE_OFFSET", function(words)
+  local target = {}
+  words = words or {}
+  for _, letter in ipairs(LETTERS) do
+    local before = state.offset[letter] or 0
+    local adjust = words[letter .. "_adjust"]
+    local offset = words[letter] or adjust and before + adjust
+    if offset then
+      state.offset[letter] = offset
+      state.base[letter] = state.origin(letter) + offset - before
+      target[letter] = state.position(letter) + offset - before
+    end
+  end
+  if (words.move or 0) ~= 0 then go_to(target, words.move_speed) end
+end)
 
 local function name_of(words) return words and words.name or "default" end
 
@@ -77,10 +112,7 @@ word("SAVE_GCODE_STATE", function(words) save(name_of(words)) end)
 word("RESTORE_GCODE_STATE", function(words)
   local kept = restore(name_of(words))
   if words == nil or (words.move or 0) == 0 then return end
-  local feed = state.feed
-  if words.move_speed then state.feed = words.move_speed * 60 / state.speed_factor end
-  moves.to { x = kept.position.x, y = kept.position.y, z = kept.position.z }
-  state.feed = feed
+  go_to({ x = kept.position.x, y = kept.position.y, z = kept.position.z }, words.move_speed)
 end)
 
 return { save = save, restore = restore }

@@ -24,9 +24,19 @@ local function target_of(words)
   return target
 end
 
+-- Klipper knows no place of axes whose motors were off.
+local function check_motors(target)
+  for _, letter in ipairs(LETTERS) do
+    if target[letter] and target[letter] ~= state.position(letter) then
+      alarm("home", "%s moves, and its motor was switched off: Klipper asks for homing", letter:upper())
+    end
+  end
+end
+
 -- A straight move to machine coordinates, at the speed in force.
 function moves.to(target)
   state.check_extruder(target)
+  if state.motors_off then check_motors(target) end
   if next(target) ~= nil then path.line(target, state.core_feed()) end
 end
 

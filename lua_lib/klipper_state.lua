@@ -11,10 +11,12 @@ local state = {
   incremental = false,     -- G91
   incremental_e = false,   -- M83
   base = {},               -- by letter: where the program's 0 is, in machine coordinates (G92)
+  offset = {},             -- SET_GCODE_OFFSET, of which base has its part
   feed = FIRST_MM_MIN,     -- as F was given
   speed_factor = 1,        -- M220
   e_factor = 1,            -- M221
   saved = {},              -- by name
+  motors_off = false,      -- M18, M84
 }
 
 -- Where the last move ends, in machine coordinates.

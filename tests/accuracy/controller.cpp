@@ -21,6 +21,10 @@ std::string machine_of_grblhal(const TableRow& row) {
     return "grblhal-" + with_dashes(row.at("machine"));
 }
 
+std::string machine_of_klipper(const TableRow& row) {
+    return "klipper-" + with_dashes(row.at("machine"));
+}
+
 std::string never_left_out(const TableRow&) {
     return {};
 }

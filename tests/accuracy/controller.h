@@ -47,13 +47,17 @@ struct Controller {
 
 /// grblhal-MACHINE, with dashes.
 std::string machine_of_grblhal(const TableRow& row);
+/// klipper-MACHINE, with dashes.
+std::string machine_of_klipper(const TableRow& row);
 std::string never_left_out(const TableRow& row);
 
 inline constexpr RunTable kGrblHalRuns{machine_of_grblhal, nullptr, never_left_out};
+inline constexpr RunTable kKlipperRuns{machine_of_klipper, nullptr, never_left_out};
 
 /// LinuxCNC times a dwell by the wall clock, and stops at multiples of its servo period: some ms for a
 /// program. The second set is of whole part programs and of single words between moves. grbl's time is exact,
-/// and so is grblHAL's: that of its fine clock, which is nearest to the law that it follows.
+/// and so is grblHAL's: that of its fine clock, which is nearest to the law that it follows. Klipper's is
+/// what its planner hands on, to 1e-9 s.
 inline constexpr std::array kControllers{
     Controller{"linuxcnc", "cycle_time_s", "mode", false, {0.5, 0.005}, {2, 0.005}},
     Controller{"grbl", "cycle_time_nominal_s", "notes", true, {0.2, 0.002}, {1, 0.002}},
@@ -68,6 +72,14 @@ inline constexpr std::array kControllers{
                .fair_percent = 95,
                .tools = 9,
                .runs = &kGrblHalRuns},
+    Controller{.name = "klipper",
+               .time_key = "cycle_time_s",
+               .note_key = "notes",
+               .close = {0.0001, 1e-6},
+               .fair = {0.01, 0.001},
+               .close_percent = 99,
+               .dialect = "klipper",
+               .runs = &kKlipperRuns},
 };
 
 }  // namespace gsim::accuracy

@@ -55,6 +55,11 @@ TEST(KlipperMoves, G4TakesMilliseconds) {
     EXPECT_NEAR(time_of("G1 X50 F6000\nG4 S2\nG1 X100\n"), 1.2, kSame);
 }
 
+TEST(KlipperMoves, MotorsGoOffWithinTwoTenthsAndNothingMovesBehindThat) {
+    EXPECT_NEAR(time_of("G1 X100 F6000\nM84\nG1 X100\n"), 1.1 + 0.2, kSame);
+    expect_alarm(klipper("G1 X100 F6000\nM18\nG1 X0\n"), 3, {"homing"});
+}
+
 TEST(KlipperMoves, TheSpeedFactorCountsAtOnceAndForTheF) {
     EXPECT_NEAR(time_of("G1 X0 F6000\nM220 S50\nG1 X100\n"), 100.0 / 50 + 50.0 / 1000, kSame);
     EXPECT_NEAR(time_of("M220 S50\nG1 X100 F6000\n"), 100.0 / 50 + 50.0 / 1000, kSame);
@@ -150,6 +155,17 @@ TEST(KlipperStates, AreKeptAndTakenUpAgain) {
     EXPECT_NEAR(outcome.to(3, 'X'), 20, kSame);
     EXPECT_NEAR(outcome.segments.at(3).lead.peak_speed(), 10, kSame);
     expect_alarm(klipper("RESTORE_GCODE_STATE NAME=b\n"), 1, {"no state 'b'"});
+}
+
+TEST(KlipperStates, AnOffsetMovesTheCoordinatesAndTheToolIfAsked) {
+    const Outcome outcome = klipper(
+        "G1 X10 F600\nSET_GCODE_OFFSET X=2\nG1 X10\nSET_GCODE_OFFSET X_ADJUST=1 Z=1 MOVE=1\nG1 X0 Z0\n");
+    ASSERT_TRUE(outcome.completed()) << outcome.message();
+    EXPECT_NEAR(outcome.to(1, 'X'), 12, kSame);
+    EXPECT_NEAR(outcome.to(2, 'X'), 13, kSame);
+    EXPECT_NEAR(outcome.to(2, 'Z'), 1, kSame);
+    EXPECT_NEAR(outcome.to(3, 'X'), 3, kSame);
+    EXPECT_NEAR(outcome.to(3, 'Z'), 1, kSame);
 }
 
 // M2 and its kin mean nothing: the file goes on.
