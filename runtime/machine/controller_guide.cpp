@@ -29,6 +29,7 @@ std::vector<GuideKey> look_ahead_guide() {
         choice_key("planner", "\"rest-to-rest\"", {"rest-to-rest", "look-ahead", "linuxcnc", "klipper"},
                    "each move begins and ends at rest, or speeds are planned ahead, or as LinuxCNC or "
                    "Klipper does"),
+        choice_key("linuxcnc_release", "\"2.9\"", {"2.9", "2.10"}, "whose planner the planner linuxcnc is"),
         number_key("look_ahead_blocks", {.least = 1, .greatest = 1e5, .whole = true}, "100",
                    "how many blocks are known ahead, the one under way included"),
         choice_key(
@@ -118,6 +119,8 @@ std::vector<GuideKey> waits_guide() {
         table_key("stops", "words, and when the control waits at them; else as the model has it"),
         table_key("overrides",
                   "what the control takes of its operator's overrides; else as the model has it"),
+        number_key("peck_clearance_mm", kNotNegative, "0.254",
+                   "G73 of rs274ngc backs off by it, and G83 comes back to so far above the last depth"),
         number_key("rest_s", kNotNegative, "0.0",
                    "time at each stop that waits for the program's next block (dwell, M code)"),
         number_key("dwell_step_s", kStep, "0.0", "dwells are raised to a multiple of it; 0: they are not"),
@@ -133,8 +136,6 @@ std::vector<GuideKey> waits_guide() {
 
 std::vector<GuideKey> drilling_guide() {
     return {
-        number_key("peck_clearance_mm", kNotNegative, "0.254",
-                   "G73 of rs274ngc backs off by it, and G83 comes back to so far above the last depth"),
         number_key("peck_dwell_s", kNotNegative, "0.0", "they wait so long at the bottom of each peck"),
         truth_key("pecks_feed_down", false,
                   "G83 leaves the hole as after the last peck, and feeds all the way down again, as in "

@@ -35,12 +35,14 @@ struct CornerKey {
 
 constexpr std::string_view kName = "name";
 constexpr std::string_view kPlanner = "planner";
+constexpr std::string_view kRelease = "linuxcnc_release";
 constexpr std::string_view kLookAhead = "look_ahead_blocks";
-constexpr std::array kSingleKeys{kModelKey,       kName,     kPlanner,     kLookAhead,
-                                 kOrientationKey, kStopsKey, kOverridesKey};
+constexpr std::array kSingleKeys{kModelKey,  kName,           kPlanner,  kRelease,
+                                 kLookAhead, kOrientationKey, kStopsKey, kOverridesKey};
 
-// Names of rrs::PlannerKind, rrs::CornerRule and rrs::OrientationRule in their order.
+// Names of rrs::PlannerKind, rrs::LinuxcncRelease, rrs::CornerRule and rrs::OrientationRule in their order.
 constexpr std::array<std::string_view, 4> kPlanners{"rest-to-rest", "look-ahead", "linuxcnc", "klipper"};
+constexpr std::array<std::string_view, 2> kReleases{"2.9", "2.10"};
 constexpr std::array<std::string_view, 5> kCorners{"stop", "velocity-step", "junction-deviation",
                                                    "parabolic-blend", "smooth-blend"};
 
@@ -140,6 +142,7 @@ std::span<const std::string_view> controller_keys() {
 void read_controller_keys(TomlSection& section, Rules& rules) {
     if (section.has(kName)) rules.model = section.text(kName);
     rules.planner = read_kind(section, kPlanner, rules.planner, kPlanners);
+    rules.linuxcnc_release = read_kind(section, kRelease, rules.linuxcnc_release, kReleases);
     rules.look_ahead_blocks = static_cast<std::size_t>(
         section.number(kLookAhead, static_cast<double>(rules.look_ahead_blocks), NumberRule::count));
     rules.orientation = read_kind(section, kOrientationKey, rules.orientation, kOrientations);
@@ -156,6 +159,8 @@ void read_controller_keys(TomlSection& section, Rules& rules) {
 void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base) {
     if (rules.model != base.model) out.line(kName, base::toml_string(rules.model));
     if (rules.planner != base.planner) print_kind(out, kPlanner, rules.planner, kPlanners);
+    if (rules.linuxcnc_release != base.linuxcnc_release)
+        print_kind(out, kRelease, rules.linuxcnc_release, kReleases);
     if (rules.look_ahead_blocks != base.look_ahead_blocks)
         out.line(kLookAhead, fmt::format("{}", rules.look_ahead_blocks));
     if (rules.orientation != base.orientation)

@@ -89,6 +89,7 @@ struct PathLimits {
     double max_feed_mm_s = std::numeric_limits<double>::infinity();   ///< Contour speed cap of feed moves.
     double max_rapid_mm_s = std::numeric_limits<double>::infinity();  ///< Speed cap of rapid moves.
     double max_acceleration_mm_s2 = std::numeric_limits<double>::infinity();  ///< Along the path, feed moves.
+    double max_jerk_mm_s3 = std::numeric_limits<double>::infinity();          ///< Along the path, all moves.
 
     bool operator==(const PathLimits&) const = default;
 };

@@ -32,7 +32,8 @@ constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "t
                                       "controller"sv, "axis"sv,    "shape"sv, "ignore"sv, "process"sv,
                                       "checks"sv,     "program"sv, "times"sv, "group"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
-constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv};
+constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv,
+                               "max_jerk_mm_s3"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
 constexpr std::array kCarriesNames{"tool"sv, "work"sv, "nothing"sv};        // of Carries
 constexpr std::array kTurningNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
@@ -89,7 +90,8 @@ PathLimits read_path_limits(FirstError& error, const toml::table* table) {
     };
     return {.max_feed_mm_s = number("max_feed_mm_s"),
             .max_rapid_mm_s = number("max_rapid_mm_s"),
-            .max_acceleration_mm_s2 = number("max_acceleration_mm_s2")};
+            .max_acceleration_mm_s2 = number("max_acceleration_mm_s2"),
+            .max_jerk_mm_s3 = number("max_jerk_mm_s3")};
 }
 
 DhRow read_dh_row(FirstError& error, const toml::table* table) {

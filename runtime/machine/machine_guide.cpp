@@ -44,12 +44,15 @@ GuideTable program_table() {
 }
 
 GuideTable path_table() {
-    return {
-        .at = {"path"},
-        .meaning = "limits of the tool along its path, whatever the axes could do",
-        .keys = {number_key("max_feed_mm_s", kPositive, "inf", "cap of programmed feeds"),
-                 number_key("max_rapid_mm_s", kPositive, "inf", "cap of rapid moves"),
-                 number_key("max_acceleration_mm_s2", kPositive, "inf", "along the path, in feed moves")}};
+    return {.at = {"path"},
+            .meaning = "limits of the tool along its path, whatever the axes could do",
+            .keys = {
+                number_key("max_feed_mm_s", kPositive, "inf", "cap of programmed feeds"),
+                number_key("max_rapid_mm_s", kPositive, "inf", "cap of rapid moves"),
+                number_key("max_acceleration_mm_s2", kPositive, "inf", "along the path, in feed moves"),
+                number_key(
+                    "max_jerk_mm_s3", kPositive, "inf",
+                    "of every move along the path, and across arcs; kept by LinuxCNC 2.10 with limit_jerk")}};
 }
 
 GuideTable frame_table(std::vector<std::string> at, bool many, std::string meaning) {

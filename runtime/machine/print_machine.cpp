@@ -22,6 +22,7 @@ void print_path_limits(TomlText& out, const PathLimits& path) {
     out.limit("max_feed_mm_s", path.max_feed_mm_s);
     out.limit("max_rapid_mm_s", path.max_rapid_mm_s);
     out.limit("max_acceleration_mm_s2", path.max_acceleration_mm_s2);
+    out.limit("max_jerk_mm_s3", path.max_jerk_mm_s3);
 }
 
 void print_frame(TomlText& out, std::string_view header, const Frame& frame) {

@@ -47,7 +47,9 @@ Trouble check_joint(int index, const JointSetup& joint) {
 Trouble check_path(const PathLimits& path) {
     if (auto trouble = check_positive("max_feed_mm_s of the path", path.max_feed_mm_s)) return trouble;
     if (auto trouble = check_positive("max_rapid_mm_s of the path", path.max_rapid_mm_s)) return trouble;
-    return check_positive("max_acceleration_mm_s2 of the path", path.max_acceleration_mm_s2);
+    if (auto trouble = check_positive("max_acceleration_mm_s2 of the path", path.max_acceleration_mm_s2))
+        return trouble;
+    return check_positive("max_jerk_mm_s3 of the path", path.max_jerk_mm_s3);
 }
 
 Trouble check_corners(const rrs::ControllerRules& controller) {

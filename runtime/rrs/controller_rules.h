@@ -14,8 +14,14 @@ namespace gsim::rrs {
 enum class PlannerKind {
     rest_to_rest,  ///< Each move begins and ends at rest.
     look_ahead,    ///< Speeds at the corners by one of the CornerRules, over a window of blocks.
-    linuxcnc,      ///< The trajectory planner of LinuxCNC 2.9: blend arcs, parabolic blends, servo cycles.
+    linuxcnc,      ///< The trajectory planner of LinuxCNC: blend arcs, parabolic blends, servo cycles.
     klipper,       ///< The look-ahead of Klipper: square corner velocity, minimum cruise ratio.
+};
+
+/// Whose planner PlannerKind::linuxcnc is.
+enum class LinuxcncRelease {
+    v2_9,
+    v2_10,  ///< With straight ramps, or S-curves where the jerk is limited.
 };
 
 /// What limits the speed at a corner that is passed without a stop.
@@ -58,6 +64,7 @@ constexpr bool is_blend(CornerRule rule) {
 struct ControllerRules {
     std::string model = "exact-stop";
     PlannerKind planner = PlannerKind::rest_to_rest;
+    LinuxcncRelease linuxcnc_release = LinuxcncRelease::v2_9;
 
     /// Blocks that are known ahead, the one under way included; the newest of them is planned to end at rest.
     std::size_t look_ahead_blocks = 100;

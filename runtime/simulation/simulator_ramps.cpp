@@ -17,9 +17,11 @@ bool Simulator::limits_no_jerk() const {
 /// A machine file that asks for S-curves and gets none.
 void Simulator::warn_of_jerk() {
     if (!machine_.controller.limit_jerk || sampled()) return;
-    if (machine_.controller.planner == rrs::PlannerKind::linuxcnc) {
-        warn("limit_jerk makes no difference: the planner \"linuxcnc\" has straight ramps");
-    } else if (machine_.controller.planner == rrs::PlannerKind::klipper) {
+    const rrs::ControllerRules& rules = machine_.controller;
+    const bool straight = rules.linuxcnc_release == rrs::LinuxcncRelease::v2_9;
+    if (rules.planner == rrs::PlannerKind::linuxcnc && straight) {
+        warn("limit_jerk makes no difference: the planner \"linuxcnc\" of release 2.9 has straight ramps");
+    } else if (rules.planner == rrs::PlannerKind::klipper) {
         warn("limit_jerk makes no difference: the planner \"klipper\" has straight ramps");
     } else if (limits_no_jerk()) {
         warn("limit_jerk makes no difference: no axis of the machine has a jerk limit");

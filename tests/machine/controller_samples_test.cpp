@@ -18,6 +18,7 @@ namespace {
 
 using rrs::ControllerRules;
 using rrs::CornerRule;
+using rrs::LinuxcncRelease;
 using rrs::PlannerKind;
 
 Machine sample(const std::string& name) {
@@ -25,8 +26,9 @@ Machine sample(const std::string& name) {
 }
 
 TEST(BuiltInControllers, AreThoseOfTheSamples) {
-    EXPECT_THAT(built_in_controllers(), testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "grbl-1.1",
-                                                             "grblhal", "blend", "klipper"));
+    EXPECT_THAT(built_in_controllers(),
+                testing::ElementsAre("exact-stop", "ab9", "linuxcnc-2.9", "linuxcnc-2.10", "grbl-1.1",
+                                     "grblhal", "blend", "klipper"));
     for (const std::string_view name : built_in_controllers()) {
         const auto file = os::read_text_file(fmt::format("{}/controllers/{}.toml", GSIM_SAMPLES, name));
         ASSERT_TRUE(file) << file.error();
@@ -60,6 +62,7 @@ TEST(BuiltInControllers, LinuxcncCountsInServoCycles) {
     EXPECT_EQ(rules.servo_period_s, 0.001);
     EXPECT_EQ(rules.rest_s, 0.0035);
     EXPECT_TRUE(rules.stop_between_rapid_and_feed);
+    EXPECT_EQ(rules.linuxcnc_release, LinuxcncRelease::v2_9);
 }
 
 TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
@@ -112,17 +115,23 @@ TEST(BuiltInControllers, KlipperHasItsDefaultsAndNoOverrides) {
     EXPECT_EQ(rules.overrides.feed_min_percent, 100);
     EXPECT_EQ(rules.overrides.feed_max_percent, 100);
 }
+constexpr double kNoJerk = std::numeric_limits<double>::infinity();
 
 struct Linuxcnc {
     const char* file;
     double path_mm_s, speed_mm_s, acceleration_mm_s2, acceleration_deg_s2;
+    const char* model = "linuxcnc-2.9";
+    double jerk_mm_s3 = kNoJerk, jerk_deg_s3 = kNoJerk;
 };
 
 class LinuxcncSample : public testing::TestWithParam<Linuxcnc> {};
 
 TEST_P(LinuxcncSample, HasTheLimitsOfItsConfiguration) {
     const Machine machine = sample(GetParam().file);
-    EXPECT_EQ(machine.controller, built_in_controller("linuxcnc-2.9").value());
+    ControllerRules rules = built_in_controller(GetParam().model).value();
+    rules.limit_jerk = std::isfinite(GetParam().jerk_mm_s3);
+    EXPECT_EQ(machine.controller, rules);
+    EXPECT_EQ(machine.path.max_jerk_mm_s3, GetParam().jerk_mm_s3);
     EXPECT_EQ(machine.inverse, InverseKind::none);
     EXPECT_EQ(machine.path.max_feed_mm_s, GetParam().path_mm_s);
     EXPECT_EQ(machine.path.max_rapid_mm_s, GetParam().path_mm_s);
@@ -137,18 +146,31 @@ TEST_P(LinuxcncSample, HasTheLimitsOfItsConfiguration) {
         EXPECT_EQ(axis.max_speed, rotary ? 90 : GetParam().speed_mm_s);
         EXPECT_EQ(axis.max_acceleration,
                   rotary ? GetParam().acceleration_deg_s2 : GetParam().acceleration_mm_s2);
+        EXPECT_EQ(axis.max_jerk, rotary ? GetParam().jerk_deg_s3 : GetParam().jerk_mm_s3);
     }
     EXPECT_EQ(letters, "XYZBC");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LinuxcncSample,
-                         testing::Values(Linuxcnc{"linuxcnc-gantry.toml", 2000, 508, 490.3, 20},
-                                         Linuxcnc{"linuxcnc-gantry254.toml", 254, 508, 490.3, 20},
-                                         Linuxcnc{"linuxcnc-router.toml", 1000, 100, 1000, 200}),
-                         [](const auto& tested) {
-                             const std::string name = tested.param.file;
-                             return name.substr(9, name.find('.') - 9);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, LinuxcncSample,
+    testing::Values(
+        Linuxcnc{"linuxcnc-gantry.toml", 2000, 508, 490.3, 20},
+        Linuxcnc{"linuxcnc-gantry254.toml", 254, 508, 490.3, 20},
+        Linuxcnc{"linuxcnc-router.toml", 1000, 100, 1000, 200},
+        Linuxcnc{"linuxcnc-2.10-gantry-pt0.toml", 2000, 508, 490.3, 20, "linuxcnc-2.10"},
+        Linuxcnc{"linuxcnc-2.10-gantry-pt1-j5000.toml", 2000, 508, 490.3, 20, "linuxcnc-2.10", 5000, 200},
+        Linuxcnc{"linuxcnc-2.10-gantry-pt1-j20000.toml", 2000, 508, 490.3, 20, "linuxcnc-2.10", 20000, 200},
+        Linuxcnc{"linuxcnc-2.10-router-pt0.toml", 1000, 100, 1000, 200, "linuxcnc-2.10"},
+        Linuxcnc{"linuxcnc-2.10-router-pt1-j5000.toml", 1000, 100, 1000, 200, "linuxcnc-2.10", 5000, 2000},
+        Linuxcnc{"linuxcnc-2.10-router-pt1-j20000.toml", 1000, 100, 1000, 200, "linuxcnc-2.10", 20000, 2000},
+        Linuxcnc{"linuxcnc-2.10-router-pt1-jdef.toml", 1000, 100, 1000, 200, "linuxcnc-2.10", 1e9, 2000}),
+    [](const auto& tested) {
+        std::string name = tested.param.file;
+        name = name.substr(9, name.rfind('.') - 9);
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+        return name;
+    });
 
 struct Grbl {
     const char* file;

@@ -90,7 +90,8 @@ TEST(Machine, UnlimitedMachineHasNineAxesInTheirUsualDirections) {
 TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
     std::mt19937 random(22);
     std::uniform_real_distribution<double> mm(-600, 600), rad(-4, 4);
-    for (const std::string name : {"linuxcnc-gantry", "linuxcnc-gantry254", "linuxcnc-router"}) {
+    for (const std::string name : {"linuxcnc-gantry", "linuxcnc-gantry254", "linuxcnc-router",
+                                   "linuxcnc-2.10-gantry-pt0", "linuxcnc-2.10-router-pt1-jdef"}) {
         const Machine machine = load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
         const auto kinematics = make_kinematics(machine);
         for (int i = 0; i < 100; ++i) {

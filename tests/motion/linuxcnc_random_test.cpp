@@ -83,6 +83,38 @@ TEST(LinuxcncRandom, SegmentsJoinWithoutAJump) {
     }
 }
 
+void use_2_10(PlannerSetup& setup, bool curves, double jerk) {
+    setup.controller.linuxcnc_release = rrs::LinuxcncRelease::v2_10;
+    setup.controller.limit_jerk = curves;
+    setup.path.max_jerk_mm_s3 = jerk;
+    for (JointSetup& joint : setup.joints) joint.max_jerk = jerk;
+}
+
+TEST(LinuxcncRandom, Release210LeadsOnFromMoveToMove) {
+    std::mt19937 random(46);
+    Programs programs(47);
+    for (int i = 0; i < 60; ++i) {
+        PlannerSetup setup = i % 2 == 0 ? fast_machine() : odd_setup(random);
+        use_2_10(setup, i % 4 >= 2, std::pow(10, 5 + 3 * programs.number()));
+        LinuxcncRun run(setup, i % 5 == 0 ? 0 : 1e-3);
+        for (int k = 0; k < 150; ++k) ASSERT_NO_FATAL_FAILURE(programs.step(run)) << "program " << i;
+        EXPECT_TRUE(std::isfinite(run.end()));
+        ASSERT_NO_FATAL_FAILURE(expect_chain(run)) << "program " << i;
+    }
+}
+
+TEST(LinuxcncRandom, CurvesJoinWithoutAJump) {
+    Programs programs(48);
+    for (int i = 0; i < 30; ++i) {
+        PlannerSetup setup = fast_machine();
+        use_2_10(setup, true, std::pow(10, 4 + programs.number()));
+        LinuxcncRun run(setup);
+        for (int k = 0; k < 150; ++k) ASSERT_NO_FATAL_FAILURE(programs.step(run)) << "program " << i;
+        run.end();
+        ASSERT_NO_FATAL_FAILURE(expect_no_jumps(run)) << "program " << i;
+    }
+}
+
 /// A move that ends before the one from whose end it started comes to rest, as that turns a slow joint: the
 /// rest of that leads to its end.
 TEST(LinuxcncRandom, AShortMoveStandsFirst) {

@@ -17,7 +17,7 @@ class LinuxcncRun final : public SegmentOutput {
   public:
     explicit LinuxcncRun(const PlannerSetup& machine, double servo_period_s = 1e-3,
                          std::size_t look_ahead = 50)
-        : setup(machine), model(setup, rules_of(servo_period_s, look_ahead), *this) {
+        : setup(machine), model(setup, rules_of(machine, servo_period_s, look_ahead), *this) {
         next.start = rrs::JointPos::Zero(setup.joint_count());
         next.rules.programmed_speed_mm_s = 100;
         next.rules.orientation_speed_rad_s = 1;
@@ -98,8 +98,9 @@ class LinuxcncRun final : public SegmentOutput {
         }
         return planned;
     }
-    static rrs::ControllerRules rules_of(double servo_period_s, std::size_t look_ahead) {
-        rrs::ControllerRules rules;
+    static rrs::ControllerRules rules_of(const PlannerSetup& machine, double servo_period_s,
+                                         std::size_t look_ahead) {
+        rrs::ControllerRules rules = machine.controller;
         rules.look_ahead_blocks = look_ahead;
         rules.servo_period_s = servo_period_s;
         return rules;
@@ -117,6 +118,27 @@ inline PlannerSetup fast_machine() {
             {.kind = rrs::JointKind::revolute, .max_speed = kPi / 2, .max_acceleration = kPi / 9});
     }
     setup.position_joints = {0, 1, 2};
+    return setup;
+}
+
+/// X, Y, Z 100 mm/s and 1000 mm/s2, B 90 deg/s and 200 deg/s2, on LinuxCNC 2.10 with straight ramps.
+inline PlannerSetup router_2_10() {
+    PlannerSetup setup;
+    for (int i = 0; i < 3; ++i) setup.joints.push_back({.max_speed = 100, .max_acceleration = 1000});
+    setup.joints.push_back(
+        {.kind = rrs::JointKind::revolute, .max_speed = kPi / 2, .max_acceleration = kPi / 0.9});
+    setup.position_joints = {0, 1, 2};
+    setup.controller.linuxcnc_release = rrs::LinuxcncRelease::v2_10;
+    return setup;
+}
+
+/// The same with S-curves of this jerk along the path and of X, Y and Z; B has 2000 deg/s3.
+inline PlannerSetup router_2_10(double jerk_mm_s3) {
+    PlannerSetup setup = router_2_10();
+    setup.controller.limit_jerk = true;
+    setup.path.max_jerk_mm_s3 = jerk_mm_s3;
+    for (JointSetup& joint : setup.joints) joint.max_jerk = jerk_mm_s3;
+    setup.joints[3].max_jerk = 2000 * kPi / 180;
     return setup;
 }
 

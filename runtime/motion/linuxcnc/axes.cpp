@@ -12,13 +12,15 @@ using Eigen::Vector3d;
 Axes::Axes(const PlannerSetup& setup)
     : joints_(setup.position_joints),
       max_speed_mm_s_(Vector3d::Constant(kUnlimited)),
-      max_acceleration_mm_s2_(Vector3d::Constant(kUnlimited)) {
+      max_acceleration_mm_s2_(Vector3d::Constant(kUnlimited)),
+      max_jerk_mm_s3_(Vector3d::Constant(kUnlimited)) {
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = joints_[static_cast<std::size_t>(axis)];
         if (joint < 0) continue;
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
         max_speed_mm_s_[axis] = limits.max_speed;
         max_acceleration_mm_s2_[axis] = limits.max_acceleration;
+        max_jerk_mm_s3_[axis] = limits.max_jerk;
     }
 }
 

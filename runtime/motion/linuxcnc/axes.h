@@ -15,6 +15,7 @@ class Axes {
 
     const Eigen::Vector3d& max_speed_mm_s() const { return max_speed_mm_s_; }
     const Eigen::Vector3d& max_acceleration_mm_s2() const { return max_acceleration_mm_s2_; }
+    const Eigen::Vector3d& max_jerk_mm_s3() const { return max_jerk_mm_s3_; }
 
     Eigen::Vector3d point(const rrs::JointPos& joints) const;
     void put(const Eigen::Vector3d& point, rrs::JointPos& joints) const;
@@ -26,6 +27,7 @@ class Axes {
     std::array<int, 3> joints_;
     Eigen::Vector3d max_speed_mm_s_;
     Eigen::Vector3d max_acceleration_mm_s2_;
+    Eigen::Vector3d max_jerk_mm_s3_;
 };
 
 }  // namespace gsim::motion::linuxcnc

@@ -88,6 +88,8 @@ void set_blend_limits(Piece& piece, const Piece& before, const Piece& after, con
     piece.max_speed = speeds.speed;
     piece.max_path_speed = std::min(before.max_path_speed, after.max_path_speed);
     piece.full_acceleration = speeds.acceleration;
+    piece.jerk = std::min(before.jerk, after.jerk);
+    piece.path_jerk = std::min(before.path_jerk, after.path_jerk);
     const bool bent = speeds.speed < speeds.requested_speed;
     piece.speed_limit = bent ? LimitedBy{LimitKind::centripetal, -1} : before.speed_limit;
     piece.acceleration_limit = {LimitKind::centripetal, -1};
@@ -108,7 +110,7 @@ void take_rest_of_line(Blend& blend, const Piece& before, double period_s) {
 }  // namespace
 
 std::optional<Blend> blend_between(const Piece& before, const Piece& after, const Corner& corner,
-                                   const Axes& axes, double period_s) {
+                                   const Axes& axes, const Planning& planning) {
     if (!in_one_plane(before, after, corner)) return std::nullopt;
     const Leg in = leg_before(before, corner), out = leg_after(after, corner);
     const auto speeds = blend_speeds(before, after, corner, in, out, axes);
@@ -124,16 +126,21 @@ std::optional<Blend> blend_between(const Piece& before, const Piece& after, cons
     const Vector3d end = start_after_cut(after, corner, circle->cut_after);
     piece.arc = arc_between(circle->center, start, end);
     piece.deviation_mm = std::max((circle->center - corner.point).norm() - piece.arc.radius_mm, 0.0);
-    if (!(piece.arc.sweep_rad > 0) || !touches(before, after, *blend, *speeds, period_s)) return std::nullopt;
+    if (!(piece.arc.sweep_rad > 0)) return std::nullopt;
+    if (!touches(before, after, *blend, *speeds, planning.period_s)) return std::nullopt;
     piece.start = piece.end = before.end;
     axes.put(start, piece.start);
     axes.put(end, piece.end);
-    take_rest_of_line(*blend, before, period_s);
+    take_rest_of_line(*blend, before, planning.period_s);
     piece.length = piece.arc.radius_mm * piece.arc.sweep_rad + piece.lead_in;
     piece.nominal_length = piece.length;
     piece.after_tangent = !blend->takes_before || before.after_tangent;
+    if (planning.since_2_10) {
+        piece.max_speed = std::min(piece.max_speed, piece.length / planning.period_s);
+        limit_on_arc(piece, planning);
+    }
     const double least_periods = piece.after_tangent ? kLeastPeriods : 1;
-    piece.max_speed = std::min(piece.max_speed, piece.length / (least_periods * period_s));
+    piece.max_speed = std::min(piece.max_speed, piece.length / (least_periods * planning.period_s));
     return blend;
 }
 

@@ -18,7 +18,7 @@ struct Blend {
 
 /// The blend arc between two pieces that move X, Y and Z alone; nothing where none fits.
 std::optional<Blend> blend_between(const Piece& before, const Piece& after, const Corner& corner,
-                                   const Axes& axes, double period_s);
+                                   const Axes& axes, const Planning& planning);
 
 /// Cuts off both pieces what the blend takes.
 void make_room(const Blend& blend, const Axes& axes, Piece& before, Piece& after);

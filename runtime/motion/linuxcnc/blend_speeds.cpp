@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "runtime/motion/linuxcnc/blend_arc.h"
+#include "runtime/motion/linuxcnc/profile.h"
 
 namespace gsim::motion::linuxcnc {
 
@@ -64,11 +65,15 @@ std::optional<BlendSpeeds> blend_speeds(const Piece& before, const Piece& after,
     const double across = kNormalShare * blend.acceleration;
     const double widest_mm = cut_mm * sine / cosine;
     blend.speed = std::min(std::sqrt(across * widest_mm), goal);
+    const double jerk = std::min({before.jerk, after.jerk, before.path_jerk, after.path_jerk});
+    if (std::isfinite(jerk)) blend.speed = std::min(blend.speed, peak_speed(widest_mm, across, jerk));
     // The arc is as long as the speed needs to be turned, or to be reached.
     const double along = blend.acceleration / 2;
     const double ramp_s = std::min(std::sqrt(2 * along * cut_mm), blend.speed) / along;
     blend.radius_mm =
         std::max(blend.speed * blend.speed / across, std::min(ramp_s * blend.speed / turn_rad, widest_mm));
+    if (std::isfinite(jerk))
+        blend.radius_mm = std::max(blend.radius_mm, blend.speed * std::sqrt(blend.speed / jerk));
     if (!wide_enough(blend, turn_rad)) return std::nullopt;
     return blend;
 }

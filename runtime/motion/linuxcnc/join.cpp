@@ -61,7 +61,7 @@ std::optional<Blend> join_fastest(Piece& before, Piece& after, const Corner& cor
                                   const JoinRules& rules) {
     const double parabola = parabola_between(before, after).net_speed / 2;
     const double kink = before.kink_speed;
-    std::optional<Blend> blend = blend_between(before, after, corner, axes, rules.period_s);
+    std::optional<Blend> blend = blend_between(before, after, corner, axes, rules.planning);
     const double arc = blend ? blend->piece.max_speed : 0;
     if (parabola >= std::max(kink, arc)) {
         clear_kink(before, after);
@@ -90,7 +90,7 @@ std::optional<Blend> join(Piece& before, Piece& after, const Axes& axes, const J
         return std::nullopt;
     }
     const double speed = shared_speed(before, after, rules.most_share);
-    const double share = kink_share(before, after, corner, speed, axes, rules.period_s);
+    const double share = kink_share(before, after, corner, speed, axes, rules.planning.period_s);
     if (share < kKinkShare) {
         set_kink(before, after, speed, share);
         end_by(before, after, Term::tangent);

@@ -10,7 +10,7 @@ namespace gsim::motion::linuxcnc {
 
 /// What junctions are decided by, besides the pieces.
 struct JoinRules {
-    double period_s = 0;
+    Planning planning;
     bool stop_between_rapid_and_feed = true;
     double most_share = 1;  ///< Of the programmed speed, that the operator could ask for.
 };

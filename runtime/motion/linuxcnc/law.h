@@ -7,16 +7,20 @@
 
 namespace gsim::motion::linuxcnc {
 
-/// A time law under construction: pieces of constant acceleration, one after the other, from 0 on.
+/// A time law under construction: pieces of constant acceleration or jerk, one after the other, from 0 on.
 class Law {
   public:
     double duration_s() const { return duration_s_; }
     double length() const { return length_; }
     double top_speed() const { return top_speed_; }
+    double end_speed() const;
+    double end_acceleration() const;
 
     /// Pieces without duration are left out.
-    void add(double duration_s, double speed, double acceleration);
+    void add(double duration_s, double speed, double acceleration, double jerk = 0);
     void rest(double duration_s) { add(duration_s, 0, 0); }
+    /// What `other` does, behind this.
+    void append(const Law& other);
 
     /// Where it is at a time, and when it is somewhere, within the law.
     double at(double t_s) const;
@@ -25,10 +29,12 @@ class Law {
     double speed_at(double t_s) const;
     /// The law from one time to another; counted from 0 again.
     Law part(double from_s, double to_s) const;
-    /// A rest, and then this law.
-    Law behind_rest(double rest_s) const;
     /// The law with its lengths multiplied by `scale`.
     TimeLaw scaled(double scale) const;
+    /// The same, so that it leads over `length`.
+    Law over(double length) const;
+    /// The same way, but to rest so much sooner.
+    Law sooner(double by_s) const;
 
   private:
     std::array<LawPiece, TimeLaw::kMaxPieces> pieces_;  // only the first count_ hold values

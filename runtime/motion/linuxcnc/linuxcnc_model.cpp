@@ -18,6 +18,15 @@ linuxcnc::Clock clock_of(const rrs::ControllerRules& rules) {
     return {.period_s = rules.servo_period_s, .counts = true};
 }
 
+linuxcnc::Planning planning_of(const PlannerSetup& setup, const rrs::ControllerRules& rules,
+                               const linuxcnc::Clock& clock) {
+    linuxcnc::Planning planning{.period_s = clock.period_s};
+    planning.since_2_10 = rules.linuxcnc_release == rrs::LinuxcncRelease::v2_10;
+    planning.s_curves = planning.since_2_10 && rules.limit_jerk;
+    planning.path_jerk = planning.s_curves ? setup.path.max_jerk_mm_s3 : kUnlimited;
+    return planning;
+}
+
 }  // namespace
 
 LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRules& rules,
@@ -25,11 +34,11 @@ LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRul
     : setup_(setup),
       axes_(setup),
       clock_(clock_of(rules)),
-      join_rules_{clock_.period_s, rules.stop_between_rapid_and_feed,
-                  rules.overrides.planned_feed_percent / 100},
+      planning_(planning_of(setup, rules, clock_)),
+      join_rules_{planning_, rules.stop_between_rapid_and_feed, rules.overrides.planned_feed_percent / 100},
       merged_(axes_),
       output_(output),
-      pacer_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, axes_),
+      pacer_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, planning_, axes_),
       writer_(axes_, output) {}
 
 /// The way of a move that is too short to be made is made with the next line.
@@ -46,14 +55,16 @@ Planned LinuxcncModel::add_whole(const PathMove& move) {
         merge(move);
         return {};
     }
-    auto piece = linuxcnc::piece_of(setup_, axes_, move, clock_.period_s);
+    auto piece = linuxcnc::piece_of(setup_, axes_, move, planning_);
     if (!piece) return tl::unexpected(std::move(piece.error()));
     if (piece->length == 0) {
         left_out_ = move.start;
         return {};
     }
     left_out_.reset();
-    if (piece->turns || !linuxcnc::may_merge(move)) {
+    const bool may_merge = linuxcnc::may_merge(move);
+    if (planning_.since_2_10 && piece->turns && piece->curved && may_merge) return add_halves(move);
+    if (piece->turns || !may_merge) {
         end_merged();
         take(*std::move(piece));
         return {};
@@ -65,6 +76,20 @@ Planned LinuxcncModel::add_whole(const PathMove& move) {
         merge(linuxcnc::line_to_end(move, first.end));
     } else {
         merge(move);
+    }
+    return {};
+}
+
+/// An arc that is hardly bent, and rotary joints with it: nothing merges with its two lines.
+Planned LinuxcncModel::add_halves(const PathMove& arc) {
+    end_merged();
+    const PathMove first = linuxcnc::line_to_middle(arc, axes_);
+    for (const PathMove& half : {first, linuxcnc::line_to_end(arc, first.end)}) {
+        auto piece = linuxcnc::piece_of(setup_, axes_, half, planning_);
+        if (!piece) return tl::unexpected(std::move(piece.error()));
+        if (!(piece->length > 0)) continue;
+        piece->off_way = OffWay::yes;
+        take(*std::move(piece));
     }
     return {};
 }
@@ -95,7 +120,7 @@ void LinuxcncModel::merge(const PathMove& line) {
 /// A line that replaces ones that could be planned can be planned, or goes nowhere.
 void LinuxcncModel::end_merged() {
     if (merged_.empty()) return;
-    auto piece = linuxcnc::piece_of(setup_, axes_, merged_.line(), clock_.period_s);
+    auto piece = linuxcnc::piece_of(setup_, axes_, merged_.line(), planning_);
     const bool several = merged_.several();
     merged_.clear();
     if (!piece || !(piece->length > 0)) return;
@@ -113,7 +138,7 @@ void LinuxcncModel::take(Piece piece) {
     if (blend && blend->takes_before) {
         last = blend->piece;
     } else {
-        linuxcnc::settle(last, clock_.period_s);
+        linuxcnc::settle(last, planning_);
         if (blend) push(blend->piece);
     }
     push(piece);

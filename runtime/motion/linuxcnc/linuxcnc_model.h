@@ -42,6 +42,7 @@ class LinuxcncModel final : public MotionModel {
 
   private:
     Planned add_whole(const PathMove& move);
+    Planned add_halves(const PathMove& arc);
     void merge(const PathMove& line);
     void end_merged();
     void take(linuxcnc::Piece piece);
@@ -51,6 +52,7 @@ class LinuxcncModel final : public MotionModel {
     const PlannerSetup& setup_;
     linuxcnc::Axes axes_;
     linuxcnc::Clock clock_;
+    linuxcnc::Planning planning_;
     linuxcnc::JoinRules join_rules_;
     linuxcnc::MergedLines merged_;
     SegmentOutput& output_;

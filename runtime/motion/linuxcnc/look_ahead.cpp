@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/linuxcnc/profile.h"
+#include "runtime/motion/ramp.h"
+
 namespace gsim::motion::linuxcnc {
 
 namespace {
@@ -68,6 +71,50 @@ JunctionSpeed junction_speed(const PieceQueue& queue, std::size_t index, const H
         lowest.lower(rises + cap(queue, next), LimitKind::corner);
     }
     return lowest.speed();
+}
+
+namespace {
+
+double top_alone(const Piece& piece) {
+    return std::isfinite(piece.jerk) ? peak_speed(piece.length, acceleration(piece), piece.jerk) : kUnlimited;
+}
+
+// The speed at the start of a piece from which it can slow down to its end.
+double start_speed(const Piece& piece, double end_speed) {
+    const double straight = std::sqrt(square(end_speed) + rise(piece));
+    if (std::isinf(piece.jerk)) return straight;
+    const double braked = ramp_end_speed(piece.length, end_speed, acceleration(piece), piece.jerk);
+    return std::min(straight, std::max(end_speed, std::min(braked, top_alone(piece))));
+}
+
+void lower(JunctionSpeed& junction, double speed, LimitKind limit) {
+    if (speed < junction.speed) junction = {speed, limit};
+}
+
+// At the start of the last piece that is seen.
+JunctionSpeed last_speed(const Piece& last, bool stops, bool is_last) {
+    if (stops) return {start_speed(last, 0), LimitKind::stop};
+    JunctionSpeed junction{std::min(target_speed(last), std::sqrt(rise(last) / 2)),
+                           is_last ? LimitKind::stop : LimitKind::look_ahead};
+    junction.speed = std::min(junction.speed, top_alone(last));
+    return junction;
+}
+
+}  // namespace
+
+JunctionSpeed curved_junction_speed(const PieceQueue& queue, std::size_t index, const Horizon& horizon) {
+    const std::size_t deepest = index + horizon.depth;
+    const std::size_t last = std::min(horizon.run_end.value_or(deepest), deepest);
+    const bool ends = horizon.run_end == last;
+    const bool stops = ends && !horizon.run_end_is_last;
+    JunctionSpeed junction = last_speed(queue[last].piece, stops, ends);
+    for (std::size_t next = last; next > index; --next) {
+        const Piece& before = queue[next - 1].piece;
+        if (next < last) junction.speed = start_speed(queue[next].piece, junction.speed);
+        lower(junction, std::sqrt(cap(queue, next - 1)), LimitKind::corner);
+        if (next < last || stops) lower(junction, top_alone(before), LimitKind::jerk);
+    }
+    return junction;
 }
 
 }  // namespace gsim::motion::linuxcnc

@@ -23,4 +23,8 @@ struct JunctionSpeed {
 };
 JunctionSpeed junction_speed(const PieceQueue& queue, std::size_t index, const Horizon& horizon);
 
+/// The same with S-curves: a junction is passed without acceleration, and at no more than the highest speed
+/// that either of its pieces has from rest to rest.
+JunctionSpeed curved_junction_speed(const PieceQueue& queue, std::size_t index, const Horizon& horizon);
+
 }  // namespace gsim::motion::linuxcnc

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
 #include "runtime/motion/linuxcnc/parabola.h"
 
 namespace gsim::motion::linuxcnc {
@@ -21,6 +22,19 @@ LimitedBy limit_of(const Piece& piece, double share, const Law& law, bool from_r
     if (from_rest && to_rest) return piece.acceleration_limit;
     if (from_rest || to_rest) return {LimitKind::stop, -1};
     return {slowed_by, -1};
+}
+
+constexpr double kNothingLeft = 1e-6;     // mm or degrees
+constexpr double kLeastShortened = 1000;  // times that: shorter ways are gone to their end
+
+// LinuxCNC is done with an S-curve in the first period in which next to nothing of it is left. Without that
+// period's rest, behind `before_s`.
+Law without_creep(const Law& law, const Piece& piece, double before_s, double period_s) {
+    const double nothing = kNothingLeft * (piece.path_limited ? 1 : kRadPerDeg);
+    if (std::isinf(piece.jerk) || law.length() < kLeastShortened * nothing) return law;
+    const double least_s = before_s + law.time_at(law.length() - nothing);
+    const double end_s = std::ceil(least_s / period_s - kWholePeriods) * period_s - before_s;
+    return end_s < law.duration_s() ? law.sooner(law.duration_s() - end_s) : law;
 }
 
 }  // namespace
@@ -45,7 +59,7 @@ void Pacer::drop(std::size_t count) {
 }
 
 void Pacer::clear() {
-    *this = Pacer(depth_, clock_, *axes_);
+    *this = Pacer(depth_, clock_, planning_, *axes_);
 }
 
 // Each piece is looked at once: the next time the look goes on where it stopped.
@@ -88,6 +102,7 @@ void Pacer::time_next(PieceQueue& queue) {
     ++group_.pieces;
     group_.duration_s += held.law.duration_s();
     group_.speed = profile.end_speed;
+    group_.acceleration = profile.end_acceleration;
     if (held.ends_group) end_group(queue, profile);
 }
 
@@ -97,37 +112,52 @@ Profile Pacer::profile_of(PieceQueue& queue, LimitKind& slowed_by) {
 
 Profile Pacer::pass_on(const PieceQueue& queue, LimitKind& slowed_by) const {
     const Piece& piece = queue[next_].piece;
-    const JunctionSpeed junction = junction_speed(queue, next_, horizon());
+    const JunctionSpeed junction = planning_.s_curves ? curved_junction_speed(queue, next_, horizon())
+                                                      : junction_speed(queue, next_, horizon());
     slowed_by = junction.limit;
     const double own = target_speed(piece, share_of(piece));
     const Piece& behind = queue[next_ + 1].piece;
     const double end_speed = std::min({junction.speed, own, target_speed(behind, share_of(behind))});
     const double mean_speed = (group_.speed + std::min(junction.speed, own)) / 2;
-    const Stretch stretch = stretch_of(piece);
-    const bool gains_all =
-        group_.speed * group_.speed + 2 * stretch.acceleration * stretch.length <= end_speed * end_speed;
-    if (!gains_all && !piece.rapid && end_speed > 0 && piece.length < kShortRamp_s * mean_speed) {
+    const Law start = started(piece);
+    const double from = start_speed(start);
+    Stretch stretch = stretch_of(piece);
+    stretch.length -= start.length();
+    const bool gains_all = from * from + 2 * stretch.acceleration * stretch.length <= end_speed * end_speed;
+    const bool is_short = !planning_.s_curves && piece.length < kShortRamp_s * mean_speed;
+    if (!gains_all && !piece.rapid && end_speed > 0 && is_short) {
         return ramp(piece.length, group_.speed, end_speed);
     }
-    return from_speed_to_speed(stretch, group_.speed, end_speed);
+    return continued(start, from_speed_to_speed(stretch, from, end_speed));
 }
 
 // A group takes whole periods: what is left of the last one it rests.
 Profile Pacer::last_of_group(const PieceQueue& queue) {
-    const Stretch stretch = stretch_of(queue[next_].piece);
-    if (group_.pieces == 0) return rest_to_rest(stretch, clock_);
-    Profile profile = from_speed_to_speed(stretch, group_.speed, 0);
+    Stretch stretch = stretch_of(queue[next_].piece);
+    const bool late = blends_late(queue, next_);
+    const bool from_rest = group_.pieces == 0 && late_acceleration_ <= 0;
+    if (from_rest && !late && std::isinf(stretch.jerk)) return rest_to_rest(stretch, clock_);
+    const Law start = started(queue[next_].piece);
+    stretch.length -= start.length();
+    Profile profile = continued(start, from_speed_to_speed(stretch, start_speed(start), 0));
+    if (late) profile = to_late_blend(queue, profile);
     if (!clock_.counts) return profile;
+    profile.law = without_creep(profile.law, queue[next_].piece, group_.duration_s, clock_.period_s);
     const double motion_s = group_.duration_s + profile.law.duration_s();
-    profile.law.rest(std::ceil(motion_s / clock_.period_s - kWholePeriods) * clock_.period_s - motion_s);
+    const double rest_s = std::ceil(motion_s / clock_.period_s - kWholePeriods) * clock_.period_s - motion_s;
+    profile.law.rest(rest_s);
+    if (late) profile.brake_s += rest_s;
     return profile;
 }
 
 void Pacer::end_group(PieceQueue& queue, const Profile& profile) {
     const HeldPiece& last = queue[next_ - 1];
     double overlap = 0;
+    const bool late = blends_late(queue, next_ - 1);
+    late_acceleration_ = 0;
     if (last.piece.term == Term::parabola && next_ < queue.size()) {
-        overlap = overlap_s(queue, profile.brake_s);
+        overlap = late ? profile.brake_s : overlap_s(queue, profile);
+        if (late) late_acceleration_ = late_acceleration(queue);
         overlap = std::clamp(overlap, 0.0, std::max(0.0, group_.duration_s - shared_before_s_));
         share_end(queue, overlap);
     }
@@ -137,13 +167,14 @@ void Pacer::end_group(PieceQueue& queue, const Profile& profile) {
 }
 
 // The next piece starts in the first period in which the last one, as it brakes, is slow enough.
-double Pacer::overlap_s(const PieceQueue& queue, double brake_s) const {
+double Pacer::overlap_s(const PieceQueue& queue, const Profile& profile) const {
     const Piece& last = queue[next_ - 1].piece;
     const Piece& next = queue[next_].piece;
-    const double slow_s =
-        parabola_between(last, next, share_of(last), share_of(next)).before / acceleration(last);
-    if (!clock_.counts) return std::min(slow_s, brake_s);
-    const double slow = slow_s / clock_.period_s, brake = brake_s / clock_.period_s;
+    const double before = parabola_between(last, next, share_of(last), share_of(next)).before;
+    const double brake_s = profile.brake_s;
+    const double slowing_s = std::isfinite(last.jerk) ? slow_s(profile, before) : before / acceleration(last);
+    if (!clock_.counts) return std::min(slowing_s, brake_s);
+    const double slow = slowing_s / clock_.period_s, brake = brake_s / clock_.period_s;
     const double periods = std::ceil(brake - kWholePeriods);
     return clock_.period_s *
            (brake < slow ? periods + 1 : periods - std::floor(brake - slow + kWholePeriods));

@@ -17,8 +17,8 @@ namespace gsim::motion::linuxcnc {
 class Pacer {
   public:
     /// `axes` must outlive it.
-    Pacer(std::size_t depth, const Clock& clock, const Axes& axes)
-        : depth_(depth), clock_(clock), axes_(&axes) {}
+    Pacer(std::size_t depth, const Clock& clock, const Planning& planning, const Axes& axes)
+        : depth_(depth), clock_(clock), planning_(planning), axes_(&axes) {}
 
     /// The first piece of an empty queue begins at a time of the run, under these overrides (null: none),
     /// which must outlive the queue.
@@ -41,7 +41,8 @@ class Pacer {
     struct Group {
         std::size_t pieces = 0;  // timed
         double duration_s = 0;
-        double speed = 0;  // at the end of the last timed piece
+        double speed = 0;         // at the end of the last timed piece
+        double acceleration = 0;  // there, where an override cuts it
     };
 
     void look_for_end(const PieceQueue& queue);
@@ -54,16 +55,26 @@ class Pacer {
     Stretch stretch_of(const Piece& piece) const;
     Profile overridden_profile(PieceQueue& queue, LimitKind& slowed_by);
     Profile braking_profile(PieceQueue& queue);
+    Profile curved_braking_profile(PieceQueue& queue);
     Profile cut_profile(PieceQueue& queue, const Profile& profile, double t_s);
     void split(PieceQueue& queue, double length);
     Profile pass_on(const PieceQueue& queue, LimitKind& slowed_by) const;
     Profile last_of_group(const PieceQueue& queue);
     void end_group(PieceQueue& queue, const Profile& profile);
-    double overlap_s(const PieceQueue& queue, double brake_s) const;
+    double overlap_s(const PieceQueue& queue, const Profile& profile) const;
+    // Where the acceleration is halved only as long as two pieces overlap (pacer_overlap.cpp).
+    bool blends_late(const PieceQueue& queue, std::size_t index) const;
+    Law started(const Piece& piece) const;
+    double start_speed(const Law& start) const {
+        return start.duration_s() > 0 ? start.end_speed() : group_.speed;
+    }
+    Profile to_late_blend(const PieceQueue& queue, const Profile& profile) const;
+    double late_acceleration(const PieceQueue& queue) const;
     void share_end(PieceQueue& queue, double overlap_s) const;
 
     std::size_t depth_;
     Clock clock_;
+    Planning planning_;
     const Axes* axes_;
     const OverrideSchedule* schedule_ = nullptr;
     Overrides overrides_;       // as the next piece begins
@@ -74,7 +85,8 @@ class Pacer {
     bool ended_ = false;        // the last final piece is the last of the queue
     bool end_known_ = false;    // seen_ ends the run
     Group group_;
-    double shared_before_s_ = 0;  // the group under way started so long before the end of the one before
+    double shared_before_s_ = 0;    // the group under way started so long before the end of the one before
+    double late_acceleration_ = 0;  // for so long
 };
 
 }  // namespace gsim::motion::linuxcnc

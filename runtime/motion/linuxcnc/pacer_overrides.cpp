@@ -11,7 +11,8 @@
 namespace gsim::motion::linuxcnc {
 
 Stretch Pacer::stretch_of(const Piece& piece) const {
-    return {piece.length, target_speed(piece, share_of(piece)), acceleration(piece)};
+    return {piece.length, target_speed(piece, share_of(piece)), acceleration_alone(piece, planning_),
+            piece.jerk};
 }
 
 /// The motion of the next piece, or of the part of it that ends where an override is turned; the other part
@@ -35,14 +36,19 @@ Profile Pacer::overridden_profile(PieceQueue& queue, LimitKind& slowed_by) {
         profile = profile_of(queue, slowed_by);
         next_s = schedule_->next_change_s(next_s);
     }
-    if (from_s > start_s) profile.law = profile.law.behind_rest(from_s - start_s);
+    if (from_s > start_s) {
+        Law rest;
+        rest.rest(from_s - start_s);
+        profile = continued(rest, profile);
+    }
     return cut_profile(queue, profile, next_s - start_s);
 }
 
 /// As hard as the piece can, to rest or to its end.
 Profile Pacer::braking_profile(PieceQueue& queue) {
     const Piece& piece = queue[next_].piece;
-    const double a = acceleration(piece);
+    if (std::isfinite(piece.jerk)) return curved_braking_profile(queue);
+    const double a = acceleration_alone(piece, planning_);
     const double way = group_.speed * group_.speed / (2 * a);
     if (way < piece.length - kLeastPart) {
         split(queue, std::max(way, kLeastPart));
@@ -53,6 +59,19 @@ Profile Pacer::braking_profile(PieceQueue& queue) {
     return ramp(piece.length, group_.speed, stops ? 0 : std::sqrt(std::max(left, 0.0)));
 }
 
+Profile Pacer::curved_braking_profile(PieceQueue& queue) {
+    const Piece& piece = queue[next_].piece;
+    const Law start = started(piece);
+    Stretch stretch = stretch_of(piece);
+    stretch.length -= start.length();
+    const double from = start_speed(start);
+    const bool stops = end_known_ && seen_ == next_;
+    const Profile brakes = continued(start, braking(stretch, from, stops ? 0 : from));
+    if (brakes.law.length() < piece.length - kLeastPart)
+        split(queue, std::max(brakes.law.length(), kLeastPart));
+    return brakes;
+}
+
 /// The motion until `t_s` since its start, if the piece is then on its way.
 Profile Pacer::cut_profile(PieceQueue& queue, const Profile& profile, double t_s) {
     if (!(t_s < profile.law.duration_s())) return profile;
@@ -61,6 +80,7 @@ Profile Pacer::cut_profile(PieceQueue& queue, const Profile& profile, double t_s
     Profile part;
     part.law = profile.law.part(0, t_s);
     part.end_speed = profile.law.speed_at(t_s);
+    if (std::isfinite(queue[next_].piece.jerk)) part.end_acceleration = part.law.end_acceleration();
     split(queue, way);
     return part;
 }

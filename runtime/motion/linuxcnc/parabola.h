@@ -8,6 +8,7 @@ namespace gsim::motion::linuxcnc {
 /// speed `before`.
 struct Parabola {
     double before = 0;     ///< Speed of the first piece when the second starts.
+    double after = 0;      ///< Speed of the second piece when the first is at rest.
     double net_speed = 0;  ///< Of both together on the way round the corner; 0 where neither moves X, Y or Z.
 };
 

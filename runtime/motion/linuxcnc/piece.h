@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "runtime/motion/arc.h"
+#include "runtime/motion/linuxcnc/planning.h"
 #include "runtime/motion/override_schedule.h"
 #include "runtime/motion/segment.h"
 #include "runtime/rrs/types.h"
@@ -46,6 +47,8 @@ struct Piece {
     double max_path_speed = 0;
     double full_acceleration = 0;
     double tangential_share = kTangentialShare;  ///< Of an arc.
+    double jerk = kUnlimited;                    ///< Of its ramps.
+    double path_jerk = kUnlimited;               ///< That of any path; across arcs, too.
     double tolerance_mm = 0;                     ///< How far its corners may be cut; 0: as far as it comes.
 
     Term term = Term::stop;
@@ -67,8 +70,10 @@ struct Piece {
 
 /// The acceleration that a piece has for its speed along and its curvature across the way.
 double whole_acceleration(const Piece& piece);
-/// The acceleration along the way.
+/// The acceleration along the way, for which speeds are planned.
 double acceleration(const Piece& piece);
+/// The acceleration along the way while the piece moves alone.
+double acceleration_alone(const Piece& piece, const Planning& planning);
 /// The speed that it goes at where nothing else slows it, with `share` of the speed that it asks for.
 double target_speed(const Piece& piece, double share = 1);
 
@@ -81,8 +86,11 @@ double way_length(const Arc& arc);
 /// The radius of a circle that takes as much acceleration across as the arc does.
 double effective_radius_mm(const Arc& arc);
 
+/// Lowers the speed of an arc to what its acceleration across allows, and tells its acceleration along.
+void limit_on_arc(Piece& piece, const Planning& planning);
+
 /// Makes the limits final, when the piece that follows is known. Not done for the last one before a stop of
 /// the queue.
-void settle(Piece& piece, double period_s);
+void settle(Piece& piece, const Planning& planning);
 
 }  // namespace gsim::motion::linuxcnc

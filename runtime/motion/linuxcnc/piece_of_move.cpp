@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "runtime/motion/joint_changes.h"
 #include "runtime/motion/lead_path.h"
 #include "runtime/motion/line_move.h"
@@ -38,9 +39,12 @@ struct Need {
 struct Needs {
     Need speed;
     Need acceleration;
+    Need jerk;
+    bool jerk_free = false;  // a joint has no jerk limit
 };
 
-Needs needs_of(const PlannerSetup& setup, const JointChanges& changes) {
+// Round an arc LinuxCNC asks X, Y and Z alone for their jerks.
+Needs needs_of(const PlannerSetup& setup, const JointChanges& changes, bool curved) {
     Needs needs;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = std::abs(changes.of(joint));
@@ -48,6 +52,9 @@ Needs needs_of(const PlannerSetup& setup, const JointChanges& changes) {
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
         needs.speed.raise(change / limits.max_speed, joint);
         needs.acceleration.raise(change / limits.max_acceleration, joint);
+        if (curved && setup.role(joint) != JointRole::position) continue;
+        needs.jerk.raise(change / limits.max_jerk, joint);
+        needs.jerk_free |= std::isinf(limits.max_jerk);
     }
     return needs;
 }
@@ -66,19 +73,26 @@ void limit_line(Piece& piece, const Needs& needs) {
     piece.full_acceleration = needs.acceleration.along(piece.length);
 }
 
+// The way round an arc, by the lesser of its radii.
+double way_round_mm(const Arc& arc) {
+    const double radius_mm = std::min(arc.radius_mm, arc.end_radius_mm);
+    return std::hypot(radius_mm * arc.sweep_rad, arc.end_radius_mm - arc.radius_mm);
+}
+
 // The chord counts for the joints, the way round for the axes of its plane.
 void limit_arc(Piece& piece, const Axes& axes, Needs& needs) {
     const Arc& arc = piece.arc;
     const double acceleration = least_in_plane(axes.max_acceleration_mm_s2(), arc);
     const double change = arc.end_radius_mm - arc.radius_mm;
     const double radius_mm = std::min(arc.radius_mm, arc.end_radius_mm);
-    const double round_mm = std::hypot(radius_mm * arc.sweep_rad, change);
+    const double round_mm = way_round_mm(arc);
     const double bend_mm = std::hypot(change / arc.sweep_rad, radius_mm);
     const double across = std::sqrt(kNormalShare * acceleration * bend_mm);
     const double speed = std::min(across, least_in_plane(axes.max_speed_mm_s(), arc));
     if (across <= speed) piece.speed_limit = {LimitKind::centripetal, -1};
     needs.speed.raise(round_mm / speed, -1);
     needs.acceleration.raise(round_mm / acceleration, -1);
+    needs.jerk.raise(round_mm / least_in_plane(axes.max_jerk_mm_s3(), arc), -1);
     const double whole_mm = std::hypot(round_mm, arc.lift.norm());
     piece.max_speed = needs.speed.along(whole_mm);
     piece.full_acceleration = needs.acceleration.along(whole_mm);
@@ -122,6 +136,16 @@ void set_acceleration(Piece& piece, const PathMove& move, JointRole role, const 
     }
     // Where nothing limits it the speed is reached within a period.
     if (!std::isfinite(piece.full_acceleration)) piece.full_acceleration = piece.max_speed / period_s;
+}
+
+// As in LinuxCNC, where one joint without a limit leaves the whole move without S-curves.
+void set_jerk(Piece& piece, JointRole role, const Needs& needs, const Planning& planning) {
+    if (!planning.s_curves) return;
+    piece.path_jerk = planning.path_jerk * (role == JointRole::rotary ? kRadPerDeg : 1);
+    const double length =
+        piece.curved ? std::hypot(way_round_mm(piece.arc), piece.arc.lift.norm()) : piece.length;
+    if (!needs.jerk_free) piece.jerk = needs.jerk.along(length);
+    if (std::isfinite(piece.jerk)) piece.jerk = std::min(piece.jerk, piece.path_jerk);
 }
 
 Term term_of(rrs::PathMode mode) {
@@ -177,17 +201,19 @@ void set_way(Piece& piece, const Axes& axes, const PathMove& move, const JointCh
 }
 
 void set_limits(Piece& piece, const PlannerSetup& setup, const Axes& axes, const PathMove& move,
-                const JointChanges& changes, JointRole role, double period_s) {
-    Needs needs = needs_of(setup, changes);
+                const JointChanges& changes, JointRole role, const Planning& planning) {
+    Needs needs = needs_of(setup, changes, piece.curved);
     if (piece.curved) {
         limit_arc(piece, axes, needs);
     } else {
         limit_line(piece, needs);
     }
-    set_speeds(piece, move, role, needs, period_s);
-    set_acceleration(piece, move, role, needs, period_s);
+    set_speeds(piece, move, role, needs, planning.period_s);
+    set_acceleration(piece, move, role, needs, planning.period_s);
     piece.term = term_of(move.mode);
     piece.tolerance_mm = move.mode == rrs::PathMode::continuous ? move.tolerance_mm : 0;
+    set_jerk(piece, role, needs, planning);
+    if (piece.curved && planning.since_2_10) limit_on_arc(piece, planning);
 }
 
 }  // namespace
@@ -212,13 +238,13 @@ bool surely_makes_piece(const PlannerSetup& setup, const PathMove& move) {
 }
 
 tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const PathMove& move,
-                                        double period_s) {
+                                        const Planning& planning) {
     const JointChanges changes(setup, move.start, move.end, kLeastChange);
     const JointRole role = piece_role(changes, move.kind == SegmentKind::circular);
     Piece piece;
     set_way(piece, axes, move, changes, role);
     if (Planned values = check_values(move, piece, role); !values) return tl::unexpected(values.error());
-    if (piece.length > 0) set_limits(piece, setup, axes, move, changes, role, period_s);
+    if (piece.length > 0) set_limits(piece, setup, axes, move, changes, role, planning);
     if (Planned time = check_time(piece); !time) return tl::unexpected(time.error());
     return piece;
 }

@@ -10,10 +10,10 @@
 namespace gsim::motion::linuxcnc {
 
 /// The piece of a move with the limits that follow from the joints'; of length 0 where the move goes nowhere.
-/// `period_s` is that of the controller's loop. RRS_ZERO_SPEED without a speed, RRS_INVALID_PARAMETER where
+/// RRS_ZERO_SPEED without a speed, RRS_INVALID_PARAMETER where
 /// positions or the time are no numbers of this world.
 tl::expected<Piece, PlanError> piece_of(const PlannerSetup& setup, const Axes& axes, const PathMove& move,
-                                        double period_s);
+                                        const Planning& planning);
 
 /// Whether piece_of() surely makes a piece of a move, one of X, Y and Z alone; told of feed moves along lines
 /// by the lowest limits of these axes, for moves that become part of a longer line.

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/motion/law_cut.h"
+#include "runtime/motion/ramp.h"
+
 namespace gsim::motion::linuxcnc {
 
 namespace {
+
+constexpr double kSameLength = 1e-9;  // a shortfall that is rounding
 
 // Speeds in mm/s for one period of acceleration, lengths in mm for one period of that speed: in these units
 // the acceleration is 1 and a period takes 1.
@@ -95,7 +100,33 @@ double reached(double start_speed, double signed_acceleration, double length) {
     return std::sqrt(std::max(0.0, start_speed * start_speed + 2 * signed_acceleration * length));
 }
 
+LawLimits limits_of(const Stretch& stretch) {
+    return {stretch.top_speed, stretch.acceleration, stretch.acceleration, stretch.jerk};
+}
+
+Law law_of(const TimeLaw& time_law) {
+    Law law;
+    for (const LawPiece& piece : time_law.pieces()) law.add(piece.duration_s, piece.v0, piece.a0, piece.jerk);
+    return law;
+}
+
+// Whether there is a ramp from one speed to the other, with acceleration 0 at both ends.
+bool has_curve(const Stretch& stretch, double start_speed, double end_speed) {
+    return std::isfinite(stretch.jerk) && ramp_length(start_speed, end_speed, stretch.acceleration,
+                                                      stretch.jerk) <= stretch.length * (1 + kSameLength);
+}
+
+Profile curve(const Stretch& stretch, double start_speed, double end_speed) {
+    const TimeLaw law = TimeLaw::between(stretch.length, start_speed, end_speed, limits_of(stretch));
+    const double peak = std::min(law.peak_speed(), std::max(stretch.top_speed, end_speed));
+    return {law_of(law), ramp_s(peak, end_speed, stretch.acceleration, stretch.jerk), end_speed};
+}
+
 }  // namespace
+
+double peak_speed(double length, double acceleration, double jerk) {
+    return ramp_end_speed(length / 2, 0, acceleration, jerk);
+}
 
 Profile rest_to_rest(const Stretch& stretch, const Clock& clock) {
     return clock.counts ? counted(stretch, clock.period_s) : from_speed_to_speed(stretch, 0, 0);
@@ -110,7 +141,37 @@ Profile ramp(double length, double start_speed, double end_speed) {
     return profile;
 }
 
+Profile continued(const Law& before, const Profile& profile) {
+    Profile whole = profile;
+    whole.law = before;
+    whole.law.append(profile.law);
+    return whole;
+}
+
+Law easing(double speed, double acceleration, double jerk) {
+    Law law;
+    law.add(std::abs(acceleration) / jerk, speed, acceleration, acceleration > 0 ? -jerk : jerk);
+    return law;
+}
+
+Profile braking(const Stretch& stretch, double start_speed, double end_speed) {
+    const TimeLaw law = braking_law(stretch.length, start_speed, end_speed, limits_of(stretch));
+    return {law_of(law), law.duration_s(), law.end_speed()};
+}
+
+double slow_s(const Profile& profile, double speed) {
+    constexpr int kSteps = 50;
+    const double end_s = profile.law.duration_s();
+    double fast = end_s - profile.brake_s, slow = end_s;
+    for (int i = 0; i < kSteps; ++i) {
+        const double middle = (fast + slow) / 2;
+        (profile.law.speed_at(middle) < speed ? slow : fast) = middle;
+    }
+    return end_s - slow;
+}
+
 Profile from_speed_to_speed(const Stretch& stretch, double start_speed, double end_speed) {
+    if (has_curve(stretch, start_speed, end_speed)) return curve(stretch, start_speed, end_speed);
     const double a = stretch.acceleration;
     const double fastest = reached(start_speed, a, stretch.length);
     if (fastest <= end_speed) return ramp(stretch.length, start_speed, fastest);

@@ -216,6 +216,7 @@ void Writer::fill(const Span& span, Segment& segment) const {
     segment.lead_limits.max_speed = target_speed(held.piece) * part.scale;
     segment.lead_limits.acceleration = acceleration(held.piece) * part.scale;
     segment.lead_limits.deceleration = segment.lead_limits.acceleration;
+    segment.lead_limits.jerk = held.piece.jerk * part.scale;
     segment.limited_by = held.limited_by;
     segment.off_way = held.piece.off_way;
     segment.deviation_mm = part.curved && ends_piece(held, span.to_s) ? held.piece.deviation_mm : 0;
