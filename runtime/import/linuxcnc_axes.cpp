@@ -95,6 +95,7 @@ struct Limits {
     double max = std::numeric_limits<double>::infinity();
     double speed = std::numeric_limits<double>::infinity();
     double acceleration = std::numeric_limits<double>::infinity();
+    double jerk = std::numeric_limits<double>::infinity();
     double home = 0;
 
     void narrow(const Limits& other) {
@@ -102,6 +103,8 @@ struct Limits {
         max = std::min(max, other.max);
         speed = std::min(speed, other.speed);
         acceleration = std::min(acceleration, other.acceleration);
+        // LinuxCNC's planner takes an axis without one for one without a limit, whatever its joints have.
+        if (std::isfinite(jerk)) jerk = std::min(jerk, other.jerk);
     }
 };
 
@@ -157,6 +160,8 @@ class AxisReader {
         limits.max = length("MAX_LIMIT", limits.max);
         limits.speed = number(section, "MAX_VELOCITY").value_or(silent_speed) * unit_;
         limits.acceleration = number(section, "MAX_ACCELERATION").value_or(silent_speed) * unit_;
+        if (const auto jerk = number(section, "MAX_JERK"); jerk && *jerk > 0)
+            limits.jerk = without_noise(*jerk * unit_);
         limits.home = without_noise(number(section, "HOME").value_or(0) * unit_);
         for (const std::string_view key : {"MAX_VELOCITY", "MAX_ACCELERATION"}) {
             const std::optional<double> value = number(section, key);
@@ -185,6 +190,7 @@ class AxisReader {
         axis.max = limits.max;
         axis.max_speed = limits.speed;
         axis.max_acceleration = limits.acceleration;
+        axis.max_jerk = limits.jerk;
         axis.home = std::clamp(limits.home, limits.min, limits.max);
         if (axis.home != limits.home) {
             warnings_.push_back(

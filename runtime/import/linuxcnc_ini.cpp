@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -19,7 +20,9 @@ namespace {
 
 using Done = tl::expected<void, std::string>;
 
-constexpr std::string_view kLinuxcncModel = "linuxcnc-2.9";
+constexpr std::string_view kModel29 = "linuxcnc-2.9";
+constexpr std::string_view kModel210 = "linuxcnc-2.10";
+constexpr double kSilentJerk_mm_s3 = 1e9;  // of [TRAJ] in 2.10
 constexpr double kPercent = 100;
 constexpr double kNanosecond_s = 1e-9;
 
@@ -32,7 +35,7 @@ struct FixedValue {
 constexpr std::array kFixedValues{
     FixedValue{"TRAJ", "ARC_BLEND_ENABLE", 1},       FixedValue{"TRAJ", "ARC_BLEND_FALLBACK_ENABLE", 0},
     FixedValue{"TRAJ", "ARC_BLEND_GAP_CYCLES", 4},   FixedValue{"TRAJ", "ARC_BLEND_RAMP_FREQ", 100},
-    FixedValue{"TRAJ", "ARC_BLEND_KINK_RATIO", 0.1}, FixedValue{"TRAJ", "PLANNER_TYPE", 0},
+    FixedValue{"TRAJ", "ARC_BLEND_KINK_RATIO", 0.1}, FixedValue{"TRAJ", "SCURVE_PEAK_SCALE", 1},
 };
 
 class Importer {
@@ -141,9 +144,41 @@ class Importer {
         return {};
     }
 
+    // PLANNER_TYPE is a word of 2.10.
+    Done take_release(rrs::ControllerRules& rules) {
+        const auto planner = ini_.number("TRAJ", "PLANNER_TYPE");
+        if (!planner) return tl::unexpected(planner.error());
+        rules = machine::built_in_controller(*planner ? kModel210 : kModel29).value();
+        if (!*planner) return {};
+        const auto clearance = ini_.number("RS274NGC", "G83_PECK_CLEARANCE");
+        if (!clearance) return tl::unexpected(clearance.error());
+        if (*clearance && **clearance >= 0) rules.peck_clearance_mm = **clearance * units_.linear_mm;
+        if (**planner != 1) return {};
+        rules.limit_jerk = true;
+        return take_jerk();
+    }
+
+    Done take_jerk() {
+        const auto jerk = ini_.number("TRAJ", "MAX_LINEAR_JERK");
+        if (!jerk) return tl::unexpected(jerk.error());
+        const bool given = *jerk && **jerk > 0;
+        result_.machine.path.max_jerk_mm_s3 = given ? **jerk * units_.linear_mm : kSilentJerk_mm_s3;
+        std::string straight;
+        for (const machine::Axis& axis : result_.machine.axes) {
+            if (std::isinf(axis.max_jerk)) straight += straight.empty() ? "" : ", ";
+            if (std::isinf(axis.max_jerk)) straight += axis.letter;
+        }
+        if (straight.empty()) return {};
+        result_.warnings.push_back(
+            fmt::format("[TRAJ] PLANNER_TYPE = 1 makes no S-curves of moves of {}, whose sections have no "
+                        "MAX_JERK, as in LinuxCNC",
+                        straight));
+        return {};
+    }
+
     Done take_planner() {
         rrs::ControllerRules& rules = result_.machine.controller;
-        rules = machine::built_in_controller(kLinuxcncModel).value();
+        if (Done done = take_release(rules); !done) return done;
         const auto period_ns = ini_.number("EMCMOT", "SERVO_PERIOD");
         if (!period_ns) return tl::unexpected(period_ns.error());
         if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
@@ -157,9 +192,9 @@ class Importer {
             const auto value = ini_.number(fixed.section, fixed.key);
             if (!value) return tl::unexpected(value.error());
             if (!*value || **value == fixed.value) continue;
-            result_.warnings.push_back(fmt::format(
-                "[{}] {} = {} is not taken over: the planner here is that of LinuxCNC 2.9 with {}",
-                fixed.section, fixed.key, **value, fixed.value));
+            result_.warnings.push_back(
+                fmt::format("[{}] {} = {} is not taken over: the planner here is that of LinuxCNC with {}",
+                            fixed.section, fixed.key, **value, fixed.value));
         }
         return {};
     }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,6 +13,7 @@
 
 #include "base/os/input_file.h"
 #include "runtime/import/import_machine.h"
+#include "runtime/machine/controller_file.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::import::linuxcnc_ini_test {
@@ -128,6 +130,31 @@ TEST(LinuxcncIni, LimitsOfNothingAndNumbersOfJointsBeyondAnyAreTold) {
     }
 }
 
+TEST(LinuxcncIni, ThePlannersOf210) {
+    const auto of_traj = [](const std::string& traj, const std::string& axes = "") {
+        return import_text(mill() + "[TRAJ]\n" + traj + axes);
+    };
+    const Imported straight = of_traj("PLANNER_TYPE = 0\nMAX_LINEAR_JERK = 500\n");
+    EXPECT_EQ(straight.machine.controller, machine::built_in_controller("linuxcnc-2.10").value());
+    EXPECT_EQ(straight.machine.path.max_jerk_mm_s3, std::numeric_limits<double>::infinity());
+
+    const std::string jerks =
+        "[AXIS_X]\nMAX_JERK = 500\n[AXIS_Y]\nMAX_JERK = 600\n[AXIS_Z]\nMAX_JERK = 700\n";
+    const Imported curves = of_traj("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 400\n", jerks);
+    EXPECT_TRUE(curves.machine.controller.limit_jerk);
+    EXPECT_EQ(curves.machine.controller.model, "linuxcnc-2.10");
+    EXPECT_NEAR(curves.machine.path.max_jerk_mm_s3, 400 * 25.4, 1e-6);
+    EXPECT_NEAR(curves.machine.axes.at(1).max_jerk, 600 * 25.4, 1e-6);
+    EXPECT_THAT(curves.warnings, testing::Not(Contains(HasSubstr("MAX_JERK"))));
+
+    const Imported silent = of_traj("PLANNER_TYPE = 1\n");
+    EXPECT_EQ(silent.machine.path.max_jerk_mm_s3, 1e9);
+    EXPECT_THAT(silent.warnings, Contains(HasSubstr("no S-curves of moves of X, Y, Z")));
+    EXPECT_EQ(of_traj("").machine.controller.model, "linuxcnc-2.9");
+    const Imported pecks = of_traj("PLANNER_TYPE = 1\n[RS274NGC]\nG83_PECK_CLEARANCE = 0.05\n");
+    EXPECT_NEAR(pecks.machine.controller.peck_clearance_mm, 0.05 * 25.4, 1e-9);
+}
+
 TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
     const auto overrides_of = [](const std::string& display) {
         return import_text("[DISPLAY]\n" + display + mill()).machine.controller.overrides;
@@ -144,7 +171,7 @@ TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
 TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
     const Imported imported =
         import_text("[DISPLAY]\nDISPLAY = axis\nCYCLE_TIME = 0.1\n" + mill() +
-                    "[TRAJ]\nARC_BLEND_ENABLE = 0\nPLANNER_TYPE = 1\nARC_BLEND_OPTIMIZATION_DEPTH = "
+                    "[TRAJ]\nARC_BLEND_ENABLE = 0\nARC_BLEND_OPTIMIZATION_DEPTH = "
                     "80\nMAX_LINEAR_JERK = 9\n"
                     "[JOINT_0]\nMAX_VELOCITY = 2\nMAX_ACCELERATION = 20\nTYPE = ANGULAR\nBACKLASH = 0.1\n"
                     "[RS274NGC]\nPARAMETER_FILE = none.var\nRS274NGC_STARTUP_CODE = G21 G64P0.01\n");
@@ -156,8 +183,7 @@ TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
             "[JOINT_0] TYPE = ANGULAR is not taken over: axis X is linear",
             "[RS274NGC] RS274NGC_STARTUP_CODE = G21 G64P0.01 is not run before programs; of it the units are "
             "taken over",
-            "[TRAJ] ARC_BLEND_ENABLE = 0 is not taken over: the planner here is that of LinuxCNC 2.9 with 1",
-            "[TRAJ] PLANNER_TYPE = 1 is not taken over: the planner here is that of LinuxCNC 2.9 with 0",
+            "[TRAJ] ARC_BLEND_ENABLE = 0 is not taken over: the planner here is that of LinuxCNC with 1",
             "[RS274NGC] PARAMETER_FILE = none.var is not taken over: cannot read 'none.var': No such file or "
             "directory"));
     EXPECT_THAT(imported.left_out,
