@@ -54,6 +54,16 @@ std::string never_left_out(const TableRow& row);
 inline constexpr RunTable kGrblHalRuns{machine_of_grblhal, nullptr, never_left_out};
 inline constexpr RunTable kKlipperRuns{machine_of_klipper, nullptr, never_left_out};
 
+/// linuxcnc-2.10-MACHINE-pt0, or -pt1-j20000, -pt1-jdef: by planner and jerk.
+std::string machine_of_linuxcnc_2_10(const TableRow& row);
+/// Planner and jerk alone.
+std::string planner_of_linuxcnc_2_10(const TableRow& row);
+/// Runs in which that commit fell back to another planner, or left the acceleration limits of the axes.
+std::string fault_of_linuxcnc_2_10(const TableRow& row);
+
+inline constexpr RunTable kLinuxcncMasterRuns{machine_of_linuxcnc_2_10, planner_of_linuxcnc_2_10,
+                                              fault_of_linuxcnc_2_10};
+
 /// LinuxCNC times a dwell by the wall clock, and stops at multiples of its servo period: some ms for a
 /// program. The second set is of whole part programs and of single words between moves. grbl's time is exact,
 /// and so is grblHAL's: that of its fine clock, which is nearest to the law that it follows. Klipper's is
@@ -80,6 +90,16 @@ inline constexpr std::array kControllers{
                .close_percent = 99,
                .dialect = "klipper",
                .runs = &kKlipperRuns},
+    Controller{.name = "linuxcnc-master",
+               .time_key = "cycle_time_s",
+               .note_key = "mode",
+               .close = {0.05, 0.002},
+               .fair = {0.5, 0.005},
+               .close_percent = 85,
+               .fair_percent = 97,
+               .from_first_move = true,
+               .tools = 9,
+               .runs = &kLinuxcncMasterRuns},
 };
 
 }  // namespace gsim::accuracy

@@ -71,6 +71,22 @@ TEST(RunTable, SaysWhichProgramHasNoTime) {
 
 TEST(RunTable, NamesMachinesWithDashes) {
     EXPECT_EQ(machine_of_grblhal({{"machine", "router_jd0"}}), "grblhal-router-jd0");
+    TableRow row{{"machine", "gantry"}, {"planner_type", "0"}, {"jerk", "0"}};
+    EXPECT_EQ(machine_of_linuxcnc_2_10(row), "linuxcnc-2.10-gantry-pt0");
+    row["planner_type"] = "1";
+    row["jerk"] = "20000";
+    EXPECT_EQ(machine_of_linuxcnc_2_10(row), "linuxcnc-2.10-gantry-pt1-j20000");
+    row["jerk"] = "1000000000";
+    EXPECT_EQ(machine_of_linuxcnc_2_10(row), "linuxcnc-2.10-gantry-pt1-jdef");
+    EXPECT_EQ(planner_of_linuxcnc_2_10(row), "pt1-jdef");
+}
+
+TEST(RunTable, FaultsOfACommitAreLeftOutByName) {
+    EXPECT_EQ(fault_of_linuxcnc_2_10({{"flag", "trapezoidal_fallback,spindle_or_coolant"}}),
+              "trapezoidal_fallback");
+    EXPECT_EQ(fault_of_linuxcnc_2_10({{"flag", "acc_step"}}), "acc_step");
+    EXPECT_EQ(fault_of_linuxcnc_2_10({{"flag", "dwell"}}), "");
+    EXPECT_EQ(fault_of_linuxcnc_2_10({}), "");
 }
 
 }  // namespace
