@@ -17,7 +17,7 @@ EVERYBODYS = ("base/bits.h", "base/plane.h", "base/units.h")
 # Who makes a header that is no file of ours, by how its name begins or ends.
 EXTERNAL = (
     (r"fmt/.*", "fmt"), (r"fast_float/.*", "fast_float"), (r"Eigen/.*", "Eigen"), (r"tl/.*", "tl-expected"), (r"toml\+\+/.*", "toml++"), (r"nlohmann/.*", "nlohmann-json"),
-    (r"lua\.hpp", "Lua"), (r"pugixml\.hpp", "pugixml"), (r"CLI/.*", "CLI11"), (r".*\.hxx", "OpenCASCADE"),
+    (r"lua\.hpp", "Lua"), (r"pugixml\.hpp", "pugixml"), (r"CLI/.*", "CLI11"), (r"ceres/.*", "Ceres"), (r".*\.hxx", "OpenCASCADE"),
     (r"zlib\.h", "zlib"), (r"httplib\.h", "cpp-httplib"), (r"emscripten\.h", "emscripten"),
     (r"std(int|def)\.h", ""), (r"[a-z_/]+\.h", "POSIX"), (r"[a-z_]+", ""))
 

@@ -2,8 +2,8 @@
 # Installs the Debian packages that are missing, if any is. Groups: build (programs; always), test, coverage, lint,
 # clang (compiles for sanitizers and fuzzing), wasm (WebAssembly: 800 MB; a node that is installed serves as well as Debian's), studio (the page: node and npm where there are none, since Debian's npm does not go together with a
 # newer node), browser (Chromium, in which the page is tried), step (OpenCASCADE, which reads STEP and IGES files; the programs are built
-# without it, too), site (the documentation as pages), package (makes packages and tries them).
-# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [studio] [browser] [site] [package]
+# without it, too), calibrate (Ceres, for gsim-calibrate; nothing else needs it), site (the documentation as pages), package (makes packages and tries them).
+# Usage: scripts/setup.sh [test] [coverage] [lint] [clang] [step] [wasm] [studio] [browser] [calibrate] [site] [package]
 set -euo pipefail
 
 declare -A packages=(
@@ -18,6 +18,7 @@ declare -A packages=(
     [wasm]="emscripten python3 dpkg-dev"
     [studio]=""
     [browser]="chromium"
+    [calibrate]="libceres-dev"
     [site]="mkdocs"
     [package]="debhelper dpkg-dev lintian patchelf mmdebstrap"
 )

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "calibrate/times/parameter.h"
+#include "calibrate/times/predictor.h"
+
+namespace gsim::calibrate {
+
+/// What a fit has found of a parameter.
+struct FittedParameter {
+    std::string name;
+    double value = 0;
+    double spread = 0;  ///< Standard deviation of the value's logarithm: 0.01 is 1 %. Of no meaning where
+    bool identified = true;  ///< false: these runs do not depend on it, or on it and others together alone.
+};
+
+/// Parameters of a machine, fitted to recorded runs.
+struct Fit {
+    machine::Machine machine;
+    std::vector<FittedParameter> parameters;
+    Eigen::MatrixXd covariance;   ///< Of the logarithms of identified parameters; 0 in rows of the others.
+    std::vector<double> times_s;  ///< Of the runs, on `machine`.
+    double noise = 0;             ///< What is left, as a standard deviation of the times' logarithms.
+};
+
+/// Fits the open parameters of `machine` to the times of `runs`: least squares of the logarithms of times,
+/// robust where a run is off by more than 2 % (Huber), within the parameters' bounds (Ceres,
+/// Levenberg-Marquardt). What the runs tell nothing of stays near to what it was. Derivatives are differences
+/// over 1 % of each parameter. `told` gets a word on each step. The error names a program that does not come
+/// to its end, or says that there are too few runs.
+tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
+                                         const Predictor& predictor, bool each_axis,
+                                         const std::function<void(const std::string&)>& told = {});
+
+}  // namespace gsim::calibrate

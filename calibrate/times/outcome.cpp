@@ -1,0 +1,157 @@
+#include "calibrate/times/outcome.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double error_percent(const Fit& fit, std::span<const RecordedRun> runs, std::size_t i) {
+    return 100 * (fit.times_s[i] - runs[i].time_s) / runs[i].time_s;
+}
+
+std::string name_of(const RecordedRun& run) {
+    return std::filesystem::path(run.program).filename().string();
+}
+
+struct Errors {
+    double mean_percent = 0;
+    double largest_percent = 0;
+};
+
+Errors errors_of(const Fit& fit, std::span<const RecordedRun> runs) {
+    Errors errors;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double error = std::abs(error_percent(fit, runs, i));
+        errors.mean_percent += error / static_cast<double>(runs.size());
+        errors.largest_percent = std::max(errors.largest_percent, error);
+    }
+    return errors;
+}
+
+std::string value_of(const FittedParameter& parameter) {
+    if (!parameter.identified)
+        return fmt::format("{:.6g}, of which these runs tell nothing by itself", parameter.value);
+    return fmt::format("{:.6g}, to {:.2g} % (one standard deviation)", parameter.value,
+                       100 * parameter.spread);
+}
+
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        if (c == '<') {
+            safe += "&lt;";
+        } else if (c == '&') {
+            safe += "&amp;";
+        } else {
+            safe += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+        }
+    }
+    return safe;
+}
+
+std::vector<std::size_t> worst_first(const Fit& fit, std::span<const RecordedRun> runs) {
+    std::vector<std::size_t> order(runs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::abs(error_percent(fit, runs, a)) > std::abs(error_percent(fit, runs, b));
+    });
+    return order;
+}
+
+}  // namespace
+
+std::string machine_text(const Fit& fit, std::span<const RecordedRun> runs) {
+    const Errors errors = errors_of(fit, runs);
+    std::string text = fmt::format(
+        "# Fitted to the times of {} recorded runs by gsim-calibrate: {:.2f} % off in the mean, {:.2f} % at "
+        "worst.\n",
+        runs.size(), errors.mean_percent, errors.largest_percent);
+    for (const FittedParameter& parameter : fit.parameters)
+        text += fmt::format("# {} = {}\n", parameter.name, value_of(parameter));
+    return text + "\n" + machine::print_machine(fit.machine);
+}
+
+std::string fit_table(const Fit& fit, std::span<const RecordedRun> runs) {
+    std::string text;
+    for (const FittedParameter& parameter : fit.parameters)
+        text += fmt::format("  {} = {}\n", parameter.name, value_of(parameter));
+    text += fmt::format("\n{:<40} {:>12} {:>12} {:>9}\n", "run", "recorded s", "fitted s", "error %");
+    for (const std::size_t i : worst_first(fit, runs)) {
+        text += fmt::format("{:<40} {:>12.3f} {:>12.3f} {:>+9.2f}\n", name_of(runs[i]), runs[i].time_s,
+                            fit.times_s[i], error_percent(fit, runs, i));
+    }
+    const Errors errors = errors_of(fit, runs);
+    return text + fmt::format("\n{} runs, {:.2f} % off in the mean, {:.2f} % at worst\n", runs.size(),
+                              errors.mean_percent, errors.largest_percent);
+}
+
+std::string fit_json(const Fit& fit, std::span<const RecordedRun> runs, const std::optional<Choice>& choice) {
+    Json json;
+    json["noise_percent"] = 100 * fit.noise;
+    Json& parameters = json["parameters"] = Json::array();
+    for (const FittedParameter& parameter : fit.parameters) {
+        Json& entry = parameters.emplace_back(Json{{"name", parameter.name}, {"value", parameter.value}});
+        entry["identified"] = parameter.identified;
+        entry["spread_percent"] = parameter.identified ? Json(100 * parameter.spread) : Json(nullptr);
+    }
+    Json& rows = json["log_covariance"] = Json::array();
+    for (Eigen::Index i = 0; i < fit.covariance.rows(); ++i) {
+        Json& row = rows.emplace_back(Json::array());
+        for (Eigen::Index k = 0; k < fit.covariance.cols(); ++k) row.push_back(fit.covariance(i, k));
+    }
+    Json& all = json["runs"] = Json::array();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        all.push_back(
+            {{"program", runs[i].program}, {"recorded_s", runs[i].time_s}, {"fitted_s", fit.times_s[i]}});
+    if (!choice) return json.dump(2) + "\n";
+    Json& models = json["models"] = Json::array();
+    for (const Score& score : choice->scores) {
+        Json& entry = models.emplace_back(Json{{"name", score.name}});
+        entry["fitted_percent"] = score.refused.empty() ? Json(score.fitted_percent) : Json(nullptr);
+        entry["foretold_percent"] = score.foretells ? Json(score.mean_percent) : Json(nullptr);
+        entry["foretold_largest_percent"] = score.foretells ? Json(score.largest_percent) : Json(nullptr);
+        if (!score.refused.empty()) entry["refused"] = score.refused;
+    }
+    json["chosen"] = choice->scores[choice->best].name;
+    return json.dump(2) + "\n";
+}
+
+std::string residuals_svg(const Fit& fit, std::span<const RecordedRun> runs) {
+    constexpr double kRow = 16, kLeft = 260, kHalf = 200, kTop = 30;
+    const double most = std::max(errors_of(fit, runs).largest_percent, 0.1);
+    const double middle = kLeft + kHalf;
+    const double height = kTop + kRow * static_cast<double>(runs.size()) + 10;
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
+        "{0:.0f} "
+        "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
+        "fill=\"#fff\"/>\n<text x=\"{2:.0f}\" y=\"16\" text-anchor=\"middle\">fitted - recorded, % (at most "
+        "{3:.2f})</text>\n<line x1=\"{2:.0f}\" y1=\"22\" x2=\"{2:.0f}\" y2=\"{4:.0f}\" stroke=\"#888\"/>\n",
+        middle + kHalf + 20, height, middle, most, height - 5);
+    double y = kTop;
+    for (const std::size_t i : worst_first(fit, runs)) {
+        const double error = error_percent(fit, runs, i);
+        const double length = std::abs(error) / most * kHalf;
+        svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>\n", kLeft - 8,
+                           y + 11, escaped(name_of(runs[i])));
+        svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.0f}\" width=\"{:.1f}\" height=\"12\" fill=\"{}\"/>\n",
+                           error < 0 ? middle - length : middle, y + 1, std::max(length, 0.5),
+                           error < 0 ? "#0072b2" : "#d55e00");
+        y += kRow;
+    }
+    return svg + "</svg>\n";
+}
+
+}  // namespace gsim::calibrate

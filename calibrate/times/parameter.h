@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "runtime/machine/machine.h"
+
+namespace gsim::calibrate {
+
+/// A figure of a machine file that is fitted. Its logarithm is what is looked for: all are above 0.
+struct Parameter {
+    std::string name;  ///< As the machine file has it: "axes X, Y: max_acceleration_mm_s2".
+    double least = 0;
+    double most = 0;
+    std::function<double(const machine::Machine&)> value;
+    std::function<void(machine::Machine&, double)> set;
+};
+
+/// What a machine leaves open, by its controller's rules: accelerations (of axes that have the same one at
+/// first together, unless each is asked for), jerks where they are limited, what corners are passed by, the
+/// share of curves, and waits at stops. Bounds are factors of 100 about what the machine has; waits that it
+/// has not begin at 10 ms. Limits that are none (inf) are not fitted.
+std::vector<Parameter> open_parameters(const machine::Machine& machine, bool each_axis);
+
+/// The machine with these values of parameters, in their order.
+machine::Machine with_values(machine::Machine machine, const std::vector<Parameter>& parameters,
+                             const std::vector<double>& values);
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace gsim::calibrate {
+
+/// A part program that a machine ran, and how long it took.
+struct RecordedRun {
+    std::string program;  ///< Name of its file.
+    double time_s = 0;    ///< From its first motion or dwell to its last.
+};
+
+/// The runs that a list names, one a line: a program's file, from `folder` where it is not absolute, and its
+/// time in s, with commas or tabs between, under a line that names the columns: `program` and `time_s`, or
+/// `name` (without an ending) and `cycle_time_s`. Other columns are of no meaning here. The error says which
+/// line lacks what.
+tl::expected<std::vector<RecordedRun>, std::string> read_recorded_runs(std::string_view list,
+                                                                       const std::string& folder);
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,129 @@
+// Part programs that tell what recorded runs did not.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "calibrate/times/outcome.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+using machine::Axis;
+
+constexpr double kMostOfRange = 0.4;
+constexpr double kMost = 100;  // mm or deg
+
+/// How far a test may move an axis from where it stands at home, to the side with more room.
+double reach_of(const Axis& axis) {
+    const double up = axis.max - axis.home, down = axis.home - axis.min;
+    const double room = std::min(kMostOfRange * std::max(up, down), kMost);
+    return up >= down ? room : -room;
+}
+
+const Axis* axis_named(const machine::Machine& machine, std::string_view parameter, char letter) {
+    const std::string_view letters = parameter.substr(0, parameter.find(':'));
+    if (!letters.starts_with("ax")) return nullptr;
+    const std::size_t blank = letters.find(' ');
+    if (blank == std::string_view::npos || letters.find(letter, blank) == std::string_view::npos)
+        return nullptr;
+    const auto found = std::find_if(machine.axes.begin(), machine.axes.end(),
+                                    [letter](const Axis& axis) { return axis.letter == letter; });
+    return found == machine.axes.end() ? nullptr : &*found;
+}
+
+/// There and back over ways of all lengths: their times have both the speed and the ramps in them.
+std::string strokes(const Axis& axis) {
+    std::string text = fmt::format("(there and back with {}: its acceleration and jerk)\n", axis.letter);
+    const double reach = reach_of(axis);
+    for (const double share : {1.0, 0.3, 0.1, 0.03, 0.01}) {
+        const double to = axis.home + share * reach;
+        for (int i = 0; i < 3; ++i)
+            text += fmt::format("G0 {0}{1:.3f}\nG0 {0}{2:.3f}\n", axis.letter, to, axis.home);
+    }
+    return text;
+}
+
+struct Plane {
+    const Axis& x;
+    const Axis& y;
+    double size_mm;
+};
+
+/// Corners of all angles between lines of 20 mm at most.
+std::string zigzag(const Plane& plane) {
+    std::string text = "(corners of all angles)\nG64\n";
+    const double side = plane.size_mm / 5;
+    for (const int angle : {10, 30, 60, 90, 120, 150, 170}) {
+        const double turn = angle * std::numbers::pi / 180;
+        text += fmt::format("G0 X{:.3f} Y{:.3f}\n", plane.x.home, plane.y.home);
+        const double sx = std::copysign(1.0, reach_of(plane.x)), sy = std::copysign(1.0, reach_of(plane.y));
+        for (int i = 0; i < 4; ++i) {
+            const double x = side, middle = 0.6 * side, y = side * std::abs(std::sin(turn / 2));
+            text += fmt::format("G1 X{:.3f} Y{:.3f} F6000\nG1 X{:.3f} Y{:.3f}\n", plane.x.home + sx * middle,
+                                plane.y.home + sy * y, plane.x.home + sx * x, plane.y.home);
+        }
+    }
+    return text + "G61\n";
+}
+
+std::string circles(const Plane& plane) {
+    std::string text = "(curves)\n";
+    const double sx = std::copysign(1.0, reach_of(plane.x));
+    for (const double share : {0.05, 0.1, 0.2}) {
+        const double radius = share * plane.size_mm;
+        text += fmt::format("G0 X{:.3f} Y{:.3f}\nG2 X{:.3f} Y{:.3f} I{:.3f} J0 F30000\n", plane.x.home,
+                            plane.y.home, plane.x.home, plane.y.home, sx * radius);
+    }
+    return text;
+}
+
+std::string stops(const Plane& plane) {
+    std::string text = "(many stops)\nG61\n";
+    const double sx = std::copysign(1.0, reach_of(plane.x));
+    for (int i = 0; i < 20; ++i) {
+        text += fmt::format("G1 X{:.3f} F1000\nG4 P0.1\n",
+                            plane.x.home + sx * 0.05 * plane.size_mm * (i % 2 == 0 ? 1 : 0));
+    }
+    return text;
+}
+
+std::optional<Plane> plane_of(const machine::Machine& machine) {
+    const auto find = [&](char letter) {
+        return std::find_if(machine.axes.begin(), machine.axes.end(),
+                            [letter](const Axis& axis) { return axis.letter == letter; });
+    };
+    const auto x = find('X'), y = find('Y');
+    if (x == machine.axes.end() || y == machine.axes.end()) return std::nullopt;
+    return Plane{*x, *y, std::min(std::abs(reach_of(*x)), std::abs(reach_of(*y)))};
+}
+
+std::string of_controller(const FittedParameter& parameter, const Plane& plane) {
+    if (parameter.name.ends_with("centripetal_share")) return circles(plane);
+    if (parameter.name.ends_with("settle_s") || parameter.name.ends_with("rest_s")) return stops(plane);
+    return zigzag(plane);
+}
+
+}  // namespace
+
+std::string test_program(const Fit& fit) {
+    std::string text;
+    const auto plane = plane_of(fit.machine);
+    for (const FittedParameter& parameter : fit.parameters) {
+        if (parameter.identified) continue;
+        for (const Axis& axis : fit.machine.axes) {
+            if (const Axis* of = axis_named(fit.machine, parameter.name, axis.letter)) text += strokes(*of);
+        }
+        if (!parameter.name.starts_with("controller")) continue;
+        if (plane) text += of_controller(parameter, *plane);
+    }
+    if (text.empty()) return text;
+    return "(for gsim-calibrate: run it without a tool, and record how long it takes)\nG21 G90 G94 G17\n" +
+           text + "M2\n";
+}
+
+}  // namespace gsim::calibrate

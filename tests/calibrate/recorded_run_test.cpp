@@ -1,0 +1,38 @@
+#include "calibrate/times/recorded_run.h"
+
+#include <gtest/gtest.h>
+
+namespace gsim::calibrate::recorded_run_test {
+namespace {
+
+TEST(RecordedRuns, AreLinesWithAProgramAndATime) {
+    const auto runs =
+        read_recorded_runs("time_s, program ,who\r\n 1.5,a.nc,me\r\n\n2e1,\"/b/c.nc\",you\n", "shop");
+    ASSERT_TRUE(runs) << runs.error();
+    ASSERT_EQ(runs->size(), 2U);
+    EXPECT_EQ((*runs)[0].program, "shop/a.nc");
+    EXPECT_EQ((*runs)[0].time_s, 1.5);
+    EXPECT_EQ((*runs)[1].program, "/b/c.nc");
+    EXPECT_EQ((*runs)[1].time_s, 20);
+}
+
+TEST(RecordedRuns, MayBeATableOfNamesAndCycleTimes) {
+    const auto runs = read_recorded_runs("name\tmachine\tcycle_time_s\nx\trouter\t3\n", "");
+    ASSERT_TRUE(runs) << runs.error();
+    ASSERT_EQ(runs->size(), 1U);
+    EXPECT_EQ((*runs)[0].program, "x.ngc");
+}
+
+TEST(RecordedRuns, SayWhichLineLacksWhat) {
+    EXPECT_EQ(read_recorded_runs("", "").error(), "it is empty");
+    EXPECT_EQ(read_recorded_runs("a,b\n", "").error(),
+              "line 1: it should name the columns, 'program' and 'time_s' among them");
+    EXPECT_EQ(read_recorded_runs("program,time_s\na.nc\n", "").error(), "line 2: a column is missing");
+    for (const char* time : {"soon", "", "0", "-1", "nan", "1e999", "1 s"}) {
+        EXPECT_EQ(read_recorded_runs(std::string("program,time_s\na.nc,") + time + "\n", "").error(),
+                  std::string("line 2: '") + time + "' should be a time above 0 s");
+    }
+}
+
+}  // namespace
+}  // namespace gsim::calibrate::recorded_run_test

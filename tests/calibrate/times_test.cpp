@@ -1,0 +1,144 @@
+// Figures that are hidden in a machine, found again from the times that it takes.
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calibrate/times/fit.h"
+#include "calibrate/times/outcome.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::calibrate::times_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+machine::Machine router(double acceleration_mm_s2, double speed_step_s) {
+    std::string text = fmt::format(
+        "[machine]\nname = \"router\"\ninverse = \"gantry\"\n[controller]\nplanner = \"look-ahead\"\n"
+        "corner = \"velocity-step\"\nexact_path_corner = \"velocity-step\"\nspeed_step_s = {}\n"
+        "stop_between_rapid_and_feed = false\n",
+        speed_step_s);
+    for (const char letter : {'X', 'Y', 'Z'}) {
+        text += fmt::format(
+            "[[axis]]\nletter = \"{}\"\nkind = \"linear\"\nmin_mm = -500.0\nmax_mm = 500.0\n"
+            "max_speed_mm_s = 100.0\nmax_acceleration_mm_s2 = {}\ndirection = \"{}\"\n",
+            letter, acceleration_mm_s2, static_cast<char>(letter + ('x' - 'X')));
+    }
+    return machine::read_machine(text, "router.toml").value();
+}
+
+/// A folder with programs of zigzags, of several sides.
+class Recordings : public testing::Test {
+  protected:
+    Recordings() : folder_(fs::temp_directory_path() / "gsim-calibrate-times-test") {
+        fs::create_directories(folder_);
+        for (int i = 0; i < 8; ++i) add_zigzag(2.0 * (i + 1), 10 + 15 * i);
+    }
+    ~Recordings() override { fs::remove_all(folder_); }
+
+    void add_zigzag(double side_mm, double angle_deg) {
+        std::string text = "G21 G90 G94 G17 G64\nG0 X0 Y0\n";
+        const double angle = angle_deg * std::acos(-1.0) / 180;
+        for (int i = 1; i <= 20; ++i) {
+            text += fmt::format("G1 X{:.3f} Y{:.3f} F6000\n", i * side_mm * std::cos(angle / 2),
+                                i % 2 == 0 ? 0.0 : side_mm * std::sin(angle / 2));
+        }
+        add(text + "M2\n");
+    }
+    void add(const std::string& text) {
+        const fs::path file = folder_ / fmt::format("{}.ngc", runs_.size());
+        std::ofstream(file) << text;
+        runs_.push_back({file.string(), 1});
+    }
+    /// The times of a machine, off by a factor with this standard deviation.
+    void record(const machine::Machine& machine, double noise) {
+        std::mt19937 random(5);
+        const auto times = Predictor::of(runs_, "rs274ngc").value().times_s(machine);
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            ASSERT_TRUE(times[i]) << times[i].error();
+            runs_[i].time_s = *times[i] * std::exp(std::normal_distribution<double>(0, noise)(random));
+        }
+    }
+    Fit fit(const machine::Machine& start) {
+        return fit_times(start, runs_, Predictor::of(runs_, "rs274ngc").value(), false).value();
+    }
+
+    fs::path folder_;
+    std::vector<RecordedRun> runs_;
+};
+
+const FittedParameter& named(const Fit& fit, const std::string& name) {
+    for (const FittedParameter& parameter : fit.parameters) {
+        if (parameter.name.find(name) != std::string::npos) return parameter;
+    }
+    throw std::out_of_range(name);
+}
+
+TEST_F(Recordings, GiveBackWhatTheyWereMadeWith) {
+    record(router(730, 0.012), 0);
+    const Fit found = fit(router(400, 0.03));
+    EXPECT_NEAR(named(found, "max_acceleration").value, 730, 7);
+    EXPECT_NEAR(named(found, "speed_step_s").value, 0.012, 0.0003);
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+        EXPECT_NEAR(found.times_s[i], runs_[i].time_s, 0.003 * runs_[i].time_s);
+}
+
+TEST_F(Recordings, WithNoiseGiveThemWithinThreeStandardDeviations) {
+    record(router(730, 0.012), 0.005);
+    const Fit found = fit(router(400, 0.03));
+    for (const auto& [name, truth] :
+         {std::pair{"max_acceleration", 730.0}, std::pair{"speed_step_s", 0.012}}) {
+        const FittedParameter& parameter = named(found, name);
+        ASSERT_TRUE(parameter.identified) << name;
+        EXPECT_LT(std::abs(std::log(parameter.value / truth)), 3 * parameter.spread) << name;
+    }
+    EXPECT_NEAR(found.noise, 0.005, 0.004);
+}
+
+TEST_F(Recordings, DoNotTellOfWhatTheyDoNotHave) {
+    record(router(730, 0.012), 0);
+    const Fit found = fit(router(400, 0.03));
+    EXPECT_FALSE(named(found, "centripetal_share").identified);
+    const std::string program = test_program(found);
+    EXPECT_THAT(program, HasSubstr("(curves)\n"));
+    EXPECT_THAT(program, HasSubstr("G2 X"));
+    EXPECT_THAT(fit_table(found, runs_), HasSubstr("tell nothing by itself"));
+}
+
+TEST_F(Recordings, OfCurvesTellOfThem) {
+    for (const double radius : {2.0, 5.0, 10.0})
+        add(fmt::format("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I{0} J0\nG2 X1 Y0 I{0} J0\nM2\n", radius));
+    machine::Machine hidden = router(730, 0.012);
+    hidden.controller.centripetal_share = 0.6;
+    record(hidden, 0);
+    const Fit found = fit(router(400, 0.03));
+    EXPECT_TRUE(named(found, "centripetal_share").identified);
+    EXPECT_NEAR(named(found, "centripetal_share").value, 0.6, 0.02);
+}
+
+TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
+    record(router(730, 0.012), 0.005);
+    const Fit found = fit(router(400, 0.03));
+    const auto again = machine::read_machine(machine_text(found, runs_), "fitted.toml");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(*again, found.machine);
+    EXPECT_THAT(residuals_svg(found, runs_), HasSubstr("0.ngc"));
+}
+
+TEST_F(Recordings, OfAProgramThatEndsNotAreRefusedByName) {
+    add("G1 X9999 F100\nM2\n");
+    const auto found = fit_times(router(400, 0.03), runs_, Predictor::of(runs_, "rs274ngc").value(), false);
+    ASSERT_FALSE(found);
+    EXPECT_THAT(found.error(), HasSubstr("8.ngc"));
+    EXPECT_FALSE(Predictor::of(std::vector<RecordedRun>{{"/nowhere.ngc", 1}}, ""));
+}
+
+}  // namespace
+}  // namespace gsim::calibrate::times_test
