@@ -72,6 +72,7 @@ std::vector<AxisMotion> axis_motions(const machine::Machine& machine) {
     motions.reserve(machine.axes.size());
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         const machine::Axis& axis = machine.axes[i];
+        if (axis.carries == machine::Carries::nothing) continue;
         const bool work = axis.carries == machine::Carries::work;
         const Eigen::Vector3d of_joint = to_work * frames[i].linear().col(2);
         motions.push_back({.letter = axis.letter,

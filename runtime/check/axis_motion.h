@@ -16,7 +16,7 @@ struct AxisMotion {
     Eigen::Vector3d direction{0, 0, 1};  ///< Of length 1; of a turn its axis, by the right-hand rule.
 };
 
-/// The motions of all axes, in their order.
+/// The motions of all axes that carry the tool or the work, in their order.
 std::vector<AxisMotion> axis_motions(const machine::Machine& machine);
 
 /// "+X moves the tool to the right (+x)": seen from the front, with the work frame's x to the right and its z

@@ -78,10 +78,9 @@ class Text {
         add("\naxis  kind    carries        min        max       home  speed (/s)  accel. (/s2)\n");
         for (const machine::Axis& axis : machine_.axes) {
             const bool linear = axis.kind == machine::AxisKind::linear;
-            add("{}     {:<7} {:<4} {:>13} {:>10} {:>10.6g} {:>11} {:>13}\n", axis.letter,
-                linear ? "mm" : "deg", axis.carries == machine::Carries::work ? "work" : "tool",
-                or_none(axis.min), or_none(axis.max), text::unsigned_zero(axis.home), or_none(axis.max_speed),
-                or_none(axis.max_acceleration));
+            add("{}     {:<7} {:<7} {:>10} {:>10} {:>10.6g} {:>11} {:>13}\n", axis.letter,
+                linear ? "mm" : "deg", machine::name(axis.carries), or_none(axis.min), or_none(axis.max),
+                text::unsigned_zero(axis.home), or_none(axis.max_speed), or_none(axis.max_acceleration));
         }
         const Eigen::Vector3d tip = check_.home.translation();
         add("\nhome       tip at {} {} {} mm in the work frame\n", text::fixed(tip.x(), 3),

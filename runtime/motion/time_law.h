@@ -63,7 +63,8 @@ class TimeLaw {
     /// before it ends, and must not run backwards. Pieces without duration are left out.
     static TimeLaw of_pieces(std::span<const LawPiece> pieces);
 
-    static constexpr std::size_t kMaxPieces = 9;  ///< Two jerk-limited ramps, a cruise and a rest at each end.
+    static constexpr std::size_t kMaxPieces =
+        9;  ///< Two jerk-limited ramps, a cruise and a rest at each end.
 
     double length() const { return length_; }
     double duration_s() const { return duration_s_; }

@@ -43,10 +43,11 @@ struct Arguments {
 
 void add_options(apps::CommandLine& line, Arguments& arguments) {
     if (const char* folder = std::getenv("GSIM_REFERENCE"); folder != nullptr) arguments.folder = folder;
-    line.add("folder", &arguments.folder,
-             "folder with recordings in linuxcnc/, linuxcnc-master/, grbl/, grblhal/; else that of the "
-             "environment's "
-             "GSIM_REFERENCE");
+    line.add(
+        "folder", &arguments.folder,
+        "folder with recordings in linuxcnc/, linuxcnc-master/, grbl/, grblhal/, klipper/; else that of the "
+        "environment's "
+        "GSIM_REFERENCE");
     line.add("--gsim-run", &arguments.gsim_run, "the program gsim-run").shows_default();
     line.add("--machines", &arguments.machines, "folder of the machine files CONTROLLER-MACHINE.toml")
         .must_be_given();

@@ -15,7 +15,7 @@ export interface Axis {
   home: number;
   /** Reading of the axis where its joint is at 0. */
   zero: number;
-  carries: "tool" | "work";
+  carries: "tool" | "work" | "nothing";
 }
 
 export interface Link {
