@@ -124,6 +124,8 @@ void add_options_of(engine::Document document, CommandLine& line, engine::Docume
             .called("SECONDS")
             .within(engine::kLeastStep_s, 1e6)
             .shows_default();
+        line.add("--forces", &options.forces,
+                 "the trajectory has the forces and torques of the motors, and their power");
     }
     if (document == engine::Document::plot) {
         line.add("--plot-plane", &options.plane,

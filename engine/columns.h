@@ -40,6 +40,20 @@ struct SegmentColumns {
 /// Takes what a run has made since the last call, in the order of time.
 using TakeColumns = std::function<void(const SegmentColumns&)>;
 
+/// What the motors bring up over time (docs/dynamics.md), at instants that show each curve: the ends of each
+/// part in which it is smooth, and several in between. Where it jumps there are two at nearly one instant.
+struct EffortColumns {
+    /// One entry for each instant, in the order of time.
+    std::vector<double> t_s;
+    std::vector<std::uint32_t> line;
+    std::vector<float> power_w;  ///< Of all motors together; below 0 where they are driven.
+    /// For each instant one for each axis of the machine: N, or Nm of rotary ones.
+    std::vector<float> efforts;
+};
+
+/// Takes what a run has made since the last call, in the order of time.
+using TakeEfforts = std::function<void(const EffortColumns&)>;
+
 /// The most segments of a call.
 inline constexpr std::uint32_t kColumnChunk = 16'384;
 

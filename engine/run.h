@@ -42,6 +42,7 @@ inline constexpr double kLeastStep_s = 1e-6;
 /// How documents are to be.
 struct DocumentOptions {
     double step_s = 0.01;      ///< Of a trajectory's samples.
+    bool forces = false;       ///< A trajectory has those of the motors, and their power.
     std::string plane = "xy";  ///< Which a plot shows: "xy", "zx", "yz".
     bool bitmap = false;       ///< A plot becomes PNG, else SVG.
     std::string name = {};     ///< Of the file, for messages.
@@ -88,6 +89,8 @@ class GSIM_API Run {
     /// The same as take_segments(), for use elsewhere: all that the closed forms need, and the way of the
     /// tip. scene() tells behind the run how frames went by themselves.
     void take_columns(TakeColumns take, std::size_t robot = 0);
+    /// What the motors bring up. The error: the machine file does not tell of masses.
+    tl::expected<void, Failure> take_efforts(TakeEfforts take, std::size_t robot = 0);
     void show_progress(Progress progress);
 
     /// Runs to the end, an alarm, a limit, or Request::cancel. What happened.

@@ -67,6 +67,9 @@ enum class DiagnosticKind : std::uint8_t {
     end_with_process_on,
     feed_with_process_off,
     feed_with_spindle_off,
+    // Of the motors.
+    motor_peak,
+    motor_continuous,
     // Of other input, of outputs and of what was asked for.
     usage,
     file,

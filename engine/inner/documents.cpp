@@ -63,6 +63,10 @@ tl::expected<void, std::string> Documents::add_trajectory(TextStream& out, const
     trajectory_name_ = options.name;
     auto trajectory = std::make_unique<simulation::TrajectoryWriter>(out, simulator_.machine(),
                                                                      options.step_s, simulator_.max_time_s());
+    if (options.forces) {
+        if (simulator_.dynamics() == nullptr) return tl::unexpected(std::string(kNoMasses));
+        trajectory->add_efforts(*simulator_.dynamics());
+    }
     trajectory_ = trajectory.get();
     add_output(std::move(trajectory));
     return {};
@@ -76,6 +80,7 @@ tl::expected<void, std::string> Documents::add_plot(TextSink sink, const Documen
             fmt::format("'{}' is no plane of a plot; there are xy, zx and yz", options.plane));
     if (auto lacks = simulation::PlotData::lacks_axes(machine, *plane)) return tl::unexpected(*lacks);
     plot_ = std::make_unique<Plot>(machine, *plane, options.bitmap, std::move(sink));
+    if (simulator_.dynamics() != nullptr) plot_->data.add_efforts(*simulator_.dynamics());
     simulator_.add_output(plot_->data);
     return {};
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -21,6 +22,10 @@
 #include "runtime/simulation/trajectory_writer.h"
 
 namespace gsim::engine {
+
+/// Why nothing can tell of forces, as a sentence.
+inline constexpr std::string_view kNoMasses =
+    "forces are asked for, and the machine file has no [dynamics] that tells of masses";
 
 /// What a run of one machine writes and hands out, attached to its simulator.
 class Documents {

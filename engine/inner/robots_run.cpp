@@ -11,6 +11,7 @@
 #include "engine/inner/run_cell.h"
 #include "engine/inner/word_table.h"
 #include "runtime/cell/machine_shapes.h"
+#include "runtime/simulation/machine_dynamics.h"
 
 namespace gsim::engine {
 
@@ -71,9 +72,12 @@ tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
     auto cell = read_cell(entry, *machine, conveyors);
     if (!cell) return refused(cell.error());
     station.cell = *std::move(cell);
+    auto dynamics = simulation::make_dynamics(*machine, mesh_files(request.host));
+    if (!dynamics) return refused(fmt::format("robot {}: {}", entry.name, dynamics.error()));
     station.simulator =
         std::make_unique<simulation::Simulator>(std::move(*machine), run_limits(request, tools_->cpu));
     station.simulator->set_cell(*station.cell);
+    station.simulator->set_dynamics(*std::move(dynamics));
     if (!overrides->changes().empty()) station.simulator->set_overrides(*overrides);
     return station;
 }

@@ -4,17 +4,20 @@
 #include <utility>
 
 #include "engine/inner/documents.h"
+#include "engine/inner/effort_columns.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/host_names.h"
 #include "engine/inner/machine_parts.h"
 #include "engine/inner/program_run.h"
 #include "engine/inner/robots_run.h"
+#include "engine/inner/run_cell.h"
 #include "engine/inner/run_inputs.h"
 #include "engine/inner/scene.h"
 #include "engine/inner/segment_columns.h"
 #include "engine/inner/takers.h"
 #include "engine/inner/values.h"
 #include "engine/inner/variables_text.h"
+#include "runtime/simulation/machine_dynamics.h"
 
 namespace gsim::engine {
 
@@ -54,6 +57,7 @@ class Run::State {
     tl::expected<void, Failure> open_one();
     tl::expected<void, Failure> open_program();
     tl::expected<void, Failure> open_module();
+    tl::expected<void, Failure> open_dynamics();
     void add(simulation::Simulator& simulator);
     ShowProgress progress() {
         return [this](std::uint64_t done, std::uint64_t total) {
@@ -76,6 +80,7 @@ class Run::State {
     RunTools tools_{cpu_, tell_};
     std::optional<MachineInput> machine_;
     std::shared_ptr<const cell::Cell> cell_;
+    std::shared_ptr<const dynamics::Dynamics> dynamics_;
     std::optional<OpenedScript> program_;
     std::optional<rrs::RcsModule> module_;
     std::unique_ptr<ProgramRun> one_;
@@ -115,6 +120,16 @@ tl::expected<void, Failure> Run::State::open_one() {
     auto cell = read_cell_of_run(cell_choice(found_), machine_->machine);
     if (!cell) return tl::unexpected(failure_of(DiagnosticKind::input_file, cell.error(), request.cell));
     cell_ = std::make_shared<const cell::Cell>(*std::move(cell));
+    return open_dynamics();
+}
+
+/// Reads meshes of bodies that have masses.
+tl::expected<void, Failure> Run::State::open_dynamics() {
+    auto dynamics = simulation::make_dynamics(machine_->machine, mesh_files(found_.request.host));
+    if (!dynamics)
+        return tl::unexpected(
+            failure_of(DiagnosticKind::input_file, dynamics.error(), found_.request.machine));
+    dynamics_ = *std::move(dynamics);
     return {};
 }
 
@@ -132,7 +147,9 @@ tl::expected<void, Failure> Run::State::open_on(const Machine::Parts& parts) {
     }
     machine_ = parts.input;
     cell_ = parts.bodies;
-    return open_module().and_then([this] { return open_program(); });
+    return open_dynamics().and_then([this] { return open_module(); }).and_then([this] {
+        return open_program();
+    });
 }
 
 /// Before a program is confined, which takes from it what a module may reach.
@@ -171,6 +188,7 @@ tl::expected<void, Failure> Run::State::prepare() {
     if (!inputs) return tl::unexpected(failure_of(inputs.error()));
     inputs->module = std::exchange(module_, std::nullopt);
     one_ = std::make_unique<ProgramRun>(found_, *std::move(inputs), tools_, progress());
+    one_->simulator().set_dynamics(dynamics_);
     add(one_->simulator());
     return {};
 }
@@ -350,6 +368,13 @@ void Run::take_columns(TakeColumns take, std::size_t robot) {
     if (simulator.cell() != nullptr) simulator.cell()->keep_history();
     state_->documents(robot).add_output(
         hand_out_columns(std::move(take), simulator.machine(), simulator.tips_mm()));
+}
+
+tl::expected<void, Failure> Run::take_efforts(TakeEfforts take, std::size_t robot) {
+    const dynamics::Dynamics* dynamics = state_->simulator(robot).dynamics();
+    if (dynamics == nullptr) return tl::unexpected(failure_of(DiagnosticKind::usage, std::string(kNoMasses)));
+    state_->documents(robot).add_output(hand_out_efforts(std::move(take), *dynamics));
+    return {};
 }
 
 tl::expected<Scene, Failure> Run::scene(std::size_t robot) const {

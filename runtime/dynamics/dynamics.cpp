@@ -25,13 +25,14 @@ Eigen::Isometry3d in_metres(const rrs::CartPos& pose) {
 }  // namespace
 
 /// Of a link as the recursion goes out, in the world. The point is the origin of the frame behind its motion.
+/// Without initial values, as there is an array of them for each instant.
 struct Dynamics::State {
     Eigen::Isometry3d frame;
     Vector3d axis;
-    Vector3d turning = Vector3d::Zero();       // rad/s
-    Vector3d turning_rate = Vector3d::Zero();  // rad/s2
-    Vector3d velocity = Vector3d::Zero();      // of the point, m/s
-    Vector3d acceleration = Vector3d::Zero();  // the same, less gravity
+    Vector3d turning;       // rad/s
+    Vector3d turning_rate;  // rad/s2
+    Vector3d velocity;      // of the point, m/s
+    Vector3d acceleration;  // the same, less gravity
 };
 
 /// What the links from one on ask of the one before, about the point of that link.
@@ -67,9 +68,10 @@ std::vector<Dynamics::Link> Dynamics::links_of(const kinematics::Branch& branch,
                   .hoses = {}};
         if (last) link.body = joined(link.body, moved(carried, end));
         for (Hose hose : model.hoses) {
-            const bool here = hose.joint ? *hose.joint == of_chain.joint : tool && last;
-            if (!here) continue;
-            hose.point_m = (hose.joint ? after : end) * hose.point_m;
+            const bool on_joint = hose.end == HoseEnd::joint;
+            const bool on_end = last && hose.end == (tool ? HoseEnd::tool : HoseEnd::work);
+            if (!(on_joint ? hose.joint == of_chain.joint : on_end)) continue;
+            hose.point_m = (on_joint ? after : end) * hose.point_m;
             link.hoses.push_back(hose);
         }
         links.push_back(std::move(link));
@@ -92,6 +94,11 @@ void Dynamics::add_hoses(const Link& link, const State& state, Loads& loads) {
         loads.force -= pull;
         loads.torque -= arm.cross(pull);
     }
+}
+
+Dynamics::State Dynamics::world() {
+    const Vector3d none = Vector3d::Zero();
+    return {Eigen::Isometry3d::Identity(), none, none, none, none, none};
 }
 
 // The link behind `before`, whose joint stands at `value` with these first and second derivatives.
@@ -137,9 +144,9 @@ void Dynamics::add_body(const RigidBody& body, const State& state, Loads& loads)
 // `free`: without gravity, speeds and hoses, so that the acceleration alone counts.
 void Dynamics::add_efforts(const std::vector<Link>& links, const Motion& motion, bool free,
                            Efforts& efforts) const {
+    if (links.empty()) return;
     std::array<State, rrs::kMaxJoints> states;
-    State before;
-    before.frame = Eigen::Isometry3d::Identity();
+    State before = world();
     if (!free) before.acceleration = -gravity_m_s2_;
     for (std::size_t i = 0; i < links.size(); ++i) {
         const int joint = links[i].joint;

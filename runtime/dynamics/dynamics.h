@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "runtime/dynamics/rigid_body.h"
@@ -20,12 +19,17 @@ struct JointDrive {
     double counterweight = 0;  ///< What a balance takes off the motor in the sense of the value; N or Nm.
 };
 
+/// What the end of a hose hangs on.
+enum class HoseEnd { joint, tool, work };
+
 /// A hose (or a cable) that is held at a point of the world and at one of a link. It is a tether: what is
 /// beyond its free length pulls like a spring, shorter it is slack; and it is dragged by the link's point,
 /// against the speed of that.
 struct Hose {
-    std::optional<int> joint = std::nullopt;             ///< Whose link it hangs on; none: the tool.
-    Eigen::Vector3d point_m = Eigen::Vector3d::Zero();   ///< In the frame behind that joint, or the tool's.
+    HoseEnd end = HoseEnd::tool;
+    int joint = 0;  ///< Of HoseEnd::joint.
+    Eigen::Vector3d point_m =
+        Eigen::Vector3d::Zero();  ///< In the frame behind that joint, the tool's or the work's.
     Eigen::Vector3d anchor_m = Eigen::Vector3d::Zero();  ///< In the world.
     double free_length_m = 0;
     double stiffness_n_per_m = 0;
@@ -90,6 +94,7 @@ class Dynamics {
     std::vector<Link> links_of(const kinematics::Branch& branch, const DynamicsModel& model,
                                const RigidBody& carried, bool tool) const;
     void add_efforts(const std::vector<Link>& links, const Motion& motion, bool free, Efforts& efforts) const;
+    static State world();
     static State behind(const State& before, const Link& link, double value, double rate, double second);
     static void add_body(const RigidBody& body, const State& state, Loads& loads);
     static void add_hoses(const Link& link, const State& state, Loads& loads);

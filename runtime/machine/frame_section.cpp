@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "base/toml/toml_text.h"
+
 namespace gsim::machine {
 
 using base::FirstError;

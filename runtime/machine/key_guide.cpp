@@ -12,7 +12,16 @@ struct Suffix {
     std::string_view unit;
 };
 // The first that fits counts.
-constexpr std::array kSuffixes{Suffix{"_mm_s3", "mm/s3"},
+constexpr std::array kSuffixes{Suffix{"_n_per_mm_s", "N/(mm/s)"},
+                               Suffix{"_nm_per_deg_s", "Nm/(deg/s)"},
+                               Suffix{"_n_per_mm", "N/mm"},
+                               Suffix{"_kg_m3", "kg/m3"},
+                               Suffix{"_kg_m2", "kg m2"},
+                               Suffix{"_kg", "kg"},
+                               Suffix{"_nm", "Nm"},
+                               Suffix{"_n", "N"},
+                               Suffix{"_m_s2", "m/s2"},
+                               Suffix{"_mm_s3", "mm/s3"},
                                Suffix{"_mm_s2", "mm/s2"},
                                Suffix{"_mm_s", "mm/s"},
                                Suffix{"_mm_min", "mm/min"},

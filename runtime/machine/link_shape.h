@@ -50,7 +50,8 @@ struct LinkShape {
     std::string name;
     std::string on;  ///< "base", the letter of an axis, "tool", "work", or "jet": on the tool while it cuts.
     ShapeForm form;
-    Frame frame;  ///< From what it is on to the shape.
+    Frame frame;               ///< From what it is on to the shape.
+    double density_kg_m3 = 0;  ///< Of its mass; 0: it has none, or another one tells it.
 
     bool operator==(const LinkShape&) const = default;
 };

@@ -16,7 +16,7 @@ using base::TomlSection;
 
 using std::string_view_literals::operator""sv;
 
-constexpr std::array kLinkShapeKeys{"name"sv, "on"sv, "shape"sv, "frame"sv};
+constexpr std::array kLinkShapeKeys{"name"sv, "on"sv, "shape"sv, "frame"sv, "density_kg_m3"sv};
 constexpr std::array kPlaces{"base"sv, "tool"sv, "work"sv, "jet"sv};
 
 bool is_axis(const Machine& machine, std::string_view name) {
@@ -55,6 +55,7 @@ class ShapeReader {
         shape.on = read_place(section);
         const auto form = read_shape(error_, section, table, folder_, files_);
         shape.frame = read_frame(error_, section.table("frame"), "'frame'");
+        shape.density_kg_m3 = section.number("density_kg_m3", 0, base::NumberRule::not_negative);
         if (!form) return;
         shape.form = *form;
         machine_.shapes.push_back(std::move(shape));

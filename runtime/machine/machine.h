@@ -12,6 +12,7 @@
 #include "runtime/kinematics/kinematics.h"
 #include "runtime/machine/axis_direction.h"
 #include "runtime/machine/axis_group.h"
+#include "runtime/machine/dynamics_table.h"
 #include "runtime/machine/frame.h"
 #include "runtime/machine/link_shape.h"
 #include "runtime/machine/process.h"
@@ -79,6 +80,7 @@ struct Axis {
     Turning turning = Turning::limited;
     /// Home positions 2 to 4, where the axis has a value there.
     std::array<std::optional<double>, kHomes - 1> other_homes = {};
+    Drive drive = {};
 
     double deceleration() const { return max_deceleration.value_or(max_acceleration); }
     bool operator==(const Axis&) const = default;
@@ -112,7 +114,8 @@ struct Machine {
     std::vector<LinkShape> shapes = {};  ///< Its own bodies; their names differ.
     /// Pairs of shapes, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
-    std::vector<AxisGroup> groups = {};  ///< Their names differ.
+    std::vector<AxisGroup> groups = {};                    ///< Their names differ.
+    std::optional<DynamicsTable> dynamics = std::nullopt;  ///< Where forces and torques are worked out.
 
     /// Index of the axis with this (upper case) letter.
     std::optional<std::size_t> find(char letter) const;

@@ -6,6 +6,8 @@
 #include "base/toml/toml_section.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
+#include "runtime/machine/drive_section.h"
+#include "runtime/machine/dynamics_section.h"
 #include "runtime/machine/embedded_machines.h"
 #include "runtime/machine/frame_section.h"
 #include "runtime/machine/group_section.h"
@@ -30,7 +32,8 @@ constexpr char kNoLetter = '?';  // of an axis that could not be read
 
 constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "tool"sv,   "work"sv,
                                       "controller"sv, "axis"sv,    "shape"sv, "ignore"sv, "process"sv,
-                                      "checks"sv,     "program"sv, "times"sv, "group"sv};
+                                      "checks"sv,     "program"sv, "times"sv, "group"sv,  "dynamics"sv,
+                                      "mass"sv,       "hose"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv,
                                "max_jerk_mm_s3"sv};
@@ -47,12 +50,13 @@ struct AxisKeys {
     std::string_view zero;
     std::string_view turning;  ///< Empty where an axis of the kind has no such key.
 
-    std::vector<std::string_view> all() const {
+    std::vector<std::string_view> all(AxisKind of) const {
         std::vector<std::string_view> keys{
             "letter", "kind",         "carries", min,  max,  max_speed, max_acceleration, max_deceleration,
             max_jerk, max_speed_step, step,      zero, "dh", "frame",   "direction"};
         keys.insert(keys.end(), homes.begin(), homes.end());
         if (!turning.empty()) keys.push_back(turning);
+        for (const std::string_view key : drive_keys(of)) keys.push_back(key);
         return keys;
     }
 };
@@ -189,7 +193,7 @@ Axis read_axis(FirstError& error, const toml::table& table) {
     if (!kind) return axis;
     axis.kind = *kind;
     const AxisKeys& keys = axis.kind == AxisKind::linear ? kLinearKeys : kRotaryKeys;
-    TomlSection section(error, table, std::string(keys.title), keys.all());
+    TomlSection section(error, table, std::string(keys.title), keys.all(axis.kind));
     axis.letter = read_letter(section);
     axis.min = section.number(keys.min, -kUnlimited, NumberRule::any);
     axis.max = section.number(keys.max, kUnlimited, NumberRule::any);
@@ -207,6 +211,7 @@ Axis read_axis(FirstError& error, const toml::table& table) {
     axis.carries = static_cast<Carries>(section.choice("carries", 0, kCarriesNames));
     if (axis.kind == AxisKind::rotary) axis.turning = read_turning(section, keys, axis);
     read_joint(error, section, axis);
+    axis.drive = read_drive(section, table, axis.kind);
     return axis;
 }
 
@@ -260,6 +265,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     if (machine.axes.empty() || !has_letters) return machine;
     read_link_shapes(error, file, root, folder, files, machine);
     read_groups(error, file, machine);
+    read_dynamics(error, file, machine);
     if (error.text()) return machine;
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;

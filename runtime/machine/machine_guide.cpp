@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "runtime/machine/dynamics_guide.h"
 #include "runtime/machine/key_guide.h"
 
 namespace gsim::machine {
@@ -7,22 +8,26 @@ namespace gsim::machine {
 namespace {
 
 GuideTable document_table() {
-    return {.at = {},
-            .meaning = "the machine file",
-            .keys = {required(table_key("machine", "what the machine is called, and its inverse")),
-                     table_key("program", "what the control is given to read"),
-                     table_key("path", "limits of the tool along its path"),
-                     table_key("base", "from the world to the first frame of the joints that carry the tool"),
-                     table_key("tool", "from the last joint's frame to the tool centre point"),
-                     table_key("work", "from the last joint that carries the work to the work frame"),
-                     table_key("controller", "how moves become motion"),
-                     table_key("process", "what the tool works with, and the words that switch it"),
-                     table_key("checks", "what a run looks for in the process"),
-                     table_key("times", "how long words take"),
-                     required(list_key("axis", KeyKind::table, 0, "the axes, from the world on")),
-                     list_key("group", KeyKind::table, 0, "axes that are a unit of their own"),
-                     list_key("shape", KeyKind::table, 0, "the bodies of the machine itself"),
-                     list_key("ignore", KeyKind::list, 0, "pairs of these shapes that may touch")}};
+    return {
+        .at = {},
+        .meaning = "the machine file",
+        .keys = {required(table_key("machine", "what the machine is called, and its inverse")),
+                 table_key("program", "what the control is given to read"),
+                 table_key("path", "limits of the tool along its path"),
+                 table_key("base", "from the world to the first frame of the joints that carry the tool"),
+                 table_key("tool", "from the last joint's frame to the tool centre point"),
+                 table_key("work", "from the last joint that carries the work to the work frame"),
+                 table_key("controller", "how moves become motion"),
+                 table_key("process", "what the tool works with, and the words that switch it"),
+                 table_key("checks", "what a run looks for in the process"),
+                 table_key("times", "how long words take"),
+                 required(list_key("axis", KeyKind::table, 0, "the axes, from the world on")),
+                 list_key("group", KeyKind::table, 0, "axes that are a unit of their own"),
+                 list_key("shape", KeyKind::table, 0, "the bodies of the machine itself"),
+                 list_key("ignore", KeyKind::list, 0, "pairs of these shapes that may touch"),
+                 table_key("dynamics", "that forces and torques of the motors are worked out"),
+                 list_key("mass", KeyKind::table, 0, "masses that go with the axes, the tool and the work"),
+                 list_key("hose", KeyKind::table, 0, "hoses and cables that pull at them")}};
 }
 
 GuideTable head_table() {
@@ -152,6 +157,7 @@ GuideTable axis_table(bool rotary, const std::string& unit) {
                   "from the joint before to this one; the joint moves along or about its Z or, with "
                   "direction, as that says"));
     table.keys.push_back(table_key("dh", "instead of both: its row of the Denavit-Hartenberg table"));
+    for (GuideKey& key : drive_guide(rotary)) table.keys.push_back(std::move(key));
     return table;
 }
 
@@ -186,7 +192,9 @@ GuideTable shape_table() {
             required(text_key("name", "", "a name of its own")),
             required(text_key("on", "", "\"base\", the letter of an axis, \"tool\", \"work\", or \"jet\"")),
             required(table_key("shape", "one of box_mm, cylinder_mm, capsule_mm, sphere_mm and mesh")),
-            table_key("frame", "where it is on that")}};
+            table_key("frame", "where it is on that"),
+            number_key("density_kg_m3", kNotNegative, "0.0",
+                       "of a body whose mass counts for forces and torques; a mesh must be closed")}};
 }
 
 }  // namespace
@@ -211,6 +219,7 @@ std::vector<GuideTable> machine_guide() {
         shape_table(),
         {.at = {"shape", "shape"}, .many = true, .meaning = "the form of a body", .keys = form_guide()},
         frame_table({"shape", "frame"}, true, "where a body is")};
+    for (GuideTable& table : dynamics_guide()) guide.push_back(std::move(table));
     for (GuideTable& table : controller_guide()) {
         if (!table.at.empty()) guide.push_back(std::move(table));
     }

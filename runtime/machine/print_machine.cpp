@@ -2,6 +2,8 @@
 
 #include "base/toml/toml_text.h"
 #include "runtime/machine/controller_file.h"
+#include "runtime/machine/drive_section.h"
+#include "runtime/machine/dynamics_section.h"
 #include "runtime/machine/frame_section.h"
 #include "runtime/machine/group_section.h"
 #include "runtime/machine/machine_file.h"
@@ -90,6 +92,7 @@ void print_axis(TomlText& out, const Axis& axis) {
     if (axis.carries != Carries::tool) out.line("carries", base::toml_string(name(axis.carries)));
     if (axis.turning != Turning::limited) out.line("turning", name(axis.turning));
     print_joint(out, axis);
+    print_drive(out, axis);
 }
 
 }  // namespace
@@ -111,6 +114,7 @@ std::string print_machine(const Machine& machine) {
     for (const Axis& axis : machine.axes) print_axis(out, axis);
     print_groups(out, machine);
     print_link_shapes(out, machine);
+    if (machine.dynamics) print_dynamics(out, *machine.dynamics);
     return out.take();
 }
 

@@ -69,6 +69,7 @@ void print_link_shapes(TomlText& out, const Machine& machine) {
         out.line("on", base::toml_string(shape.on));
         out.line("shape", inline_shape(shape.form));
         if (shape.frame != Frame{}) out.line("frame", inline_frame(shape.frame));
+        if (shape.density_kg_m3 != 0) out.number("density_kg_m3", shape.density_kg_m3);
     }
 }
 

@@ -45,6 +45,7 @@ struct MoveInfo {
     std::uint16_t tip = 0;       ///< Of the tool in use, an index of Simulator::tips_mm().
     motion::ObeyedOverrides obeyed = {};  ///< Of the operator's overrides.
     bool follows_spindle = false;         ///< Its feed is given by turns of the spindle.
+    std::uint16_t program = 0;            ///< That it is of, as Simulator counts them; 0: the main one.
     std::uint16_t beyond = 0;  ///< A bit for each joint that it takes past its range, from the lowest on.
 };
 

@@ -90,6 +90,20 @@ std::optional<std::string> PlotData::lacks_axes(const machine::Machine& machine,
                        name(plane), across, upwards, machine.name);
 }
 
+void PlotData::add_efforts(const dynamics::Dynamics& dynamics) {
+    motors_.emplace(dynamics);
+    efforts_.resize(machine_.axes.size());
+}
+
+void PlotData::add_efforts_of(const Segment& segment) {
+    for (const dynamics::EffortSample& sample : motors_->samples(segment)) {
+        for (std::size_t axis = 0; axis < efforts_.size(); ++axis) {
+            efforts_[axis].add({.t_s = segment.start_s + sample.t_s,
+                                .value = sample.efforts[static_cast<Eigen::Index>(axis)]});
+        }
+    }
+}
+
 void PlotData::begin(const rrs::JointPos& start) {
     at_ = start;
     path_.add(seen(start), PathStyle::rapid);
@@ -102,6 +116,7 @@ void PlotData::take(const Segment& segment, const MoveInfo& info) {
     add_speed(segment, style);
     add_acceleration(segment, style);
     add_feed(segment, info);
+    if (motors_) add_efforts_of(segment);
     at_ = segment.end_position();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/dynamics/segment_efforts.h"
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/path_thinner.h"
 #include "runtime/simulation/run_output.h"
@@ -31,6 +32,8 @@ class PlotData : public RunOutput {
     /// The axes across and upwards: X Y, X Z and Y Z of the planes xy, zx and yz; in xy a machine's first two
     /// axes where it has no such letters. What the plane lacks of the machine is an error, lacks_axes().
     explicit PlotData(const machine::Machine& machine, Plane plane = Plane::xy);
+    /// Before the run: the picture shows what the motors bring up, too. `dynamics` must outlive this.
+    void add_efforts(const dynamics::Dynamics& dynamics);
     /// The sentence that the machine has not the axes of a side view; nothing where it has.
     static std::optional<std::string> lacks_axes(const machine::Machine& machine, Plane plane);
 
@@ -48,6 +51,12 @@ class PlotData : public RunOutput {
     std::vector<TimePoint> acceleration() const { return acceleration_.points(); }
     /// At the ends of moves for which a feed in mm/min is programmed, in mm/s.
     std::vector<TimePoint> feed() const { return feed_.points(); }
+    /// What the motor of an axis brings up, N or Nm; none where no masses are known.
+    std::vector<TimePoint> efforts(std::size_t axis) const {
+        return efforts_.empty() ? std::vector<TimePoint>() : efforts_[axis].points();
+    }
+    bool has_efforts() const { return !efforts_.empty(); }
+    const std::vector<machine::Axis>& axes() const { return machine_.axes; }
     /// The machine's limit of acceleration along the path, mm/s2; infinite where it has none.
     double max_acceleration_mm_s2() const { return machine_.path.max_acceleration_mm_s2; }
     /// What the machine works with: "jet".
@@ -66,6 +75,7 @@ class PlotData : public RunOutput {
     void add_speed(const motion::Segment& segment, PathStyle style);
     void add_acceleration(const motion::Segment& segment, PathStyle style);
     void add_acceleration_of_joints(const motion::Segment& segment, PathStyle style);
+    void add_efforts_of(const motion::Segment& segment);
     void add_rest(const motion::Segment& segment, PathStyle style);
     void add_feed(const motion::Segment& segment, const MoveInfo& info);
 
@@ -79,6 +89,8 @@ class PlotData : public RunOutput {
     TimeBuckets speed_;
     TimeBuckets acceleration_;
     TimeBuckets feed_;
+    std::optional<dynamics::SegmentEfforts> motors_;
+    std::vector<TimeBuckets> efforts_;  ///< By axis.
 };
 
 }  // namespace gsim::simulation

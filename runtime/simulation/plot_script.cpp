@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "base/text/number.h"
+#include "runtime/simulation/gnuplot_script.h"
+#include "runtime/simulation/plot_efforts.h"
 
 namespace gsim::simulation {
 
@@ -62,28 +62,8 @@ std::string quoted_text(std::string_view text) {
     return out + (text.size() > kLongestTitle ? "...'" : "'");
 }
 
-class Script {
-  public:
-    template <typename... Args>
-    void line(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
-        text_ += '\n';
-    }
-
-    /// Begins a named block of data; the rows follow by point(), polylines apart by gap().
-    void begin_data(std::string_view name) { line("${} << EOD", name); }
-    void point(double x, double y) { line("{:.7g} {:.7g}", text::unsigned_zero(x), text::unsigned_zero(y)); }
-    void gap() { text_ += '\n'; }
-    void end_data() { line("EOD"); }
-
-    std::string take() { return std::move(text_); }
-
-  private:
-    std::string text_;
-};
-
 // Writes the polylines of one style and says whether there are any.
-bool add_path_data(Script& script, std::string_view name, const std::vector<PathPoint>& path,
+bool add_path_data(GnuplotScript& script, std::string_view name, const std::vector<PathPoint>& path,
                    PathStyle style) {
     bool any = false;
     script.begin_data(name);
@@ -101,7 +81,7 @@ bool add_path_data(Script& script, std::string_view name, const std::vector<Path
 }
 
 // The same of values over time.
-bool add_time_data(Script& script, std::string_view name, const std::vector<TimePoint>& points,
+bool add_time_data(GnuplotScript& script, std::string_view name, const std::vector<TimePoint>& points,
                    PathStyle style) {
     bool any = false;
     script.begin_data(name);
@@ -115,7 +95,8 @@ bool add_time_data(Script& script, std::string_view name, const std::vector<Time
     return any;
 }
 
-bool add_mark_data(Script& script, std::string_view name, const std::vector<PlotMark>& marks, MarkKind kind) {
+bool add_mark_data(GnuplotScript& script, std::string_view name, const std::vector<PlotMark>& marks,
+                   MarkKind kind) {
     bool any = false;
     script.begin_data(name);
     for (const PlotMark& mark : marks) {
@@ -129,7 +110,7 @@ bool add_mark_data(Script& script, std::string_view name, const std::vector<Plot
 
 // Each value holds until the next one; where they change nothing is drawn from one to the other, so that
 // feeds which change often do not fill the picture.
-bool add_steps_data(Script& script, std::string_view name, const std::vector<TimePoint>& points) {
+bool add_steps_data(GnuplotScript& script, std::string_view name, const std::vector<TimePoint>& points) {
     script.begin_data(name);
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i > 0 && points[i].value != points[i - 1].value) {
@@ -142,13 +123,13 @@ bool add_steps_data(Script& script, std::string_view name, const std::vector<Tim
     return !points.empty();
 }
 
-void add_plot_command(Script& script, const std::vector<std::string>& curves) {
+void add_plot_command(GnuplotScript& script, const std::vector<std::string>& curves) {
     std::string command;
     for (const std::string& curve : curves) command += (command.empty() ? "plot " : ", ") + curve;
     script.line("{}", command.empty() ? "plot NaN notitle" : command);
 }
 
-void add_marks(Script& script, const std::vector<PlotMark>& marks, std::vector<std::string>& curves) {
+void add_marks(GnuplotScript& script, const std::vector<PlotMark>& marks, std::vector<std::string>& curves) {
     if (add_mark_data(script, "pierce", marks, MarkKind::pierce)) {
         curves.emplace_back(
             "$pierce with points pointtype 6 pointsize 1.2 linewidth 1.5 linecolor rgb '#2f7d4f' title "
@@ -165,7 +146,7 @@ void add_marks(Script& script, const std::vector<PlotMark>& marks, std::vector<s
     }
 }
 
-void add_path_panel(Script& script, const PlotData& data, const Extents& extents) {
+void add_path_panel(GnuplotScript& script, const PlotData& data, const Extents& extents) {
     const std::vector<PathPoint> path = data.path();
     std::vector<std::string> curves;
     if (add_path_data(script, "rapid", path, PathStyle::rapid)) {
@@ -222,7 +203,7 @@ struct TimeScales {
 };
 
 // Both scales have their zero at one height.
-void set_time_axes(Script& script, TimeScales& scales, std::string_view what, std::string_view unit) {
+void set_time_axes(GnuplotScript& script, TimeScales& scales, std::string_view what, std::string_view unit) {
     PlotRange left = scales.left();
     if (scales.two && scales.rapids.min < 0) left.include(-left.max);
     if (scales.two && scales.rapids.max > 0) left.include(-left.min);
@@ -242,7 +223,7 @@ void set_time_axes(Script& script, TimeScales& scales, std::string_view what, st
     script.line("set y2label 'rapid ({})' noenhanced textcolor rgb '#c0772b'", unit);
 }
 
-std::vector<std::string> time_curves(Script& script, const std::string& name,
+std::vector<std::string> time_curves(GnuplotScript& script, const std::string& name,
                                      const std::vector<TimePoint>& points, const TimeScales& scales,
                                      std::string_view process) {
     std::vector<std::string> curves;
@@ -262,7 +243,7 @@ std::vector<std::string> time_curves(Script& script, const std::string& name,
     return curves;
 }
 
-void add_speed_panel(Script& script, const PlotData& data) {
+void add_speed_panel(GnuplotScript& script, const PlotData& data) {
     const std::vector<TimePoint> speed = data.speed();
     const std::vector<TimePoint> feed = data.feed();
     TimeScales scales(speed);
@@ -282,7 +263,7 @@ void add_speed_panel(Script& script, const PlotData& data) {
     add_plot_command(script, curves);
 }
 
-void add_acceleration_panel(Script& script, const PlotData& data) {
+void add_acceleration_panel(GnuplotScript& script, const PlotData& data) {
     const std::vector<TimePoint> acceleration = data.acceleration();
     TimeScales scales(acceleration);
     std::vector<std::string> curves =
@@ -312,10 +293,11 @@ double path_height_px(const Extents& extents) {
 std::string plot_script(const PlotData& data, PictureFormat format, std::string_view title) {
     const Extents path_extents = extents(data.path());
     const double path_px = path_height_px(path_extents) + kMargin_px;
-    const double height_px = kTitle_px + path_px + 2 * kOverTime_px;
+    const std::size_t panels = 2 + effort_panels(data);
+    const double height_px = kTitle_px + path_px + static_cast<double>(panels) * kOverTime_px;
     const double time_share = kOverTime_px / height_px;
 
-    Script script;
+    GnuplotScript script;
     const bool svg = format == PictureFormat::svg;
     script.line("set terminal {} size {:.0f},{:.0f} font '{},13' background rgb 'white'",
                 svg ? "svg dynamic" : "pngcairo", kWidth_px, height_px,
@@ -329,15 +311,22 @@ std::string plot_script(const PlotData& data, PictureFormat format, std::string_
     script.line("set lmargin 10");
     script.line("set rmargin 11");
     script.line("set key outside top center horizontal samplen 3 width 1 textcolor rgb '#333333'");
-    script.line("set origin 0, {:.6f}", 2 * time_share);
+    const auto stand = [&](std::size_t above) {
+        script.line("set origin 0, {:.6f}", static_cast<double>(above) * time_share);
+    };
+    stand(panels);
     script.line("set size 1, {:.6f}", path_px / height_px);
     add_path_panel(script, data, path_extents);
     script.line("unset label 1");
     script.line("set size 1, {:.6f}", time_share);
-    script.line("set origin 0, {:.6f}", time_share);
+    stand(panels - 1);
     add_speed_panel(script, data);
-    script.line("set origin 0, 0");
+    stand(panels - 2);
     add_acceleration_panel(script, data);
+    for (std::size_t i = 0; i + 2 < panels; ++i) {
+        stand(panels - 3 - i);
+        add_effort_panel(script, data, i);
+    }
     script.line("unset multiplot");
     return script.take();
 }

@@ -8,6 +8,7 @@
 #include "base/text/diagnostic.h"
 #include "runtime/motion/override_schedule.h"
 #include "runtime/rrs/types.h"
+#include "runtime/simulation/effort_report.h"
 #include "runtime/simulation/move.h"
 
 namespace gsim::simulation {
@@ -256,6 +257,7 @@ struct Report {
     std::optional<OverrideReport> overrides;  ///< Where the operator turned one.
     std::vector<SlowBlock> slowest;           ///< At most ten, longest first.
     std::optional<Explanation> explanation;
+    std::optional<EffortReport> efforts;  ///< Where the machine file tells of masses.
     std::optional<CellFindings> cell;
     std::vector<ProcessSummary> processes;  ///< None where there was but the program.
     std::vector<SignalChange> signals;

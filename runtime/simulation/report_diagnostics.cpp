@@ -23,6 +23,7 @@ class Collector {
                 "passes: " + to_text(*report_.passes));
         add_violations();
         add_findings();
+        add_efforts();
         add_cell();
         for (const std::string& warning : report_.warnings) add_warning(warning);
         return std::move(all_);
@@ -86,6 +87,23 @@ class Collector {
         if (findings.count > findings.list.size()) {
             add(at({}), Severity::warning, findings.list.back().kind,
                 fmt::format("{} findings more of the process", findings.count - findings.list.size()));
+        }
+    }
+
+    void add_efforts() {
+        if (!report_.efforts) return;
+        const EffortReport& efforts = *report_.efforts;
+        for (const EffortExcess& excess : efforts.excesses) {
+            if (excess.continuous) {
+                add(at({}), Severity::warning, DiagnosticKind::motor_continuous, excess_text(excess));
+            } else {
+                add(at(excess.place), Severity::warning, DiagnosticKind::motor_peak, excess_text(excess));
+            }
+        }
+        if (efforts.excess_count > efforts.excesses.size()) {
+            add(at({}), Severity::warning, DiagnosticKind::motor_peak,
+                fmt::format("{} moves more that need more than a motor brings up",
+                            efforts.excess_count - efforts.excesses.size()));
         }
     }
 

@@ -1,39 +1,15 @@
 #include <cmath>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "base/text/diagnostic_json.h"
-#include "base/text/json_text.h"
-#include "runtime/simulation/report.h"
 #include "runtime/simulation/report_diagnostics.h"
+#include "runtime/simulation/report_efforts.h"
+#include "runtime/simulation/report_values.h"
 #include "runtime/simulation/robots_report.h"
 
 namespace gsim::simulation {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-    return std::isfinite(value) ? Json(text::rounded(value)) : Json(nullptr);
-}
-
-Json number(const std::optional<double>& value) {
-    return value ? number(*value) : Json(nullptr);
-}
-
-Json file(const Report& report, const Place& place) {
-    return place.file < report.files.size() ? Json(report.files[place.file]) : Json(nullptr);
-}
-
-Json line(const Place& place) {
-    return place.line > 0 ? Json(place.line) : Json(nullptr);
-}
-
-Json letter(char axis) {
-    return Json(std::string(1, axis));
-}
 
 Json calls(const Report& report, const std::vector<OpenCall>& open) {
     Json list = Json::array();
@@ -304,6 +280,7 @@ Json object(const Report& report) {
         json["time_by_limit"] = time_by_limit(*report.explanation);
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);
     }
+    if (report.efforts) json["efforts"] = efforts_json(report);
     if (report.cell) {
         json["cell"] = {{"name", report.cell->name},
                         {"clearance_mm", number(report.cell->clearance_mm)},

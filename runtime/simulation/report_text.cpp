@@ -7,39 +7,19 @@
 
 #include "base/text/number.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/report_efforts.h"
+#include "runtime/simulation/report_words.h"
 
 namespace gsim::simulation {
 
 namespace {
 
-constexpr std::size_t kLineWidth = 100;
 constexpr std::size_t kBarWidth = 24;
 constexpr std::size_t kShownEvents = 8;
 constexpr std::size_t kShownWarnings = 20;
 constexpr std::size_t kShownCollisions = 20;
 constexpr std::size_t kShownClearances = 8;
 constexpr std::size_t kShownViolations = 20;
-
-// Names and messages come from strangers' files: nothing that a terminal would take as a command.
-std::string clean(std::string_view text) {
-    std::string out(text);
-    for (char& c : out) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    }
-    return out;
-}
-
-// The end of a long name tells more than its beginning.
-std::string shortened(std::string_view text, std::size_t width) {
-    std::string out = clean(text);
-    return out.size() <= width ? out : "..." + out.substr(out.size() - width + 3);
-}
-
-std::string place_text(const Report& report, const Place& place, std::size_t width = 40) {
-    const std::string file = place.file < report.files.size() ? report.files[place.file] : "?";
-    const std::string line = place.line > 0 ? fmt::format(":{}", place.line) : "";
-    return shortened(file, width - line.size()) + line;
-}
 
 std::string clock_text(double time_s) {
     if (!(time_s >= 0 && time_s < 1e9)) return "-";
@@ -56,6 +36,8 @@ class Text {
         text_ += text + '\n';
     }
     void blank() { text_ += '\n'; }
+    /// Lines that are made elsewhere.
+    void lines(std::string_view text) { text_ += text; }
 
     /// A long text in lines of at most kLineWidth, broken at spaces where there are any.
     void wrapped(std::string_view first_prefix, std::string_view text) {
@@ -388,6 +370,7 @@ std::string to_text(const Report& report) {
     add_explanation(out, report);
     add_bounds(out, report);
     add_cell(out, report);
+    if (report.efforts) out.lines(efforts_text(report));
     add_slowest(out, report);
     add_events(out, report);
     add_processes(out, report);

@@ -23,10 +23,12 @@ bool Sampler::due(double before_s) const {
 void Sampler::take(const motion::Segment& segment, const MoveInfo& info) {
     for (; due(segment.start_s); ++next_) wanted_ = sample(next_s(), position_, 0, line_);
     line_ = info.place.line;
+    segment_ = &segment;
     for (; due(segment.end_s()); ++next_) {
-        const double t_s = std::max(0.0, next_s() - segment.start_s);
+        const double t_s = segment_time_s_ = std::max(0.0, next_s() - segment.start_s);
         wanted_ = sample(next_s(), segment.position_at(t_s), segment.path_speed_mm_s(t_s), line_);
     }
+    segment_ = nullptr;
     position_ = segment.end_position();
 }
 

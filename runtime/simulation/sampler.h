@@ -21,6 +21,12 @@ class Sampler : public RunOutput {
     void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
+  protected:
+    /// Of the instant that is looked at: the segment, and the time since its start. Null between segments and
+    /// at the end, where the machine rests.
+    const motion::Segment* segment() const { return segment_; }
+    double segment_time_s() const { return segment_time_s_; }
+
   private:
     /// An instant; false: no more are wanted.
     virtual bool sample(double t_s, const rrs::JointPos& joints, double speed_mm_s, std::uint32_t line) = 0;
@@ -33,6 +39,8 @@ class Sampler : public RunOutput {
     std::uint64_t next_ = 0;  // number of the next sample
     rrs::JointPos position_;  // at the end of the last segment
     std::uint32_t line_ = 0;
+    const motion::Segment* segment_ = nullptr;
+    double segment_time_s_ = 0;
 };
 
 }  // namespace gsim::simulation

@@ -185,6 +185,7 @@ MoveInfo Simulator::next_move(MoveKind kind, const Place& place, double feed_per
     info.switches = process_switches_;
     info.offset = work_offset_;
     info.tip = tip_;
+    if (!open_programs_.empty()) info.program = open_programs_.back();
     return info;
 }
 
@@ -387,6 +388,7 @@ Report Simulator::finish(std::string program) {
             fmt::format("{} more events than the report lists were left out", events_.dropped()));
     }
     add_cell_findings(report);
+    if (efforts_) report.efforts = efforts_->report(programs_);
     report.files = files_;
     return report;
 }

@@ -16,6 +16,7 @@
 #include "runtime/simulation/cell_watch.h"
 #include "runtime/simulation/centripetal_watch.h"
 #include "runtime/simulation/commands.h"
+#include "runtime/simulation/effort_watch.h"
 #include "runtime/simulation/event_log.h"
 #include "runtime/simulation/motion_source.h"
 #include "runtime/simulation/move.h"
@@ -72,6 +73,10 @@ class Simulator {
     /// Before the first move: what the operator turns the overrides to in the course of the run. False where
     /// the controller is a module, which has overrides of its own.
     bool set_overrides(const motion::OverrideSchedule& overrides);
+    /// Before the first move: the report tells what the motors have to do.
+    void set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics);
+    /// Null: none was set.
+    const dynamics::Dynamics* dynamics() const { return dynamics_.get(); }
     /// The same of one that is told what the program asks for; one at most.
     void set_observer(ProgramObserver& observer);
 
@@ -297,6 +302,7 @@ class Simulator {
     bool refused(const motion::PlanError& error, const Place& place);
     bool stop_for_time(const Place& place);
     void add_cell_findings(Report& report);
+    void open_program(const std::string& name);
     const Place& place_of(const MoveInfo& move) const;
     void fail_under_way(const MoveInfo& move, text::DiagnosticKind kind, std::string message);
     bool fail_in_zone();
@@ -317,6 +323,10 @@ class Simulator {
     ShortBrakesWatch short_brakes_;
     CellWatch* cell_ = nullptr;
     bool controller_has_cell_ = false;  ///< Its services know the frames of cell_.
+    std::shared_ptr<const dynamics::Dynamics> dynamics_;
+    std::optional<EffortWatch> efforts_;
+    std::vector<std::string> programs_{std::string()};  ///< Names that MoveInfo::program counts.
+    std::vector<std::uint16_t> open_programs_;          ///< The innermost last.
     EventLog events_;
     ZoneWatch zones_;
     ProgramObserver* observer_ = nullptr;

@@ -48,6 +48,7 @@ void Simulator::end_program(const Place& place) {
 
 void Simulator::enter_program(std::string name, const Place& place) {
     if (observer_ != nullptr) observer_->enter_program(name);
+    open_program(name);
     calls_.forget_before(recorder_.move().target_id);
     calls_.enter({std::move(name), place}, next_id_);
 }
@@ -55,6 +56,7 @@ void Simulator::enter_program(std::string name, const Place& place) {
 void Simulator::leave_program() {
     const bool open = calls_.any();
     calls_.leave(next_id_);
+    if (!open_programs_.empty()) open_programs_.pop_back();
     if (open && observer_ != nullptr) observer_->leave_program();
 }
 

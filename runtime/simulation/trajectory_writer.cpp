@@ -35,7 +35,28 @@ void TrajectoryWriter::write_header() {
         fmt::format_to(end, "{}_{},", letter, axis.kind == machine::AxisKind::linear ? "mm" : "deg");
     }
     fmt::format_to(end, "speed_mm_s");
+    if (efforts_) {
+        for (const machine::Axis& axis : machine_.axes) {
+            const char letter = static_cast<char>(axis.letter - 'A' + 'a');
+            fmt::format_to(end, ",{}_{}", letter, axis.kind == machine::AxisKind::linear ? "n" : "nm");
+        }
+        fmt::format_to(end, ",power_w");
+    }
     out_.end_line();
+}
+
+void TrajectoryWriter::write_efforts(const rrs::JointPos& joints) {
+    motion::Segment rest;
+    rest.start = rest.end = joints;
+    const dynamics::EffortSample sample =
+        segment() != nullptr ? efforts_->at(*segment(), segment_time_s()) : efforts_->at(rest, 0);
+    fmt::memory_buffer& out = out_.buffer();
+    for (const double effort : sample.efforts) {
+        out.push_back(',');
+        append_number(out, effort);
+    }
+    out.push_back(',');
+    append_number(out, sample.powers_w.sum());
 }
 
 bool TrajectoryWriter::sample(double t_s, const rrs::JointPos& joints, double speed_mm_s,
@@ -50,6 +71,7 @@ bool TrajectoryWriter::sample(double t_s, const rrs::JointPos& joints, double sp
         out.push_back(',');
     }
     append_number(out, speed_mm_s);
+    if (efforts_) write_efforts(joints);
     out_.end_line();
     ++samples_;
     return !out_.failed();

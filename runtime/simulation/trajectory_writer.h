@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "runtime/dynamics/segment_efforts.h"
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/sampler.h"
 #include "runtime/simulation/text_stream.h"
@@ -18,6 +20,10 @@ class TrajectoryWriter : public Sampler {
 
     static constexpr std::uint64_t kMostSamples = 100'000'000;  ///< Some 5 GB.
 
+    /// Before the run: each sample has what the motors bring up then, and their power. `dynamics` must
+    /// outlive this.
+    void add_efforts(const dynamics::Dynamics& dynamics) { efforts_.emplace(dynamics); }
+
     /// Whether samples are missing, as there would be too many.
     bool cut_short() const { return cut_short_; }
 
@@ -26,10 +32,12 @@ class TrajectoryWriter : public Sampler {
 
   private:
     void write_header();
+    void write_efforts(const rrs::JointPos& joints);
     bool sample(double t_s, const rrs::JointPos& joints, double speed_mm_s, std::uint32_t line) override;
 
     TextStream& out_;
     const machine::Machine& machine_;
+    std::optional<dynamics::SegmentEfforts> efforts_;
     std::uint64_t most_samples_;
     std::uint64_t samples_ = 0;
     bool cut_short_ = false;

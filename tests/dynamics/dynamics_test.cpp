@@ -110,7 +110,8 @@ TEST(Dynamics, TableThatTiltsHoldsAMassBesideItsAxis) {
 TEST(Dynamics, HoseThatIsStretchedPullsAndDrags) {
     DynamicsModel model = model_of({point_mass(1), point_mass(1), point_mass(1)});
     model.gravity_m_s2.setZero();
-    model.hoses.push_back({.joint = std::nullopt,
+    model.hoses.push_back({.end = HoseEnd::tool,
+                           .joint = 0,
                            .point_m = {0, 0, 0.2},
                            .anchor_m = {0, 0, 3.2},
                            .free_length_m = 2,

@@ -97,7 +97,8 @@ class Random {
         }
         model.tool = body();
         model.work = body();
-        model.hoses.push_back({.joint = std::nullopt,
+        model.hoses.push_back({.end = HoseEnd::tool,
+                               .joint = 0,
                                .point_m = vector(0.1),
                                .anchor_m = vector(2),
                                .free_length_m = from(0, 1),

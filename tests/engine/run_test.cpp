@@ -1,5 +1,6 @@
 #include "engine/run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -241,6 +242,39 @@ TEST(Documents, HaveWordsAndNumbersThatStay) {
     for (std::size_t number = 0; number < names.size(); ++number)
         EXPECT_EQ(document_named(names[number]), static_cast<Document>(number));
     EXPECT_EQ(document_named("film"), std::nullopt);
+}
+
+// A body of 10 kg that goes 100 mm up at 1 m/s2 and 0.1 m/s.
+constexpr const char* kLift = R"([machine]
+name = "lift"
+[dynamics]
+gravity_m_s2 = [0, 0, -10]
+[[axis]]
+letter = "Z"
+kind = "linear"
+direction = "z"
+max_speed_mm_s = 100
+max_acceleration_mm_s2 = 1000
+[[mass]]
+on = "Z"
+mass_kg = 10
+)";
+
+TEST(Run, HandsOutWhatTheMotorsBringUp) {
+    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
+    request.machine = "lift.toml";
+    engine::Run run = prepared(std::move(request));
+    EffortColumns all;
+    ASSERT_TRUE(run.take_efforts([&](const EffortColumns& some) { all = some; }));
+    const Report report = run.go().value();
+    ASSERT_EQ(all.efforts.size(), all.t_s.size());
+    EXPECT_TRUE(std::is_sorted(all.t_s.begin(), all.t_s.end()));
+    for (std::size_t i = 0; i < all.t_s.size(); ++i) {
+        const double wanted = all.t_s[i] < 0.1 ? 110 : (all.t_s[i] < 1 ? 100 : 90);
+        EXPECT_NEAR(all.efforts[i], wanted, 1e-4) << all.t_s[i];
+        EXPECT_EQ(all.line[i], 1U);
+    }
+    EXPECT_NEAR(*std::max_element(all.power_w.begin(), all.power_w.end()), 11, 1e-4);
 }
 
 }  // namespace

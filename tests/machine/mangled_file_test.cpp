@@ -30,6 +30,21 @@ TEST(MangledFile, MachineFile) {
     }
 }
 
+// With masses, drives and hoses.
+TEST(MangledFile, FileWithDynamics) {
+    Random random(5);
+    const std::string whole = os::read_text_file(GSIM_SAMPLES "/machines/gantry-dynamics.toml").value();
+    for (int i = 0; i < 3000; ++i) {
+        const std::string text = mangled(random, whole);
+        const auto machine = read_machine(text, "f");
+        if (machine) {
+            EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
+        } else {
+            EXPECT_TRUE(is_located(machine.error())) << machine.error() << '\n' << text;
+        }
+    }
+}
+
 // Joints by frames on both sides.
 TEST(MangledFile, MillFile) {
     Random random(4);

@@ -69,7 +69,8 @@ TEST_P(ClosedForm, InverseAndForwardUndoEachOther) {
 
 INSTANTIATE_TEST_SUITE_P(All, ClosedForm,
                          testing::Values("af5.toml", "router3.toml", "gantry-offset-head.toml",
-                                         "mill-head-table.toml", "mill-table-table.toml"),
+                                         "gantry-dynamics.toml", "mill-head-table.toml",
+                                         "mill-table-table.toml"),
                          [](const auto& sample) {
                              std::string name = sample.param;
                              for (char& c : name) c = c == '-' || c == '.' ? '_' : c;

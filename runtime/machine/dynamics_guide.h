@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "runtime/machine/key_guide.h"
+
+namespace gsim::machine {
+
+/// The keys of an axis that tell of its drive.
+std::vector<GuideKey> drive_guide(bool rotary);
+/// The tables of a machine file that tell of forces and torques alone.
+std::vector<GuideTable> dynamics_guide();
+
+}  // namespace gsim::machine

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "runtime/cell/mesh_file.h"
+#include "runtime/dynamics/dynamics.h"
+#include "runtime/machine/machine.h"
+
+namespace gsim::simulation {
+
+/// The dynamics that a machine file describes: [dynamics], [[mass]], [[hose]], the drives of its axes and the
+/// densities of its shapes, whose meshes are read. Null where it has no [dynamics]. The error is a sentence
+/// that names the shape.
+tl::expected<std::shared_ptr<const dynamics::Dynamics>, std::string> make_dynamics(
+    const machine::Machine& machine, const cell::MeshFiles& files = {});
+
+}  // namespace gsim::simulation

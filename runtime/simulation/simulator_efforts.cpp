@@ -1,0 +1,24 @@
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::simulation {
+
+void Simulator::set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics) {
+    dynamics_ = std::move(dynamics);
+    if (dynamics_ == nullptr) return;
+    recorder_.add_output(efforts_.emplace(machine_, *dynamics_));
+}
+
+// Programs past the most that can be counted go as the main one.
+void Simulator::open_program(const std::string& name) {
+    const auto found = std::find(programs_.begin(), programs_.end(), name);
+    const auto index = static_cast<std::size_t>(found - programs_.begin());
+    if (found == programs_.end() && index <= std::numeric_limits<std::uint16_t>::max())
+        programs_.push_back(name);
+    open_programs_.push_back(index < programs_.size() ? static_cast<std::uint16_t>(index) : std::uint16_t{0});
+}
+
+}  // namespace gsim::simulation
