@@ -17,7 +17,7 @@ constexpr int kMostParts = 4096;  // of what is smooth: enough for each kink, an
 // Both rules differ by far more than the better one is off.
 constexpr double kOfOwn = 1e-7;    // of a joint's own sum,
 constexpr double kOfAll = 1e-10;   // and of that of all joints;
-constexpr double kOfShare = 1e-4;  // of a joint's work, for which part of it goes in and which back
+constexpr double kOfShare = 1e-2;  // of a joint's work, for which of it goes in and which back
 constexpr double kNoise = 1e-6;    // and what nobody misses, N2 or W: joints that stand go by rounding
 constexpr double kInside = 1e-9;   // of a part: how far its ends are taken inside
 constexpr double kShortest_s = 1e-12;
