@@ -62,9 +62,7 @@ Planned LinuxcncModel::add_whole(const PathMove& move) {
         return {};
     }
     left_out_.reset();
-    const bool may_merge = linuxcnc::may_merge(move);
-    if (planning_.since_2_10 && piece->turns && piece->curved && may_merge) return add_halves(move);
-    if (piece->turns || !may_merge) {
+    if (piece->turns || !linuxcnc::may_merge(move)) {
         end_merged();
         take(*std::move(piece));
         return {};
@@ -76,20 +74,6 @@ Planned LinuxcncModel::add_whole(const PathMove& move) {
         merge(linuxcnc::line_to_end(move, first.end));
     } else {
         merge(move);
-    }
-    return {};
-}
-
-/// An arc that is hardly bent, and rotary joints with it: nothing merges with its two lines.
-Planned LinuxcncModel::add_halves(const PathMove& arc) {
-    end_merged();
-    const PathMove first = linuxcnc::line_to_middle(arc, axes_);
-    for (const PathMove& half : {first, linuxcnc::line_to_end(arc, first.end)}) {
-        auto piece = linuxcnc::piece_of(setup_, axes_, half, planning_);
-        if (!piece) return tl::unexpected(std::move(piece.error()));
-        if (!(piece->length > 0)) continue;
-        piece->off_way = OffWay::yes;
-        take(*std::move(piece));
     }
     return {};
 }

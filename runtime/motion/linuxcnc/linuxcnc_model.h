@@ -42,7 +42,6 @@ class LinuxcncModel final : public MotionModel {
 
   private:
     Planned add_whole(const PathMove& move);
-    Planned add_halves(const PathMove& arc);
     void merge(const PathMove& line);
     void end_merged();
     void take(linuxcnc::Piece piece);
