@@ -284,7 +284,7 @@ TEST(ControllerFile, UnknownKeys) {
     EXPECT_THAT(error_of("x = 4"),
                 testing::AllOf(
                     testing::StartsWith("m.toml:4:1: unknown key 'x' in [controller]; it may hold: "
-                                        "model, name, planner, look_ahead_blocks, "),
+                                        "model, name, planner, "),
                     testing::HasSubstr(", corner, exact_path_corner, "),
                     testing::HasSubstr(", orientation, "), testing::HasSubstr(", inverse_time_of_chords")));
 }
