@@ -37,7 +37,8 @@ export async function openPage(file, { width = 1280, height = 800, dark = false,
     if (!isOwn) faults.push(`asked for ${request.url()}`);
   });
   if (before) await page.addInitScript(before.script, before.argument);
-  await page.goto(isAddress ? file : `file://${file}`);
+  // However busy the machine is: how long a page takes to load is for the benchmarks.
+  await page.goto(isAddress ? file : `file://${file}`, { timeout: 180_000 });
   const close = async () => {
     await context.close();
     idle.push(browser);
