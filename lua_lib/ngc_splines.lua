@@ -18,8 +18,9 @@ local function on_machine(point)
   return target
 end
 
-local function put_out(points, weights, order)
-  local pieces, whole = splines.arcs(points, weights, order), 0
+-- Arcs and lines one behind the other, as splines.arcs and splines.chords give them.
+local function put_out(pieces)
+  local whole = 0
   for _, piece in ipairs(pieces) do whole = whole + piece.length end
   local feed = core.take_feed()
   for _, piece in ipairs(pieces) do
@@ -35,29 +36,14 @@ local function put_out(points, weights, order)
   end
 end
 
-local function put_out_chords(points)
-  local chords, lengths, whole = splines.chords(points, core.spline_chord_mm), {}, 0
-  local from = points[1]
-  for i, place in ipairs(chords) do
-    lengths[i] = space_between(from, place)
-    whole, from = whole + lengths[i], place
-  end
-  local feed = core.take_feed()
-  for i, place in ipairs(chords) do
-    if lengths[i] > SAME_MM then
-      path.line(on_machine(place), feed_of_part(feed, lengths[i] / whole), "spline")
-    end
-  end
-end
-
 -- A Bezier curve is a NURBS whose order is the number of its points.
 local function put_out_bezier(points)
   if core.spline_chord_mm > 0 then
-    return put_out_chords(#points == 3 and splines.raised(points) or points)
+    return put_out(splines.chords(#points == 3 and splines.raised(points) or points, core.spline_chord_mm))
   end
   local weights = {}
   for i = 1, #points do weights[i] = 1 end
-  put_out(points, weights, #points)
+  put_out(splines.arcs(points, weights, #points))
 end
 
 -- --- The words ---
@@ -171,5 +157,5 @@ word("G5_3", function()
       curve.order, curve.order,
       #curve.points)
   end
-  put_out(curve.points, curve.weights, curve.order)
+  put_out(splines.arcs(curve.points, curve.weights, curve.order))
 end)

@@ -128,13 +128,13 @@ local function off(a, middle, b)
   return math.abs((a.x + b.x) / 2 - middle.x) + math.abs((a.y + b.y) / 2 - middle.y)
 end
 
--- Ends of the chords of a cubic Bezier curve with these four control points, as grblHAL chooses them
+-- The chords, as lines of splines.arcs, of a cubic Bezier curve with these four control points, as grblHAL chooses them
 -- (mc_cubic_b_spline() of its motion_control.c): a step of the parameter is that of the chord before, halved until the
 -- middle of the chord is within `tolerance` of the curve, or, where it was so at once, doubled while it stays so.
 function splines.chords(points, tolerance)
   local curve = { points = {}, order = #points, knots = even_knots(#points, #points) }
   for i, point in ipairs(points) do curve.points[i] = weighted(point, 1) end
-  local ends, from, at, step = {}, points[1], 0, LONGEST_STEP
+  local chords, from, at, step = {}, points[1], 0, LONGEST_STEP
   while at < 1 do
     local to = math.min(at + step, 1)
     local place, halved = place_at(curve, to), false
@@ -150,11 +150,11 @@ function splines.chords(points, tolerance)
       if off(from, place, candidate) > tolerance then break end
       to, place = further, candidate
     end
+    if to == 1 then place = points[#points] end
+    chords[#chords + 1] = { x = place.x, y = place.y, z = place.z, length = space_between(from, place) }
     step, at, from = to - at, to, place
-    ends[#ends + 1] = place
   end
-  ends[#ends] = points[#points]
-  return ends
+  return chords
 end
 
 -- The four control points of the cubic curve that is a quadratic one with these three.
