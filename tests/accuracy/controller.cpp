@@ -15,12 +15,12 @@ std::string with_dashes(std::string name) {
     return name;
 }
 
-std::string value_of(const TableRow& row, std::string_view column) {
+}  // namespace
+
+std::string text_in(const TableRow& row, std::string_view column) {
     const auto found = row.find(column);
     return found == row.end() ? std::string() : found->second;
 }
-
-}  // namespace
 
 std::string machine_of_grblhal(const TableRow& row) {
     return "grblhal-" + with_dashes(row.at("machine"));
@@ -35,17 +35,17 @@ std::string never_left_out(const TableRow&) {
 }
 
 std::string planner_of_linuxcnc_2_10(const TableRow& row) {
-    const std::string jerk = value_of(row, "jerk");
-    if (value_of(row, "planner_type") != "1") return "pt0";
+    const std::string jerk = text_in(row, "jerk");
+    if (text_in(row, "planner_type") != "1") return "pt0";
     return "pt1-j" + (jerk == "1000000000" ? "def" : jerk);
 }
 
 std::string machine_of_linuxcnc_2_10(const TableRow& row) {
-    return "linuxcnc-2.10-" + with_dashes(value_of(row, "machine")) + "-" + planner_of_linuxcnc_2_10(row);
+    return "linuxcnc-2.10-" + with_dashes(text_in(row, "machine")) + "-" + planner_of_linuxcnc_2_10(row);
 }
 
 std::string fault_of_linuxcnc_2_10(const TableRow& row) {
-    const std::string flag = value_of(row, "flag");
+    const std::string flag = text_in(row, "flag");
     for (const std::string fault : {"acc_step", "trapezoidal_fallback"})
         if (flag.find(fault) != std::string::npos) return fault;
     return {};

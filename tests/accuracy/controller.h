@@ -19,6 +19,9 @@ struct Tolerance {
 /// A line of a table.tsv by the names of its columns.
 using TableRow = std::map<std::string, std::string, std::less<>>;
 
+/// What a column has; empty where the line lacks it.
+std::string text_in(const TableRow& row, std::string_view column);
+
 /// How a table.tsv lists runs, one a line, where a program was run on several machines.
 struct RunTable {
     std::string (*machine_of)(const TableRow& row) = nullptr;  ///< Name of its machine file, without .toml.

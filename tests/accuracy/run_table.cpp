@@ -29,11 +29,6 @@ std::vector<std::string> columns_of(std::string_view line) {
     return columns;
 }
 
-std::string text_in(const TableRow& row, std::string_view column) {
-    const auto found = row.find(column);
-    return found == row.end() ? std::string() : found->second;
-}
-
 tl::expected<Recording, std::string> run_in(const TableRow& row, const fs::path& program,
                                             const Controller& controller) {
     const auto time_s = column_s(row, controller.time_key);
