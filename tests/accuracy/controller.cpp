@@ -30,10 +30,6 @@ std::string machine_of_klipper(const TableRow& row) {
     return "klipper-" + with_dashes(row.at("machine"));
 }
 
-std::string never_left_out(const TableRow&) {
-    return {};
-}
-
 std::string planner_of_linuxcnc_2_10(const TableRow& row) {
     const std::string jerk = text_in(row, "jerk");
     if (text_in(row, "planner_type") != "1") return "pt0";

@@ -27,7 +27,7 @@ struct RunTable {
     std::string (*machine_of)(const TableRow& row) = nullptr;  ///< Name of its machine file, without .toml.
     /// Of what a program is called that the table has more than once; null: by its own name.
     std::string (*variant_of)(const TableRow& row) = nullptr;
-    /// Why a run says nothing of the controller's motion; empty: it is counted.
+    /// Why a run says nothing of the controller's motion; empty, or null: it is counted.
     std::string (*left_out_for)(const TableRow& row) = nullptr;
 };
 
@@ -52,10 +52,9 @@ struct Controller {
 std::string machine_of_grblhal(const TableRow& row);
 /// klipper-MACHINE, with dashes.
 std::string machine_of_klipper(const TableRow& row);
-std::string never_left_out(const TableRow& row);
 
-inline constexpr RunTable kGrblHalRuns{machine_of_grblhal, nullptr, never_left_out};
-inline constexpr RunTable kKlipperRuns{machine_of_klipper, nullptr, never_left_out};
+inline constexpr RunTable kGrblHalRuns{machine_of_grblhal};
+inline constexpr RunTable kKlipperRuns{machine_of_klipper};
 
 /// linuxcnc-2.10-MACHINE-pt0, or -pt1-j20000, -pt1-jdef: by planner and jerk.
 std::string machine_of_linuxcnc_2_10(const TableRow& row);

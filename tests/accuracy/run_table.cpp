@@ -46,7 +46,12 @@ tl::expected<Recording, std::string> run_in(const TableRow& row, const fs::path&
     run.overrides = turned.value_or("");
     run.from_first_move = controller.from_first_move;
     run.tools = controller.tools;
-    const std::string left_out = turned ? controller.runs->left_out_for(row) : turned.error();
+    std::string left_out;
+    if (!turned) {
+        left_out = turned.error();
+    } else if (controller.runs->left_out_for != nullptr) {
+        left_out = controller.runs->left_out_for(row);
+    }
     run.counted = left_out.empty();
     run.note = left_out.empty() ? text_in(row, controller.note_key) : left_out;
     return run;
