@@ -120,10 +120,12 @@ tl::expected<void, std::string> fit_to_times(const Arguments& arguments) {
     };
     auto task = read_task(arguments);
     if (!task) return tl::unexpected(task.error());
+    const auto predictor = Predictor::of(task->runs, arguments.dialect, task->machine);
+    if (!predictor) return tl::unexpected(predictor.error());
     std::optional<Choice> choice;
     if (!arguments.keep_model) {
         const auto candidates = generic_candidates(task->machine);
-        auto chosen = choose_model(candidates, task->runs, arguments.dialect,
+        auto chosen = choose_model(candidates, task->runs, *predictor,
                                    std::min<std::size_t>(arguments.parts, task->runs.size()),
                                    arguments.each_axis, tell);
         if (!chosen) return tl::unexpected(chosen.error());
@@ -131,8 +133,6 @@ tl::expected<void, std::string> fit_to_times(const Arguments& arguments) {
         task->machine = candidates[choice->best].machine;
         tell(fmt::format("chosen: {}", candidates[choice->best].name));
     }
-    const auto predictor = Predictor::of(task->runs, arguments.dialect);
-    if (!predictor) return tl::unexpected(predictor.error());
     const auto fit = fit_times(task->machine, task->runs, *predictor, arguments.each_axis, tell);
     if (!fit) return tl::unexpected(fit.error());
     tell(fit_table(*fit, task->runs));

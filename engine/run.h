@@ -20,6 +20,10 @@
 #include "engine/request.h"
 #include "engine/scene.h"
 
+namespace gsim::simulation {
+struct MotionLog;
+}
+
 namespace gsim::engine {
 
 /// Takes a text in pieces. False: it cannot be written; no more of it is given then.
@@ -91,6 +95,9 @@ class GSIM_API Run {
     void take_columns(TakeColumns take, std::size_t robot = 0);
     /// What the motors bring up. The error: the machine file does not tell of masses.
     tl::expected<void, Failure> take_efforts(TakeEfforts take, std::size_t robot = 0);
+    /// What the run asks of its controller, for use on other machines (runtime/simulation/motion_replay.h);
+    /// `log` outlives the run.
+    void log_motion(simulation::MotionLog& log, std::size_t robot = 0);
     void show_progress(Progress progress);
 
     /// Runs to the end, an alarm, a limit, or Request::cancel. What happened.

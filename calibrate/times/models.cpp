@@ -52,31 +52,36 @@ void limit_jerk(machine::Machine& machine) {
     }
 }
 
-std::vector<RecordedRun> runs_of_part(std::span<const RecordedRun> runs, std::size_t parts, std::size_t part,
-                                      bool inside) {
-    std::vector<RecordedRun> chosen;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        if ((i % parts == part) == inside) chosen.push_back(runs[i]);
+/// Places of the runs in a part of several, or of those outside it.
+std::vector<std::size_t> places_of(std::size_t runs, std::size_t parts, std::size_t part, bool inside) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < runs; ++i) {
+        if ((i % parts == part) == inside) places.push_back(i);
     }
+    return places;
+}
+
+std::vector<RecordedRun> runs_at(std::span<const RecordedRun> runs, std::span<const std::size_t> places) {
+    std::vector<RecordedRun> chosen;
+    for (const std::size_t place : places) chosen.push_back(runs[place]);
     return chosen;
 }
 
 /// What a fit to the other parts says of one, in percent; the error says why it cannot be fitted.
 tl::expected<std::vector<double>, std::string> foretell(const Candidate& candidate,
-                                                        std::span<const RecordedRun> others,
-                                                        std::span<const RecordedRun> part,
-                                                        const std::string& dialect, bool each_axis) {
-    const auto known = Predictor::of(others, dialect);
-    if (!known) return tl::unexpected(known.error());
-    const auto unknown = Predictor::of(part, dialect);
-    if (!unknown) return tl::unexpected(unknown.error());
-    const auto fit = fit_times(candidate.machine, others, *known, each_axis);
+                                                        std::span<const RecordedRun> runs,
+                                                        const Predictor& predictor, std::size_t parts,
+                                                        std::size_t part, bool each_axis) {
+    const auto others = places_of(runs.size(), parts, part, false);
+    const auto places = places_of(runs.size(), parts, part, true);
+    const auto fit = fit_times(candidate.machine, runs_at(runs, others), predictor.part(others), each_axis);
     if (!fit) return tl::unexpected(fit.error());
-    const auto times = unknown->times_s(fit->machine);
+    const auto times = predictor.part(places).times_s(fit->machine);
     std::vector<double> errors;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-        if (!times[i]) return tl::unexpected(fmt::format("{}: {}", part[i].program, times[i].error()));
-        errors.push_back(100 * std::abs(*times[i] - part[i].time_s) / part[i].time_s);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const RecordedRun& run = runs[places[i]];
+        if (!times[i]) return tl::unexpected(fmt::format("{}: {}", run.program, times[i].error()));
+        errors.push_back(100 * std::abs(*times[i] - run.time_s) / run.time_s);
     }
     return errors;
 }
@@ -97,12 +102,11 @@ Score fitted_score(const Candidate& candidate, std::span<const RecordedRun> runs
     return score;
 }
 
-void cross_validate(const Candidate& candidate, std::span<const RecordedRun> runs, const std::string& dialect,
+void cross_validate(const Candidate& candidate, std::span<const RecordedRun> runs, const Predictor& predictor,
                     std::size_t parts, bool each_axis, Score& score) {
     double sum = 0;
     for (std::size_t part = 0; part < parts; ++part) {
-        const auto errors = foretell(candidate, runs_of_part(runs, parts, part, false),
-                                     runs_of_part(runs, parts, part, true), dialect, each_axis);
+        const auto errors = foretell(candidate, runs, predictor, parts, part, each_axis);
         if (!errors) {
             score.refused = errors.error();
             return;
@@ -158,20 +162,18 @@ std::vector<Candidate> generic_candidates(const machine::Machine& machine) {
 }
 
 tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candidates,
-                                               std::span<const RecordedRun> runs, const std::string& dialect,
+                                               std::span<const RecordedRun> runs, const Predictor& predictor,
                                                std::size_t parts, bool each_axis,
                                                const std::function<void(const std::string&)>& told) {
-    const auto predictor = Predictor::of(runs, dialect);
-    if (!predictor) return tl::unexpected(predictor.error());
     Choice choice;
     for (const Candidate& candidate : candidates) {
-        choice.scores.push_back(fitted_score(candidate, runs, *predictor, each_axis));
+        choice.scores.push_back(fitted_score(candidate, runs, predictor, each_axis));
         if (told) told(words_on(choice.scores.back()));
     }
     std::optional<std::size_t> best;
     for (const std::size_t i : nearest(choice.scores, kTried)) {
         Score& score = choice.scores[i];
-        cross_validate(candidates[i], runs, dialect, parts, each_axis, score);
+        cross_validate(candidates[i], runs, predictor, parts, each_axis, score);
         if (told) told(words_on(score));
         if (!score.foretells) continue;
         if (!best || score.mean_percent < choice.scores[*best].mean_percent) best = i;

@@ -41,7 +41,7 @@ struct Choice {
 /// runs are dealt to `parts` parts (at least 2), each part is foretold by a fit to the others, and the
 /// candidate with the least mean error is the best one. The error: none could be fitted.
 tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candidates,
-                                               std::span<const RecordedRun> runs, const std::string& dialect,
+                                               std::span<const RecordedRun> runs, const Predictor& predictor,
                                                std::size_t parts, bool each_axis,
                                                const std::function<void(const std::string&)>& told = {});
 

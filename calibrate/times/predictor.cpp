@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -13,6 +14,8 @@
 
 #include "engine/run.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/simulation/motion_replay.h"
+#include "runtime/simulation/simulator.h"
 
 namespace gsim::calibrate {
 
@@ -38,20 +41,59 @@ std::string why(const engine::Report& report) {
     return "it did not come to its end";
 }
 
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& make) {
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count; i = next++) make(i);
+    };
+    std::vector<std::jthread> threads;
+    for (unsigned i = 1; i < std::max(std::thread::hardware_concurrency(), 1U); ++i)
+        threads.emplace_back(work);
+    work();
+}
+
+tl::expected<double, std::string> replayed_time_s(const simulation::MotionLog& log,
+                                                  const motion::PlannerSetup& setup) {
+    const auto moves = simulation::replay(log, setup);
+    if (!moves) return tl::unexpected(moves.error());
+    if (moves->empty()) return tl::unexpected<std::string>("nothing moves");
+    return moves->back().end_s - moves->front().start_s;
+}
+
 }  // namespace
 
-tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs, std::string dialect) {
+tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs,
+                                                   const std::string& dialect,
+                                                   const machine::Machine& machine) {
     Predictor predictor;
-    predictor.dialect_ = std::move(dialect);
+    predictor.dialect_ = dialect;
+    std::vector<std::shared_ptr<Program>> programs;
     for (const RecordedRun& run : runs) {
         if (!bytes_of(run.program)) return tl::unexpected(fmt::format("cannot read {}", run.program));
-        predictor.programs_.push_back(run.program);
+        programs.push_back(std::make_shared<Program>());
+        programs.back()->file = run.program;
     }
+    const std::string text = machine::print_machine(machine);
+    on_all_cores(programs.size(), [&](std::size_t i) { predictor.run(*programs[i], text); });
+    predictor.programs_.assign(programs.begin(), programs.end());
     return predictor;
 }
 
-tl::expected<double, std::string> Predictor::time_s(const std::string& program,
-                                                    const std::string& machine) const {
+void Predictor::run(Program& program, const std::string& machine) const {
+    if (const auto time_s = run_time_s(program.file, machine, &program.log); !time_s)
+        program.refused = time_s.error();
+}
+
+Predictor Predictor::part(std::span<const std::size_t> places) const {
+    Predictor chosen;
+    chosen.dialect_ = dialect_;
+    for (const std::size_t place : places) chosen.programs_.push_back(programs_[place]);
+    return chosen;
+}
+
+tl::expected<double, std::string> Predictor::run_time_s(const std::string& program,
+                                                        const std::string& machine,
+                                                        simulation::MotionLog* log) const {
     engine::Request request;
     request.program = program;
     request.machine = kMachine;
@@ -61,6 +103,7 @@ tl::expected<double, std::string> Predictor::time_s(const std::string& program,
     auto run = engine::Run::open(std::move(request));
     if (!run) return tl::unexpected(run.error().message);
     if (const auto ready = run->prepare(); !ready) return tl::unexpected(ready.error().message);
+    if (log != nullptr) run->log_motion(*log);
     double first_s = std::numeric_limits<double>::infinity();
     run->take_moves([&](std::span<const engine::Move> moves) {
         for (const engine::Move& move : moves) first_s = std::min(first_s, move.start_s);
@@ -73,17 +116,19 @@ tl::expected<double, std::string> Predictor::time_s(const std::string& program,
 }
 
 std::vector<tl::expected<double, std::string>> Predictor::times_s(const machine::Machine& machine) const {
-    const std::string text = machine::print_machine(machine);
+    motion::PlannerSetup setup = simulation::setup_of_machine(machine);
+    setup.range_notes.reset();
     std::vector<tl::expected<double, std::string>> times(programs_.size(), 0.0);
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < programs_.size(); i = next++) times[i] = time_s(programs_[i], text);
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < std::max(std::thread::hardware_concurrency(), 1U); ++i)
-        threads.emplace_back(work);
-    work();
-    threads.clear();
+    on_all_cores(programs_.size(), [&](std::size_t i) {
+        const Program& program = *programs_[i];
+        if (!program.refused.empty()) {
+            times[i] = tl::unexpected(program.refused);
+        } else if (program.log.gap.empty()) {
+            times[i] = replayed_time_s(program.log, setup);
+        } else {
+            times[i] = run_time_s(program.file, machine::print_machine(machine), nullptr);
+        }
+    });
     return times;
 }
 

@@ -358,6 +358,10 @@ void Run::take_moves(TakeMoves take, std::size_t robot) {
         hand_out_moves(std::move(take), simulator.machine(), simulator.files()));
 }
 
+void Run::log_motion(simulation::MotionLog& log, std::size_t robot) {
+    state_->simulator(robot).log_motion(log);
+}
+
 void Run::take_segments(TakeSegments take, std::size_t robot) {
     state_->documents(robot).add_output(
         hand_out_segments(std::move(take), state_->simulator(robot).machine()));

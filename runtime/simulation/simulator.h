@@ -18,6 +18,7 @@
 #include "runtime/simulation/commands.h"
 #include "runtime/simulation/effort_watch.h"
 #include "runtime/simulation/event_log.h"
+#include "runtime/simulation/motion_log.h"
 #include "runtime/simulation/motion_source.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/open_calls.h"
@@ -77,6 +78,8 @@ class Simulator {
     void set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics);
     /// Null: none was set.
     const dynamics::Dynamics* dynamics() const { return dynamics_.get(); }
+    /// Before the first move: `log`, which outlives the simulator, gets what the run asks of its controller.
+    void log_motion(MotionLog& log);
     /// The same of one that is told what the program asks for; one at most.
     void set_observer(ProgramObserver& observer);
 

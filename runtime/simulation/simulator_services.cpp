@@ -1,5 +1,6 @@
 // The controller's services beside the moves of a program.
 
+#include "runtime/simulation/logging_motion.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -41,6 +42,11 @@ bool Simulator::set_overrides(const motion::OverrideSchedule& overrides) {
         if (change.at_s > 0) change.at_s += machine_.controller.overrides.delay_s;
     }
     return motion_->set_overrides(std::make_shared<const motion::OverrideSchedule>(std::move(acting)));
+}
+
+void Simulator::log_motion(MotionLog& log) {
+    motion_ = std::make_unique<LoggingMotion>(std::move(motion_), log);
+    if (!overrides_.empty()) log.gap = "overrides are turned";
 }
 
 /// What is in step with the spindle by its position is deaf to the feed override.

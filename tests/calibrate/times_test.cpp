@@ -60,14 +60,15 @@ class Recordings : public testing::Test {
     /// The times of a machine, off by a factor with this standard deviation.
     void record(const machine::Machine& machine, double noise) {
         std::mt19937 random(5);
-        const auto times = Predictor::of(runs_, "rs274ngc").value().times_s(machine);
+        const auto times = Predictor::of(runs_, "rs274ngc", machine).value().times_s(machine);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
             ASSERT_TRUE(times[i]) << times[i].error();
             runs_[i].time_s = *times[i] * std::exp(std::normal_distribution<double>(0, noise)(random));
         }
     }
     Fit fit(const machine::Machine& start) {
-        return fit_times(start, runs_, Predictor::of(runs_, "rs274ngc").value(), false).value();
+        return fit_times(start, runs_, Predictor::of(runs_, "rs274ngc", router(400, 0.03)).value(), false)
+            .value();
     }
 
     fs::path folder_;
@@ -134,10 +135,11 @@ TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
 
 TEST_F(Recordings, OfAProgramThatEndsNotAreRefusedByName) {
     add("G1 X9999 F100\nM2\n");
-    const auto found = fit_times(router(400, 0.03), runs_, Predictor::of(runs_, "rs274ngc").value(), false);
+    const auto found = fit_times(router(400, 0.03), runs_,
+                                 Predictor::of(runs_, "rs274ngc", router(400, 0.03)).value(), false);
     ASSERT_FALSE(found);
     EXPECT_THAT(found.error(), HasSubstr("8.ngc"));
-    EXPECT_FALSE(Predictor::of(std::vector<RecordedRun>{{"/nowhere.ngc", 1}}, ""));
+    EXPECT_FALSE(Predictor::of(std::vector<RecordedRun>{{"/nowhere.ngc", 1}}, "", router(400, 0.03)));
 }
 
 }  // namespace

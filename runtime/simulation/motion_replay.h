@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "runtime/motion/planner_setup.h"
+#include "runtime/simulation/motion_log.h"
+
+namespace gsim::simulation {
+
+/// When a move or a rest of a log was made, s.
+struct ReplayedMove {
+    rrs::TargetId target_id = 0;
+    double start_s = 0;
+    double end_s = 0;
+};
+
+/// What becomes of a log that has no gap on a machine that is another than its own in figures alone, with our
+/// planner: the moves that take time, in order. Zones, cells and tables of the machine are not looked at. The
+/// error says which entry cannot be planned, and why.
+tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
+                                                            const motion::PlannerSetup& machine);
+
+}  // namespace gsim::simulation

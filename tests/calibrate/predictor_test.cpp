@@ -1,0 +1,142 @@
+// Moves that are planned anew take as long as the program that is run anew.
+
+#include "calibrate/times/predictor.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/run.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::calibrate::predictor_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kAxes = R"(
+[[axis]]
+letter = "X"
+kind = "linear"
+min_mm = -500.0
+max_mm = 500.0
+max_speed_mm_s = 100.0
+max_acceleration_mm_s2 = 500.0
+max_jerk_mm_s3 = 5000.0
+direction = "x"
+[[axis]]
+letter = "Y"
+kind = "linear"
+min_mm = -500.0
+max_mm = 500.0
+max_speed_mm_s = 80.0
+max_acceleration_mm_s2 = 300.0
+max_jerk_mm_s3 = 5000.0
+direction = "y"
+[[axis]]
+letter = "Z"
+kind = "linear"
+min_mm = -500.0
+max_mm = 500.0
+max_speed_mm_s = 50.0
+max_acceleration_mm_s2 = 200.0
+max_jerk_mm_s3 = 5000.0
+direction = "z"
+)";
+
+std::string machine_text(const std::string& controller) {
+    return "[machine]\nname = \"m\"\ninverse = \"gantry\"\n[controller]\n" + controller + kAxes;
+}
+
+/// Controllers with a planner of each kind.
+const std::vector<std::string> kControllers = {
+    "model = \"exact-stop\"\n",
+    "planner = \"look-ahead\"\ncorner = \"velocity-step\"\nspeed_step_s = 0.02\nsettle_s = 0.03\n",
+    "planner = \"look-ahead\"\ncorner = \"smooth-blend\"\nblend_tolerance_mm = 0.1\nlimit_jerk = true\n",
+    "model = \"ab9\"\n",
+    "model = \"blend\"\n",
+    "model = \"grbl-1.1\"\n",
+    "model = \"grblhal\"\n",
+    "model = \"linuxcnc-2.9\"\n",
+    "model = \"linuxcnc-2.10\"\n",
+    "model = \"klipper\"\n",
+};
+
+constexpr const char* kPrograms[] = {
+    // Lines, arcs, corners, dwells, offsets, both path modes.
+    "G21 G90 G17\nG64\nG0 X10 Y5\nG1 Z-2 F600\nG1 X30 F3000\nY20\nG2 X40 Y30 I10 J0\nG61\nG1 X0\nY0\n"
+    "G4 P0.25\nG64 P0.05\nG10 L2 P1 X5\nG1 X20 Y20 F1000\nG3 X20 Y20 I-5 J0\nM3 S1000\nG0 Z5\nM2\n",
+    // Stops, cycles, drilling.
+    "G21 G90\nG0 X1\nM8\nG0 X50 Y50\nG81 X60 Y60 Z-5 R2 F500\nX70\nG80\nM9\nG0 X0 Y0\nM2\n",
+    // A probing move: it cannot be planned anew.
+    "G21 G90\nG38.2 Z-10 F100\nG0 Z5\nM2\n",
+};
+
+class Programs : public testing::Test {
+  protected:
+    Programs() : folder_(fs::temp_directory_path() / "gsim-calibrate-predictor-test") {
+        fs::create_directories(folder_);
+        for (const char* text : kPrograms) {
+            const fs::path file = folder_ / (std::to_string(runs_.size()) + ".ngc");
+            std::ofstream(file) << text;
+            runs_.push_back({file.string(), 1});
+        }
+    }
+    ~Programs() override { fs::remove_all(folder_); }
+
+    /// The program is run on the machine.
+    double run_time_s(const std::string& program, const std::string& machine) {
+        engine::Request request;
+        request.program = program;
+        request.machine = (folder_ / "machine.toml").string();
+        request.language.dialect = "rs274ngc";
+        std::ofstream(request.machine) << machine;
+        auto run = engine::Run::open(std::move(request)).value();
+        EXPECT_TRUE(run.prepare());
+        double first_s = std::numeric_limits<double>::infinity();
+        run.take_moves([&](std::span<const engine::Move> moves) {
+            for (const engine::Move& move : moves) first_s = std::min(first_s, move.start_s);
+        });
+        const auto report = run.go();
+        EXPECT_TRUE(report && report->status == engine::RunStatus::completed) << program;
+        return report ? report->cycle_time_s - first_s : 0;
+    }
+
+    fs::path folder_;
+    std::vector<RecordedRun> runs_;
+};
+
+TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
+    const auto start = machine::read_machine(machine_text(kControllers[1]), "start.toml").value();
+    const Predictor predictor = Predictor::of(runs_, "rs274ngc", start).value();
+    for (const std::string& controller : kControllers) {
+        SCOPED_TRACE(controller);
+        const std::string text = machine_text(controller);
+        const auto machine = machine::read_machine(text, "m.toml");
+        ASSERT_TRUE(machine) << machine.error();
+        const auto times = predictor.times_s(*machine);
+        ASSERT_EQ(times.size(), runs_.size());
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            ASSERT_TRUE(times[i]) << times[i].error();
+            EXPECT_NEAR(*times[i], run_time_s(runs_[i].program, text), 1e-9) << kPrograms[i];
+        }
+    }
+}
+
+TEST_F(Programs, OfAPartAreThoseOfItsPlaces) {
+    const auto machine = machine::read_machine(machine_text(kControllers[1]), "m.toml").value();
+    const Predictor predictor = Predictor::of(runs_, "rs274ngc", machine).value();
+    const auto all = predictor.times_s(machine);
+    const auto some = predictor.part(std::vector<std::size_t>{1, 0}).times_s(machine);
+    ASSERT_EQ(some.size(), 2U);
+    EXPECT_EQ(some[0], all[1]);
+    EXPECT_EQ(some[1], all[0]);
+}
+
+}  // namespace
+}  // namespace gsim::calibrate::predictor_test
