@@ -9,7 +9,7 @@ MAKEFLAGS    += --no-print-directory
 # Configuring is quiet (warnings and errors go to standard error), building shows its progress.
 build_into = cmake --preset $(1) >/dev/null && cmake --build --preset $(1) --parallel $(JOBS)
 
-.PHONY: help run test test-all setup build bench accuracy coverage docs pictures site fuzz golden format lint wasm studio studio-test install uninstall package clean
+.PHONY: help run test test-all setup build bench accuracy calibration coverage docs pictures site fuzz golden format lint wasm studio studio-test install uninstall package clean
 
 help:
 	@echo 'make run      translate samples/wheel.nc, show the Lua, simulate it'
@@ -19,6 +19,7 @@ help:
 	@echo 'make build    build the programs into build/bin'
 	@echo 'make bench    measure, against LinuxCNC where it is installed; writes build/bench.md'
 	@echo 'make accuracy GSIM_REFERENCE=FOLDER  compare cycle times and positions with recorded controllers'
+	@echo 'make calibration GSIM_REFERENCE=FOLDER  fit generic models to recorded controllers, and tell how near they foretell the others'
 	@echo 'make fuzz     fuzz each reader for FUZZ_SECONDS=$(FUZZ_SECONDS), or the one TARGET=NAME; RECORD=1 counts it in tests/fuzz/RESULTS.md'
 	@echo 'make coverage what of the sources the tests run, by room; the report in build-coverage/report'
 	@echo 'make golden   renew the expected outputs of the golden tests; read the diff afterwards'
@@ -81,9 +82,14 @@ bench: setup
 
 # The recordings are no part of the project. An empty name must not become the folder '/'.
 ifeq ($(and $(GSIM_REFERENCE),$(wildcard $(GSIM_REFERENCE)/.)),)
-accuracy:
-	@echo "accuracy: there is no folder '$(GSIM_REFERENCE)' of recorded controllers; name it: make accuracy GSIM_REFERENCE=FOLDER"
+accuracy calibration:
+	@echo "$@: there is no folder '$(GSIM_REFERENCE)' of recorded controllers; name it: make $@ GSIM_REFERENCE=FOLDER"
 else
+calibration:
+	@scripts/setup.sh test calibrate
+	@$(call build_into,release) --target gsim-black-box
+	@build/bin/gsim-black-box --machines samples/machines '$(GSIM_REFERENCE)'
+
 accuracy:
 	@scripts/setup.sh test
 	@$(call build_into,release) --target gsim gsim-accuracy

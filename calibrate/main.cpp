@@ -10,7 +10,7 @@
 #include "apps/parse.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
-#include "calibrate/times/models.h"
+#include "calibrate/times/choice.h"
 #include "calibrate/times/outcome.h"
 #include "runtime/machine/machine_file.h"
 
@@ -25,7 +25,9 @@ constexpr int kUsage = 2;
 struct Arguments {
     std::string runs;
     std::string machine;
-    std::string dialect;
+    Reading reading;
+    RecordForm form;
+    double sample_period_ms = 0;
     std::string output;
     std::string json;
     std::string picture;
@@ -46,8 +48,20 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
         .called("FILE")
         .of_file(apps::FileKind::input, {".toml"})
         .must_be_given();
-    line.add("--dialect", &arguments.dialect, "language of the programs; else as the machine file says")
+    line.add("--dialect", &arguments.reading.dialect,
+             "language of the programs; else as the machine file says")
         .called("NAME");
+    line.add("--machine-data", &arguments.reading.machine_data, "tools and offsets that the programs use")
+        .called("FILE")
+        .of_file(apps::FileKind::input, {".txt", ".tbl"});
+    line.add("--sample-period", &arguments.sample_period_ms,
+             "time between samples of recordings that have no times (halsampler)")
+        .called("MS")
+        .within(0.001, 60'000);
+    line.add("--sample-columns", &arguments.form.columns,
+             "what the columns of such recordings are, a letter each; '-': nothing that counts")
+        .called("XYZ")
+        .shows_default();
     line.add("-o,--output", &arguments.output, "the fitted machine file; else standard output")
         .called("FILE")
         .of_file(apps::FileKind::output, {".toml"});
@@ -83,6 +97,17 @@ struct Task {
     std::vector<RecordedRun> runs;
 };
 
+tl::expected<void, std::string> add_records(const RecordForm& form, std::vector<RecordedRun>& runs) {
+    for (RecordedRun& run : runs) {
+        if (run.record.empty()) continue;
+        const auto text = os::read_text_file(run.record);
+        if (!text) return tl::unexpected(text.error());
+        if (const auto added = add_record(*text, form, run); !added)
+            return tl::unexpected(fmt::format("{}: {}", run.record, added.error()));
+    }
+    return {};
+}
+
 tl::expected<Task, std::string> read_task(const Arguments& arguments) {
     auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
@@ -97,6 +122,9 @@ tl::expected<Task, std::string> read_task(const Arguments& arguments) {
             "{} has {} runs: a fit needs 4 at least, and tells more of each figure with 10 or more",
             arguments.runs, runs->size()));
     }
+    RecordForm form = arguments.form;
+    form.period_s = arguments.sample_period_ms / 1000;
+    if (const auto added = add_records(form, *runs); !added) return tl::unexpected(added.error());
     return Task{*std::move(machine), *std::move(runs)};
 }
 
@@ -120,20 +148,20 @@ tl::expected<void, std::string> fit_to_times(const Arguments& arguments) {
     };
     auto task = read_task(arguments);
     if (!task) return tl::unexpected(task.error());
-    const auto predictor = Predictor::of(task->runs, arguments.dialect, task->machine);
+    const auto predictor = Predictor::of(task->runs, arguments.reading, task->machine);
     if (!predictor) return tl::unexpected(predictor.error());
     std::optional<Choice> choice;
+    bool each_axis = arguments.each_axis;
     if (!arguments.keep_model) {
-        const auto candidates = generic_candidates(task->machine);
-        auto chosen = choose_model(candidates, task->runs, *predictor,
-                                   std::min<std::size_t>(arguments.parts, task->runs.size()),
-                                   arguments.each_axis, tell);
+        auto chosen = choose_model(generic_candidates(task->machine, each_axis), task->runs, *predictor,
+                                   std::min<std::size_t>(arguments.parts, task->runs.size()), tell);
         if (!chosen) return tl::unexpected(chosen.error());
         choice = *std::move(chosen);
-        task->machine = candidates[choice->best].machine;
-        tell(fmt::format("chosen: {}", candidates[choice->best].name));
+        task->machine = choice->candidate.machine;
+        each_axis = choice->candidate.each_axis;
+        tell(fmt::format("chosen: {}", choice->candidate.name));
     }
-    const auto fit = fit_times(task->machine, task->runs, *predictor, arguments.each_axis, tell);
+    const auto fit = fit_times(task->machine, task->runs, *predictor, {each_axis}, tell);
     if (!fit) return tl::unexpected(fit.error());
     tell(fit_table(*fit, task->runs));
     return write_all(arguments, *task, *fit, choice);

@@ -88,6 +88,12 @@ struct GSIM_API Report {
     RunStatus status = RunStatus::completed;
     std::optional<Alarm> alarm = {};  ///< Also why a run was stopped.
     double cycle_time_s = 0;
+    /// Between these it is with a probability of 95 %, where the machine file tells how it was fitted.
+    struct Interval {
+        double least_s = 0;
+        double most_s = 0;
+    };
+    std::optional<Interval> cycle_time_95 = {};
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
     double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
     std::uint64_t blocks = 0;

@@ -21,7 +21,7 @@
 #include "engine/scene.h"
 
 namespace gsim::simulation {
-struct MotionLog;
+class MotionObserver;
 }
 
 namespace gsim::engine {
@@ -95,9 +95,9 @@ class GSIM_API Run {
     void take_columns(TakeColumns take, std::size_t robot = 0);
     /// What the motors bring up. The error: the machine file does not tell of masses.
     tl::expected<void, Failure> take_efforts(TakeEfforts take, std::size_t robot = 0);
-    /// What the run asks of its controller, for use on other machines (runtime/simulation/motion_replay.h);
-    /// `log` outlives the run.
-    void log_motion(simulation::MotionLog& log, std::size_t robot = 0);
+    /// `observer`, which outlives the run, is told what it asks of its controller, for use on other machines
+    /// (runtime/simulation/motion_replay.h).
+    void observe_motion(simulation::MotionObserver& observer, std::size_t robot = 0);
     void show_progress(Progress progress);
 
     /// Runs to the end, an alarm, a limit, or Request::cancel. What happened.

@@ -29,7 +29,7 @@ toml::table parse_toml(FirstError& error, std::string_view toml_text) {
 std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule rule) {
     if (std::isnan(value)) return "a number";
     const bool may_be_infinite =
-        rule == NumberRule::any || rule == NumberRule::positive || rule == NumberRule::share;
+        rule == NumberRule::any || rule == NumberRule::positive;
     if (std::isinf(value) && !may_be_infinite) return "finite";
     if (std::isfinite(value) && std::abs(value) > kGreatestTomlNumber) return "between -1e9 and 1e9";
     switch (rule) {
@@ -45,8 +45,7 @@ std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule
             if (value != 0 && value < kLeastStep) return "0, or 1e-6 or greater";
             return std::nullopt;
         case NumberRule::share:
-            if (value <= 0 || (value >= 1 && std::isfinite(value)))
-                return "greater than 0 and less than 1, or inf";
+            if (value <= 0 || value > 1) return "greater than 0 and at most 1";
             return std::nullopt;
         case NumberRule::part:
             if (value < 0 || value >= 1) return "0 or greater and less than 1";

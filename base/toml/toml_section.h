@@ -72,7 +72,7 @@ enum class NumberRule {
     positive,      ///< Or infinite.
     not_negative,  ///< And finite.
     step,          ///< 0 (none), or not so small that its multiples get out of hand.
-    share,         ///< Of something that must not be used up; or infinite.
+    share,         ///< Of something: greater than 0, and at most 1.
     part,          ///< Of something that must not be all of it: from 0 to below 1.
     percent,       ///< Greater than 0, and at most 100.
     count,         ///< A whole number of things to keep in memory.

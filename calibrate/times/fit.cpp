@@ -1,6 +1,6 @@
 #include "calibrate/times/fit.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -17,17 +17,18 @@ constexpr double kUnit = 0.01;     // residuals are in percent
 constexpr double kRobustFrom = 2;  // of these
 constexpr double kStep = 0.01;     // of a logarithm, for derivatives
 constexpr double kPrior = 0.02;  // percent for a factor e off what the machine had: what runs say counts more
-constexpr double kLeastShare = 1e-3;    // of the greatest singular value: less is nothing
-constexpr double kMostInNothing = 0.3;  // of a parameter's direction, in what runs say nothing of
-constexpr double kMostSpread = 0.5;     // of a logarithm
+constexpr double kMostSpread = 0.5;   // of a logarithm
+constexpr double kUnknown = 1;        // the same of a figure that runs tell nothing of: a factor e
+constexpr double kLeastNoise = 2e-4;  // of times: no clock and no model is better
 
 /// Logarithms of all times for logarithms of parameters, and how they change with these.
 class Times : public ceres::EvaluationCallback {
   public:
     Times(const machine::Machine& machine, const std::vector<Parameter>& parameters,
-          const Predictor& predictor)
+          const std::vector<Datum>& data, const Predictor& predictor)
         : machine_(machine),
           parameters_(parameters),
+          data_(data),
           predictor_(predictor),
           logs(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()))) {}
 
@@ -45,13 +46,15 @@ class Times : public ceres::EvaluationCallback {
         return with_values(machine_, parameters_, values);
     }
 
-    /// A run that does not come to its end with these values takes a time that nobody would choose.
+    /// Runs that do not come to their ends with these values take a time that nobody would choose.
     Eigen::VectorXd at(const Eigen::VectorXd& point) const {
         constexpr double kNever_s = 1e9;
-        const auto times = predictor_.times_s(machine_at(point));
-        Eigen::VectorXd found(static_cast<Eigen::Index>(times.size()));
-        for (Eigen::Index i = 0; i < found.size(); ++i)
-            found[i] = std::log(times[static_cast<std::size_t>(i)].value_or(kNever_s));
+        constexpr double kLeast_s = 1e-6;
+        const auto times = predictor_.times_s(data_, machine_at(point));
+        Eigen::VectorXd found =
+            Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data_.size()), std::log(kNever_s));
+        for (Eigen::Index i = 0; times && i < found.size(); ++i)
+            found[i] = std::log(std::max((*times)[static_cast<std::size_t>(i)], kLeast_s));
         return found;
     }
 
@@ -69,6 +72,7 @@ class Times : public ceres::EvaluationCallback {
 
     const machine::Machine& machine_;
     const std::vector<Parameter>& parameters_;
+    const std::vector<Datum>& data_;
     const Predictor& predictor_;
 
   public:
@@ -77,26 +81,32 @@ class Times : public ceres::EvaluationCallback {
     Eigen::MatrixXd slopes;
 };
 
-/// How far one run is off, in percent.
-class OneRun : public ceres::CostFunction {
+/// What counts as one percent of a time: more of one that is short for its clock.
+double unit_of(const Datum& datum) {
+    return std::hypot(kUnit, datum.clock_s / datum.time_s);
+}
+
+/// How far one time is off, in percent.
+class OneTime : public ceres::CostFunction {
   public:
-    OneRun(const Times& times, Eigen::Index run, double recorded_s)
-        : times_(times), run_(run), log_recorded_(std::log(recorded_s)) {
+    OneTime(const Times& times, Eigen::Index place, const Datum& datum)
+        : times_(times), place_(place), log_recorded_(std::log(datum.time_s)), unit_(unit_of(datum)) {
         set_num_residuals(1);
         mutable_parameter_block_sizes()->push_back(static_cast<int>(times.logs.size()));
     }
 
     bool Evaluate(double const* const* /*at*/, double* residuals, double** slopes) const override {
-        residuals[0] = (times_.log_times[run_] - log_recorded_) / kUnit;
+        residuals[0] = (times_.log_times[place_] - log_recorded_) / unit_;
         if (slopes == nullptr || slopes[0] == nullptr) return true;
-        for (Eigen::Index k = 0; k < times_.logs.size(); ++k) slopes[0][k] = times_.slopes(run_, k) / kUnit;
+        for (Eigen::Index k = 0; k < times_.logs.size(); ++k) slopes[0][k] = times_.slopes(place_, k) / unit_;
         return true;
     }
 
   private:
     const Times& times_;
-    Eigen::Index run_;
+    Eigen::Index place_;
     double log_recorded_;
+    double unit_;
 };
 
 /// How far parameters are from what the machine had.
@@ -121,13 +131,13 @@ class Prior : public ceres::CostFunction {
     Eigen::VectorXd before_;
 };
 
-void solve(Times& times, std::span<const RecordedRun> runs, const std::vector<Parameter>& parameters,
-           const std::function<void(const std::string&)>& told) {
+void solve(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters,
+           int most_steps, const std::function<void(const std::string&)>& told) {
     ceres::Problem::Options options;
     options.evaluation_callback = &times;
     ceres::Problem problem(options);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        problem.AddResidualBlock(new OneRun(times, static_cast<Eigen::Index>(i), runs[i].time_s),
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        problem.AddResidualBlock(new OneTime(times, static_cast<Eigen::Index>(i), data[i]),
                                  new ceres::HuberLoss(kRobustFrom), times.logs.data());
     }
     problem.AddResidualBlock(new Prior(times.logs), nullptr, times.logs.data());
@@ -137,7 +147,7 @@ void solve(Times& times, std::span<const RecordedRun> runs, const std::vector<Pa
     }
     ceres::Solver::Options how;
     how.linear_solver_type = ceres::DENSE_QR;
-    how.max_num_iterations = 15;
+    how.max_num_iterations = most_steps;
     how.function_tolerance = 1e-3;
     how.parameter_tolerance = 1e-4;
     how.logging_type = ceres::SILENT;
@@ -146,62 +156,73 @@ void solve(Times& times, std::span<const RecordedRun> runs, const std::vector<Pa
     if (told) told(fmt::format("{} steps, {}", summary.iterations.size(), summary.message));
 }
 
-/// Which parameters the runs tell of, and how well.
-void judge(const Times& times, std::span<const RecordedRun> runs, Fit& fit) {
+/// With as many figures to choose, the standard deviation of what is left.
+double deviation(double squares, std::size_t count, std::size_t figures) {
+    return std::sqrt(squares /
+                     std::max<double>(static_cast<double>(count) - static_cast<double>(figures), 1));
+}
+
+/// Which parameters the runs tell of, and how well: what is left of the errors is the noise of the times, and
+/// nobody knows more of a figure before than its magnitude.
+void judge(const Times& times, const std::vector<Datum>& data, Fit& fit) {
     const Eigen::Index count = times.logs.size();
+    Eigen::MatrixXd slopes = times.slopes;
     double squares = 0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const double off = times.log_times[static_cast<Eigen::Index>(i)] - std::log(runs[i].time_s);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const double weight = kUnit / unit_of(data[i]);
+        const double off = weight * (times.log_times[row] - std::log(data[i].time_s));
         squares += off * off;
+        slopes.row(row) *= weight;
     }
-    const double freedom = std::max<double>(static_cast<double>(runs.size()) - static_cast<double>(count), 1);
-    fit.noise = std::sqrt(squares / freedom);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(times.slopes, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const double least = kLeastShare * svd.singularValues()[0];
-    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
-    Eigen::MatrixXd told = Eigen::MatrixXd::Zero(count, count);  // the projection onto what runs tell of
-    for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k) {
-        const double size = svd.singularValues()[k];
-        if (!(size > least)) continue;
-        const Eigen::VectorXd direction = svd.matrixV().col(k);
-        told += direction * direction.transpose();
-        covariance += direction * direction.transpose() * (fit.noise * fit.noise / (size * size));
-    }
+    const double noise =
+        std::max(deviation(squares, data.size(), static_cast<std::size_t>(count)), kLeastNoise);
+    const Eigen::MatrixXd told = slopes.transpose() * slopes / (noise * noise);
+    const Eigen::MatrixXd known = told + Eigen::MatrixXd::Identity(count, count) / (kUnknown * kUnknown);
+    fit.covariance = known.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
     for (Eigen::Index k = 0; k < count; ++k) {
         FittedParameter& parameter = fit.parameters[static_cast<std::size_t>(k)];
-        parameter.spread = std::sqrt(covariance(k, k));
-        parameter.identified = 1 - told(k, k) < kMostInNothing && parameter.spread < kMostSpread;
-        if (parameter.identified) continue;
-        covariance.row(k).setZero();
-        covariance.col(k).setZero();
+        parameter.spread = std::sqrt(fit.covariance(k, k));
+        parameter.identified = parameter.spread < kMostSpread;
     }
-    fit.covariance = std::move(covariance);
+}
+
+/// What is left of the times of whole runs.
+double noise_of(const Fit& fit, std::span<const RecordedRun> runs) {
+    double squares = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double off = std::log(fit.times_s[i] / runs[i].time_s);
+        squares += off * off;
+    }
+    return deviation(squares, runs.size(), fit.parameters.size());
 }
 
 }  // namespace
 
 tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
-                                         const Predictor& predictor, bool each_axis,
+                                         const Predictor& predictor, const FitOptions& options,
                                          const std::function<void(const std::string&)>& told) {
-    const auto first = predictor.times_s(machine);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (!first[i]) return tl::unexpected(fmt::format("{}: {}", runs[i].program, first[i].error()));
-    }
-    const std::vector<Parameter> parameters = open_parameters(machine, each_axis);
+    const std::vector<Datum> data = predictor.data(runs);
+    if (const auto first = predictor.times_s(data, machine); !first) return tl::unexpected(first.error());
+    const std::vector<Parameter> parameters = open_parameters(machine, options.each_axis);
     if (runs.empty() || parameters.empty())
         return tl::unexpected<std::string>("there is nothing to fit: no runs, or no figure that is open");
-    Times times(machine, parameters, predictor);
+    Times times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
-        times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].value(machine));
-    solve(times, runs, parameters, told);
+        times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);
+    solve(times, data, parameters, options.most_steps, told);
     times.PrepareForEvaluation(false, true);
     times.PrepareForEvaluation(true, false);
     Fit fit;
     fit.machine = times.machine_at(times.logs);
     for (std::size_t k = 0; k < parameters.size(); ++k)
-        fit.parameters.push_back({parameters[k].name, std::exp(times.logs[static_cast<Eigen::Index>(k)])});
-    for (const double log : times.log_times) fit.times_s.push_back(std::exp(log));
-    judge(times, runs, fit);
+        fit.parameters.push_back({parameters[k].figure, std::exp(times.logs[static_cast<Eigen::Index>(k)])});
+    for (const auto& time_s : predictor.times_s(fit.machine)) {
+        if (!time_s) return tl::unexpected(time_s.error());
+        fit.times_s.push_back(*time_s);
+    }
+    judge(times, data, fit);
+    fit.noise = noise_of(fit, runs);
     return fit;
 }
 

@@ -15,9 +15,9 @@ namespace gsim::calibrate {
 
 /// What a fit has found of a parameter.
 struct FittedParameter {
-    std::string name;
+    machine::Figure figure;
     double value = 0;
-    double spread = 0;  ///< Standard deviation of the value's logarithm: 0.01 is 1 %. Of no meaning where
+    double spread = 0;       ///< Standard deviation of the value's logarithm: 0.01 is 1 %.
     bool identified = true;  ///< false: these runs do not depend on it, or on it and others together alone.
 };
 
@@ -25,9 +25,15 @@ struct FittedParameter {
 struct Fit {
     machine::Machine machine;
     std::vector<FittedParameter> parameters;
-    Eigen::MatrixXd covariance;   ///< Of the logarithms of identified parameters; 0 in rows of the others.
+    Eigen::MatrixXd covariance;   ///< Of the parameters' logarithms. What runs tell nothing of is known to a
+                                  ///< factor e before (one standard deviation).
     std::vector<double> times_s;  ///< Of the runs, on `machine`.
-    double noise = 0;             ///< What is left, as a standard deviation of the times' logarithms.
+    double noise = 0;  ///< What is left of whole runs, as a standard deviation of the times' logarithms.
+};
+
+struct FitOptions {
+    bool each_axis = false;  ///< Figures of each axis by themselves, where axes begin with the same.
+    int most_steps = 15;
 };
 
 /// Fits the open parameters of `machine` to the times of `runs`: least squares of the logarithms of times,
@@ -36,7 +42,7 @@ struct Fit {
 /// over 1 % of each parameter. `told` gets a word on each step. The error names a program that does not come
 /// to its end, or says that there are too few runs.
 tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
-                                         const Predictor& predictor, bool each_axis,
+                                         const Predictor& predictor, const FitOptions& options,
                                          const std::function<void(const std::string&)>& told = {});
 
 }  // namespace gsim::calibrate

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,40 +12,42 @@ namespace gsim::calibrate {
 
 namespace {
 
+using machine::Machine;
 using rrs::ControllerRules;
 using rrs::CornerRule;
 using rrs::PlannerKind;
 
-constexpr std::size_t kTried = 2;  // of all candidates, by cross-validation
-constexpr double kJerkOfAcceleration_1_s =
-    20;  // where a machine has no jerk limit: its acceleration in 50 ms
+/// Where a machine has no jerk limit: its acceleration in 50 ms.
+constexpr double kJerkOfAcceleration_1_s = 20;
+constexpr double kFirstPart = 0.75;      // of the acceleration
+constexpr std::size_t kFarAhead = 1000;  // blocks
 
 /// Corners, by the name of their rule.
 struct Corners {
     const char* name;
     CornerRule rule;
-    bool rounded;
 };
 
-constexpr Corners kCorners[] = {{"velocity-step", CornerRule::velocity_step, false},
-                                {"junction-deviation", CornerRule::junction_deviation, false},
-                                {"smooth-blend", CornerRule::smooth_blend, true}};
+constexpr Corners kCorners[] = {{"velocity-step", CornerRule::velocity_step},
+                                {"junction-deviation", CornerRule::junction_deviation},
+                                {"parabolic-blend", CornerRule::parabolic_blend},
+                                {"smooth-blend", CornerRule::smooth_blend}};
 
 /// The rules of a generic control; what a machine file says of words and offsets stays.
 ControllerRules rules_of(const ControllerRules& machines, const Corners& corners) {
     ControllerRules rules = machines;
     rules.model = "exact-stop";
     rules.planner = PlannerKind::look_ahead;
-    rules.look_ahead_blocks = 200;
+    rules.look_ahead_blocks = kFarAhead;
     rules.corner = corners.rule;
-    rules.exact_path_corner = corners.rounded ? CornerRule::velocity_step : corners.rule;
+    rules.exact_path_corner = rrs::is_blend(corners.rule) ? CornerRule::velocity_step : corners.rule;
     rules.stop_between_rapid_and_feed = false;
     rules.centripetal_share = 0.866;
     rules.servo_period_s = 0;
     return rules;
 }
 
-void limit_jerk(machine::Machine& machine) {
+void limit_jerk(Machine& machine) {
     machine.controller.limit_jerk = true;
     for (machine::Axis& axis : machine.axes) {
         if (!std::isfinite(axis.max_jerk) && std::isfinite(axis.max_acceleration))
@@ -52,106 +55,78 @@ void limit_jerk(machine::Machine& machine) {
     }
 }
 
-/// Places of the runs in a part of several, or of those outside it.
-std::vector<std::size_t> places_of(std::size_t runs, std::size_t parts, std::size_t part, bool inside) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < runs; ++i) {
-        if ((i % parts == part) == inside) places.push_back(i);
+double greatest_acceleration_mm_s2(const Machine& machine) {
+    double most = 0;
+    for (const machine::Axis& axis : machine.axes) {
+        if (axis.kind == machine::AxisKind::linear && std::isfinite(axis.max_acceleration))
+            most = std::max(most, axis.max_acceleration);
     }
-    return places;
+    return most;
 }
 
-std::vector<RecordedRun> runs_at(std::span<const RecordedRun> runs, std::span<const std::size_t> places) {
-    std::vector<RecordedRun> chosen;
-    for (const std::size_t place : places) chosen.push_back(runs[place]);
-    return chosen;
-}
+/// Gathers what a candidate may be refined by.
+class Refiner {
+  public:
+    explicit Refiner(const Candidate& from) : from_(from) {}
 
-/// What a fit to the other parts says of one, in percent; the error says why it cannot be fitted.
-tl::expected<std::vector<double>, std::string> foretell(const Candidate& candidate,
-                                                        std::span<const RecordedRun> runs,
-                                                        const Predictor& predictor, std::size_t parts,
-                                                        std::size_t part, bool each_axis) {
-    const auto others = places_of(runs.size(), parts, part, false);
-    const auto places = places_of(runs.size(), parts, part, true);
-    const auto fit = fit_times(candidate.machine, runs_at(runs, others), predictor.part(others), each_axis);
-    if (!fit) return tl::unexpected(fit.error());
-    const auto times = predictor.part(places).times_s(fit->machine);
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const RecordedRun& run = runs[places[i]];
-        if (!times[i]) return tl::unexpected(fmt::format("{}: {}", run.program, times[i].error()));
-        errors.push_back(100 * std::abs(*times[i] - run.time_s) / run.time_s);
+    void add(const std::string& what, const std::function<void(Candidate&)>& change) {
+        Candidate& refined = found_.emplace_back(from_);
+        refined.name += ", " + what;
+        change(refined);
     }
-    return errors;
-}
+    std::vector<Candidate> take() { return std::move(found_); }
 
-/// How near a candidate comes to runs that it is fitted to.
-Score fitted_score(const Candidate& candidate, std::span<const RecordedRun> runs, const Predictor& predictor,
-                   bool each_axis) {
-    Score score{candidate.name};
-    const auto fit = fit_times(candidate.machine, runs, predictor, each_axis);
-    if (!fit) {
-        score.refused = fit.error();
-        return score;
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        score.fitted_percent += 100 * std::abs(fit->times_s[i] - runs[i].time_s) / runs[i].time_s /
-                                static_cast<double>(runs.size());
-    }
-    return score;
-}
+  private:
+    const Candidate& from_;
+    std::vector<Candidate> found_;
+};
 
-void cross_validate(const Candidate& candidate, std::span<const RecordedRun> runs, const Predictor& predictor,
-                    std::size_t parts, bool each_axis, Score& score) {
-    double sum = 0;
-    for (std::size_t part = 0; part < parts; ++part) {
-        const auto errors = foretell(candidate, runs, predictor, parts, part, each_axis);
-        if (!errors) {
-            score.refused = errors.error();
-            return;
-        }
-        for (const double error : *errors) {
-            sum += error;
-            score.largest_percent = std::max(score.largest_percent, error);
-        }
-    }
-    score.foretells = true;
-    score.mean_percent = sum / static_cast<double>(runs.size());
-}
-
-std::string words_on(const Score& score) {
-    if (!score.refused.empty()) return fmt::format("{}: {}", score.name, score.refused);
-    if (!score.foretells)
-        return fmt::format("{}: fitted to {:.2f} % in the mean", score.name, score.fitted_percent);
-    return fmt::format("{}: foretells to {:.2f} % in the mean, {:.2f} % at worst", score.name,
-                       score.mean_percent, score.largest_percent);
-}
-
-/// Places of the scores that come nearest to the runs.
-std::vector<std::size_t> nearest(const std::vector<Score>& scores, std::size_t most) {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-        if (scores[i].refused.empty()) order.push_back(i);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return scores[a].fitted_percent < scores[b].fitted_percent;
+void refine_path(const Machine& machine, Refiner& refiner) {
+    const double first_mm_s2 = greatest_acceleration_mm_s2(machine);
+    if (std::isfinite(machine.path.max_acceleration_mm_s2)) return;
+    refiner.add("an acceleration along the path",
+                [&](Candidate& to) { to.machine.path.max_acceleration_mm_s2 = first_mm_s2; });
+    refiner.add("one along the path of rapids, too", [&](Candidate& to) {
+        to.machine.path.max_acceleration_mm_s2 = first_mm_s2;
+        to.machine.path.max_rapid_acceleration_mm_s2 = first_mm_s2;
     });
-    order.resize(std::min(order.size(), most));
-    return order;
+}
+
+void refine_look_ahead(const ControllerRules& rules, Refiner& refiner) {
+    if (rules.look_ahead_blocks != kFarAhead) return;
+    for (const std::size_t blocks : {16U, 64U}) {
+        refiner.add(fmt::format("{} blocks ahead", blocks),
+                    [&](Candidate& to) { to.machine.controller.look_ahead_blocks = blocks; });
+    }
+}
+
+void refine_curves(const ControllerRules& rules, Refiner& refiner) {
+    if (rules.arc_chord_tolerance_mm <= 0 && !rrs::is_blend(rules.corner)) {
+        refiner.add("arcs as chords within 0.005 mm",
+                    [](Candidate& to) { to.machine.controller.arc_chord_tolerance_mm = 0.005; });
+    }
+    if (rules.centripetal_share < 1) {
+        refiner.add("curves by themselves",
+                    [](Candidate& to) { to.machine.controller.centripetal_share = 1; });
+    }
+    if (std::isfinite(rules.centripetal_share)) {
+        refiner.add("curves do not slow it", [](Candidate& to) {
+            to.machine.controller.centripetal_share = std::numeric_limits<double>::infinity();
+        });
+    }
 }
 
 }  // namespace
 
-std::vector<Candidate> generic_candidates(const machine::Machine& machine) {
+std::vector<Candidate> generic_candidates(const Machine& machine, bool each_axis) {
     std::vector<Candidate> candidates;
     const auto add = [&](const std::string& name, const ControllerRules& rules) {
-        machine::Machine straight = machine;
+        Machine straight = machine;
         straight.controller = rules;
         straight.controller.limit_jerk = false;
-        candidates.push_back({name + ", straight ramps", straight});
+        candidates.push_back({name + ", straight ramps", straight, each_axis});
         limit_jerk(straight);
-        candidates.push_back({name + ", limited jerk", std::move(straight)});
+        candidates.push_back({name + ", limited jerk", std::move(straight), each_axis});
     };
     ControllerRules rests = machine.controller;
     rests.model = "exact-stop";
@@ -161,28 +136,27 @@ std::vector<Candidate> generic_candidates(const machine::Machine& machine) {
     return candidates;
 }
 
-tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candidates,
-                                               std::span<const RecordedRun> runs, const Predictor& predictor,
-                                               std::size_t parts, bool each_axis,
-                                               const std::function<void(const std::string&)>& told) {
-    Choice choice;
-    for (const Candidate& candidate : candidates) {
-        choice.scores.push_back(fitted_score(candidate, runs, predictor, each_axis));
-        if (told) told(words_on(choice.scores.back()));
+std::vector<Candidate> refinements(const Candidate& candidate) {
+    Refiner refiner(candidate);
+    const ControllerRules& rules = candidate.machine.controller;
+    if (!candidate.each_axis) refiner.add("each axis by itself", [](Candidate& to) { to.each_axis = true; });
+    refine_path(candidate.machine, refiner);
+    if (rules.planner != PlannerKind::look_ahead) return refiner.take();
+    refine_look_ahead(rules, refiner);
+    refine_curves(rules, refiner);
+    if (rules.continuous_acceleration_share >= 1) {
+        refiner.add("a part of the acceleration in continuous mode",
+                    [](Candidate& to) { to.machine.controller.continuous_acceleration_share = kFirstPart; });
     }
-    std::optional<std::size_t> best;
-    for (const std::size_t i : nearest(choice.scores, kTried)) {
-        Score& score = choice.scores[i];
-        cross_validate(candidates[i], runs, predictor, parts, each_axis, score);
-        if (told) told(words_on(score));
-        if (!score.foretells) continue;
-        if (!best || score.mean_percent < choice.scores[*best].mean_percent) best = i;
+    if (rules.exact_path_corner != CornerRule::stop) {
+        refiner.add("stops at corners in exact path mode",
+                    [](Candidate& to) { to.machine.controller.exact_path_corner = CornerRule::stop; });
     }
-    if (!best)
-        return tl::unexpected(choice.scores.empty() ? std::string("there is no model to choose from")
-                                                    : choice.scores.front().refused);
-    choice.best = *best;
-    return choice;
+    if (!rules.stop_between_rapid_and_feed) {
+        refiner.add("a stop between rapid and feed",
+                    [](Candidate& to) { to.machine.controller.stop_between_rapid_and_feed = true; });
+    }
+    return refiner.take();
 }
 
 }  // namespace gsim::calibrate

@@ -1,13 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
-#include "calibrate/times/fit.h"
+#include "runtime/machine/machine.h"
 
 namespace gsim::calibrate {
 
@@ -15,34 +11,15 @@ namespace gsim::calibrate {
 struct Candidate {
     std::string name;  ///< "velocity-step, straight ramps"
     machine::Machine machine;
+    bool each_axis = false;  ///< Figures of each axis by themselves, where axes begin with the same.
 };
 
 /// The machine with each generic way of planning: from rest to rest, corners by a step of speed, by junction
-/// deviation or rounded within a tolerance, each with straight ramps and with limited jerk. None is a model
-/// of a control that somebody has looked into.
-std::vector<Candidate> generic_candidates(const machine::Machine& machine);
+/// deviation or rounded within a tolerance (by a constant acceleration, or by one that grows and falls), each
+/// with straight ramps and with limited jerk. None is a model of a control that somebody has looked into.
+std::vector<Candidate> generic_candidates(const machine::Machine& machine, bool each_axis);
 
-/// How well a candidate goes with the runs. Errors are without sign.
-struct Score {
-    std::string name;
-    double fitted_percent = 0;   ///< Their mean over runs that it was fitted to.
-    bool foretells = false;      ///< It was tried on runs that it was not fitted to:
-    double mean_percent = 0;     ///< the mean over these
-    double largest_percent = 0;  ///< and the largest.
-    std::string refused = {};    ///< Why it could not be fitted; empty where it was.
-};
-
-struct Choice {
-    std::vector<Score> scores;  ///< In the order of the candidates.
-    std::size_t best = 0;
-};
-
-/// All candidates are fitted to all runs, and the two that come nearest are tried by cross-validation: the
-/// runs are dealt to `parts` parts (at least 2), each part is foretold by a fit to the others, and the
-/// candidate with the least mean error is the best one. The error: none could be fitted.
-tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candidates,
-                                               std::span<const RecordedRun> runs, const Predictor& predictor,
-                                               std::size_t parts, bool each_axis,
-                                               const std::function<void(const std::string&)>& told = {});
+/// What a candidate may be refined by, one thing each; nothing that it has already.
+std::vector<Candidate> refinements(const Candidate& candidate);
 
 }  // namespace gsim::calibrate

@@ -72,6 +72,20 @@ std::vector<std::size_t> worst_first(const Fit& fit, std::span<const RecordedRun
 
 }  // namespace
 
+machine::Calibration calibration_of(const Fit& fit) {
+    constexpr double kPercent2 = 1e4;
+    machine::Calibration calibration;
+    calibration.runs = static_cast<int>(fit.times_s.size());
+    calibration.left_percent = 100 * fit.noise;
+    for (Eigen::Index i = 0; i < fit.covariance.rows(); ++i) {
+        calibration.figures.push_back(fit.parameters[static_cast<std::size_t>(i)].figure);
+        std::vector<double>& row = calibration.covariance_percent2.emplace_back();
+        for (Eigen::Index k = 0; k < fit.covariance.cols(); ++k)
+            row.push_back(kPercent2 * (fit.covariance(i, k) + fit.covariance(k, i)) / 2);
+    }
+    return calibration;
+}
+
 std::string machine_text(const Fit& fit, std::span<const RecordedRun> runs) {
     const Errors errors = errors_of(fit, runs);
     std::string text = fmt::format(
@@ -79,14 +93,16 @@ std::string machine_text(const Fit& fit, std::span<const RecordedRun> runs) {
         "worst.\n",
         runs.size(), errors.mean_percent, errors.largest_percent);
     for (const FittedParameter& parameter : fit.parameters)
-        text += fmt::format("# {} = {}\n", parameter.name, value_of(parameter));
-    return text + "\n" + machine::print_machine(fit.machine);
+        text += fmt::format("# {} = {}\n", machine::name_of(parameter.figure), value_of(parameter));
+    machine::Machine calibrated = fit.machine;
+    calibrated.calibration = calibration_of(fit);
+    return text + "\n" + machine::print_machine(calibrated);
 }
 
 std::string fit_table(const Fit& fit, std::span<const RecordedRun> runs) {
     std::string text;
     for (const FittedParameter& parameter : fit.parameters)
-        text += fmt::format("  {} = {}\n", parameter.name, value_of(parameter));
+        text += fmt::format("  {} = {}\n", machine::name_of(parameter.figure), value_of(parameter));
     text += fmt::format("\n{:<40} {:>12} {:>12} {:>9}\n", "run", "recorded s", "fitted s", "error %");
     for (const std::size_t i : worst_first(fit, runs)) {
         text += fmt::format("{:<40} {:>12.3f} {:>12.3f} {:>+9.2f}\n", name_of(runs[i]), runs[i].time_s,
@@ -102,7 +118,8 @@ std::string fit_json(const Fit& fit, std::span<const RecordedRun> runs, const st
     json["noise_percent"] = 100 * fit.noise;
     Json& parameters = json["parameters"] = Json::array();
     for (const FittedParameter& parameter : fit.parameters) {
-        Json& entry = parameters.emplace_back(Json{{"name", parameter.name}, {"value", parameter.value}});
+        Json& entry = parameters.emplace_back(
+            Json{{"name", machine::name_of(parameter.figure)}, {"value", parameter.value}});
         entry["identified"] = parameter.identified;
         entry["spread_percent"] = parameter.identified ? Json(100 * parameter.spread) : Json(nullptr);
     }

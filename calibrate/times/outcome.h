@@ -4,10 +4,13 @@
 #include <span>
 #include <string>
 
+#include "calibrate/times/choice.h"
 #include "calibrate/times/fit.h"
-#include "calibrate/times/models.h"
 
 namespace gsim::calibrate {
+
+/// What the fit says of how sure its figures are, for the machine file.
+machine::Calibration calibration_of(const Fit& fit);
 
 /// The machine file of a fit, with what was found above it as comments.
 std::string machine_text(const Fit& fit, std::span<const RecordedRun> runs);

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
+#include <string>
 #include <utility>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace gsim::calibrate {
 
@@ -15,6 +12,7 @@ namespace {
 
 using machine::Axis;
 using machine::AxisKind;
+using machine::Figure;
 using machine::Machine;
 using rrs::ControllerRules;
 using rrs::CornerRule;
@@ -22,101 +20,106 @@ using rrs::CornerRule;
 constexpr double kFactor = 100;
 constexpr double kFirstWait_s = 0.01;
 constexpr double kLeastWait_s = 1e-5;
+constexpr double kLongestWait_s = 1;
 
-/// Axes whose figure is one parameter.
-using Together = std::vector<std::size_t>;
+/// Gathers what is open.
+class Parameters {
+  public:
+    explicit Parameters(const Machine& machine) : machine_(machine) {}
 
-std::vector<Together> axes_together(const Machine& machine, double Axis::*figure, bool each_axis) {
-    std::map<std::pair<AxisKind, double>, Together> same;
-    std::vector<Together> groups;
-    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
-        const Axis& axis = machine.axes[i];
-        if (!std::isfinite(axis.*figure)) continue;
+    /// Within a factor of what the machine has, where it has something.
+    void add_scaled(Figure figure) {
+        const double now = value_of(figure);
+        if (now > 0 && std::isfinite(now))
+            found_.push_back({std::move(figure), now, now / kFactor, now * kFactor});
+    }
+    void add(Figure figure, double least, double most) {
+        const double now = value_of(figure);
+        found_.push_back({std::move(figure), std::clamp(now, least, most), least, most});
+    }
+    void add_wait(const char* key) {
+        const double now = value_of({"controller", key});
+        found_.push_back({{"controller", key},
+                          now > 0 ? std::max(now, kLeastWait_s) : kFirstWait_s,
+                          kLeastWait_s,
+                          std::max(kLongestWait_s, now)});
+    }
+    std::vector<Parameter> take() { return std::move(found_); }
+
+  private:
+    double value_of(const Figure& figure) const { return machine::value_of(figure, machine_).value_or(0); }
+
+    const Machine& machine_;
+    std::vector<Parameter> found_;
+};
+
+/// Letters of axes whose figure is one parameter.
+std::vector<std::string> axes_together(const Machine& machine, double Axis::*figure, AxisKind kind,
+                                       bool each_axis) {
+    std::map<double, std::string> same;
+    std::vector<std::string> groups;
+    for (const Axis& axis : machine.axes) {
+        if (axis.kind != kind || !std::isfinite(axis.*figure)) continue;
         if (each_axis) {
-            groups.push_back({i});
+            groups.emplace_back(1, axis.letter);
         } else {
-            same[{axis.kind, axis.*figure}].push_back(i);
+            same[axis.*figure] += axis.letter;
         }
     }
-    for (auto& [what, group] : same) groups.push_back(std::move(group));
+    for (auto& [value, group] : same) groups.push_back(std::move(group));
     return groups;
 }
 
-std::string name_of(const Machine& machine, const Together& group, std::string_view figure,
-                    std::string_view power) {
-    std::vector<std::string> letters;
-    for (const std::size_t i : group) letters.emplace_back(1, machine.axes[i].letter);
-    const bool rotary = machine.axes[group.front()].kind == AxisKind::rotary;
-    return fmt::format("{} {}: {}_{}_s{}", group.size() == 1 ? "axis" : "axes", fmt::join(letters, ", "),
-                       figure, rotary ? "deg" : "mm", power);
+void add_axes(const Machine& machine, double Axis::*figure, const char* linear, const char* rotary,
+              bool each_axis, Parameters& parameters) {
+    for (std::string& group : axes_together(machine, figure, AxisKind::linear, each_axis))
+        parameters.add_scaled({std::move(group), linear});
+    for (std::string& group : axes_together(machine, figure, AxisKind::rotary, each_axis))
+        parameters.add_scaled({std::move(group), rotary});
 }
 
-void add_axes(const Machine& machine, double Axis::*figure, std::string_view name, std::string_view power,
-              bool each_axis, std::vector<Parameter>& parameters) {
-    for (const Together& group : axes_together(machine, figure, each_axis)) {
-        const double now = machine.axes[group.front()].*figure;
-        parameters.push_back({name_of(machine, group, name, power), now / kFactor, now * kFactor,
-                              [group, figure](const Machine& of) { return of.axes[group.front()].*figure; },
-                              [group, figure](Machine& of, double value) {
-                                  for (const std::size_t i : group) of.axes[i].*figure = value;
-                              }});
+void add_curves(const ControllerRules& rules, Parameters& parameters) {
+    const Figure share{"controller", "centripetal_share"};
+    if (rules.centripetal_share < 1) {
+        parameters.add(share, 0.05, 0.999);
+    } else if (std::isfinite(rules.centripetal_share)) {
+        parameters.add(share, 1, kFactor);
     }
 }
 
-void add_rule(double ControllerRules::*rule, std::string_view name, double least, double most,
-              std::vector<Parameter>& parameters) {
-    parameters.push_back(
-        {fmt::format("controller: {}", name), least, most,
-         [rule, least, most](const Machine& of) { return std::clamp(of.controller.*rule, least, most); },
-         [rule](Machine& of, double value) { of.controller.*rule = value; }});
-}
-
-void add_scaled(const Machine& machine, double ControllerRules::*rule, std::string_view name,
-                std::vector<Parameter>& parameters) {
-    const double now = machine.controller.*rule;
-    if (now > 0 && std::isfinite(now)) add_rule(rule, name, now / kFactor, now * kFactor, parameters);
-}
-
-void add_corners(const Machine& machine, std::vector<Parameter>& parameters) {
-    const ControllerRules& rules = machine.controller;
+void add_corners(const ControllerRules& rules, Parameters& parameters) {
     const auto has = [&](CornerRule rule) { return rules.corner == rule || rules.exact_path_corner == rule; };
-    if (has(CornerRule::velocity_step))
-        add_scaled(machine, &ControllerRules::speed_step_s, "speed_step_s", parameters);
-    if (has(CornerRule::junction_deviation))
-        add_scaled(machine, &ControllerRules::junction_deviation_mm, "junction_deviation_mm", parameters);
+    if (has(CornerRule::velocity_step)) parameters.add_scaled({"controller", "speed_step_s"});
+    if (has(CornerRule::junction_deviation)) parameters.add_scaled({"controller", "junction_deviation_mm"});
     if (has(CornerRule::smooth_blend) || has(CornerRule::parabolic_blend))
-        add_scaled(machine, &ControllerRules::blend_tolerance_mm, "blend_tolerance_mm", parameters);
-    if (std::isfinite(rules.centripetal_share))
-        add_rule(&ControllerRules::centripetal_share, "centripetal_share", 0.05, 0.999, parameters);
-}
-
-void add_wait(double ControllerRules::*rule, std::string_view name, std::vector<Parameter>& parameters) {
-    parameters.push_back({fmt::format("controller: {}", name), kLeastWait_s, 1,
-                          [rule](const Machine& of) {
-                              const double now = of.controller.*rule;
-                              return now > 0 ? std::max(now, kLeastWait_s) : kFirstWait_s;
-                          },
-                          [rule](Machine& of, double value) { of.controller.*rule = value; }});
+        parameters.add_scaled({"controller", "blend_tolerance_mm"});
+    add_curves(rules, parameters);
+    if (rules.continuous_acceleration_share < 1)
+        parameters.add({"controller", "continuous_acceleration_share"}, 0.1, 1);
 }
 
 }  // namespace
 
 std::vector<Parameter> open_parameters(const Machine& machine, bool each_axis) {
-    std::vector<Parameter> parameters;
-    add_axes(machine, &Axis::max_acceleration, "max_acceleration", "2", each_axis, parameters);
+    Parameters parameters(machine);
+    add_axes(machine, &Axis::max_acceleration, "max_acceleration_mm_s2", "max_acceleration_deg_s2", each_axis,
+             parameters);
     if (machine.controller.limit_jerk)
-        add_axes(machine, &Axis::max_jerk, "max_jerk", "3", each_axis, parameters);
+        add_axes(machine, &Axis::max_jerk, "max_jerk_mm_s3", "max_jerk_deg_s3", each_axis, parameters);
+    for (const char* limit : {"max_acceleration_mm_s2", "max_rapid_acceleration_mm_s2"})
+        parameters.add_scaled({"path", limit});
     if (machine.controller.planner == rrs::PlannerKind::look_ahead) {
-        add_corners(machine, parameters);
-        add_wait(&ControllerRules::settle_s, "settle_s", parameters);
+        add_corners(machine.controller, parameters);
+        parameters.add_wait("settle_s");
     }
-    add_wait(&ControllerRules::rest_s, "rest_s", parameters);
-    return parameters;
+    parameters.add_wait("rest_s");
+    return parameters.take();
 }
 
 Machine with_values(Machine machine, const std::vector<Parameter>& parameters,
                     const std::vector<double>& values) {
-    for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i].set(machine, values[i]);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        machine::set_value(parameters[i].figure, values[i], machine);
     return machine;
 }
 

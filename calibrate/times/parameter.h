@@ -1,20 +1,17 @@
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
-#include "runtime/machine/machine.h"
+#include "runtime/machine/figure.h"
 
 namespace gsim::calibrate {
 
 /// A figure of a machine file that is fitted. Its logarithm is what is looked for: all are above 0.
 struct Parameter {
-    std::string name;  ///< As the machine file has it: "axes X, Y: max_acceleration_mm_s2".
+    machine::Figure figure;
+    double first = 0;  ///< Where the fit begins.
     double least = 0;
     double most = 0;
-    std::function<double(const machine::Machine&)> value;
-    std::function<void(machine::Machine&, double)> set;
 };
 
 /// What a machine leaves open, by its controller's rules: accelerations (of axes that have the same one at

@@ -52,9 +52,8 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& mak
     work();
 }
 
-tl::expected<double, std::string> replayed_time_s(const simulation::MotionLog& log,
-                                                  const motion::PlannerSetup& setup) {
-    const auto moves = simulation::replay(log, setup);
+tl::expected<double, std::string> whole_s(
+    const tl::expected<std::vector<simulation::ReplayedMove>, std::string>& moves) {
     if (!moves) return tl::unexpected(moves.error());
     if (moves->empty()) return tl::unexpected<std::string>("nothing moves");
     return moves->back().end_s - moves->front().start_s;
@@ -62,11 +61,11 @@ tl::expected<double, std::string> replayed_time_s(const simulation::MotionLog& l
 
 }  // namespace
 
-tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs,
-                                                   const std::string& dialect,
+tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs, const Reading& reading,
                                                    const machine::Machine& machine) {
     Predictor predictor;
-    predictor.dialect_ = dialect;
+    predictor.reading_ = reading;
+    predictor.machine_ = machine;
     std::vector<std::shared_ptr<Program>> programs;
     for (const RecordedRun& run : runs) {
         if (!bytes_of(run.program)) return tl::unexpected(fmt::format("cannot read {}", run.program));
@@ -86,7 +85,8 @@ void Predictor::run(Program& program, const std::string& machine) const {
 
 Predictor Predictor::part(std::span<const std::size_t> places) const {
     Predictor chosen;
-    chosen.dialect_ = dialect_;
+    chosen.reading_ = reading_;
+    chosen.machine_ = machine_;
     for (const std::size_t place : places) chosen.programs_.push_back(programs_[place]);
     return chosen;
 }
@@ -97,13 +97,14 @@ tl::expected<double, std::string> Predictor::run_time_s(const std::string& progr
     engine::Request request;
     request.program = program;
     request.machine = kMachine;
-    request.language.dialect = dialect_;
+    request.language.dialect = reading_.dialect;
+    request.machine_data = reading_.machine_data;
     request.collisions = false;
     request.host.files = files_with(machine);
     auto run = engine::Run::open(std::move(request));
     if (!run) return tl::unexpected(run.error().message);
     if (const auto ready = run->prepare(); !ready) return tl::unexpected(ready.error().message);
-    if (log != nullptr) run->log_motion(*log);
+    if (log != nullptr) run->observe_motion(*log);
     double first_s = std::numeric_limits<double>::infinity();
     run->take_moves([&](std::span<const engine::Move> moves) {
         for (const engine::Move& move : moves) first_s = std::min(first_s, move.start_s);
@@ -115,20 +116,55 @@ tl::expected<double, std::string> Predictor::run_time_s(const std::string& progr
     return report->cycle_time_s - first_s;
 }
 
-std::vector<tl::expected<double, std::string>> Predictor::times_s(const machine::Machine& machine) const {
+std::vector<tl::expected<Predictor::Moves, std::string>> Predictor::moves(
+    const machine::Machine& machine) const {
     motion::PlannerSetup setup = simulation::setup_of_machine(machine);
     setup.range_notes.reset();
-    std::vector<tl::expected<double, std::string>> times(programs_.size(), 0.0);
+    std::vector<tl::expected<Moves, std::string>> moves(programs_.size());
     on_all_cores(programs_.size(), [&](std::size_t i) {
         const Program& program = *programs_[i];
         if (!program.refused.empty()) {
-            times[i] = tl::unexpected(program.refused);
-        } else if (program.log.gap.empty()) {
-            times[i] = replayed_time_s(program.log, setup);
+            moves[i] = tl::unexpected(program.refused);
+        } else if (program.log.gap().empty()) {
+            moves[i] = simulation::replay(program.log, setup);
         } else {
-            times[i] = run_time_s(program.file, machine::print_machine(machine), nullptr);
+            moves[i] =
+                run_time_s(program.file, machine::print_machine(machine), nullptr).map([](double time_s) {
+                    return Moves{{0, 0, time_s}};
+                });
         }
     });
+    return moves;
+}
+
+std::vector<tl::expected<double, std::string>> Predictor::times_s(const machine::Machine& machine) const {
+    std::vector<tl::expected<double, std::string>> times;
+    for (const auto& each : moves(machine)) times.push_back(whole_s(each));
+    return times;
+}
+
+std::vector<Datum> Predictor::data(std::span<const RecordedRun> runs) const {
+    std::vector<Datum> all;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const Program& program = *programs_[i];
+        const bool whole = runs[i].samples.empty() || !program.log.gap().empty();
+        const auto data = whole ? std::vector<Datum>{{.run = i, .time_s = runs[i].time_s}}
+                                : data_of(runs[i], i, program.log, machine_);
+        all.insert(all.end(), data.begin(), data.end());
+    }
+    return all;
+}
+
+tl::expected<std::vector<double>, std::string> Predictor::times_s(std::span<const Datum> data,
+                                                                  const machine::Machine& machine) const {
+    const auto all = moves(machine);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (const auto whole = whole_s(all[i]); !whole)
+            return tl::unexpected(fmt::format("{}: {}", programs_[i]->file, whole.error()));
+    }
+    std::vector<double> times;
+    for (const Datum& datum : data)
+        times.push_back(time_of(datum, programs_[datum.run]->log, *all[datum.run]));
     return times;
 }
 

@@ -8,6 +8,8 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include "calibrate/times/passages.h"
+
 namespace gsim::calibrate {
 
 namespace {
@@ -38,8 +40,11 @@ std::optional<std::size_t> column_of(const std::vector<std::string_view>& headin
 /// Where a list has what.
 struct Columns {
     std::size_t program = 0;
-    std::size_t time = 0;
+    std::optional<std::size_t> time;
+    std::optional<std::size_t> record;
     std::string ending;  ///< What names of programs lack.
+
+    std::size_t last() const { return std::max({program, time.value_or(0), record.value_or(0)}); }
 };
 
 tl::expected<Columns, std::string> columns_of(const std::vector<std::string_view>& heading) {
@@ -49,24 +54,29 @@ tl::expected<Columns, std::string> columns_of(const std::vector<std::string_view
     for (const auto& [program, time, ending] :
          {Names{"program", "time_s", ""}, Names{"name", "cycle_time_s", ".ngc"}}) {
         const auto at = column_of(heading, program), when = column_of(heading, time);
-        if (at && when) return Columns{*at, *when, std::string(ending)};
+        const auto record = column_of(heading, "record");
+        if (at && (when || record)) return Columns{*at, when, record, std::string(ending)};
     }
     return tl::unexpected<std::string>(
-        "line 1: it should name the columns, 'program' and 'time_s' among them");
+        "line 1: it should name the columns, 'program' and 'time_s' (or 'record') among them");
 }
 
 tl::expected<RecordedRun, std::string> run_in(const std::vector<std::string_view>& cells,
                                               const Columns& columns, const std::string& folder) {
-    if (cells.size() <= std::max(columns.program, columns.time))
-        return tl::unexpected<std::string>("a column is missing");
-    const std::string_view time = cells[columns.time];
+    if (cells.size() <= columns.last()) return tl::unexpected<std::string>("a column is missing");
+    const std::string_view time = columns.time ? cells[*columns.time] : "";
+    const std::string_view record = columns.record ? cells[*columns.record] : "";
+    const auto from_folder = [&](const std::string& name) {
+        return name.starts_with('/') || folder.empty() ? name : folder + "/" + name;
+    };
     RecordedRun run;
+    run.program = from_folder(std::string(cells[columns.program]) + columns.ending);
+    if (!record.empty()) run.record = from_folder(std::string(record));
+    if (time.empty() && !record.empty()) return run;
     const auto read = fast_float::from_chars(time.data(), time.data() + time.size(), run.time_s);
     if (read.ec != std::errc() || read.ptr != time.data() + time.size() || !(run.time_s > 0) ||
         !std::isfinite(run.time_s))
         return tl::unexpected(fmt::format("'{}' should be a time above 0 s", time));
-    const std::string name = std::string(cells[columns.program]) + columns.ending;
-    run.program = name.starts_with('/') || folder.empty() ? name : folder + "/" + name;
     return run;
 }
 
@@ -94,6 +104,16 @@ tl::expected<std::vector<RecordedRun>, std::string> read_recorded_runs(std::stri
     }
     if (!columns) return tl::unexpected<std::string>("it is empty");
     return runs;
+}
+
+tl::expected<void, std::string> add_record(std::string_view text, const RecordForm& form, RecordedRun& run) {
+    auto samples = read_motion_record(text, form);
+    if (!samples) return tl::unexpected(samples.error());
+    const auto span = motion_span(*samples);
+    if (!span) return tl::unexpected<std::string>("nothing moves in it");
+    run.samples = *std::move(samples);
+    if (!(run.time_s > 0)) run.time_s = span->end_s - span->start_s;
+    return {};
 }
 
 }  // namespace gsim::calibrate

@@ -25,17 +25,6 @@ double reach_of(const Axis& axis) {
     return up >= down ? room : -room;
 }
 
-const Axis* axis_named(const machine::Machine& machine, std::string_view parameter, char letter) {
-    const std::string_view letters = parameter.substr(0, parameter.find(':'));
-    if (!letters.starts_with("ax")) return nullptr;
-    const std::size_t blank = letters.find(' ');
-    if (blank == std::string_view::npos || letters.find(letter, blank) == std::string_view::npos)
-        return nullptr;
-    const auto found = std::find_if(machine.axes.begin(), machine.axes.end(),
-                                    [letter](const Axis& axis) { return axis.letter == letter; });
-    return found == machine.axes.end() ? nullptr : &*found;
-}
-
 /// There and back over ways of all lengths: their times have both the speed and the ramps in them.
 std::string strokes(const Axis& axis) {
     std::string text = fmt::format("(there and back with {}: its acceleration and jerk)\n", axis.letter);
@@ -103,8 +92,8 @@ std::optional<Plane> plane_of(const machine::Machine& machine) {
 }
 
 std::string of_controller(const FittedParameter& parameter, const Plane& plane) {
-    if (parameter.name.ends_with("centripetal_share")) return circles(plane);
-    if (parameter.name.ends_with("settle_s") || parameter.name.ends_with("rest_s")) return stops(plane);
+    if (parameter.figure.key == "centripetal_share") return circles(plane);
+    if (parameter.figure.key == "settle_s" || parameter.figure.key == "rest_s") return stops(plane);
     return zigzag(plane);
 }
 
@@ -115,11 +104,15 @@ std::string test_program(const Fit& fit) {
     const auto plane = plane_of(fit.machine);
     for (const FittedParameter& parameter : fit.parameters) {
         if (parameter.identified) continue;
-        for (const Axis& axis : fit.machine.axes) {
-            if (const Axis* of = axis_named(fit.machine, parameter.name, axis.letter)) text += strokes(*of);
+        if (parameter.figure.of == "path") {
+            if (plane) text += zigzag(*plane);
+        } else if (parameter.figure.of == "controller") {
+            if (plane) text += of_controller(parameter, *plane);
+        } else {
+            for (const Axis& axis : fit.machine.axes) {
+                if (parameter.figure.of.find(axis.letter) != std::string::npos) text += strokes(axis);
+            }
         }
-        if (!parameter.name.starts_with("controller")) continue;
-        if (plane) text += of_controller(parameter, *plane);
     }
     if (text.empty()) return text;
     return "(for gsim-calibrate: run it without a tool, and record how long it takes)\nG21 G90 G94 G17\n" +

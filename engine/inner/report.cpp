@@ -71,6 +71,7 @@ Report figures_of(const simulation::Report& from) {
     to.status = static_cast<RunStatus>(from.status);
     if (from.alarm) to.alarm = alarm_of(from);
     to.cycle_time_s = from.cycle_time_s;
+    if (from.interval) to.cycle_time_95 = Report::Interval{from.interval->least_s, from.interval->most_s};
     to.rapid_s = from.rapid_s;
     to.feed_s = from.feed_s;
     to.dwell_s = from.dwell_s;

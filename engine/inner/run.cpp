@@ -358,8 +358,8 @@ void Run::take_moves(TakeMoves take, std::size_t robot) {
         hand_out_moves(std::move(take), simulator.machine(), simulator.files()));
 }
 
-void Run::log_motion(simulation::MotionLog& log, std::size_t robot) {
-    state_->simulator(robot).log_motion(log);
+void Run::observe_motion(simulation::MotionObserver& observer, std::size_t robot) {
+    state_->simulator(robot).observe_motion(observer);
 }
 
 void Run::take_segments(TakeSegments take, std::size_t robot) {

@@ -79,9 +79,12 @@ std::vector<GuideKey> ways_guide() {
         choice_key("feed_measure", "\"tool\"", {"tool", "all-axes"},
                    "the same of the feed of moves of rotary axes and others, with path_measure all-axes"),
         number_key(
-            "centripetal_share", kShare, "0.866",
-            "share of the acceleration limit that the way round a curve may take; inf: curves do not slow "
-            "the motion"),
+            "centripetal_share", kPositive, "0.866",
+            "share of the acceleration limit that the way round a curve may take; from 1 on ramps have all "
+            "of it beside; inf: curves do not slow the motion"),
+        number_key("continuous_acceleration_share", kShare, "1.0",
+                   "share of the acceleration that moves in continuous mode (G64) speed up and slow down "
+                   "with"),
         number_key("arc_chord_tolerance_mm", kStep, "0.0",
                    "arcs become chords that lie off the circle by this much; 0: they stay arcs"),
         number_key("spline_chord_tolerance_mm", kStep, "0.0",

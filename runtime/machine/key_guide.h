@@ -27,8 +27,7 @@ inline constexpr NumberRange kAny{.or_infinite = true};
 inline constexpr NumberRange kPositive{.least = 0, .above_least = true, .or_infinite = true};
 inline constexpr NumberRange kNotNegative{.least = 0};
 inline constexpr NumberRange kStep{.least = 1e-6, .or_zero = true};
-inline constexpr NumberRange kShare{
-    .least = 0, .greatest = 1, .above_least = true, .below_greatest = true, .or_infinite = true};
+inline constexpr NumberRange kShare{.least = 0, .greatest = 1, .above_least = true};
 inline constexpr NumberRange kPart{.least = 0, .greatest = 1, .below_greatest = true};
 inline constexpr NumberRange kPercent{.least = 0, .greatest = 100, .above_least = true};
 

@@ -12,6 +12,7 @@
 #include "runtime/kinematics/kinematics.h"
 #include "runtime/machine/axis_direction.h"
 #include "runtime/machine/axis_group.h"
+#include "runtime/machine/calibration.h"
 #include "runtime/machine/dynamics_table.h"
 #include "runtime/machine/frame.h"
 #include "runtime/machine/link_shape.h"
@@ -91,7 +92,9 @@ struct PathLimits {
     double max_feed_mm_s = std::numeric_limits<double>::infinity();   ///< Contour speed cap of feed moves.
     double max_rapid_mm_s = std::numeric_limits<double>::infinity();  ///< Speed cap of rapid moves.
     double max_acceleration_mm_s2 = std::numeric_limits<double>::infinity();  ///< Along the path, feed moves.
-    double max_jerk_mm_s3 = std::numeric_limits<double>::infinity();          ///< Along the path, all moves.
+    double max_rapid_acceleration_mm_s2 =
+        std::numeric_limits<double>::infinity();                      ///< Along the path, rapid moves.
+    double max_jerk_mm_s3 = std::numeric_limits<double>::infinity();  ///< Along the path, all moves.
 
     bool operator==(const PathLimits&) const = default;
 };
@@ -114,8 +117,9 @@ struct Machine {
     std::vector<LinkShape> shapes = {};  ///< Its own bodies; their names differ.
     /// Pairs of shapes, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
-    std::vector<AxisGroup> groups = {};                    ///< Their names differ.
-    std::optional<DynamicsTable> dynamics = std::nullopt;  ///< Where forces and torques are worked out.
+    std::vector<AxisGroup> groups = {};                     ///< Their names differ.
+    std::optional<DynamicsTable> dynamics = std::nullopt;   ///< Where forces and torques are worked out.
+    std::optional<Calibration> calibration = std::nullopt;  ///< Where figures were fitted to recorded runs.
 
     /// Index of the axis with this (upper case) letter.
     std::optional<std::size_t> find(char letter) const;

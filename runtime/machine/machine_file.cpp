@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/toml/toml_section.h"
+#include "runtime/machine/calibration_section.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/controller_keys.h"
 #include "runtime/machine/drive_section.h"
@@ -30,13 +31,13 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr std::string_view kLetters = "ABCEUVWXYZ";
 constexpr char kNoLetter = '?';  // of an axis that could not be read
 
-constexpr std::array kMachineFileKeys{"machine"sv,    "path"sv,    "base"sv,  "tool"sv,   "work"sv,
-                                      "controller"sv, "axis"sv,    "shape"sv, "ignore"sv, "process"sv,
-                                      "checks"sv,     "program"sv, "times"sv, "group"sv,  "dynamics"sv,
-                                      "mass"sv,       "hose"sv};
+constexpr std::array kMachineFileKeys{
+    "machine"sv,  "path"sv,   "base"sv,    "tool"sv,        "work"sv,      "controller"sv, "axis"sv,
+    "shape"sv,    "ignore"sv, "process"sv, "checks"sv,      "program"sv,   "times"sv,      "group"sv,
+    "dynamics"sv, "mass"sv,   "hose"sv,    "calibration"sv, "calibrated"sv};
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv,
-                               "max_jerk_mm_s3"sv};
+                               "max_rapid_acceleration_mm_s2"sv, "max_jerk_mm_s3"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
 constexpr std::array kCarriesNames{"tool"sv, "work"sv, "nothing"sv};        // of Carries
 constexpr std::array kTurningNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
@@ -95,6 +96,7 @@ PathLimits read_path_limits(FirstError& error, const toml::table* table) {
     return {.max_feed_mm_s = number("max_feed_mm_s"),
             .max_rapid_mm_s = number("max_rapid_mm_s"),
             .max_acceleration_mm_s2 = number("max_acceleration_mm_s2"),
+            .max_rapid_acceleration_mm_s2 = number("max_rapid_acceleration_mm_s2"),
             .max_jerk_mm_s3 = number("max_jerk_mm_s3")};
 }
 
@@ -266,6 +268,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     read_link_shapes(error, file, root, folder, files, machine);
     read_groups(error, file, machine);
     read_dynamics(error, file, machine);
+    read_calibration(error, file, machine);
     if (error.text()) return machine;
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "runtime/machine/calibration_section.h"
 #include "runtime/machine/dynamics_guide.h"
 #include "runtime/machine/key_guide.h"
 
@@ -27,7 +28,9 @@ GuideTable document_table() {
                  list_key("ignore", KeyKind::list, 0, "pairs of these shapes that may touch"),
                  table_key("dynamics", "that forces and torques of the motors are worked out"),
                  list_key("mass", KeyKind::table, 0, "masses that go with the axes, the tool and the work"),
-                 list_key("hose", KeyKind::table, 0, "hoses and cables that pull at them")}};
+                 list_key("hose", KeyKind::table, 0, "hoses and cables that pull at them"),
+                 table_key("calibration", "that figures were fitted to recorded runs"),
+                 list_key("calibrated", KeyKind::table, 0, "these figures, and how sure they are")}};
 }
 
 GuideTable head_table() {
@@ -49,15 +52,17 @@ GuideTable program_table() {
 }
 
 GuideTable path_table() {
-    return {.at = {"path"},
-            .meaning = "limits of the tool along its path, whatever the axes could do",
-            .keys = {
-                number_key("max_feed_mm_s", kPositive, "inf", "cap of programmed feeds"),
-                number_key("max_rapid_mm_s", kPositive, "inf", "cap of rapid moves"),
-                number_key("max_acceleration_mm_s2", kPositive, "inf", "along the path, in feed moves"),
-                number_key(
-                    "max_jerk_mm_s3", kPositive, "inf",
-                    "of every move along the path, and across arcs; kept by LinuxCNC 2.10 with limit_jerk")}};
+    return {
+        .at = {"path"},
+        .meaning = "limits of the tool along its path, whatever the axes could do",
+        .keys = {
+            number_key("max_feed_mm_s", kPositive, "inf", "cap of programmed feeds"),
+            number_key("max_rapid_mm_s", kPositive, "inf", "cap of rapid moves"),
+            number_key("max_acceleration_mm_s2", kPositive, "inf", "along the path, in feed moves"),
+            number_key("max_rapid_acceleration_mm_s2", kPositive, "inf", "along the path, in rapid moves"),
+            number_key(
+                "max_jerk_mm_s3", kPositive, "inf",
+                "of every move along the path, and across arcs; kept by LinuxCNC 2.10 with limit_jerk")}};
 }
 
 GuideTable frame_table(std::vector<std::string> at, bool many, std::string meaning) {
@@ -220,6 +225,7 @@ std::vector<GuideTable> machine_guide() {
         {.at = {"shape", "shape"}, .many = true, .meaning = "the form of a body", .keys = form_guide()},
         frame_table({"shape", "frame"}, true, "where a body is")};
     for (GuideTable& table : dynamics_guide()) guide.push_back(std::move(table));
+    for (GuideTable& table : calibration_guide()) guide.push_back(std::move(table));
     for (GuideTable& table : controller_guide()) {
         if (!table.at.empty()) guide.push_back(std::move(table));
     }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/toml/toml_text.h"
+#include "runtime/machine/calibration_section.h"
 #include "runtime/machine/controller_file.h"
 #include "runtime/machine/drive_section.h"
 #include "runtime/machine/dynamics_section.h"
@@ -24,6 +25,7 @@ void print_path_limits(TomlText& out, const PathLimits& path) {
     out.limit("max_feed_mm_s", path.max_feed_mm_s);
     out.limit("max_rapid_mm_s", path.max_rapid_mm_s);
     out.limit("max_acceleration_mm_s2", path.max_acceleration_mm_s2);
+    out.limit("max_rapid_acceleration_mm_s2", path.max_rapid_acceleration_mm_s2);
     out.limit("max_jerk_mm_s3", path.max_jerk_mm_s3);
 }
 
@@ -115,6 +117,7 @@ std::string print_machine(const Machine& machine) {
     print_groups(out, machine);
     print_link_shapes(out, machine);
     if (machine.dynamics) print_dynamics(out, *machine.dynamics);
+    if (machine.calibration) print_calibration(out, *machine.calibration);
     return out.take();
 }
 

@@ -140,6 +140,7 @@ void limit_by_curvature(const PathMove& move, const PlannerSetup& setup, Block& 
     const double towards_center = share * acceleration_in_plane(setup, move.arc);
     limit(block.max_speed, block.speed_limit, std::sqrt(towards_center / curvature),
           {LimitKind::centripetal, -1});
+    if (share >= 1) return;
     block.acceleration *= std::sqrt(1 - share * share);
     block.deceleration *= std::sqrt(1 - share * share);
     limit_lead(block, [&](LeadPath& lead) { limit_by_askew_climb(setup, move.arc, share, lead); });
@@ -200,6 +201,12 @@ void set_slopes(const PathMove& move, const PlannerSetup& setup, const JointChan
     if (move.kind != SegmentKind::circular) return;
     put_position(setup.position_joints, move.arc.tangent(0), block.slope_in);
     put_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
+}
+
+void leave_for_overlaying(const rrs::ControllerRules& controller, Block& block) {
+    if (block.move.mode != rrs::PathMode::continuous) return;
+    block.acceleration *= controller.continuous_acceleration_share;
+    block.deceleration *= controller.continuous_acceleration_share;
 }
 
 /// Of the tool; 0 where rotary joints alone move.
@@ -277,6 +284,7 @@ tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, con
     }
     if (move.orientation)
         limit_lead(block, [&](LeadPath& lead) { limit_by_head(setup, *move.orientation, lead); });
+    leave_for_overlaying(setup.controller, block);
     if (rules.rapid_share < 1)
         limit(block.max_speed, block.speed_limit, rules.rapid_share * block.max_speed,
               {LimitKind::rapid_override, -1});

@@ -67,7 +67,7 @@ class Stretch {
 class JointBounds {
   public:
     explicit JointBounds(const PlannerSetup& setup) : count_(static_cast<std::size_t>(setup.joint_count())) {
-        const double share = std::min(setup.controller.centripetal_share, 1.0);
+        const double share = setup.controller.centripetal_share;
         for (std::size_t joint = 0; joint < count_; ++joint) {
             const double acceleration = share * setup.joints[joint].least_acceleration();
             bounds_[joint] = {speed_step(setup, static_cast<int>(joint)), acceleration};
@@ -190,8 +190,8 @@ WindowSpeed speed_in_window(const PlannerSetup& setup, const BlocksBefore& befor
 }
 
 void leave_for_corners(const PlannerSetup& setup, const BlocksBefore& before, Block& to) {
-    if (!std::isfinite(setup.controller.centripetal_share)) return;
-    const double least = 1 - std::min(setup.controller.centripetal_share, 1.0);
+    if (setup.controller.centripetal_share >= 1) return;
+    const double least = 1 - setup.controller.centripetal_share;
     const rrs::JointPos taken = taken_by_corners(setup, before, to);
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double share = std::abs(to.slope_in[joint]);

@@ -13,6 +13,8 @@ MoveRules MoveTerms::rules(const PathLimits& path) const {
     MoveRules rules{.dominance = dominance, .least_duration_s = motion_time_s};
     if (rapid) {
         rules.max_path_speed_mm_s = path.max_rapid_mm_s;
+        if (ramp_mode() != rrs::RampMode::infinite)
+            rules.path_acceleration_mm_s2 = path.max_rapid_acceleration_mm_s2;
         return rules;
     }
     rules.max_path_speed_mm_s = path.max_feed_mm_s;

@@ -49,6 +49,9 @@ Trouble check_path(const PathLimits& path) {
     if (auto trouble = check_positive("max_rapid_mm_s of the path", path.max_rapid_mm_s)) return trouble;
     if (auto trouble = check_positive("max_acceleration_mm_s2 of the path", path.max_acceleration_mm_s2))
         return trouble;
+    if (auto trouble =
+            check_positive("max_rapid_acceleration_mm_s2 of the path", path.max_rapid_acceleration_mm_s2))
+        return trouble;
     return check_positive("max_jerk_mm_s3 of the path", path.max_jerk_mm_s3);
 }
 
@@ -58,11 +61,17 @@ Trouble check_corners(const rrs::ControllerRules& controller) {
                            controller.look_ahead_blocks);
     }
     const double share = controller.centripetal_share;
-    if ((share > 0 && share < 1) || share == kUnlimited) return std::nullopt;
+    if (!(share > 0)) {
+        return fmt::format(
+            "centripetal_share of the controller is {}; it must be greater than 0 (infinity: curves do not "
+            "slow the motion).",
+            share);
+    }
+    const double continuous = controller.continuous_acceleration_share;
+    if (continuous > 0 && continuous <= 1) return std::nullopt;
     return fmt::format(
-        "centripetal_share of the controller is {}; it must be greater than 0 and less than 1 (infinity: "
-        "curves do not slow the motion).",
-        share);
+        "continuous_acceleration_share of the controller is {}; it must be greater than 0 and at most 1.",
+        continuous);
 }
 
 Trouble check_controller(const rrs::ControllerRules& controller) {

@@ -39,10 +39,11 @@ struct JointSetup {
 
 /// Limits of the tool's path, whatever the joints could do.
 struct PathLimits {
-    double max_feed_mm_s = kUnlimited;           ///< Of linear and circular moves that are not rapid.
-    double max_rapid_mm_s = kUnlimited;          ///< Of rapid moves.
-    double max_acceleration_mm_s2 = kUnlimited;  ///< Along the path, in moves that are not rapid.
-    double max_jerk_mm_s3 = kUnlimited;          ///< Of the planner of LinuxCNC 2.10, in all moves.
+    double max_feed_mm_s = kUnlimited;                 ///< Of linear and circular moves that are not rapid.
+    double max_rapid_mm_s = kUnlimited;                ///< Of rapid moves.
+    double max_acceleration_mm_s2 = kUnlimited;        ///< Along the path, in moves that are not rapid.
+    double max_rapid_acceleration_mm_s2 = kUnlimited;  ///< Along the path, in rapid moves.
+    double max_jerk_mm_s3 = kUnlimited;                ///< Of the planner of LinuxCNC 2.10, in all moves.
 };
 
 /// What a joint does for the tool.

@@ -32,6 +32,8 @@ void put_in_force(const ProgrammedRamps& ramps, const PlannerSetup& machine, Pla
             infinite ? kUnlimited : std::min(own.deceleration(), ramps.decelerations[joint]);
         limits.max_jerk = infinite ? kUnlimited : std::min(own.max_jerk, ramps.jerks[joint]);
     }
+    setup.path.max_rapid_acceleration_mm_s2 =
+        infinite ? kUnlimited : machine.path.max_rapid_acceleration_mm_s2;
     setup.path.max_acceleration_mm_s2 = infinite ? kUnlimited : machine.path.max_acceleration_mm_s2;
     setup.controller.limit_jerk =
         ramps.mode == RampMode::s_curve || (ramps.mode == RampMode::machine && machine.controller.limit_jerk);

@@ -92,8 +92,13 @@ struct ControllerRules {
     /// $701 = 1 is the tool's way).
     PathMeasure feed_measure = PathMeasure::tool;
     /// Share of the acceleration limit that the way round a curve may take; what is left of it is for
-    /// speeding up and slowing down. Infinite: curves do not slow the motion.
+    /// speeding up and slowing down. From 1 on the two are limited by themselves: ramps on curves have all of
+    /// the limit, and the joints more than it (as where a control's limit of the centripetal acceleration is
+    /// a figure of its own). Infinite: curves do not slow the motion.
     double centripetal_share = 0.866;
+    /// Share of the acceleration limits for moves in continuous mode: controls that overlay the end of a move
+    /// with the beginning of the next one give each a part.
+    double continuous_acceleration_share = 1;
     /// Arcs become chords that lie off the circle by this much; 0: they stay arcs.
     double arc_chord_tolerance_mm = 0;
     /// Splines become chords by halving steps of the parameter until the middle of each lies off the curve by

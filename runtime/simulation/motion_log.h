@@ -1,34 +1,31 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "runtime/motion/move.h"
+#include "runtime/simulation/motion_observer.h"
 
 namespace gsim::simulation {
 
-/// What a run asked of its controller, in order and whole: the same can be asked of another machine without
-/// the program (motion_replay.h).
-struct MotionLog {
-    struct Rest {
-        rrs::TargetId target_id = 0;
-        double rest_s = 0;
-    };
-    /// What is planned ends at rest; `waits`: the controller waits for its program.
-    struct Stop {
-        bool waits = false;
-    };
-    /// Joints that go by themselves.
-    struct Own {
-        rrs::JointPos end;
-    };
-    using Entry = std::variant<motion::Move, Rest, Stop, Own>;
+/// What a run asked of its controller, kept.
+class MotionLog final : public MotionObserver {
+  public:
+    void stands_at(const rrs::JointPos& joints) override { start_ = joints; }
+    void asked(const MotionAsk& ask) override { asks_.push_back(ask); }
+    void untold(std::string_view why) override {
+        if (gap_.empty()) gap_ = why;
+    }
+    void ended() override {}
 
-    rrs::JointPos start;  ///< Where the machine stands before the first one.
-    std::vector<Entry> entries;
-    /// Why this is not all that the motion depends on, as what the program does ("it probes"); empty: it is.
-    std::string gap;
+    const rrs::JointPos& start() const { return start_; }
+    const std::vector<MotionAsk>& asks() const { return asks_; }
+    /// Why this is not all that the motion depends on; empty: it is.
+    const std::string& gap() const { return gap_; }
+
+  private:
+    rrs::JointPos start_;
+    std::vector<MotionAsk> asks_;
+    std::string gap_;
 };
 
 }  // namespace gsim::simulation

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "runtime/motion/planner.h"
-
 namespace gsim::simulation {
 
 namespace {
@@ -31,11 +29,11 @@ struct Asks {
         if (const auto put = planner.put(move); !put) return tl::unexpected(put.error());
         return {};
     }
-    motion::Planned operator()(const MotionLog::Rest& rest) const {
+    motion::Planned operator()(const AskedRest& rest) const {
         return planner.put_rest(rest.target_id, rest.rest_s);
     }
-    motion::Planned operator()(const MotionLog::Own& own) const { return planner.put_own(own.end); }
-    motion::Planned operator()(const MotionLog::Stop& stop) const {
+    motion::Planned operator()(const AskedOwn& own) const { return planner.put_own(own.end); }
+    motion::Planned operator()(const AskedStop& stop) const {
         planner.come_to_rest(stop.waits);
         return {};
     }
@@ -43,14 +41,18 @@ struct Asks {
 
 }  // namespace
 
+motion::Planned ask_again(const MotionAsk& ask, motion::Planner& planner) {
+    return std::visit(Asks{planner}, ask);
+}
+
 tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
                                                             const motion::PlannerSetup& machine) {
     Times times;
     motion::Planner planner(machine, &times);
-    if (const auto stands = planner.stand_at({log.start, std::nullopt}); !stands)
+    if (const auto stands = planner.stand_at({log.start(), std::nullopt}); !stands)
         return tl::unexpected(stands.error().message);
-    for (std::size_t i = 0; i < log.entries.size(); ++i) {
-        if (const auto put = std::visit(Asks{planner}, log.entries[i]); !put)
+    for (std::size_t i = 0; i < log.asks().size(); ++i) {
+        if (const auto put = ask_again(log.asks()[i], planner); !put)
             return tl::unexpected(fmt::format("move {}: {}", i + 1, put.error().message));
     }
     planner.come_to_last_rest();

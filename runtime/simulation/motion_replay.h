@@ -5,10 +5,13 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/motion/planner_setup.h"
+#include "runtime/motion/planner.h"
 #include "runtime/simulation/motion_log.h"
 
 namespace gsim::simulation {
+
+/// Asks a planner for what a run has asked its controller for.
+motion::Planned ask_again(const MotionAsk& ask, motion::Planner& planner);
 
 /// When a move or a rest of a log was made, s.
 struct ReplayedMove {

@@ -177,7 +177,10 @@ PathCaps PathBound::caps_of(const Segment& segment, const MoveInfo& info, const 
     const bool along_tool = segment.length_mm > 0;
     PathCaps caps;
     if (info.kind == MoveKind::rapid) {
-        if (along_tool) caps.max_speed = machine_.path.max_rapid_mm_s;
+        if (along_tool) {
+            caps.max_speed = machine_.path.max_rapid_mm_s;
+            caps.max_acceleration = caps.max_deceleration = machine_.path.max_rapid_acceleration_mm_s2;
+        }
         return caps;
     }
     if (along_tool) {

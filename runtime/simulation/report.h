@@ -233,6 +233,13 @@ struct ZoneUse {
 };
 
 /// The whole result of a run; units are in the names, and in the JSON as well.
+/// Between these the time of a run is with a probability of 95 %, as far as the figures of the machine are
+/// known.
+struct TimeInterval {
+    double least_s = 0;
+    double most_s = 0;
+};
+
 struct Report {
     std::string program;
     std::string machine;
@@ -243,6 +250,8 @@ struct Report {
     ProcessFindings findings;
     std::string process = "jet";  ///< What the machine works with: "jet", "plasma", "laser", "spindle".
     double cycle_time_s = 0;
+    std::optional<TimeInterval>
+        interval;  ///< Of cycle_time_s, where the machine file tells how it was fitted.
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
     double words_s = 0;  ///< The part of dwell_s that words took by [times] of the machine file.
     double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;

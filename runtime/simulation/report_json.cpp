@@ -280,6 +280,8 @@ Json object(const Report& report) {
         json["time_by_limit"] = time_by_limit(*report.explanation);
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);
     }
+    if (report.interval)
+        json["cycle_time_95_s"] = {number(report.interval->least_s), number(report.interval->most_s)};
     if (report.efforts) json["efforts"] = efforts_json(report);
     if (report.cell) {
         json["cell"] = {{"name", report.cell->name},

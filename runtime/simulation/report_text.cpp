@@ -114,7 +114,10 @@ void add_head(Text& out, const Report& report) {
         }
         out.wrapped("  because   ", report.alarm->message);
     }
-    out.line("{:<12}{:.3f} s  ({})", "cycle time", report.cycle_time_s, clock_text(report.cycle_time_s));
+    out.line("{:<12}{:.3f} s  ({}){}", "cycle time", report.cycle_time_s, clock_text(report.cycle_time_s),
+             report.interval ? fmt::format(", {:.3f} to {:.3f} s (95 %)", report.interval->least_s,
+                                           report.interval->most_s)
+                             : "");
     if (const auto valid_s = report.violations.valid_until_s())
         out.line("{:<12}not valid from {:.3f} s on, where the machine is first past a limit", "", *valid_s);
     add_passes(out, report);

@@ -35,6 +35,7 @@ motion::PlannerSetup setup_of_machine(const machine::Machine& machine) {
     setup.path.max_feed_mm_s = machine.path.max_feed_mm_s;
     setup.path.max_rapid_mm_s = machine.path.max_rapid_mm_s;
     setup.path.max_acceleration_mm_s2 = machine.path.max_acceleration_mm_s2;
+    setup.path.max_rapid_acceleration_mm_s2 = machine.path.max_rapid_acceleration_mm_s2;
     setup.path.max_jerk_mm_s3 = machine.path.max_jerk_mm_s3;
     setup.controller = machine.controller;
     setup.arc_tolerance_mm = kArcTolerance_mm;

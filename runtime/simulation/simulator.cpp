@@ -76,6 +76,7 @@ std::unique_ptr<MotionSource> Simulator::make_motion(std::optional<rrs::RcsModul
 void Simulator::start() {
     if (const motion::Planned stands = motion_->start_at(to_joints(position_)); !stands)
         refused(stands.error(), {});
+    watch_interval();
     warn_of_jerk();
 }
 
@@ -389,6 +390,7 @@ Report Simulator::finish(std::string program) {
     }
     add_cell_findings(report);
     if (efforts_) report.efforts = efforts_->report(programs_);
+    add_interval(report);
     report.files = files_;
     return report;
 }

@@ -18,7 +18,8 @@
 #include "runtime/simulation/commands.h"
 #include "runtime/simulation/effort_watch.h"
 #include "runtime/simulation/event_log.h"
-#include "runtime/simulation/motion_log.h"
+#include "runtime/simulation/interval_watch.h"
+#include "runtime/simulation/motion_observer.h"
 #include "runtime/simulation/motion_source.h"
 #include "runtime/simulation/move.h"
 #include "runtime/simulation/open_calls.h"
@@ -78,8 +79,9 @@ class Simulator {
     void set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics);
     /// Null: none was set.
     const dynamics::Dynamics* dynamics() const { return dynamics_.get(); }
-    /// Before the first move: `log`, which outlives the simulator, gets what the run asks of its controller.
-    void log_motion(MotionLog& log);
+    /// Before the first move: `observer`, which outlives the simulator, is told what the run asks of its
+    /// controller.
+    void observe_motion(MotionObserver& observer);
     /// The same of one that is told what the program asks for; one at most.
     void set_observer(ProgramObserver& observer);
 
@@ -261,6 +263,8 @@ class Simulator {
   private:
     std::unique_ptr<MotionSource> make_motion(std::optional<rrs::RcsModule> module);
     void start();
+    void watch_interval();
+    void add_interval(Report& report) const;
     motion::Move new_move(const MoveInfo& info) const;
     void set_time_of(const Feed& feed, bool rotary, motion::Move& move);
     void warn_of_jerk();
@@ -328,6 +332,7 @@ class Simulator {
     bool controller_has_cell_ = false;  ///< Its services know the frames of cell_.
     std::shared_ptr<const dynamics::Dynamics> dynamics_;
     std::optional<EffortWatch> efforts_;
+    std::optional<IntervalWatch> interval_;  ///< Of a machine that is calibrated.
     std::vector<std::string> programs_{std::string()};  ///< Names that MoveInfo::program counts.
     std::vector<std::uint16_t> open_programs_;          ///< The innermost last.
     EventLog events_;

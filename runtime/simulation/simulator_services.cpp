@@ -1,6 +1,6 @@
 // The controller's services beside the moves of a program.
 
-#include "runtime/simulation/logging_motion.h"
+#include "runtime/simulation/observed_motion.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -44,9 +44,9 @@ bool Simulator::set_overrides(const motion::OverrideSchedule& overrides) {
     return motion_->set_overrides(std::make_shared<const motion::OverrideSchedule>(std::move(acting)));
 }
 
-void Simulator::log_motion(MotionLog& log) {
-    motion_ = std::make_unique<LoggingMotion>(std::move(motion_), log);
-    if (!overrides_.empty()) log.gap = "overrides are turned";
+void Simulator::observe_motion(MotionObserver& observer) {
+    motion_ = std::make_unique<ObservedMotion>(std::move(motion_), observer);
+    if (!overrides_.empty()) observer.untold("overrides are turned");
 }
 
 /// What is in step with the spindle by its position is deaf to the feed override.

@@ -113,7 +113,7 @@ class Programs : public testing::Test {
 
 TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
     const auto start = machine::read_machine(machine_text(kControllers[1]), "start.toml").value();
-    const Predictor predictor = Predictor::of(runs_, "rs274ngc", start).value();
+    const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
     for (const std::string& controller : kControllers) {
         SCOPED_TRACE(controller);
         const std::string text = machine_text(controller);
@@ -130,7 +130,7 @@ TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
 
 TEST_F(Programs, OfAPartAreThoseOfItsPlaces) {
     const auto machine = machine::read_machine(machine_text(kControllers[1]), "m.toml").value();
-    const Predictor predictor = Predictor::of(runs_, "rs274ngc", machine).value();
+    const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, machine).value();
     const auto all = predictor.times_s(machine);
     const auto some = predictor.part(std::vector<std::size_t>{1, 0}).times_s(machine);
     ASSERT_EQ(some.size(), 2U);

@@ -23,10 +23,23 @@ TEST(RecordedRuns, MayBeATableOfNamesAndCycleTimes) {
     EXPECT_EQ((*runs)[0].program, "x.ngc");
 }
 
+TEST(RecordedRuns, MayNameFilesOfPositions) {
+    const auto runs =
+        read_recorded_runs("program,record,time_s\na.nc,a.csv,\nb.nc,,2\nc.nc,/c.log,3\n", "shop");
+    ASSERT_TRUE(runs) << runs.error();
+    ASSERT_EQ(runs->size(), 3U);
+    EXPECT_EQ((*runs)[0].record, "shop/a.csv");
+    EXPECT_EQ((*runs)[0].time_s, 0);
+    EXPECT_EQ((*runs)[1].record, "");
+    EXPECT_EQ((*runs)[2].record, "/c.log");
+    EXPECT_EQ((*runs)[2].time_s, 3);
+    EXPECT_FALSE(read_recorded_runs("program,record\na.nc,\n", ""));
+}
+
 TEST(RecordedRuns, SayWhichLineLacksWhat) {
     EXPECT_EQ(read_recorded_runs("", "").error(), "it is empty");
     EXPECT_EQ(read_recorded_runs("a,b\n", "").error(),
-              "line 1: it should name the columns, 'program' and 'time_s' among them");
+              "line 1: it should name the columns, 'program' and 'time_s' (or 'record') among them");
     EXPECT_EQ(read_recorded_runs("program,time_s\na.nc\n", "").error(), "line 2: a column is missing");
     for (const char* time : {"soon", "", "0", "-1", "nan", "1e999", "1 s"}) {
         EXPECT_EQ(read_recorded_runs(std::string("program,time_s\na.nc,") + time + "\n", "").error(),

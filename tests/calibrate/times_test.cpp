@@ -3,6 +3,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <random>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 
 #include "calibrate/times/fit.h"
 #include "calibrate/times/outcome.h"
+#include "engine/run.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::calibrate::times_test {
@@ -58,16 +61,50 @@ class Recordings : public testing::Test {
         runs_.push_back({file.string(), 1});
     }
     /// The times of a machine, off by a factor with this standard deviation.
-    void record(const machine::Machine& machine, double noise) {
-        std::mt19937 random(5);
-        const auto times = Predictor::of(runs_, "rs274ngc", machine).value().times_s(machine);
+    void record(const machine::Machine& machine, double noise, unsigned seed = 5) {
+        std::mt19937 random(seed);
+        const auto times = Predictor::of(runs_, {"rs274ngc"}, machine).value().times_s(machine);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
             ASSERT_TRUE(times[i]) << times[i].error();
             runs_[i].time_s = *times[i] * std::exp(std::normal_distribution<double>(0, noise)(random));
         }
     }
+    static engine::Run run_of(const std::string& program, const std::string& machine) {
+        engine::Request request;
+        request.program = program;
+        request.machine = "m.toml";
+        request.language.dialect = "rs274ngc";
+        request.host.files =
+            engine::Files::given([machine](const std::string& name) -> std::optional<std::string> {
+                if (name == "m.toml") return machine;
+                std::ifstream in(name, std::ios::binary);
+                return std::string(std::istreambuf_iterator<char>(in), {});
+            });
+        auto run = engine::Run::open(std::move(request)).value();
+        EXPECT_TRUE(run.prepare());
+        return run;
+    }
+    /// Each 10 ms.
+    void add_positions(const machine::Machine& machine) {
+        for (RecordedRun& recorded : runs_) {
+            auto run = run_of(recorded.program, machine::print_machine(machine));
+            EXPECT_TRUE(run.take_samples(
+                [&](std::span<const engine::Sample> samples) {
+                    for (const engine::Sample& sample : samples)
+                        recorded.samples.push_back(
+                            {sample.t_s, {sample.axes[0], sample.axes[1], sample.axes[2]}});
+                },
+                0.01));
+            EXPECT_TRUE(run.go());
+        }
+    }
+    static std::optional<engine::Report::Interval> interval_of(const std::string& machine,
+                                                               const std::string& program) {
+        auto run = run_of(program, machine);
+        return run.go().value().cycle_time_95;
+    }
     Fit fit(const machine::Machine& start) {
-        return fit_times(start, runs_, Predictor::of(runs_, "rs274ngc", router(400, 0.03)).value(), false)
+        return fit_times(start, runs_, Predictor::of(runs_, {"rs274ngc"}, router(400, 0.03)).value(), {})
             .value();
     }
 
@@ -77,7 +114,7 @@ class Recordings : public testing::Test {
 
 const FittedParameter& named(const Fit& fit, const std::string& name) {
     for (const FittedParameter& parameter : fit.parameters) {
-        if (parameter.name.find(name) != std::string::npos) return parameter;
+        if (parameter.figure.key.find(name) != std::string::npos) return parameter;
     }
     throw std::out_of_range(name);
 }
@@ -129,17 +166,53 @@ TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
     const Fit found = fit(router(400, 0.03));
     const auto again = machine::read_machine(machine_text(found, runs_), "fitted.toml");
     ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(*again, found.machine);
+    machine::Machine calibrated = found.machine;
+    calibrated.calibration = calibration_of(found);
+    EXPECT_EQ(*again, calibrated);
     EXPECT_THAT(residuals_svg(found, runs_), HasSubstr("0.ngc"));
+}
+
+/// One program with lines, corners and curves of all sides tells by its positions what many tell by times.
+TEST_F(Recordings, OfPositionsTellMoreThanATime) {
+    const std::vector<RecordedRun> zigzags = runs_;
+    runs_.assign(zigzags.begin() + 2, zigzags.begin() + 4);
+    const machine::Machine hidden = router(730, 0.012);
+    record(hidden, 0);
+    add_positions(hidden);
+    const Fit found = fit(router(400, 0.03));
+    EXPECT_NEAR(named(found, "max_acceleration").value, 730, 20);
+    EXPECT_NEAR(named(found, "speed_step_s").value, 0.012, 0.001);
+    EXPECT_TRUE(named(found, "max_acceleration").identified);
+    EXPECT_TRUE(named(found, "speed_step_s").identified);
+}
+
+TEST_F(Recordings, GiveIntervalsThatHoldTheTimesOfOtherPrograms) {
+    add_zigzag(5, 33);
+    const std::string other = runs_.back().program;
+    runs_.pop_back();
+    const machine::Machine hidden = router(730, 0.012);
+    const std::vector<RecordedRun> unknown{{other, 1}};
+    const double truth_s =
+        Predictor::of(unknown, {"rs274ngc"}, hidden).value().times_s(hidden).front().value();
+    constexpr int kTrials = 25;
+    int held = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+        record(hidden, 0.005, static_cast<unsigned>(trial));
+        const auto interval = interval_of(machine_text(fit(router(400, 0.03)), runs_), other);
+        ASSERT_TRUE(interval);
+        if (interval->least_s <= truth_s && truth_s <= interval->most_s) ++held;
+        EXPECT_LT(interval->most_s - interval->least_s, 0.08 * truth_s);
+    }
+    EXPECT_GE(held, 0.85 * kTrials) << "95 % are promised, of times with their noise";
 }
 
 TEST_F(Recordings, OfAProgramThatEndsNotAreRefusedByName) {
     add("G1 X9999 F100\nM2\n");
     const auto found = fit_times(router(400, 0.03), runs_,
-                                 Predictor::of(runs_, "rs274ngc", router(400, 0.03)).value(), false);
+                                 Predictor::of(runs_, {"rs274ngc"}, router(400, 0.03)).value(), {});
     ASSERT_FALSE(found);
     EXPECT_THAT(found.error(), HasSubstr("8.ngc"));
-    EXPECT_FALSE(Predictor::of(std::vector<RecordedRun>{{"/nowhere.ngc", 1}}, "", router(400, 0.03)));
+    EXPECT_FALSE(Predictor::of(std::vector<RecordedRun>{{"/nowhere.ngc", 1}}, {}, router(400, 0.03)));
 }
 
 }  // namespace

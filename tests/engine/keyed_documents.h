@@ -45,6 +45,11 @@ mass_kg = 1.0
 [[hose]]
 on = "tool"
 anchor_mm = [0, 0, 1]
+[calibration]
+[[calibrated]]
+of = "controller"
+key = "speed_step_s"
+covariance_percent2 = [1.0]
 )";
 
 inline constexpr const char* kCell = R"(ignore = []

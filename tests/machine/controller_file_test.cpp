@@ -83,7 +83,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "exact_path_corner = \"junction-deviation\"\njunction_deviation_mm = 0.25\nspeed_step_s = 0.125\n"
         "stop_between_rapid_and_feed = false\nexact_path_stops = true\nlimit_jerk = "
         "true\ncentripetal_share "
-        "= 0.5\n"
+        "= 0.5\ncontinuous_acceleration_share = 0.75\n"
         "tcp_tolerance_mm = 0.02\narc_chord_tolerance_mm = 0.75\narc_resolution_mm = 0.5\n"
         "square_corner_velocity_mm_s = 6\nminimum_cruise_ratio = 0.25\nretract_length_mm = 1.5\n"
         "retract_speed_mm_s = 30\nunretract_extra_length_mm = 0.125\nunretract_speed_mm_s = 25\n"
@@ -116,6 +116,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .path_measure = rrs::PathMeasure::all_axes,
                                  .feed_measure = rrs::PathMeasure::all_axes,
                                  .centripetal_share = 0.5,
+                                 .continuous_acceleration_share = 0.75,
                                  .arc_chord_tolerance_mm = 0.75,
                                  .spline_chord_tolerance_mm = 0.5,
                                  .arc_resolution_mm = 0.5,
@@ -217,6 +218,7 @@ TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {
 TEST(ControllerFile, CurvesMayBeWithoutLimit) {
     const double inf = std::numeric_limits<double>::infinity();
     EXPECT_EQ(rules_of("centripetal_share = inf").centripetal_share, inf);
+    EXPECT_EQ(rules_of("centripetal_share = 5").centripetal_share, 5);
     EXPECT_EQ(rules_of("speed_step_s = inf").speed_step_s, inf);
 }
 
@@ -311,10 +313,15 @@ TEST(ControllerFile, ValuesOutOfRange) {
             error_of("look_ahead_blocks = " + value),
             "m.toml:4:21: 'look_ahead_blocks' must be a whole number between 1 and 100000; it is " + value);
     }
-    for (const std::string value : {"0", "1", "-0.5", "-inf"}) {
+    for (const std::string value : {"0", "-0.5", "-inf"}) {
         EXPECT_EQ(error_of("centripetal_share = " + value),
-                  "m.toml:4:21: 'centripetal_share' must be greater than 0 and less than 1, or inf; it is " +
-                      value);
+                  "m.toml:4:21: 'centripetal_share' must be greater than 0; it is " + value);
+    }
+    for (const std::string value : {"0", "1.5", "-0.5"}) {
+        EXPECT_EQ(
+            error_of("continuous_acceleration_share = " + value),
+            "m.toml:4:33: 'continuous_acceleration_share' must be greater than 0 and at most 1; it is " +
+                value);
     }
     for (const std::string key : {"junction_deviation_mm", "blend_tolerance_mm", "blend_tolerance_deg",
                                   "least_feed_mm_min", "settle_s", "rest_s"}) {

@@ -168,6 +168,30 @@ TEST(LookAhead, ACurveSharesTheAcceleration) {
     expect_one_motion(fast.out(), setup);
 }
 
+TEST(LookAhead, ACurveMayHaveALimitOfItsOwn) {
+    PlannerSetup setup = router_setup();
+    setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 500, 1000});
+    setup.controller.centripetal_share = 2;
+    Path path(setup);
+    path.arc(20, 0, 2 * kPi, 1000);
+    path.rest();
+    EXPECT_EQ(path.out().segments[0].limited_by.kind, LimitKind::centripetal);
+    EXPECT_NEAR(path.out().time_s(), trapezoid_s(40 * kPi, std::sqrt(2 * 1000 * 20.0), 1000), 1e-9);
+}
+
+TEST(LookAhead, ContinuousModeMayHaveAPartOfTheAcceleration) {
+    PlannerSetup setup = router_setup();
+    setup.controller.continuous_acceleration_share = 0.5;
+    for (const auto& [mode, acceleration] :
+         {std::pair{rrs::PathMode::continuous, 500.0}, std::pair{rrs::PathMode::exact_path, 1000.0}}) {
+        Path path(setup);
+        path.mode = mode;
+        path.line(100, 0, 50);
+        path.rest();
+        EXPECT_NEAR(path.out().time_s(), trapezoid_s(100, 50, acceleration), 1e-9);
+    }
+}
+
 TEST(LookAhead, ArcsBecomeChords) {
     PlannerSetup setup = router_setup();
     setup.controller.arc_chord_tolerance_mm = 0.002;

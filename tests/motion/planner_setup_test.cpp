@@ -61,10 +61,9 @@ TEST(PlannerSetup, SentenceNamesFieldAndValue) {
               "step of joint 1 is nan; it must be 0 or greater.");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.look_ahead_blocks = 0; }),
               "look_ahead_blocks of the controller is 0; it must be at least 1.");
-    EXPECT_EQ(
-        trouble_after([](PlannerSetup& s) { s.controller.centripetal_share = 1; }),
-        "centripetal_share of the controller is 1; it must be greater than 0 and less than 1 (infinity: "
-        "curves do not slow the motion).");
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.centripetal_share = 0; }),
+              "centripetal_share of the controller is 0; it must be greater than 0 (infinity: "
+              "curves do not slow the motion).");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.speed_step_s = 0; }),
               "speed_step_s of the controller is 0; it must be greater than 0 (infinity for no limit).");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.settle_s = -1; }),

@@ -1,18 +1,17 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 
-#include "runtime/simulation/motion_log.h"
+#include "runtime/simulation/motion_observer.h"
 #include "runtime/simulation/motion_source.h"
 
 namespace gsim::simulation {
 
-/// A controller that writes down what it is asked for.
-class LoggingMotion final : public MotionSource {
+/// A controller with somebody who is told what it is asked for.
+class ObservedMotion final : public MotionSource {
   public:
-    /// Nothing has moved yet; `log` must outlive this.
-    LoggingMotion(std::unique_ptr<MotionSource> motion, MotionLog& log);
+    /// Nothing has moved yet; `observer` must outlive this.
+    ObservedMotion(std::unique_ptr<MotionSource> motion, MotionObserver& observer);
 
     rrs::Shell& shell() override;
     const motion::Selections& selections() const override { return motion_->selections(); }
@@ -34,7 +33,7 @@ class LoggingMotion final : public MotionSource {
     motion::Planned put_rest(rrs::TargetId id, double rest_s) override;
     std::vector<std::string> take_remarks() override { return motion_->take_remarks(); }
     void come_to_rest(bool waits) override;
-    void end_program() override { motion_->end_program(); }
+    void end_program() override;
 
     double time_s() const override { return motion_->time_s(); }
     double passed_on_s() const override { return motion_->passed_on_s(); }
@@ -44,10 +43,8 @@ class LoggingMotion final : public MotionSource {
     std::optional<std::string> fault() const override { return motion_->fault(); }
 
   private:
-    void note_gap(const char* what);
-
     std::unique_ptr<MotionSource> motion_;
-    MotionLog& log_;
+    MotionObserver& observer_;
 };
 
 }  // namespace gsim::simulation

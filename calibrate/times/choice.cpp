@@ -1,0 +1,211 @@
+#include "calibrate/times/choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace gsim::calibrate {
+
+namespace {
+
+constexpr std::size_t kTried = 3;             // of all candidates, by cross-validation
+constexpr double kNear = 1.25;                // of the best fit's error: what comes so near is tried, too
+constexpr std::size_t kRefined = 6;           // times at most
+constexpr double kWorthTrying = 0.95;         // of the fit's error: what lessens it by less is not tried
+constexpr int kSteps = 12;                    // of a fit; what is chosen is fitted to its end
+constexpr int kStepsOfPart = 3;               // from what was fitted to all runs
+constexpr double kErrorsOfKind = 1;           // standard errors
+constexpr double kErrorsOfRefinement = 2;     // of which there are many, so that one may seem to help
+constexpr double kPlainGain_percent = 0.1;    // where it is so much, too
+constexpr double kPlainGain = 0.1;            // of the mean error
+constexpr double kNearEnough_percent = 0.02;  // in the mean: less is not looked for
+
+/// Places of the runs in a part of several, or of those outside it.
+std::vector<std::size_t> places_of(std::size_t runs, std::size_t parts, std::size_t part, bool inside) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < runs; ++i) {
+        if ((i % parts == part) == inside) places.push_back(i);
+    }
+    return places;
+}
+
+std::vector<RecordedRun> runs_at(std::span<const RecordedRun> runs, std::span<const std::size_t> places) {
+    std::vector<RecordedRun> chosen;
+    for (const std::size_t place : places) chosen.push_back(runs[place]);
+    return chosen;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// A candidate that has been tried.
+struct Tried {
+    Candidate candidate;  ///< As fitted to all runs.
+    std::size_t score = 0;
+    std::vector<double> errors_percent;  ///< Of each run, foretold by a fit to others.
+};
+
+/// Tries candidates on runs, and keeps how they fare.
+class Trial {
+  public:
+    Trial(std::span<const RecordedRun> runs, const Predictor& predictor, std::size_t parts,
+          const std::function<void(const std::string&)>& told)
+        : runs_(runs), predictor_(predictor), parts_(parts), told_(told) {}
+
+    /// Fits to all runs; nothing where that cannot be done.
+    std::optional<Tried> fit(const Candidate& candidate) {
+        scores_.push_back({candidate.name});
+        Score& score = scores_.back();
+        const auto fit = fit_times(candidate.machine, runs_, predictor_, {candidate.each_axis, kSteps});
+        if (fit) {
+            for (std::size_t i = 0; i < runs_.size(); ++i)
+                score.fitted_percent +=
+                    percent_off(fit->times_s[i], runs_[i]) / static_cast<double>(runs_.size());
+        } else {
+            score.refused = fit.error();
+        }
+        tell(score);
+        if (!fit) return std::nullopt;
+        return Tried{{candidate.name, fit->machine, candidate.each_axis}, scores_.size() - 1, {}};
+    }
+
+    /// Whether all parts could be foretold.
+    bool cross_validate(Tried& tried) {
+        Score& score = scores_[tried.score];
+        tried.errors_percent.assign(runs_.size(), 0);
+        for (std::size_t part = 0; part < parts_; ++part) {
+            if (const auto done = foretell(tried, part); !done) {
+                score.refused = done.error();
+                tell(score);
+                return false;
+            }
+        }
+        score.foretells = true;
+        score.mean_percent = mean_of(tried.errors_percent);
+        score.largest_percent = *std::max_element(tried.errors_percent.begin(), tried.errors_percent.end());
+        tell(score);
+        return true;
+    }
+
+    double fitted_percent(const Tried& tried) const { return scores_[tried.score].fitted_percent; }
+    std::vector<Score> take_scores() { return std::move(scores_); }
+    const std::vector<Score>& scores() const { return scores_; }
+
+  private:
+    static double percent_off(double time_s, const RecordedRun& run) {
+        return 100 * std::abs(time_s - run.time_s) / run.time_s;
+    }
+
+    tl::expected<void, std::string> foretell(Tried& tried, std::size_t part) const {
+        const auto others = places_of(runs_.size(), parts_, part, false);
+        const auto places = places_of(runs_.size(), parts_, part, true);
+        const auto fit = fit_times(tried.candidate.machine, runs_at(runs_, others), predictor_.part(others),
+                                   {tried.candidate.each_axis, kStepsOfPart});
+        if (!fit) return tl::unexpected(fit.error());
+        const auto times = predictor_.part(places).times_s(fit->machine);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const RecordedRun& run = runs_[places[i]];
+            if (!times[i]) return tl::unexpected(fmt::format("{}: {}", run.program, times[i].error()));
+            tried.errors_percent[places[i]] = percent_off(*times[i], run);
+        }
+        return {};
+    }
+
+    void tell(const Score& score) const {
+        if (!told_) return;
+        if (!score.refused.empty()) return told_(fmt::format("{}: {}", score.name, score.refused));
+        if (!score.foretells)
+            return told_(fmt::format("{}: fitted to {:.2f} % in the mean", score.name, score.fitted_percent));
+        told_(fmt::format("{}: foretells to {:.2f} % in the mean, {:.2f} % at worst", score.name,
+                          score.mean_percent, score.largest_percent));
+    }
+
+    std::span<const RecordedRun> runs_;
+    const Predictor& predictor_;
+    std::size_t parts_;
+    const std::function<void(const std::string&)>& told_;
+    std::vector<Score> scores_;
+};
+
+/// Whether `other` foretells better: by a tenth, or by so many standard errors of the differences.
+bool is_better(const Tried& other, const Tried& than, double standard_errors) {
+    std::vector<double> gains;
+    for (std::size_t i = 0; i < other.errors_percent.size(); ++i)
+        gains.push_back(than.errors_percent[i] - other.errors_percent[i]);
+    const double mean = mean_of(gains);
+    if (mean > kPlainGain * mean_of(than.errors_percent) && mean > kPlainGain_percent) return true;
+    double squares = 0;
+    for (const double gain : gains) squares += (gain - mean) * (gain - mean);
+    const auto count = static_cast<double>(gains.size());
+    return mean > standard_errors * std::sqrt(squares / (count * (count - 1)));
+}
+
+/// The nearest to the runs first.
+void sort_by_fit(std::vector<Tried>& tried, const Trial& trial) {
+    std::stable_sort(tried.begin(), tried.end(), [&](const Tried& a, const Tried& b) {
+        return trial.fitted_percent(a) < trial.fitted_percent(b);
+    });
+}
+
+std::optional<Tried> best_of(std::span<const Candidate> candidates, Trial& trial) {
+    std::vector<Tried> fitted;
+    for (const Candidate& candidate : candidates) {
+        if (auto tried = trial.fit(candidate)) fitted.push_back(*std::move(tried));
+    }
+    sort_by_fit(fitted, trial);
+    const auto is_near = [&](std::size_t place) {
+        return trial.fitted_percent(fitted[place]) < kNear * trial.fitted_percent(fitted.front());
+    };
+    std::size_t tried = std::min(fitted.size(), kTried);
+    while (tried < fitted.size() && is_near(tried)) ++tried;
+    fitted.resize(tried);
+    std::erase_if(fitted, [&](Tried& each) { return !trial.cross_validate(each); });
+    std::sort(fitted.begin(), fitted.end(), [](const Tried& a, const Tried& b) { return a.score < b.score; });
+    std::optional<Tried> best;
+    for (Tried& each : fitted) {
+        if (!best || is_better(each, *best, kErrorsOfKind)) best = std::move(each);
+    }
+    return best;
+}
+
+/// The same with one thing more to it that makes it foretell better; nothing where none does.
+std::optional<Tried> refined(const Tried& tried, Trial& trial) {
+    std::vector<Tried> fitted;
+    const double worth_percent = kWorthTrying * trial.fitted_percent(tried);
+    for (const Candidate& candidate : refinements(tried.candidate)) {
+        auto found = trial.fit(candidate);
+        if (found && trial.fitted_percent(*found) < worth_percent) fitted.push_back(*std::move(found));
+    }
+    sort_by_fit(fitted, trial);
+    for (Tried& found : fitted) {
+        if (trial.cross_validate(found) && is_better(found, tried, kErrorsOfRefinement))
+            return std::move(found);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candidates,
+                                               std::span<const RecordedRun> runs, const Predictor& predictor,
+                                               std::size_t parts,
+                                               const std::function<void(const std::string&)>& told) {
+    Trial trial(runs, predictor, parts, told);
+    std::optional<Tried> best = best_of(candidates, trial);
+    if (!best)
+        return tl::unexpected(candidates.empty() ? std::string("there is no model to choose from")
+                                                 : trial.scores().front().refused);
+    for (std::size_t i = 0; i < kRefined && trial.fitted_percent(*best) > kNearEnough_percent; ++i) {
+        auto better = refined(*best, trial);
+        if (!better) break;
+        best = std::move(better);
+    }
+    return Choice{trial.take_scores(), best->score, std::move(best->candidate)};
+}
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,102 @@
+#include "calibrate/times/datum.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <optional>
+#include <variant>
+
+#include "calibrate/times/passages.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+constexpr double kSamplesApart = 30;  // of two marks: what a clock is off by is then a few percent
+constexpr double kLeastApart_s = 0.2;
+
+using simulation::MotionLog;
+
+/// Where X, Y and Z are at the end of a move, mm; nothing where the log does not tell.
+std::optional<Eigen::Vector3d> place_of(const simulation::MotionAsk& ask, const machine::Machine& machine) {
+    const auto* move = std::get_if<motion::Move>(&ask);
+    if (move == nullptr || move->goal.pose || move->tip_mm) return std::nullopt;
+    Eigen::Vector3d place_mm = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const machine::Axis& axis = machine.axes[i];
+        if (axis.kind == machine::AxisKind::linear && axis.letter >= 'X' && axis.letter <= 'Z')
+            place_mm[axis.letter - 'X'] =
+                machine::axis_value(axis, move->goal.joints[static_cast<Eigen::Index>(i)]);
+    }
+    return place_mm;
+}
+
+struct Mark {
+    std::size_t move = 0;
+    double t_s = 0;
+};
+
+std::vector<Mark> marks_of(const RecordedRun& run, const MotionLog& log, const machine::Machine& machine) {
+    std::vector<std::size_t> moves;
+    std::vector<Eigen::Vector3d> places_mm;
+    for (std::size_t i = 0; i < log.asks().size(); ++i) {
+        const auto place_mm = place_of(log.asks()[i], machine);
+        if (!place_mm) continue;
+        moves.push_back(i);
+        places_mm.push_back(*place_mm);
+    }
+    const auto passages = passages_s(run.samples, places_mm);
+    std::vector<Mark> marks;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        if (passages[i]) marks.push_back({moves[i], *passages[i]});
+    }
+    return marks;
+}
+
+double period_s(const std::vector<MotionSample>& samples) {
+    return (samples.back().t_s - samples.front().t_s) / static_cast<double>(samples.size() - 1);
+}
+
+rrs::TargetId target_of(const MotionLog& log, std::size_t move) {
+    return std::get<motion::Move>(log.asks()[move]).target_id;
+}
+
+}  // namespace
+
+std::vector<Datum> data_of(const RecordedRun& run, std::size_t place, const MotionLog& log,
+                           const machine::Machine& machine) {
+    const auto span = motion_span(run.samples);
+    if (!span) return {{.run = place, .time_s = run.time_s}};
+    const double clock_s = period_s(run.samples);
+    const double apart_s = std::max(kSamplesApart * clock_s, kLeastApart_s);
+    std::vector<Datum> data;
+    Datum next{.run = place, .clock_s = clock_s};
+    double before_s = span->start_s;
+    for (const Mark& mark : marks_of(run, log, machine)) {
+        if (mark.t_s < before_s + apart_s || mark.t_s > span->end_s - apart_s) continue;
+        next.to = mark.move;
+        next.time_s = mark.t_s - before_s;
+        data.push_back(next);
+        next.from = mark.move;
+        before_s = mark.t_s;
+    }
+    next.to = Datum::kOutside;
+    next.time_s = span->end_s - before_s;
+    data.push_back(next);
+    return data;
+}
+
+double time_of(const Datum& datum, const MotionLog& log, std::span<const simulation::ReplayedMove> moves) {
+    if (moves.empty()) return 0;
+    const auto end_of = [&](std::size_t move) {
+        const rrs::TargetId target = target_of(log, move);
+        const auto found = std::lower_bound(
+            moves.begin(), moves.end(), target,
+            [](const simulation::ReplayedMove& each, rrs::TargetId id) { return each.target_id < id; });
+        return found == moves.end() ? moves.back().end_s : found->end_s;
+    };
+    const double start_s = datum.from == Datum::kOutside ? moves.front().start_s : end_of(datum.from);
+    const double end_s = datum.to == Datum::kOutside ? moves.back().end_s : end_of(datum.to);
+    return end_s - start_s;
+}
+
+}  // namespace gsim::calibrate

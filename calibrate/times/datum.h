@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "calibrate/times/recorded_run.h"
+#include "runtime/machine/machine.h"
+#include "runtime/simulation/motion_log.h"
+#include "runtime/simulation/motion_replay.h"
+
+namespace gsim::calibrate {
+
+/// A time that was recorded: from the end of one move of a run to the end of another one. The first one of a
+/// run counts from where it begins to move or dwell, the last one to its end.
+struct Datum {
+    static constexpr std::size_t kOutside = static_cast<std::size_t>(-1);
+
+    std::size_t run = 0;
+    std::size_t from = kOutside;  ///< Place of the move in the log.
+    std::size_t to = kOutside;
+    double time_s = 0;
+    double clock_s = 0;  ///< What the recording's clock may be off by.
+};
+
+/// What a run tells: where it has positions over time the times between ends of moves that it passes, some
+/// samples apart; else its whole time. `log`: what it asks for on `machine`.
+std::vector<Datum> data_of(const RecordedRun& run, std::size_t place, const simulation::MotionLog& log,
+                           const machine::Machine& machine);
+
+/// The same time of a run that was replayed, s; 0 where it has no such moves.
+double time_of(const Datum& datum, const simulation::MotionLog& log,
+               std::span<const simulation::ReplayedMove> moves);
+
+}  // namespace gsim::calibrate

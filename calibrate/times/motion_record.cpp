@@ -1,0 +1,329 @@
+#include "calibrate/times/motion_record.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include "calibrate/times/record_clock.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+using Samples = tl::expected<std::vector<MotionSample>, std::string>;
+
+std::string_view trimmed(std::string_view text) {
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+std::optional<double> number_of(std::string_view text) {
+    text = trimmed(text);
+    double value = 0;
+    const auto read = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+std::vector<std::string_view> split(std::string_view line, std::string_view between) {
+    std::vector<std::string_view> cells;
+    while (true) {
+        const std::size_t end = line.find_first_of(between);
+        cells.push_back(line.substr(0, end));
+        if (end == std::string_view::npos) return cells;
+        line.remove_prefix(end + 1);
+    }
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> words;
+    for (const std::string_view word : split(line, " \t\r")) {
+        if (!word.empty()) words.push_back(word);
+    }
+    return words;
+}
+
+/// 0, 1, 2 of x, y, z; -1 of anything else.
+int axis_of(char letter) {
+    const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return lower >= 'x' && lower <= 'z' ? lower - 'x' : -1;
+}
+
+/// Gathers samples whose times rise.
+class Gathered {
+  public:
+    void add(double t_s, const Eigen::Vector3d& at_mm) {
+        if (samples_.empty() || t_s > samples_.back().t_s) samples_.push_back({t_s, at_mm});
+    }
+    Samples take() {
+        if (samples_.size() < 2) return tl::unexpected<std::string>("there are less than two samples in it");
+        return std::move(samples_);
+    }
+
+  private:
+    std::vector<MotionSample> samples_;
+};
+
+/// Calls `look` with the number of each line that is not empty, and the line; stops where it says no.
+template <typename Look>
+bool for_each_line(std::string_view text, const Look& look) {
+    for (int number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (!line.empty() && !look(number, line)) return false;
+    }
+    return true;
+}
+
+// CSV.
+
+struct CsvColumns {
+    std::size_t time = std::string_view::npos;
+    std::array<std::size_t, 3> axes{std::string_view::npos, std::string_view::npos, std::string_view::npos};
+};
+
+std::optional<CsvColumns> csv_columns(std::string_view line, std::string_view between) {
+    CsvColumns columns;
+    const auto names = split(line, between);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string_view name = trimmed(names[i]);
+        if (name == "t_s" || name == "time_s" || name == "t") columns.time = i;
+        const int axis = name.empty() ? -1 : axis_of(name.front());
+        if (axis >= 0 && (name.size() == 1 || name.substr(1) == "_mm"))
+            columns.axes[static_cast<std::size_t>(axis)] = i;
+    }
+    const bool any = std::any_of(columns.axes.begin(), columns.axes.end(),
+                                 [](std::size_t at) { return at != std::string_view::npos; });
+    if (columns.time == std::string_view::npos || !any) return std::nullopt;
+    return columns;
+}
+
+std::optional<MotionSample> csv_sample(const std::vector<std::string_view>& cells,
+                                       const CsvColumns& columns) {
+    const auto cell = [&](std::size_t at) -> std::optional<double> {
+        if (at >= cells.size()) return std::nullopt;
+        return number_of(cells[at]);
+    };
+    const auto time = cell(columns.time);
+    if (!time) return std::nullopt;
+    MotionSample sample{*time, Eigen::Vector3d::Zero()};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (columns.axes[i] == std::string_view::npos) continue;
+        const auto value = cell(columns.axes[i]);
+        if (!value) return std::nullopt;
+        sample.at_mm[static_cast<Eigen::Index>(i)] = *value;
+    }
+    return sample;
+}
+
+Samples read_csv(std::string_view text) {
+    Gathered gathered;
+    std::optional<CsvColumns> columns;
+    std::string_view between = ",";
+    std::string wrong;
+    for_each_line(text, [&](int number, std::string_view line) {
+        if (!columns) {
+            if (line.find(',') == std::string_view::npos) between = "\t;";
+            columns = csv_columns(line, between);
+            if (!columns) wrong = "line 1 should name the columns: t_s and x_mm, y_mm or z_mm among them";
+            return columns.has_value();
+        }
+        const auto sample = csv_sample(split(line, between), *columns);
+        if (sample) {
+            gathered.add(sample->t_s, sample->at_mm);
+        } else {
+            wrong = fmt::format("line {}: a number is missing", number);
+        }
+        return sample.has_value();
+    });
+    if (!wrong.empty()) return tl::unexpected(wrong);
+    return gathered.take();
+}
+
+// halsampler.
+
+Samples read_halsampler(std::string_view text, const RecordForm& form) {
+    if (!(form.period_s > 0))
+        return tl::unexpected<std::string>(
+            "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
+            "they are");
+    Gathered gathered;
+    std::string wrong;
+    double count = 0;
+    for_each_line(text, [&](int number, std::string_view line) {
+        auto words = words_of(line);
+        if (words.front() == "overrun") return true;  // samples were lost; the numbers of -t tell how many
+        double at = count++;
+        if (words.size() == form.columns.size() + 1) {
+            const auto told = number_of(words.front());
+            at = told.value_or(at);
+            words.erase(words.begin());
+        }
+        if (words.size() != form.columns.size()) {
+            wrong = fmt::format("line {}: {} columns, where '{}' is expected (--sample-columns)", number,
+                                words.size(), form.columns);
+            return false;
+        }
+        Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const int axis = axis_of(form.columns[i]);
+            const auto value = number_of(words[i]);
+            if (axis < 0) continue;
+            if (!value) {
+                wrong = fmt::format("line {}: '{}' is no number", number, words[i]);
+                return false;
+            }
+            at_mm[axis] = *value;
+        }
+        gathered.add(at * form.period_s, at_mm);
+        return true;
+    });
+    if (!wrong.empty()) return tl::unexpected(wrong);
+    return gathered.take();
+}
+
+// grbl.
+
+std::optional<Eigen::Vector3d> grbl_field(std::string_view report, std::string_view name) {
+    const std::size_t at = report.find(name);
+    if (at == std::string_view::npos) return std::nullopt;
+    report.remove_prefix(at + name.size());
+    const auto cells = split(report.substr(0, report.find_first_of("|>")), ",");
+    Eigen::Vector3d values = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < std::min<std::size_t>(cells.size(), 3); ++i) {
+        const auto value = number_of(cells[i]);
+        if (!value) return std::nullopt;
+        values[static_cast<Eigen::Index>(i)] = *value;
+    }
+    return values;
+}
+
+Samples read_grbl(std::string_view text) {
+    Gathered gathered;
+    std::string wrong;
+    Eigen::Vector3d offset_mm = Eigen::Vector3d::Zero();
+    for_each_line(text, [&](int number, std::string_view line) {
+        const std::size_t at = line.find('<');
+        if (at == std::string_view::npos) return true;  // what else a sender writes
+        const std::string_view report = line.substr(at);
+        if (const auto offset = grbl_field(report, "WCO:")) offset_mm = *offset;
+        auto at_mm = grbl_field(report, "MPos:");
+        if (const auto work = grbl_field(report, "WPos:"); !at_mm && work) at_mm = *work + offset_mm;
+        if (!at_mm) return true;
+        const auto t_s = take_time_s(line);
+        if (!t_s) {
+            wrong = fmt::format("line {}: a status report without a time in front: 12.345 or 12:34:56.789",
+                                number);
+            return false;
+        }
+        gathered.add(*t_s, *at_mm);
+        return true;
+    });
+    if (!wrong.empty()) return tl::unexpected(wrong);
+    return gathered.take();
+}
+
+// MTConnect.
+
+/// Of "Xact", "X_pos", "x": the axis; -1 of what is no position of x, y or z.
+int mtconnect_axis(std::string_view name) {
+    if (name.empty()) return -1;
+    std::string_view rest = name.substr(1);
+    while (!rest.empty() && (rest.front() == '_' || rest.front() == '-')) rest.remove_prefix(1);
+    for (const std::string_view known : {"", "act", "abs", "pos", "position", "actual"}) {
+        if (rest == known) return axis_of(name.front());
+    }
+    return -1;
+}
+
+/// What changes one axis at a time becomes samples: the others are as they were told last.
+class Changes {
+  public:
+    void add(double t_s, int axis, double value_mm) { changes_[t_s].emplace_back(axis, value_mm); }
+
+    Samples take() const {
+        Gathered gathered;
+        Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();
+        for (const auto& [t_s, values] : changes_) {
+            for (const auto& [axis, value_mm] : values) at_mm[axis] = value_mm;
+            gathered.add(t_s, at_mm);
+        }
+        return gathered.take();
+    }
+
+  private:
+    std::map<double, std::vector<std::pair<int, double>>> changes_;
+};
+
+Samples read_shdr(std::string_view text) {
+    Changes changes;
+    for_each_line(text, [&](int /*number*/, std::string_view line) {
+        const auto t_s = take_time_s(line);
+        if (!t_s) return true;
+        const auto cells = split(line, "|");
+        for (std::size_t i = 1; i + 1 < cells.size(); i += 2) {
+            const int axis = mtconnect_axis(trimmed(cells[i]));
+            const auto value = number_of(cells[i + 1]);
+            if (axis >= 0 && value) changes.add(*t_s, axis, *value);
+        }
+        return true;
+    });
+    return changes.take();
+}
+
+std::string_view attribute(std::string_view element, std::string_view name) {
+    const std::string wanted = fmt::format(" {}=\"", name);
+    const std::size_t at = element.find(wanted);
+    if (at == std::string_view::npos) return {};
+    element.remove_prefix(at + wanted.size());
+    return element.substr(0, element.find('"'));
+}
+
+Samples read_streams(std::string_view text) {
+    Changes changes;
+    constexpr std::string_view kElement = "<Position ";
+    for (std::size_t at = text.find(kElement); at != std::string_view::npos;
+         at = text.find(kElement, at + 1)) {
+        const std::size_t end = text.find('>', at);
+        if (end == std::string_view::npos) break;
+        const std::string_view element = text.substr(at, end - at);
+        if (attribute(element, "subType") == "COMMANDED") continue;
+        int axis = mtconnect_axis(attribute(element, "name"));
+        if (axis < 0) axis = mtconnect_axis(attribute(element, "dataItemId"));
+        std::string_view stamp = attribute(element, "timestamp");
+        const auto t_s = take_time_s(stamp);
+        const auto value = number_of(text.substr(end + 1, text.find('<', end) - end - 1));
+        if (axis >= 0 && t_s && value) changes.add(*t_s, axis, *value);
+    }
+    return changes.take();
+}
+
+}  // namespace
+
+Samples read_motion_record(std::string_view text, const RecordForm& form) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    if (start == std::string_view::npos) return tl::unexpected<std::string>("it is empty");
+    if (text.find("Pos:") != std::string_view::npos) return read_grbl(text);
+    if (text.substr(start, 5) == "<?xml" || text.find("<Position ") != std::string_view::npos)
+        return read_streams(text);
+    const std::string_view first = text.substr(start, text.find('\n', start) - start);
+    std::string_view rest = first;
+    if (take_time_s(rest) && !rest.empty() && rest.front() == '|') return read_shdr(text);
+    const auto words = words_of(first);
+    const bool numbers = std::all_of(words.begin(), words.end(), [](std::string_view word) {
+        return number_of(word).has_value() || word == "overrun";
+    });
+    return numbers ? read_halsampler(text, form) : read_csv(text);
+}
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,90 @@
+// How machine files tell how well their figures are known.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "runtime/machine/figure.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::machine::calibration_section_test {
+namespace {
+
+constexpr std::string_view kMachine = R"([machine]
+name = "m"
+[controller]
+planner = "look-ahead"
+[[axis]]
+letter = "X"
+kind = "linear"
+max_acceleration_mm_s2 = 500
+direction = "x"
+[[axis]]
+letter = "B"
+kind = "rotary"
+max_acceleration_deg_s2 = 90
+direction = "y"
+)";
+
+std::string with(const std::string& lines) {
+    return std::string(kMachine) + lines;
+}
+
+std::string error_of(const std::string& lines) {
+    const auto machine = read_machine(with(lines), "m.toml");
+    return machine ? "no error" : machine.error();
+}
+
+std::string figure(const std::string& of, const std::string& key, const std::string& row) {
+    return "[[calibrated]]\nof = \"" + of + "\"\nkey = \"" + key + "\"\ncovariance_percent2 = " + row + "\n";
+}
+
+TEST(CalibrationSection, IsReadAndPrintedBack) {
+    const auto machine = read_machine(with("[calibration]\nruns = 12\nleft_percent = 0.25\n" +
+                                           figure("X", "max_acceleration_mm_s2", "[4, 1]") +
+                                           figure("controller", "speed_step_s", "[1, 9]")),
+                                      "m.toml");
+    ASSERT_TRUE(machine) << machine.error();
+    const Calibration wanted{.runs = 12,
+                             .left_percent = 0.25,
+                             .figures = {{"X", "max_acceleration_mm_s2"}, {"controller", "speed_step_s"}},
+                             .covariance_percent2 = {{4, 1}, {1, 9}}};
+    EXPECT_EQ(machine->calibration, wanted);
+    const auto again = read_machine(print_machine(*machine), "m.toml");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(*again, *machine);
+}
+
+TEST(CalibrationSection, SaysWhatIsWrong) {
+    const std::string head = "[calibration]\nruns = 2\n";
+    EXPECT_NE(error_of(figure("X", "max_acceleration_mm_s2", "[1]")).find("there is no [calibration]"),
+              std::string::npos);
+    EXPECT_NE(error_of(head + figure("X", "max_acceleration_mm_s2", "[1, 2]")).find("covariance_percent2"),
+              std::string::npos);
+    EXPECT_NE(error_of(head + figure("X", "max_acceleration_mm_s2", "[-1]")).find("no covariance"),
+              std::string::npos);
+    EXPECT_NE(error_of(head + figure("X", "max_acceleration_mm_s2", "[1, 5]") +
+                       figure("controller", "speed_step_s", "[5, 1]"))
+                  .find("no covariance"),
+              std::string::npos);
+    for (const auto& [of, key] :
+         {std::pair{"Q", "max_acceleration_mm_s2"}, std::pair{"X", "max_acceleration_deg_s2"},
+          std::pair{"path", "speed_step_s"}, std::pair{"", "speed_step_s"},
+          std::pair{"XB", "max_acceleration_mm_s2"}}) {
+        EXPECT_NE(error_of(head + figure(of, key, "[1]")).find("no figure that can be calibrated"),
+                  std::string::npos)
+            << of << key;
+    }
+}
+
+TEST(Figure, IsAValueOfTheMachineByTheUnitsOfItsFile) {
+    Machine machine = read_machine(kMachine, "m.toml").value();
+    EXPECT_EQ(value_of({"B", "max_acceleration_deg_s2"}, machine), 90);
+    set_value({"controller", "speed_step_s"}, 0.5, machine);
+    EXPECT_EQ(machine.controller.speed_step_s, 0.5);
+    EXPECT_EQ(name_of({"XY", "max_jerk_mm_s3"}), "axes X, Y: max_jerk_mm_s3");
+    EXPECT_EQ(name_of({"path", "max_feed_mm_s"}), "path: max_feed_mm_s");
+}
+
+}  // namespace
+}  // namespace gsim::machine::calibration_section_test
