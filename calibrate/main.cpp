@@ -10,6 +10,7 @@
 #include "apps/parse.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
+#include "calibrate/geometry_command.h"
 #include "calibrate/times/choice.h"
 #include "calibrate/times/outcome.h"
 #include "runtime/machine/machine_file.h"
@@ -187,10 +188,14 @@ int run_times(const std::vector<std::string>& words) {
 
 int run(const std::vector<std::string>& words) {
     if (!words.empty() && words.front() == "times") return run_times({words.begin() + 1, words.end()});
+    if (!words.empty() && words.front() == "geometry") return run_geometry({words.begin() + 1, words.end()});
     const bool asks = !words.empty() && (words.front() == "--help" || words.front() == "-h");
     fmt::print(asks ? stdout : stderr,
                "usage: gsim-calibrate times RUNS.csv --machine FILE [options]\n"
-               "       gsim-calibrate times --help\n");
+               "       gsim-calibrate times --help\n"
+               "       gsim-calibrate geometry TIPS.csv --machine FILE [options]\n"
+               "       gsim-calibrate geometry --machine FILE --suggest N [options]\n"
+               "       gsim-calibrate geometry --help\n");
     return asks ? kGood : kUsage;
 }
 

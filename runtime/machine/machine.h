@@ -72,7 +72,7 @@ struct Axis {
     double zero = 0;  ///< Reading of the axis at the joint's zero.
     DhRow dh = {};
     /// From the joint before to this one, whose motion is along or about its Z unless `direction` says
-    /// another one; in place of `dh`.
+    /// another one. `dh` stands behind the motion where both are given.
     std::optional<Frame> frame = std::nullopt;
     /// In place of `dh`: how the tool goes, or turns, against the work as the value grows, in the axes of the
     /// frame of the joint before (behind `frame`, where there is one).

@@ -167,11 +167,10 @@ void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
                                        "how its joint lies",
                                        section.title()));
     }
-    for (const std::string_view key : {"direction"sv, "frame"sv}) {
-        if (section.has(key) && section.has("dh"))
-            section.fail(key, fmt::format("{} has both 'dh' and '{}'; one tells where its joint is",
-                                          section.title(), key));
-    }
+    if (section.has("direction") && section.has("dh"))
+        section.fail(
+            "direction",
+            fmt::format("{} has both 'dh' and 'direction'; one tells where its joint is", section.title()));
     if (section.has("direction"))
         axis.direction = static_cast<AxisDirection>(section.choice("direction", 0, kDirectionNames));
     if (section.has("frame")) axis.frame = read_frame(error, section.table("frame"), "'frame'");

@@ -161,7 +161,8 @@ GuideTable axis_table(bool rotary, const std::string& unit) {
         table_key("frame",
                   "from the joint before to this one; the joint moves along or about its Z or, with "
                   "direction, as that says"));
-    table.keys.push_back(table_key("dh", "instead of both: its row of the Denavit-Hartenberg table"));
+    table.keys.push_back(
+        table_key("dh", "instead of direction: its row of the Denavit-Hartenberg table, behind the frame"));
     for (GuideKey& key : drive_guide(rotary)) table.keys.push_back(std::move(key));
     return table;
 }

@@ -61,11 +61,10 @@ std::string_view name(Turning turning) {
 void print_joint(TomlText& out, const Axis& axis) {
     if (axis.carries == Carries::nothing) return;
     if (axis.direction) out.line("direction", base::toml_string(name(*axis.direction)));
-    if (!axis.frame && !axis.direction) {
+    if (!axis.direction && (!axis.frame || axis.dh != DhRow{})) {
         out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
                                    base::toml_number(axis.dh.theta_deg), base::toml_number(axis.dh.d_mm),
                                    base::toml_number(axis.dh.a_mm), base::toml_number(axis.dh.alpha_deg)));
-        return;
     }
     if (axis.frame) out.line("frame", inline_frame(*axis.frame));
 }

@@ -1,6 +1,7 @@
 #include "runtime/machine/machine_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -222,8 +223,6 @@ TEST(MachineFile, AJointByAFrameAndOnTheSideOfTheWork) {
 }
 
 TEST(MachineFile, FaultsOfJointsAndTurning) {
-    EXPECT_EQ(error_of(with_axis_line("frame = {}")),
-              "m.toml:7:9: a linear [[axis]] has both 'dh' and 'frame'; one tells where its joint is");
     EXPECT_EQ(error_of(with_axis_line("turning = \"shortest\"")).substr(0, 58),
               "m.toml:7:1: unknown key 'turning' in a linear [[axis]]; it");
     EXPECT_EQ(error_of(with_axis_line("carries = \"me\"")),
@@ -235,6 +234,20 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
               "m.toml:7:11: 'turning' must be \"limited\", \"shortest\" or \"unwind\"");
     EXPECT_EQ(error_of(rotary + "turning = \"unwind\"\nmax_deg = 4\n"),
               "m.toml:7:11: an axis that unwinds turns on without end; leave out 'min_deg' and 'max_deg'");
+}
+
+// Where both are given the frame stands before the motion, and the row behind it.
+TEST(MachineFile, AFrameBesideARow) {
+    const auto machine = read_machine(std::string(kHead) +
+                                          "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\n"
+                                          "frame = { y_mm = 3.0 }\ndh = { a_mm = 10.0 }\n",
+                                      "m.toml");
+    ASSERT_TRUE(machine) << machine.error();
+    EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
+    rrs::JointPos quarter(1);
+    quarter << std::acos(0.0);
+    const Eigen::Vector3d tip = make_kinematics(*machine)->forward(quarter).translation();
+    EXPECT_TRUE(tip.isApprox(Eigen::Vector3d(0, 13, 0), 1e-12)) << tip.transpose();
 }
 
 TEST(MachineFile, AnAxisByItsDirection) {

@@ -1,0 +1,104 @@
+#include "calibrate/geometry/compensation.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace gsim::calibrate {
+
+namespace {
+
+constexpr int kSteps = 10;  // of a table; its lines lie on a straight one
+constexpr int kRounds = 10;
+constexpr double kNear_mm = 1e-9;
+constexpr double kProbe_mm = 1;
+constexpr double kLeastDeterminant = 0.01;
+
+/// X, Y and Z where they are slides, else the first three.
+std::vector<std::size_t> three_slides(const machine::Machine& machine) {
+    std::vector<std::size_t> slides, named;
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const machine::Axis& axis = machine.axes[i];
+        if (axis.kind != machine::AxisKind::linear || axis.carries == machine::Carries::nothing) continue;
+        slides.push_back(i);
+        if (axis.letter >= 'X' && axis.letter <= 'Z') named.push_back(i);
+    }
+    if (named.size() == 3) return named;
+    slides.resize(std::min<std::size_t>(slides.size(), 3));
+    return slides;
+}
+
+/// Readings of slides that bring the tip to the work frame's origin; false where they do not.
+bool bring_to_origin(const Geometry& geometry, const std::vector<std::size_t>& slides,
+                     std::vector<double>& readings) {
+    const TipFinder finder(geometry);
+    for (int round = 0; round < kRounds; ++round) {
+        const Eigen::Vector3d tip = finder.tip(readings).translation();
+        if (tip.norm() < kNear_mm) return true;
+        Eigen::Matrix3d ways;
+        for (std::size_t i = 0; i < slides.size(); ++i) {
+            std::vector<double> beside = readings;
+            beside[slides[i]] += kProbe_mm;
+            ways.col(static_cast<Eigen::Index>(i)) = (finder.tip(beside).translation() - tip) / kProbe_mm;
+        }
+        if (std::abs(ways.determinant()) < kLeastDeterminant) return false;
+        const Eigen::Vector3d step = ways.inverse() * tip;
+        for (std::size_t i = 0; i < slides.size(); ++i)
+            readings[slides[i]] -= step[static_cast<Eigen::Index>(i)];
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<CompensationTable> compensation_tables(const GeometryFit& fit,
+                                                   std::span<const MeasuredTip> tips) {
+    std::vector<CompensationTable> tables;
+    for (const FoundDeviation& found : fit.found) {
+        if (found.deviation.of != Deviation::Of::scale) continue;
+        const machine::Axis& axis = fit.geometry.machine.axes[found.deviation.axis];
+        double low = axis.min, high = axis.max;
+        if (!std::isfinite(high - low)) {
+            const auto [least, most] = std::minmax_element(
+                tips.begin(), tips.end(), [&](const MeasuredTip& a, const MeasuredTip& b) {
+                    return a.readings[found.deviation.axis] < b.readings[found.deviation.axis];
+                });
+            low = least->readings[found.deviation.axis];
+            high = most->readings[found.deviation.axis];
+        }
+        CompensationTable table{.letter = axis.letter, .text = {}};
+        for (int i = 0; i <= kSteps; ++i) {
+            const double nominal = low + (high - low) * i / kSteps;
+            const double really = nominal * fit.geometry.scales[found.deviation.axis];
+            table.text += fmt::format("{0:.6f} {1:.6f} {1:.6f}\n", nominal, really);
+        }
+        tables.push_back(std::move(table));
+    }
+    return tables;
+}
+
+tl::expected<std::string, std::string> work_offset_line(const machine::Machine& nominal,
+                                                        const GeometryFit& fit) {
+    const auto slides = three_slides(nominal);
+    Geometry geometry = fit.geometry;
+    geometry.instrument = rrs::CartPos::Identity();
+    std::vector<double> readings;
+    for (std::size_t i = 0; i < nominal.axes.size(); ++i) {
+        const bool rotary = nominal.axes[i].kind == machine::AxisKind::rotary;
+        readings.push_back(rotary ? geometry.machine.axes[i].zero - nominal.axes[i].zero : 0);
+    }
+    if (slides.size() < 3 || !bring_to_origin(geometry, slides, readings))
+        return tl::unexpected<std::string>(
+            "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
+    std::string line = "G21\nG10 L2 P1";
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        const bool slide = std::find(slides.begin(), slides.end(), i) != slides.end();
+        if (slide || nominal.axes[i].kind == machine::AxisKind::rotary)
+            line += fmt::format(" {}{:.4f}", nominal.axes[i].letter, readings[i]);
+    }
+    return line + "\n";
+}
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,259 @@
+#include "calibrate/geometry/geometry_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+namespace gsim::calibrate {
+
+namespace {
+
+/// The length of three errors, each of one standard deviation, that half of them stay below, and that all but
+/// one in 10,000 do (chi distribution with 3 degrees of freedom).
+constexpr double kMiddleOf3 = 1.5382;
+constexpr double kRareOf3 = 4.60;
+/// A tip's error, 3 or 6 numbers in units of noise, beyond which it counts less than its square. With
+/// ordinary noise that is next to none.
+constexpr double kHuberFrom = 4;
+constexpr int kNoiseRounds = 4;
+
+/// The errors where Ceres stands. Values are in units of deviations' usual sizes, so that steps are alike.
+class Standing : public ceres::EvaluationCallback {
+  public:
+    Standing(const WeightedErrors& errors, std::span<const Deviation> deviations)
+        : errors_(errors), values(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(deviations.size()))) {
+        units_.resize(values.size());
+        for (std::size_t i = 0; i < deviations.size(); ++i)
+            units_[static_cast<Eigen::Index>(i)] = usual_size(deviations[i]);
+    }
+
+    void PrepareForEvaluation(bool with_slopes, bool /*is_new*/) override {
+        if (now.size() == 0 || values != now_at_) {
+            now = errors_.at(in_units());
+            now_at_ = values;
+        }
+        if (!with_slopes || (slopes.size() != 0 && values == slopes_at_)) return;
+        slopes = errors_.slopes(in_units()) * units_.asDiagonal();
+        slopes_at_ = values;
+    }
+
+    Eigen::VectorXd in_units() const { return values.cwiseProduct(units_); }
+    const Eigen::VectorXd& units() const { return units_; }
+    const WeightedErrors& errors() const { return errors_; }
+
+  private:
+    const WeightedErrors& errors_;
+    Eigen::VectorXd units_;
+    Eigen::VectorXd now_at_;
+    Eigen::VectorXd slopes_at_;
+
+  public:
+    Eigen::VectorXd values;
+    Eigen::VectorXd now;
+    Eigen::MatrixXd slopes;
+};
+
+/// The error of one tip.
+class OneTip : public ceres::CostFunction {
+  public:
+    OneTip(const Standing& standing, Eigen::Index tip)
+        : standing_(standing), first_(standing.errors().first(tip)), size_(standing.errors().size(tip)) {
+        set_num_residuals(static_cast<int>(size_));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(standing.values.size()));
+    }
+
+    bool Evaluate(double const* const* /*at*/, double* errors, double** slopes) const override {
+        Eigen::Map<Eigen::VectorXd>(errors, size_) = standing_.now.segment(first_, size_);
+        if (slopes == nullptr || slopes[0] == nullptr) return true;
+        using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        Eigen::Map<Rows>(slopes[0], size_, standing_.values.size()) =
+            standing_.slopes.middleRows(first_, size_);
+        return true;
+    }
+
+  private:
+    const Standing& standing_;
+    Eigen::Index first_;
+    Eigen::Index size_;
+};
+
+std::string solve(Standing& standing) {
+    ceres::Problem::Options options;
+    options.evaluation_callback = &standing;
+    ceres::Problem problem(options);
+    for (Eigen::Index i = 0; i < standing.errors().count(); ++i)
+        problem.AddResidualBlock(new OneTip(standing, i), new ceres::HuberLoss(kHuberFrom),
+                                 standing.values.data());
+    ceres::Solver::Options how;
+    how.linear_solver_type = ceres::DENSE_QR;
+    how.max_num_iterations = 30;
+    how.function_tolerance = 1e-8;
+    how.parameter_tolerance = 1e-7;
+    how.gradient_tolerance = 1e-6;
+    how.initial_trust_region_radius = 1e12;  // measured machines lie close: the first step is Gauss's
+    how.max_trust_region_radius = 1e16;
+    how.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(how, &problem, &summary);
+    standing.PrepareForEvaluation(true, true);
+    return fmt::format("{} steps, {}", summary.iterations.size(), summary.message);
+}
+
+/// The information of the errors on the values, each tip by its weight.
+Eigen::MatrixXd information(const Standing& standing) {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(standing.values.size(), standing.values.size());
+    for (Eigen::Index i = 0; i < standing.errors().count(); ++i) {
+        const Eigen::Index first = standing.errors().first(i), size = standing.errors().size(i);
+        const double length = standing.now.segment(first, size).norm();
+        const double weight = length > kHuberFrom ? kHuberFrom / length : 1;
+        const auto rows = standing.slopes.middleRows(first, size);
+        sum.noalias() += weight * rows.transpose() * rows;
+    }
+    return sum;
+}
+
+/// The factor that makes the noise what these lengths say, where `freedom` is the share of all numbers that
+/// values leave over: first by the middle one, which outliers do not move, then by all but outliers.
+double noise_factor(std::vector<double> lengths, double freedom) {
+    if (lengths.empty()) return 1;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    const double most = *middle * kRareOf3 / kMiddleOf3;
+    double squares = 0, count = 0;
+    for (const double length : lengths) {
+        if (length > most) continue;
+        squares += length * length;
+        count += 3;
+    }
+    return std::sqrt(squares / (count * freedom));
+}
+
+double length_of(const Eigen::VectorXd& errors, Eigen::Index first) {
+    return errors.segment<3>(first).norm();
+}
+
+/// The work frame in that of the instrument, so that tips come to lie on measured ones (Umeyama).
+rrs::CartPos aligned(const machine::Machine& machine, std::span<const MeasuredTip> tips) {
+    const TipFinder finder(DeviatedMachine({.machine = machine, .scales = {}}).nominal());
+    Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(tips.size())), to = from;
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+        from.col(static_cast<Eigen::Index>(i)) = finder.tip(tips[i].readings).translation();
+        to.col(static_cast<Eigen::Index>(i)) = tips[i].tip.translation();
+    }
+    return rrs::CartPos(Eigen::umeyama(from, to, false));
+}
+
+std::vector<bool> outliers_of(const Standing& standing) {
+    std::vector<bool> found;
+    for (Eigen::Index i = 0; i < standing.errors().count(); ++i) {
+        const Eigen::Index first = standing.errors().first(i);
+        bool out = length_of(standing.now, first) > kRareOf3;
+        if (standing.errors().size(i) == 6) out = out || length_of(standing.now, first + 3) > kRareOf3;
+        found.push_back(out);
+    }
+    return found;
+}
+
+/// One machine, its tips, and what they are asked for.
+class Task {
+  public:
+    Task(const machine::Machine& machine, std::span<const MeasuredTip> tips, const GeometryOptions& options)
+        : options_(options),
+          tips_(tips),
+          deviated_(
+              {.machine = machine,
+               .scales = {},
+               .instrument = options.choice.own_frame ? aligned(machine, tips) : rrs::CartPos::Identity()}),
+          all_(all_deviations(machine, options.choice)) {
+        noise_.mm = options.noise_mm.value_or(noise_.mm);
+        noise_.deg = options.noise_deg.value_or(noise_.deg);
+    }
+
+    tl::expected<GeometryFit, std::string> run() {
+        if (!identified()) {
+            return tl::unexpected<std::string>(
+                "these tips tell nothing of the machine's geometry: there are too few, or all is held");
+        }
+        const bool by_list = std::all_of(tips_.begin(), tips_.end(), [](const MeasuredTip& tip) {
+            return tip.sigma_mm && (tip.sigma_deg || !tip.has_orientation);
+        });
+        fit_.noise_is_found = !by_list && !options_.noise_mm;
+        for (int round = 0; round < (fit_.noise_is_found ? kNoiseRounds : 1); ++round) {
+            const WeightedErrors errors(deviated_, chosen_, tips_, noise_);
+            Standing standing(errors, chosen_);
+            fit_.told = solve(standing);
+            take(standing);
+            if (fit_.noise_is_found) look_at_noise(standing);
+        }
+        return fit_;
+    }
+
+  private:
+    bool identified() {
+        const WeightedErrors errors(deviated_, all_, tips_, noise_);
+        Identified found =
+            identify(errors.slopes(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all_.size()))), all_);
+        for (const std::size_t i : found.chosen) chosen_.push_back(all_[i]);
+        fit_.held = std::move(found.held);
+        fit_.singular_values = std::move(found.singular_values);
+        fit_.before = tip_errors(deviated_.nominal(), tips_);
+        return !chosen_.empty() && errors.size() > static_cast<Eigen::Index>(chosen_.size());
+    }
+
+    void take(const Standing& standing) {
+        const Eigen::MatrixXd inverse = information(standing).ldlt().solve(
+            Eigen::MatrixXd::Identity(standing.values.size(), standing.values.size()));
+        fit_.covariance = standing.units().asDiagonal() * inverse * standing.units().asDiagonal();
+        const Eigen::VectorXd values = standing.in_units();
+        fit_.geometry = deviated_.at(chosen_, values);
+        fit_.after = tip_errors(fit_.geometry, tips_);
+        fit_.outliers = outliers_of(standing);
+        fit_.noise = noise_;
+        fit_.found.clear();
+        for (std::size_t i = 0; i < chosen_.size(); ++i) {
+            const auto k = static_cast<Eigen::Index>(i);
+            fit_.found.push_back({chosen_[i], values[k], std::sqrt(fit_.covariance(k, k))});
+        }
+    }
+
+    /// Takes what is left of the errors for the noise of the next round. Turns keep their noise where it is
+    /// given.
+    void look_at_noise(const Standing& standing) {
+        std::vector<double> places, turns;
+        for (Eigen::Index i = 0; i < standing.errors().count(); ++i) {
+            const Eigen::Index first = standing.errors().first(i);
+            places.push_back(length_of(standing.now, first));
+            if (standing.errors().size(i) == 6) turns.push_back(length_of(standing.now, first + 3));
+        }
+        const double freedom =
+            1 - static_cast<double>(standing.values.size()) / static_cast<double>(standing.errors().size());
+        constexpr double kLeast_mm = 1e-6, kLeast_deg = 1e-7;
+        noise_.mm = std::max(noise_.mm * noise_factor(std::move(places), freedom), kLeast_mm);
+        if (!options_.noise_deg)
+            noise_.deg = std::max(noise_.deg * noise_factor(std::move(turns), freedom), kLeast_deg);
+    }
+
+    const GeometryOptions& options_;
+    std::span<const MeasuredTip> tips_;
+    DeviatedMachine deviated_;
+    std::vector<Deviation> all_;
+    std::vector<Deviation> chosen_;
+    Noise noise_;
+    GeometryFit fit_;
+};
+
+}  // namespace
+
+tl::expected<GeometryFit, std::string> fit_geometry(const machine::Machine& machine,
+                                                    std::span<const MeasuredTip> tips,
+                                                    const GeometryOptions& options) {
+    if (tips.empty()) return tl::unexpected<std::string>("there are no measured tips");
+    return Task(machine, tips, options).run();
+}
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,170 @@
+#include "calibrate/geometry/geometry_outcome.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// As people measure it: micrometres, seconds of arc, parts per million.
+struct Shown {
+    double factor = 1;
+    std::string_view unit;
+};
+
+Shown shown(DeviationUnit unit) {
+    switch (unit) {
+        case DeviationUnit::mm: return {kMicrometresPerMm, "um"};
+        case DeviationUnit::deg: return {kArcsecPerDeg, "arcsec"};
+        case DeviationUnit::ppm: break;
+    }
+    return {1, "ppm"};
+}
+
+std::string value_with_spread(const FoundDeviation& found) {
+    const Shown as = shown(found.deviation.unit);
+    return fmt::format("{:+.2f} {} to {:.2f}", as.factor * found.value, as.unit, as.factor * found.spread);
+}
+
+std::string summary_line(const GeometryFit& fit) {
+    const TipSummary before = summary_of(fit.before), after = summary_of(fit.after);
+    std::string text = fmt::format(
+        "{} tips: {:.1f} um off before (root mean square; {:.1f} at most), {:.2f} um after ({:.2f})",
+        fit.before.size(), before.rms_um, before.greatest_um, after.rms_um, after.greatest_um);
+    if (before.rms_arcsec > 0)
+        text += fmt::format("; turned by {:.1f} arcsec before, {:.2f} after", before.rms_arcsec,
+                            after.rms_arcsec);
+    return text;
+}
+
+std::vector<std::size_t> farthest_first(const GeometryFit& fit) {
+    std::vector<std::size_t> order(fit.after.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return fit.after[a].mm.squaredNorm() > fit.after[b].mm.squaredNorm();
+    });
+    return order;
+}
+
+double um(const TipError& error) {
+    return kMicrometresPerMm * error.mm.norm();
+}
+
+Json numbers(const Eigen::VectorXd& values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(value);
+    return list;
+}
+
+Json errors_json(const TipSummary& summary) {
+    return {{"rms_um", summary.rms_um},
+            {"greatest_um", summary.greatest_um},
+            {"rms_arcsec", summary.rms_arcsec},
+            {"greatest_arcsec", summary.greatest_arcsec}};
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> geometry_text(const GeometryFit& fit) {
+    std::string text = fmt::format("# Geometry by gsim-calibrate. {}.\n", summary_line(fit));
+    for (const FoundDeviation& found : fit.found) {
+        const bool in_file =
+            found.deviation.of != Deviation::Of::scale && found.deviation.of != Deviation::Of::instrument;
+        text += fmt::format("# {}: {} (one standard deviation){}\n", found.deviation.name,
+                            value_with_spread(found), in_file ? "" : ", which a machine file cannot say");
+    }
+    text += "\n" + machine::print_machine(fit.geometry.machine);
+    if (const auto read = machine::read_machine(text, "the fitted machine"); !read)
+        return tl::unexpected(read.error());
+    return text;
+}
+
+std::string geometry_table(const GeometryFit& fit, std::span<const Squareness> squareness) {
+    std::string text = fmt::format("{:<22} {:>24}\n", "found", "(one standard deviation)");
+    for (const FoundDeviation& found : fit.found)
+        text += fmt::format("  {:<20} {}\n", found.deviation.name, value_with_spread(found));
+    for (const Squareness& pair : squareness)
+        text += fmt::format("  {:<20} {:+.2f} um/m to {:.2f}\n",
+                            fmt::format("square {} {}", pair.first, pair.second), pair.value_um_m,
+                            pair.spread_um_m);
+    if (!fit.held.empty()) text += "\nnot told from others, and left as the file has it\n";
+    for (const HeldDeviation& held : fit.held) text += fmt::format("  {:<20} {}\n", held.name, held.why);
+    text += fmt::format("\n{:<6} {:>12} {:>12}\n", "tip", "before um", "after um");
+    for (const std::size_t i : farthest_first(fit))
+        text += fmt::format("{:<6} {:>12.2f} {:>12.2f}{}\n", i + 1, um(fit.before[i]), um(fit.after[i]),
+                            fit.outliers[i] ? "  an outlier, which counts for little" : "");
+    return text + fmt::format("\n{}\nnoise {}: {:.2f} um a coordinate\n", summary_line(fit),
+                              fit.noise_is_found ? "found" : "as given", kMicrometresPerMm * fit.noise.mm);
+}
+
+std::string geometry_json(const GeometryFit& fit, std::span<const Squareness> squareness) {
+    Json json;
+    json["before"] = errors_json(summary_of(fit.before));
+    json["after"] = errors_json(summary_of(fit.after));
+    json["noise_um"] = kMicrometresPerMm * fit.noise.mm;
+    json["noise_arcsec"] = kArcsecPerDeg * fit.noise.deg;
+    json["noise_is_found"] = fit.noise_is_found;
+    Json& found = json["found"] = Json::array();
+    for (const FoundDeviation& one : fit.found)
+        found.push_back({{"name", one.deviation.name}, {"value", one.value}, {"spread", one.spread}});
+    Json& held = json["held"] = Json::array();
+    for (const HeldDeviation& one : fit.held) held.push_back({{"name", one.name}, {"why", one.why}});
+    Json& square = json["squareness"] = Json::array();
+    for (const Squareness& one : squareness)
+        square.push_back({{"axes", std::string{one.first, one.second}},
+                          {"value_um_m", one.value_um_m},
+                          {"spread_um_m", one.spread_um_m}});
+    Json& rows = json["covariance"] = Json::array();
+    for (Eigen::Index i = 0; i < fit.covariance.rows(); ++i) rows.push_back(numbers(fit.covariance.row(i)));
+    json["singular_values"] = numbers(fit.singular_values);
+    Json& tips = json["tips"] = Json::array();
+    for (std::size_t i = 0; i < fit.after.size(); ++i) {
+        tips.push_back({{"before_mm", numbers(fit.before[i].mm)},
+                        {"after_mm", numbers(fit.after[i].mm)},
+                        {"after_deg", numbers(fit.after[i].deg)},
+                        {"outlier", static_cast<bool>(fit.outliers[i])}});
+    }
+    return json.dump(2) + "\n";
+}
+
+std::string tips_svg(const GeometryFit& fit) {
+    constexpr double kRow = 14, kLeft = 60, kWide = 260, kGap = 40, kTop = 34;
+    const double most_before = std::max(summary_of(fit.before).greatest_um, 1e-3);
+    const double most_after = std::max(summary_of(fit.after).greatest_um, 1e-3);
+    const double width = kLeft + 2 * kWide + kGap + 20;
+    const double height = kTop + kRow * static_cast<double>(fit.after.size()) + 10;
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
+        "{0:.0f} "
+        "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
+        "fill=\"#fff\"/>\n",
+        width, height);
+    const double right = kLeft + kWide + kGap;
+    svg +=
+        fmt::format("<text x=\"{:.0f}\" y=\"16\">before, um (at most {:.1f})</text>\n", kLeft, most_before);
+    svg += fmt::format("<text x=\"{:.0f}\" y=\"16\">after, um (at most {:.2f})</text>\n", right, most_after);
+    double y = kTop;
+    for (const std::size_t i : farthest_first(fit)) {
+        svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">tip {}</text>\n", kLeft - 8,
+                           y + 10, i + 1);
+        const auto bar = [&](double x, double length, const char* colour) {
+            svg +=
+                fmt::format("<rect x=\"{:.1f}\" y=\"{:.0f}\" width=\"{:.1f}\" height=\"10\" fill=\"{}\"/>\n",
+                            x, y + 1, std::max(length, 0.5), colour);
+        };
+        bar(kLeft, um(fit.before[i]) / most_before * kWide, "#d55e00");
+        bar(right, um(fit.after[i]) / most_after * kWide, fit.outliers[i] ? "#cc79a7" : "#0072b2");
+        y += kRow;
+    }
+    return svg + "</svg>\n";
+}
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,297 @@
+// Geometry that can be written down: what is found is what was put in.
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calibrate/geometry/compensation.h"
+#include "calibrate/geometry/geometry_outcome.h"
+#include "calibrate/geometry/simulate.h"
+#include "calibrate/geometry/squareness.h"
+#include "calibrate/geometry/suggest.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::calibrate::geometry_closed_form_test {
+namespace {
+
+using Eigen::Vector3d;
+using testing::HasSubstr;
+
+constexpr double kDeg = std::numbers::pi / 180;
+
+std::string linear_axis(char letter) {
+    return fmt::format(
+        "[[axis]]\nletter = \"{}\"\nkind = \"linear\"\nmin_mm = -200.0\nmax_mm = 300.0\nmax_speed_mm_s = "
+        "100.0\n"
+        "direction = \"{}\"\n",
+        letter, static_cast<char>(letter + ('x' - 'X')));
+}
+
+machine::Machine gantry(const std::string& more = "") {
+    return machine::read_machine("[machine]\nname = \"gantry\"\ninverse = \"gantry\"\n" + linear_axis('X') +
+                                     linear_axis('Y') + linear_axis('Z') + more,
+                                 "gantry.toml")
+        .value();
+}
+
+machine::Machine with_table() {
+    return gantry("[[axis]]\nletter = \"C\"\nkind = \"rotary\"\ncarries = \"work\"\ndirection = \"z\"\n");
+}
+
+machine::Machine sample(const std::string& name) {
+    return machine::load_machine(GSIM_SAMPLES "/machines/" + name + ".toml").value();
+}
+
+/// Tips of a formula at poses spread over a machine's ranges.
+template <class Formula>
+std::vector<MeasuredTip> tips_of(const machine::Machine& machine, Formula formula) {
+    std::vector<MeasuredTip> tips = spread_poses(machine, 1, 30, false);
+    for (MeasuredTip& tip : tips) tip.tip.translation() = formula(tip.readings);
+    return tips;
+}
+
+double value_of(const GeometryFit& fit, const std::string& name) {
+    for (const FoundDeviation& found : fit.found)
+        if (found.deviation.name == name) return found.value;
+    ADD_FAILURE() << name << " was not found";
+    return 0;
+}
+
+std::string why_held(const GeometryFit& fit, const std::string& name) {
+    for (const HeldDeviation& held : fit.held)
+        if (held.name == name) return held.why;
+    return "it is not held";
+}
+
+GeometryFit fitted(const machine::Machine& machine, const std::vector<MeasuredTip>& tips,
+                   const GeometryOptions& options = {}) {
+    return fit_geometry(machine, tips, options).value();
+}
+
+// Y leans towards X by 0.4 mrad, Z away from Y by 0.3 mrad; X goes 100 ppm too far.
+TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
+    const double lean = 4e-4, back = 3e-4;
+    const auto tips = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
+        return axes[0] * 1.0001 * Vector3d::UnitX() + axes[1] * Vector3d(std::sin(lean), std::cos(lean), 0) +
+               axes[2] * Vector3d(0, -std::sin(back), std::cos(back));
+    });
+    const GeometryFit fit = fitted(gantry(), tips);
+    EXPECT_LT(summary_of(fit.after).greatest_um, 1e-3);
+    EXPECT_NEAR(value_of(fit, "Y tilt_z_deg"), -lean / kDeg, 1e-7);
+    EXPECT_NEAR(value_of(fit, "Z tilt_x_deg"), back / kDeg, 1e-7);
+    EXPECT_NEAR(value_of(fit, "X scale_ppm"), 100, 1e-3);
+    EXPECT_NEAR(value_of(fit, "base turn_z_deg"), 0, 1e-7);
+    const auto square = squareness_of(gantry(), fit);
+    ASSERT_EQ(square.size(), 3U);  // X Y, X Z, Y Z
+    EXPECT_NEAR(square[0].value_um_m, 1e6 * std::sin(lean), 1e-2);
+    EXPECT_NEAR(square[1].value_um_m, 0, 1e-2);
+    EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(lean), 1e-2);
+    EXPECT_EQ(why_held(fit, "tool x_mm"), "does what -X zero_mm does");
+    EXPECT_EQ(why_held(fit, "tool turn_x_deg"), "moves no tip that was measured");
+}
+
+// The table turns about (c, d): a point p is at R (p - c) + c of it.
+TEST(GeometryClosedForm, ATableThatTurnsBesideItsMiddle) {
+    const Vector3d centre(0.12, -0.07, 0);
+    const auto tips = tips_of(with_table(), [&](const std::vector<double>& axes) -> Vector3d {
+        const Vector3d place(axes[0], axes[1], axes[2]);
+        return Eigen::AngleAxisd(axes[3] * kDeg, Vector3d::UnitZ()) * (place - centre) + centre;
+    });
+    const GeometryFit fit = fitted(with_table(), tips);
+    EXPECT_LT(summary_of(fit.after).greatest_um, 1e-3);
+    EXPECT_NEAR(value_of(fit, "C shift_x_mm"), 0.12, 1e-6);
+    EXPECT_NEAR(value_of(fit, "C shift_y_mm"), -0.07, 1e-6);
+    EXPECT_NEAR(value_of(fit, "X zero_mm"), 0, 1e-6);
+    EXPECT_NEAR(value_of(fit, "C tilt_x_deg"), 0, 1e-7);
+    // The file says it as the place of the axis, and of the work frame back from there.
+    const auto read = machine::read_machine(geometry_text(fit).value(), "fitted.toml").value();
+    EXPECT_NEAR(read.axes[3].frame->x_mm, 0.12, 1e-6);
+    EXPECT_NEAR(read.work.x_mm, -0.12, 1e-6);
+    EXPECT_NEAR(read.work.y_mm, 0.07, 1e-6);
+}
+
+// Programs read the file that was written: its tips are those of the fit, whatever joints are told by.
+TEST(GeometryClosedForm, TheFileIsTheMachine) {
+    for (const char* name : {"arm6", "af5", "mill-table-table", "gantry-offset-head"}) {
+        const machine::Machine machine = sample(name);
+        const auto poses = suggest_poses(machine, 40, true, {{}, {"scale"}}).value();
+        const auto hidden = hidden_machine(machine, poses, {{}, {"scale"}}, 3);
+        const GeometryFit fit = fitted(machine, simulated(hidden.geometry, poses, {0.002, 0.001}, 4),
+                                       {.choice = {{}, {"scale"}}, .noise_mm = {}, .noise_deg = {}});
+        const auto read = machine::read_machine(geometry_text(fit).value(), "fitted.toml");
+        ASSERT_TRUE(read) << name << ": " << read.error();
+        const auto kinematics = machine::make_kinematics(*read);
+        const TipFinder finder(fit.geometry);
+        for (const MeasuredTip& pose : poses) {
+            rrs::JointPos joints(static_cast<Eigen::Index>(read->axes.size()));
+            for (std::size_t i = 0; i < read->axes.size(); ++i)
+                joints[static_cast<Eigen::Index>(i)] = machine::joint_value(read->axes[i], pose.readings[i]);
+            const rrs::CartPos apart = kinematics->forward(joints).inverse() * finder.tip(pose.readings);
+            EXPECT_LT(apart.translation().norm(), 1e-9) << name;
+            EXPECT_TRUE(apart.linear().isIdentity(1e-12)) << name;
+        }
+    }
+}
+
+// One joint's line moves, and nothing else does while all stand at zero.
+TEST(GeometryClosedForm, ALineMovesAlone) {
+    for (const char* name : {"arm6", "af5", "mill-table-table", "mill-head-table", "unlimited"}) {
+        const machine::Machine machine = sample(name);
+        const DeviatedMachine deviated({.machine = machine, .scales = {}});
+        std::vector<double> at_zero;
+        for (const machine::Axis& axis : machine.axes) at_zero.push_back(axis.zero);
+        const rrs::CartPos before = TipFinder(deviated.nominal()).tip(at_zero);
+        for (const Deviation& deviation : all_deviations(machine, {})) {
+            if (deviation.of != Deviation::Of::tilt && deviation.of != Deviation::Of::shift) continue;
+            const std::vector<Deviation> one{deviation};
+            const TipFinder finder(deviated.at(one, Eigen::VectorXd::Constant(1, 0.3)));
+            EXPECT_TRUE(finder.tip(at_zero).isApprox(before, 1e-12)) << name << ", " << deviation.name;
+        }
+    }
+}
+
+TEST(GeometryClosedForm, NoiseIsFoundAndOutliersCountForLittle) {
+    const machine::Machine machine = with_table();
+    const auto poses = suggest_poses(machine, 60, false, {}).value();
+    const auto hidden = hidden_machine(machine, poses, {}, 5);
+    auto tips = simulated(hidden.geometry, poses, {.mm = 0.008, .deg = 0}, 6);
+    tips[17].tip.translation().y() += 1.5;
+    const GeometryFit fit = fitted(machine, tips);
+    EXPECT_TRUE(fit.noise_is_found);
+    EXPECT_NEAR(fit.noise.mm, 0.008, 0.0015);
+    EXPECT_TRUE(fit.outliers[17]);
+    EXPECT_EQ(std::count(fit.outliers.begin(), fit.outliers.end(), true), 1);
+    for (std::size_t i = 0; i < fit.found.size(); ++i) {
+        EXPECT_EQ(fit.found[i].deviation.name, hidden.deviations[i].name);
+        EXPECT_NEAR(fit.found[i].value, hidden.values[static_cast<Eigen::Index>(i)], 4 * fit.found[i].spread)
+            << fit.found[i].deviation.name;
+    }
+}
+
+TEST(GeometryClosedForm, AnInstrumentMayStandAnywhere) {
+    const machine::Machine machine = with_table();
+    const auto poses = suggest_poses(machine, 40, false, {.own_frame = true, .held = {}}).value();
+    const auto hidden = hidden_machine(machine, poses, {.own_frame = true, .held = {}}, 8);
+    Geometry seen = hidden.geometry;
+    seen.instrument =
+        Eigen::Translation3d(900, -2000, 400) * Eigen::AngleAxisd(2, Vector3d(1, 2, 3).normalized());
+    const GeometryOptions options{
+        .choice = {.own_frame = true, .held = {}}, .noise_mm = 0.005, .noise_deg = {}};
+    const auto exact = fitted(machine, simulated(seen, poses, {.mm = 0, .deg = 0}, 9), options);
+    EXPECT_LT(summary_of(exact.after).rms_um, 0.01);
+    const auto tips = simulated(seen, poses, {.mm = 0.005, .deg = 0}, 9);
+    const GeometryFit fit = fitted(machine, tips, options);
+    // The best fit is no worse than the truth.
+    EXPECT_LE(summary_of(fit.after).rms_um, summary_of(tip_errors(seen, tips)).rms_um);
+    for (std::size_t i = 0; i < fit.found.size(); ++i) {
+        if (fit.found[i].deviation.of == Deviation::Of::instrument) continue;
+        EXPECT_NEAR(fit.found[i].value, hidden.values[static_cast<Eigen::Index>(i)], 4 * fit.found[i].spread)
+            << fit.found[i].deviation.name;
+    }
+}
+
+TEST(GeometryClosedForm, HeldDeviationsStay) {
+    const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
+        return Vector3d(axes[0] + 0.1, axes[1], axes[2]);
+    });
+    const GeometryFit fit =
+        fitted(gantry(), tips, {.choice = {.own_frame = false, .held = {"scale", "X zero", "tilt"}}});
+    EXPECT_NEAR(value_of(fit, "tool x_mm"), 0.1, 1e-6);
+    for (const FoundDeviation& found : fit.found)
+        EXPECT_THAT(found.deviation.name, Not(testing::AnyOf(HasSubstr("scale"), HasSubstr("tilt"))));
+    const auto none = fit_geometry(gantry(), {}, {});
+    EXPECT_EQ(none.error(), "there are no measured tips");
+    const std::vector<MeasuredTip> one(tips.begin(), tips.begin() + 1);
+    EXPECT_EQ(fit_geometry(gantry(), one, {}).error(),
+              "these tips tell nothing of the machine's geometry: there are too few, or all is held");
+}
+
+// With the table LinuxCNC sends the motor to nominal + (nominal - forward): then the axis is where it should
+// be, to the square of the scale's error.
+TEST(GeometryClosedForm, CompensationBringsAxesHome) {
+    const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
+        return Vector3d(axes[0] * 1.0002, axes[1], axes[2]);
+    });
+    const auto tables = compensation_tables(fitted(gantry(), tips), tips);
+    ASSERT_EQ(tables.size(), 3U);
+    EXPECT_EQ(tables[0].letter, 'X');
+    double nominal = 0, forward = 0, reverse = 0, last = -1e9;
+    std::istringstream lines(tables[0].text);
+    int count = 0;
+    for (; lines >> nominal >> forward >> reverse; ++count) {
+        EXPECT_GT(nominal, last);
+        EXPECT_EQ(forward, reverse);
+        EXPECT_NEAR((nominal + (nominal - forward)) * 1.0002, nominal, 300 * 0.0002 * 0.0002 + 2e-6);
+        last = nominal;
+    }
+    EXPECT_GE(count, 2);
+    EXPECT_EQ(last, 300);
+}
+
+// The tip is at the work frame's origin where the readings are those of the line.
+TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
+    const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
+        return Vector3d(axes[0] - 0.25, axes[1] + 0.5, axes[2] - 0.125);
+    });
+    EXPECT_EQ(work_offset_line(gantry(), fitted(gantry(), tips)).value(),
+              "G21\nG10 L2 P1 X0.2500 Y-0.5000 Z0.1250\n");
+    const machine::Machine arm = sample("arm6");
+    const auto poses = suggest_poses(arm, 30, true, {}).value();
+    EXPECT_EQ(work_offset_line(arm, fitted(arm, poses)).error(),
+              "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
+}
+
+// D-optimal: the deviations' ellipsoid is smaller than that of as many poses that are spread evenly.
+TEST(GeometryClosedForm, SuggestedPosesTellMore) {
+    for (const char* name : {"mill-head-table", "arm6"}) {
+        const machine::Machine machine = sample(name);
+        const auto log_volume = [&](const std::vector<MeasuredTip>& poses) {
+            const Geometry file{.machine = machine, .scales = std::vector<double>(machine.axes.size(), 1)};
+            const GeometryFit fit = fitted(machine, simulated(file, poses, {.mm = 0, .deg = 0}, 1),
+                                           {.choice = {}, .noise_mm = 0.005, .noise_deg = 0.001});
+            const Eigen::VectorXd sizes =
+                Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(fit.covariance).eigenvalues();
+            return std::pair(fit.found.size(), sizes.array().log().sum());
+        };
+        const auto suggested = suggest_poses(machine, 40, true, {}).value();
+        const auto [count, best] = log_volume(suggested);
+        const auto [same, even] = log_volume(spread_poses(machine, 1, 40, true));
+        EXPECT_EQ(count, same);
+        // Of an arm poses that are spread evenly tell nearly as much already.
+        EXPECT_LT(best, even - 0.1 * static_cast<double>(count)) << "a tenth less of each one's variance";
+        for (const MeasuredTip& pose : suggested) {
+            for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+                EXPECT_GE(pose.readings[i], machine.axes[i].min);
+                EXPECT_LE(pose.readings[i], machine.axes[i].max);
+            }
+        }
+    }
+    EXPECT_EQ(suggest_poses(gantry(), 3, false, {}).error(),
+              "12 deviations of this machine can be told, which takes 5 poses at least");
+}
+
+TEST(GeometryClosedForm, OutcomesTellBothWays) {
+    const machine::Machine machine = with_table();
+    const auto poses = suggest_poses(machine, 30, false, {}).value();
+    const auto hidden = hidden_machine(machine, poses, {}, 5);
+    const GeometryFit fit = fitted(machine, simulated(hidden.geometry, poses, {.mm = 0.005, .deg = 0}, 6));
+    const auto square = squareness_of(machine, fit);
+    EXPECT_THAT(geometry_table(fit, square),
+                testing::AllOf(HasSubstr("C shift_x_mm"), HasSubstr("square X Y"), HasSubstr("noise found"),
+                               HasSubstr("30 tips: ")));
+    EXPECT_THAT(geometry_json(fit, square),
+                testing::AllOf(HasSubstr("\"covariance\""), HasSubstr("\"held\"")));
+    EXPECT_THAT(tips_svg(fit),
+                testing::AllOf(HasSubstr("<svg"), HasSubstr("tip 30<"), HasSubstr("before, um")));
+    EXPECT_THAT(geometry_text(fit).value(), HasSubstr("which a machine file cannot say"));
+}
+
+}  // namespace
+}  // namespace gsim::calibrate::geometry_closed_form_test
