@@ -210,6 +210,8 @@ Done fit_to_tips(const GeometryArguments& arguments, const machine::Machine& mac
 Done do_geometry(const GeometryArguments& arguments) {
     const auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
+    if (const auto unknown = unknown_held(*machine, arguments.choice()))
+        return tl::unexpected(fmt::format("--hold: nothing that may be off is called '{}'", *unknown));
     if (arguments.suggested > 0) return suggest(arguments, *machine);
     if (!arguments.simulated.empty()) return simulate(arguments, *machine);
     return fit_to_tips(arguments, *machine);

@@ -194,6 +194,15 @@ std::vector<Deviation> all_deviations(const machine::Machine& machine, const Dev
     return list;
 }
 
+std::optional<std::string> unknown_held(const machine::Machine& machine, const DeviationChoice& choice) {
+    const auto all = all_deviations(machine, {.own_frame = choice.own_frame, .held = {}});
+    for (const std::string& words : choice.held) {
+        if (std::none_of(all.begin(), all.end(), [&](const Deviation& one) { return is_held(one, {words}); }))
+            return words;
+    }
+    return std::nullopt;
+}
+
 DeviatedMachine::DeviatedMachine(Geometry nominal) : nominal_(std::move(nominal)) {
     const std::size_t count = nominal_.machine.axes.size();
     nominal_.scales.resize(count, 1);

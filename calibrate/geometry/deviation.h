@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,6 +52,9 @@ struct DeviationChoice {
 /// All deviations of a machine, many of which cannot be told from others: those before others in the list are
 /// what people would rather say it by. A frame that no joint carries, and axes that carry nothing, have none.
 std::vector<Deviation> all_deviations(const machine::Machine& machine, const DeviationChoice& choice);
+
+/// The first of the held words that is in no name, so that nothing is held by it.
+std::optional<std::string> unknown_held(const machine::Machine& machine, const DeviationChoice& choice);
 
 /// A machine, and what its file cannot say: scales and the frame of the instrument.
 struct Geometry {

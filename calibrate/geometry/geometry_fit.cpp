@@ -42,6 +42,11 @@ class Standing : public ceres::EvaluationCallback {
         slopes_at_ = values;
     }
 
+    /// Derivatives at values of 0, which somebody has worked out already.
+    void start_with(const Eigen::MatrixXd& at_zero) {
+        slopes = at_zero * units_.asDiagonal();
+        slopes_at_ = Eigen::VectorXd::Zero(values.size());
+    }
     Eigen::VectorXd in_units() const { return values.cwiseProduct(units_); }
     const Eigen::VectorXd& units() const { return units_; }
     const WeightedErrors& errors() const { return errors_; }
@@ -148,6 +153,16 @@ rrs::CartPos aligned(const machine::Machine& machine, std::span<const MeasuredTi
     return rrs::CartPos(Eigen::umeyama(from, to, false));
 }
 
+double left_over_noise(const Standing& standing) {
+    double squares = 0;
+    for (Eigen::Index i = 0; i < standing.errors().count(); ++i) {
+        const double length =
+            standing.now.segment(standing.errors().first(i), standing.errors().size(i)).norm();
+        squares += length * std::min(length, kHuberFrom);
+    }
+    return std::sqrt(squares / static_cast<double>(standing.errors().size() - standing.values.size()));
+}
+
 std::vector<bool> outliers_of(const Standing& standing) {
     std::vector<bool> found;
     for (Eigen::Index i = 0; i < standing.errors().count(); ++i) {
@@ -179,16 +194,17 @@ class Task {
             return tl::unexpected<std::string>(
                 "these tips tell nothing of the machine's geometry: there are too few, or all is held");
         }
-        const bool by_list = std::all_of(tips_.begin(), tips_.end(), [](const MeasuredTip& tip) {
-            return tip.sigma_mm && (tip.sigma_deg || !tip.has_orientation);
-        });
-        fit_.noise_is_found = !by_list && !options_.noise_mm;
-        for (int round = 0; round < (fit_.noise_is_found ? kNoiseRounds : 1); ++round) {
+        for (const MeasuredTip& tip : tips_) {
+            fit_.noise_is_found = fit_.noise_is_found || !(options_.noise_mm || tip.sigma_mm);
+            finds_turns_ = finds_turns_ || (tip.has_orientation && !(options_.noise_deg || tip.sigma_deg));
+        }
+        for (int round = 0; round < (fit_.noise_is_found || finds_turns_ ? kNoiseRounds : 1); ++round) {
             const WeightedErrors errors(deviated_, chosen_, tips_, noise_);
             Standing standing(errors, chosen_);
+            if (round == 0) standing.start_with(first_slopes_);
             fit_.told = solve(standing);
             take(standing);
-            if (fit_.noise_is_found) look_at_noise(standing);
+            look_at_noise(standing);
         }
         return fit_;
     }
@@ -196,8 +212,10 @@ class Task {
   private:
     bool identified() {
         const WeightedErrors errors(deviated_, all_, tips_, noise_);
-        Identified found =
-            identify(errors.slopes(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all_.size()))), all_);
+        const Eigen::MatrixXd slopes =
+            errors.slopes(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all_.size())));
+        Identified found = identify(slopes, all_);
+        first_slopes_ = slopes(Eigen::all, found.chosen);
         for (const std::size_t i : found.chosen) chosen_.push_back(all_[i]);
         fit_.held = std::move(found.held);
         fit_.singular_values = std::move(found.singular_values);
@@ -214,6 +232,7 @@ class Task {
         fit_.after = tip_errors(fit_.geometry, tips_);
         fit_.outliers = outliers_of(standing);
         fit_.noise = noise_;
+        fit_.left_over_noise = left_over_noise(standing);
         fit_.found.clear();
         for (std::size_t i = 0; i < chosen_.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(i);
@@ -221,20 +240,21 @@ class Task {
         }
     }
 
-    /// Takes what is left of the errors for the noise of the next round. Turns keep their noise where it is
-    /// given.
+    /// Takes what is left of the errors for the noise of the next round, where it is not given.
     void look_at_noise(const Standing& standing) {
         std::vector<double> places, turns;
-        for (Eigen::Index i = 0; i < standing.errors().count(); ++i) {
-            const Eigen::Index first = standing.errors().first(i);
-            places.push_back(length_of(standing.now, first));
-            if (standing.errors().size(i) == 6) turns.push_back(length_of(standing.now, first + 3));
+        for (std::size_t i = 0; i < tips_.size(); ++i) {
+            const Eigen::Index first = standing.errors().first(static_cast<Eigen::Index>(i));
+            if (!tips_[i].sigma_mm) places.push_back(length_of(standing.now, first));
+            if (tips_[i].has_orientation && !tips_[i].sigma_deg)
+                turns.push_back(length_of(standing.now, first + 3));
         }
         const double freedom =
             1 - static_cast<double>(standing.values.size()) / static_cast<double>(standing.errors().size());
         constexpr double kLeast_mm = 1e-6, kLeast_deg = 1e-7;
-        noise_.mm = std::max(noise_.mm * noise_factor(std::move(places), freedom), kLeast_mm);
-        if (!options_.noise_deg)
+        if (fit_.noise_is_found)
+            noise_.mm = std::max(noise_.mm * noise_factor(std::move(places), freedom), kLeast_mm);
+        if (finds_turns_)
             noise_.deg = std::max(noise_.deg * noise_factor(std::move(turns), freedom), kLeast_deg);
     }
 
@@ -243,7 +263,9 @@ class Task {
     DeviatedMachine deviated_;
     std::vector<Deviation> all_;
     std::vector<Deviation> chosen_;
+    Eigen::MatrixXd first_slopes_;  ///< Of the chosen ones, at 0.
     Noise noise_;
+    bool finds_turns_ = false;
     GeometryFit fit_;
 };
 

@@ -37,10 +37,11 @@ struct GeometryFit {
     Eigen::VectorXd singular_values;  ///< See Identified.
     std::vector<TipError> before;     ///< Of each tip; in the instrument's frame by the best alignment alone.
     std::vector<TipError> after;
-    std::vector<bool> outliers;  ///< Tips that lie farther off than noise puts one in 10,000.
-    Noise noise;                 ///< As given, or as found.
-    bool noise_is_found = false;
-    std::string told;  ///< What the last fit ended with, in Ceres's words.
+    std::vector<bool> outliers;   ///< Tips that lie farther off than noise puts one in 10,000.
+    Noise noise;                  ///< As given, or as found.
+    bool noise_is_found = false;  ///< That of places was not given.
+    double left_over_noise = 0;   ///< Errors after over what noise makes of them: about 1 where all is well.
+    std::string told;             ///< What the last fit ended with, in Ceres's words.
 };
 
 /// Fits the deviations of `machine` that `tips` tell of: least squares of the errors in units of their noise,

@@ -14,6 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Errors after over noise from which on something else is among them.
+constexpr double kMuchLeft = 1.5;
+
 /// As people measure it: micrometres, seconds of arc, parts per million.
 struct Shown {
     double factor = 1;
@@ -101,8 +104,14 @@ std::string geometry_table(const GeometryFit& fit, std::span<const Squareness> s
     for (const std::size_t i : farthest_first(fit))
         text += fmt::format("{:<6} {:>12.2f} {:>12.2f}{}\n", i + 1, um(fit.before[i]), um(fit.after[i]),
                             fit.outliers[i] ? "  an outlier, which counts for little" : "");
-    return text + fmt::format("\n{}\nnoise {}: {:.2f} um a coordinate\n", summary_line(fit),
-                              fit.noise_is_found ? "found" : "as given", kMicrometresPerMm * fit.noise.mm);
+    text += fmt::format("\n{}\nnoise {}: {:.2f} um a coordinate", summary_line(fit),
+                        fit.noise_is_found ? "found" : "as given", kMicrometresPerMm * fit.noise.mm);
+    if (!fit.noise_is_found) text += fmt::format("; {:.2f} times what it makes is left", fit.left_over_noise);
+    if (fit.left_over_noise > kMuchLeft)
+        text +=
+            "\nmore is left than noise: the machine is off in ways that are not looked for, or tips are "
+            "less sure than was said";
+    return text + "\n";
 }
 
 std::string geometry_json(const GeometryFit& fit, std::span<const Squareness> squareness) {
@@ -112,6 +121,7 @@ std::string geometry_json(const GeometryFit& fit, std::span<const Squareness> sq
     json["noise_um"] = kMicrometresPerMm * fit.noise.mm;
     json["noise_arcsec"] = kArcsecPerDeg * fit.noise.deg;
     json["noise_is_found"] = fit.noise_is_found;
+    json["left_over_noise"] = fit.left_over_noise;
     Json& found = json["found"] = Json::array();
     for (const FoundDeviation& one : fit.found)
         found.push_back({{"name", one.deviation.name}, {"value", one.value}, {"spread", one.spread}});

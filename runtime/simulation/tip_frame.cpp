@@ -8,6 +8,27 @@
 
 namespace gsim::simulation {
 
+namespace {
+
+constexpr double kSquare = 1e-9;
+constexpr double kNearlySquare = 0.01;  // half a degree: no machine that is aligned is off by so much
+
+double off_square(const Eigen::Matrix3d& directions) {
+    return (directions.transpose() * directions - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+}
+
+/// Square directions for a machine whose slides are not quite so: that of X as it is, that of Y in the plane
+/// of both. A control that knows where its slides really go has programs written so.
+Eigen::Matrix3d made_square(const Eigen::Matrix3d& directions) {
+    Eigen::Matrix3d square;
+    square.col(0) = directions.col(0).normalized();
+    square.col(1) = (directions.col(1) - directions.col(1).dot(square.col(0)) * square.col(0)).normalized();
+    square.col(2) = square.col(0).cross(square.col(1)) * (directions.determinant() < 0 ? -1 : 1);
+    return square;
+}
+
+}  // namespace
+
 tl::expected<TipFrame, std::string> TipFrame::make(const motion::PlannerSetup& setup,
                                                    const rrs::JointPos& zero, const Eigen::Vector3d& tool_mm,
                                                    const Eigen::Vector3d& offset_mm) {
@@ -27,7 +48,9 @@ tl::expected<TipFrame, std::string> TipFrame::make(const motion::PlannerSetup& s
         moved[joint] += 1;
         frame.directions_.col(axis) = setup.kinematics->forward(moved) * tool_mm - frame.origin_mm_;
     }
-    if (!(frame.directions_.transpose() * frame.directions_).isIdentity(1e-9)) {
+    const double off = off_square(frame.directions_);
+    if (off > kSquare && off < kNearlySquare) frame.directions_ = made_square(frame.directions_);
+    if (!(off < kNearlySquare)) {
         return tl::unexpected(std::string(
             "tool-centre-point control needs X, Y and Z at right angles; those of this machine are "
             "not"));

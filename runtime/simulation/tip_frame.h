@@ -11,7 +11,8 @@ namespace gsim::simulation {
 
 /// Coordinates of the tip under tool-centre-point control: X, Y and Z are where the tip is, in the work,
 /// along the slides as they stand there while the rotary axes are at zero; the other axes are axes. With
-/// these at zero, and a tool of no length, the coordinates are the axes' own.
+/// these at zero, and a tool of no length, the coordinates are the axes' own. Where slides are not quite
+/// square (calibrated machines) the coordinates are: X is along its slide, Y in the plane of both.
 class TipFrame {
   public:
     /// `zero`: the joints with all axes at 0. `tool_mm`: the machine's tool centre point, as the program has

@@ -92,6 +92,24 @@ TEST(TipControl, WorkOffsetsAndIncrementsAreOfTheTip) {
     EXPECT_NEAR(r.moves[1].length_mm, std::sqrt(25 + 9 + 49), 1e-9);
 }
 
+// As calibration finds machines: coordinates are square though the slides are not.
+TEST(TipControl, SlidesThatAreNotQuiteSquareMakeSquareParts) {
+    Conditions crooked = on("mill-head-table");
+    crooked.machine.axes.at(1).frame = machine::Frame{.roll_deg = -0.03, .yaw_deg = 0.02};
+    const Outcome r =
+        run("G43.4 H0\nG92 X0 Y0 Z0\nG1 B30 C20 F1000\nG91 X5 Y-3 Z-7\nG90 X0 Y0 Z0\nM30\n", crooked);
+    ASSERT_TRUE(r.completed()) << r.message();
+    const Vector3d first = tip_after(r, 0);
+    const Vector3d step = tip_after(r, 1) - first;
+    // The slide of Y leans out of the plane of X and Y by 0.02 degrees: that plane is the part's.
+    const double lean = 0.02 * std::acos(-1.0) / 180;
+    const Vector3d y(0, std::cos(lean), std::sin(lean)), z(0, -std::sin(lean), std::cos(lean));
+    EXPECT_LT((step - (5 * Vector3d::UnitX() - 3 * y - 7 * z)).norm(), 1e-6) << step.transpose();
+    EXPECT_LT((tip_after(r, 2) - first).norm(), 1e-9);
+    crooked.machine.axes.at(1).frame->roll_deg = 2;
+    expect_alarm(run("G43.4 H0\nG1 X1 F100\n", crooked), "X, Y and Z at right angles");
+}
+
 TEST(TipControl, G49EndsItAndPlacesOfTheAxesAreRefused) {
     const Outcome r = run("G43.4 H1\nG1 B30 C20 F1000\nG49\nG53 G0 X1 Y2 Z300\nM30\n", on("mill-head-table"));
     ASSERT_TRUE(r.completed()) << r.message();
