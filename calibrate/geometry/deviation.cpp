@@ -256,6 +256,17 @@ Geometry DeviatedMachine::at(std::span<const Deviation> deviations, const Eigen:
     return found;
 }
 
+Geometry DeviatedMachine::with_nominal_turn(Geometry geometry) const {
+    const rrs::JointPos zero = rrs::JointPos::Zero(static_cast<Eigen::Index>(joints_.size()));
+    const auto turn = [&](const machine::Machine& machine) -> Eigen::Matrix3d {
+        return machine::make_kinematics(without_bodies(machine))->forward(zero).linear();
+    };
+    rrs::CartPos tool = machine::frame_pose(geometry.machine.tool);
+    tool.linear() = tool.linear() * turn(geometry.machine).transpose() * turn(nominal_.machine);
+    geometry.machine.tool = frame_of(tool);
+    return geometry;
+}
+
 TipFinder::TipFinder(const Geometry& geometry)
     : kinematics_(machine::make_kinematics(without_bodies(geometry.machine))),
       axes_(geometry.machine.axes),

@@ -73,6 +73,9 @@ class DeviatedMachine {
     /// behind it and the tool stay where they are. In the file it goes into the axis's `frame`, and its
     /// inverse into what follows on the same side.
     Geometry at(std::span<const Deviation> deviations, const Eigen::VectorXd& values) const;
+    /// The geometry with the tool turned about its tip so that with all joints at zero it stands against the
+    /// work as in the nominal one: for tips that tell nothing of that.
+    Geometry with_nominal_turn(Geometry geometry) const;
 
   private:
     Geometry nominal_;

@@ -196,6 +196,7 @@ class Task {
         }
         for (const MeasuredTip& tip : tips_) {
             fit_.noise_is_found = fit_.noise_is_found || !(options_.noise_mm || tip.sigma_mm);
+            turns_are_measured_ = turns_are_measured_ || tip.has_orientation;
             finds_turns_ = finds_turns_ || (tip.has_orientation && !(options_.noise_deg || tip.sigma_deg));
         }
         for (int round = 0; round < (fit_.noise_is_found || finds_turns_ ? kNoiseRounds : 1); ++round) {
@@ -229,6 +230,7 @@ class Task {
         fit_.covariance = standing.units().asDiagonal() * inverse * standing.units().asDiagonal();
         const Eigen::VectorXd values = standing.in_units();
         fit_.geometry = deviated_.at(chosen_, values);
+        if (!turns_are_measured_) fit_.geometry = deviated_.with_nominal_turn(std::move(fit_.geometry));
         fit_.after = tip_errors(fit_.geometry, tips_);
         fit_.outliers = outliers_of(standing);
         fit_.noise = noise_;
@@ -266,6 +268,7 @@ class Task {
     Eigen::MatrixXd first_slopes_;  ///< Of the chosen ones, at 0.
     Noise noise_;
     bool finds_turns_ = false;
+    bool turns_are_measured_ = false;
     GeometryFit fit_;
 };
 

@@ -140,6 +140,23 @@ TEST(GeometryClosedForm, TheFileIsTheMachine) {
     }
 }
 
+// Points tell nothing of how the tool is turned: poses of the file can still be reached where slides are
+// found to lie askew.
+TEST(GeometryClosedForm, TheToolKeepsItsDirectionWherePointsAloneAreMeasured) {
+    const Eigen::Matrix3d askew = Eigen::AngleAxisd(6e-4, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    const auto tips = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
+        return askew * Vector3d(axes[0], axes[1], axes[2]);
+    });
+    const GeometryFit fit = fitted(gantry(), tips);
+    EXPECT_LT(summary_of(fit.after).greatest_um, 1e-3);
+    const auto kinematics = machine::make_kinematics(fit.geometry.machine);
+    rrs::CartPos pose = rrs::CartPos::Identity();
+    pose.translation() = Vector3d(10, 20, -30);
+    const auto joints = kinematics->inverse(pose, rrs::JointPos::Zero(3));
+    ASSERT_TRUE(joints) << joints.error();
+    EXPECT_TRUE(kinematics->forward(*joints).isApprox(pose, 1e-9));
+}
+
 // One joint's line moves, and nothing else does while all stand at zero.
 TEST(GeometryClosedForm, ALineMovesAlone) {
     for (const char* name : {"arm6", "af5", "mill-table-table", "mill-head-table", "unlimited"}) {
