@@ -126,6 +126,9 @@ void add_options_of(engine::Document document, CommandLine& line, engine::Docume
             .shows_default();
         line.add("--forces", &options.forces,
                  "the trajectory has the forces and torques of the motors, and their power");
+        line.add("--following", &options.following,
+                 "the trajectory has the following errors of the axes, where the tip really is, and how far "
+                 "that is from its way");
     }
     if (document == engine::Document::plot) {
         line.add("--plot-plane", &options.plane,

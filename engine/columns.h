@@ -54,6 +54,21 @@ struct EffortColumns {
 /// Takes what a run has made since the last call, in the order of time.
 using TakeEfforts = std::function<void(const EffortColumns&)>;
 
+/// Where axes and tip really are over time (docs/servo.md), at the ends of steps of a millisecond at most,
+/// and longer ones where nothing changes.
+struct FollowingColumns {
+    /// One entry for each instant, in the order of time.
+    std::vector<double> t_s;
+    std::vector<std::uint32_t> line;
+    std::vector<float> contour_mm;  ///< Of the tip from the way of its set points; NaN: not known there.
+    std::vector<float> tip_mm;      ///< Three for each instant: the real tip on the part.
+    /// For each instant one for each axis: set point less place, mm, or deg of rotary ones.
+    std::vector<float> errors;
+};
+
+/// Takes what a run has made since the last call, in the order of time.
+using TakeFollowing = std::function<void(const FollowingColumns&)>;
+
 /// The most segments of a call.
 inline constexpr std::uint32_t kColumnChunk = 16'384;
 

@@ -47,6 +47,7 @@ inline constexpr double kLeastStep_s = 1e-6;
 struct DocumentOptions {
     double step_s = 0.01;      ///< Of a trajectory's samples.
     bool forces = false;       ///< A trajectory has those of the motors, and their power.
+    bool following = false;    ///< A trajectory has following and contour errors, and the real tip.
     std::string plane = "xy";  ///< Which a plot shows: "xy", "zx", "yz".
     bool bitmap = false;       ///< A plot becomes PNG, else SVG.
     std::string name = {};     ///< Of the file, for messages.
@@ -98,6 +99,8 @@ class GSIM_API Run {
     /// `observer`, which outlives the run, is told what it asks of its controller, for use on other machines
     /// (runtime/simulation/motion_replay.h).
     void observe_motion(simulation::MotionObserver& observer, std::size_t robot = 0);
+    /// Where axes and tip really are. The error: the machine file does not tell of servo loops.
+    tl::expected<void, Failure> take_following(TakeFollowing take, std::size_t robot = 0);
     void show_progress(Progress progress);
 
     /// Runs to the end, an alarm, a limit, or Request::cancel. What happened.

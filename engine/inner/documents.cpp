@@ -67,6 +67,11 @@ tl::expected<void, std::string> Documents::add_trajectory(TextStream& out, const
         if (simulator_.dynamics() == nullptr) return tl::unexpected(std::string(kNoMasses));
         trajectory->add_efforts(*simulator_.dynamics());
     }
+    if (options.following) {
+        const auto setup = simulator_.following_setup();
+        if (!setup) return tl::unexpected(std::string(kNoServos));
+        trajectory->add_following(*setup);
+    }
     trajectory_ = trajectory.get();
     add_output(std::move(trajectory));
     return {};
@@ -81,6 +86,7 @@ tl::expected<void, std::string> Documents::add_plot(TextSink sink, const Documen
     if (auto lacks = simulation::PlotData::lacks_axes(machine, *plane)) return tl::unexpected(*lacks);
     plot_ = std::make_unique<Plot>(machine, *plane, options.bitmap, std::move(sink));
     if (simulator_.dynamics() != nullptr) plot_->data.add_efforts(*simulator_.dynamics());
+    if (const auto setup = simulator_.following_setup()) plot_->data.add_following(*setup);
     simulator_.add_output(plot_->data);
     return {};
 }

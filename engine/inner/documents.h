@@ -27,6 +27,11 @@ namespace gsim::engine {
 inline constexpr std::string_view kNoMasses =
     "forces are asked for, and the machine file has no [dynamics] that tells of masses";
 
+/// The same of following errors.
+inline constexpr std::string_view kNoServos =
+    "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
+    "(position_gain_1_s)";
+
 /// What a run of one machine writes and hands out, attached to its simulator.
 class Documents {
   public:

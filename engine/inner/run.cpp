@@ -5,6 +5,7 @@
 
 #include "engine/inner/documents.h"
 #include "engine/inner/effort_columns.h"
+#include "engine/inner/following_columns.h"
 #include "engine/inner/guarded.h"
 #include "engine/inner/host_names.h"
 #include "engine/inner/machine_parts.h"
@@ -378,6 +379,13 @@ tl::expected<void, Failure> Run::take_efforts(TakeEfforts take, std::size_t robo
     const dynamics::Dynamics* dynamics = state_->simulator(robot).dynamics();
     if (dynamics == nullptr) return tl::unexpected(failure_of(DiagnosticKind::usage, std::string(kNoMasses)));
     state_->documents(robot).add_output(hand_out_efforts(std::move(take), *dynamics));
+    return {};
+}
+
+tl::expected<void, Failure> Run::take_following(TakeFollowing take, std::size_t robot) {
+    const auto setup = state_->simulator(robot).following_setup();
+    if (!setup) return tl::unexpected(failure_of(DiagnosticKind::usage, std::string(kNoServos)));
+    state_->documents(robot).add_output(hand_out_following(std::move(take), *setup));
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/dynamics/law_ends.h"
 #include "runtime/motion/joint_way.h"
 
 namespace gsim::dynamics {
@@ -21,17 +22,6 @@ constexpr double kOfShare = 1e-2;  // of a joint's work, for which of it goes in
 constexpr double kNoise = 1e-6;    // and what nobody misses, N2 or W: joints that stand go by rounding
 constexpr double kInside = 1e-9;   // of a part: how far its ends are taken inside
 constexpr double kShortest_s = 1e-12;
-
-void add_piece_ends(const motion::TimeLaw& law, std::vector<double>& ends_s) {
-    double end_s = 0;
-    for (const motion::LawPiece& piece : law.pieces()) ends_s.push_back(end_s += piece.duration_s);
-}
-
-void add_ends(const Segment& segment, std::vector<double>& ends_s) {
-    add_piece_ends(segment.lead, ends_s);
-    for (const motion::Follower& follower : segment.followers()) add_piece_ends(follower.law, ends_s);
-    if (segment.beside) add_ends(*segment.beside, ends_s);
-}
 
 bool turns_back(const Segment& segment) {
     return segment.beside != nullptr || segment.kind == motion::SegmentKind::circular;
@@ -75,7 +65,7 @@ EffortSample SegmentEfforts::at(const Segment& segment, double t_s, const rrs::J
 
 void SegmentEfforts::split(const Segment& segment) {
     ends_s_.clear();
-    add_ends(segment, ends_s_);
+    add_law_ends(segment, ends_s_);
     if (turns_back(segment)) {
         for (int joint = 0; joint < dynamics_.joint_count(); ++joint)
             motion::add_turns(segment, joint, ends_s_);

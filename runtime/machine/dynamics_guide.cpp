@@ -60,6 +60,18 @@ std::vector<GuideKey> drive_guide(bool rotary) {
         std::move(peaks)};
 }
 
+std::vector<GuideKey> servo_guide() {
+    const NumberRange to_one{.least = 0, .greatest = 1};
+    return {
+        number_key("position_gain_1_s", {.least = 1}, "",
+                   "gain Kv of its position loop, for following errors; else that of the controller"),
+        number_key("velocity_feed_forward", to_one, "0.0", "share of the speed that its loop is given ahead"),
+        number_key("acceleration_feed_forward", to_one, "0.0",
+                   "share of what the acceleration needs because of velocity_lag_s, given ahead"),
+        number_key("velocity_lag_s", to_one, "0.0", "time constant of its velocity loop"),
+        number_key("command_delay_s", to_one, "0.0", "how late its loop gets the set points")};
+}
+
 std::vector<GuideTable> dynamics_guide() {
     return {{.at = {"dynamics"},
              .meaning = "that forces and torques of the motors are worked out",

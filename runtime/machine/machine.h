@@ -18,6 +18,7 @@
 #include "runtime/machine/link_shape.h"
 #include "runtime/machine/process.h"
 #include "runtime/machine/program_table.h"
+#include "runtime/machine/servo_table.h"
 #include "runtime/machine/word_times.h"
 #include "runtime/rrs/controller_rules.h"
 
@@ -82,6 +83,8 @@ struct Axis {
     /// Home positions 2 to 4, where the axis has a value there.
     std::array<std::optional<double>, kHomes - 1> other_homes = {};
     Drive drive = {};
+    /// Where the file tells of one: following errors are worked out then, of all axes.
+    std::optional<Servo> servo = std::nullopt;
 
     double deceleration() const { return max_deceleration.value_or(max_acceleration); }
     bool operator==(const Axis&) const = default;

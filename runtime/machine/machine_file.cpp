@@ -15,6 +15,7 @@
 #include "runtime/machine/link_shapes.h"
 #include "runtime/machine/process_section.h"
 #include "runtime/machine/program_section.h"
+#include "runtime/machine/servo_section.h"
 #include "runtime/machine/times_section.h"
 
 namespace gsim::machine {
@@ -58,6 +59,7 @@ struct AxisKeys {
         keys.insert(keys.end(), homes.begin(), homes.end());
         if (!turning.empty()) keys.push_back(turning);
         for (const std::string_view key : drive_keys(of)) keys.push_back(key);
+        for (const std::string_view key : servo_keys()) keys.push_back(key);
         return keys;
     }
 };
@@ -213,6 +215,7 @@ Axis read_axis(FirstError& error, const toml::table& table) {
     if (axis.kind == AxisKind::rotary) axis.turning = read_turning(section, keys, axis);
     read_joint(error, section, axis);
     axis.drive = read_drive(section, table, axis.kind);
+    axis.servo = read_servo(section);
     return axis;
 }
 
@@ -272,6 +275,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;
     if (const auto fault = find_controller_fault(machine)) file.fail("controller", *fault);
+    if (const auto fault = find_servo_fault(machine)) file.fail("axis", *fault);
     return machine;
 }
 

@@ -164,6 +164,7 @@ GuideTable axis_table(bool rotary, const std::string& unit) {
     table.keys.push_back(
         table_key("dh", "instead of direction: its row of the Denavit-Hartenberg table, behind the frame"));
     for (GuideKey& key : drive_guide(rotary)) table.keys.push_back(std::move(key));
+    for (GuideKey& key : servo_guide()) table.keys.push_back(std::move(key));
     return table;
 }
 

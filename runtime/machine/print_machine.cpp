@@ -11,6 +11,7 @@
 #include "runtime/machine/print_shapes.h"
 #include "runtime/machine/process_section.h"
 #include "runtime/machine/program_section.h"
+#include "runtime/machine/servo_section.h"
 #include "runtime/machine/times_section.h"
 
 namespace gsim::machine {
@@ -94,6 +95,7 @@ void print_axis(TomlText& out, const Axis& axis) {
     if (axis.turning != Turning::limited) out.line("turning", name(axis.turning));
     print_joint(out, axis);
     print_drive(out, axis);
+    print_servo(out, axis);
 }
 
 }  // namespace

@@ -104,8 +104,24 @@ void PlotData::add_efforts_of(const Segment& segment) {
     }
 }
 
+void PlotData::add_following(const FollowingSetup& setup) {
+    servos_.emplace(setup);
+    following_.resize(machine_.axes.size());
+}
+
+void PlotData::add_following_at(double t_s) {
+    const FollowingInstant instant = servos_->at(t_s);
+    for (std::size_t axis = 0; axis < following_.size(); ++axis) {
+        const double error = instant.errors[static_cast<Eigen::Index>(axis)];
+        const bool linear = machine_.axes[axis].kind == machine::AxisKind::linear;
+        following_[axis].add({.t_s = t_s, .value = linear ? error : error * kDegPerRad});
+    }
+    if (instant.contour_mm) contour_.add({.t_s = t_s, .value = *instant.contour_mm});
+}
+
 void PlotData::begin(const rrs::JointPos& start) {
     at_ = start;
+    if (servos_) servos_->begin(start);
     path_.add(seen(start), PathStyle::rapid);
 }
 
@@ -117,7 +133,16 @@ void PlotData::take(const Segment& segment, const MoveInfo& info) {
     add_acceleration(segment, style);
     add_feed(segment, info);
     if (motors_) add_efforts_of(segment);
+    if (servos_) {
+        const auto add = [this](double, double to_s) { add_following_at(to_s); };
+        servos_->enter(segment, info, add);
+        servos_->leave(add);
+    }
     at_ = segment.end_position();
+}
+
+void PlotData::end(double end_s) {
+    if (servos_) servos_->go_to(end_s, [this](double, double to_s) { add_following_at(to_s); });
 }
 
 void PlotData::mark_pierce(const Segment& segment, bool jet_on) {

@@ -9,6 +9,7 @@
 
 #include "runtime/dynamics/segment_efforts.h"
 #include "runtime/machine/machine.h"
+#include "runtime/simulation/following_motion.h"
 #include "runtime/simulation/path_thinner.h"
 #include "runtime/simulation/run_output.h"
 #include "runtime/simulation/time_buckets.h"
@@ -34,12 +35,15 @@ class PlotData : public RunOutput {
     explicit PlotData(const machine::Machine& machine, Plane plane = Plane::xy);
     /// Before the run: the picture shows what the motors bring up, too. `dynamics` must outlive this.
     void add_efforts(const dynamics::Dynamics& dynamics);
+    /// Before the run: it shows following errors, too.
+    void add_following(const FollowingSetup& setup);
     /// The sentence that the machine has not the axes of a side view; nothing where it has.
     static std::optional<std::string> lacks_axes(const machine::Machine& machine, Plane plane);
 
     using RunOutput::take;
     void begin(const rrs::JointPos& start) override;
     void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void end(double end_s) override;
 
     /// Where bodies of the cell touch, and behind all else where an alarm ends the run.
     void mark_collision(const rrs::JointPos& joints);
@@ -56,6 +60,11 @@ class PlotData : public RunOutput {
         return efforts_.empty() ? std::vector<TimePoint>() : efforts_[axis].points();
     }
     bool has_efforts() const { return !efforts_.empty(); }
+    /// How far an axis is behind its set points, mm or deg.
+    std::vector<TimePoint> following(std::size_t axis) const { return following_[axis].points(); }
+    bool has_following() const { return !following_.empty(); }
+    /// How far the tip is from the way of its set points, mm; where that is known.
+    std::vector<TimePoint> contour() const { return contour_.points(); }
     const std::vector<machine::Axis>& axes() const { return machine_.axes; }
     /// The machine's limit of acceleration along the path, mm/s2; infinite where it has none.
     double max_acceleration_mm_s2() const { return machine_.path.max_acceleration_mm_s2; }
@@ -76,6 +85,7 @@ class PlotData : public RunOutput {
     void add_acceleration(const motion::Segment& segment, PathStyle style);
     void add_acceleration_of_joints(const motion::Segment& segment, PathStyle style);
     void add_efforts_of(const motion::Segment& segment);
+    void add_following_at(double t_s);
     void add_rest(const motion::Segment& segment, PathStyle style);
     void add_feed(const motion::Segment& segment, const MoveInfo& info);
 
@@ -91,6 +101,9 @@ class PlotData : public RunOutput {
     TimeBuckets feed_;
     std::optional<dynamics::SegmentEfforts> motors_;
     std::vector<TimeBuckets> efforts_;  ///< By axis.
+    std::optional<FollowingMotion> servos_;
+    std::vector<TimeBuckets> following_;  ///< By axis.
+    TimeBuckets contour_;
 };
 
 }  // namespace gsim::simulation

@@ -8,6 +8,7 @@
 
 #include "runtime/simulation/gnuplot_script.h"
 #include "runtime/simulation/plot_efforts.h"
+#include "runtime/simulation/plot_following.h"
 
 namespace gsim::simulation {
 
@@ -293,7 +294,8 @@ double path_height_px(const Extents& extents) {
 std::string plot_script(const PlotData& data, PictureFormat format, std::string_view title) {
     const Extents path_extents = extents(data.path());
     const double path_px = path_height_px(path_extents) + kMargin_px;
-    const std::size_t panels = 2 + effort_panels(data);
+    const std::size_t efforts = effort_panels(data);
+    const std::size_t panels = 2 + efforts + following_panels(data);
     const double height_px = kTitle_px + path_px + static_cast<double>(panels) * kOverTime_px;
     const double time_share = kOverTime_px / height_px;
 
@@ -325,7 +327,11 @@ std::string plot_script(const PlotData& data, PictureFormat format, std::string_
     add_acceleration_panel(script, data);
     for (std::size_t i = 0; i + 2 < panels; ++i) {
         stand(panels - 3 - i);
-        add_effort_panel(script, data, i);
+        if (i < efforts) {
+            add_effort_panel(script, data, i);
+        } else {
+            add_following_panel(script, data, i - efforts);
+        }
     }
     script.line("unset multiplot");
     return script.take();

@@ -9,6 +9,7 @@
 #include "runtime/motion/override_schedule.h"
 #include "runtime/rrs/types.h"
 #include "runtime/simulation/effort_report.h"
+#include "runtime/simulation/following_report.h"
 #include "runtime/simulation/move.h"
 
 namespace gsim::simulation {
@@ -266,7 +267,8 @@ struct Report {
     std::optional<OverrideReport> overrides;  ///< Where the operator turned one.
     std::vector<SlowBlock> slowest;           ///< At most ten, longest first.
     std::optional<Explanation> explanation;
-    std::optional<EffortReport> efforts;  ///< Where the machine file tells of masses.
+    std::optional<EffortReport> efforts;       ///< Where the machine file tells of masses.
+    std::optional<FollowingReport> following;  ///< Where it tells of servo loops.
     std::optional<CellFindings> cell;
     std::vector<ProcessSummary> processes;  ///< None where there was but the program.
     std::vector<SignalChange> signals;

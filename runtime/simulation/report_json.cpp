@@ -4,6 +4,7 @@
 #include "base/text/diagnostic_json.h"
 #include "runtime/simulation/report_diagnostics.h"
 #include "runtime/simulation/report_efforts.h"
+#include "runtime/simulation/report_following.h"
 #include "runtime/simulation/report_values.h"
 #include "runtime/simulation/robots_report.h"
 
@@ -283,6 +284,7 @@ Json object(const Report& report) {
     if (report.interval)
         json["cycle_time_95_s"] = {number(report.interval->least_s), number(report.interval->most_s)};
     if (report.efforts) json["efforts"] = efforts_json(report);
+    if (report.following) json["following"] = following_json(report);
     if (report.cell) {
         json["cell"] = {{"name", report.cell->name},
                         {"clearance_mm", number(report.cell->clearance_mm)},

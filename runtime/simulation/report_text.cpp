@@ -8,6 +8,7 @@
 #include "base/text/number.h"
 #include "runtime/simulation/report.h"
 #include "runtime/simulation/report_efforts.h"
+#include "runtime/simulation/report_following.h"
 #include "runtime/simulation/report_words.h"
 
 namespace gsim::simulation {
@@ -374,6 +375,7 @@ std::string to_text(const Report& report) {
     add_bounds(out, report);
     add_cell(out, report);
     if (report.efforts) out.lines(efforts_text(report));
+    if (report.following) out.lines(following_text(report));
     add_slowest(out, report);
     add_events(out, report);
     add_processes(out, report);

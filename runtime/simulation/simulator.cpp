@@ -9,6 +9,7 @@
 
 #include "base/units.h"
 #include "runtime/motion/axis_space.h"
+#include "runtime/simulation/following_watch.h"
 #include "runtime/simulation/module_motion.h"
 #include "runtime/simulation/planner_motion.h"
 
@@ -64,12 +65,13 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
     if (sampled()) recorder_.add_output(steps_);
     recorder_.add_output(process_);
     recorder_.add_output(way_deviation_);
+    follow_servos();
     if (!limits_.stop_at_first) zones_.go_on([this](const ZoneHit& hit) { add_zone_violation(hit); });
     start();
 }
 
 std::unique_ptr<MotionSource> Simulator::make_motion(std::optional<rrs::RcsModule> module) {
-    if (!module) return std::make_unique<PlannerMotion>(setup_, zones_, way_deviation_);
+    if (!module) return std::make_unique<PlannerMotion>(setup_, zones_, ways_);
     return std::make_unique<ModuleMotion>(*std::move(module), setup_, limits_.max_time_s, zones_);
 }
 
@@ -391,6 +393,7 @@ Report Simulator::finish(std::string program) {
     add_cell_findings(report);
     if (efforts_) report.efforts = efforts_->report(programs_);
     add_interval(report);
+    add_following(report);
     report.files = files_;
     return report;
 }

@@ -18,6 +18,7 @@
 #include "runtime/simulation/commands.h"
 #include "runtime/simulation/effort_watch.h"
 #include "runtime/simulation/event_log.h"
+#include "runtime/simulation/following_setup.h"
 #include "runtime/simulation/interval_watch.h"
 #include "runtime/simulation/motion_observer.h"
 #include "runtime/simulation/motion_source.h"
@@ -35,9 +36,12 @@
 #include "runtime/simulation/tool_tips.h"
 #include "runtime/simulation/violation_log.h"
 #include "runtime/simulation/way_deviation.h"
+#include "runtime/simulation/way_sinks.h"
 #include "runtime/simulation/zone_watch.h"
 
 namespace gsim::simulation {
+
+class FollowingWatch;
 
 /// Bounds of a run that ends itself by none of its own words.
 struct RunLimits {
@@ -61,6 +65,7 @@ class Simulator {
     /// The machine stands at its home. Its controller is `module`, made for setup_of_machine(machine), or our
     /// own planner. Throws std::invalid_argument where the machine cannot be planned for.
     Simulator(machine::Machine machine, RunLimits limits, std::optional<rrs::RcsModule> module = {});
+    ~Simulator();
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
 
@@ -85,6 +90,9 @@ class Simulator {
     /// The same of one that is told what the program asks for; one at most.
     void set_observer(ProgramObserver& observer);
 
+    /// What following errors come of, as long as the simulator lives; nothing where the machine does not tell
+    /// of servo loops.
+    std::optional<FollowingSetup> following_setup() const;
     const machine::Machine& machine() const { return machine_; }
     /// Axis values at the end of the last move; under tool-centre-point control X, Y and Z of the tip.
     const AxisVector& position() const { return position_; }
@@ -268,6 +276,8 @@ class Simulator {
     motion::Move new_move(const MoveInfo& info) const;
     void set_time_of(const Feed& feed, bool rotary, motion::Move& move);
     void warn_of_jerk();
+    void follow_servos();
+    void add_following(Report& report) const;
     bool takes_ramps();
     template <typename Change>
     void change_ramps(const Change& change);
@@ -332,7 +342,8 @@ class Simulator {
     bool controller_has_cell_ = false;  ///< Its services know the frames of cell_.
     std::shared_ptr<const dynamics::Dynamics> dynamics_;
     std::optional<EffortWatch> efforts_;
-    std::optional<IntervalWatch> interval_;  ///< Of a machine that is calibrated.
+    std::optional<IntervalWatch> interval_;             ///< Of a machine that is calibrated.
+    std::unique_ptr<FollowingWatch> following_;         ///< Where the machine tells of servo loops.
     std::vector<std::string> programs_{std::string()};  ///< Names that MoveInfo::program counts.
     std::vector<std::uint16_t> open_programs_;          ///< The innermost last.
     EventLog events_;
@@ -342,6 +353,7 @@ class Simulator {
     motion::PlannerSetup setup_;
     motion::MachineFrames machine_frames_;  ///< As the program has set them.
     WayDeviation way_deviation_;
+    WaySinks ways_;
     std::unique_ptr<MotionSource> motion_;
     std::array<int, 3> space_axes_;      ///< Index of X, Y and Z; -1 where the machine has no such axis.
     std::optional<TipFrame> tip_frame_;  ///< Under tool-centre-point control, with this offset:

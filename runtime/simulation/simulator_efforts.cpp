@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "runtime/simulation/following_watch.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -10,6 +11,28 @@ void Simulator::set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics)
     dynamics_ = std::move(dynamics);
     if (dynamics_ == nullptr) return;
     recorder_.add_output(efforts_.emplace(machine_, *dynamics_));
+}
+
+Simulator::~Simulator() = default;
+
+void Simulator::follow_servos() {
+    ways_.add(way_deviation_);
+    const auto setup = following_setup();
+    if (!setup) return;
+    following_ = std::make_unique<FollowingWatch>(*setup);
+    ways_.add(following_->ways());
+    recorder_.add_output(*following_);
+}
+
+void Simulator::add_following(Report& report) const {
+    if (following_ == nullptr) return;
+    report.following = following_->report();
+    if (sampled()) report.following->program.reset();  // a module tells no ways
+}
+
+std::optional<FollowingSetup> Simulator::following_setup() const {
+    if (!has_servos(machine_)) return std::nullopt;
+    return FollowingSetup{machine_, setup_, tips_.list_mm()};
 }
 
 // Programs past the most that can be counted go as the main one.

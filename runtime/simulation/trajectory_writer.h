@@ -5,6 +5,7 @@
 
 #include "runtime/dynamics/segment_efforts.h"
 #include "runtime/machine/machine.h"
+#include "runtime/simulation/following_motion.h"
 #include "runtime/simulation/sampler.h"
 #include "runtime/simulation/text_stream.h"
 
@@ -24,20 +25,30 @@ class TrajectoryWriter : public Sampler {
     /// outlive this.
     void add_efforts(const dynamics::Dynamics& dynamics) { efforts_.emplace(dynamics); }
 
+    /// Before the run: each sample has how far axes and tip are from where they should be, and the real tip.
+    void add_following(const FollowingSetup& setup) { following_.emplace(setup); }
+
     /// Whether samples are missing, as there would be too many.
     bool cut_short() const { return cut_short_; }
 
+    using RunOutput::take;
     void begin(const rrs::JointPos& start) override;
+    void take(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
   private:
     void write_header();
     void write_efforts(const rrs::JointPos& joints);
+    void write_following(double t_s);
+    void enter_segment(const motion::Segment& segment);
     bool sample(double t_s, const rrs::JointPos& joints, double speed_mm_s, std::uint32_t line) override;
 
     TextStream& out_;
     const machine::Machine& machine_;
     std::optional<dynamics::SegmentEfforts> efforts_;
+    std::optional<FollowingMotion> following_;
+    MoveInfo info_;         // of the segment that is sampled,
+    bool entered_ = false;  // which following_ knows
     std::uint64_t most_samples_;
     std::uint64_t samples_ = 0;
     bool cut_short_ = false;

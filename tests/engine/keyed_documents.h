@@ -26,10 +26,12 @@ letter = "X"
 kind = "linear"
 direction = "x"
 frame = {}
+position_gain_1_s = 30.0
 [[axis]]
 letter = "C"
 kind = "rotary"
 dh = {}
+position_gain_1_s = 30.0
 [[group]]
 name = "g"
 axes = ["C"]

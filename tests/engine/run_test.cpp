@@ -277,5 +277,52 @@ TEST(Run, HandsOutWhatTheMotorsBringUp) {
     EXPECT_NEAR(*std::max_element(all.power_w.begin(), all.power_w.end()), 11, 1e-4);
 }
 
+// 100 mm at 0.1 m/s, from the start on, and an axis that is a fiftieth of a second behind.
+constexpr const char* kSlow = R"([machine]
+name = "slow"
+[[axis]]
+letter = "X"
+kind = "linear"
+direction = "x"
+max_speed_mm_s = 100
+position_gain_1_s = 50
+)";
+
+TEST(Run, HandsOutWhereAxesAndTipReallyAre) {
+    Request request = request_of("over.nc", {{"over.nc", "G0 X100\nM2\n"}, {"slow.toml", kSlow}});
+    request.machine = "slow.toml";
+    engine::Run run = prepared(std::move(request));
+    FollowingColumns all;
+    ASSERT_TRUE(run.take_following([&](const FollowingColumns& some) { all = some; }));
+    ASSERT_TRUE(run.go());
+    ASSERT_GT(all.t_s.size(), 10U);
+    ASSERT_EQ(all.errors.size(), all.t_s.size());
+    ASSERT_EQ(all.tip_mm.size(), 3 * all.t_s.size());
+    EXPECT_TRUE(std::is_sorted(all.t_s.begin(), all.t_s.end()));
+    for (std::size_t i = 0; i < all.t_s.size(); ++i) {
+        const double behind_mm = 2 * (1 - std::exp(-50 * all.t_s[i]));
+        EXPECT_NEAR(all.errors[i], behind_mm, 1e-5) << all.t_s[i];
+        EXPECT_NEAR(all.tip_mm[3 * i], 100 * all.t_s[i] - behind_mm, 1e-4);
+        EXPECT_NEAR(all.contour_mm[i], 0, 1e-6);
+        EXPECT_EQ(all.line[i], 1U);
+    }
+}
+
+TEST(Run, NoServoLoopsNoFollowingErrors) {
+    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
+    request.machine = "lift.toml";
+    engine::Run run = prepared(std::move(request));
+    const std::string sentence =
+        "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
+        "(position_gain_1_s)";
+    const auto taken = run.take_following([](const FollowingColumns&) {});
+    ASSERT_FALSE(taken);
+    EXPECT_EQ(taken.error().message, sentence);
+    const auto written =
+        run.write(Document::trajectory, [](std::string_view) { return true; }, {.following = true});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().message, sentence);
+}
+
 }  // namespace
 }  // namespace gsim::engine::run_test

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "runtime/motion/way_sink.h"
+
+namespace gsim::simulation {
+
+/// Tells several what one is told.
+class WaySinks final : public motion::WaySink {
+  public:
+    /// `sink` outlives this.
+    void add(motion::WaySink& sink) { sinks_.push_back(&sink); }
+
+    void programmed(const motion::PathMove& move) override {
+        for (motion::WaySink* sink : sinks_) sink->programmed(move);
+    }
+    void take_back() override {
+        for (motion::WaySink* sink : sinks_) sink->take_back();
+    }
+    void forget() override {
+        for (motion::WaySink* sink : sinks_) sink->forget();
+    }
+
+  private:
+    std::vector<motion::WaySink*> sinks_;
+};
+
+}  // namespace gsim::simulation

@@ -1,0 +1,83 @@
+// Distances from the way of the set points, against lines and circles.
+#include "runtime/simulation/set_point_way.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace gsim::simulation {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(SetPointWay, PointAloneAndLines) {
+    SetPointWay way;
+    way.begin({1, 2, 3});
+    EXPECT_NEAR(way.distance_mm({1, 2, 7}), 4, 1e-12);
+    way.add_line({11, 2, 3}, 1, false);
+    way.add_line({11, 12, 3}, 2, false);
+    EXPECT_NEAR(way.distance_mm({5, 1, 3}), 1, 1e-12);
+    EXPECT_NEAR(way.distance_mm({14, 15, 3}), std::hypot(3, 3), 1e-12);
+    EXPECT_NEAR(way.distance_mm({9, 5, 3}), 2, 1e-12);
+    way.add_line({11, 32, 3}, 3, true);  // the last line is longer now
+    EXPECT_NEAR(way.distance_mm({14, 30, 3}), 3, 1e-12);
+}
+
+TEST(SetPointWay, WhatIsForgottenDoesNotCount) {
+    SetPointWay way;
+    way.begin({0, 0, 0});
+    way.add_line({10, 0, 0}, 1, false);
+    way.add_line({10, 10, 0}, 2, false);
+    way.forget_before(1.5);
+    EXPECT_NEAR(way.distance_mm({2, 0, 0}), 8, 1e-12);
+    way.forget_before(9);  // the last piece stays
+    EXPECT_NEAR(way.distance_mm({10, 5, 0}), 0, 1e-12);
+}
+
+// Pieces of a twentieth of a radian are the circle to a millionth of a per mille.
+TEST(SetPointWay, CircleByItsPieces) {
+    constexpr double kRadius_mm = 50, kStep_rad = 0.05;
+    SetPointWay way;
+    way.begin({kRadius_mm, 0, 0});
+    const auto end = [&](double phi) {
+        return SetPointWay::End{kRadius_mm * Vector3d(std::cos(phi), std::sin(phi), 0),
+                                kStep_rad * kRadius_mm * Vector3d(-std::sin(phi), std::cos(phi), 0)};
+    };
+    for (int i = 0; i < 60; ++i) way.add_curve(end(i * kStep_rad), end((i + 1) * kStep_rad), i);
+    std::mt19937 random(5);
+    for (int i = 0; i < 1000; ++i) {
+        const double phi = std::uniform_real_distribution<double>(0.05, 2.95)(random);
+        const double off = std::uniform_real_distribution<double>(-20, 20)(random);
+        const Vector3d point = (kRadius_mm + off) * Vector3d(std::cos(phi), std::sin(phi), 0);
+        EXPECT_NEAR(way.distance_mm(point), std::abs(off), 1e-6);
+    }
+}
+
+// Whichever piece is looked at first, the nearest is found: against looking at points of all of them.
+TEST(SetPointWay, RandomWaysAgainstAllTheirPoints) {
+    std::mt19937 random(11);
+    const auto any = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(random); };
+    for (int round = 0; round < 50; ++round) {
+        SetPointWay way;
+        Vector3d at(any(1), any(1), any(1));
+        way.begin(at);
+        std::vector<Vector3d> points{at};
+        for (int i = 0; i < 40; ++i) {
+            const Vector3d to = at + Vector3d(any(3), any(3), any(1));
+            way.add_line(to, i, false);
+            for (int k = 1; k <= 1000; ++k) points.push_back(at + k / 1000.0 * (to - at));
+            at = to;
+        }
+        for (int i = 0; i < 20; ++i) {
+            const Vector3d point(any(8), any(8), any(3));
+            double least = 1e9;
+            for (const Vector3d& other : points) least = std::min(least, (other - point).norm());
+            EXPECT_NEAR(way.distance_mm(point), least, 1e-3);
+            EXPECT_LE(way.distance_mm(point), least + 1e-12);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gsim::simulation
