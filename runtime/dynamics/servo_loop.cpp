@@ -18,18 +18,17 @@ Waves damped(double decay_1_s, double square, double t_s) {
     const double root = std::sqrt(std::abs(square));
     const double angle = root * t_s;
     const double fade = std::exp(-decay_1_s * t_s);
-    if (angle < 1e-4) {  // the next terms are below rounding
-        const double next = square * t_s * t_s;
-        return {fade * (1 + next / 2), fade * t_s * (1 + next / 6)};
+    if (angle < 0.1) {  // by their series: the next terms are below rounding
+        const double n = square * t_s * t_s;
+        return {fade * (1 + n / 2 * (1 + n / 12 * (1 + n / 30 * (1 + n / 56)))),
+                fade * t_s * (1 + n / 6 * (1 + n / 20 * (1 + n / 42 * (1 + n / 72))))};
     }
     if (square < 0) return {fade * std::cos(angle), fade * std::sin(angle) / root};
     // The slow pole by the product of both, so that none is a difference of near numbers.
     const double fast_1_s = decay_1_s + root;
     const double slow_1_s = (decay_1_s * decay_1_s - square) / fast_1_s;
-    const double slow = std::exp(-slow_1_s * t_s);
-    const double odd =
-        angle < 1 ? fade * std::sinh(angle) / root : (slow - std::exp(-fast_1_s * t_s)) / (2 * root);
-    return {(slow + std::exp(-fast_1_s * t_s)) / 2, odd};
+    const double slow = std::exp(-slow_1_s * t_s), fast = std::exp(-fast_1_s * t_s);
+    return {(slow + fast) / 2, (slow - fast) / (2 * root)};
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ std::vector<GuideKey> servo_guide() {
         number_key("velocity_feed_forward", to_one, "0.0", "share of the speed that its loop is given ahead"),
         number_key("acceleration_feed_forward", to_one, "0.0",
                    "share of what the acceleration needs because of velocity_lag_s, given ahead"),
-        number_key("velocity_lag_s", to_one, "0.0", "time constant of its velocity loop"),
+        number_key("velocity_lag_s", {.least = 1e-6, .greatest = 1, .or_zero = true}, "0.0",
+                   "time constant of its velocity loop"),
         number_key("command_delay_s", to_one, "0.0", "how late its loop gets the set points")};
 }
 

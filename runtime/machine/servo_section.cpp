@@ -19,11 +19,12 @@ constexpr double kLeastGain_1_s = 1;
 struct ServoKey {
     std::string_view key;
     double Servo::*value;
+    NumberRule rule = NumberRule::not_negative;
 };
 
 constexpr std::array kToOne{ServoKey{"velocity_feed_forward", &Servo::velocity_feed_forward},
                             ServoKey{"acceleration_feed_forward", &Servo::acceleration_feed_forward},
-                            ServoKey{"velocity_lag_s", &Servo::velocity_lag_s},
+                            ServoKey{"velocity_lag_s", &Servo::velocity_lag_s, NumberRule::step},
                             ServoKey{"command_delay_s", &Servo::command_delay_s}};
 
 }  // namespace
@@ -43,7 +44,7 @@ std::optional<Servo> read_servo(TomlSection& axis) {
     if (axis.has(kGain) && servo.position_gain_1_s < kLeastGain_1_s)
         axis.fail(kGain, fmt::format("'{}' must be 1 or greater; it is {}", kGain, servo.position_gain_1_s));
     for (const ServoKey& key : kToOne) {
-        const double value = axis.number(key.key, 0, NumberRule::not_negative);
+        const double value = axis.number(key.key, 0, key.rule);
         if (value > 1) axis.fail(key.key, fmt::format("'{}' must be from 0 to 1; it is {}", key.key, value));
         servo.*key.value = value;
     }
