@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kTried = 3;             // of all candidates, by cross-validation
 constexpr double kNear = 1.25;                // of the best fit's error: what comes so near is tried, too
-constexpr std::size_t kRefined = 6;           // times at most
+constexpr std::size_t kRefined = 4;           // times at most
 constexpr double kWorthTrying = 0.95;         // of the fit's error: what lessens it by less is not tried
 constexpr int kSteps = 12;                    // of a fit; what is chosen is fitted to its end
 constexpr int kStepsOfPart = 3;               // from what was fitted to all runs
@@ -22,6 +22,7 @@ constexpr double kErrorsOfKind = 1;           // standard errors
 constexpr double kErrorsOfRefinement = 2;     // of which there are many, so that one may seem to help
 constexpr double kPlainGain_percent = 0.1;    // where it is so much, too
 constexpr double kPlainGain = 0.1;            // of the mean error
+constexpr double kGoodEnough_percent = 0.3;   // in the mean: then the second best is not refined
 constexpr double kNearEnough_percent = 0.02;  // in the mean: less is not looked for
 
 /// Places of the runs in a part of several, or of those outside it.
@@ -152,7 +153,9 @@ void sort_by_fit(std::vector<Tried>& tried, const Trial& trial) {
     });
 }
 
-std::optional<Tried> best_of(std::span<const Candidate> candidates, Trial& trial) {
+/// Those of the candidates that could be cross-validated: the one to take first, then the others by how well
+/// they foretell.
+std::vector<Tried> tried_candidates(std::span<const Candidate> candidates, Trial& trial) {
     std::vector<Tried> fitted;
     for (const Candidate& candidate : candidates) {
         if (auto tried = trial.fit(candidate)) fitted.push_back(*std::move(tried));
@@ -161,16 +164,22 @@ std::optional<Tried> best_of(std::span<const Candidate> candidates, Trial& trial
     const auto is_near = [&](std::size_t place) {
         return trial.fitted_percent(fitted[place]) < kNear * trial.fitted_percent(fitted.front());
     };
-    std::size_t tried = std::min(fitted.size(), kTried);
-    while (tried < fitted.size() && is_near(tried)) ++tried;
-    fitted.resize(tried);
+    std::size_t count = std::min(fitted.size(), kTried);
+    while (count < fitted.size() && is_near(count)) ++count;
+    fitted.resize(count);
     std::erase_if(fitted, [&](Tried& each) { return !trial.cross_validate(each); });
     std::sort(fitted.begin(), fitted.end(), [](const Tried& a, const Tried& b) { return a.score < b.score; });
-    std::optional<Tried> best;
-    for (Tried& each : fitted) {
-        if (!best || is_better(each, *best, kErrorsOfKind)) best = std::move(each);
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < fitted.size(); ++i) {
+        if (is_better(fitted[i], fitted[best], kErrorsOfKind)) best = i;
     }
-    return best;
+    if (fitted.empty()) return fitted;
+    std::rotate(fitted.begin(), fitted.begin() + static_cast<std::ptrdiff_t>(best),
+                fitted.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+    std::stable_sort(fitted.begin() + 1, fitted.end(), [](const Tried& a, const Tried& b) {
+        return mean_of(a.errors_percent) < mean_of(b.errors_percent);
+    });
+    return fitted;
 }
 
 /// The same with one thing more to it that makes it foretell better; nothing where none does.
@@ -189,6 +198,16 @@ std::optional<Tried> refined(const Tried& tried, Trial& trial) {
     return std::nullopt;
 }
 
+/// With all that makes it foretell better.
+Tried refined_to_its_end(Tried tried, Trial& trial) {
+    for (std::size_t i = 0; i < kRefined && trial.fitted_percent(tried) > kNearEnough_percent; ++i) {
+        auto better = refined(tried, trial);
+        if (!better) break;
+        tried = *std::move(better);
+    }
+    return tried;
+}
+
 }  // namespace
 
 tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candidates,
@@ -196,16 +215,17 @@ tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candid
                                                std::size_t parts,
                                                const std::function<void(const std::string&)>& told) {
     Trial trial(runs, predictor, parts, told);
-    std::optional<Tried> best = best_of(candidates, trial);
-    if (!best)
+    std::vector<Tried> tried = tried_candidates(candidates, trial);
+    if (tried.empty())
         return tl::unexpected(candidates.empty() ? std::string("there is no model to choose from")
                                                  : trial.scores().front().refused);
-    for (std::size_t i = 0; i < kRefined && trial.fitted_percent(*best) > kNearEnough_percent; ++i) {
-        auto better = refined(*best, trial);
-        if (!better) break;
-        best = std::move(better);
+    Tried best = refined_to_its_end(std::move(tried.front()), trial);
+    // What is best in the beginning need not be so in the end.
+    if (tried.size() > 1 && mean_of(best.errors_percent) > kGoodEnough_percent) {
+        Tried other = refined_to_its_end(std::move(tried[1]), trial);
+        if (is_better(other, best, kErrorsOfKind)) best = std::move(other);
     }
-    return Choice{trial.take_scores(), best->score, std::move(best->candidate)};
+    return Choice{trial.take_scores(), best.score, std::move(best.candidate)};
 }
 
 }  // namespace gsim::calibrate

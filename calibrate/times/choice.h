@@ -32,9 +32,10 @@ struct Choice {
 /// All candidates are fitted to all runs, and the three that come nearest are tried by cross-validation: the
 /// runs are dealt to `parts` parts (at least 2), and each part is foretold by a fit to the others. The one
 /// that foretells best is refined (refinements()), one thing at a time, as long as one lessens the mean
-/// error. A candidate with more to it takes the place of a simpler one only where it foretells better, by a
-/// tenth (and 0.1 %) or by more than the standard error of the difference, twice that of a refinement; the
-/// order of the candidates is that from simple to less simple. The error: none could be fitted.
+/// error; so is the second best where the first is more than 0.3 % off. A candidate with more to it takes the
+/// place of a simpler one only where it foretells better, by a tenth (and 0.1 %) or by more than the standard
+/// error of the difference, twice that of a refinement; the order of the candidates is that from simple to
+/// less simple. The error: none could be fitted.
 tl::expected<Choice, std::string> choose_model(std::span<const Candidate> candidates,
                                                std::span<const RecordedRun> runs, const Predictor& predictor,
                                                std::size_t parts,

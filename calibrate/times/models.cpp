@@ -47,6 +47,17 @@ ControllerRules rules_of(const ControllerRules& machines, const Corners& corners
     return rules;
 }
 
+/// A control that overlays the end of a move with the beginning of the next one: each with a part of the
+/// acceleration, lines alone, and exactly by stops. What belongs together would not be found one thing at a
+/// time.
+ControllerRules overlaying(const ControllerRules& machines) {
+    ControllerRules rules = rules_of(machines, {"", CornerRule::parabolic_blend});
+    rules.exact_path_corner = CornerRule::stop;
+    rules.stop_between_rapid_and_feed = true;
+    rules.continuous_acceleration_share = kFirstPart;
+    return rules;
+}
+
 void limit_jerk(Machine& machine) {
     machine.controller.limit_jerk = true;
     for (machine::Axis& axis : machine.axes) {
@@ -133,6 +144,7 @@ std::vector<Candidate> generic_candidates(const Machine& machine, bool each_axis
     rests.planner = PlannerKind::rest_to_rest;
     add("rest-to-rest", rests);
     for (const Corners& corners : kCorners) add(corners.name, rules_of(machine.controller, corners));
+    add("overlaid moves", overlaying(machine.controller));
     return candidates;
 }
 

@@ -15,8 +15,9 @@ struct Candidate {
 };
 
 /// The machine with each generic way of planning: from rest to rest, corners by a step of speed, by junction
-/// deviation or rounded within a tolerance (by a constant acceleration, or by one that grows and falls), each
-/// with straight ramps and with limited jerk. None is a model of a control that somebody has looked into.
+/// deviation or rounded within a tolerance (by a constant acceleration, or by one that grows and falls), or
+/// moves that overlay each other, each with straight ramps and with limited jerk. None is a model of a
+/// control that somebody has looked into.
 std::vector<Candidate> generic_candidates(const machine::Machine& machine, bool each_axis);
 
 /// What a candidate may be refined by, one thing each; nothing that it has already.

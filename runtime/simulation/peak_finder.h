@@ -14,7 +14,7 @@ class PeakFinder {
     bool add(double t_s, double value, const Function& value_of) {
         const bool grew = note(t_s, value);
         const bool is_high = count_ >= 2 && last_ >= before_ && last_ > value;
-        const bool may_hide = is_high && 2 * last_ - std::min(before_, value) > greatest_;
+        const bool may_hide = is_high && 2 * last_ - std::min(before_, value) > greatest_ * (1 + kWorth);
         bool found = false;
         if (may_hide) found = search(before_s_, t_s, value_of);
         before_s_ = last_s_;
@@ -31,6 +31,8 @@ class PeakFinder {
     double greatest_s() const { return greatest_s_; }
 
   private:
+    /// What is greater by less is not looked for: on a circle all samples are peaks, by rounding.
+    static constexpr double kWorth = 1e-7;
     /// Of equal peaks, but for rounding, the first one counts.
     static constexpr double kTie = 1e-10;
 

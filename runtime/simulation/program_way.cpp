@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kPiece_rad = 0.05;
-constexpr double kMostPieces = 20'000;
+constexpr double kMostPieces = 2000;  // 16 turns: each of them comes near every point
 constexpr double kSlopeShare = 1e-6;  // over which a slope is taken
 
 /// The joints of a programmed move at a share of its way.
@@ -30,6 +30,16 @@ rrs::JointPos joints_at(const motion::PathMove& move, const std::array<int, 3>& 
         joints[move.orientation->tilt_joint()] = angles.tilt;
     }
     return joints;
+}
+
+bool is_round(const motion::PathMove& move) {
+    return move.kind == motion::SegmentKind::circular || move.orientation;
+}
+
+/// In how many pieces a way is taken that is not straight.
+double pieces_of(const motion::PathMove& move, const PartTip& tip) {
+    const double round_rad = is_round(move) ? std::max(1.0, move.arc.sweep_rad) : 0;
+    return std::max(2.0, std::ceil((tip.turned_rad(move.start, move.end) + round_rad) / kPiece_rad));
 }
 
 }  // namespace
@@ -51,18 +61,23 @@ void ProgramWay::lose() {
 
 bool ProgramWay::drive(rrs::TargetId id, double start_s, const PartTip& tip) {
     if (!driven_.empty() && driven_.back().id == id) return true;
-    bool is_told = false;
+    bool is_told = false, turns_long = false;
     while (!told_.empty() && told_.front().target_id <= id) {
-        is_told = is_told || told_.front().target_id == id;
-        if (!std::exchange(first_added_, false)) add(told_.front(), tip);
+        const motion::PathMove& move = told_.front();
+        is_told = is_told || move.target_id == id;
+        turns_long = turns_long || pieces_of(move, tip) > kMostPieces;
+        if (!std::exchange(first_added_, false) && !turns_long) add(move, tip);
         told_.pop_front();
     }
-    if (!is_told) {
+    if (!is_told || turns_long) {
         lose();
         return false;
     }
     // A corner is rounded on both sides of it.
-    if (!told_.empty() && !std::exchange(first_added_, true)) add(told_.front(), tip);
+    if (!told_.empty() && pieces_of(told_.front(), tip) <= kMostPieces &&
+        !std::exchange(first_added_, true)) {
+        add(told_.front(), tip);
+    }
     driven_.push_back({start_s, id});
     return true;
 }
@@ -70,11 +85,9 @@ bool ProgramWay::drive(rrs::TargetId id, double start_s, const PartTip& tip) {
 void ProgramWay::add(const motion::PathMove& move, const PartTip& tip) {
     if (!std::exchange(begun_, true)) way_.begin(tip.at(move.start));
     const auto time = static_cast<double>(move.target_id);
-    const bool round = move.kind == motion::SegmentKind::circular || move.orientation;
-    const double turned_rad = tip.turned_rad(move.start, move.end);
-    if (!round && turned_rad == 0) return way_.add_line(tip.at(move.end), time, false);
-    const double turn_rad = turned_rad + (round ? std::max(1.0, move.arc.sweep_rad) : 0);
-    const double pieces = std::clamp(std::ceil(turn_rad / kPiece_rad), 2.0, kMostPieces);
+    if (!is_round(move) && tip.turned_rad(move.start, move.end) == 0)
+        return way_.add_line(tip.at(move.end), time, false);
+    const double pieces = pieces_of(move, tip);
     const auto end_at = [&](double share) -> SetPointWay::End {
         const double in = std::clamp(share, kSlopeShare, 1 - kSlopeShare);
         const auto point = [&](double at) { return tip.at(joints_at(move, position_joints_, at)); };

@@ -24,7 +24,7 @@ class ProgramWay : public motion::WaySink {
     /// Whether the controller is one whose ways are told: all others drive them as they are programmed.
     bool is_told() const { return is_told_; }
     /// A segment of this move begins, at this time, with a tool whose tip is told. False: nobody has told its
-    /// way, and what follows begins anew.
+    /// way, or it turns round and round, and what follows begins anew.
     bool drive(rrs::TargetId id, double start_s, const PartTip& tip);
     /// What was driven before is forgotten.
     void forget_before(double t_s);

@@ -114,7 +114,12 @@ std::vector<BlackBox> black_boxes(const std::vector<accuracy::Recording>& record
 machine::Machine without_inside(machine::Machine machine) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     rrs::ControllerRules generic;
-    generic.arc_resolution_mm = machine.controller.arc_resolution_mm;  // whether its language has arcs
+    // What its manual says of words: whether it has arcs and boring cycles, and how it drills.
+    generic.arc_resolution_mm = machine.controller.arc_resolution_mm;
+    generic.boring_cycles = machine.controller.boring_cycles;
+    generic.pecks_feed_down = machine.controller.pecks_feed_down;
+    generic.peck_clearance_mm = machine.controller.peck_clearance_mm;
+    generic.peck_dwell_s = machine.controller.peck_dwell_s;
     machine.controller = generic;
     machine.path.max_acceleration_mm_s2 = kNone;
     machine.path.max_jerk_mm_s3 = kNone;
