@@ -1,5 +1,6 @@
 // gsim-calibrate: a machine file from what a machine did.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -22,6 +23,7 @@ namespace {
 constexpr int kGood = 0;
 constexpr int kFailed = 1;
 constexpr int kUsage = 2;
+constexpr std::size_t kLeastRuns = 4;
 
 struct Arguments {
     std::string runs;
@@ -98,6 +100,10 @@ struct Task {
     std::vector<RecordedRun> runs;
 };
 
+bool has_positions(const RecordedRun& run) {
+    return !run.samples.empty();
+}
+
 tl::expected<void, std::string> add_records(const RecordForm& form, std::vector<RecordedRun>& runs) {
     for (RecordedRun& run : runs) {
         if (run.record.empty()) continue;
@@ -118,14 +124,16 @@ tl::expected<Task, std::string> read_task(const Arguments& arguments) {
     const std::string folder = slash == std::string::npos ? "" : arguments.runs.substr(0, slash);
     auto runs = read_recorded_runs(*list, folder);
     if (!runs) return tl::unexpected(fmt::format("{}: {}", arguments.runs, runs.error()));
-    if (runs->size() < 4) {
-        return tl::unexpected(fmt::format(
-            "{} has {} runs: a fit needs 4 at least, and tells more of each figure with 10 or more",
-            arguments.runs, runs->size()));
-    }
     RecordForm form = arguments.form;
     form.period_s = arguments.sample_period_ms / 1000;
     if (const auto added = add_records(form, *runs); !added) return tl::unexpected(added.error());
+    const bool tell_enough = arguments.keep_model && std::all_of(runs->begin(), runs->end(), has_positions);
+    if (runs->size() < kLeastRuns && !tell_enough) {
+        return tl::unexpected(fmt::format(
+            "{} has {} runs: a fit needs {} at least, and tells more of each figure with 10 or more; with "
+            "positions over time and --keep-model one is enough",
+            arguments.runs, runs->size(), kLeastRuns));
+    }
     return Task{*std::move(machine), *std::move(runs)};
 }
 
@@ -162,7 +170,8 @@ tl::expected<void, std::string> fit_to_times(const Arguments& arguments) {
         each_axis = choice->candidate.each_axis;
         tell(fmt::format("chosen: {}", choice->candidate.name));
     }
-    const auto fit = fit_times(task->machine, task->runs, *predictor, {each_axis}, tell);
+    const auto fit = fit_times(task->machine, task->runs, *predictor,
+                               {.each_axis = each_axis, .other_starts = true}, tell);
     if (!fit) return tl::unexpected(fit.error());
     tell(fit_table(*fit, task->runs));
     return write_all(arguments, *task, *fit, choice);

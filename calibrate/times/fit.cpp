@@ -131,8 +131,9 @@ class Prior : public ceres::CostFunction {
     Eigen::VectorXd before_;
 };
 
-void solve(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters,
-           int most_steps, const std::function<void(const std::string&)>& told) {
+/// The cost that is left.
+double solve(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters,
+             int most_steps, const std::function<void(const std::string&)>& told) {
     ceres::Problem::Options options;
     options.evaluation_callback = &times;
     ceres::Problem problem(options);
@@ -154,6 +155,39 @@ void solve(Times& times, const std::vector<Datum>& data, const std::vector<Param
     ceres::Solver::Summary summary;
     ceres::Solve(how, &problem, &summary);
     if (told) told(fmt::format("{} steps, {}", summary.iterations.size(), summary.message));
+    return summary.final_cost;
+}
+
+/// Where a fit has ended.
+struct End {
+    Eigen::VectorXd logs;
+    double cost = 0;
+};
+
+/// Much of a share for the way round a curve leaves little for its ramps, and the other way round: both may
+/// explain a curve's time, and a fit comes to the one that is nearer. So it begins at several. The best end
+/// first.
+std::vector<End> solve_from_all(Times& times, const std::vector<Datum>& data,
+                                const std::vector<Parameter>& parameters, const FitOptions& options,
+                                const std::function<void(const std::string&)>& told) {
+    std::vector<End> ends;
+    const auto start = [&](const Eigen::VectorXd& at) {
+        times.logs = at;
+        const double cost = solve(times, data, parameters, options.most_steps, told);
+        ends.push_back({times.logs, cost});
+    };
+    start(Eigen::VectorXd(times.logs));
+    for (std::size_t k = 0; options.other_starts && k < parameters.size(); ++k) {
+        if (parameters[k].figure.key != "centripetal_share" || parameters[k].most >= 1) continue;
+        for (const double share : {0.3, 0.6, 0.9}) {
+            Eigen::VectorXd other = ends.front().logs;
+            other[static_cast<Eigen::Index>(k)] = std::log(share);
+            start(other);
+        }
+    }
+    std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
+    times.logs = ends.front().logs;
+    return ends;
 }
 
 /// With as many figures to choose, the standard deviation of what is left.
@@ -162,9 +196,21 @@ double deviation(double squares, std::size_t count, std::size_t figures) {
                      std::max<double>(static_cast<double>(count) - static_cast<double>(figures), 1));
 }
 
+/// What other ends that explain the times as well (within two standard deviations) add to the spread.
+Eigen::MatrixXd between_ends(const std::vector<End>& ends, std::size_t times) {
+    const Eigen::VectorXd& best = ends.front().logs;
+    const double freedom = std::max(static_cast<double>(times) - static_cast<double>(best.size()), 1.0);
+    const double as_good = ends.front().cost * (1 + 4 / freedom);
+    Eigen::VectorXd farthest = Eigen::VectorXd::Zero(best.size());
+    for (const End& end : ends) {
+        if (end.cost <= as_good && (end.logs - best).norm() > farthest.norm()) farthest = end.logs - best;
+    }
+    return farthest * farthest.transpose();
+}
+
 /// Which parameters the runs tell of, and how well: what is left of the errors is the noise of the times, and
 /// nobody knows more of a figure before than its magnitude.
-void judge(const Times& times, const std::vector<Datum>& data, Fit& fit) {
+void judge(const Times& times, const std::vector<Datum>& data, const std::vector<End>& ends, Fit& fit) {
     const Eigen::Index count = times.logs.size();
     Eigen::MatrixXd slopes = times.slopes;
     double squares = 0;
@@ -180,6 +226,7 @@ void judge(const Times& times, const std::vector<Datum>& data, Fit& fit) {
     const Eigen::MatrixXd told = slopes.transpose() * slopes / (noise * noise);
     const Eigen::MatrixXd known = told + Eigen::MatrixXd::Identity(count, count) / (kUnknown * kUnknown);
     fit.covariance = known.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+    fit.covariance += between_ends(ends, data.size());
     for (Eigen::Index k = 0; k < count; ++k) {
         FittedParameter& parameter = fit.parameters[static_cast<std::size_t>(k)];
         parameter.spread = std::sqrt(fit.covariance(k, k));
@@ -210,7 +257,7 @@ tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::s
     Times times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);
-    solve(times, data, parameters, options.most_steps, told);
+    const std::vector<End> ends = solve_from_all(times, data, parameters, options, told);
     times.PrepareForEvaluation(false, true);
     times.PrepareForEvaluation(true, false);
     Fit fit;
@@ -221,7 +268,7 @@ tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::s
         if (!time_s) return tl::unexpected(time_s.error());
         fit.times_s.push_back(*time_s);
     }
-    judge(times, data, fit);
+    judge(times, data, ends, fit);
     fit.noise = noise_of(fit, runs);
     return fit;
 }

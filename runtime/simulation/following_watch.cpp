@@ -8,8 +8,7 @@
 namespace gsim::simulation {
 
 FollowingWatch::FollowingWatch(const FollowingSetup& setup, double step_s)
-    : setup_(setup),
-      program_(setup.planner.position_joints),
+    : program_(setup.planner.position_joints),
       motion_(setup, step_s),
       axes_(setup.machine.axes.size()),
       squares_(setup.machine.axes.size()) {

@@ -36,7 +36,6 @@ class FollowingWatch : public RunOutput {
     double error_of(std::size_t axis, double joint_error) const;
     double settled_s(double end_s);
 
-    FollowingSetup setup_;
     ProgramWay program_;
     FollowingMotion motion_;
     FollowingReport report_;

@@ -1,5 +1,6 @@
 #include "runtime/simulation/interval_watch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/machine/figure.h"

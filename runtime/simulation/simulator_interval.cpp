@@ -1,5 +1,7 @@
 // How sure the time of a run is.
 
+#include <fmt/format.h>
+
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {

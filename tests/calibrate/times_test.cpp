@@ -161,6 +161,19 @@ TEST_F(Recordings, OfCurvesTellOfThem) {
     EXPECT_NEAR(named(found, "centripetal_share").value, 0.6, 0.02);
 }
 
+/// v = sqrt(s a r) is as fast by a great share, which leaves little to speed up with, as by a small one.
+TEST_F(Recordings, OfOneCurveLeaveTwoShares) {
+    add("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I10 J0\nG2 X1 Y0 I10 J0\nM2\n");
+    machine::Machine hidden = router(730, 0.012);
+    hidden.controller.centripetal_share = 0.5;
+    record(hidden, 0.005);
+    const machine::Machine start = router(400, 0.03);
+    const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
+    const Fit found = fit_times(start, runs_, predictor, {.other_starts = true}).value();
+    EXPECT_TRUE(named(found, "max_acceleration").identified);
+    EXPECT_FALSE(named(found, "centripetal_share").identified);
+}
+
 TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
     record(router(730, 0.012), 0.005);
     const Fit found = fit(router(400, 0.03));
