@@ -28,8 +28,7 @@ toml::table parse_toml(FirstError& error, std::string_view toml_text) {
 
 std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule rule) {
     if (std::isnan(value)) return "a number";
-    const bool may_be_infinite =
-        rule == NumberRule::any || rule == NumberRule::positive;
+    const bool may_be_infinite = rule == NumberRule::any || rule == NumberRule::positive;
     if (std::isinf(value) && !may_be_infinite) return "finite";
     if (std::isfinite(value) && std::abs(value) > kGreatestTomlNumber) return "between -1e9 and 1e9";
     switch (rule) {

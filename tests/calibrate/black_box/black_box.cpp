@@ -160,7 +160,8 @@ tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine
     if (!choice) return tl::unexpected(choice.error());
     outcome.choice = *std::move(choice);
     const Candidate& best = outcome.choice.candidate;
-    const auto fit = fit_times(best.machine, runs, predictor, {.each_axis = best.each_axis, .other_starts = true});
+    const auto fit =
+        fit_times(best.machine, runs, predictor, {.each_axis = best.each_axis, .other_starts = true});
     if (!fit) return tl::unexpected(fit.error());
     outcome.parameters = fit->parameters;
     outcome.noise_percent = 100 * fit->noise;
