@@ -1,14 +1,14 @@
 #include "calibrate/geometry_command.h"
 
-#include <cstdio>
+#include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
 #include <tl/expected.hpp>
 
-#include "apps/parse.h"
 #include "base/os/input_file.h"
 #include "base/os/output_file.h"
+#include "calibrate/command.h"
 #include "calibrate/geometry/compensation.h"
 #include "calibrate/geometry/geometry_outcome.h"
 #include "calibrate/geometry/simulate.h"
@@ -18,8 +18,6 @@
 namespace gsim::calibrate {
 
 namespace {
-
-using Done = tl::expected<void, std::string>;
 
 struct GeometryArguments {
     std::string tips;
@@ -106,20 +104,8 @@ void add_other_options(apps::CommandLine& line, GeometryArguments& arguments) {
     line.add("--seed", &arguments.seed, "of noise and of what is hidden").called("N").shows_default();
 }
 
-Done write_if(const std::string& file, const std::string& text) {
-    if (file.empty()) return {};
-    return os::write_file(file, text);
-}
-
-Done write_or_print(const std::string& file, const std::string& text) {
-    if (!file.empty()) return os::write_file(file, text);
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    if (std::fflush(stdout) != 0) return tl::unexpected<std::string>("cannot write standard output");
-    return {};
-}
-
-tl::expected<TipList, std::string> read_list(const GeometryArguments& arguments,
-                                             const machine::Machine& machine) {
+tl::expected<TipList, std::string> listed_tips(const GeometryArguments& arguments,
+                                               const machine::Machine& machine) {
     if (arguments.tips.empty())
         return tl::unexpected<std::string>(
             "which tips? Name a list of them, or ask for poses with --suggest");
@@ -146,7 +132,7 @@ std::string hidden_text(const HiddenMachine& hidden) {
 }
 
 Done simulate(const GeometryArguments& arguments, const machine::Machine& machine) {
-    const auto list = read_list(arguments, machine);
+    const auto list = listed_tips(arguments, machine);
     if (!list) return tl::unexpected(list.error());
     std::vector<MeasuredTip> poses = list->tips;
     poses.insert(poses.end(), list->unmeasured.begin(), list->unmeasured.end());
@@ -185,7 +171,7 @@ Done write_g10(const GeometryArguments& arguments, const machine::Machine& machi
 }
 
 Done fit_to_tips(const GeometryArguments& arguments, const machine::Machine& machine) {
-    const auto list = read_list(arguments, machine);
+    const auto list = listed_tips(arguments, machine);
     if (!list) return tl::unexpected(list.error());
     GeometryOptions options{.choice = arguments.choice()};
     if (arguments.noise_um) options.noise_mm = *arguments.noise_um / kMicrometresPerMm;
@@ -220,23 +206,12 @@ Done do_geometry(const GeometryArguments& arguments) {
 }  // namespace
 
 int run_geometry(const std::vector<std::string>& words) {
-    constexpr int kGood = 0, kFailed = 1, kUsage = 2;
     GeometryArguments arguments;
     apps::CommandLine line("gsim-calibrate geometry",
                            "Fits a machine's geometry to measured tips, and suggests poses to measure");
     add_fit_options(line, arguments);
     add_other_options(line, arguments);
-    const auto parsed = apps::parse(line, words);
-    if (!parsed) {
-        fmt::print(stderr, "gsim-calibrate: {}\n", parsed.error());
-        return kUsage;
-    }
-    if (*parsed) return **parsed;
-    if (const auto done = do_geometry(arguments); !done) {
-        fmt::print(stderr, "gsim-calibrate: {}\n", done.error());
-        return kFailed;
-    }
-    return kGood;
+    return run_command(line, words, [&] { return do_geometry(arguments); });
 }
 
 }  // namespace gsim::calibrate

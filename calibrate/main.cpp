@@ -1,6 +1,5 @@
 // gsim-calibrate: a machine file from what a machine did.
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -8,192 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "apps/parse.h"
-#include "base/os/input_file.h"
-#include "base/os/output_file.h"
 #include "calibrate/geometry_command.h"
-#include "calibrate/times/choice.h"
-#include "calibrate/times/outcome.h"
-#include "runtime/machine/machine_file.h"
+#include "calibrate/times_command.h"
 
 namespace gsim::calibrate {
 
 namespace {
 
 constexpr int kGood = 0;
-constexpr int kFailed = 1;
 constexpr int kUsage = 2;
-constexpr std::size_t kLeastRuns = 4;
-
-struct Arguments {
-    std::string runs;
-    std::string machine;
-    Reading reading;
-    RecordForm form;
-    double sample_period_ms = 0;
-    std::string output;
-    std::string json;
-    std::string picture;
-    std::string program;
-    std::uint64_t parts = 3;
-    bool each_axis = false;
-    bool keep_model = false;
-    bool quiet = false;
-};
-
-void add_options(apps::CommandLine& line, Arguments& arguments) {
-    line.add("runs", &arguments.runs,
-             "list of recorded runs, one a line: program,time_s under a line that names the columns")
-        .of_file(apps::FileKind::input, {".csv", ".tsv"})
-        .must_be_given();
-    line.add("--machine", &arguments.machine,
-             "machine file to begin with: what is known of the machine, and a guess of what is not")
-        .called("FILE")
-        .of_file(apps::FileKind::input, {".toml"})
-        .must_be_given();
-    line.add("--dialect", &arguments.reading.dialect,
-             "language of the programs; else as the machine file says")
-        .called("NAME");
-    line.add("--machine-data", &arguments.reading.machine_data, "tools and offsets that the programs use")
-        .called("FILE")
-        .of_file(apps::FileKind::input, {".txt", ".tbl"});
-    line.add("--sample-period", &arguments.sample_period_ms,
-             "time between samples of recordings that have no times (halsampler)")
-        .called("MS")
-        .within(0.001, 60'000);
-    line.add("--sample-columns", &arguments.form.columns,
-             "what the columns of such recordings are, a letter each; '-': nothing that counts")
-        .called("XYZ")
-        .shows_default();
-    line.add("-o,--output", &arguments.output, "the fitted machine file; else standard output")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".toml"});
-    line.add("--json", &arguments.json, "values, covariance, runs and models as JSON")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".json"});
-    line.add("--picture", &arguments.picture, "what is left of the errors, run by run, as a picture")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".svg"});
-    line.add("--test-program", &arguments.program,
-             "part program that tells what these runs do not; not written where there is nothing")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".nc", ".ngc"});
-    line.add("--parts", &arguments.parts, "parts of the cross-validation that chooses the model")
-        .called("N")
-        .within(2, 20)
-        .shows_default();
-    line.add("--keep-model", &arguments.keep_model,
-             "keep the machine file's controller, and fit its figures; else generic ones are tried");
-    line.add("--each-axis", &arguments.each_axis,
-             "figures of each axis by themselves, where axes begin with the same");
-    line.add("-q,--quiet", &arguments.quiet, "no word on the way");
-}
-
-tl::expected<void, std::string> write(const std::string& file, const std::string& text) {
-    if (file.empty()) return {};
-    return os::write_file(file, text);
-}
-
-/// All that is known before a fit.
-struct Task {
-    machine::Machine machine;
-    std::vector<RecordedRun> runs;
-};
-
-bool has_positions(const RecordedRun& run) {
-    return !run.samples.empty();
-}
-
-tl::expected<void, std::string> add_records(const RecordForm& form, std::vector<RecordedRun>& runs) {
-    for (RecordedRun& run : runs) {
-        if (run.record.empty()) continue;
-        const auto text = os::read_text_file(run.record);
-        if (!text) return tl::unexpected(text.error());
-        if (const auto added = add_record(*text, form, run); !added)
-            return tl::unexpected(fmt::format("{}: {}", run.record, added.error()));
-    }
-    return {};
-}
-
-tl::expected<Task, std::string> read_task(const Arguments& arguments) {
-    auto machine = machine::load_machine(arguments.machine);
-    if (!machine) return tl::unexpected(machine.error());
-    const auto list = os::read_text_file(arguments.runs);
-    if (!list) return tl::unexpected(list.error());
-    const std::size_t slash = arguments.runs.rfind('/');
-    const std::string folder = slash == std::string::npos ? "" : arguments.runs.substr(0, slash);
-    auto runs = read_recorded_runs(*list, folder);
-    if (!runs) return tl::unexpected(fmt::format("{}: {}", arguments.runs, runs.error()));
-    RecordForm form = arguments.form;
-    form.period_s = arguments.sample_period_ms / 1000;
-    if (const auto added = add_records(form, *runs); !added) return tl::unexpected(added.error());
-    const bool tell_enough = arguments.keep_model && std::all_of(runs->begin(), runs->end(), has_positions);
-    if (runs->size() < kLeastRuns && !tell_enough) {
-        return tl::unexpected(fmt::format(
-            "{} has {} runs: a fit needs {} at least, and tells more of each figure with 10 or more; with "
-            "positions over time and --keep-model one is enough",
-            arguments.runs, runs->size(), kLeastRuns));
-    }
-    return Task{*std::move(machine), *std::move(runs)};
-}
-
-tl::expected<void, std::string> write_all(const Arguments& arguments, const Task& task, const Fit& fit,
-                                          const std::optional<Choice>& choice) {
-    const std::string machine = machine_text(fit, task.runs);
-    if (arguments.output.empty()) {
-        std::fwrite(machine.data(), 1, machine.size(), stdout);
-        if (std::fflush(stdout) != 0) return tl::unexpected<std::string>("cannot write standard output");
-    }
-    const std::string program = test_program(fit);
-    return write(arguments.output, machine)
-        .and_then([&] { return write(arguments.json, fit_json(fit, task.runs, choice)); })
-        .and_then([&] { return write(arguments.picture, residuals_svg(fit, task.runs)); })
-        .and_then([&] { return write(program.empty() ? "" : arguments.program, program); });
-}
-
-tl::expected<void, std::string> fit_to_times(const Arguments& arguments) {
-    const auto tell = [&](const std::string& words) {
-        if (!arguments.quiet) fmt::print(stderr, "{}\n", words);
-    };
-    auto task = read_task(arguments);
-    if (!task) return tl::unexpected(task.error());
-    const auto predictor = Predictor::of(task->runs, arguments.reading, task->machine);
-    if (!predictor) return tl::unexpected(predictor.error());
-    std::optional<Choice> choice;
-    bool each_axis = arguments.each_axis;
-    if (!arguments.keep_model) {
-        auto chosen = choose_model(generic_candidates(task->machine, each_axis), task->runs, *predictor,
-                                   std::min<std::size_t>(arguments.parts, task->runs.size()), tell);
-        if (!chosen) return tl::unexpected(chosen.error());
-        choice = *std::move(chosen);
-        task->machine = choice->candidate.machine;
-        each_axis = choice->candidate.each_axis;
-        tell(fmt::format("chosen: {}", choice->candidate.name));
-    }
-    const auto fit = fit_times(task->machine, task->runs, *predictor,
-                               {.each_axis = each_axis, .other_starts = true}, tell);
-    if (!fit) return tl::unexpected(fit.error());
-    tell(fit_table(*fit, task->runs));
-    return write_all(arguments, *task, *fit, choice);
-}
-
-int run_times(const std::vector<std::string>& words) {
-    Arguments arguments;
-    apps::CommandLine line("gsim-calibrate times",
-                           "Fits what a machine file leaves open to the times of recorded runs");
-    add_options(line, arguments);
-    const auto parsed = apps::parse(line, words);
-    if (!parsed) {
-        fmt::print(stderr, "gsim-calibrate: {}\n", parsed.error());
-        return kUsage;
-    }
-    if (*parsed) return **parsed;
-    if (const auto done = fit_to_times(arguments); !done) {
-        fmt::print(stderr, "gsim-calibrate: {}\n", done.error());
-        return kFailed;
-    }
-    return kGood;
-}
 
 int run(const std::vector<std::string>& words) {
     if (!words.empty() && words.front() == "times") return run_times({words.begin() + 1, words.end()});

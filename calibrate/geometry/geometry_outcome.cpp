@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "calibrate/text/svg_head.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::calibrate {
@@ -151,12 +152,7 @@ std::string tips_svg(const GeometryFit& fit) {
     const double most_after = std::max(summary_of(fit.after).greatest_um, 1e-3);
     const double width = kLeft + 2 * kWide + kGap + 20;
     const double height = kTop + kRow * static_cast<double>(fit.after.size()) + 10;
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
-        "{0:.0f} "
-        "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
-        "fill=\"#fff\"/>\n",
-        width, height);
+    std::string svg = svg_head(width, height);
     const double right = kLeft + kWide + kGap;
     svg +=
         fmt::format("<text x=\"{:.0f}\" y=\"16\">before, um (at most {:.1f})</text>\n", kLeft, most_before);

@@ -2,48 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include "base/units.h"
+#include "calibrate/text/list.h"
 #include "runtime/kinematics/pose.h"
 
 namespace gsim::calibrate {
 
 namespace {
 
-using Cells = std::vector<std::string_view>;
-
 constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
 constexpr std::array<std::string_view, 3> kPlace{"x_mm", "y_mm", "z_mm"};
 constexpr std::array<std::string_view, 3> kTurn{"roll_deg", "pitch_deg", "yaw_deg"};
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \"\r";
-    while (!text.empty() && kBlank.find(text.front()) != std::string_view::npos) text.remove_prefix(1);
-    while (!text.empty() && kBlank.find(text.back()) != std::string_view::npos) text.remove_suffix(1);
-    return text;
-}
-
-Cells split(std::string_view line, char between) {
-    Cells cells;
-    while (true) {
-        const std::size_t end = line.find(between);
-        cells.push_back(trimmed(line.substr(0, end)));
-        if (end == std::string_view::npos) return cells;
-        line.remove_prefix(end + 1);
-    }
-}
-
-tl::expected<double, std::string> number_in(std::string_view cell) {
-    double value = 0;
-    const auto read = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (read.ec != std::errc() || read.ptr != cell.data() + cell.size() || !std::isfinite(value))
-        return tl::unexpected(fmt::format("'{}' should be a number", cell));
-    return value;
-}
 
 /// Where a list has what.
 struct TipColumns {
@@ -53,10 +26,7 @@ struct TipColumns {
 };
 
 tl::expected<TipColumns, std::string> find_columns(const Cells& heading, const machine::Machine& machine) {
-    const auto at = [&](std::string_view name) {
-        const auto found = std::find(heading.begin(), heading.end(), name);
-        return found == heading.end() ? kNowhere : static_cast<std::size_t>(found - heading.begin());
-    };
+    const auto at = [&](std::string_view name) { return column_of(heading, name).value_or(kNowhere); };
     TipColumns columns;
     for (const machine::Axis& axis : machine.axes) columns.axes.push_back(at({&axis.letter, 1}));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -86,7 +56,7 @@ class TipLine {
             return 0;
         }
         const auto value = number_in(cells_[column]);
-        if (!value && error_.empty()) error_ = value.error();
+        if (!value && error_.empty()) error_ = fmt::format("'{}' should be a number", cells_[column]);
         return value.value_or(0);
     }
     std::optional<double> sigma(std::size_t column) {
@@ -137,28 +107,17 @@ tl::expected<MeasuredTip, std::string> tip_in(TipLine& line, const TipColumns& c
 
 tl::expected<TipList, std::string> read_tips(std::string_view list, const machine::Machine& machine) {
     TipList found;
-    std::optional<TipColumns> columns;
-    char between = ',';
-    for (int number = 1; !list.empty(); ++number) {
-        const std::size_t end = std::min(list.find('\n'), list.size());
-        const std::string_view line = trimmed(list.substr(0, end));
-        list.remove_prefix(std::min(end + 1, list.size()));
-        if (!columns) {
-            if (line.find('\t') != std::string_view::npos) between = '\t';
-            auto named = find_columns(split(line, between), machine);
-            if (!named) return tl::unexpected(named.error());
-            columns = *std::move(named);
-            continue;
-        }
-        if (line.empty()) continue;
-        const Cells cells = split(line, between);
+    TipColumns columns;
+    const auto heading = [&](const Cells& cells) {
+        return find_columns(cells, machine).map([&](TipColumns named) { columns = std::move(named); });
+    };
+    const auto row = [&](const Cells& cells) {
         TipLine reader(cells);
-        auto tip = tip_in(reader, *columns, machine);
-        if (!tip) return tl::unexpected(fmt::format("line {}: {}", number, tip.error()));
-        (is_measured(reader, *columns) ? found.tips : found.unmeasured).push_back(*std::move(tip));
-    }
-    if (!columns) return tl::unexpected<std::string>("it is empty");
-    return found;
+        return tip_in(reader, columns, machine).map([&](MeasuredTip tip) {
+            (is_measured(reader, columns) ? found.tips : found.unmeasured).push_back(std::move(tip));
+        });
+    };
+    return read_list(list, heading, row).map([&] { return std::move(found); });
 }
 
 std::string print_tips(const std::vector<MeasuredTip>& tips, const machine::Machine& machine,

@@ -34,12 +34,6 @@ std::vector<std::size_t> places_of(std::size_t runs, std::size_t parts, std::siz
     return places;
 }
 
-std::vector<RecordedRun> runs_at(std::span<const RecordedRun> runs, std::span<const std::size_t> places) {
-    std::vector<RecordedRun> chosen;
-    for (const std::size_t place : places) chosen.push_back(runs[place]);
-    return chosen;
-}
-
 double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -66,7 +60,7 @@ class Trial {
         if (fit) {
             for (std::size_t i = 0; i < runs_.size(); ++i)
                 score.fitted_percent +=
-                    percent_off(fit->times_s[i], runs_[i]) / static_cast<double>(runs_.size());
+                    std::abs(runs_[i].error_percent(fit->times_s[i])) / static_cast<double>(runs_.size());
         } else {
             score.refused = fit.error();
         }
@@ -98,10 +92,6 @@ class Trial {
     const std::vector<Score>& scores() const { return scores_; }
 
   private:
-    static double percent_off(double time_s, const RecordedRun& run) {
-        return 100 * std::abs(time_s - run.time_s) / run.time_s;
-    }
-
     tl::expected<void, std::string> foretell(Tried& tried, std::size_t part) const {
         const auto others = places_of(runs_.size(), parts_, part, false);
         const auto places = places_of(runs_.size(), parts_, part, true);
@@ -112,7 +102,7 @@ class Trial {
         for (std::size_t i = 0; i < places.size(); ++i) {
             const RecordedRun& run = runs_[places[i]];
             if (!times[i]) return tl::unexpected(fmt::format("{}: {}", run.program, times[i].error()));
-            tried.errors_percent[places[i]] = percent_off(*times[i], run);
+            tried.errors_percent[places[i]] = std::abs(run.error_percent(*times[i]));
         }
         return {};
     }

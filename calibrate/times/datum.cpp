@@ -62,14 +62,13 @@ rrs::TargetId target_of(const MotionLog& log, std::size_t move) {
 
 }  // namespace
 
-std::vector<Datum> data_of(const RecordedRun& run, std::size_t place, const MotionLog& log,
-                           const machine::Machine& machine) {
+std::vector<Datum> data_of(const RecordedRun& run, const MotionLog& log, const machine::Machine& machine) {
     const auto span = motion_span(run.samples);
-    if (!span) return {{.run = place, .time_s = run.time_s}};
+    if (!span) return {{.time_s = run.time_s}};
     const double clock_s = period_s(run.samples);
     const double apart_s = std::max(kSamplesApart * clock_s, kLeastApart_s);
     std::vector<Datum> data;
-    Datum next{.run = place, .clock_s = clock_s};
+    Datum next{.clock_s = clock_s};
     double before_s = span->start_s;
     for (const Mark& mark : marks_of(run, log, machine)) {
         if (mark.t_s < before_s + apart_s || mark.t_s > span->end_s - apart_s) continue;

@@ -15,7 +15,7 @@ namespace gsim::calibrate {
 struct Datum {
     static constexpr std::size_t kOutside = static_cast<std::size_t>(-1);
 
-    std::size_t run = 0;
+    std::size_t run = 0;          ///< Place of its run among several.
     std::size_t from = kOutside;  ///< Place of the move in the log.
     std::size_t to = kOutside;
     double time_s = 0;
@@ -24,7 +24,7 @@ struct Datum {
 
 /// What a run tells: where it has positions over time the times between ends of moves that it passes, some
 /// samples apart; else its whole time. `log`: what it asks for on `machine`.
-std::vector<Datum> data_of(const RecordedRun& run, std::size_t place, const simulation::MotionLog& log,
+std::vector<Datum> data_of(const RecordedRun& run, const simulation::MotionLog& log,
                            const machine::Machine& machine);
 
 /// The same time of a run that was replayed, s; 0 where it has no such moves.

@@ -32,11 +32,16 @@ class Times : public ceres::EvaluationCallback {
           predictor_(predictor),
           logs(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()))) {}
 
-    void PrepareForEvaluation(bool with_slopes, bool is_new) override {
-        if (is_new || log_times.size() == 0) {
-            log_times = at(logs);
-            slopes.resize(0, 0);
-        }
+    /// Plans at `logs` for the first time; the error names the program that does not come to its end.
+    tl::expected<void, std::string> begin() {
+        const auto times_s = predictor_.times_s(data_, machine_at(logs));
+        if (!times_s) return tl::unexpected(times_s.error());
+        stand(logarithms(*times_s));
+        return {};
+    }
+
+    void PrepareForEvaluation(bool with_slopes, bool /*is_new*/) override {
+        if (logs != planned_at_) stand(at(logs));
         if (with_slopes && slopes.size() == 0) differentiate();
     }
 
@@ -49,16 +54,26 @@ class Times : public ceres::EvaluationCallback {
     /// Runs that do not come to their ends with these values take a time that nobody would choose.
     Eigen::VectorXd at(const Eigen::VectorXd& point) const {
         constexpr double kNever_s = 1e9;
-        constexpr double kLeast_s = 1e-6;
-        const auto times = predictor_.times_s(data_, machine_at(point));
-        Eigen::VectorXd found =
-            Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data_.size()), std::log(kNever_s));
-        for (Eigen::Index i = 0; times && i < found.size(); ++i)
-            found[i] = std::log(std::max((*times)[static_cast<std::size_t>(i)], kLeast_s));
-        return found;
+        const auto times_s = predictor_.times_s(data_, machine_at(point));
+        if (times_s) return logarithms(*times_s);
+        return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data_.size()), std::log(kNever_s));
     }
 
   private:
+    static Eigen::VectorXd logarithms(const std::vector<double>& times_s) {
+        constexpr double kLeast_s = 1e-6;
+        Eigen::VectorXd found(static_cast<Eigen::Index>(times_s.size()));
+        for (Eigen::Index i = 0; i < found.size(); ++i)
+            found[i] = std::log(std::max(times_s[static_cast<std::size_t>(i)], kLeast_s));
+        return found;
+    }
+
+    void stand(Eigen::VectorXd times) {
+        log_times = std::move(times);
+        slopes.resize(0, 0);
+        planned_at_ = logs;
+    }
+
     void differentiate() {
         slopes.resize(log_times.size(), logs.size());
         for (Eigen::Index k = 0; k < logs.size(); ++k) {
@@ -74,6 +89,7 @@ class Times : public ceres::EvaluationCallback {
     const std::vector<Parameter>& parameters_;
     const std::vector<Datum>& data_;
     const Predictor& predictor_;
+    Eigen::VectorXd planned_at_;  // to which log_times and slopes belong
 
   public:
     Eigen::VectorXd logs;  ///< Where Ceres stands.
@@ -249,25 +265,23 @@ double noise_of(const Fit& fit, std::span<const RecordedRun> runs) {
 tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
                                          const Predictor& predictor, const FitOptions& options,
                                          const std::function<void(const std::string&)>& told) {
-    const std::vector<Datum> data = predictor.data(runs);
-    if (const auto first = predictor.times_s(data, machine); !first) return tl::unexpected(first.error());
+    const std::vector<Datum> data = predictor.data();
     const std::vector<Parameter> parameters = open_parameters(machine, options.each_axis);
     if (runs.empty() || parameters.empty())
         return tl::unexpected<std::string>("there is nothing to fit: no runs, or no figure that is open");
     Times times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);
+    if (const auto begun = times.begin(); !begun) return tl::unexpected(begun.error());
     const std::vector<End> ends = solve_from_all(times, data, parameters, options, told);
-    times.PrepareForEvaluation(false, true);
-    times.PrepareForEvaluation(true, false);
+    times.PrepareForEvaluation(true, true);
     Fit fit;
     fit.machine = times.machine_at(times.logs);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         fit.parameters.push_back({parameters[k].figure, std::exp(times.logs[static_cast<Eigen::Index>(k)])});
-    for (const auto& time_s : predictor.times_s(fit.machine)) {
-        if (!time_s) return tl::unexpected(time_s.error());
-        fit.times_s.push_back(*time_s);
-    }
+    fit.times_s.assign(runs.size(), 0);
+    for (std::size_t i = 0; i < data.size(); ++i)  // of a run they add up to all of it
+        fit.times_s[data[i].run] += std::exp(times.log_times[static_cast<Eigen::Index>(i)]);
     judge(times, data, ends, fit);
     fit.noise = noise_of(fit, runs);
     return fit;

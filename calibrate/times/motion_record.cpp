@@ -7,9 +7,10 @@
 #include <map>
 #include <optional>
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include "base/text/trimmed.h"
+#include "calibrate/text/list.h"
 #include "calibrate/times/record_clock.h"
 
 namespace gsim::calibrate {
@@ -18,35 +19,15 @@ namespace {
 
 using Samples = tl::expected<std::vector<MotionSample>, std::string>;
 
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-    return text;
-}
+constexpr std::string_view kBlanks = " \t\r\"";
 
 std::optional<double> number_of(std::string_view text) {
-    text = trimmed(text);
-    double value = 0;
-    const auto read = fast_float::from_chars(text.data(), text.data() + text.size(), value);
-    if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+    return number_in(text::trimmed(text, kBlanks));
 }
 
-std::vector<std::string_view> split(std::string_view line, std::string_view between) {
-    std::vector<std::string_view> cells;
-    while (true) {
-        const std::size_t end = line.find_first_of(between);
-        cells.push_back(line.substr(0, end));
-        if (end == std::string_view::npos) return cells;
-        line.remove_prefix(end + 1);
-    }
-}
-
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    for (const std::string_view word : split(line, " \t\r")) {
+Cells words_of(std::string_view line) {
+    Cells words;
+    for (const std::string_view word : cells_of(line, " \t\r")) {
         if (!word.empty()) words.push_back(word);
     }
     return words;
@@ -78,7 +59,7 @@ template <typename Look>
 bool for_each_line(std::string_view text, const Look& look) {
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
+        const std::string_view line = text::trimmed(text.substr(0, end), kBlanks);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (!line.empty() && !look(number, line)) return false;
     }
@@ -94,9 +75,9 @@ struct CsvColumns {
 
 std::optional<CsvColumns> csv_columns(std::string_view line, std::string_view between) {
     CsvColumns columns;
-    const auto names = split(line, between);
+    const auto names = cells_of(line, between);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string_view name = trimmed(names[i]);
+        const std::string_view name = text::trimmed(names[i], kBlanks);
         if (name == "t_s" || name == "time_s" || name == "t") columns.time = i;
         const int axis = name.empty() ? -1 : axis_of(name.front());
         if (axis >= 0 && (name.size() == 1 || name.substr(1) == "_mm"))
@@ -108,8 +89,7 @@ std::optional<CsvColumns> csv_columns(std::string_view line, std::string_view be
     return columns;
 }
 
-std::optional<MotionSample> csv_sample(const std::vector<std::string_view>& cells,
-                                       const CsvColumns& columns) {
+std::optional<MotionSample> csv_sample(const Cells& cells, const CsvColumns& columns) {
     const auto cell = [&](std::size_t at) -> std::optional<double> {
         if (at >= cells.size()) return std::nullopt;
         return number_of(cells[at]);
@@ -138,7 +118,7 @@ Samples read_csv(std::string_view text) {
             if (!columns) wrong = "line 1 should name the columns: t_s and x_mm, y_mm or z_mm among them";
             return columns.has_value();
         }
-        const auto sample = csv_sample(split(line, between), *columns);
+        const auto sample = csv_sample(cells_of(line, between), *columns);
         if (sample) {
             gathered.add(sample->t_s, sample->at_mm);
         } else {
@@ -198,7 +178,7 @@ std::optional<Eigen::Vector3d> grbl_field(std::string_view report, std::string_v
     const std::size_t at = report.find(name);
     if (at == std::string_view::npos) return std::nullopt;
     report.remove_prefix(at + name.size());
-    const auto cells = split(report.substr(0, report.find_first_of("|>")), ",");
+    const auto cells = cells_of(report.substr(0, report.find_first_of("|>")), ",");
     Eigen::Vector3d values = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < std::min<std::size_t>(cells.size(), 3); ++i) {
         const auto value = number_of(cells[i]);
@@ -270,9 +250,9 @@ Samples read_shdr(std::string_view text) {
     for_each_line(text, [&](int /*number*/, std::string_view line) {
         const auto t_s = take_time_s(line);
         if (!t_s) return true;
-        const auto cells = split(line, "|");
+        const auto cells = cells_of(line, "|");
         for (std::size_t i = 1; i + 1 < cells.size(); i += 2) {
-            const int axis = mtconnect_axis(trimmed(cells[i]));
+            const int axis = mtconnect_axis(text::trimmed(cells[i], kBlanks));
             const auto value = number_of(cells[i + 1]);
             if (axis >= 0 && value) changes.add(*t_s, axis, *value);
         }

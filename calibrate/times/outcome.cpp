@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "calibrate/text/svg_head.h"
 #include "runtime/machine/machine_file.h"
 
 namespace gsim::calibrate {
@@ -18,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 double error_percent(const Fit& fit, std::span<const RecordedRun> runs, std::size_t i) {
-    return 100 * (fit.times_s[i] - runs[i].time_s) / runs[i].time_s;
+    return runs[i].error_percent(fit.times_s[i]);
 }
 
 std::string name_of(const RecordedRun& run) {
@@ -150,13 +151,11 @@ std::string residuals_svg(const Fit& fit, std::span<const RecordedRun> runs) {
     const double most = std::max(errors_of(fit, runs).largest_percent, 0.1);
     const double middle = kLeft + kHalf;
     const double height = kTop + kRow * static_cast<double>(runs.size()) + 10;
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
-        "{0:.0f} "
-        "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" "
-        "fill=\"#fff\"/>\n<text x=\"{2:.0f}\" y=\"16\" text-anchor=\"middle\">fitted - recorded, % (at most "
-        "{3:.2f})</text>\n<line x1=\"{2:.0f}\" y1=\"22\" x2=\"{2:.0f}\" y2=\"{4:.0f}\" stroke=\"#888\"/>\n",
-        middle + kHalf + 20, height, middle, most, height - 5);
+    std::string svg = svg_head(middle + kHalf + 20, height);
+    svg += fmt::format(
+        "<text x=\"{0:.0f}\" y=\"16\" text-anchor=\"middle\">fitted - recorded, % (at most {1:.2f})</text>\n"
+        "<line x1=\"{0:.0f}\" y1=\"22\" x2=\"{0:.0f}\" y2=\"{2:.0f}\" stroke=\"#888\"/>\n",
+        middle, most, height - 5);
     double y = kTop;
     for (const std::size_t i : worst_first(fit, runs)) {
         const double error = error_percent(fit, runs, i);

@@ -65,7 +65,6 @@ tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> 
                                                    const machine::Machine& machine) {
     Predictor predictor;
     predictor.reading_ = reading;
-    predictor.machine_ = machine;
     std::vector<std::shared_ptr<Program>> programs;
     for (const RecordedRun& run : runs) {
         if (!bytes_of(run.program)) return tl::unexpected(fmt::format("cannot read {}", run.program));
@@ -73,7 +72,13 @@ tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> 
         programs.back()->file = run.program;
     }
     const std::string text = machine::print_machine(machine);
-    on_all_cores(programs.size(), [&](std::size_t i) { predictor.run(*programs[i], text); });
+    on_all_cores(programs.size(), [&](std::size_t i) {
+        Program& program = *programs[i];
+        predictor.run(program, text);
+        const bool whole = runs[i].samples.empty() || !program.log.gap().empty();
+        program.data =
+            whole ? std::vector<Datum>{{.time_s = runs[i].time_s}} : data_of(runs[i], program.log, machine);
+    });
     predictor.programs_.assign(programs.begin(), programs.end());
     return predictor;
 }
@@ -86,7 +91,6 @@ void Predictor::run(Program& program, const std::string& machine) const {
 Predictor Predictor::part(std::span<const std::size_t> places) const {
     Predictor chosen;
     chosen.reading_ = reading_;
-    chosen.machine_ = machine_;
     for (const std::size_t place : places) chosen.programs_.push_back(programs_[place]);
     return chosen;
 }
@@ -143,14 +147,13 @@ std::vector<tl::expected<double, std::string>> Predictor::times_s(const machine:
     return times;
 }
 
-std::vector<Datum> Predictor::data(std::span<const RecordedRun> runs) const {
+std::vector<Datum> Predictor::data() const {
     std::vector<Datum> all;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Program& program = *programs_[i];
-        const bool whole = runs[i].samples.empty() || !program.log.gap().empty();
-        const auto data = whole ? std::vector<Datum>{{.run = i, .time_s = runs[i].time_s}}
-                                : data_of(runs[i], i, program.log, machine_);
-        all.insert(all.end(), data.begin(), data.end());
+    for (std::size_t i = 0; i < programs_.size(); ++i) {
+        for (Datum datum : programs_[i]->data) {
+            datum.run = i;
+            all.push_back(datum);
+        }
     }
     return all;
 }

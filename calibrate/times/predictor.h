@@ -38,9 +38,8 @@ class Predictor {
     /// end. On as many threads as the computer has cores.
     std::vector<tl::expected<double, std::string>> times_s(const machine::Machine& machine) const;
 
-    /// What the runs tell, those of this predictor in their order. Of a run that cannot be planned anew it is
-    /// the whole time.
-    std::vector<Datum> data(std::span<const RecordedRun> runs) const;
+    /// What the runs tell, in their order. Of a run that cannot be planned anew it is the whole time.
+    std::vector<Datum> data() const;
     /// The times of such data, s; the error names the program that does not come to its end.
     tl::expected<std::vector<double>, std::string> times_s(std::span<const Datum> data,
                                                            const machine::Machine& machine) const;
@@ -50,7 +49,8 @@ class Predictor {
     struct Program {
         std::string file;
         simulation::MotionLog log;
-        std::string refused;  ///< Why it does not come to its end; empty: it does.
+        std::string refused;      ///< Why it does not come to its end; empty: it does.
+        std::vector<Datum> data;  ///< Their run is told by data().
     };
 
     using Moves = std::vector<simulation::ReplayedMove>;
@@ -61,7 +61,6 @@ class Predictor {
     /// Of a run that cannot be planned anew one move is all of it.
     std::vector<tl::expected<Moves, std::string>> moves(const machine::Machine& machine) const;
 
-    machine::Machine machine_;  ///< On which the programs were run.
     std::vector<std::shared_ptr<const Program>> programs_;
     Reading reading_;
 };

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include <fast_float/fast_float.h>
+#include "base/text/read_number.h"
 
 namespace gsim::calibrate {
 
@@ -10,7 +10,7 @@ namespace {
 
 std::optional<double> take_number(std::string_view& text) {
     double value = 0;
-    const auto read = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+    const auto read = text::read_number(text.data(), text.data() + text.size(), value);
     if (read.ec != std::errc()) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
     return value;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,13 @@ struct RecordedRun {
     double time_s = 0;                       ///< From its first motion or dwell to its last.
     std::string record = {};                 ///< File of its positions over time; empty: none.
     std::vector<MotionSample> samples = {};  ///< What is in it.
+
+    /// How far a time is off the recorded one; below 0 where it is shorter.
+    double error_percent(double other_s) const { return 100 * (other_s - time_s) / time_s; }
 };
+
+/// Some of the runs, by their places.
+std::vector<RecordedRun> runs_at(std::span<const RecordedRun> runs, std::span<const std::size_t> places);
 
 /// The runs that a list names, one a line: a program's file, from `folder` where it is not absolute, and its
 /// time in s, with commas or tabs between, under a line that names the columns: `program` and `time_s`, or

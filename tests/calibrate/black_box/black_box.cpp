@@ -18,10 +18,6 @@ constexpr double kGuess_deg_s2 = 300;
 constexpr std::size_t kParts = 3;
 constexpr std::size_t kLeastForetold = 5;
 
-bool starts_with(const std::string& text, const char* with) {
-    return text.rfind(with, 0) == 0;
-}
-
 /// The same order with every library: std::shuffle may differ.
 std::vector<std::size_t> shuffled(std::size_t count, std::uint32_t seed) {
     std::mt19937 random(seed);
@@ -59,28 +55,18 @@ tl::expected<Usable, std::string> usable_runs(const BlackBox& box, const machine
     return Usable{std::move(good), predictor->part(places)};
 }
 
-std::vector<RecordedRun> runs_at(const Usable& usable, std::span<const std::size_t> places) {
-    std::vector<RecordedRun> chosen;
-    for (const std::size_t place : places) chosen.push_back(usable.runs[place]);
-    return chosen;
-}
-
 tl::expected<void, std::string> foretell(const Usable& usable, std::span<const std::size_t> places,
                                          const machine::Machine& machine, BoxOutcome& outcome) {
-    const auto runs = runs_at(usable, places);
+    const auto runs = runs_at(usable.runs, places);
     const auto times = usable.predictor.part(places).times_s(machine);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (!times[i]) return tl::unexpected(fmt::format("{}: {}", runs[i].program, times[i].error()));
-        outcome.foretold.push_back({runs[i].program, runs[i].time_s, *times[i]});
+        outcome.foretold.push_back({runs[i], *times[i]});
     }
     return {};
 }
 
 }  // namespace
-
-double Foretold::error_percent() const {
-    return 100 * (foretold_s - recorded_s) / recorded_s;
-}
 
 double BoxOutcome::mean_percent() const {
     double sum = 0;
@@ -133,9 +119,9 @@ machine::Machine without_inside(machine::Machine machine) {
 
 std::vector<Candidate> candidates_for(const std::string& box, const machine::Machine& machine) {
     auto candidates = generic_candidates(machine, false);
-    if (starts_with(box, "grbl") || starts_with(box, "klipper")) {
+    if (box.starts_with("grbl") || box.starts_with("klipper")) {
         std::erase_if(candidates, [](const Candidate& candidate) {
-            return starts_with(candidate.name, "junction-deviation");
+            return candidate.name.starts_with("junction-deviation");
         });
     }
     return candidates;
@@ -154,7 +140,7 @@ tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine
     std::stable_partition(order.begin(), order.end(),
                           [&](std::size_t place) { return usable->predictor.moves_of(place) <= most_moves; });
     const std::span<const std::size_t> known = std::span(order).first(fitted);
-    const auto runs = runs_at(*usable, known);
+    const auto runs = runs_at(usable->runs, known);
     const Predictor predictor = usable->predictor.part(known);
     auto choice = choose_model(candidates_for(box.name, machine), runs, predictor, kParts, told);
     if (!choice) return tl::unexpected(choice.error());
@@ -164,7 +150,6 @@ tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine
         fit_times(best.machine, runs, predictor, {.each_axis = best.each_axis, .other_starts = true});
     if (!fit) return tl::unexpected(fit.error());
     outcome.parameters = fit->parameters;
-    outcome.noise_percent = 100 * fit->noise;
     if (const auto done = foretell(*usable, std::span(order).subspan(fitted), fit->machine, outcome); !done)
         return tl::unexpected(done.error());
     return outcome;

@@ -34,17 +34,15 @@ std::vector<Candidate> candidates_for(const std::string& box, const machine::Mac
 
 /// A run that was not fitted to.
 struct Foretold {
-    std::string program;
-    double recorded_s = 0;
-    double foretold_s = 0;
+    RecordedRun run;
+    double time_s = 0;  ///< That was foretold.
 
-    double error_percent() const;
+    double error_percent() const { return run.error_percent(time_s); }
 };
 
 struct BoxOutcome {
     Choice choice;
     std::vector<FittedParameter> parameters;
-    double noise_percent = 0;  ///< Left of the fit.
     std::vector<Foretold> foretold;
     std::vector<std::string> left_out;  ///< Programs that the generic control does not bring to an end, why.
 

@@ -82,8 +82,8 @@ void print_outcome(const BlackBox& box, BoxOutcome outcome, const Arguments& arg
     });
     for (std::size_t i = 0; i < std::min<std::size_t>(arguments.worst, outcome.foretold.size()); ++i) {
         const Foretold& run = outcome.foretold[i];
-        fmt::print("    {}: {:.3f} s for {:.3f} s, {:+.2f} %\n", fs::path(run.program).stem().string(),
-                   run.foretold_s, run.recorded_s, run.error_percent());
+        fmt::print("    {}: {:.3f} s for {:.3f} s, {:+.2f} %\n", fs::path(run.run.program).stem().string(),
+                   run.time_s, run.run.time_s, run.error_percent());
     }
     for (const std::string& why : outcome.left_out) fmt::print("    left out: {}\n", why);
     std::fflush(stdout);

@@ -1,0 +1,63 @@
+#include "calibrate/text/list.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text/read_number.h"
+#include "base/text/trimmed.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+// No tab: where tabs are between, one at the beginning is an empty cell.
+constexpr std::string_view kBlanks = " \"\r";
+
+}  // namespace
+
+Cells cells_of(std::string_view line, std::string_view between) {
+    Cells cells;
+    while (true) {
+        const std::size_t end = line.find_first_of(between);
+        cells.push_back(text::trimmed(line.substr(0, end), kBlanks));
+        if (end == std::string_view::npos) return cells;
+        line.remove_prefix(end + 1);
+    }
+}
+
+std::optional<std::size_t> column_of(const Cells& heading, std::string_view name) {
+    const auto found = std::find(heading.begin(), heading.end(), name);
+    if (found == heading.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - heading.begin());
+}
+
+std::optional<double> number_in(std::string_view cell) {
+    double value = 0;
+    const char* end = cell.data() + cell.size();
+    const auto read = text::read_number(cell.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+tl::expected<void, std::string> read_list(std::string_view list, const TakeCells& heading,
+                                          const TakeCells& row) {
+    if (list.empty()) return tl::unexpected<std::string>("it is empty");
+    std::string_view between = ",";
+    for (int number = 1; !list.empty(); ++number) {
+        const std::size_t end = std::min(list.find('\n'), list.size());
+        const std::string_view line = text::trimmed(list.substr(0, end), kBlanks);
+        list.remove_prefix(std::min(end + 1, list.size()));
+        if (number == 1) {
+            if (line.find('\t') != std::string_view::npos) between = "\t";
+            if (auto taken = heading(cells_of(line, between)); !taken) return taken;
+        } else if (!line.empty()) {
+            if (const auto taken = row(cells_of(line, between)); !taken)
+                return tl::unexpected(fmt::format("line {}: {}", number, taken.error()));
+        }
+    }
+    return {};
+}
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace gsim::calibrate {
+
+/// The beginning of a picture (SVG) of this size, in pixels, up to its white ground: small words in a sans
+/// serif. "</svg>" ends it.
+std::string svg_head(double width, double height);
+
+}  // namespace gsim::calibrate
