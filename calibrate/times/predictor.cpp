@@ -15,7 +15,7 @@
 #include "engine/run.h"
 #include "runtime/machine/machine_file.h"
 #include "runtime/simulation/motion_replay.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulation/setup_of_machine.h"
 
 namespace gsim::calibrate {
 

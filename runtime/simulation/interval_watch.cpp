@@ -5,7 +5,7 @@
 
 #include "runtime/machine/figure.h"
 #include "runtime/simulation/motion_replay.h"
-#include "runtime/simulation/simulator.h"
+#include "runtime/simulation/setup_of_machine.h"
 
 namespace gsim::simulation {
 

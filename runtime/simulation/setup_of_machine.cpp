@@ -1,5 +1,6 @@
+#include "runtime/simulation/setup_of_machine.h"
+
 #include "base/units.h"
-#include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
 

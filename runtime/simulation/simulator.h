@@ -30,6 +30,7 @@
 #include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/setup_of_machine.h"
 #include "runtime/simulation/short_brakes_watch.h"
 #include "runtime/simulation/step_ranges.h"
 #include "runtime/simulation/tip_frame.h"
@@ -395,8 +396,5 @@ class Simulator {
     OverrideLocks locks_;  ///< As the program has set them.
     std::vector<motion::OverrideChange> overrides_;
 };
-
-/// What the planner must know of a machine: X, Y and Z, where they are linear, carry the tool.
-motion::PlannerSetup setup_of_machine(const machine::Machine& machine);
 
 }  // namespace gsim::simulation

@@ -5,6 +5,7 @@ import { chromium } from "playwright-core";
 const EXECUTABLE = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
 const idle = [];
+const open = new Set();
 
 // To start one takes two seconds of processor time.
 async function takeBrowser() {
@@ -18,6 +19,16 @@ async function takeBrowser() {
 /** Ends the browsers that pages have left behind. */
 export const closeBrowsers = () => Promise.all(idle.splice(0).map((browser) => browser.close()));
 
+/** What the pages say that are open, for the case that waits for one of them. */
+export async function whatIsOpen() {
+  const said = async (page) => {
+    const patience = new Promise((done) => setTimeout(done, 5000, "does not answer"));
+    const words = page.evaluate(() => [document.getElementById("bar"), ...document.querySelectorAll("dialog")].map((each) => each?.innerText));
+    return `  a page: ${JSON.stringify(await Promise.race([words, patience]).catch(String))}`;
+  };
+  return open.size > 0 ? (await Promise.all([...open].map(said))).join("\n") : "  no page is open";
+}
+
 /**
  * Opens a file, or an address, in a window that shares nothing with others: storage, caches, and, while it is open, its browser. `before` is run in
  * the page before its own code; what goes wrong in the page is kept in `faults`.
@@ -27,6 +38,7 @@ export async function openPage(file, { width = 1280, height = 800, dark = false,
   const browser = await takeBrowser();
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? "dark" : "light" });
   const page = await context.newPage();
+  open.add(page);
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
   page.on("console", (message) => {
@@ -40,6 +52,7 @@ export async function openPage(file, { width = 1280, height = 800, dark = false,
   // However busy the machine is: how long a page takes to load is for the benchmarks.
   await page.goto(isAddress ? file : `file://${file}`, { timeout: 180_000 });
   const close = async () => {
+    open.delete(page);
     await context.close();
     idle.push(browser);
   };

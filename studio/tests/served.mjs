@@ -9,6 +9,13 @@ import { withPage } from "./steps.mjs";
 
 const PATIENCE_MS = 20_000;
 
+/** Fails with these words where something does not come in time. */
+function within(time_ms, wanted, words) {
+  let patience;
+  const late = new Promise((_, fail) => (patience = setTimeout(() => fail(new Error(words)), time_ms)));
+  return Promise.race([wanted, late]).finally(() => clearTimeout(patience));
+}
+
 /** The address that a program says first. */
 function addressOf(program) {
   return new Promise((tell, fail) => {
@@ -45,7 +52,10 @@ class Served {
     if (this.program.exitCode !== null || this.program.signalCode !== null) return Promise.resolve();
     const ended = new Promise((done) => this.program.once("exit", done));
     this.program.kill();
-    return ended;
+    return within(PATIENCE_MS, ended, "gsim-studio does not end").catch((fault) => {
+      this.program.kill("SIGKILL");
+      throw fault;
+    });
   }
 }
 
@@ -59,12 +69,14 @@ export async function typeAfter(page, text, typed) {
   await page.keyboard.type(typed);
 }
 
-/** Holds back what a page asks of a file by this method, until go() is called; how often it was asked is in `count`. */
+/** Holds back what a page asks of a file by this method, until go() is called; how often it was asked is in `count`, and
+ *  asked() waits for the first time. */
 export async function hold(page, method, name) {
   const held = { count: 0 };
   const gate = new Promise((go) => (held.go = go));
   let begun;
-  held.asked = new Promise((asked) => (begun = asked));
+  const first = new Promise((asked) => (begun = asked));
+  held.asked = () => within(PATIENCE_MS, first, `the page makes no ${method} of ${name}`);
   await page.route(`**/file/${name}`, async (route) => {
     if (route.request().method() !== method) return route.fallback();
     ++held.count;

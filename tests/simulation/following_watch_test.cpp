@@ -14,7 +14,7 @@
 #include "runtime/simulation/plot_script.h"
 #include "runtime/simulation/simulator.h"
 #include "runtime/simulation/trajectory_writer.h"
-#include "tests/simulation/random_program.h"
+#include "tests/simulation/fed_lines.h"
 #include "tests/simulation/string_stream.h"
 #include "tests/simulation/test_segments.h"
 
@@ -25,7 +25,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr double kGain_1_s = 30;
-constexpr double kSpeed_mm_s = 100;
 
 // Nothing limits accelerations: speeds are constant on each line, and jump.
 machine::Machine slides(double gain_x_1_s = kGain_1_s, double gain_y_1_s = kGain_1_s) {
@@ -53,16 +52,6 @@ direction = "z"
     return machine;
 }
 
-void feed(Simulator& simulator, double x, double y, std::uint32_t line, MoveKind kind = MoveKind::linear) {
-    LineMove move{.kind = kind,
-                  .target = simulator.position(),
-                  .feed = {.linear_mm_min = kSpeed_mm_s * 60},
-                  .place = {0, line}};
-    move.target[0] = x;
-    move.target[1] = y;
-    ASSERT_TRUE(simulator.move(move));
-}
-
 FollowingReport following(Simulator& simulator) {
     simulator.add_file("part.nc");
     return simulator.finish("part.nc").following.value();
@@ -75,10 +64,10 @@ TEST(FollowingWatch, LineAtConstantSpeed) {
     feed(simulator, 200, 0, 7);  // 2 s
     const FollowingReport report = following(simulator);
     const AxisFollowing& x = report.axes[0];
-    const double steady_mm = 0.6 * kSpeed_mm_s / kGain_1_s;
+    const double steady_mm = 0.6 * kFed_mm_s / kGain_1_s;
     EXPECT_NEAR(x.peak, steady_mm, 1e-9);
     EXPECT_EQ(x.peak_place.line, 7U);
-    EXPECT_NEAR(x.behind_s * kSpeed_mm_s, steady_mm, 1e-12);
+    EXPECT_NEAR(x.behind_s * kFed_mm_s, steady_mm, 1e-12);
     EXPECT_NEAR(x.end, steady_mm, 1e-9);
     // The square of steady (1 - exp(-K t)) over 2 s.
     const double squares = steady_mm * steady_mm * (2 - 2 / kGain_1_s + 1 / (2 * kGain_1_s));
@@ -92,7 +81,7 @@ TEST(FollowingWatch, LineAtConstantSpeed) {
 TEST(FollowingWatch, BackwardsTheErrorIsBelowZero) {
     Simulator simulator(slides(), {});
     feed(simulator, -200, 0, 7);
-    EXPECT_NEAR(following(simulator).axes[0].peak, -kSpeed_mm_s / kGain_1_s, 1e-9);
+    EXPECT_NEAR(following(simulator).axes[0].peak, -kFed_mm_s / kGain_1_s, 1e-9);
 }
 
 TEST(FollowingWatch, FullFeedForwardFollows) {
@@ -112,10 +101,10 @@ TEST(FollowingWatch, UnequalGainsOnALineOf45Degrees) {
     Simulator simulator(slides(40, 25), {});
     feed(simulator, 300, 300, 3);
     const FollowingReport report = following(simulator);
-    const double each_mm_s = kSpeed_mm_s / std::numbers::sqrt2;
+    const double each_mm_s = kFed_mm_s / std::numbers::sqrt2;
     EXPECT_NEAR(report.axes[0].peak, each_mm_s / 40, 1e-9);
     EXPECT_NEAR(report.axes[1].peak, each_mm_s / 25, 1e-9);
-    EXPECT_NEAR(report.feed.error_mm, kSpeed_mm_s / 2 * (1.0 / 25 - 1.0 / 40), 1e-9);
+    EXPECT_NEAR(report.feed.error_mm, kFed_mm_s / 2 * (1.0 / 25 - 1.0 / 40), 1e-9);
     EXPECT_EQ(report.feed.place.line, 3U);
 }
 
@@ -127,7 +116,7 @@ TEST(FollowingWatch, DelayOfOneAxisIsAContourErrorOfAllIsNone) {
         Simulator simulator(machine, {});
         feed(simulator, 300, 300, 3);
         const FollowingReport report = following(simulator);
-        const double each_mm_s = kSpeed_mm_s / std::numbers::sqrt2;
+        const double each_mm_s = kFed_mm_s / std::numbers::sqrt2;
         EXPECT_NEAR(report.axes[0].peak, each_mm_s * (1 / kGain_1_s + 0.004), 1e-9);
         EXPECT_NEAR(report.feed.error_mm, of_all ? 0 : each_mm_s * 0.004 / std::numbers::sqrt2, 1e-9);
     }
@@ -140,7 +129,7 @@ TEST(FollowingWatch, CornerIsRoundedByTheLag) {
     feed(simulator, 200, 0, 1);
     feed(simulator, 200, 200, 2);
     const FollowingReport report = following(simulator);
-    EXPECT_NEAR(report.feed.error_mm, kSpeed_mm_s / kGain_1_s / std::numbers::e, 1e-8);
+    EXPECT_NEAR(report.feed.error_mm, kFed_mm_s / kGain_1_s / std::numbers::e, 1e-8);
     EXPECT_NEAR(report.feed.t_s, 2 + 1 / kGain_1_s, 1e-8);
     EXPECT_EQ(report.feed.place.line, 2U);
     EXPECT_EQ(report.rapid.error_mm, 0);
@@ -173,7 +162,7 @@ TEST(FollowingWatch, CornerThatTheControllerRoundsIsPartOfTheWayFromTheProgramAl
 // Corners of rapid moves count by themselves.
 TEST(FollowingWatch, RapidMovesAreToldApart) {
     machine::Machine machine = slides();
-    for (machine::Axis& axis : machine.axes) axis.max_speed = 3 * kSpeed_mm_s;
+    for (machine::Axis& axis : machine.axes) axis.max_speed = 3 * kFed_mm_s;
     Simulator simulator(machine, {});
     feed(simulator, 300, 0, 1, MoveKind::rapid);
     feed(simulator, 300, 300, 2, MoveKind::rapid);
@@ -181,9 +170,9 @@ TEST(FollowingWatch, RapidMovesAreToldApart) {
     feed(simulator, 100, 300, 4);
     feed(simulator, 100, 100, 5);
     const FollowingReport report = following(simulator);
-    EXPECT_NEAR(report.rapid.error_mm, 3 * kSpeed_mm_s / kGain_1_s / std::numbers::e, 1e-8);
+    EXPECT_NEAR(report.rapid.error_mm, 3 * kFed_mm_s / kGain_1_s / std::numbers::e, 1e-8);
     EXPECT_EQ(report.rapid.place.line, 2U);
-    EXPECT_NEAR(report.feed.error_mm, kSpeed_mm_s / kGain_1_s / std::numbers::e, 1e-8);
+    EXPECT_NEAR(report.feed.error_mm, kFed_mm_s / kGain_1_s / std::numbers::e, 1e-8);
     EXPECT_EQ(report.feed.place.line, 5U);
 }
 
@@ -210,11 +199,11 @@ TEST(FollowingWatch, CircleShrinks) {
     TrajectoryWriter writer(stream.out(), simulator.machine(), 0.05, 1e9);
     writer.add_following(simulator.following_setup().value());
     simulator.add_output(writer);
-    ArcMove move = circle_at(simulator, kRadius_mm, kSpeed_mm_s * 60);
+    ArcMove move = circle_at(simulator, kRadius_mm, kFed_mm_s * 60);
     move.place = {0, 4};
     ASSERT_TRUE(simulator.move(move));
     const FollowingReport report = following(simulator);
-    const double w = kSpeed_mm_s / kRadius_mm / kGain_1_s;
+    const double w = kFed_mm_s / kRadius_mm / kGain_1_s;
     const double shrunk_mm = kRadius_mm - kRadius_mm / std::sqrt(1 + w * w);
     const std::string csv = stream.text();
     EXPECT_EQ(
@@ -239,7 +228,7 @@ TEST(FollowingWatch, EndlessTurnsAndVerySlowMovesEnd) {
     machine::Machine machine = slides();
     machine.controller = machine::built_in_controller("blend").value();
     Simulator simulator(machine, {});
-    ArcMove move = circle_at(simulator, 25, kSpeed_mm_s * 60);
+    ArcMove move = circle_at(simulator, 25, kFed_mm_s * 60);
     move.sweep_rad *= 2000;
     ASSERT_TRUE(simulator.move(move));
     move.sweep_rad /= 2000;
@@ -247,7 +236,7 @@ TEST(FollowingWatch, EndlessTurnsAndVerySlowMovesEnd) {
     ASSERT_TRUE(simulator.move(move));
     simulator.dwell(1e6, {0, 3});
     const FollowingReport report = following(simulator);
-    const double w = kSpeed_mm_s / 25 / kGain_1_s;
+    const double w = kFed_mm_s / 25 / kGain_1_s;
     EXPECT_GE(report.feed.error_mm, 25 - 25 / std::sqrt(1 + w * w) - 1e-4);
     EXPECT_NEAR(report.axes[0].end, 0, 1e-9);
 }
@@ -261,8 +250,8 @@ TEST(FollowingWatch, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
     Simulator simulator(machine, {});
     feed(simulator, 300, 400, 1);
     const FollowingReport report = following(simulator);
-    EXPECT_NEAR(report.axes[0].peak, 0.6 * kSpeed_mm_s / 20, 1e-9);
-    EXPECT_NEAR(report.axes[1].peak, 0.8 * kSpeed_mm_s / 20, 1e-9);
+    EXPECT_NEAR(report.axes[0].peak, 0.6 * kFed_mm_s / 20, 1e-9);
+    EXPECT_NEAR(report.axes[1].peak, 0.8 * kFed_mm_s / 20, 1e-9);
     EXPECT_EQ(report.axes[2].gain_1_s, kGain_1_s);
 }
 
@@ -306,132 +295,7 @@ TEST(FollowingWatch, PlotShowsIt) {
     EXPECT_THAT(script, HasSubstr("set ylabel 'following error (mm)' noenhanced"));
     EXPECT_THAT(script, HasSubstr("$following_X << EOD"));
     EXPECT_THAT(script, HasSubstr("title 'contour error of the tip'"));
-    EXPECT_NEAR(data.following(0).back().value, kSpeed_mm_s / kGain_1_s, 1e-9);
-}
-
-/// The gantry with a turning head, with loops of all kinds.
-machine::Machine random_servos(std::mt19937& random, std::size_t program) {
-    constexpr std::array kModels{"exact-stop", "ab9", "blend", "linuxcnc-2.9", "grbl-1.1"};
-    machine::Machine machine = random_machine(random, af5());
-    machine.controller = machine::built_in_controller(kModels[program % kModels.size()]).value();
-    for (machine::Axis& axis : machine.axes) {
-        axis.servo = machine::Servo{.position_gain_1_s = around(random, 30, 0.4),
-                                    .velocity_feed_forward = between(random, 0, 1),
-                                    .acceleration_feed_forward = between(random, 0, 1),
-                                    .velocity_lag_s = random() % 3 == 0 ? 0 : around(random, 0.004, 0.6),
-                                    .command_delay_s = random() % 2 == 0 ? 0 : between(random, 0, 0.01)};
-    }
-    return machine;
-}
-
-/// Steps in half the time change nothing that matters: of no axis, nor of the tip.
-TEST(FollowingWatch, HalfTheStepChangesNothing) {
-    constexpr std::size_t kPrograms = 10;
-    double greatest = 0;
-    for (std::size_t program = 0; program < kPrograms; ++program) {
-        std::mt19937 random(static_cast<unsigned>(program));
-        const machine::Machine machine = random_servos(random, program);
-        Simulator simulator(machine, {});
-        FollowingWatch half(simulator.following_setup().value(), dynamics::ServoMotion::kStep_s / 2);
-        simulator.add_output(half);
-        RandomMoves(random, simulator).make(12);
-        const Report report = simulator.finish("random");
-        const FollowingReport& whole = report.following.value();
-        for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {
-            // Where it is as much to both sides the step may decide which of them counts.
-            EXPECT_NEAR(std::abs(whole.axes[axis].peak), std::abs(half.report().axes[axis].peak), 1e-6)
-                << program;
-            EXPECT_NEAR(whole.axes[axis].rms, half.report().axes[axis].rms, 1e-6) << program;
-            EXPECT_NEAR(whole.axes[axis].end, half.report().axes[axis].end, 1e-6) << program;
-        }
-        EXPECT_NEAR(whole.feed.error_mm, half.report().feed.error_mm, 1e-6) << program;
-        EXPECT_NEAR(whole.rapid.error_mm, half.report().rapid.error_mm, 1e-6) << program;
-        greatest = std::max(greatest, whole.feed.error_mm);
-    }
-    EXPECT_GT(greatest, 0.1);
-}
-
-// From the program the tip is no farther than from the way of the set points, and this way from the program.
-TEST(FollowingWatch, FromTheProgramItIsNoFartherThanBothTogether) {
-    constexpr std::array kModels{"blend", "linuxcnc-2.9"};
-    double rounded = 0;
-    for (std::size_t program = 0; program < 16; ++program) {
-        std::mt19937 random(static_cast<unsigned>(program));
-        machine::Machine machine = random_servos(random, program);
-        machine.controller = machine::built_in_controller(kModels[program % 2]).value();
-        Simulator simulator(machine, {});
-        simulator.set_path_mode(rrs::PathMode::continuous, 0.5, 0);
-        for (std::uint32_t line = 1; line < 30; ++line)
-            feed(simulator, between(random, -20, 20), between(random, -20, 20), line);
-        const Report report = simulator.finish("random");
-        const double both_mm = report.following->feed.error_mm + report.blends.feed.deviation_mm;
-        EXPECT_LE(report.following->program->error_mm, both_mm + 1e-6) << program;
-        EXPECT_GE(report.following->program->error_mm, report.blends.feed.deviation_mm / 4) << program;
-        rounded = std::max(rounded, report.blends.feed.deviation_mm);
-    }
-    EXPECT_GT(rounded, 0.1);
-}
-
-/// A loop of one joint as it is told, by Runge's and Kutta's rule in fine steps along the run.
-struct Witness : RunOutput {
-    static constexpr double kStep_s = 1e-4;
-    using State = std::array<double, 2>;  // place, speed
-
-    Witness(const machine::Servo& of, int of_joint) : servo(of), joint(of_joint) {}
-
-    void begin(const rrs::JointPos& start) override { at = {start[joint], 0}; }
-    void take(const motion::Segment& segment, const MoveInfo&) override {
-        const int steps = static_cast<int>(std::ceil(segment.duration_s / kStep_s));
-        const double h = segment.duration_s / steps;
-        for (int i = 0; i < steps; ++i) {
-            const double inside = 1e-6 * h;
-            go(h, segment.at(i * h + inside), segment.at((i + 0.5) * h), segment.at((i + 1) * h - inside));
-        }
-    }
-    State slope(const motion::JointState& set, const State& of) const {
-        const double command =
-            servo.position_gain_1_s * (set.position[joint] - of[0]) +
-            servo.velocity_feed_forward * set.velocity[joint] +
-            servo.acceleration_feed_forward * servo.velocity_lag_s * set.acceleration[joint];
-        if (servo.velocity_lag_s <= 0) return {command, 0};
-        return {of[1], (command - of[1]) / servo.velocity_lag_s};
-    }
-    void go(double h, const motion::JointState& from, const motion::JointState& middle,
-            const motion::JointState& to) {
-        at[1] += servo.acceleration_feed_forward * (from.velocity[joint] - set_speed);  // where it jumps
-        set_speed = to.velocity[joint];
-        const auto moved = [this](const State& by, double share) {
-            return State{at[0] + share * by[0], at[1] + share * by[1]};
-        };
-        const State a = slope(from, at), b = slope(middle, moved(a, h / 2));
-        const State c = slope(middle, moved(b, h / 2)), d = slope(to, moved(c, h));
-        for (std::size_t i = 0; i < at.size(); ++i) at[i] += h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
-        error = to.position[joint] - at[0];
-    }
-
-    machine::Servo servo;
-    int joint;
-    State at{};
-    double set_speed = 0, error = 0;
-};
-
-TEST(FollowingWatch, RandomProgramsAgainstFineSteps) {
-    constexpr std::size_t kWitnessed = 10;
-    for (std::size_t program = 0; program < kWitnessed; ++program) {
-        std::mt19937 random(static_cast<unsigned>(100 + program));
-        machine::Machine machine = random_servos(random, program);
-        for (machine::Axis& axis : machine.axes) axis.servo->command_delay_s = 0;
-        Simulator simulator(machine, {});
-        Witness x(*machine.axes[0].servo, 0), c(*machine.axes[4].servo, 4);
-        simulator.add_output(x);
-        simulator.add_output(c);
-        RandomMoves(random, simulator).make(12);
-        const FollowingReport report = simulator.finish("random").following.value();
-        constexpr double kDegPerRad = 180 / std::numbers::pi;
-        EXPECT_NEAR(report.axes[0].end, x.error, 5e-5 * (1 + std::abs(report.axes[0].peak))) << program;
-        EXPECT_NEAR(report.axes[4].end, c.error * kDegPerRad, 5e-5 * (1 + std::abs(report.axes[4].peak)))
-            << program;
-    }
+    EXPECT_NEAR(data.following(0).back().value, kFed_mm_s / kGain_1_s, 1e-9);
 }
 
 }  // namespace

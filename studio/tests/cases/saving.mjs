@@ -21,7 +21,7 @@ export default {
       const put = await hold(page, "PUT", "long.nc");
       await typeAfter(page, "G1 X20", " F300");
       await page.keyboard.press("Control+s");
-      await put.asked;
+      await put.asked();
       await page.keyboard.type(" (more)");
       put.go();
       await noticed(page, "Saved: long.nc");
@@ -38,7 +38,7 @@ export default {
       await typeAfter(page, "G1 X20", "");
       const get = await hold(page, "GET", "long.nc");
       served.write("long.nc", LONG.replace("X10", "X15"));
-      await get.asked;
+      await get.asked();
       await page.keyboard.type(" F300");
       get.go();
       await noticed(page, "long.nc was changed here and by another program");
@@ -72,7 +72,7 @@ export default {
       const put = await hold(page, "PUT", "part.nc");
       await typeAfter(page, "G1 X20", " F300");
       await page.keyboard.press("Control+s");
-      await put.asked;
+      await put.asked();
       await page.keyboard.type("1");
       put.go();
       await noticed(page, "Saved: part.nc");
@@ -88,7 +88,7 @@ export default {
       const put = await hold(page, "PUT", "part.nc");
       await typeAfter(page, "G1 X20", " F300");
       await page.keyboard.press("Control+s");
-      await put.asked;
+      await put.asked();
       await page.keyboard.type("0");
       await page.keyboard.press("Control+s");
       put.go();
@@ -112,7 +112,7 @@ export default {
       await hasMark(page, "part.nc", "conflict");
       const get = await hold(page, "GET", "part.nc");
       await page.keyboard.press("Control+s");
-      await get.asked;
+      await get.asked();
       await page.keyboard.press("Control+s");
       get.go();
       await page.locator("dialog").waitFor();
@@ -153,7 +153,7 @@ export default {
       await page.keyboard.press("Control+s");
       await page.locator("dialog input").fill("mine.nc");
       await page.keyboard.press("Enter");
-      await put.asked;
+      await put.asked();
       await typeAfter(page, /^N210 /, "2");
       put.go();
       await page.waitForFunction(() => window.studio.session.setup.program === "mine.nc");

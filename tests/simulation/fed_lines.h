@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "runtime/simulation/simulator.h"
+
+namespace gsim::simulation {
+
+/// Of the lines below.
+inline constexpr double kFed_mm_s = 100;
+
+/// A line of X and Y from where the machine stands, at that speed.
+inline void feed(Simulator& simulator, double x, double y, std::uint32_t line,
+                 MoveKind kind = MoveKind::linear) {
+    LineMove move{.kind = kind,
+                  .target = simulator.position(),
+                  .feed = {.linear_mm_min = kFed_mm_s * 60},
+                  .place = {0, line}};
+    move.target[0] = x;
+    move.target[1] = y;
+    ASSERT_TRUE(simulator.move(move));
+}
+
+}  // namespace gsim::simulation
