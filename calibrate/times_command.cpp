@@ -30,7 +30,7 @@ struct Arguments {
     std::string picture;
     std::string program;
     std::uint64_t parts = 3;
-    bool each_axis = false;
+    OpenFigures open;
     bool keep_model = false;
     bool quiet = false;
 };
@@ -78,8 +78,10 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
         .shows_default();
     line.add("--keep-model", &arguments.keep_model,
              "keep the machine file's controller, and fit its figures; else generic ones are tried");
-    line.add("--each-axis", &arguments.each_axis,
+    line.add("--each-axis", &arguments.open.each_axis,
              "figures of each axis by themselves, where axes begin with the same");
+    line.add("--speeds", &arguments.open.speeds,
+             "speeds of axes and along the path, too: those of the machine file are guesses");
     line.add("-q,--quiet", &arguments.quiet, "no word on the way");
 }
 
@@ -145,18 +147,18 @@ Done fit_to_times(const Arguments& arguments) {
     const auto predictor = Predictor::of(task->runs, arguments.reading, task->machine);
     if (!predictor) return tl::unexpected(predictor.error());
     std::optional<Choice> choice;
-    bool each_axis = arguments.each_axis;
+    OpenFigures open = arguments.open;
     if (!arguments.keep_model) {
-        auto chosen = choose_model(generic_candidates(task->machine, each_axis), task->runs, *predictor,
+        auto chosen = choose_model(generic_candidates(task->machine, open), task->runs, *predictor,
                                    std::min<std::size_t>(arguments.parts, task->runs.size()), tell);
         if (!chosen) return tl::unexpected(chosen.error());
         choice = *std::move(chosen);
         task->machine = choice->candidate.machine;
-        each_axis = choice->candidate.each_axis;
+        open = choice->candidate.open;
         tell(fmt::format("chosen: {}", choice->candidate.name));
     }
-    const auto fit = fit_times(task->machine, task->runs, *predictor,
-                               {.each_axis = each_axis, .other_starts = true}, tell);
+    const auto fit =
+        fit_times(task->machine, task->runs, *predictor, {.open = open, .other_starts = true}, tell);
     if (!fit) return tl::unexpected(fit.error());
     tell(fit_table(*fit, task->runs));
     return write_all(arguments, *task, *fit, choice);

@@ -50,13 +50,13 @@ class Trial {
   public:
     Trial(std::span<const RecordedRun> runs, const Predictor& predictor, std::size_t parts,
           const std::function<void(const std::string&)>& told)
-        : runs_(runs), predictor_(predictor), parts_(parts), told_(told) {}
+        : runs_(runs), predictor_(predictor), words_(predictor.words()), parts_(parts), told_(told) {}
 
     /// Fits to all runs; nothing where that cannot be done.
     std::optional<Tried> fit(const Candidate& candidate) {
         scores_.push_back({candidate.name});
         Score& score = scores_.back();
-        const auto fit = fit_times(candidate.machine, runs_, predictor_, {candidate.each_axis, kSteps});
+        const auto fit = fit_times(candidate.machine, runs_, predictor_, {candidate.open, kSteps});
         if (fit) {
             for (std::size_t i = 0; i < runs_.size(); ++i)
                 score.fitted_percent +=
@@ -66,7 +66,7 @@ class Trial {
         }
         tell(score);
         if (!fit) return std::nullopt;
-        return Tried{{candidate.name, fit->machine, candidate.each_axis}, scores_.size() - 1, {}};
+        return Tried{{candidate.name, fit->machine, candidate.open}, scores_.size() - 1, {}};
     }
 
     /// Whether all parts could be foretold.
@@ -88,6 +88,7 @@ class Trial {
     }
 
     double fitted_percent(const Tried& tried) const { return scores_[tried.score].fitted_percent; }
+    const std::vector<std::string>& words() const { return words_; }
     std::vector<Score> take_scores() { return std::move(scores_); }
     const std::vector<Score>& scores() const { return scores_; }
 
@@ -96,7 +97,7 @@ class Trial {
         const auto others = places_of(runs_.size(), parts_, part, false);
         const auto places = places_of(runs_.size(), parts_, part, true);
         const auto fit = fit_times(tried.candidate.machine, runs_at(runs_, others), predictor_.part(others),
-                                   {tried.candidate.each_axis, kStepsOfPart});
+                                   {tried.candidate.open, kStepsOfPart});
         if (!fit) return tl::unexpected(fit.error());
         const auto times = predictor_.part(places).times_s(fit->machine);
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -118,6 +119,7 @@ class Trial {
 
     std::span<const RecordedRun> runs_;
     const Predictor& predictor_;
+    std::vector<std::string> words_;  // keys of [times]
     std::size_t parts_;
     const std::function<void(const std::string&)>& told_;
     std::vector<Score> scores_;
@@ -176,7 +178,7 @@ std::vector<Tried> tried_candidates(std::span<const Candidate> candidates, Trial
 std::optional<Tried> refined(const Tried& tried, Trial& trial) {
     std::vector<Tried> fitted;
     const double worth_percent = kWorthTrying * trial.fitted_percent(tried);
-    for (const Candidate& candidate : refinements(tried.candidate)) {
+    for (const Candidate& candidate : refinements(tried.candidate, trial.words())) {
         auto found = trial.fit(candidate);
         if (found && trial.fitted_percent(*found) < worth_percent) fitted.push_back(*std::move(found));
     }

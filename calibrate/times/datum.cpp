@@ -5,8 +5,6 @@
 #include <optional>
 #include <variant>
 
-#include "calibrate/times/passages.h"
-
 namespace gsim::calibrate {
 
 namespace {
@@ -84,8 +82,21 @@ std::vector<Datum> data_of(const RecordedRun& run, const MotionLog& log, const m
     return data;
 }
 
+std::optional<Span> span_of(std::span<const simulation::ReplayedMove> moves) {
+    const auto goes = [](const simulation::ReplayedMove& move) { return !move.rests; };
+    const auto of_word = [](const simulation::ReplayedMove& move) { return move.of_word; };
+    const auto first = std::find_if(moves.begin(), moves.end(), goes);
+    if (first == moves.end()) return std::nullopt;
+    const auto last = std::find_if(moves.rbegin(), moves.rend(), goes);
+    const bool words_before = std::any_of(moves.begin(), first, of_word);
+    const bool words_behind = std::any_of(moves.rbegin(), last, of_word);
+    return Span{words_before ? first->start_s : moves.front().start_s,
+                words_behind ? last->end_s : moves.back().end_s};
+}
+
 double time_of(const Datum& datum, const MotionLog& log, std::span<const simulation::ReplayedMove> moves) {
-    if (moves.empty()) return 0;
+    const auto span = span_of(moves);
+    if (!span) return 0;
     const auto end_of = [&](std::size_t move) {
         const rrs::TargetId target = target_of(log, move);
         const auto found = std::lower_bound(
@@ -93,8 +104,8 @@ double time_of(const Datum& datum, const MotionLog& log, std::span<const simulat
             [](const simulation::ReplayedMove& each, rrs::TargetId id) { return each.target_id < id; });
         return found == moves.end() ? moves.back().end_s : found->end_s;
     };
-    const double start_s = datum.from == Datum::kOutside ? moves.front().start_s : end_of(datum.from);
-    const double end_s = datum.to == Datum::kOutside ? moves.back().end_s : end_of(datum.to);
+    const double start_s = datum.from == Datum::kOutside ? span->start_s : end_of(datum.from);
+    const double end_s = datum.to == Datum::kOutside ? span->end_s : end_of(datum.to);
     return end_s - start_s;
 }
 

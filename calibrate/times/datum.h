@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "calibrate/times/passages.h"
 #include "calibrate/times/recorded_run.h"
 #include "runtime/machine/machine.h"
 #include "runtime/simulation/motion_log.h"
@@ -26,6 +28,10 @@ struct Datum {
 /// samples apart; else its whole time. `log`: what it asks for on `machine`.
 std::vector<Datum> data_of(const RecordedRun& run, const simulation::MotionLog& log,
                            const machine::Machine& machine);
+
+/// When a run that was replayed begins to move or dwell, and when it ends: what words take before and behind
+/// does not count. Nothing where nothing moves.
+std::optional<Span> span_of(std::span<const simulation::ReplayedMove> moves);
 
 /// The same time of a run that was replayed, s; 0 where it has no such moves.
 double time_of(const Datum& datum, const simulation::MotionLog& log,

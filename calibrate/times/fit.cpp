@@ -9,6 +9,8 @@
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
+#include "calibrate/times/wait_start.h"
+
 namespace gsim::calibrate {
 
 namespace {
@@ -180,6 +182,42 @@ struct End {
     double cost = 0;
 };
 
+/// Whether times grow with it in proportion.
+bool is_wait(const Parameter& parameter) {
+    return parameter.figure.of == "times" || parameter.figure.key == "rest_s" ||
+           parameter.figure.key == "settle_s";
+}
+
+/// Where words take time they and the other waits begin where the times that are missing tell, as all else is
+/// now.
+void begin_waits(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters) {
+    const bool any = std::any_of(parameters.begin(), parameters.end(),
+                                 [](const Parameter& each) { return each.figure.of == "times"; });
+    std::vector<Eigen::Index> waits;
+    for (std::size_t k = 0; any && k < parameters.size(); ++k) {
+        if (is_wait(parameters[k])) waits.push_back(static_cast<Eigen::Index>(k));
+    }
+    if (waits.empty()) return;
+    times.PrepareForEvaluation(true, true);
+    const Eigen::VectorXd planned_s = times.log_times.array().exp();
+    Eigen::VectorXd recorded_s(planned_s.size());
+    for (std::size_t i = 0; i < data.size(); ++i) recorded_s[static_cast<Eigen::Index>(i)] = data[i].time_s;
+    Eigen::MatrixXd counts(planned_s.size(), static_cast<Eigen::Index>(waits.size()));
+    Eigen::VectorXd missing_s = recorded_s - planned_s;
+    for (Eigen::Index w = 0; w < counts.cols(); ++w) {
+        const Eigen::Index k = waits[static_cast<std::size_t>(w)];
+        const Eigen::VectorXd all_s = times.slopes.col(k).cwiseProduct(planned_s);
+        counts.col(w) = all_s / std::exp(times.logs[k]);
+        missing_s += all_s;
+    }
+    const Eigen::VectorXd waits_s = waits_from(counts, missing_s, recorded_s);
+    for (Eigen::Index w = 0; w < counts.cols(); ++w) {
+        const Eigen::Index k = waits[static_cast<std::size_t>(w)];
+        const Parameter& parameter = parameters[static_cast<std::size_t>(k)];
+        times.logs[k] = std::log(std::clamp(waits_s[w], parameter.least, parameter.most));
+    }
+}
+
 /// Much of a share for the way round a curve leaves little for its ramps, and the other way round: both may
 /// explain a curve's time, and a fit comes to the one that is nearer. So it begins at several. The best end
 /// first.
@@ -260,19 +298,31 @@ double noise_of(const Fit& fit, std::span<const RecordedRun> runs) {
     return deviation(squares, runs.size(), fit.parameters.size());
 }
 
+/// What is open; of words those alone that programs have.
+std::vector<Parameter> parameters_of(const machine::Machine& machine, const OpenFigures& open,
+                                     const std::vector<std::string>& words) {
+    std::vector<Parameter> parameters = open_parameters(machine, open);
+    std::erase_if(parameters, [&](const Parameter& each) {
+        return each.figure.of == "times" &&
+               std::find(words.begin(), words.end(), each.figure.key) == words.end();
+    });
+    return parameters;
+}
+
 }  // namespace
 
 tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
                                          const Predictor& predictor, const FitOptions& options,
                                          const std::function<void(const std::string&)>& told) {
     const std::vector<Datum> data = predictor.data();
-    const std::vector<Parameter> parameters = open_parameters(machine, options.each_axis);
+    const std::vector<Parameter> parameters = parameters_of(machine, options.open, predictor.words());
     if (runs.empty() || parameters.empty())
         return tl::unexpected<std::string>("there is nothing to fit: no runs, or no figure that is open");
     Times times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);
     if (const auto begun = times.begin(); !begun) return tl::unexpected(begun.error());
+    begin_waits(times, data, parameters);
     const std::vector<End> ends = solve_from_all(times, data, parameters, options, told);
     times.PrepareForEvaluation(true, true);
     Fit fit;

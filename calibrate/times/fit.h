@@ -32,7 +32,7 @@ struct Fit {
 };
 
 struct FitOptions {
-    bool each_axis = false;  ///< Figures of each axis by themselves, where axes begin with the same.
+    OpenFigures open = {};
     int most_steps = 15;
     bool other_starts = false;  ///< From several shares for curves, of which two may explain the same times.
 };

@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "runtime/machine/figure.h"
+#include "runtime/machine/times_section.h"
+
 namespace gsim::calibrate {
 
 namespace {
@@ -19,7 +22,9 @@ using rrs::PlannerKind;
 
 /// Where a machine has no jerk limit: its acceleration in 50 ms.
 constexpr double kJerkOfAcceleration_1_s = 20;
-constexpr double kFirstPart = 0.75;      // of the acceleration
+constexpr double kFirstPart = 0.75;     // of the acceleration
+constexpr double kFirstBlock_s = 0.02;  // more than it may be: what limits nothing is not found
+constexpr double kFirstWord_s = 0.5;
 constexpr std::size_t kFarAhead = 1000;  // blocks
 
 /// Corners, by the name of their rule.
@@ -111,6 +116,13 @@ void refine_look_ahead(const ControllerRules& rules, Refiner& refiner) {
     }
 }
 
+void refine_words(const Machine& machine, std::span<const std::string> words, Refiner& refiner) {
+    if (words.empty() || !machine::timed_keys(machine.times).empty()) return;
+    refiner.add("words that take time", [&](Candidate& to) {
+        for (const std::string& key : words) machine::set_value({"times", key}, kFirstWord_s, to.machine);
+    });
+}
+
 void refine_curves(const ControllerRules& rules, Refiner& refiner) {
     if (rules.arc_chord_tolerance_mm <= 0 && !rrs::is_blend(rules.corner)) {
         refiner.add("arcs as chords within 0.005 mm",
@@ -129,15 +141,15 @@ void refine_curves(const ControllerRules& rules, Refiner& refiner) {
 
 }  // namespace
 
-std::vector<Candidate> generic_candidates(const Machine& machine, bool each_axis) {
+std::vector<Candidate> generic_candidates(const Machine& machine, const OpenFigures& open) {
     std::vector<Candidate> candidates;
     const auto add = [&](const std::string& name, const ControllerRules& rules) {
         Machine straight = machine;
         straight.controller = rules;
         straight.controller.limit_jerk = false;
-        candidates.push_back({name + ", straight ramps", straight, each_axis});
+        candidates.push_back({name + ", straight ramps", straight, open});
         limit_jerk(straight);
-        candidates.push_back({name + ", limited jerk", std::move(straight), each_axis});
+        candidates.push_back({name + ", limited jerk", std::move(straight), open});
     };
     ControllerRules rests = machine.controller;
     rests.model = "exact-stop";
@@ -148,17 +160,25 @@ std::vector<Candidate> generic_candidates(const Machine& machine, bool each_axis
     return candidates;
 }
 
-std::vector<Candidate> refinements(const Candidate& candidate) {
+std::vector<Candidate> refinements(const Candidate& candidate, std::span<const std::string> words) {
     Refiner refiner(candidate);
     const ControllerRules& rules = candidate.machine.controller;
-    if (!candidate.each_axis) refiner.add("each axis by itself", [](Candidate& to) { to.each_axis = true; });
+    if (!candidate.open.each_axis)
+        refiner.add("each axis by itself", [](Candidate& to) { to.open.each_axis = true; });
+    if (!candidate.open.speeds)
+        refiner.add("speeds that are not known", [](Candidate& to) { to.open.speeds = true; });
     refine_path(candidate.machine, refiner);
+    refine_words(candidate.machine, words, refiner);
     if (rules.planner != PlannerKind::look_ahead) return refiner.take();
     refine_look_ahead(rules, refiner);
     refine_curves(rules, refiner);
     if (rules.continuous_acceleration_share >= 1) {
         refiner.add("a part of the acceleration in continuous mode",
                     [](Candidate& to) { to.machine.controller.continuous_acceleration_share = kFirstPart; });
+    }
+    if (rules.block_time_s <= 0) {
+        refiner.add("a time for each block",
+                    [](Candidate& to) { to.machine.controller.block_time_s = kFirstBlock_s; });
     }
     if (rules.exact_path_corner != CornerRule::stop) {
         refiner.add("stops at corners in exact path mode",

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "calibrate/times/parameter.h"
 #include "runtime/machine/machine.h"
 
 namespace gsim::calibrate {
@@ -11,16 +13,17 @@ namespace gsim::calibrate {
 struct Candidate {
     std::string name;  ///< "velocity-step, straight ramps"
     machine::Machine machine;
-    bool each_axis = false;  ///< Figures of each axis by themselves, where axes begin with the same.
+    OpenFigures open = {};
 };
 
 /// The machine with each generic way of planning: from rest to rest, corners by a step of speed, by junction
 /// deviation or rounded within a tolerance (by a constant acceleration, or by one that grows and falls), or
 /// moves that overlay each other, each with straight ramps and with limited jerk. None is a model of a
 /// control that somebody has looked into.
-std::vector<Candidate> generic_candidates(const machine::Machine& machine, bool each_axis);
+std::vector<Candidate> generic_candidates(const machine::Machine& machine, const OpenFigures& open);
 
-/// What a candidate may be refined by, one thing each; nothing that it has already.
-std::vector<Candidate> refinements(const Candidate& candidate);
+/// What a candidate may be refined by, one thing each; nothing that it has already. `words`: keys of [times]
+/// that programs have words for.
+std::vector<Candidate> refinements(const Candidate& candidate, std::span<const std::string> words);
 
 }  // namespace gsim::calibrate

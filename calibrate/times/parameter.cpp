@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "runtime/machine/times_section.h"
+
 namespace gsim::calibrate {
 
 namespace {
@@ -21,6 +23,7 @@ constexpr double kFactor = 100;
 constexpr double kFirstWait_s = 0.01;
 constexpr double kLeastWait_s = 1e-5;
 constexpr double kLongestWait_s = 1;
+constexpr double kLongestWord_s = 600;
 
 /// Gathers what is open.
 class Parameters {
@@ -43,6 +46,10 @@ class Parameters {
                           now > 0 ? std::max(now, kLeastWait_s) : kFirstWait_s,
                           kLeastWait_s,
                           std::max(kLongestWait_s, now)});
+    }
+    void add_word(const std::string& key) {
+        const double now = value_of({"times", key});
+        found_.push_back({{"times", key}, now, kLeastWait_s, std::max(kLongestWord_s, now)});
     }
     std::vector<Parameter> take() { return std::move(found_); }
 
@@ -100,19 +107,27 @@ void add_corners(const ControllerRules& rules, Parameters& parameters) {
 
 }  // namespace
 
-std::vector<Parameter> open_parameters(const Machine& machine, bool each_axis) {
+std::vector<Parameter> open_parameters(const Machine& machine, const OpenFigures& open) {
     Parameters parameters(machine);
-    add_axes(machine, &Axis::max_acceleration, "max_acceleration_mm_s2", "max_acceleration_deg_s2", each_axis,
-             parameters);
+    add_axes(machine, &Axis::max_acceleration, "max_acceleration_mm_s2", "max_acceleration_deg_s2",
+             open.each_axis, parameters);
     if (machine.controller.limit_jerk)
-        add_axes(machine, &Axis::max_jerk, "max_jerk_mm_s3", "max_jerk_deg_s3", each_axis, parameters);
+        add_axes(machine, &Axis::max_jerk, "max_jerk_mm_s3", "max_jerk_deg_s3", open.each_axis, parameters);
+    if (open.speeds) {
+        add_axes(machine, &Axis::max_speed, "max_speed_mm_s", "max_speed_deg_s", open.each_axis, parameters);
+        for (const char* limit : {"max_feed_mm_s", "max_rapid_mm_s"}) parameters.add_scaled({"path", limit});
+    }
     for (const char* limit : {"max_acceleration_mm_s2", "max_rapid_acceleration_mm_s2"})
         parameters.add_scaled({"path", limit});
     if (machine.controller.planner == rrs::PlannerKind::look_ahead) {
         add_corners(machine.controller, parameters);
+        parameters.add_scaled({"controller", "block_time_s"});
         parameters.add_wait("settle_s");
     }
+    if (machine.controller.planner == rrs::PlannerKind::linuxcnc)
+        parameters.add_scaled({"controller", "servo_period_s"});
     parameters.add_wait("rest_s");
+    for (const std::string& key : machine::timed_keys(machine.times)) parameters.add_word(key);
     return parameters.take();
 }
 

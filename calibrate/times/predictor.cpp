@@ -7,13 +7,16 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "engine/run.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/machine/times_section.h"
 #include "runtime/simulation/motion_replay.h"
 #include "runtime/simulation/setup_of_machine.h"
 
@@ -21,6 +24,7 @@ namespace gsim::calibrate {
 
 namespace {
 
+constexpr double kAnyTime_s = 0.01;
 constexpr const char* kMachine = "calibrated machine.toml";
 
 std::optional<std::string> bytes_of(const std::string& file) {
@@ -55,8 +59,35 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& mak
 tl::expected<double, std::string> whole_s(
     const tl::expected<std::vector<simulation::ReplayedMove>, std::string>& moves) {
     if (!moves) return tl::unexpected(moves.error());
-    if (moves->empty()) return tl::unexpected<std::string>("nothing moves");
-    return moves->back().end_s - moves->front().start_s;
+    const auto span = span_of(*moves);
+    if (!span) return tl::unexpected<std::string>("nothing moves");
+    return span->end_s - span->start_s;
+}
+
+/// All words take some time, so that it is known where they are.
+machine::Machine with_all_times(machine::Machine machine) {
+    machine.times.before_first_move = true;
+    for (const std::string& key : machine::named_time_keys()) {
+        double& time_s = *machine::time_at(key, machine.times);
+        if (time_s <= 0) time_s = kAnyTime_s;
+    }
+    return machine;
+}
+
+/// The keys of rests between moves.
+void add_words(const simulation::MotionLog& log, std::set<std::string>& keys) {
+    bool has_moved = false;
+    std::vector<std::string> since;
+    for (const simulation::MotionAsk& ask : log.asks()) {
+        const auto* rest = std::get_if<simulation::AskedRest>(&ask);
+        if (rest != nullptr && !rest->time_key.empty()) {
+            if (has_moved) since.push_back(rest->time_key);
+        } else if (!std::holds_alternative<simulation::AskedStop>(ask)) {
+            has_moved = true;
+            keys.insert(since.begin(), since.end());
+            since.clear();
+        }
+    }
 }
 
 }  // namespace
@@ -71,7 +102,7 @@ tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> 
         programs.push_back(std::make_shared<Program>());
         programs.back()->file = run.program;
     }
-    const std::string text = machine::print_machine(machine);
+    const std::string text = machine::print_machine(with_all_times(machine));
     on_all_cores(programs.size(), [&](std::size_t i) {
         Program& program = *programs[i];
         predictor.run(program, text);
@@ -86,6 +117,12 @@ tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> 
 void Predictor::run(Program& program, const std::string& machine) const {
     if (const auto time_s = run_time_s(program.file, machine, &program.log); !time_s)
         program.refused = time_s.error();
+}
+
+std::vector<std::string> Predictor::words() const {
+    std::set<std::string> keys;
+    for (const auto& program : programs_) add_words(program->log, keys);
+    return {keys.begin(), keys.end()};
 }
 
 Predictor Predictor::part(std::span<const std::size_t> places) const {
@@ -130,7 +167,7 @@ std::vector<tl::expected<Predictor::Moves, std::string>> Predictor::moves(
         if (!program.refused.empty()) {
             moves[i] = tl::unexpected(program.refused);
         } else if (program.log.gap().empty()) {
-            moves[i] = simulation::replay(program.log, setup);
+            moves[i] = simulation::replay(program.log, setup, machine.times);
         } else {
             moves[i] =
                 run_time_s(program.file, machine::print_machine(machine), nullptr).map([](double time_s) {

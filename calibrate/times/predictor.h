@@ -34,7 +34,10 @@ class Predictor {
 
     /// What a run asks of its controller, in number.
     std::size_t moves_of(std::size_t place) const { return programs_[place]->log.asks().size(); }
-    /// The time of each run, s, from its first move or dwell on; the error says why it does not come to its
+    /// Keys of [times] in the machine file that these programs have words for between their moves.
+    std::vector<std::string> words() const;
+    /// The time of each run, s, from its first move or dwell to its last, whatever words take before
+    /// and behind; the error says why it does not come to its
     /// end. On as many threads as the computer has cores.
     std::vector<tl::expected<double, std::string>> times_s(const machine::Machine& machine) const;
 

@@ -1,6 +1,7 @@
 // Part programs that tell what recorded runs did not.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -81,6 +82,28 @@ std::string stops(const Plane& plane) {
     return text;
 }
 
+/// A word that takes the time of this key of [times], ten times between moves.
+std::string words(const std::string& key, const Plane& plane) {
+    constexpr std::array<std::array<std::string_view, 2>, 8> kWords{{{"tool_change_s", "T1 M6"},
+                                                                     {"tool_table_s", "G10 L1 P1 Z0"},
+                                                                     {"coolant_on_s", "M8"},
+                                                                     {"coolant_off_s", "M9"},
+                                                                     {"spindle_start_s", "M3 S1000"},
+                                                                     {"spindle_stop_s", "M5"},
+                                                                     {"process_on_s", "M8"},
+                                                                     {"process_off_s", "M9"}}};
+    const auto* const found =
+        std::find_if(kWords.begin(), kWords.end(), [&](const auto& each) { return each[0] == key; });
+    const std::string_view word = found == kWords.end() ? std::string_view(key) : (*found)[1];
+    std::string text = fmt::format("(what {} takes)\n", word);
+    const double sx = std::copysign(1.0, reach_of(plane.x));
+    for (int i = 0; i < 10; ++i) {
+        text += fmt::format("{}\nG1 X{:.3f} F1000\n", word,
+                            plane.x.home + sx * 0.05 * plane.size_mm * (i % 2 == 0 ? 1 : 0));
+    }
+    return text;
+}
+
 std::optional<Plane> plane_of(const machine::Machine& machine) {
     const auto find = [&](char letter) {
         return std::find_if(machine.axes.begin(), machine.axes.end(),
@@ -108,6 +131,8 @@ std::string test_program(const Fit& fit) {
             if (plane) text += zigzag(*plane);
         } else if (parameter.figure.of == "controller") {
             if (plane) text += of_controller(parameter, *plane);
+        } else if (parameter.figure.of == "times") {
+            if (plane) text += words(parameter.figure.key, *plane);
         } else {
             for (const Axis& axis : fit.machine.axes) {
                 if (parameter.figure.of.find(axis.letter) != std::string::npos) text += strokes(axis);

@@ -30,7 +30,7 @@ void read_figure(FirstError& error, const toml::table& table, std::size_t count,
                                   "a list, one number for each [[calibrated]]", {count});
     if (section.has("of") && section.has("key") && !value_of(figure, machine)) {
         section.fail("key", fmt::format("{} is no figure that can be calibrated: 'of' is letters of axes, "
-                                        "\"path\" or \"controller\", and 'key' one of theirs",
+                                        "\"path\", \"controller\" or \"times\", and 'key' one of theirs",
                                         name_of(figure)));
     }
     calibration.figures.push_back(std::move(figure));
@@ -100,7 +100,7 @@ std::vector<GuideTable> calibration_guide() {
         {.at = {"calibrated"},
          .many = true,
          .meaning = "a figure that was fitted",
-         .keys = {required(text_key("of", "", "letters of axes, path or controller")),
+         .keys = {required(text_key("of", "", "letters of axes, path, controller or times")),
                   required(text_key("key", "", "which of theirs")),
                   required(list_key("covariance_percent2", KeyKind::number, 0,
                                     "of the logarithms of this figure and each other one, in percent"))}}};

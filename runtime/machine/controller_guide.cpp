@@ -85,6 +85,8 @@ std::vector<GuideKey> ways_guide() {
         number_key("continuous_acceleration_share", kShare, "1.0",
                    "share of the acceleration that moves in continuous mode (G64) speed up and slow down "
                    "with"),
+        number_key("block_time_s", kStep, "0.0",
+                   "what the control takes to make a block ready: no move is made in less"),
         number_key("arc_chord_tolerance_mm", kStep, "0.0",
                    "arcs become chords that lie off the circle by this much; 0: they stay arcs"),
         number_key("spline_chord_tolerance_mm", kStep, "0.0",

@@ -72,6 +72,7 @@ constexpr std::array kNumberKeys{
     NumberKey{"speed_step_s", &Rules::speed_step_s, NumberRule::positive},
     NumberKey{"centripetal_share", &Rules::centripetal_share, NumberRule::positive},
     NumberKey{"continuous_acceleration_share", &Rules::continuous_acceleration_share, NumberRule::share},
+    NumberKey{"block_time_s", &Rules::block_time_s, NumberRule::step},
     NumberKey{"tcp_tolerance_mm", &Rules::tcp_tolerance_mm, NumberRule::positive},
     NumberKey{"arc_chord_tolerance_mm", &Rules::arc_chord_tolerance_mm, NumberRule::step},
     NumberKey{"spline_chord_tolerance_mm", &Rules::spline_chord_tolerance_mm, NumberRule::step},

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "runtime/machine/times_section.h"
+
 namespace gsim::machine {
 
 namespace {
@@ -15,6 +17,7 @@ struct AxisFigure {
     double Axis::*value;
 };
 constexpr std::array kAxisFigures{
+    AxisFigure{"max_speed_mm_s", "max_speed_deg_s", &Axis::max_speed},
     AxisFigure{"max_acceleration_mm_s2", "max_acceleration_deg_s2", &Axis::max_acceleration},
     AxisFigure{"max_jerk_mm_s3", "max_jerk_deg_s3", &Axis::max_jerk}};
 
@@ -38,6 +41,8 @@ constexpr std::array kRuleFigures{
     RuleFigure{"blend_tolerance_mm", &rrs::ControllerRules::blend_tolerance_mm},
     RuleFigure{"centripetal_share", &rrs::ControllerRules::centripetal_share},
     RuleFigure{"continuous_acceleration_share", &rrs::ControllerRules::continuous_acceleration_share},
+    RuleFigure{"block_time_s", &rrs::ControllerRules::block_time_s},
+    RuleFigure{"servo_period_s", &rrs::ControllerRules::servo_period_s},
     RuleFigure{"settle_s", &rrs::ControllerRules::settle_s},
     RuleFigure{"rest_s", &rrs::ControllerRules::rest_s}};
 
@@ -70,6 +75,10 @@ auto places_of(const Figure& figure, AMachine& machine) {
             places.push_back(&(machine.controller.*member));
         return places;
     }
+    if (figure.of == "times") {
+        if (auto* place = time_at(figure.key, machine.times)) places.push_back(place);
+        return places;
+    }
     for (const char letter : figure.of) {
         const auto before = places.size();
         for (auto& axis : machine.axes) {
@@ -84,7 +93,8 @@ auto places_of(const Figure& figure, AMachine& machine) {
 }  // namespace
 
 std::string name_of(const Figure& figure) {
-    if (figure.of == "path" || figure.of == "controller") return fmt::format("{}: {}", figure.of, figure.key);
+    if (figure.of == "path" || figure.of == "controller" || figure.of == "times")
+        return fmt::format("{}: {}", figure.of, figure.key);
     std::vector<std::string> letters;
     for (const char letter : figure.of) letters.emplace_back(1, letter);
     return fmt::format("{} {}: {}", letters.size() == 1 ? "axis" : "axes", fmt::join(letters, ", "),

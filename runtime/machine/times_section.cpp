@@ -48,7 +48,42 @@ std::vector<std::string_view> keys_of(const toml::table& table) {
     return keys;
 }
 
+template <typename Times>
+auto find_time(std::string_view name, Times& times) -> decltype(&times.tool_change_s) {
+    for (const TimeKey& key : kTimeKeys) {
+        if (key.name == name) return &(times.*key.time_s);
+    }
+    const auto code = code_of(name);
+    const auto found = code ? times.codes_s.find(*code) : times.codes_s.end();
+    return found == times.codes_s.end() ? nullptr : &found->second;
+}
+
 }  // namespace
+
+double* time_at(std::string_view key, WordTimes& times) {
+    return find_time(key, times);
+}
+
+const double* time_at(std::string_view key, const WordTimes& times) {
+    return find_time(key, times);
+}
+
+std::vector<std::string> named_time_keys() {
+    std::vector<std::string> keys;
+    for (const TimeKey& key : kTimeKeys) keys.emplace_back(key.name);
+    return keys;
+}
+
+std::vector<std::string> timed_keys(const WordTimes& times) {
+    std::vector<std::string> keys;
+    for (const TimeKey& key : kTimeKeys) {
+        if (times.*key.time_s > 0) keys.emplace_back(key.name);
+    }
+    for (const auto& [code, time_s] : times.codes_s) {
+        if (time_s > 0) keys.push_back(fmt::format("M{}", code));
+    }
+    return keys;
+}
 
 WordTimes read_times(FirstError& error, const toml::table* table) {
     WordTimes times;

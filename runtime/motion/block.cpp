@@ -285,6 +285,10 @@ tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, con
     if (move.orientation)
         limit_lead(block, [&](LeadPath& lead) { limit_by_head(setup, *move.orientation, lead); });
     leave_for_overlaying(setup.controller, block);
+    if (setup.controller.block_time_s > 0) {
+        limit(block.max_speed, block.speed_limit,
+              block.lead.length / (setup.controller.block_time_s * move.share), {LimitKind::block_time, -1});
+    }
     if (rules.rapid_share < 1)
         limit(block.max_speed, block.speed_limit, rules.rapid_share * block.max_speed,
               {LimitKind::rapid_override, -1});

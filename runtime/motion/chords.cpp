@@ -43,6 +43,7 @@ void for_each_chord(const PathMove& move, const PlannerSetup& setup,
     PathMove line = move;
     line.kind = SegmentKind::linear;
     set_chord_speed(move, setup.controller, count, line);
+    line.share = move.share / count;
     for (int i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;
         line.end = i == count ? move.end : rrs::JointPos(move.start + share * (move.end - move.start));

@@ -32,6 +32,7 @@ struct PathMove {
     /// Null: the joints go straight ways by themselves.
     std::shared_ptr<const ToolPiece> piece;
     bool reaches_target = true;  ///< Ends at its target; else another move leads on to it.
+    double share = 1;            ///< Of a block of the program that has become several moves.
     double length_mm = 0;        ///< Of the tool's way; 0 where rotary joints alone move.
     MoveRules rules;  ///< Programmed speeds and the path's limits, without the operator's overrides.
     ObeyedOverrides obeyed;

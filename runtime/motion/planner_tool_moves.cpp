@@ -148,6 +148,7 @@ Planned Planner::add_pieces(const PathMove& whole, const ToolPath& path,
         move.piece = std::make_shared<const ToolPiece>(
             ToolPiece{path.role(), piece.share * path.length(), piece.bend});
         move.reaches_target = i + 1 == pieces.size();
+        move.share = piece.share;
         if (Planned added = model.add(move); !added) {
             if (held) held_.take_back();
             if (!own) model.clear();

@@ -50,6 +50,7 @@ enum class LimitKind : std::uint8_t {
     stop,         ///< A stop at one of its ends.
     jerk,
     look_ahead,      ///< The controller did not know further blocks.
+    block_time,      ///< It takes so long to make a block ready.
     time,            ///< A programmed time (inverse time feed, dwell).
     rapid_override,  ///< The operator has turned it down.
     short_brakes,    ///< Ramps in steps of time had braked before the end (SteppedRamps).

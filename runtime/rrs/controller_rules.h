@@ -99,6 +99,9 @@ struct ControllerRules {
     /// Share of the acceleration limits for moves in continuous mode: controls that overlay the end of a move
     /// with the beginning of the next one give each a part.
     double continuous_acceleration_share = 1;
+    /// Of PlannerKind::look_ahead: what the control takes to make a block ready, so that no move is made in
+    /// less; 0: no time.
+    double block_time_s = 0;
     /// Arcs become chords that lie off the circle by this much; 0: they stay arcs.
     double arc_chord_tolerance_mm = 0;
     /// Splines become chords by halving steps of the parameter until the middle of each lies off the curve by

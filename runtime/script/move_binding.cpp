@@ -205,11 +205,12 @@ int exact_stop_once(lua_State* state) {
     return 0;
 }
 
-/// core.take_time(s, place): the machine rests for what a word has set going.
+/// core.take_time(s, key, place): the machine rests for what a word has set going.
 int take_time(lua_State* state) {
     Interpreter& interpreter = interpreter_of(state);
     const double seconds = luaL_checknumber(state, 1);
-    interpreter.check(state, interpreter.simulator().take_time(seconds, check_place(state, 2)));
+    const std::string key = luaL_checkstring(state, 2);
+    interpreter.check(state, interpreter.simulator().take_time(seconds, key, check_place(state, 3)));
     return 0;
 }
 

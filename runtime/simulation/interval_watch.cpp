@@ -40,7 +40,7 @@ IntervalWatch::IntervalWatch(const machine::Machine& machine)
         machine::Machine off = machine;
         machine::set_value(figure, other, off);
         beside_.push_back({std::make_unique<motion::Planner>(setup_of_machine(off), nowhere_.get()),
-                           std::log(other / value)});
+                           off.times, std::log(other / value)});
     }
 }
 
@@ -58,7 +58,8 @@ void IntervalWatch::stands_at(const rrs::JointPos& joints) {
 
 void IntervalWatch::asked(const MotionAsk& ask) {
     for (const Beside& beside : beside_) {
-        if (const auto put = ask_again(ask, *beside.planner); !put) return untold(put.error().message);
+        if (const auto put = ask_again(ask, beside.times, *beside.planner); !put)
+            return untold(put.error().message);
     }
 }
 

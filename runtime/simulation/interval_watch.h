@@ -34,6 +34,7 @@ class IntervalWatch final : public MotionObserver {
     /// The machine with one figure that is off.
     struct Beside {
         std::unique_ptr<motion::Planner> planner;
+        machine::WordTimes times;
         double log_step = 0;  ///< Of the figure's logarithm.
     };
 

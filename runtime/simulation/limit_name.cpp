@@ -32,6 +32,7 @@ std::string describe(motion::LimitedBy limited_by, const machine::Machine& machi
         case LimitKind::stop: return "stop";
         case LimitKind::jerk: return "jerk";
         case LimitKind::look_ahead: return "look-ahead";
+        case LimitKind::block_time: return "block time";
         case LimitKind::time: return "time";
         case LimitKind::rapid_override: return "rapid override";
         case LimitKind::short_brakes: return "braked short";

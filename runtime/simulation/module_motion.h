@@ -47,7 +47,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override;
     motion::Planned put_own(const rrs::JointPos& end) override;
     double own_end_s() const override { return 0; }
-    motion::Planned put_rest(rrs::TargetId id, double rest_s) override;
+    motion::Planned put_rest(const AskedRest& rest) override;
     std::vector<std::string> take_remarks() override { return std::exchange(remarks_, {}); }
     void come_to_rest(bool waits) override;
     void end_program() override;

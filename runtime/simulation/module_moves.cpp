@@ -276,9 +276,9 @@ motion::Planned ModuleMotion::put_own(const rrs::JointPos&) {
                           .message = "A controller module has no axes that go by themselves."});
 }
 
-motion::Planned ModuleMotion::put_rest(rrs::TargetId id, double rest_s) {
+motion::Planned ModuleMotion::put_rest(const AskedRest& rest) {
     return by_program([&]() -> motion::Planned {
-        const Status status = SetNextRest(id, rest_s);
+        const Status status = SetNextRest(rest.target_id, rest.rest_s);
         if (is_refused(status)) return tl::unexpected(refusal(status));
         return {};
     });

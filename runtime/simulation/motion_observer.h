@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -7,10 +8,11 @@
 
 namespace gsim::simulation {
 
-/// A dwell, by the id of its target.
+/// A dwell, by the id of its target, or a rest for what a word has set going.
 struct AskedRest {
     rrs::TargetId target_id = 0;
     double rest_s = 0;
+    std::string time_key;  ///< Of [times] in the machine file, which says how long; empty: of none.
 };
 
 /// What is planned is to end at rest; `waits`: the controller waits for its program.

@@ -46,7 +46,7 @@ class MotionSource {
     virtual motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) = 0;
     virtual motion::Planned put_own(const rrs::JointPos& end) = 0;
     virtual double own_end_s() const = 0;
-    virtual motion::Planned put_rest(rrs::TargetId id, double rest_s) = 0;
+    virtual motion::Planned put_rest(const AskedRest& rest) = 0;
     /// Sentences on what the controller has not taken of the moves since it was asked last, and makes in its
     /// own way.
     virtual std::vector<std::string> take_remarks() = 0;

@@ -44,9 +44,9 @@ motion::Planned ObservedMotion::put_own(const rrs::JointPos& end) {
     return put;
 }
 
-motion::Planned ObservedMotion::put_rest(rrs::TargetId id, double rest_s) {
-    auto put = motion_->put_rest(id, rest_s);
-    if (put) observer_.asked(AskedRest{id, rest_s});
+motion::Planned ObservedMotion::put_rest(const AskedRest& rest) {
+    auto put = motion_->put_rest(rest);
+    if (put) observer_.asked(rest);
     return put;
 }
 

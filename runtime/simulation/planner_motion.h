@@ -45,8 +45,8 @@ class PlannerMotion final : public MotionSource {
     }
     motion::Planned put_own(const rrs::JointPos& end) override { return planner_.put_own(end); }
     double own_end_s() const override { return planner_.own_end_s(); }
-    motion::Planned put_rest(rrs::TargetId id, double rest_s) override {
-        return planner_.put_rest(id, rest_s);
+    motion::Planned put_rest(const AskedRest& rest) override {
+        return planner_.put_rest(rest.target_id, rest.rest_s);
     }
     std::vector<std::string> take_remarks() override { return {}; }
     void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }

@@ -318,8 +318,8 @@ bool Simulator::move(const ViaMove& move) {
                        [&](const AxisVector& from) { observer_->arc(from, move); });
 }
 
-motion::Put Simulator::put_rest(rrs::TargetId id, double seconds) {
-    const motion::Planned planned = motion_->put_rest(id, seconds);
+motion::Put Simulator::put_rest(const AskedRest& rest) {
+    const motion::Planned planned = motion_->put_rest(rest);
     if (!planned) return tl::unexpected(planned.error());
     return {};
 }
@@ -327,16 +327,16 @@ motion::Put Simulator::put_rest(rrs::TargetId id, double seconds) {
 bool Simulator::dwell(double seconds, const Place& place) {
     const MoveInfo info = next_move(MoveKind::dwell, place, 0);
     recorder_.expect(info);
-    return finish_move(put_rest(info.target_id, seconds), AxisVector(position_), place,
+    return finish_move(put_rest({info.target_id, seconds, {}}), AxisVector(position_), place,
                        [&](const AxisVector& at) { observer_->dwell(at, seconds); });
 }
 
-bool Simulator::take_time(double seconds, const Place& place) {
+bool Simulator::take_time(double seconds, std::string key, const Place& place) {
     if (!machine_.times.before_first_move && time_s() <= 0) return true;
     const MoveInfo info = next_move(MoveKind::dwell, place, 0);
     recorder_.expect(info);
     words_s_ += seconds;
-    return finish_move(put_rest(info.target_id, seconds), place);
+    return finish_move(put_rest({info.target_id, seconds, std::move(key)}), place);
 }
 
 double Simulator::time_s() {

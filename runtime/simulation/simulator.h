@@ -138,8 +138,8 @@ class Simulator {
     bool has_tip_control() const { return tip_frame_.has_value(); }
     bool dwell(double seconds, const Place& place);
     /// The machine rests for what a word of the program has set going ([times] of the machine file). Part of
-    /// the program's time, but nothing that it asks for: the observer is not told.
-    bool take_time(double seconds, const Place& place);
+    /// the program's time, but nothing that it asks for: the observer is not told. `key`: of the table.
+    bool take_time(double seconds, std::string key, const Place& place);
     /// How the moves that follow are passed, and within what tolerances (mm; 0: as the controller does).
     void set_path_mode(rrs::PathMode mode, double tolerance_mm, double merge_tolerance_mm);
     /// The next move ends in an exact stop, whatever the mode.
@@ -291,7 +291,7 @@ class Simulator {
     bool rotary_alone(const AxisVector& target) const;
     double feed_per_min(const LineMove& move, bool rotary) const;
     double feed_per_min(const ArcMove& move) const;
-    motion::Put put_rest(rrs::TargetId id, double seconds);
+    motion::Put put_rest(const AskedRest& rest);
     bool check_feed(const Feed& feed, bool rotary_alone, const Place& place);
     MoveInfo next_move(MoveKind kind, const Place& place, double feed_per_min);
     void obey_overrides(MoveInfo& info, const Feed& feed) const;

@@ -128,6 +128,41 @@ TEST_F(Programs, TakeAsLongAsRunsDoOnAnyController) {
     }
 }
 
+/// Words take time or none: where the programs were run first they took some.
+TEST_F(Programs, TakeAsLongAsRunsDoWhereWordsTakeTime) {
+    const auto start =
+        machine::read_machine(machine_text(kControllers[1]) + "[times]\nM3 = 1.0\n", "start.toml").value();
+    const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
+    EXPECT_THAT(predictor.words(), testing::UnorderedElementsAre("coolant_on_s", "coolant_off_s", "M3"));
+    for (const std::string& controller : kControllers) {
+        SCOPED_TRACE(controller);
+        const std::string text = machine_text(controller) + "[times]\ncoolant_on_s = 0.7\nM3 = 2.5\n";
+        const auto times = predictor.times_s(machine::read_machine(text, "m.toml").value());
+        for (std::size_t i = 0; i < runs_.size(); ++i)
+            EXPECT_NEAR(times[i].value(), run_time_s(runs_[i].program, text), 1e-9) << kPrograms[i];
+    }
+}
+
+/// As in recordings, which begin and end with motion.
+TEST_F(Programs, CountNoWordsBeforeAndBehindTheirMotion) {
+    const std::string moves = "G0 X10\nM8\nG4 P1\nG1 X30 F1000\n";
+    std::vector<RecordedRun> runs;
+    for (const std::string& text : {moves + "M2\n", "M3 S100\n" + moves + "M9\nM5\nM2\n"}) {
+        const fs::path file = folder_ / (std::to_string(runs.size()) + "-words.ngc");
+        std::ofstream(file) << "G21 G90\n" << text;
+        runs.push_back({file.string(), 1});
+    }
+    const auto machine = machine::read_machine(machine_text(kControllers[1]) +
+                                                   "[times]\nspindle_start_s = 3.0\ncoolant_on_s = 0.5\n"
+                                                   "coolant_off_s = 0.25\nspindle_stop_s = 4.0\n",
+                                               "m.toml")
+                             .value();
+    const Predictor predictor = Predictor::of(runs, {"rs274ngc"}, machine).value();
+    EXPECT_THAT(predictor.words(), testing::ElementsAre("coolant_on_s"));
+    const auto times = predictor.times_s(machine);
+    EXPECT_NEAR(times[0].value(), times[1].value(), 1e-9);
+}
+
 TEST_F(Programs, OfAPartAreThoseOfItsPlaces) {
     const auto machine = machine::read_machine(machine_text(kControllers[1]), "m.toml").value();
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, machine).value();

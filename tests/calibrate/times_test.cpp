@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "calibrate/times/choice.h"
 #include "calibrate/times/fit.h"
 #include "calibrate/times/outcome.h"
 #include "engine/run.h"
@@ -148,6 +149,78 @@ TEST_F(Recordings, DoNotTellOfWhatTheyDoNotHave) {
     EXPECT_THAT(program, HasSubstr("(curves)\n"));
     EXPECT_THAT(program, HasSubstr("G2 X"));
     EXPECT_THAT(fit_table(found, runs_), HasSubstr("tell nothing by itself"));
+}
+
+/// Times of words are found among those of moves, whichever way of planning is tried.
+TEST_F(Recordings, TellWhatWordsTake) {
+    for (int i = 1; i < 5; ++i) {
+        std::string text = "G21 G90 G17 G64\n";
+        for (int k = 0; k < 3 * i; ++k)
+            text += fmt::format("G1 X{} F6000\n{}", 7 * (k % 2), k % 3 == 0 ? "T1 M6\n" : "M8\n");
+        add(text + "G0 X50\nM2\n");
+    }
+    // What each stop takes is in the times of words, too: dwells tell it apart.
+    std::string dwells = "G21 G90 G17 G64\n";
+    for (int k = 0; k < 20; ++k) dwells += fmt::format("G1 X{} F6000\nG4 P0.05\n", 7 * (k % 2));
+    add(dwells + "M2\n");
+    machine::Machine hidden = router(730, 0.012);
+    hidden.times.tool_change_s = 6;
+    hidden.times.coolant_on_s = 0.2;
+    record(hidden, 0.002);
+    const machine::Machine start = router(400, 0.03);
+    const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
+    const Candidate candidate{"velocity-step", start};
+    const Choice choice = choose_model(std::span(&candidate, 1), runs_, predictor, 3).value();
+    EXPECT_THAT(choice.candidate.name, HasSubstr("words that take time"));
+    const Fit found = fit_times(choice.candidate.machine, runs_, predictor, {}).value();
+    EXPECT_NEAR(named(found, "tool_change_s").value, 6, 0.1);
+    EXPECT_NEAR(named(found, "coolant_on_s").value, 0.2, 0.02);
+    EXPECT_NEAR(named(found, "max_acceleration").value, 730, 30);
+    const std::string text = machine_text(found, runs_);
+    EXPECT_THAT(text, HasSubstr("of = \"times\"\nkey = \"tool_change_s\""));
+    EXPECT_TRUE(interval_of(text, runs_.back().program));
+}
+
+/// Of a word that is one of a thousand things nobody can tell: the program for it has it ten times.
+TEST_F(Recordings, GetAProgramForWordsThatTheyDoNotTell) {
+    add("G21 G90\nG1 X100 F60\nM8\nG1 X0\nM2\n");
+    record(router(730, 0.012), 0.01);
+    machine::Machine start = router(400, 0.03);
+    start.times.coolant_on_s = 0.01;
+    const Fit found = fit(start);
+    EXPECT_FALSE(named(found, "coolant_on_s").identified);
+    EXPECT_THAT(test_program(found), HasSubstr("(what M8 takes)\nM8\nG1 X"));
+}
+
+/// Chords of 0.5 mm that are too short for the feed.
+TEST_F(Recordings, TellWhatABlockTakes) {
+    for (int i = 1; i < 5; ++i) {
+        std::string text = "G21 G90 G17 G64\nG1 X0 Y0 F6000\n";
+        for (int k = 1; k < 60 * i; ++k) text += fmt::format("G1 X{:.2f}\n", 0.5 * k);
+        add(text + "M2\n");
+    }
+    machine::Machine hidden = router(730, 0.012);
+    hidden.controller.block_time_s = 0.008;
+    record(hidden, 0.002);
+    const machine::Machine start = router(400, 0.03);
+    const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
+    const Candidate candidate{"velocity-step", start};
+    const Choice choice = choose_model(std::span(&candidate, 1), runs_, predictor, 3).value();
+    EXPECT_THAT(choice.candidate.name, HasSubstr("a time for each block"));
+    EXPECT_NEAR(choice.candidate.machine.controller.block_time_s, 0.008, 0.0002);
+}
+
+/// Long ways at the speeds of the axes.
+TEST_F(Recordings, TellSpeedsThatAreAskedFor) {
+    for (int i = 1; i < 5; ++i) add(fmt::format("G21 G90\nG0 X{0} Y{1}\nX0\nY{0}\nM2\n", 90 * i, 70 * i));
+    machine::Machine hidden = router(730, 0.012);
+    for (machine::Axis& axis : hidden.axes) axis.max_speed = 240;
+    record(hidden, 0.002);
+    const machine::Machine start = router(400, 0.03);
+    const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
+    const Fit found = fit_times(start, runs_, predictor, {.open = {.speeds = true}}).value();
+    EXPECT_NEAR(named(found, "max_speed").value, 240, 5);
+    EXPECT_NEAR(named(found, "max_acceleration").value, 730, 20);
 }
 
 TEST_F(Recordings, OfCurvesTellOfThem) {

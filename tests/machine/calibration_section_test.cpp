@@ -55,6 +55,21 @@ TEST(CalibrationSection, IsReadAndPrintedBack) {
     EXPECT_EQ(*again, *machine);
 }
 
+TEST(CalibrationSection, FiguresMayBeTimesOfWords) {
+    const auto machine =
+        read_machine(with("[times]\ntool_change_s = 6\nM100 = 2\n[calibration]\nruns = 5\n" +
+                          figure("times", "tool_change_s", "[4, 0]") + figure("times", "M100", "[0, 1]")),
+                     "m.toml");
+    ASSERT_TRUE(machine) << machine.error();
+    EXPECT_EQ(value_of({"times", "tool_change_s"}, *machine), 6);
+    EXPECT_EQ(value_of({"times", "M100"}, *machine), 2);
+    EXPECT_FALSE(value_of({"times", "M101"}, *machine));
+    Machine other = *machine;
+    set_value({"times", "M100"}, 3, other);
+    EXPECT_EQ(other.times.codes_s.at(100), 3);
+    EXPECT_EQ(read_machine(print_machine(*machine), "m.toml").value(), *machine);
+}
+
 TEST(CalibrationSection, SaysWhatIsWrong) {
     const std::string head = "[calibration]\nruns = 2\n";
     EXPECT_NE(error_of(figure("X", "max_acceleration_mm_s2", "[1]")).find("there is no [calibration]"),

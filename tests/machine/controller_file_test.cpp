@@ -83,7 +83,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
         "exact_path_corner = \"junction-deviation\"\njunction_deviation_mm = 0.25\nspeed_step_s = 0.125\n"
         "stop_between_rapid_and_feed = false\nexact_path_stops = true\nlimit_jerk = "
         "true\ncentripetal_share "
-        "= 0.5\ncontinuous_acceleration_share = 0.75\n"
+        "= 0.5\ncontinuous_acceleration_share = 0.75\nblock_time_s = 0.004\n"
         "tcp_tolerance_mm = 0.02\narc_chord_tolerance_mm = 0.75\narc_resolution_mm = 0.5\n"
         "square_corner_velocity_mm_s = 6\nminimum_cruise_ratio = 0.25\nretract_length_mm = 1.5\n"
         "retract_speed_mm_s = 30\nunretract_extra_length_mm = 0.125\nunretract_speed_mm_s = 25\n"
@@ -117,6 +117,7 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                                  .feed_measure = rrs::PathMeasure::all_axes,
                                  .centripetal_share = 0.5,
                                  .continuous_acceleration_share = 0.75,
+                                 .block_time_s = 0.004,
                                  .arc_chord_tolerance_mm = 0.75,
                                  .spline_chord_tolerance_mm = 0.5,
                                  .arc_resolution_mm = 0.5,

@@ -192,6 +192,28 @@ TEST(LookAhead, ContinuousModeMayHaveAPartOfTheAcceleration) {
     }
 }
 
+/// 200 lines of 0.1 mm at 10 ms each: 10 mm/s, but for the ramps at both ends. An arc is one block, also as
+/// chords.
+TEST(LookAhead, ABlockTakesTimeToBeMadeReady) {
+    PlannerSetup setup = router_setup();
+    setup.controller.block_time_s = 0.01;
+    Path lines(setup);
+    for (int i = 1; i <= 200; ++i) lines.line(0.1 * i, 0, 50);
+    lines.rest();
+    EXPECT_NEAR(lines.out().time_s(), trapezoid_s(20, 10, 1000), 1e-9);
+    EXPECT_EQ(lines.out().segments[100].limited_by.kind, LimitKind::block_time);
+
+    setup.controller.block_time_s = 2;
+    for (const double chord_tolerance_mm : {0.0, 0.002}) {
+        setup.controller.arc_chord_tolerance_mm = chord_tolerance_mm;
+        Path arc(setup);
+        arc.arc(5, 0, 2 * kPi, 50);
+        arc.rest();
+        EXPECT_NEAR(arc.out().time_s(), 2, 0.05) << chord_tolerance_mm;
+        EXPECT_GE(arc.out().time_s(), 2);
+    }
+}
+
 TEST(LookAhead, ArcsBecomeChords) {
     PlannerSetup setup = router_setup();
     setup.controller.arc_chord_tolerance_mm = 0.002;

@@ -107,6 +107,7 @@ machine::Machine without_inside(machine::Machine machine) {
     generic.peck_clearance_mm = machine.controller.peck_clearance_mm;
     generic.peck_dwell_s = machine.controller.peck_dwell_s;
     machine.controller = generic;
+    machine.times = {};
     machine.path.max_acceleration_mm_s2 = kNone;
     machine.path.max_jerk_mm_s3 = kNone;
     for (machine::Axis& axis : machine.axes) {
@@ -118,7 +119,7 @@ machine::Machine without_inside(machine::Machine machine) {
 }
 
 std::vector<Candidate> candidates_for(const std::string& box, const machine::Machine& machine) {
-    auto candidates = generic_candidates(machine, false);
+    auto candidates = generic_candidates(machine, {});
     if (box.starts_with("grbl") || box.starts_with("klipper")) {
         std::erase_if(candidates, [](const Candidate& candidate) {
             return candidate.name.starts_with("junction-deviation");
@@ -146,8 +147,7 @@ tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine
     if (!choice) return tl::unexpected(choice.error());
     outcome.choice = *std::move(choice);
     const Candidate& best = outcome.choice.candidate;
-    const auto fit =
-        fit_times(best.machine, runs, predictor, {.each_axis = best.each_axis, .other_starts = true});
+    const auto fit = fit_times(best.machine, runs, predictor, {.open = best.open, .other_starts = true});
     if (!fit) return tl::unexpected(fit.error());
     outcome.parameters = fit->parameters;
     if (const auto done = foretell(*usable, std::span(order).subspan(fitted), fit->machine, outcome); !done)

@@ -1,0 +1,275 @@
+#include "calibrate/servo/servo_fit.h"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+
+#include "runtime/dynamics/servo_loop.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+using machine::Servo;
+
+constexpr double kLeastGain_1_s = 1, kMostGain_1_s = 1e5;
+constexpr double kLeastError = 1e-7;  // mm or deg, root mean square
+constexpr double kWorthAFigure = 10;  // of the criterion: strong evidence (Kass, Raftery, 1995)
+constexpr int kSteps = 60;
+
+struct Key {
+    const char* name;
+    double Servo::*value;
+    double first, least, most;
+    double step;  ///< For derivatives.
+};
+/// The gain is the first one, and always there.
+const std::array kKeys{
+    Key{"position_gain_1_s", &Servo::position_gain_1_s, 30, kLeastGain_1_s, kMostGain_1_s, 1e-4},
+    Key{"velocity_lag_s", &Servo::velocity_lag_s, 0.002, 1e-5, 1, 1e-7},
+    Key{"velocity_feed_forward", &Servo::velocity_feed_forward, 0.5, 0, 1, 1e-6},
+    Key{"command_delay_s", &Servo::command_delay_s, 0.001, 0, 1, 1e-7},
+    Key{"acceleration_feed_forward", &Servo::acceleration_feed_forward, 0.5, 0, 1, 1e-6}};
+
+/// Set points at an instant, straight between samples.
+class SetPoints {
+  public:
+    explicit SetPoints(const AxisRecord& record) : record_(record) {}
+
+    /// Instants are asked for in order.
+    double at(double t_s) {
+        const auto& t = record_.t_s;
+        if (t_s <= t.front()) return record_.set_points.front();
+        while (next_ + 1 < t.size() && t[next_] < t_s) ++next_;
+        const double share = std::min((t_s - t[next_ - 1]) / (t[next_] - t[next_ - 1]), 1.0);
+        return record_.set_points[next_ - 1] +
+               share * (record_.set_points[next_] - record_.set_points[next_ - 1]);
+    }
+
+  private:
+    const AxisRecord& record_;
+    std::size_t next_ = 1;
+};
+
+double rms(const std::vector<double>& values) {
+    double squares = 0;
+    for (const double value : values) squares += value * value;
+    return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+std::vector<double> errors_of(const AxisRecord& record) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < record.places.size(); ++i)
+        errors.push_back(record.set_points[i] - record.places[i]);
+    return errors;
+}
+
+/// v = gain e, in the mean of squares.
+double first_gain_1_s(const AxisRecord& record) {
+    double squares = 0, products = 0;
+    for (std::size_t i = 1; i < record.t_s.size(); ++i) {
+        const double speed =
+            (record.set_points[i] - record.set_points[i - 1]) / (record.t_s[i] - record.t_s[i - 1]);
+        squares += speed * speed;
+        products += speed * (record.set_points[i] - record.places[i]);
+    }
+    const double gain = squares / products;
+    return gain > 0 ? std::clamp(gain, kLeastGain_1_s, kMostGain_1_s) : kKeys.front().first;
+}
+
+/// What is fitted: some of the keys.
+struct Model {
+    Servo servo;
+    std::vector<std::size_t> open;  // places of keys
+};
+
+struct Solved {
+    Model model;
+    double squares = 0;  // of what is left
+};
+
+/// Places less recorded ones, by the open figures.
+class Residuals final : public ceres::CostFunction {
+  public:
+    Residuals(const AxisRecord& record, const Model& model) : record_(record), model_(model) {
+        set_num_residuals(static_cast<int>(record.t_s.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(model.open.size()));
+    }
+
+    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+        const auto count = static_cast<Eigen::Index>(record_.t_s.size());
+        const auto open = static_cast<Eigen::Index>(model_.open.size());
+        const Eigen::VectorXd at = left(parameters[0], -1);
+        Eigen::Map<Eigen::VectorXd>(residuals, count) = at;
+        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> slopes(
+            jacobians[0], count, open);
+        for (Eigen::Index k = 0; k < open; ++k) {
+            const Key& key = kKeys[model_.open[static_cast<std::size_t>(k)]];
+            const double value = parameters[0][k];
+            const double step = (value + step_of(key, value) > key.most ? -1 : 1) * step_of(key, value);
+            slopes.col(k) = (left(parameters[0], k, step) - at) / step;
+        }
+        return true;
+    }
+
+  private:
+    static double step_of(const Key& key, double value) { return key.step * std::max(1.0, std::abs(value)); }
+
+    Eigen::VectorXd left(const double* values, Eigen::Index off, double step = 0) const {
+        Servo servo = model_.servo;
+        for (std::size_t k = 0; k < model_.open.size(); ++k) {
+            const bool is_off = static_cast<Eigen::Index>(k) == off;
+            servo.*kKeys[model_.open[k]].value = values[k] + (is_off ? step : 0);
+        }
+        const std::vector<double> places = follow(servo, record_);
+        Eigen::VectorXd left(static_cast<Eigen::Index>(places.size()));
+        for (std::size_t i = 0; i < places.size(); ++i)
+            left[static_cast<Eigen::Index>(i)] = places[i] - record_.places[i];
+        return left;
+    }
+
+    const AxisRecord& record_;
+    const Model& model_;
+};
+
+ceres::Problem::Options owning_nothing() {
+    ceres::Problem::Options options;
+    options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    return options;
+}
+
+Solved solve(const AxisRecord& record, Model model) {
+    std::vector<double> values;
+    for (const std::size_t key : model.open) values.push_back(model.servo.*kKeys[key].value);
+    Residuals residuals(record, model);
+    ceres::Problem problem(owning_nothing());
+    problem.AddResidualBlock(&residuals, nullptr, values.data());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        problem.SetParameterLowerBound(values.data(), static_cast<int>(k), kKeys[model.open[k]].least);
+        problem.SetParameterUpperBound(values.data(), static_cast<int>(k), kKeys[model.open[k]].most);
+    }
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = kSteps;
+    options.function_tolerance = 1e-10;
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+    for (std::size_t k = 0; k < values.size(); ++k) model.servo.*kKeys[model.open[k]].value = values[k];
+    return {std::move(model), 2 * summary.final_cost};
+}
+
+/// Schwarz's, of a model whose errors are alike in all samples.
+double criterion(const Solved& solved, double samples) {
+    return samples * std::log(std::max(solved.squares, 1e-30) / samples) +
+           static_cast<double>(solved.model.open.size()) * std::log(samples);
+}
+
+/// The best with one figure more; nothing where none is worth it.
+std::optional<Solved> with_one_more(const Solved& solved, const AxisRecord& record) {
+    const auto samples = static_cast<double>(record.t_s.size());
+    std::optional<Solved> best;
+    for (std::size_t key = 1; key < kKeys.size(); ++key) {
+        const auto& open = solved.model.open;
+        if (std::find(open.begin(), open.end(), key) != open.end()) continue;
+        Model model = solved.model;
+        model.open.push_back(key);
+        model.servo.*kKeys[key].value = kKeys[key].first;
+        Solved found = solve(record, std::move(model));
+        if (!best || found.squares < best->squares) best = std::move(found);
+    }
+    if (!best || criterion(*best, samples) > criterion(solved, samples) - kWorthAFigure) return std::nullopt;
+    return best;
+}
+
+/// With all figures, from a gain and a feed-forward that make the recorded error together.
+Solved whole(const AxisRecord& record, double share) {
+    Model model{{.position_gain_1_s = std::max((1 - share) * first_gain_1_s(record), kLeastGain_1_s),
+                 .velocity_feed_forward = share},
+                {}};
+    for (std::size_t key = 0; key < kKeys.size(); ++key) {
+        model.open.push_back(key);
+        double& value = model.servo.*kKeys[key].value;
+        if (value == 0) value = kKeys[key].first;
+    }
+    return solve(record, std::move(model));
+}
+
+/// One figure can do much of what another one does, so that steps do not lead everywhere: fits of all figures
+/// are tried, too.
+Solved best_of(const AxisRecord& record) {
+    const auto samples = static_cast<double>(record.t_s.size());
+    Solved best = solve(record, {{.position_gain_1_s = first_gain_1_s(record)}, {0}});
+    while (auto better = with_one_more(best, record)) best = *std::move(better);
+    for (const double share : {0.5, 0.9}) {
+        Solved solved = whole(record, share);
+        if (criterion(solved, samples) < criterion(best, samples) - kWorthAFigure) best = std::move(solved);
+    }
+    return best;
+}
+
+std::vector<ServoFigure> figures_of(const Solved& solved, const AxisRecord& record) {
+    const Model& model = solved.model;
+    const auto open = static_cast<Eigen::Index>(model.open.size());
+    const auto samples = static_cast<Eigen::Index>(record.t_s.size());
+    std::vector<double> values;
+    for (const std::size_t key : model.open) values.push_back(model.servo.*kKeys[key].value);
+    Eigen::VectorXd residuals(samples);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> slopes(samples, open);
+    const double* parameters = values.data();
+    double* jacobian = slopes.data();
+    Residuals(record, model).Evaluate(&parameters, residuals.data(), &jacobian);
+    const double variance = solved.squares / static_cast<double>(samples - open);
+    const Eigen::MatrixXd covariance = variance * (slopes.transpose() * slopes).fullPivLu().inverse();
+    std::vector<ServoFigure> figures;
+    for (std::size_t k = 0; k < model.open.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        figures.push_back(
+            {kKeys[model.open[k]].name, values[k], std::sqrt(std::max(covariance(at, at), 0.0))});
+    }
+    return figures;
+}
+
+}  // namespace
+
+std::vector<double> follow(const Servo& servo, const AxisRecord& record) {
+    const dynamics::ServoLoop loop{servo.position_gain_1_s, servo.velocity_feed_forward,
+                                   servo.acceleration_feed_forward, servo.velocity_lag_s, 0};
+    SetPoints set_points(record);
+    double before = set_points.at(record.t_s.front() - servo.command_delay_s);
+    dynamics::ServoError error{before - record.places.front(), 0};
+    double speed_before = 0;
+    std::vector<double> places{record.places.front()};
+    for (std::size_t i = 1; i < record.t_s.size(); ++i) {
+        const double step_s = record.t_s[i] - record.t_s[i - 1];
+        const double set_point = set_points.at(record.t_s[i] - servo.command_delay_s);
+        const double speed = (set_point - before) / step_s;
+        error.rate += (1 - servo.acceleration_feed_forward) * (speed - speed_before);
+        error = dynamics::ServoStep(loop, {speed, 0, 0, 0}, error).at(step_s);
+        places.push_back(set_point - error.value);
+        before = set_point;
+        speed_before = speed;
+    }
+    return places;
+}
+
+tl::expected<ServoFit, std::string> fit_servo(const AxisRecord& record) {
+    const auto [least, most] = std::minmax_element(record.set_points.begin(), record.set_points.end());
+    if (!(*most - *least > kLeastError)) return tl::unexpected<std::string>("it does not move");
+    const double error_rms = rms(errors_of(record));
+    if (error_rms < kLeastError)
+        return tl::unexpected<std::string>("it follows without an error that could tell");
+    const Solved solved = best_of(record);
+    ServoFit fit{record.letter, solved.model.servo, figures_of(solved, record), error_rms, 0};
+    fit.left_rms = std::sqrt(solved.squares / static_cast<double>(record.t_s.size()));
+    return fit;
+}
+
+}  // namespace gsim::calibrate

@@ -1,0 +1,178 @@
+#include "calibrate/servo/servo_record.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text/trimmed.h"
+#include "calibrate/text/list.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+using Records = tl::expected<std::vector<AxisRecord>, std::string>;
+
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::size_t kLeastSamples = 20;
+
+char upper(char letter) {
+    return static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+}
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Where the numbers of an axis stand in a line.
+struct AxisColumns {
+    char letter = 'X';
+    std::size_t set_point = 0;
+    std::size_t other = 0;  ///< Its place, or its error.
+    bool is_error = false;
+};
+
+/// Takes samples, a line each.
+class Gathered {
+  public:
+    explicit Gathered(std::vector<AxisColumns> columns) : columns_(std::move(columns)) {
+        for (const AxisColumns& axis : columns_) records_.push_back({axis.letter, {}, {}, {}});
+    }
+
+    /// False: a number is missing.
+    bool add(double t_s, const Cells& cells) {
+        std::vector<double> values;
+        for (const AxisColumns& axis : columns_) {
+            if (std::max(axis.set_point, axis.other) >= cells.size()) return false;
+            const auto set_point = number_in(cells[axis.set_point]), other = number_in(cells[axis.other]);
+            if (!set_point || !other) return false;
+            values.push_back(*set_point);
+            values.push_back(axis.is_error ? *set_point - *other : *other);
+        }
+        if (!records_.front().t_s.empty() && t_s <= records_.front().t_s.back()) return true;
+        for (std::size_t i = 0; i < records_.size(); ++i) {
+            records_[i].t_s.push_back(t_s);
+            records_[i].set_points.push_back(values[2 * i]);
+            records_[i].places.push_back(values[2 * i + 1]);
+        }
+        return true;
+    }
+
+    Records take() {
+        if (records_.front().t_s.size() < kLeastSamples)
+            return tl::unexpected(fmt::format("there are less than {} samples in it", kLeastSamples));
+        return std::move(records_);
+    }
+
+  private:
+    std::vector<AxisColumns> columns_;
+    std::vector<AxisRecord> records_;
+};
+
+/// Axes with both a set point and what became of it.
+std::vector<AxisColumns> named_columns(const Cells& heading) {
+    std::vector<AxisColumns> found;
+    for (std::size_t i = 0; i < heading.size(); ++i) {
+        const std::string_view name = heading[i];
+        if (name.size() < 2 || !is_letter(name.front())) continue;
+        const std::string_view unit = name.substr(1);
+        if (unit != "_mm" && unit != "_deg") continue;
+        for (const std::string_view what : {"_at", "_error"}) {
+            const auto other = column_of(heading, fmt::format("{}{}{}", name.front(), what, unit));
+            if (!other) continue;
+            found.push_back({upper(name.front()), i, *other, what == "_error"});
+            break;
+        }
+    }
+    return found;
+}
+
+Records read_named(std::string_view text) {
+    std::optional<Gathered> gathered;
+    std::size_t time = 0;
+    const auto heading = [&](const Cells& cells) -> tl::expected<void, std::string> {
+        const auto at = column_of(cells, "t_s");
+        auto columns = named_columns(cells);
+        if (!at || columns.empty()) {
+            return tl::unexpected<std::string>(
+                "the columns should be t_s and of each axis two: its set point x_mm, and its place x_at_mm "
+                "or "
+                "its following error x_error_mm");
+        }
+        time = *at;
+        gathered.emplace(std::move(columns));
+        return {};
+    };
+    const auto row = [&](const Cells& cells) -> tl::expected<void, std::string> {
+        const auto t_s = time < cells.size() ? number_in(cells[time]) : std::nullopt;
+        if (!t_s || !gathered->add(*t_s, cells)) return tl::unexpected<std::string>("a number is missing");
+        return {};
+    };
+    if (const auto read = read_list(text, heading, row); !read) return tl::unexpected(read.error());
+    return gathered->take();
+}
+
+/// Capital letters with their small ones.
+std::vector<AxisColumns> lettered_columns(std::string_view columns) {
+    std::vector<AxisColumns> found;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const char letter = columns[i];
+        if (!is_letter(letter) || upper(letter) != letter) continue;
+        const char small = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        if (const std::size_t other = columns.find(small); other != std::string_view::npos)
+            found.push_back({letter, i, other, false});
+    }
+    return found;
+}
+
+Cells words_of(std::string_view line) {
+    Cells words = cells_of(line, " \t\r");
+    std::erase_if(words, [](std::string_view word) { return word.empty(); });
+    return words;
+}
+
+Records read_halsampler(std::string_view text, const ServoForm& form) {
+    if (!(form.period_s > 0)) {
+        return tl::unexpected<std::string>(
+            "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
+            "they are");
+    }
+    auto columns = lettered_columns(form.columns);
+    if (columns.empty())
+        return tl::unexpected(
+            fmt::format("'{}' has no axis with both its set point (X) and its place (x)", form.columns));
+    Gathered gathered(std::move(columns));
+    double count = 0;
+    for (int number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        Cells words = words_of(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (words.empty() || words.front() == "overrun") continue;  // -t tells how many samples were lost
+        double at = count++;
+        if (words.size() == form.columns.size() + 1) {
+            at = number_in(words.front()).value_or(at);
+            words.erase(words.begin());
+        }
+        if (words.size() != form.columns.size() || !gathered.add(at * form.period_s, words)) {
+            return tl::unexpected(fmt::format("line {}: not the {} numbers of '{}' (--sample-columns)",
+                                              number, form.columns.size(), form.columns));
+        }
+    }
+    return gathered.take();
+}
+
+}  // namespace
+
+Records read_servo_record(std::string_view text, const ServoForm& form) {
+    const std::size_t start = text.find_first_not_of(kBlanks);
+    if (start == std::string_view::npos) return tl::unexpected<std::string>("it is empty");
+    const auto words = words_of(text.substr(start, text.find('\n', start) - start));
+    const bool numbers = std::all_of(words.begin(), words.end(), [](std::string_view word) {
+        return number_in(word).has_value() || word == "overrun";
+    });
+    return numbers ? read_halsampler(text, form) : read_named(text.substr(start));
+}
+
+}  // namespace gsim::calibrate

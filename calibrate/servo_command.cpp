@@ -1,0 +1,105 @@
+#include "calibrate/servo_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/os/input_file.h"
+#include "calibrate/command.h"
+#include "calibrate/servo/servo_fit.h"
+#include "calibrate/servo/servo_record.h"
+#include "runtime/machine/machine_file.h"
+
+namespace gsim::calibrate {
+
+namespace {
+
+struct ServoArguments {
+    std::string record;
+    std::string machine;
+    std::string output;
+    ServoForm form;
+    double sample_period_ms = 0;
+};
+
+void add_servo_options(apps::CommandLine& line, ServoArguments& arguments) {
+    line.add("record", &arguments.record,
+             "set points and places of axes over time: CSV with t_s, x_mm and x_at_mm or x_error_mm, or what "
+             "halsampler prints")
+        .of_file(apps::FileKind::input, {".csv", ".txt"})
+        .must_be_given();
+    line.add("--machine", &arguments.machine, "machine file, whose axes get their loops")
+        .called("FILE")
+        .of_file(apps::FileKind::input, {".toml"})
+        .must_be_given();
+    line.add("-o,--output", &arguments.output, "the machine file with the loops; else standard output")
+        .called("FILE")
+        .of_file(apps::FileKind::output, {".toml"});
+    line.add("--sample-period", &arguments.sample_period_ms,
+             "time between samples of recordings that have no times (halsampler)")
+        .called("MS")
+        .within(0.001, 60'000);
+    line.add(
+            "--sample-columns", &arguments.form.columns,
+            "what the columns of such recordings are, a letter each: X the set point of X, x its place; '-': "
+            "nothing that counts")
+        .called("XxYy")
+        .shows_default();
+    line.add_example("gsim-calibrate servo servo.csv --machine mine.toml -o followed.toml",
+                     "gains, lags and feed-forward of the axes in the recording");
+}
+
+/// What is told of an axis.
+std::string told(const ServoFit& fit, const machine::Axis& axis) {
+    const bool turns = axis.kind == machine::AxisKind::rotary;
+    const std::string_view unit = turns ? "mdeg" : "um";
+    std::string text = fmt::format("{}: the following error is {:.4g} {} (rms), of which {:.3g} are left\n",
+                                   fit.letter, 1000 * fit.error_rms, unit, 1000 * fit.left_rms);
+    for (const ServoFigure& figure : fit.figures)
+        text += fmt::format("  {} = {:.6g}, to {:.2g} (one standard deviation)\n", figure.key, figure.value,
+                            figure.spread);
+    return text;
+}
+
+Done fit_all(const ServoArguments& arguments) {
+    auto machine = machine::load_machine(arguments.machine);
+    if (!machine) return tl::unexpected(machine.error());
+    const auto text = os::read_text_file(arguments.record);
+    if (!text) return tl::unexpected(text.error());
+    ServoForm form = arguments.form;
+    form.period_s = arguments.sample_period_ms / 1000;
+    const auto records = read_servo_record(*text, form);
+    if (!records) return tl::unexpected(fmt::format("{}: {}", arguments.record, records.error()));
+    std::size_t fitted = 0;
+    for (const AxisRecord& record : *records) {
+        const auto axis =
+            std::find_if(machine->axes.begin(), machine->axes.end(),
+                         [&](const machine::Axis& each) { return each.letter == record.letter; });
+        if (axis == machine->axes.end())
+            return tl::unexpected(fmt::format("{} has no axis {}", arguments.machine, record.letter));
+        const auto fit = fit_servo(record);
+        if (!fit) {
+            fmt::print(stderr, "{}: {}; it is left as it was\n", record.letter, fit.error());
+            continue;
+        }
+        fmt::print(stderr, "{}", told(*fit, *axis));
+        axis->servo = fit->servo;
+        ++fitted;
+    }
+    if (fitted == 0) return tl::unexpected(fmt::format("{} tells of no loop", arguments.record));
+    return write_or_print(arguments.output, machine::print_machine(*machine));
+}
+
+}  // namespace
+
+int run_servo(const std::vector<std::string>& words) {
+    ServoArguments arguments;
+    apps::CommandLine line("gsim-calibrate servo",
+                           "Finds the servo loops of axes from a recording of set points and places");
+    add_servo_options(line, arguments);
+    return run_command(line, words, [&] { return fit_all(arguments); });
+}
+
+}  // namespace gsim::calibrate
