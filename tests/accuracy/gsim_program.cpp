@@ -99,10 +99,10 @@ tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& rec
     return *whole_s - first_motion_s(moves);
 }
 
-tl::expected<std::vector<ProgrammedMove>, std::string> GsimProgram::programmed_moves(
-    const Recording& recording) const {
+tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recording& recording) const {
     auto machine = machine::load_machine(machines_ / recording.machine_file);
     if (!machine) return tl::unexpected(machine.error());
+    const machine::Machine whole = *machine;
     rrs::ControllerRules& rules = machine->controller;
     rules.planner = rrs::PlannerKind::rest_to_rest;
     rules.arc_chord_tolerance_mm = rules.dwell_step_s = rules.rest_s = rules.servo_period_s = 0;
@@ -113,7 +113,9 @@ tl::expected<std::vector<ProgrammedMove>, std::string> GsimProgram::programmed_m
     if (const auto ran = run_on(from_rest_to_rest, recording, {"--moves", moves_file}); !ran)
         return tl::unexpected(ran.error());
     std::ifstream moves(moves_file);
-    return read_programmed_moves(moves, *machine);
+    return read_programmed_moves(moves, *machine).map([&](std::vector<ProgrammedMove> read) {
+        return ProgrammedRun{std::move(read), whole};
+    });
 }
 
 tl::expected<TimedPath, std::string> GsimProgram::path(const Recording& recording) const {

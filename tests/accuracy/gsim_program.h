@@ -24,7 +24,7 @@ class GsimProgram {
     tl::expected<double, std::string> cycle_time_s(const Recording& recording) const;
 
     /// The moves that a program asks for: those of a run from rest to rest.
-    tl::expected<std::vector<ProgrammedMove>, std::string> programmed_moves(const Recording& recording) const;
+    tl::expected<ProgrammedRun, std::string> programmed_run(const Recording& recording) const;
 
     /// The path of a program, sampled every 10 ms; the error as above.
     tl::expected<TimedPath, std::string> path(const Recording& recording) const;

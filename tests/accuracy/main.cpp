@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,7 @@
 #include "tests/accuracy/distribution.h"
 #include "tests/accuracy/estimators.h"
 #include "tests/accuracy/gsim_program.h"
+#include "tests/accuracy/klipper_estimator.h"
 #include "tests/accuracy/known.h"
 #include "tests/accuracy/report.h"
 
@@ -98,27 +100,54 @@ bool all_good(const std::vector<PathOutcome>& outcomes) {
                        [](const PathOutcome& outcome) { return outcome.good() || !outcome.known.empty(); });
 }
 
+using Moves = std::span<const ProgrammedMove>;
+
 struct Estimator {
     const char* name;
-    double (*time_s)(std::span<const ProgrammedMove> moves);
+    double (*time_s)(Moves moves, const machine::Machine& machine);
+    bool limits_may_change = true;  // else programs that change the limits of their machine are left out
 };
 
-constexpr std::array kEstimators{Estimator{"length over feed", length_over_feed_s},
-                                 Estimator{"CAMotics", camotics_s},
-                                 Estimator{"proposed to LinuxCNC", linuxcnc_parse_s}};
+// Of all controllers, and of Klipper alone.
+constexpr std::array kEstimators{
+    Estimator{"length over feed",
+              [](Moves moves, const machine::Machine&) { return length_over_feed_s(moves); }},
+    Estimator{"CAMotics", [](Moves moves, const machine::Machine&) { return camotics_s(moves); }},
+    Estimator{"proposed to LinuxCNC",
+              [](Moves moves, const machine::Machine&) { return linuxcnc_parse_s(moves); }},
+    Estimator{"klipper_estimator", klipper_estimator_s, false}};
+constexpr std::size_t kOfAll = 3;
 
-// What estimators of others say of the same programs, in the order of kEstimators. Overrides are left out, as
-// they know none.
+std::span<const Estimator> estimators_of(const Controller& controller) {
+    return std::span(kEstimators).first(controller.name == "klipper" ? kEstimators.size() : kOfAll);
+}
+
+// By words of Klipper's.
+bool changes_limits(const fs::path& program) {
+    std::ifstream file(program);
+    for (std::string line; std::getline(file, line);) {
+        if (line.find("M204") != std::string::npos || line.find("SET_VELOCITY_LIMIT") != std::string::npos)
+            return true;
+    }
+    return false;
+}
+
+// What estimators of others say of the same programs, in their order. Overrides are left out, as they know
+// none.
 std::vector<std::vector<TimeOutcome>> estimate(const std::vector<TimeOutcome>& outcomes,
                                                const std::vector<Recording>& recordings,
+                                               std::span<const Estimator> estimators,
                                                const GsimProgram& gsim) {
-    std::vector<std::vector<TimeOutcome>> all(kEstimators.size());
+    std::vector<std::vector<TimeOutcome>> all(estimators.size());
     for (std::size_t i = 0; i < recordings.size(); ++i) {
         if (!recordings[i].counted || !recordings[i].overrides.empty()) continue;
-        const auto moves = gsim.programmed_moves(recordings[i]);
-        for (std::size_t k = 0; k < kEstimators.size(); ++k) {
+        const auto run = gsim.programmed_run(recordings[i]);
+        const bool changes = changes_limits(recordings[i].program);
+        for (std::size_t k = 0; k < estimators.size(); ++k) {
+            if (changes && !estimators[k].limits_may_change) continue;
             TimeOutcome& outcome = all[k].emplace_back(outcomes[i]);
-            outcome.found_s = moves.map([&](const auto& of) { return kEstimators[k].time_s(of); });
+            outcome.found_s =
+                run.map([&](const ProgrammedRun& of) { return estimators[k].time_s(of.moves, of.machine); });
         }
     }
     return all;
@@ -128,9 +157,10 @@ void add_rows(const std::vector<TimeOutcome>& outcomes, const std::vector<Record
               const Controller& controller, const GsimProgram& gsim, std::vector<EstimatedController>& rows) {
     const std::string name(controller.name);
     rows.push_back({name, "gsim", distribution_of(outcomes)});
-    const auto estimated = estimate(outcomes, recordings, gsim);
-    for (std::size_t k = 0; k < kEstimators.size(); ++k)
-        rows.push_back({name, kEstimators[k].name, distribution_of(estimated[k])});
+    const auto estimators = estimators_of(controller);
+    const auto estimated = estimate(outcomes, recordings, estimators, gsim);
+    for (std::size_t k = 0; k < estimators.size(); ++k)
+        rows.push_back({name, estimators[k].name, distribution_of(estimated[k])});
 }
 
 // Prints how a controller's programs fared; whether well enough.

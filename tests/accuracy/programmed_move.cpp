@@ -57,6 +57,10 @@ void set_arc(const json& line, const Eigen::Vector3d& from, const Eigen::Vector3
     sweep += kTurn_rad * (line.value("turns", 1) - 1);
     move.radius_mm = a.norm();
     const double climb = (to - from).dot(normal);
+    move.sweep_rad = sweep;
+    move.climb_mm = climb;
+    move.sense = sense;
+    move.normal = normal;
     move.length_mm = std::hypot(move.radius_mm * sweep, climb);
     const auto tangent = [&](const Eigen::Vector3d& spoke) {
         const Eigen::Vector3d round = sense * normal.cross(spoke) * sweep;
@@ -71,7 +75,14 @@ void set_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Programmed
     if (move.length_mm > kNone) move.enters = move.leaves = (to - from) / move.length_mm;
 }
 
-/// What the axes allow along the way. Round an arc each has all directions of its plane.
+void limit_along_path(const machine::Machine& machine, ProgrammedMove& move) {
+    const machine::PathLimits& path = machine.path;
+    move.most_speed = std::min(move.most_speed, move.rapid ? path.max_rapid_mm_s : path.max_feed_mm_s);
+    move.acceleration = std::min(
+        move.acceleration, move.rapid ? path.max_rapid_acceleration_mm_s2 : path.max_acceleration_mm_s2);
+}
+
+/// What the axes and the path allow along the way. Round an arc each has all directions of its plane.
 void set_limits(const machine::Machine& machine, const Place& from, const Place& to, ProgrammedMove& move) {
     double turn = 0, other = 0;
     for (const machine::Axis& axis : machine.axes) {
@@ -92,12 +103,12 @@ void set_limits(const machine::Machine& machine, const Place& from, const Place&
             const auto index = static_cast<Eigen::Index>(at);
             share = std::max(std::abs(move.enters[index]), std::abs(move.leaves[index]));
         }
+        if (axis.letter == 'E') move.extruded = (to.at('E') - from.at('E')) / move.length;
         if (share <= kNone) continue;
         move.most_speed = std::min(move.most_speed, axis.max_speed / share);
         move.acceleration = std::min(move.acceleration, axis.max_acceleration / share);
     }
-    const double path = move.rapid ? machine.path.max_rapid_mm_s : machine.path.max_feed_mm_s;
-    if (move.length_mm > kNone) move.most_speed = std::min(move.most_speed, path);
+    if (move.length_mm > kNone) limit_along_path(machine, move);
 }
 
 ProgrammedMove move_in(const json& line, const machine::Machine& machine, Place& at) {
