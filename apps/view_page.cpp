@@ -14,6 +14,7 @@
 #include "base/text/base64.h"
 #include "studio/engine/message.h"
 #include "studio/engine/run_messages.h"
+#include "studio/engine/run_series.h"
 
 namespace gsim::apps {
 
@@ -39,6 +40,7 @@ class ViewPage::State {
     State(std::string name, std::string page) : name_(std::move(name)), page_(std::move(page)) {}
 
     const studio::Post& post() const { return post_; }
+    studio::RunSeries& series() { return series_; }
 
     tl::expected<void, std::string> begin() {
         return os::OutputFile::open(name_).map([this](os::OutputFile file) {
@@ -76,6 +78,7 @@ class ViewPage::State {
     Gzip gzip_;
     text::Base64 base64_;
     std::string packed_, text_;
+    studio::RunSeries series_;
     studio::Post post_ = [this](const std::string& bytes) { put(bytes); };
 };
 
@@ -96,7 +99,8 @@ tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::s
 }
 
 tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
-    return state_->begin().and_then([&] { return with_sentence(studio::post_run(run, state_->post())); });
+    return state_->begin().and_then(
+        [&] { return with_sentence(studio::post_run(run, state_->series(), state_->post())); });
 }
 
 // What came from a pipe can be read once: such a run is shown without its source. The text is that of the
@@ -118,7 +122,7 @@ tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const e
         message.add("text", *text);
         state_->post()(message.bytes());
     }
-    return with_sentence(studio::post_end(run, report, state_->post())).and_then([&] {
+    return with_sentence(studio::post_end(run, state_->series(), report, state_->post())).and_then([&] {
         return state_->end();
     });
 }

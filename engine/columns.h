@@ -49,6 +49,8 @@ struct EffortColumns {
     std::vector<float> power_w;  ///< Of all motors together; below 0 where they are driven.
     /// For each instant one for each axis of the machine: N, or Nm of rotary ones.
     std::vector<float> efforts;
+    /// The same for the most that its motor brings up at its speed there; infinite where nothing is told.
+    std::vector<float> motor_peaks;
 };
 
 /// Takes what a run has made since the last call, in the order of time.

@@ -4,11 +4,13 @@
 
 #include "engine/columns.h"
 #include "runtime/dynamics/dynamics.h"
+#include "runtime/machine/machine.h"
 #include "runtime/simulation/run_output.h"
 
 namespace gsim::engine {
 
-/// An output that hands out what the motors bring up as columns. `dynamics` outlives it.
-std::unique_ptr<simulation::RunOutput> hand_out_efforts(TakeEfforts take, const dynamics::Dynamics& dynamics);
+/// An output that hands out what the motors bring up as columns. `machine` and `dynamics` outlive it.
+std::unique_ptr<simulation::RunOutput> hand_out_efforts(TakeEfforts take, const machine::Machine& machine,
+                                                        const dynamics::Dynamics& dynamics);
 
 }  // namespace gsim::engine

@@ -98,9 +98,10 @@ void Run::take_columns(TakeColumns take, std::size_t robot) {
 }
 
 tl::expected<void, Failure> Run::take_efforts(TakeEfforts take, std::size_t robot) {
-    const dynamics::Dynamics* dynamics = state_->simulator(robot).dynamics();
+    const simulation::Simulator& simulator = state_->simulator(robot);
+    const dynamics::Dynamics* dynamics = simulator.dynamics();
     if (dynamics == nullptr) return tl::unexpected(failure_of(DiagnosticKind::usage, std::string(kNoMasses)));
-    state_->documents(robot).add_output(hand_out_efforts(std::move(take), *dynamics));
+    state_->documents(robot).add_output(hand_out_efforts(std::move(take), simulator.machine(), *dynamics));
     return {};
 }
 

@@ -42,6 +42,8 @@ Json axes(const machine::Machine& machine) {
                         {"max_speed", limit(axis.max_speed)},
                         {"max_acceleration", limit(axis.max_acceleration)},
                         {"max_jerk", limit(axis.max_jerk)},
+                        {"motor_peak", limit(axis.drive.peak)},
+                        {"motor_fades", !axis.drive.curve_speeds.empty()},
                         {"home", axis.home},
                         {"zero", axis.zero},
                         {"carries", machine::name(axis.carries)}});

@@ -18,12 +18,11 @@ constexpr double kJump = 1e-6;  // mm/s, rad/s: less is rounding of where two se
 constexpr double kOfSpeed = 1e-9;
 constexpr double kWithin = 1e-9;  // a motor that is asked for exactly what it has is within its limit
 
-// The speed of a joint as its axis counts it.
+}  // namespace
+
 double axis_speed(const machine::Axis& axis, double joint_speed) {
     return std::abs(axis.kind == machine::AxisKind::linear ? joint_speed : joint_speed / kRadPerDeg);
 }
-
-}  // namespace
 
 double motor_peak(const machine::Drive& drive, double speed) {
     const std::vector<double>& speeds = drive.curve_speeds;

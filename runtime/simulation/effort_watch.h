@@ -12,6 +12,8 @@
 
 namespace gsim::simulation {
 
+/// The speed of a joint (mm/s or rad/s) as its axis counts it, either way: mm/s or deg/s.
+double axis_speed(const machine::Axis& axis, double joint_speed);
 /// What the motor of an axis brings up at a speed (mm/s or deg/s), either way.
 double motor_peak(const machine::Drive& drive, double speed);
 

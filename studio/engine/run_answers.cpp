@@ -7,6 +7,7 @@
 #include "studio/engine/answer.h"
 #include "studio/engine/message.h"
 #include "studio/engine/request.h"
+#include "studio/engine/run_series.h"
 
 namespace gsim::studio {
 
@@ -38,13 +39,14 @@ Done translate(const engine::Request& request, bool wants_script, const Post& po
 }  // namespace
 
 Done answer_run(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {
+    RunSeries series;
     auto run = Run::open(request, [&post](const engine::Diagnostic& told) { post_told(told, post); });
     if (!run) return tl::unexpected(run.error());
     if (auto prepared = run->prepare(); !prepared) {
         if (prepared.error().in_program) post_report(run->report_of(prepared.error()), post);
         return prepared;
     }
-    if (auto told = post_run(*run, post); !told) return told;
+    if (auto told = post_run(*run, series, post); !told) return told;
     run->show_progress([&post](std::uint64_t done, std::uint64_t total) {
         Message message("progress");
         message.header().update({{"done", done}, {"total", total}});
@@ -52,7 +54,7 @@ Done answer_run(const nlohmann::json& /*own*/, const engine::Request& request, c
     });
     const auto report = run->go();
     if (!report) return tl::unexpected(report.error());
-    return post_end(*run, *report, post);
+    return post_end(*run, series, *report, post);
 }
 
 Done answer_check(const nlohmann::json& /*own*/, const engine::Request& request, const Post& post) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "studio/engine/message.h"
+#include "studio/engine/run_series.h"
 
 namespace gsim::studio {
 
@@ -10,6 +11,7 @@ namespace {
 
 using engine::Run;
 using Done = tl::expected<void, engine::Failure>;
+using Json = nlohmann::ordered_json;
 
 /// Bodies stay as they are: their surfaces are told once.
 enum class Meshes { with, without };
@@ -23,18 +25,21 @@ const char* name_of(engine::Severity severity) {
     return "";
 }
 
-Done post_scene(const Run& run, std::size_t robot, Meshes meshes, const Post& post) {
+/// The scene, which is what is told of it.
+tl::expected<Json, engine::Failure> post_scene(const Run& run, std::size_t robot, Meshes meshes,
+                                               const Post& post) {
     const auto scene = run.scene(robot);
     if (!scene) return tl::unexpected(scene.error());
     Message message("scene");
     message.header()["robot"] = robot;
     message.header()["name"] = run.robots()[robot];
-    message.header()["scene"] = nlohmann::ordered_json::parse(scene->json);
+    Json told = Json::parse(scene->json);
+    message.header()["scene"] = told;
     message.header()["files"] = run.files(robot);
     for (std::size_t i = 0; meshes == Meshes::with && i < scene->meshes_mm.size(); ++i)
         message.add(fmt::format("mesh{}", i).c_str(), scene->meshes_mm[i]);
     post(message.bytes());
-    return {};
+    return told;
 }
 
 void post_columns(const engine::SegmentColumns& columns, std::size_t robot, const Post& post) {
@@ -73,9 +78,11 @@ void post_told(const engine::Diagnostic& told, const Post& post) {
     post(message.bytes());
 }
 
-Done post_run(Run& run, const Post& post) {
+Done post_run(Run& run, RunSeries& series, const Post& post) {
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
-        if (auto told = post_scene(run, robot, Meshes::with, post); !told) return told;
+        const auto scene = post_scene(run, robot, Meshes::with, post);
+        if (!scene) return tl::unexpected(scene.error());
+        series.take(run, robot, *scene);
         run.take_columns(
             [robot, &post](const engine::SegmentColumns& columns) { post_columns(columns, robot, post); },
             robot);
@@ -83,10 +90,12 @@ Done post_run(Run& run, const Post& post) {
     return {};
 }
 
-Done post_end(const Run& run, const engine::Report& report, const Post& post) {
+Done post_end(const Run& run, const RunSeries& series, const engine::Report& report, const Post& post) {
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
-        if (auto told = post_scene(run, robot, Meshes::without, post); !told) return told;
+        const auto scene = post_scene(run, robot, Meshes::without, post);
+        if (!scene) return tl::unexpected(scene.error());
     }
+    series.post(post);
     post_report(report, post);
     return {};
 }

@@ -255,6 +255,9 @@ kind = "linear"
 direction = "z"
 max_speed_mm_s = 100
 max_acceleration_mm_s2 = 1000
+peak_n = 400
+curve_speed_mm_s = [0, 200]
+curve_peak_n = [400, 200]
 [[mass]]
 on = "Z"
 mass_kg = 10
@@ -272,6 +275,8 @@ TEST(Run, HandsOutWhatTheMotorsBringUp) {
     for (std::size_t i = 0; i < all.t_s.size(); ++i) {
         const double wanted = all.t_s[i] < 0.1 ? 110 : (all.t_s[i] < 1 ? 100 : 90);
         EXPECT_NEAR(all.efforts[i], wanted, 1e-4) << all.t_s[i];
+        const double speed_mm_s = 1000 * std::min({all.t_s[i], 0.1, 1.1 - all.t_s[i]});
+        EXPECT_NEAR(all.motor_peaks[i], 400 - speed_mm_s, 1e-3) << all.t_s[i];
         EXPECT_EQ(all.line[i], 1U);
     }
     EXPECT_NEAR(*std::max_element(all.power_w.begin(), all.power_w.end()), 11, 1e-4);
@@ -306,6 +311,25 @@ TEST(Run, HandsOutWhereAxesAndTipReallyAre) {
         EXPECT_NEAR(all.contour_mm[i], 0, 1e-6);
         EXPECT_EQ(all.line[i], 1U);
     }
+}
+
+// Of a rest one instant would leave open until when it lasts.
+TEST(Run, TheMotorsHoldAWeightThroughARest) {
+    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nG4 P3\nG0 Z0\nM2\n"}, {"lift.toml", kLift}});
+    request.machine = "lift.toml";
+    engine::Run run = prepared(std::move(request));
+    EffortColumns all;
+    ASSERT_TRUE(run.take_efforts([&](const EffortColumns& some) { all = some; }));
+    ASSERT_TRUE(run.go());
+    std::vector<double> held_s;
+    for (std::size_t i = 0; i < all.t_s.size(); ++i) {
+        if (all.line[i] != 2) continue;
+        held_s.push_back(all.t_s[i]);
+        EXPECT_NEAR(all.efforts[i], 100, 1e-4);
+    }
+    ASSERT_EQ(held_s.size(), 2U);
+    EXPECT_NEAR(held_s[0], 1.1, 1e-9);
+    EXPECT_NEAR(held_s[1], 4.1, 1e-9);
 }
 
 TEST(Run, NoServoLoopsNoFollowingErrors) {

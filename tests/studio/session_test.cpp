@@ -124,6 +124,47 @@ TEST(Session, ATranslationIsLineByLine) {
     EXPECT_NE(lua.find("\nG21()\nG0{x=1}\nM2()\n"), std::string::npos) << lua;
 }
 
+std::string channel_names(const Frame& frame) {
+    std::string names;
+    for (const auto& channel : frame.header["channels"]) {
+        const std::string axis = channel.contains("axis") ? channel["axis"].dump() : "";
+        names += channel["of"].get<std::string>() + axis + " ";
+    }
+    return names;
+}
+
+TEST(Session, AMachineWithMassesAndServoLoopsTellsThemOverTime) {
+    const auto frames = answers(R"({"do": "run", "program": "part.nc", "machine": "gantry.toml"})",
+                                {{"part.nc", "G21 G90\nG1 X100 Y-50 F6000\nG0 X0\nM2\n"},
+                                 {"gantry.toml", sample("machines/gantry-dynamics.toml")}});
+    ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
+    const auto report = of_kind(frames, "report").at(0).header["report"];
+    const Frame efforts = of_kind(frames, "efforts").at(0);
+    const Frame following = of_kind(frames, "following").at(0);
+    // Of these motors that of X alone has less at high speeds.
+    EXPECT_EQ(channel_names(efforts), "power effort0 effort1 effort2 motor_peak0 share0 ");
+    EXPECT_EQ(channel_names(following), "contour error0 error1 error2 ");
+    const auto peak = [](const Frame& frame, std::size_t channel) {
+        const auto values = frame.column<float>("values");
+        double greatest = 0;
+        for (std::size_t i = channel; i < values.size(); i += frame.header["channels"].size())
+            greatest = std::max(greatest, std::abs(static_cast<double>(values[i])));
+        return greatest;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double effort = report["efforts"]["axes"][axis]["peak"];
+        EXPECT_NEAR(peak(efforts, 1 + axis), std::abs(effort), 1e-6 * std::abs(effort));
+        const double error_mm = report["following"]["axes"][axis]["peak"];
+        EXPECT_NEAR(peak(following, 1 + axis), std::abs(error_mm), 1e-3 * std::abs(error_mm) + 1e-9);
+    }
+    EXPECT_NEAR(following.column<double>("t_s").back(), report["cycle_time_s"].get<double>(), 1e-9);
+}
+
+TEST(Session, OtherMachinesTellNeither) {
+    const auto frames = answers(kRun, {{"part.nc", "G21 G90\nG0 X10\nM2\n"}});
+    EXPECT_EQ(of_kind(frames, "efforts").size() + of_kind(frames, "following").size(), 0U);
+}
+
 TEST(Session, ARefusedProgramHasAReportAndFails) {
     const auto frames = answers(kRun, {{"part.nc", "G999\n"}});
     EXPECT_EQ(of_kind(frames, "report").size(), 1U);

@@ -1,0 +1,107 @@
+#include "studio/engine/series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gsim::studio {
+
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr double kShortest_s = 1e-3;  // of a run whose instants are too many
+
+using Values = std::span<const float>;
+
+/// Values between two instants, at a share of the way.
+void mix(Values from, Values to, double share, std::vector<float>& mixed) {
+    for (std::size_t i = 0; i < mixed.size(); ++i)
+        mixed[i] = std::lerp(from[i], to[i], static_cast<float>(share));
+}
+
+/// Two steps become one.
+template <typename Better>
+void join(std::vector<float>& steps, std::size_t width, const Better& better) {
+    const std::size_t count = steps.size() / width;
+    for (std::size_t step = 0; step < count; ++step) {
+        for (std::size_t i = 0; i < width; ++i) {
+            float& joined = steps[step / 2 * width + i];
+            const float value = steps[step * width + i];
+            joined = step % 2 == 0 ? value : better(joined, value);
+        }
+    }
+    steps.resize((count + 1) / 2 * width);
+}
+
+}  // namespace
+
+void Series::add(double t_s, Values values) {
+    if (!is_stepped() && t_s_.size() == most_) begin_steps();
+    if (is_stepped()) {
+        cover(last_s_, last_, t_s, values);
+    } else {
+        t_s_.push_back(t_s);
+        values_.insert(values_.end(), values.begin(), values.end());
+    }
+    last_s_ = t_s;
+    last_.assign(values.begin(), values.end());
+}
+
+void Series::begin_steps() {
+    step_s_ = 2 * std::max(t_s_.back(), kShortest_s) / static_cast<double>(most_steps());
+    const Values all(values_);
+    for (std::size_t i = 0; i < t_s_.size(); ++i) {
+        const std::size_t before = i == 0 ? 0 : i - 1;
+        cover(t_s_[before], all.subspan(before * width_, width_), t_s_[i], all.subspan(i * width_, width_));
+    }
+    t_s_ = {};
+    values_ = {};
+}
+
+void Series::widen_steps() {
+    step_s_ *= 2;
+    join(low_, width_, [](float a, float b) { return std::fmin(a, b); });
+    join(high_, width_, [](float a, float b) { return std::fmax(a, b); });
+}
+
+/// What a straight line from one instant to the next comes to within each step. Without a value at one of its
+/// ends there is none between them.
+void Series::cover(double from_s, Values from, double to_s, Values to) {
+    while (step_at(to_s) >= most_steps()) widen_steps();
+    const std::size_t first = step_at(from_s);
+    const std::size_t last = step_at(to_s);
+    widen(first, from);
+    widen(last, to);
+    std::vector<float> border(width_);
+    for (std::size_t step = first; step < last; ++step) {
+        const double border_s = static_cast<double>(step + 1) * step_s_;
+        mix(from, to, std::clamp((border_s - from_s) / (to_s - from_s), 0.0, 1.0), border);
+        widen(step, border);
+        widen(step + 1, border);
+    }
+}
+
+void Series::widen(std::size_t step, Values values) {
+    const std::size_t at = step * width_;
+    if (low_.size() < at + width_) {
+        low_.resize(at + width_, kNone);
+        high_.resize(at + width_, kNone);
+    }
+    for (std::size_t i = 0; i < width_; ++i) {
+        low_[at + i] = std::fmin(low_[at + i], values[i]);
+        high_[at + i] = std::fmax(high_[at + i], values[i]);
+    }
+}
+
+void Series::put(Message& message) const {
+    message.header()["step_s"] = step_s_;
+    if (is_stepped()) {
+        message.add("low", low_);
+        message.add("high", high_);
+    } else {
+        message.add("t_s", t_s_);
+        message.add("values", values_);
+    }
+}
+
+}  // namespace gsim::studio

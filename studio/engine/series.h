@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "studio/engine/message.h"
+
+namespace gsim::studio {
+
+/// Curves over time, straight between instants, in so much memory whatever the length of the run: the
+/// instants as they come, and where those are too many the lowest and the highest values within steps of time
+/// that are all as long, so that no peak is lost.
+class Series {
+  public:
+    static constexpr std::size_t kMostInstants = 65'536;
+
+    /// Of so many values at each instant. `most_instants`: an even number, 4 at least.
+    explicit Series(std::size_t width, std::size_t most_instants = kMostInstants)
+        : width_(width), most_(most_instants) {}
+
+    /// An instant not before the last one, and not before 0. NaN: there is no value.
+    void add(double t_s, std::span<const float> values);
+    bool empty() const { return last_.empty(); }
+
+    /// As columns of a message (docs/studio.md).
+    void put(Message& message) const;
+
+  private:
+    bool is_stepped() const { return step_s_ > 0; }
+    std::size_t most_steps() const { return most_ / 2; }
+    std::size_t step_at(double t_s) const { return static_cast<std::size_t>(t_s / step_s_); }
+    void begin_steps();
+    void widen_steps();
+    void cover(double from_s, std::span<const float> from, double to_s, std::span<const float> to);
+    void widen(std::size_t step, std::span<const float> values);
+
+    std::size_t width_;
+    std::size_t most_;
+    std::vector<double> t_s_;
+    std::vector<float> values_;  ///< Instant by instant.
+    double step_s_ = 0;          ///< 0: all instants are here.
+    std::vector<float> low_;     ///< Step by step, the first one from 0 on.
+    std::vector<float> high_;
+    double last_s_ = 0;
+    std::vector<float> last_;  ///< The values of the last instant.
+};
+
+}  // namespace gsim::studio
