@@ -27,6 +27,14 @@ export const samples: Sample[] = [
     },
   },
   {
+    ...gallery.forces,
+    setup: {
+      program: "samples/rosette.ngc",
+      machine: "samples/machines/gantry-dynamics.toml",
+      dialect: "rs274ngc",
+    },
+  },
+  {
     ...gallery.collision,
     setup: { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" },
   },

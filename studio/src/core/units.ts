@@ -61,6 +61,15 @@ export function clockText(t_s: number): string {
   return `${hours}:${two(minutes)}:${two(seconds)}${fraction}`;
 }
 
+/** "1,234", "12.3", "0.0567": whole, or three digits, of what has its unit by itself. */
+export const figureText = (value: number): string =>
+  value.toLocaleString("en", Math.abs(value) >= 1000 ? { maximumFractionDigits: 0 } : { maximumSignificantDigits: 3 });
+
+/** "48.1 J", "1.23 kJ" */
+export function energyText(energy_j: number): string {
+  return Math.abs(energy_j) < 1000 ? `${figureText(energy_j)} J` : `${figureText(energy_j / 1000)} kJ`;
+}
+
 /** "1,234" */
 export const countText = (count: number): string => count.toLocaleString("en");
 

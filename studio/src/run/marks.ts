@@ -3,7 +3,7 @@
 import type { Placed, Report } from "./report";
 import type { Robot, Run } from "./run";
 
-export const markKinds = ["alarm", "collision", "violation", "zone", "finding", "near", "event"] as const;
+export const markKinds = ["alarm", "collision", "violation", "zone", "motor", "finding", "near", "event"] as const;
 /** The gravest first; "near" is a clearance that is less than asked for. */
 export type MarkKind = (typeof markKinds)[number];
 
@@ -35,6 +35,10 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
   for (const violation of report.violations ?? []) {
     const kind = violation.zone === null ? "violation" : "zone";
     yield { ...plain, ...placed(violation), t_s: violation.t_s, kind, text: violation.message };
+  }
+  for (const excess of report.efforts?.excesses ?? []) {
+    if (excess.kind === "continuous") continue; // of the whole run
+    yield { ...plain, ...placed(excess), t_s: excess.t_s, kind: "motor", text: excess.message };
   }
   for (const finding of report.findings ?? []) {
     yield { ...plain, ...placed(finding), t_s: finding.t_s, kind: "finding", text: finding.message };

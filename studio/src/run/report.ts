@@ -57,6 +57,64 @@ export interface ReportDiagnostic extends Placed {
   hint?: string | null;
 }
 
+/** What the motor of an axis had to do, N or Nm; null: the machine file does not tell. */
+export interface AxisEffort extends Placed {
+  axis: string;
+  unit: string;
+  t_s: number;
+  peak: number;
+  rms: number;
+  motor_peak: number | null;
+  motor_continuous: number | null;
+  in_j: number;
+  back_j: number;
+  friction_j: number;
+}
+
+export interface EffortExcess extends Placed {
+  t_s: number;
+  axis: string;
+  kind: "peak" | "continuous";
+  message: string;
+}
+
+export interface Efforts {
+  axes: AxisEffort[];
+  in_j: number;
+  back_j: number;
+  friction_j: number;
+  peak_power_w: number;
+  peak_power_t_s: number;
+  /** Null: the main one. */
+  programs: { program: string | null; time_s: number; in_j: number; back_j: number }[];
+  excesses: EffortExcess[];
+  excess_count: number;
+}
+
+/** How far an axis was behind its set points, mm or deg. */
+export interface AxisFollowing extends Placed {
+  axis: string;
+  unit: string;
+  behind_s: number;
+  t_s: number;
+  peak: number;
+  rms: number;
+}
+
+/** Where the tip was farthest from its way. */
+export interface ContourError extends Placed {
+  error_mm: number;
+  t_s: number;
+}
+
+export interface Following {
+  axes: AxisFollowing[];
+  contour: ContourError;
+  rapid_contour: ContourError;
+  program_contour: ContourError | null;
+  in_position_s: number | null;
+}
+
 export interface Report {
   program: string;
   machine: string;
@@ -83,5 +141,7 @@ export interface Report {
   cell?: { name: string; clearance_mm: number; looked_at?: { pairs: number; with_robots?: number } };
   time_by_limit?: { limited_by: string; time_s: number }[];
   lower_bound_s?: number | null;
+  efforts?: Efforts;
+  following?: Following;
   robots?: (Report & { name: string; idle_s: number })[];
 }

@@ -8,11 +8,14 @@ import { SAME_TIME_S, type Clearance, type Place, type Report, type ReportEvent,
 import type { Scene } from "./scene";
 import { lastIndex } from "./search";
 import { Segments } from "./segments";
+import { Series, type SeriesKind } from "./series";
 
 /** One machine of a run. */
 export class Robot {
   readonly segments: Segments;
   readonly blocks: Blocks;
+  /** What there is over time beside them, where its machine tells of masses or of servo loops. */
+  readonly series = new Map<SeriesKind, Series>();
   chain: Chain;
   /** Names of sources, as segments count them. */
   files: string[] = [];
@@ -145,6 +148,10 @@ export class Run {
         if (chunk && chunk.first === header.first && !header.lean) robot.blocks.add(chunk);
         return;
       }
+      case "efforts":
+      case "following":
+        robot.series.set(message.is, new Series(message));
+        return;
       case "told":
         this.told.push(header as unknown as Told);
         return;

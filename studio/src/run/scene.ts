@@ -12,6 +12,10 @@ export interface Axis {
   max_speed: number | null;
   max_acceleration: number | null;
   max_jerk: number | null;
+  /** The most that its motor brings up, N or Nm; null: it is not told. */
+  motor_peak: number | null;
+  /** Whether it brings up less at some speeds. */
+  motor_fades: boolean;
   home: number;
   /** Reading of the axis where its joint is at 0. */
   zero: number;

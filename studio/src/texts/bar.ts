@@ -75,6 +75,10 @@ export const bar = {
     opened: (title: string) => `sample ${title}`,
     wheel: { title: "The wheel", about: "Five-axis waterjet: the test part of a thesis, 129.99 s on its gantry." },
     rosette: { title: "A rosette", about: "RS274/NGC with O-words on a router, blended as LinuxCNC does." },
+    forces: {
+      title: "Forces and following errors",
+      about: "The rosette on a gantry whose masses, motors and servo loops are known. Tick “Forces, torques” beside the charts.",
+    },
     collision: { title: "A clamp in the way", about: "A cell with table, sheet and clamps: what touches is found at its exact time." },
     robots: { title: "Two robots", about: "Two machines and a conveyor on one clock." },
     mill: { title: "A dome", about: "A five-axis mill: the tip is led (G43.4), the table turns and the head leans." },

@@ -22,6 +22,7 @@ const markColours: Record<MarkKind, string> = {
   collision: vermilion,
   violation: vermilion,
   zone: purple,
+  motor: orange,
   finding: yellow,
   near: orange,
   event: grey,

@@ -6,14 +6,17 @@ import { themeColour } from "../../core/theme";
 import { vermilion } from "../../core/colours";
 import { ticks, type TimeWindow } from "../window";
 import type { Curves } from "./curves";
+import type { Limit } from "./limit_lines";
 import { areaPaths, linePaths } from "./paths";
-import { short, type Limit, type ScaleId, type Trace } from "./traces";
+import { short, type ScaleId, type Trace } from "./traces";
 
 /** Beside the plot (px), so that charts and scrubber stand one below the other. */
 export const LEFT_PX = 62;
 export const RIGHT_PX = 58;
 const TOP_PX = 6;
 const BOTTOM_PX = 6;
+/** Height of a limit's name. */
+const LABEL_PX = 10;
 
 export interface ChartActions {
   choose(t_s: number): void;
@@ -27,6 +30,8 @@ export class Chart {
   private readonly now = element("div", { class: "now" });
   private readonly values: HTMLElement[];
   private areColumns = false;
+  /** Of traces that are limits the value that is nearest to 0. */
+  private nearest: { scale: ScaleId; value: number }[] = [];
 
   constructor(
     title: string,
@@ -36,13 +41,14 @@ export class Chart {
     actions: ChartActions,
   ) {
     this.values = traces.map(() => element("b"));
-    const legend = traces.map((trace, i) =>
+    // A limit to the other side is said once.
+    const legend = traces.filter(({ isLimit, factor }) => !isLimit || factor > 0).map((trace) =>
       element(
         "span",
         { class: "trace" },
         element("i", { class: trace.dashed ? "dashed" : "", style: `--colour:${trace.colour}` }),
         `${trace.name} `,
-        this.values[i],
+        this.values[traces.indexOf(trace)],
       ),
     );
     const head = element("div", { class: "chart-head" }, element("span", { class: "chart-title" }, title), ...legend);
@@ -115,6 +121,7 @@ export class Chart {
   private series(trace: Trace): uPlot.Series {
     return {
       scale: trace.scale,
+      auto: !trace.isLimit,
       stroke: trace.colour,
       fill: trace.colour,
       width: 1.25,
@@ -134,7 +141,7 @@ export class Chart {
     const zero = this.traces.some((trace) => trace.scale === scale && trace.fromZero);
     let [from, to] = zero ? [Math.min(low ?? 0, 0), Math.max(high ?? 0, 0)] : [low ?? 0, high ?? 0];
     const [bottom, top] = [from - (to - from), to + (to - from)];
-    for (const { value } of this.limitsOf(scale)) {
+    for (const { value } of [...this.limitsOf(scale), ...this.nearest.filter((end) => end.scale === scale)]) {
       if (value >= bottom && value <= top) [from, to] = [Math.min(from, value), Math.max(to, value)];
     }
     const margin = to > from ? 0.04 * (to - from) : Math.max(Math.abs(to) * 0.1, 1);
@@ -148,6 +155,7 @@ export class Chart {
     ctx.textAlign = "left";
     ctx.textBaseline = "middle";
     const labelled = new Set<string>();
+    const labels_px: number[] = [];
     for (const scale of this.scales) {
       const { min, max } = this.plot.scales[scale];
       for (const { value, label, colour } of this.limitsOf(scale)) {
@@ -161,7 +169,10 @@ export class Chart {
         ctx.moveTo(bbox.left, y);
         ctx.lineTo(bbox.left + bbox.width, y);
         ctx.stroke();
-        if (this.scales.length === 1) ctx.fillText(label, bbox.left + bbox.width + 4 * devicePixelRatio, y);
+        // One on top of another could not be read.
+        if (this.scales.length > 1 || labels_px.some((other) => Math.abs(other - y) < LABEL_PX * devicePixelRatio)) continue;
+        labels_px.push(y);
+        ctx.fillText(label, bbox.left + bbox.width + 4 * devicePixelRatio, y);
       }
     }
     ctx.restore();
@@ -228,6 +239,9 @@ export class Chart {
   show(curves: Curves): void {
     this.areColumns = curves.areColumns;
     const shown = this.traces.map((trace) => curves.values[trace.channel].map((value) => shownBy(trace, value)));
+    this.nearest = this.traces.flatMap(({ isLimit, scale }, i) => {
+      return isLimit ? [{ scale, value: nearestToZero(shown[i]) }] : [];
+    });
     this.plot.batch(() => {
       this.plot.setData([curves.t_s, ...shown] as uPlot.AlignedData, false);
       this.plot.setScale("x", { min: this.window.start_s, max: this.window.end_s });
@@ -250,6 +264,12 @@ export class Chart {
     this.plot.destroy();
     this.element.remove();
   }
+}
+
+function nearestToZero(values: readonly (number | null)[]): number {
+  let nearest = Infinity;
+  for (const value of values) if (value !== null && Math.abs(value) < Math.abs(nearest)) nearest = value;
+  return nearest;
 }
 
 const shownBy = (trace: Trace, value: number): number | null =>

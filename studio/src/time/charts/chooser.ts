@@ -17,8 +17,8 @@ export interface Chosen {
 export interface Chooser {
   element: HTMLElement;
   readonly chosen: Chosen;
-  /** Of another machine: all its axes are shown. */
-  begin(axes: Axis[]): void;
+  /** Of another machine, with the charts that there are of it: all its axes are shown. */
+  begin(axes: Axis[], offered: readonly ChartId[]): void;
 }
 
 /** A box that is ticked or not as it is made. */
@@ -32,11 +32,12 @@ export function createChooser(changed: (chosen: Chosen) => void): Chooser {
   const shown = new Set<ChartId>(["speed"]);
   const hidden = new Set<string>();
   let letters: string[] = [];
+  let offered: readonly ChartId[] = [];
   let percent = true;
   const axes = element("div", { class: "axes", role: "group", "aria-label": words.axes });
 
   const chosen = (): Chosen => ({
-    charts: chartIds.filter((id) => shown.has(id)),
+    charts: offered.filter((id) => shown.has(id)),
     axes: new Set(letters.flatMap((letter, i) => (hidden.has(letter) ? [] : [i]))),
     percent,
   });
@@ -57,7 +58,9 @@ export function createChooser(changed: (chosen: Chosen) => void): Chooser {
     get chosen() {
       return chosen();
     },
-    begin(all) {
+    begin(all, those) {
+      offered = those;
+      charts.forEach((row, i) => (row.hidden = !offered.includes(chartIds[i])));
       letters = all.map((axis) => axis.letter);
       axes.replaceChildren(
         ...letters.map((letter, i) => {

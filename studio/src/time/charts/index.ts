@@ -6,6 +6,7 @@ import type { Store } from "../../core/store";
 import { onTheme } from "../../core/theme";
 import type { Mark } from "../../run/marks";
 import type { Robot } from "../../run/run";
+import type { Series, SeriesKind } from "../../run/series";
 import { texts } from "../../texts";
 import type { TimeWindow } from "../window";
 import { LEFT_PX, RIGHT_PX, Chart } from "./chart";
@@ -14,7 +15,8 @@ import { curvesOf, type Curves } from "./curves";
 import { Leaves } from "./leaves";
 import { fetchWithin, isTooMuch, overviewOf } from "./overview";
 import type { Group } from "./probe";
-import { groupOf, tracesOf, type ChartId } from "./traces";
+import { seriesCurves } from "./series_curves";
+import { chartsOf, short, sourceOf, tracesOf, type ChartId } from "./traces";
 
 const LEAST_HEIGHT_PX = 100;
 
@@ -31,6 +33,7 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
   const about = element("p", { class: "hint rough", role: "status", hidden: true });
   let charts: { id: ChartId; chart: Chart }[] = [];
   let violations_s: number[] = [];
+  let excesses_s: number[] = [];
   let robot: Robot | undefined;
   let leaves = new Map<Group, Leaves>();
   let hover_s: number | null = null;
@@ -48,6 +51,9 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
     return made;
   };
 
+  /** Null: what is asked for comes from laws. */
+  const seriesOf = (source: Group | SeriesKind): Series | null => robot?.series.get(source as SeriesKind) ?? null;
+
   function build(chosen: Chosen): void {
     for (const { chart } of charts) chart.destroy();
     charts = [];
@@ -61,9 +67,10 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
       },
     };
     for (const id of chosen.charts) {
-      const traces = tracesOf(id, robot.scene, { ...chosen, units: store.get("units") });
+      const traces = tracesOf(id, robot, { ...chosen, units: store.get("units") });
       if (traces.length === 0) continue;
-      charts.push({ id, chart: new Chart(texts.time.charts[id], traces, window, violations_s, actions) });
+      const marks_s = id === "effort" ? excesses_s : violations_s;
+      charts.push({ id, chart: new Chart(texts.time.charts[id], traces, window, marks_s, actions) });
     }
     list.append(...charts.map(({ chart }) => chart.element));
     draw();
@@ -78,24 +85,40 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
   function draw(): void {
     if (!robot) return;
     const columns = Math.max(Math.round((list.clientWidth - LEFT_PX - RIGHT_PX) * devicePixelRatio), 50);
-    const curves = new Map<Group, Curves>();
+    const curves = new Map<Group | SeriesKind, Curves>();
     const { segments } = robot;
     const { start_s, end_s } = window;
     const isRough = isTooMuch(segments, start_s, end_s);
-    about.hidden = !isRough || charts.length === 0;
-    about.textContent = isRough ? texts.time.rough : "";
+    tellWhatIsRough(isRough);
     resize();
     if (!isRough) fetchWithin(segments, start_s, end_s);
+    const drawn = (source: Group | SeriesKind): Curves => {
+      const series = seriesOf(source);
+      if (series) return seriesCurves(series, start_s, end_s, columns);
+      const group = source as Group;
+      if (isRough) return overviewOf(segments, group, leavesOf(group).probe.width, start_s, end_s, columns);
+      return curvesOf(segments, leavesOf(group), start_s, end_s, columns);
+    };
     for (const { id, chart } of charts) {
-      const group = groupOf[id];
-      if (!curves.has(group)) {
-        const { width } = leavesOf(group).probe;
-        const rough = () => overviewOf(segments, group, width, start_s, end_s, columns);
-        curves.set(group, isRough ? rough() : curvesOf(segments, leavesOf(group), start_s, end_s, columns));
-      }
-      chart.show(curves.get(group)!);
+      const source = sourceOf[id];
+      if (!curves.has(source)) curves.set(source, drawn(source));
+      chart.show(curves.get(source)!);
     }
     point();
+  }
+
+  function tellWhatIsRough(isRough: boolean): void {
+    const said = new Set<string>();
+    for (const { id } of charts) {
+      const source = sourceOf[id];
+      const series = seriesOf(source);
+      if (!series && isRough) said.add(texts.time.rough);
+      if (series && series.step_s > 0) {
+        said.add(texts.time.stepped(texts.time.series[source as SeriesKind], short(1000 * series.step_s)));
+      }
+    }
+    about.hidden = said.size === 0;
+    about.textContent = [...said].join(". ");
   }
 
   function point(): void {
@@ -103,14 +126,22 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
     const now_s = store.get("time_s");
     const t_s = hover_s ?? now_s;
     const index = robot.segments.at(t_s);
-    for (const { id, chart } of charts) {
-      const { probe } = leavesOf(groupOf[id]);
-      const values = new Float64Array(probe.width);
-      const spot = probe.spot(index);
-      if (spot) probe.put(spot, Math.min(t_s - spot.chunk.start_s[spot.i], spot.part.duration_s), values);
-      else values.fill(NaN);
-      chart.point(now_s, values);
+    for (const { id, chart } of charts) chart.point(now_s, valuesAt(sourceOf[id], index, t_s));
+  }
+
+  function valuesAt(source: Group | SeriesKind, index: number, t_s: number): ArrayLike<number> {
+    const series = seriesOf(source);
+    if (series) {
+      const values = new Float32Array(series.width);
+      series.put(t_s, values);
+      return values;
     }
+    const { probe } = leavesOf(source as Group);
+    const values = new Float64Array(probe.width);
+    const spot = probe.spot(index);
+    if (spot) probe.put(spot, Math.min(t_s - spot.chunk.start_s[spot.i], spot.part.duration_s), values);
+    else values.fill(NaN);
+    return values;
   }
 
   const chooser = createChooser(build);
@@ -135,8 +166,9 @@ export function createCharts(store: Store, window: TimeWindow): Charts {
       robot = robotOf(store);
       leaves = new Map();
       hover_s = null;
+      excesses_s = marks.filter(({ kind }) => kind === "motor").map(({ t_s }) => t_s);
       violations_s = marks.filter(({ kind }) => kind === "violation" || kind === "zone").map(({ t_s }) => t_s);
-      chooser.begin(robot?.scene.axes ?? []);
+      chooser.begin(robot?.scene.axes ?? [], chartsOf(robot));
       build(chooser.chosen);
     },
   };

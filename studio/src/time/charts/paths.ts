@@ -24,7 +24,7 @@ export const areaPaths: uPlot.Series.PathBuilder = (plot, series, first, last) =
     addArea(path, stretch, half);
     stretch = [];
   };
-  for (let i = first - (first % 2); i < last; i += 2) {
+  for (let i = first - (first % 2); i <= last; i += 2) {
     const [low, high] = [ys[i], ys[i + 1]];
     if (low == null || high == null) close();
     else stretch.push(plot.valToPos(xs[i], "x", true), yOf(high), yOf(low));

@@ -5,31 +5,43 @@ import type { Units } from "../../core/store";
 import { themeColour } from "../../core/theme";
 import { length, lengthUnit } from "../../core/units";
 import { RAD_PER_DEG } from "../../run/chain";
+import type { Robot } from "../../run/run";
 import type { Axis, Scene } from "../../run/scene";
+import type { SeriesKind } from "../../run/series";
 import { texts } from "../../texts";
+import { bothWays, type Limit } from "./limit_lines";
 import { PATH, type Group } from "./probe";
+import { seriesTraces, type SeriesChartId } from "./series_traces";
 
 const words = texts.time;
 
-export const chartIds = ["speed", "acceleration", "axis_position", "axis_speed", "axis_acceleration"] as const;
-export type ChartId = (typeof chartIds)[number];
+const lawCharts = ["speed", "acceleration", "axis_position", "axis_speed", "axis_acceleration"] as const;
+const seriesCharts: readonly SeriesChartId[] = ["effort", "power", "following", "contour"];
+type LawChartId = (typeof lawCharts)[number];
+export type ChartId = LawChartId | SeriesChartId;
+export const chartIds: readonly ChartId[] = [...lawCharts, ...seriesCharts];
 
-export const groupOf: Record<ChartId, Group> = {
+/** What a chart's values come from: laws of segments, or a series. */
+export const sourceOf: Record<ChartId, Group | SeriesKind> = {
   speed: "path",
   acceleration: "path",
   axis_position: "position",
   axis_speed: "speed",
   axis_acceleration: "acceleration",
+  effort: "efforts",
+  power: "efforts",
+  following: "following",
+  contour: "following",
 };
 
-/** Values that share a unit share a scale. */
-export type ScaleId = "mm" | "deg" | "percent";
+const isSeriesChart = (id: ChartId): id is SeriesChartId => seriesCharts.some((each) => each === id);
 
-export interface Limit {
-  value: number;
-  label: string;
-  colour: string;
-}
+/** Which charts there are of a robot. */
+export const chartsOf = (robot: Robot | undefined): ChartId[] =>
+  chartIds.filter((id) => !isSeriesChart(id) || robot?.series.has(sourceOf[id] as SeriesKind));
+
+/** Values that share a unit share a scale. */
+export type ScaleId = "mm" | "deg" | "percent" | "force" | "torque" | "power";
 
 export interface Trace {
   name: string;
@@ -43,6 +55,8 @@ export interface Trace {
   offset: number;
   /** Whether the scale always shows 0. */
   fromZero: boolean;
+  /** Whether it is a limit that others are held against, which is out of sight where it is far beyond them. */
+  isLimit?: boolean;
   limits: Limit[];
 }
 
@@ -50,19 +64,23 @@ export interface Choice {
   units: Units;
   /** Axes by index. */
   axes: ReadonlySet<number>;
-  /** Speeds and accelerations as a share of the axis's limit. */
+  /** Speeds, accelerations and efforts as a share of the axis's limit. */
   percent: boolean;
 }
 
 /** The unit of a chart's values on a scale. */
-function unitOf(id: ChartId, scale: ScaleId, units: Units): string {
+function unitOf(id: LawChartId, scale: ScaleId, units: Units): string {
   if (scale === "percent") return "%";
   const way = scale === "deg" ? "°" : lengthUnit(units);
   if (id === "axis_position") return way;
   return id.endsWith("speed") ? `${way}/min` : `${way}/s²`;
 }
 
-export function tracesOf(id: ChartId, scene: Scene, choice: Choice): Trace[] {
+export function tracesOf(id: ChartId, { scene, series }: Robot, choice: Choice): Trace[] {
+  if (isSeriesChart(id)) {
+    const from = series.get(sourceOf[id] as SeriesKind);
+    return from ? seriesTraces(id, from, scene, choice) : [];
+  }
   if (id === "speed") return speedTraces(scene, choice.units);
   if (id === "acceleration") return [accelerationTrace(scene, choice.units)];
   return scene.axes
@@ -100,12 +118,7 @@ function accelerationTrace(scene: Scene, units: Units): Trace {
   };
 }
 
-const bothWays = (value: number, label: string, colour: string): Limit[] => [
-  { value, label, colour },
-  { value: -value, label, colour },
-];
-
-function axisTrace(id: ChartId, axis: Axis, joint: number, { units, percent }: Choice): Trace {
+function axisTrace(id: LawChartId, axis: Axis, joint: number, { units, percent }: Choice): Trace {
   const colour = axisColour(joint);
   const label = words.limitOf(axis.letter);
   const max = id === "axis_speed" ? axis.max_speed : axis.max_acceleration;

@@ -6,10 +6,13 @@ import { goTo } from "../../../core/go";
 import type { Store } from "../../../core/store";
 import { axisText, countText, lengthShort, percentText, timeText } from "../../../core/units";
 import { marksOf, type Mark, type MarkKind } from "../../../run/marks";
-import type { Report } from "../../../run/report";
+import type { Report, ReportDiagnostic } from "../../../run/report";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { markItem, section, type Item } from "../mark_list";
+import { createEfforts } from "./efforts";
+import { figure } from "./figure";
+import { createFollowing } from "./following";
 import { createTravel } from "./travel";
 
 const words = texts.panels;
@@ -27,6 +30,8 @@ export function createSummary(store: Store): Tab {
       if (report.cycle_time_s > 0) host.append(figures(report, store));
       host.append(...sections(context, light, store));
       if (told.length > 0) host.append(section(words.told, "finding", told));
+      if (report.efforts) host.append(createEfforts(report.efforts, store));
+      if (report.following) host.append(createFollowing(report.following, store));
       if (context.robot && report.bounds) host.append(createTravel(context.robot.scene.axes, report.bounds, axisWords));
     },
   };
@@ -38,7 +43,7 @@ export function createSummary(store: Store): Tab {
 
 // What makes a run useless comes before its figures, what is worth a look behind them.
 const grave: readonly MarkKind[] = ["alarm", "collision", "violation", "zone"];
-const light: readonly MarkKind[] = ["finding", "near"];
+const light: readonly MarkKind[] = ["motor", "finding", "near"];
 
 function sections({ run, index }: Context, kinds: readonly MarkKind[], store: Store): HTMLElement[] {
   const byKind = new Map<MarkKind, Mark[]>();
@@ -57,7 +62,9 @@ function toldOf({ run, report }: Context, store: Store): Item[] {
   if (!report || run.failure) return [];
   const own = ["collision", "near-miss", "axis-limit", "zone", report.alarm?.code];
   for (const { code } of report.findings ?? []) own.push(code);
-  const diagnostics = (report.diagnostics ?? []).filter(({ code }) => !own.includes(code));
+  // Of motors those without a place are in no list.
+  const isListed = ({ code, line }: ReportDiagnostic) => own.includes(code) || (code === "motor-peak" && line !== null);
+  const diagnostics = (report.diagnostics ?? []).filter((one) => !isListed(one));
   const known = new Set(diagnostics.map(({ text }) => text));
   const common = run.report !== report ? (run.report?.warnings ?? []) : [];
   const warnings = [...report.warnings, ...common].filter((text) => !known.has(text));
@@ -74,9 +81,6 @@ function toldOf({ run, report }: Context, store: Store): Item[] {
     }),
   ];
 }
-
-const figure = (name: string, value: string, title = ""): HTMLElement =>
-  element("div", { class: "figure", title }, element("dt", {}, name), element("dd", {}, value));
 
 function figures(report: Report & { idle_s?: number }, store: Store): HTMLElement {
   const { time, length, lower_bound_s: bound_s, cycle_time_s: whole_s } = report;

@@ -1,0 +1,46 @@
+// Where axes and tip really were: how far each axis was behind, and where the tip was farthest from its way.
+
+import { element } from "../../../core/dom";
+import { goTo } from "../../../core/go";
+import type { Store } from "../../../core/store";
+import { axisText, figureText, lengthText, timeText } from "../../../core/units";
+import type { AxisFollowing, ContourError, Following } from "../../../run/report";
+import { texts } from "../../../texts";
+import { itemList, type Item } from "../mark_list";
+import { axisTable, type AxisRow } from "./axis_rows";
+import { figure } from "./figure";
+
+const words = texts.panels.following;
+
+const MS_PER_S = 1000;
+
+export function createFollowing(following: Following, store: Store): HTMLElement {
+  const { contour, rapid_contour, program_contour, in_position_s } = following;
+  const contours = [
+    contourItem(words.contour, contour),
+    contourItem(words.rapidContour, rapid_contour),
+    ...(program_contour ? [contourItem(words.programContour, program_contour)] : []),
+  ];
+  const settled = in_position_s === null ? words.notSettled : timeText(in_position_s);
+  return element(
+    "section",
+    {},
+    element("h3", { class: "heading", title: words.hint }, words.title),
+    axisTable(words.heads, following.axes.map(rowOf), store),
+    element("h3", { class: "heading", title: words.contourHint }, words.contourTitle),
+    itemList(words.contourTitle, contours, contours.length),
+    element("dl", { class: "figures" }, figure(words.inPosition, settled, words.inPositionHint)),
+  );
+
+  function rowOf({ axis, unit, peak, rms, behind_s, file, line, t_s }: AxisFollowing): AxisRow {
+    const amount = (value: number) => axisText(value, unit === "deg", store.get("units"));
+    const cells = [amount(peak), amount(rms), figureText(MS_PER_S * behind_s)];
+    return { axis, t_s, file, line, cells, title: words.rowHint(timeText(t_s, 2)), isBeyond: false };
+  }
+
+  function contourItem(text: (error: string) => string, at: ContourError): Item {
+    const place = [timeText(at.t_s, 2), ...(at.line === null ? [] : [texts.run.line(at.line)])].join(" · ");
+    const error = lengthText(at.error_mm, store.get("units"));
+    return { kind: "", text: text(error), title: at.file ?? "", place, choose: () => goTo(store, at, at.t_s) };
+  }
+}

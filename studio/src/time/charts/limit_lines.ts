@@ -1,0 +1,12 @@
+// Lines across a chart that its values are held against.
+
+export interface Limit {
+  value: number;
+  label: string;
+  colour: string;
+}
+
+export const bothWays = (value: number, label: string, colour: string): Limit[] => [
+  { value, label, colour },
+  { value: -value, label, colour },
+];
