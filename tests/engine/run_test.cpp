@@ -313,6 +313,36 @@ TEST(Run, HandsOutWhereAxesAndTipReallyAre) {
     }
 }
 
+// While the acceleration grows, with it the force and with its square the speed, power is a curve of third
+// order: straight lines between few instants would be a hundredth off.
+TEST(Run, StraightLinesBetweenInstantsOfForcesAreNearTheirCurves) {
+    constexpr double kJerk_m_s3 = 2;
+    std::string machine = std::string(kLift) + "[controller]\nmodel = \"ab9\"\nlimit_jerk = true\n";
+    machine.insert(machine.find("max_acceleration_mm_s2"), "max_jerk_mm_s3 = 2000\n");
+    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", machine}});
+    request.machine = "lift.toml";
+    engine::Run run = prepared(std::move(request));
+    EffortColumns all;
+    ASSERT_TRUE(run.take_efforts([&](const EffortColumns& some) { all = some; }));
+    ASSERT_TRUE(run.go());
+    // 0.1 m/s are reached by growing for as long as by shrinking: 0.1 = jerk T^2.
+    const double growing_s = std::sqrt(0.1 / kJerk_m_s3);
+    const double highest_w = *std::max_element(all.power_w.begin(), all.power_w.end());
+    const auto power_w = [&](double t_s) {
+        return 10 * (10 + kJerk_m_s3 * t_s) * kJerk_m_s3 * t_s * t_s / 2;
+    };
+    for (int i = 0; i < 1000; ++i) {
+        const double t_s = growing_s * (i + 0.5) / 1000;
+        const auto above =
+            static_cast<std::size_t>(std::upper_bound(all.t_s.begin(), all.t_s.end(), t_s) - all.t_s.begin());
+        ASSERT_GT(above, 0U);
+        const double share = (t_s - all.t_s[above - 1]) / (all.t_s[above] - all.t_s[above - 1]);
+        const double straight_w = std::lerp(static_cast<double>(all.power_w[above - 1]),
+                                            static_cast<double>(all.power_w[above]), share);
+        EXPECT_NEAR(straight_w, power_w(t_s), 0.002 * highest_w) << t_s;
+    }
+}
+
 // Of a rest one instant would leave open until when it lasts.
 TEST(Run, TheMotorsHoldAWeightThroughARest) {
     Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nG4 P3\nG0 Z0\nM2\n"}, {"lift.toml", kLift}});
