@@ -76,7 +76,10 @@ std::vector<GuideKey> servo_guide() {
 std::vector<GuideTable> dynamics_guide() {
     return {{.at = {"dynamics"},
              .meaning = "that forces and torques of the motors are worked out",
-             .keys = {numbers_key("gravity_m_s2", 3, "in the world; else [0.0, 0.0, -9.80665]")}},
+             .keys = {numbers_key("gravity_m_s2", 3, "in the world; else [0.0, 0.0, -9.80665]"),
+                      choice_key("limit", "\"axes\"", {"axes", "torque"},
+                                 "what limits accelerations: those of the axes, or what the peaks of the "
+                                 "motors allow at the places and speeds of each move")}},
             mass_table(),
             hose_table()};
 }

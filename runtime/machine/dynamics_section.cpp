@@ -15,12 +15,15 @@ using base::TomlSection;
 
 using std::string_view_literals::operator""sv;
 
-constexpr std::array kDynamicsKeys{"gravity_m_s2"sv};
+constexpr std::array kDynamicsKeys{"gravity_m_s2"sv, "limit"sv};
 constexpr std::array kMassKeys{"on"sv, "mass_kg"sv, "centre_mm"sv, "inertia_kg_m2"sv};
 constexpr std::array kHoseKeys{
     "on"sv, "point_mm"sv, "anchor_mm"sv, "free_length_mm"sv, "stiffness_n_per_mm"sv, "drag_n_per_mm_s"sv};
 constexpr std::string_view kInertiaMeaning =
     "[xx, yy, zz] or [xx, yy, zz, xy, yz, zx] of the inertia tensor about the centre";
+
+// Of AccelerationLimit in its order.
+constexpr std::array kLimits{"axes"sv, "torque"sv};
 
 using Vector = std::array<double, 3>;
 
@@ -102,6 +105,8 @@ void read_dynamics(FirstError& error, TomlSection& file, Machine& machine) {
     TomlSection section(error, *table, "[dynamics]", kDynamicsKeys);
     DynamicsTable dynamics;
     dynamics.gravity_m_s2 = read_vector(section, *table, "gravity_m_s2", dynamics.gravity_m_s2);
+    dynamics.limit = static_cast<AccelerationLimit>(
+        section.choice("limit", static_cast<std::size_t>(dynamics.limit), kLimits));
     if (file.has("mass")) {
         for (const toml::table* mass : file.tables("mass"))
             dynamics.masses.push_back(read_mass(error, *mass, machine));
@@ -116,6 +121,8 @@ void read_dynamics(FirstError& error, TomlSection& file, Machine& machine) {
 void print_dynamics(base::TomlText& out, const DynamicsTable& dynamics) {
     out.section("[dynamics]");
     out.line("gravity_m_s2", number_list(dynamics.gravity_m_s2));
+    if (dynamics.limit != AccelerationLimit::axes)
+        out.line("limit", base::toml_string(kLimits[static_cast<std::size_t>(dynamics.limit)]));
     for (const LinkMass& mass : dynamics.masses) {
         out.section("[[mass]]");
         out.line("on", base::toml_string(mass.on));

@@ -48,11 +48,18 @@ struct HoseTable {
 
 inline constexpr double kDownwards_m_s2 = -9.80665;  // standard gravity, CGPM 1901
 
+/// What limits accelerations.
+enum class AccelerationLimit {
+    axes,    ///< max_acceleration of each axis.
+    torque,  ///< What the motors' peaks allow at the places and speeds of each move.
+};
+
 /// What forces and torques come of, beside the drives of the axes and the densities of shapes.
 struct DynamicsTable {
     std::array<double, 3> gravity_m_s2{0, 0, kDownwards_m_s2};  ///< In the world.
     std::vector<LinkMass> masses = {};
     std::vector<HoseTable> hoses = {};
+    AccelerationLimit limit = AccelerationLimit::axes;
 
     bool operator==(const DynamicsTable&) const = default;
 };

@@ -17,6 +17,7 @@
 #include "runtime/machine/program_section.h"
 #include "runtime/machine/servo_section.h"
 #include "runtime/machine/times_section.h"
+#include "runtime/machine/torque_limit.h"
 
 namespace gsim::machine {
 
@@ -275,6 +276,7 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
     if (error.text()) return machine;
     if (const auto fault = find_controller_fault(machine)) file.fail("controller", *fault);
+    if (const auto fault = find_torque_limit_fault(machine)) file.fail("dynamics", *fault);
     if (const auto fault = find_servo_fault(machine)) file.fail("axis", *fault);
     return machine;
 }

@@ -54,7 +54,9 @@ struct Block {
     double deceleration = kUnlimited;
     double jerk = kUnlimited;
     LimitedBy jerk_limit;
-    std::optional<SteppedLimits> steps;       ///< Where its ramps go in steps of time.
+    std::optional<SteppedLimits> steps;  ///< Where its ramps go in steps of time.
+    /// What the joints may have at the corner at its start, where MoveLimits say so.
+    std::optional<rrs::JointPos> corner_accelerations;
     Settling settling;                        ///< At its end, if that is an exact stop.
     Blend entry_blend;                        ///< At its start.
     double exit_cut = 0;                      ///< What the blend at its end cuts off.

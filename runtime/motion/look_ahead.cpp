@@ -9,6 +9,7 @@
 #include "runtime/motion/corner.h"
 #include "runtime/motion/corner_window.h"
 #include "runtime/motion/followers.h"
+#include "runtime/motion/limited_way.h"
 #include "runtime/motion/line_move.h"
 #include "runtime/motion/ramp.h"
 
@@ -60,7 +61,8 @@ Planned LookAhead::add_line(const PathMove& move) {
 
 Planned LookAhead::add_block(const PathMove& move) {
     if (setup_.overrides && window_.empty()) take_overrides(output_.time_s());
-    auto block = block_of(move, setup_, overrides_);
+    auto block =
+        setup_.move_limits ? limited_block_of(move, setup_, overrides_) : block_of(move, setup_, overrides_);
     if (!block) return tl::unexpected(std::move(block.error()));
     if (!*block) {
         reach_with_last(move);
@@ -98,12 +100,25 @@ bool LookAhead::window_is_full() const {
 void LookAhead::join(std::size_t count, Block& to) {
     Block& from = window_[count - 1];
     const BlocksBefore before{window_, count};
-    const CornerSpeed corner = corner_speed(setup_, before, to);
+    const CornerSpeed corner =
+        setup_.move_limits ? limited_corner(before, to) : corner_speed(setup_, before, to);
     to.entry_cap = corner.speed;
     to.entry_limit = corner.limit;
     to.entry_blend = corner.blend;
     from.exit_cut = corner.blend.cut;
-    if (corner.takes_acceleration) leave_for_corners(setup_, before, to);
+    if (!corner.takes_acceleration) return;
+    if (to.corner_accelerations) {
+        leave_for_corners(setup_at_corner(setup_, *to.corner_accelerations), before, to);
+    } else {
+        leave_for_corners(setup_, before, to);
+    }
+}
+
+/// A corner whose accelerations are its own.
+CornerSpeed LookAhead::limited_corner(const BlocksBefore& before, Block& to) {
+    to.corner_accelerations = corner_accelerations(setup_, before.back(), to);
+    if (!to.corner_accelerations) return {};
+    return corner_speed(setup_at_corner(setup_, *to.corner_accelerations), before, to);
 }
 
 /// From the newest block, which ends at rest `held_back` before its end, back to the first one that has been
@@ -155,7 +170,10 @@ void LookAhead::drop_slow_blend() {
 /// The less of a blend that is passed slowly leaves more of both lines to speed up on.
 void LookAhead::fit_blend(double speed) {
     if (window_.size() < 2 || window_[1].entry_blend.cut <= 0 || !(speed > 0)) return;
-    window_[1].entry_blend = blend_at(setup_, window_[0], window_[1], speed);
+    Block& to = window_[1];
+    to.entry_blend = to.corner_accelerations
+                         ? blend_at(setup_at_corner(setup_, *to.corner_accelerations), window_[0], to, speed)
+                         : blend_at(setup_, window_[0], to, speed);
     window_[0].exit_cut = window_[1].entry_blend.cut;
 }
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "runtime/motion/block.h"
+#include "runtime/motion/blocks_before.h"
+#include "runtime/motion/corner.h"
 #include "runtime/motion/following_error.h"
 #include "runtime/motion/motion_model.h"
 #include "runtime/motion/stepped_ramps.h"
@@ -65,6 +67,7 @@ class LookAhead final : public MotionModel {
     void put_out_pieces(const Block& block, const TimeLaw& law, double from, LimitedBy limited_by,
                         bool reaches_target);
     void put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s);
+    CornerSpeed limited_corner(const BlocksBefore& before, Block& to);
     void drop_slow_blend();
     void fit_blend(double speed);
     void reach_with_last(const PathMove& move);

@@ -6,6 +6,7 @@
 
 #include "runtime/motion/corner.h"
 #include "runtime/motion/law_cut.h"
+#include "runtime/motion/limited_way.h"
 #include "runtime/motion/line_move.h"
 #include "runtime/motion/look_ahead.h"
 #include "runtime/motion/move_part.h"
@@ -96,7 +97,8 @@ void LookAhead::plan_anew() {
 /// The limits of a block under the overrides now. What leads round a bend or through many corners
 /// keeps the acceleration that these leave at the higher speed.
 void LookAhead::limit_again(Block& block) const {
-    const auto again = block_of(block.move, setup_, overrides_);
+    const auto again = setup_.move_limits ? limited_block_of(block.move, setup_, overrides_)
+                                          : block_of(block.move, setup_, overrides_);
     if (!again || !*again) return;
     const Block& limits = **again;
     block.max_speed = limits.max_speed;

@@ -80,6 +80,10 @@ class Planner {
     void set_overrides(std::shared_ptr<const OverrideSchedule> overrides) {
         machine_.overrides = setup_.overrides = std::move(overrides);
     }
+    /// What sets the accelerations of the joints for each move. Before the first move.
+    void set_move_limits(std::shared_ptr<const MoveLimits> limits) {
+        machine_.move_limits = setup_.move_limits = std::move(limits);
+    }
     /// From now on `ways`, which must outlive the planner, is told what the model's moves are to be.
     void tell_ways(WaySink& ways) { ways_ = &ways; }
     /// Back to the beginning: the clock at 0, nothing queued, no position, the machine as it is.
@@ -244,12 +248,14 @@ class Planner {
     // Conveyors (planner_conveyor.cpp).
     Planned stop_tracking();
     const PlannerSetup& setup_for_motion();
+    tl::expected<const PlannerSetup*, PlanError> setup_on(const PathMove& path);
     Planned carry(Segment& segment) const;
     rrs::JointPos position_at_end() const;
     bool holds_back() const { return model_ && !tracked_; }
 
     PlannerSetup machine_;
-    PlannerSetup setup_;  ///< The machine as the terms in force have it.
+    PlannerSetup setup_;    ///< The machine as the terms in force have it.
+    PlannerSetup limited_;  ///< The same with the accelerations of one move (MoveLimits).
     std::shared_ptr<const PlannerSetup> machine_in_force_;
     std::shared_ptr<const ProgrammedRamps> ramps_in_force_;
     SegmentSink* sink_;

@@ -62,6 +62,9 @@ Planned Planner::select_tracking(int conveyor, bool on, const Eigen::Matrix3d& b
     const bool tracks_it = tracked_ && tracked_->conveyor == conveyor;
     if (tracks_it == on) return {};
     if (!on) return stop_tracking();
+    if (setup_.move_limits)
+        return refused(Status::RRS_MODE_NOT_SUPPORTED,
+                       "No conveyor is tracked while torques limit the accelerations.");
     if (tracked_)
         return refused(Status::RRS_INVALID_PARAMETER, "Another conveyor is tracked; one is at a time.");
     leave_model();

@@ -12,6 +12,15 @@
 
 namespace gsim::motion {
 
+namespace {
+
+void keep_ramps(const LawLimits& before, LawLimits& limits) {
+    limits.acceleration = std::min(limits.acceleration, before.acceleration);
+    limits.deceleration = std::min(limits.deceleration, before.deceleration);
+}
+
+}  // namespace
+
 /// The rest of a move that is under way, and the law by which it would go on.
 struct Planner::OnWay {
     PathMove move;
@@ -110,7 +119,10 @@ void Planner::plan_rest_of(OnWay& on_way, double start_speed) {
     const MoveRules rules =
         on_way.move.rules.overridden(overrides_now(), on_way.move.obeyed, on_way.move.rapid);
     const bool arc = rest.kind == SegmentKind::circular;
-    if (arc ? plan_arc(setup_, rules, rest) : plan_line(setup_, rules, rest)) {
+    const auto setup = setup_on(on_way.move);
+    if (setup && (arc ? plan_arc(**setup, rules, rest) : plan_line(**setup, rules, rest))) {
+        // What a move has of its own holds up to the speed that it was planned for.
+        if (setup_.move_limits) keep_ramps(on_way.limits, rest.lead_limits);
         on_way.length = rest.lead.length();
         on_way.limits = rest.lead_limits;
         on_way.limited_by = rest.limited_by;

@@ -13,6 +13,7 @@
 #include "runtime/motion/circle.h"
 #include "runtime/motion/joint_move.h"
 #include "runtime/motion/lead_path.h"
+#include "runtime/motion/limited_way.h"
 #include "runtime/motion/line_move.h"
 #include "runtime/motion/move_part.h"
 #include "runtime/motion/orientation_path.h"
@@ -114,6 +115,15 @@ Planned Planner::put_rest(rrs::TargetId id, double rest_s) {
     return {};
 }
 
+/// The setup in force; for a move whose accelerations are its own, in limited_.
+tl::expected<const PlannerSetup*, PlanError> Planner::setup_on(const PathMove& path) {
+    if (!setup_.move_limits) return &setup_for_motion();
+    auto limited = setup_on_way(path, setup_, overrides_now());
+    if (!limited) return tl::unexpected(std::move(limited.error()));
+    limited_ = *std::move(limited);
+    return &limited_;
+}
+
 /// A dwell as the controller counts it.
 double Planner::dwell_s(double programmed_s) const {
     const double step_s = setup_.controller.dwell_step_s;
@@ -210,7 +220,13 @@ Put Planner::put_joint_move(const Move& move) {
     Segment& segment = begin_segment(queue_.next(), move.target_id);
     segment.end = target;
     const double share = share_now(move.terms.obeyed, false);
-    Planned planned = plan_joint_move(setup_for_motion(), move.terms, share, segment);
+    PathMove way;
+    way.start = position_;
+    way.end = target;
+    way.rapid = true;
+    const auto setup = setup_on(way);
+    if (!setup) return tl::unexpected(setup.error());
+    Planned planned = plan_joint_move(**setup, move.terms, share, segment);
     if (planned) planned = carry(segment);
     if (!planned) return tl::unexpected(std::move(planned.error()));
     position_ = target;
@@ -237,7 +253,9 @@ Put Planner::put_path_move(const Move& move) {
     set_way(path, segment);
     const double share = share_now(path.obeyed, path.rapid);
     const MoveRules rules = path.rules.overridden(overrides_now(), path.obeyed, path.rapid);
-    const PlannerSetup& setup = setup_for_motion();
+    const auto limited = setup_on(path);
+    if (!limited) return tl::unexpected(limited.error());
+    const PlannerSetup& setup = **limited;
     const bool apart = !interpolates(move);
     Planned planned = path.kind == SegmentKind::circular ? plan_arc(setup, rules, segment)
                       : apart                            ? plan_apart(setup, rules, segment)

@@ -17,6 +17,8 @@
 
 namespace gsim::motion {
 
+class MoveLimits;
+
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 /// One joint as the planner sees it. Units are mm or rad by kind.
@@ -31,6 +33,9 @@ struct JointSetup {
     double step = 0;                     ///< Smallest step of the joint; 0: none.
     /// For slowing down, where it is another limit than that for speeding up.
     std::optional<double> max_deceleration = std::nullopt;
+    /// What a program allows, where MoveLimits put others in the place of these limits.
+    double programmed_acceleration = kUnlimited;
+    double programmed_deceleration = kUnlimited;
 
     double deceleration() const { return max_deceleration.value_or(max_acceleration); }
     /// What limits changes of speed both ways.
@@ -71,6 +76,8 @@ struct PlannerSetup {
     std::shared_ptr<RangeNotes> range_notes;
     /// What the operator turns the overrides to, on the planner's clock; null: nothing.
     std::shared_ptr<const OverrideSchedule> overrides;
+    /// What sets the accelerations of the joints for each move; null: they are as `joints` has them.
+    std::shared_ptr<const MoveLimits> move_limits;
 
     /// What is wrong with the values, as a sentence; nothing where they can be used.
     std::optional<std::string> validate() const;

@@ -30,8 +30,11 @@ void put_in_force(const ProgrammedRamps& ramps, const PlannerSetup& machine, Pla
             infinite ? kUnlimited : std::min(own.max_acceleration, ramps.accelerations[joint]);
         limits.max_deceleration =
             infinite ? kUnlimited : std::min(own.deceleration(), ramps.decelerations[joint]);
+        limits.programmed_acceleration = ramps.accelerations[joint];
+        limits.programmed_deceleration = ramps.decelerations[joint];
         limits.max_jerk = infinite ? kUnlimited : std::min(own.max_jerk, ramps.jerks[joint]);
     }
+    if (infinite) setup.move_limits = nullptr;
     setup.path.max_rapid_acceleration_mm_s2 =
         infinite ? kUnlimited : machine.path.max_rapid_acceleration_mm_s2;
     setup.path.max_acceleration_mm_s2 = infinite ? kUnlimited : machine.path.max_acceleration_mm_s2;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/machine/torque_limit.h"
+
 namespace gsim::simulation {
 
 namespace {
@@ -45,7 +47,7 @@ double CentripetalWatch::limit_in_plane_mm_s2(const motion::Segment& segment) co
 }
 
 void CentripetalWatch::take(const motion::Segment& segment, const MoveInfo& info) {
-    if (segment.kind != motion::SegmentKind::circular) return;
+    if (segment.kind != motion::SegmentKind::circular || machine::is_torque_limited(machine_)) return;
     // No way curves more than its smallest circle: most arcs need no closer look.
     const double speed = segment.lead.peak_speed();
     if (speed * speed <= weakest_mm_s2_ * std::min(segment.arc.radius_mm, segment.arc.end_radius_mm)) return;

@@ -61,6 +61,8 @@ struct EffortReport {
     double peak_power_w = 0;  ///< Of all axes together.
     double peak_power_t_s = 0;
     Place peak_power_place = {};
+    /// What the same moves take with the accelerations of the axes, where the motors' peaks limit them.
+    std::optional<double> time_by_axes_s = std::nullopt;
     std::uint64_t jumps = 0;              ///< Of speeds, for which no force is finite.
     std::vector<ProgramEnergy> programs;  ///< In the order in which they moved first.
     std::vector<EffortExcess> excesses;   ///< By time, kMostExcesses at most.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/machine/figure.h"
+#include "runtime/machine/torque_limit.h"
 #include "runtime/simulation/motion_replay.h"
 #include "runtime/simulation/setup_of_machine.h"
 
@@ -30,6 +31,10 @@ double value_beside(const machine::Figure& figure, double value) {
 
 IntervalWatch::IntervalWatch(const machine::Machine& machine)
     : calibration_(*machine.calibration), nowhere_(std::make_unique<Nowhere>()) {
+    if (machine::is_torque_limited(machine)) {
+        untold("torques limit its accelerations");
+        return;
+    }
     for (const machine::Figure& figure : calibration_.figures) {
         const double value = machine::value_of(figure, machine).value_or(0);
         if (!(value > 0) || !std::isfinite(value)) {

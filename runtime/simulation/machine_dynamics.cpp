@@ -4,7 +4,9 @@
 
 #include "base/units.h"
 #include "runtime/cell/body_mass.h"
+#include "runtime/dynamics/effort_limits.h"
 #include "runtime/machine/frame_pose.h"
+#include "runtime/machine/torque_limit.h"
 
 namespace gsim::simulation {
 
@@ -74,6 +76,35 @@ dynamics::Hose hose_of(const machine::Machine& machine, const machine::HoseTable
     return hose;
 }
 
+/// Where the peaks of motors limit accelerations each must have something to move. Masses at joints do not
+/// become none elsewhere, but for a body whose centre passes an axis: that the tensor tells.
+std::optional<std::string> find_massless_axis(const machine::Machine& machine,
+                                              const dynamics::Dynamics& dynamics) {
+    if (!machine::is_torque_limited(machine)) return std::nullopt;
+    const rrs::JointPos home = machine::home_position(machine);
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const auto joint = static_cast<Eigen::Index>(i);
+        rrs::JointPos unit = rrs::JointPos::Zero(home.size());
+        unit[joint] = 1;
+        if (!machine::has_motor(machine.axes[i]) || dynamics.inertial(home, unit)[joint] > 0) continue;
+        return fmt::format(
+            "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: no [[mass]], no density of "
+            "a "
+            "[[shape]] and no '{}' gives it one",
+            machine.axes[i].letter,
+            machine.axes[i].kind == machine::AxisKind::linear ? "rotor_kg" : "rotor_kg_m2");
+    }
+    return std::nullopt;
+}
+
+dynamics::Motor motor_of(const machine::Axis& axis) {
+    std::vector<double> speeds = axis.drive.curve_speeds;
+    if (axis.kind == machine::AxisKind::rotary) {
+        for (double& speed : speeds) speed *= kRadPerDeg;
+    }
+    return {axis.drive.peak, speeds, axis.drive.curve_peaks};
+}
+
 }  // namespace
 
 tl::expected<std::shared_ptr<const dynamics::Dynamics>, std::string> make_dynamics(
@@ -91,7 +122,17 @@ tl::expected<std::shared_ptr<const dynamics::Dynamics>, std::string> make_dynami
     for (const machine::HoseTable& hose : machine.dynamics->hoses)
         model.hoses.push_back(hose_of(machine, hose));
     if (auto fault = add_shapes(machine, files, model)) return tl::unexpected(*std::move(fault));
-    return std::make_shared<const dynamics::Dynamics>(make_kinematics(machine)->chain(), model);
+    auto dynamics = std::make_shared<const dynamics::Dynamics>(make_kinematics(machine)->chain(), model);
+    if (auto fault = find_massless_axis(machine, *dynamics)) return tl::unexpected(*std::move(fault));
+    return dynamics;
+}
+
+std::shared_ptr<const motion::MoveLimits> make_effort_limits(
+    const machine::Machine& machine, std::shared_ptr<const dynamics::Dynamics> dynamics) {
+    if (!machine::is_torque_limited(machine) || dynamics == nullptr) return nullptr;
+    std::vector<dynamics::Motor> motors;
+    for (const machine::Axis& axis : machine.axes) motors.push_back(motor_of(axis));
+    return std::make_shared<const dynamics::EffortLimits>(std::move(dynamics), std::move(motors));
 }
 
 }  // namespace gsim::simulation

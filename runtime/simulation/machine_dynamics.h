@@ -8,6 +8,7 @@
 #include "runtime/cell/mesh_file.h"
 #include "runtime/dynamics/dynamics.h"
 #include "runtime/machine/machine.h"
+#include "runtime/motion/move_limits.h"
 
 namespace gsim::simulation {
 
@@ -16,5 +17,9 @@ namespace gsim::simulation {
 /// that names the shape.
 tl::expected<std::shared_ptr<const dynamics::Dynamics>, std::string> make_dynamics(
     const machine::Machine& machine, const cell::MeshFiles& files = {});
+
+/// What the peaks of its motors allow; null where they do not limit its accelerations. `dynamics` is its own.
+std::shared_ptr<const motion::MoveLimits> make_effort_limits(
+    const machine::Machine& machine, std::shared_ptr<const dynamics::Dynamics> dynamics);
 
 }  // namespace gsim::simulation

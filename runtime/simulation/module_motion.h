@@ -37,6 +37,7 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     bool set_cell(motion::CellFrames& /*cell*/) override { return false; }
     std::optional<motion::WorkFrames> work_frames() const override { return std::nullopt; }
     bool set_overrides(std::shared_ptr<const motion::OverrideSchedule>) override { return false; }
+    bool set_move_limits(std::shared_ptr<const motion::MoveLimits>) override { return false; }
     void set_obeyed(const motion::ObeyedOverrides&) override {}
     motion::Planned start_at(const rrs::JointPos& joints) override;
     motion::Planned check_ramps() const override { return {}; }

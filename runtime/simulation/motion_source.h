@@ -32,6 +32,9 @@ class MotionSource {
     /// What the operator turns the overrides to, before the first target; false where the controller cannot
     /// be told.
     virtual bool set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) = 0;
+    /// What sets the accelerations of the axes for each move, before the first target; false where the
+    /// controller cannot be told.
+    virtual bool set_move_limits(std::shared_ptr<const motion::MoveLimits> limits) = 0;
     /// What targets of clients that follow obey of them.
     virtual void set_obeyed(const motion::ObeyedOverrides& obeyed) = 0;
 

@@ -19,6 +19,9 @@ class ObservedMotion final : public MotionSource {
     bool set_cell(motion::CellFrames& cell) override { return motion_->set_cell(cell); }
     std::optional<motion::WorkFrames> work_frames() const override { return motion_->work_frames(); }
     bool set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) override;
+    bool set_move_limits(std::shared_ptr<const motion::MoveLimits> limits) override {
+        return motion_->set_move_limits(std::move(limits));
+    }
     void set_obeyed(const motion::ObeyedOverrides& obeyed) override { motion_->set_obeyed(obeyed); }
 
     motion::Planned start_at(const rrs::JointPos& joints) override;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "runtime/machine/torque_limit.h"
 
 namespace gsim::simulation {
 
@@ -26,6 +27,8 @@ motion::JointLimits limits_of(const machine::Machine& machine) {
         const double unit = axis.kind == machine::AxisKind::rotary ? kRadPerDeg : 1;
         limits.max_speed[joint] = axis.max_speed * unit;
         limits.max_acceleration[joint] = std::max(axis.max_acceleration, axis.deceleration()) * unit;
+        if (machine::is_torque_limited(machine) && machine::has_motor(axis))
+            limits.max_acceleration[joint] = std::numeric_limits<double>::infinity();
     }
     return limits;
 }

@@ -29,6 +29,10 @@ class PlannerMotion final : public MotionSource {
         planner_.set_overrides(std::move(overrides));
         return true;
     }
+    bool set_move_limits(std::shared_ptr<const motion::MoveLimits> limits) override {
+        planner_.set_move_limits(std::move(limits));
+        return true;
+    }
     void set_obeyed(const motion::ObeyedOverrides& obeyed) override { shell_.set_obeyed(obeyed); }
 
     motion::Planned start_at(const rrs::JointPos& joints) override {

@@ -85,6 +85,10 @@ void add_energies(Lines& out, const EffortReport& efforts) {
     out.add("energy      {:.3f} kJ from the motors, {:.3f} kJ back to them, {:.3f} kJ of it friction",
             efforts.in_j / 1000, efforts.back_j / 1000, efforts.friction_j / 1000);
     out.add("peak power  {:.1f} W of all motors, at {:.3f} s", efforts.peak_power_w, efforts.peak_power_t_s);
+    if (efforts.time_by_axes_s) {
+        out.add("limit       torques: with the accelerations of the axes the same moves take {:.3f} s",
+                *efforts.time_by_axes_s);
+    }
     if (efforts.jumps > 0) {
         out.add("jumps       {} of speeds, for which no force is finite: they count as energy, not as force",
                 efforts.jumps);
@@ -127,16 +131,18 @@ nlohmann::ordered_json efforts_json(const Report& report) {
     }
     Json excesses = Json::array();
     for (const EffortExcess& excess : efforts.excesses) excesses.push_back(excess_json(report, excess));
-    return {{"axes", std::move(axes)},
-            {"in_j", number(efforts.in_j)},
-            {"back_j", number(efforts.back_j)},
-            {"friction_j", number(efforts.friction_j)},
-            {"peak_power_w", number(efforts.peak_power_w)},
-            {"peak_power_t_s", number(efforts.peak_power_t_s)},
-            {"jumps", efforts.jumps},
-            {"programs", std::move(programs)},
-            {"excesses", std::move(excesses)},
-            {"excess_count", efforts.excess_count}};
+    Json json = {{"axes", std::move(axes)},
+                 {"in_j", number(efforts.in_j)},
+                 {"back_j", number(efforts.back_j)},
+                 {"friction_j", number(efforts.friction_j)},
+                 {"peak_power_w", number(efforts.peak_power_w)},
+                 {"peak_power_t_s", number(efforts.peak_power_t_s)},
+                 {"jumps", efforts.jumps},
+                 {"programs", std::move(programs)},
+                 {"excesses", std::move(excesses)},
+                 {"excess_count", efforts.excess_count}};
+    if (efforts.time_by_axes_s) json["time_by_axes_s"] = number(*efforts.time_by_axes_s);
+    return json;
 }
 
 std::string efforts_text(const Report& report) {

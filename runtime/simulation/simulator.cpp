@@ -9,6 +9,7 @@
 
 #include "base/units.h"
 #include "runtime/motion/axis_space.h"
+#include "runtime/simulation/axes_time_watch.h"
 #include "runtime/simulation/following_watch.h"
 #include "runtime/simulation/module_motion.h"
 #include "runtime/simulation/planner_motion.h"

@@ -42,6 +42,7 @@
 
 namespace gsim::simulation {
 
+class AxesTimeWatch;
 class FollowingWatch;
 
 /// Bounds of a run that ends itself by none of its own words.
@@ -274,6 +275,8 @@ class Simulator {
     void start();
     void watch_interval();
     void add_interval(Report& report) const;
+    void limit_by_torque();
+    void add_efforts(Report& report) const;
     motion::Move new_move(const MoveInfo& info) const;
     void set_time_of(const Feed& feed, bool rotary, motion::Move& move);
     void warn_of_jerk();
@@ -343,6 +346,7 @@ class Simulator {
     bool controller_has_cell_ = false;  ///< Its services know the frames of cell_.
     std::shared_ptr<const dynamics::Dynamics> dynamics_;
     std::optional<EffortWatch> efforts_;
+    std::unique_ptr<AxesTimeWatch> axes_time_;          ///< Where torques limit accelerations.
     std::optional<IntervalWatch> interval_;             ///< Of a machine that is calibrated.
     std::unique_ptr<FollowingWatch> following_;         ///< Where the machine tells of servo loops.
     std::vector<std::string> programs_{std::string()};  ///< Names that MoveInfo::program counts.

@@ -2,7 +2,11 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "runtime/simulation/axes_time_watch.h"
 #include "runtime/simulation/following_watch.h"
+#include "runtime/simulation/machine_dynamics.h"
 #include "runtime/simulation/simulator.h"
 
 namespace gsim::simulation {
@@ -11,6 +15,30 @@ void Simulator::set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics)
     dynamics_ = std::move(dynamics);
     if (dynamics_ == nullptr) return;
     recorder_.add_output(efforts_.emplace(machine_, *dynamics_));
+    limit_by_torque();
+}
+
+void Simulator::limit_by_torque() {
+    setup_.move_limits = make_effort_limits(machine_, dynamics_);
+    if (setup_.move_limits == nullptr) return;
+    if (!motion_->set_move_limits(setup_.move_limits)) {
+        setup_.move_limits = nullptr;
+        return warn("the controller is a module: it does not know 'limit = \"torque\"' of the machine file");
+    }
+    axes_time_ = std::make_unique<AxesTimeWatch>(machine_);
+    observe_motion(*axes_time_);
+}
+
+void Simulator::add_efforts(Report& report) const {
+    if (!efforts_) return;
+    report.efforts = efforts_->report(programs_);
+    if (axes_time_ == nullptr || status_ != RunStatus::completed) return;
+    report.efforts->time_by_axes_s = axes_time_->time_s();
+    if (report.efforts->time_by_axes_s || report.cycle_time_s <= 0) return;
+    report.warnings.push_back(
+        fmt::format("torques limit the accelerations, and what the moves take with those of the axes is not "
+                    "known: {}",
+                    axes_time_->why_not()));
 }
 
 Simulator::~Simulator() = default;

@@ -43,7 +43,7 @@ Report Simulator::finish(std::string program) {
             fmt::format("{} more events than the report lists were left out", events_.dropped()));
     }
     add_cell_findings(report);
-    if (efforts_) report.efforts = efforts_->report(programs_);
+    add_efforts(report);
     add_interval(report);
     add_following(report);
     report.files = files_;
