@@ -12,6 +12,7 @@
 #include "calibrate/times/choice.h"
 #include "calibrate/times/outcome.h"
 #include "runtime/machine/machine_file.h"
+#include "runtime/machine/torque_limit.h"
 
 namespace gsim::calibrate {
 
@@ -109,6 +110,10 @@ Done add_records(const RecordForm& form, std::vector<RecordedRun>& runs) {
 tl::expected<Task, std::string> read_task(const Arguments& arguments) {
     auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
+    if (machine::is_torque_limited(*machine))
+        return tl::unexpected(fmt::format("{}: accelerations of axes are not fitted where torques limit them "
+                                          "('limit = \"torque\"' of [dynamics])",
+                                          arguments.machine));
     const auto list = os::read_text_file(arguments.runs);
     if (!list) return tl::unexpected(list.error());
     const std::size_t slash = arguments.runs.rfind('/');

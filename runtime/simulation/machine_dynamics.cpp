@@ -76,8 +76,8 @@ dynamics::Hose hose_of(const machine::Machine& machine, const machine::HoseTable
     return hose;
 }
 
-/// Where the peaks of motors limit accelerations each must have something to move. Masses at joints do not
-/// become none elsewhere, but for a body whose centre passes an axis: that the tensor tells.
+/// Where the peaks of motors limit accelerations each must have something to move, looked at with all axes
+/// at home.
 std::optional<std::string> find_massless_axis(const machine::Machine& machine,
                                               const dynamics::Dynamics& dynamics) {
     if (!machine::is_torque_limited(machine)) return std::nullopt;
@@ -88,9 +88,8 @@ std::optional<std::string> find_massless_axis(const machine::Machine& machine,
         unit[joint] = 1;
         if (!machine::has_motor(machine.axes[i]) || dynamics.inertial(home, unit)[joint] > 0) continue;
         return fmt::format(
-            "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: no [[mass]], no density of "
-            "a "
-            "[[shape]] and no '{}' gives it one",
+            "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: no [[mass]], no "
+            "density of a [[shape]] and no '{}' gives it one",
             machine.axes[i].letter,
             machine.axes[i].kind == machine::AxisKind::linear ? "rotor_kg" : "rotor_kg_m2");
     }
