@@ -111,9 +111,10 @@ tl::expected<Task, std::string> read_task(const Arguments& arguments) {
     auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (machine::is_torque_limited(*machine))
-        return tl::unexpected(fmt::format("{}: accelerations of axes are not fitted where torques limit them "
-                                          "('limit = \"torque\"' of [dynamics])",
-                                          arguments.machine));
+        return tl::unexpected(
+            fmt::format("{}: accelerations of axes are not fitted where torques limit them "
+                        "('limit = \"torque\"' of [dynamics])",
+                        arguments.machine));
     const auto list = os::read_text_file(arguments.runs);
     if (!list) return tl::unexpected(list.error());
     const std::size_t slash = arguments.runs.rfind('/');
