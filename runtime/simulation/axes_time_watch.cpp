@@ -19,7 +19,9 @@ class Unseen final : public motion::SegmentSink {
 }  // namespace
 
 AxesTimeWatch::AxesTimeWatch(const machine::Machine& machine)
-    : nowhere_(std::make_unique<Unseen>()), planner_(setup_of_machine(machine), nowhere_.get()) {
+    : nowhere_(std::make_unique<Unseen>()),
+      times_(machine.times),
+      planner_(setup_of_machine(machine), nowhere_.get()) {
     if (std::any_of(machine.axes.begin(), machine.axes.end(),
                     [](const machine::Axis& axis) { return std::isinf(axis.max_acceleration); }))
         untold("an axis has no max_acceleration");
@@ -36,7 +38,7 @@ void AxesTimeWatch::stands_at(const rrs::JointPos& joints) {
 
 void AxesTimeWatch::asked(const MotionAsk& ask) {
     if (!why_not_.empty()) return;
-    if (const auto put = ask_again(ask, planner_); !put) untold(put.error().message);
+    if (const auto put = ask_again(ask, times_, planner_); !put) untold(put.error().message);
 }
 
 void AxesTimeWatch::ended() {

@@ -28,6 +28,7 @@ class AxesTimeWatch final : public MotionObserver {
 
   private:
     std::unique_ptr<motion::SegmentSink> nowhere_;
+    machine::WordTimes times_;
     motion::Planner planner_;
     std::string why_not_;
 };

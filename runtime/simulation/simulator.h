@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "base/os/cpu_limit.h"
 #include "runtime/machine/machine.h"
 #include "runtime/motion/axis_space.h"
 #include "runtime/motion/planner_setup.h"
@@ -30,6 +29,7 @@
 #include "runtime/simulation/program_observer.h"
 #include "runtime/simulation/recorder.h"
 #include "runtime/simulation/report.h"
+#include "runtime/simulation/run_limits.h"
 #include "runtime/simulation/setup_of_machine.h"
 #include "runtime/simulation/short_brakes_watch.h"
 #include "runtime/simulation/step_ranges.h"
@@ -44,19 +44,6 @@ namespace gsim::simulation {
 
 class AxesTimeWatch;
 class FollowingWatch;
-
-/// Bounds of a run that ends itself by none of its own words.
-struct RunLimits {
-    double max_time_s = 10'000'000;         ///< Of the machine.
-    std::uint64_t max_blocks = 20'000'000;  ///< Executed blocks.
-    os::CpuLimit* cpu = nullptr;            ///< Of the whole run; null: none. It outlives the simulator.
-    /// The first violation of a range or a zone is an alarm, which ends the run; else it goes on, and all are
-    /// listed.
-    bool stop_at_first = false;
-};
-
-/// What a run says that ends at that limit.
-std::string cpu_limit_reached(const os::CpuLimit& limit);
 
 /// A run of one machine: takes moves, dwells and events in the order of the program, plans them through the
 /// services of its controller, and records what happens. Knows nothing of the language they came from.
