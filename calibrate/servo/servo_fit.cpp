@@ -20,6 +20,7 @@ using machine::Servo;
 
 constexpr double kLeastGain_1_s = 1, kMostGain_1_s = 1e5;
 constexpr double kLeastError = 1e-7;  // mm or deg, root mean square
+constexpr double kFinest = 2e-5;      // mm or deg, root mean square: no encoder, and no clock, tells more
 constexpr double kWorthAFigure = 10;  // of the criterion: strong evidence (Kass, Raftery, 1995)
 constexpr int kSteps = 60;
 
@@ -168,7 +169,7 @@ Solved solve(const AxisRecord& record, Model model) {
 
 /// Schwarz's, of a model whose errors are alike in all samples.
 double criterion(const Solved& solved, double samples) {
-    return samples * std::log(std::max(solved.squares, 1e-30) / samples) +
+    return samples * std::log(std::max(solved.squares / samples, kFinest * kFinest)) +
            static_cast<double>(solved.model.open.size()) * std::log(samples);
 }
 
