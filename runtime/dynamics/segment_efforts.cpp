@@ -80,7 +80,7 @@ SegmentEfforts::Rates SegmentEfforts::rates(const Segment& segment, double t_s, 
     const EffortSample sample =
         at(segment, std::clamp(t_s, part.from_s + inside_s, part.to_s - inside_s), part.sense);
     look(sample);
-    const int joints = dynamics_.joint_count();
+    const Eigen::Index joints = dynamics_.joint_count();
     Rates rates(4 * joints);
     rates.segment(0, joints) = sample.efforts.array().square();
     rates.segment(joints, joints) = sample.powers_w.array().max(0.0);
@@ -115,7 +115,7 @@ void SegmentEfforts::add(const Segment& segment, const Part& part, int halvings,
 // Where a power changes its sign, work in and work back have a corner, and their difference has none: it is
 // held as closely as the rest, the share of each only as well as anyone asks.
 bool SegmentEfforts::agree(const Rates& coarse, const Rates& fine, double time_s) const {
-    const int joints = dynamics_.joint_count();
+    const Eigen::Index joints = dynamics_.joint_count();
     const auto close = [&](const auto& difference, const auto& own, double of_own) {
         return (difference.abs() <= of_own * own + (kOfAll * own.sum() + kNoise * time_s)).all();
     };
@@ -133,8 +133,8 @@ void SegmentEfforts::add_rest(const Segment& segment, const Look& look, EffortSu
 }
 
 EffortSums SegmentEfforts::sums(const Segment& segment, const Look& look) {
-    const int joints = dynamics_.joint_count();
-    EffortSums sums(joints);
+    const Eigen::Index joints = dynamics_.joint_count();
+    EffortSums sums(dynamics_.joint_count());
     if (segment.kind == motion::SegmentKind::rest && !segment.beside) {
         add_rest(segment, look, sums);
         return sums;

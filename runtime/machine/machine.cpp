@@ -29,11 +29,11 @@ kinematics::Link directed_link(const Axis& axis, int joint, rrs::JointKind kind)
 kinematics::Link link(const Axis& axis, int joint) {
     const auto kind = axis.kind == AxisKind::linear ? rrs::JointKind::prismatic : rrs::JointKind::revolute;
     if (axis.direction) return directed_link(axis, joint, kind);
-    const kinematics::Link by_row = kinematics::link_of(joint, {.kind = kind,
-                                                                .theta_rad = axis.dh.theta_deg * kRadPerDeg,
-                                                                .d_mm = axis.dh.d_mm,
-                                                                .a_mm = axis.dh.a_mm,
-                                                                .alpha_rad = axis.dh.alpha_deg * kRadPerDeg});
+    kinematics::Link by_row = kinematics::link_of(joint, {.kind = kind,
+                                                          .theta_rad = axis.dh.theta_deg * kRadPerDeg,
+                                                          .d_mm = axis.dh.d_mm,
+                                                          .a_mm = axis.dh.a_mm,
+                                                          .alpha_rad = axis.dh.alpha_deg * kRadPerDeg});
     if (!axis.frame) return by_row;
     return {.joint = joint, .kind = kind, .before = frame_pose(*axis.frame), .after = by_row.after};
 }

@@ -70,6 +70,7 @@ const double* time_at(std::string_view key, const WordTimes& times) {
 
 std::vector<std::string> named_time_keys() {
     std::vector<std::string> keys;
+    keys.reserve(kTimeKeys.size());
     for (const TimeKey& key : kTimeKeys) keys.emplace_back(key.name);
     return keys;
 }

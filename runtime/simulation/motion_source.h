@@ -9,6 +9,7 @@
 #include "runtime/motion/planner.h"
 #include "runtime/motion/selections.h"
 #include "runtime/rrs/shell.h"
+#include "runtime/simulation/motion_observer.h"
 
 namespace gsim::simulation {
 
