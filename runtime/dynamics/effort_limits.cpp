@@ -257,6 +257,13 @@ EffortLimits::Allowed EffortLimits::best(const Field& field, const std::vector<J
     return best;
 }
 
+int EffortLimits::weakest(const Field& field) const {
+    const JointPos left = left_in_any_sense(field, kLeastPart);
+    Eigen::Index joint = 0;
+    left.minCoeff(&joint);
+    return static_cast<int>(joint);
+}
+
 motion::Planned EffortLimits::limit(WayToLimit& way, std::vector<JointSetup>& joints) const {
     JointPos shares = JointPos::Zero(way.points.front().slope.size());
     for (const WayPoint& point : way.points) shares = shares.cwiseMax(point.slope.cwiseAbs());
@@ -264,9 +271,11 @@ motion::Planned EffortLimits::limit(WayToLimit& way, std::vector<JointSetup>& jo
     const Field field = field_of(way);
     const Allowed allowed = best(field, joints, way);
     if (!(allowed.least() > 0)) {
-        return motion::refused(rrs::Status::RRS_INVALID_PARAMETER,
-                               "A motor has not enough for this move: weight, friction and hoses alone take "
-                               "all of its peak on the way.");
+        return tl::unexpected(motion::PlanError{
+            .status = rrs::Status::RRS_INVALID_PARAMETER,
+            .message = "The motor has not enough for this move: weight, friction and hoses alone take all of "
+                       "its peak on the way.",
+            .joint = weakest(field)});
     }
     for (const int joint : field.moving) {
         JointSetup& own = joints[static_cast<std::size_t>(joint)];

@@ -47,6 +47,7 @@ class EffortLimits final : public motion::MoveLimits {
     Allowed in_any_sense(const Field& field, const std::vector<motion::JointSetup>& joints,
                          double part) const;
     rrs::JointPos left_in_any_sense(const Field& field, double part) const;
+    int weakest(const Field& field) const;
     Allowed best(const Field& field, const std::vector<motion::JointSetup>& joints,
                  motion::WayToLimit& way) const;
 

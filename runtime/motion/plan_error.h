@@ -13,7 +13,8 @@ namespace gsim::motion {
 struct PlanError {
     rrs::Status status = rrs::Status::RRS_SUCCESS;
     std::string message;  ///< A sentence; joints by index from 0, values in mm or rad.
-    int joint = -1;       ///< The joint to blame, where it is one (RRS_JOINT_LIMIT).
+    int joint = -1;       ///< The joint to blame, where it is one (RRS_JOINT_LIMIT, or a
+                          ///< motor that has not enough).
     double value = 0;     ///< That the joint would take (mm or rad).
     double limit = 0;     ///< That it would pass (mm or rad).
 };

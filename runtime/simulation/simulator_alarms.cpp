@@ -146,9 +146,13 @@ bool Simulator::fail_in_zone() {
 /// Turns a refusal of the planner into an alarm in terms of the machine's axes.
 bool Simulator::refused(const motion::PlanError& error, const Place& place) {
     if (motion_->time_s() > limits_.max_time_s) return stop_for_time(place);
-    if (error.status != Status::RRS_JOINT_LIMIT || error.joint < 0)
-        return fail(kind_of(error.status), error.message, place);
+    if (error.joint < 0) return fail(kind_of(error.status), error.message, place);
     const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(error.joint)];
+    if (error.status != Status::RRS_JOINT_LIMIT) {
+        fail(kind_of(error.status), fmt::format("axis {}: {}", axis.letter, error.message), place);
+        alarm_->axis = axis.letter;
+        return false;
+    }
     const double value = text::unsigned_zero(machine::axis_value(axis, error.value));
     const double limit = text::unsigned_zero(machine::axis_value(axis, error.limit));
     fail(DiagnosticKind::axis_limit,

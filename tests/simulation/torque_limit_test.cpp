@@ -152,7 +152,7 @@ TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
     text.replace(text.find("peak_n = 300"), 12, "peak_n = 190");
     const auto simulator = simulator_of(read(text));
     EXPECT_FALSE(rapid(*simulator, at(0, 300)));
-    EXPECT_THAT(simulator->alarm()->message, HasSubstr("A motor has not enough for this move"));
+    EXPECT_THAT(simulator->alarm()->message, HasSubstr("axis Z: The motor has not enough for this move"));
 }
 
 TEST(TorqueLimit, RefusesByName) {
