@@ -16,7 +16,7 @@
 namespace gsim::simulation::efforts_balance_test {
 namespace {
 
-constexpr int kPrograms = 100;
+constexpr int kPrograms = 100 / kFewerBy;
 constexpr int kMoves = 12;
 constexpr double kRelative = 1e-6;
 

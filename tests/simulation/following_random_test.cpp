@@ -122,7 +122,7 @@ struct Witness : RunOutput {
 };
 
 TEST(FollowingWatch, RandomProgramsAgainstFineSteps) {
-    constexpr std::size_t kWitnessed = 10;
+    constexpr std::size_t kWitnessed = 10 / kFewerBy;
     for (std::size_t program = 0; program < kWitnessed; ++program) {
         std::mt19937 random(static_cast<unsigned>(100 + program));
         machine::Machine machine = random_servos(random, program);

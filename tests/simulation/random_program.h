@@ -10,6 +10,13 @@
 /// Random machines, and random programs of all kinds of moves.
 namespace gsim::simulation {
 
+/// Fewer are tried under sanitizers, where each takes ten times as long.
+#ifdef GSIM_SANITIZED
+inline constexpr int kFewerBy = 10;
+#else
+inline constexpr int kFewerBy = 1;
+#endif
+
 inline double between(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
