@@ -50,7 +50,7 @@ class Trial {
   public:
     Trial(std::span<const RecordedRun> runs, const Predictor& predictor, std::size_t parts,
           const std::function<void(const std::string&)>& told)
-        : runs_(runs), predictor_(predictor), words_(predictor.words()), parts_(parts), told_(told) {}
+        : runs_(runs), predictor_(predictor), parts_(parts), told_(told) {}
 
     /// Fits to all runs; nothing where that cannot be done.
     std::optional<Tried> fit(const Candidate& candidate) {
@@ -88,7 +88,8 @@ class Trial {
     }
 
     double fitted_percent(const Tried& tried) const { return scores_[tried.score].fitted_percent; }
-    const std::vector<std::string>& words() const { return words_; }
+    /// Keys of [times].
+    std::vector<std::string> words() const { return predictor_.words(); }
     std::vector<Score> take_scores() { return std::move(scores_); }
     const std::vector<Score>& scores() const { return scores_; }
 
@@ -119,7 +120,6 @@ class Trial {
 
     std::span<const RecordedRun> runs_;
     const Predictor& predictor_;
-    std::vector<std::string> words_;  // keys of [times]
     std::size_t parts_;
     const std::function<void(const std::string&)>& told_;
     std::vector<Score> scores_;

@@ -5,21 +5,12 @@
 
 #include "runtime/simulation/motion_replay.h"
 #include "runtime/simulation/setup_of_machine.h"
+#include "runtime/simulation/time_alone.h"
 
 namespace gsim::simulation {
 
-namespace {
-
-/// The time alone counts.
-class Unseen final : public motion::SegmentSink {
-  public:
-    void take(const motion::Segment& /*segment*/) override {}
-};
-
-}  // namespace
-
 AxesTimeWatch::AxesTimeWatch(const machine::Machine& machine)
-    : nowhere_(std::make_unique<Unseen>()),
+    : nowhere_(std::make_unique<TimeAlone>()),
       times_(machine.times),
       planner_(setup_of_machine(machine), nowhere_.get()) {
     if (std::any_of(machine.axes.begin(), machine.axes.end(),

@@ -7,6 +7,7 @@
 #include "runtime/machine/torque_limit.h"
 #include "runtime/simulation/motion_replay.h"
 #include "runtime/simulation/setup_of_machine.h"
+#include "runtime/simulation/time_alone.h"
 
 namespace gsim::simulation {
 
@@ -14,12 +15,6 @@ namespace {
 
 constexpr double kStep = 0.01;           // of a figure
 constexpr double kPercent95 = 1.959964;  // standard deviations on each side of 95 in 100
-
-/// Segments are of no interest, only the time.
-class Nowhere final : public motion::SegmentSink {
-  public:
-    void take(const motion::Segment& /*segment*/) override {}
-};
 
 /// Down, as shares are 1 at most; up where less than 1 would mean another thing.
 double value_beside(const machine::Figure& figure, double value) {
@@ -30,7 +25,7 @@ double value_beside(const machine::Figure& figure, double value) {
 }  // namespace
 
 IntervalWatch::IntervalWatch(const machine::Machine& machine)
-    : calibration_(*machine.calibration), nowhere_(std::make_unique<Nowhere>()) {
+    : calibration_(*machine.calibration), nowhere_(std::make_unique<TimeAlone>()) {
     if (machine::is_torque_limited(machine)) {
         untold("torques limit its accelerations");
         return;

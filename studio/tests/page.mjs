@@ -7,6 +7,7 @@ import { readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { closeBrowsers, whatIsOpen } from "./browser.mjs";
+import { within } from "./patience.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const build = resolve(process.argv[2] ?? join(here, "../../build"));
@@ -30,14 +31,9 @@ cases.splice(0, cases.length, ...cases.filter((_, index) => index % parts === pa
 
 const LONGEST_CASE_S = 240;
 
-/** Fails where a case is not over in time; what it has opened is left behind. */
-function inTime(test) {
-  let patience;
-  const late = new Promise((_, fail) => {
-    patience = setTimeout(async () => fail(new Error(`not over after ${LONGEST_CASE_S} s\n${await whatIsOpen()}`)), LONGEST_CASE_S * 1000);
-  });
-  return Promise.race([test(places), late]).finally(() => clearTimeout(patience));
-}
+/** What a case has opened that is not over in time is left behind. */
+const inTime = (test) =>
+  within(LONGEST_CASE_S * 1000, test(places), async () => `not over after ${LONGEST_CASE_S} s\n${await whatIsOpen()}`);
 
 let [passed, failed] = [0, 0];
 async function tryCase([name, test]) {

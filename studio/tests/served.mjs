@@ -5,16 +5,10 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "nod
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
+import { within } from "./patience.mjs";
 import { withPage } from "./steps.mjs";
 
 const PATIENCE_MS = 20_000;
-
-/** Fails with these words where something does not come in time. */
-function within(time_ms, wanted, words) {
-  let patience;
-  const late = new Promise((_, fail) => (patience = setTimeout(() => fail(new Error(words)), time_ms)));
-  return Promise.race([wanted, late]).finally(() => clearTimeout(patience));
-}
 
 /** The address that a program says first. */
 function addressOf(program) {
@@ -52,7 +46,7 @@ class Served {
     if (this.program.exitCode !== null || this.program.signalCode !== null) return Promise.resolve();
     const ended = new Promise((done) => this.program.once("exit", done));
     this.program.kill();
-    return within(PATIENCE_MS, ended, "gsim-studio does not end").catch((fault) => {
+    return within(PATIENCE_MS, ended, () => "gsim-studio does not end").catch((fault) => {
       this.program.kill("SIGKILL");
       throw fault;
     });
@@ -76,7 +70,7 @@ export async function hold(page, method, name) {
   const gate = new Promise((go) => (held.go = go));
   let begun;
   const first = new Promise((asked) => (begun = asked));
-  held.asked = () => within(PATIENCE_MS, first, `the page makes no ${method} of ${name}`);
+  held.asked = () => within(PATIENCE_MS, first, () => `the page makes no ${method} of ${name}`);
   await page.route(`**/file/${name}`, async (route) => {
     if (route.request().method() !== method) return route.fallback();
     ++held.count;

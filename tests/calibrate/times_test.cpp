@@ -109,6 +109,12 @@ class Recordings : public testing::Test {
             .value();
     }
 
+    /// A generic control with this machine's figures, refined by what the recordings tell.
+    Choice choose(const machine::Machine& start, const Predictor& predictor) const {
+        const Candidate candidate{"velocity-step", start};
+        return choose_model(std::span(&candidate, 1), runs_, predictor, 3).value();
+    }
+
     fs::path folder_;
     std::vector<RecordedRun> runs_;
 };
@@ -169,8 +175,7 @@ TEST_F(Recordings, TellWhatWordsTake) {
     record(hidden, 0.002);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
-    const Candidate candidate{"velocity-step", start};
-    const Choice choice = choose_model(std::span(&candidate, 1), runs_, predictor, 3).value();
+    const Choice choice = choose(start, predictor);
     EXPECT_THAT(choice.candidate.name, HasSubstr("words that take time"));
     const Fit found = fit_times(choice.candidate.machine, runs_, predictor, {}).value();
     EXPECT_NEAR(named(found, "tool_change_s").value, 6, 0.1);
@@ -204,8 +209,7 @@ TEST_F(Recordings, TellWhatABlockTakes) {
     record(hidden, 0.002);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
-    const Candidate candidate{"velocity-step", start};
-    const Choice choice = choose_model(std::span(&candidate, 1), runs_, predictor, 3).value();
+    const Choice choice = choose(start, predictor);
     EXPECT_THAT(choice.candidate.name, HasSubstr("a time for each block"));
     EXPECT_NEAR(choice.candidate.machine.controller.block_time_s, 0.008, 0.0002);
 }

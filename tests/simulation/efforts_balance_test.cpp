@@ -37,13 +37,7 @@ machine::Machine heavy(std::mt19937& random, std::size_t program) {
                                             .centre_mm = {between(random, -100, 100), 30, -60},
                                             .inertia_kg_m2 = {0.5, 0.6, 0.7, 0.05, 0.02, -0.1}});
     }
-    machine.dynamics->masses.push_back(
-        {.on = "tool", .mass_kg = 5, .centre_mm = {20, 10, 80}, .inertia_kg_m2 = {0.02, 0.02, 0.01}});
-    machine.dynamics->hoses.push_back({.on = "tool",
-                                       .point_mm = {0, 0, 200},
-                                       .anchor_mm = {0, 0, 1500},
-                                       .free_length_mm = 900,
-                                       .stiffness_n_per_mm = 0.05});
+    add_tool_on_hose(machine);
     return machine;
 }
 

@@ -26,6 +26,17 @@ inline double around(std::mt19937& random, double middle, double decades) {
     return middle * std::pow(10, between(random, -decades, decades));
 }
 
+/// A tool with a mass beside the turning head, on a hose. The machine has a table of dynamics.
+inline void add_tool_on_hose(machine::Machine& machine) {
+    machine.dynamics->masses.push_back(
+        {.on = "tool", .mass_kg = 5, .centre_mm = {20, 10, 80}, .inertia_kg_m2 = {0.02, 0.02, 0.01}});
+    machine.dynamics->hoses.push_back({.on = "tool",
+                                       .point_mm = {0, 0, 200},
+                                       .anchor_mm = {0, 0, 1500},
+                                       .free_length_mm = 900,
+                                       .stiffness_n_per_mm = 0.05});
+}
+
 /// The machine without limits of ranges, speeds and accelerations.
 inline machine::Machine unlimited(machine::Machine machine) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
