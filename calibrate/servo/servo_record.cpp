@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/text/trimmed.h"
+#include "calibrate/text/halsampler.h"
 #include "calibrate/text/list.h"
 
 namespace gsim::calibrate {
@@ -127,39 +127,20 @@ std::vector<AxisColumns> lettered_columns(std::string_view columns) {
     return found;
 }
 
-Cells words_of(std::string_view line) {
-    Cells words = cells_of(line, " \t\r");
-    std::erase_if(words, [](std::string_view word) { return word.empty(); });
-    return words;
-}
-
-Records read_halsampler(std::string_view text, const ServoForm& form) {
-    if (!(form.period_s > 0)) {
-        return tl::unexpected<std::string>(
-            "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
-            "they are");
-    }
+Records read_columns(std::string_view text, const ServoForm& form) {
     auto columns = lettered_columns(form.columns);
-    if (columns.empty())
+    if (form.period_s > 0 && columns.empty()) {
         return tl::unexpected(
             fmt::format("'{}' has no axis with both its set point (X) and its place (x)", form.columns));
-    Gathered gathered(std::move(columns));
-    double count = 0;
-    for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        Cells words = words_of(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        if (words.empty() || words.front() == "overrun") continue;  // -t tells how many samples were lost
-        double at = count++;
-        if (words.size() == form.columns.size() + 1) {
-            at = number_in(words.front()).value_or(at);
-            words.erase(words.begin());
-        }
-        if (words.size() != form.columns.size() || !gathered.add(at * form.period_s, words)) {
-            return tl::unexpected(fmt::format("line {}: not the {} numbers of '{}' (--sample-columns)",
-                                              number, form.columns.size(), form.columns));
-        }
     }
+    Gathered gathered(std::move(columns));
+    const auto take = [&](int line, double t_s, const Cells& words) -> tl::expected<void, std::string> {
+        if (words.size() == form.columns.size() && gathered.add(t_s, words)) return {};
+        return tl::unexpected(fmt::format("line {}: not the {} numbers of '{}' (--sample-columns)", line,
+                                          form.columns.size(), form.columns));
+    };
+    if (auto read = read_halsampler(text, form.columns.size(), form.period_s, take); !read)
+        return tl::unexpected(read.error());
     return gathered.take();
 }
 
@@ -168,11 +149,8 @@ Records read_halsampler(std::string_view text, const ServoForm& form) {
 Records read_servo_record(std::string_view text, const ServoForm& form) {
     const std::size_t start = text.find_first_not_of(kBlanks);
     if (start == std::string_view::npos) return tl::unexpected<std::string>("it is empty");
-    const auto words = words_of(text.substr(start, text.find('\n', start) - start));
-    const bool numbers = std::all_of(words.begin(), words.end(), [](std::string_view word) {
-        return number_in(word).has_value() || word == "overrun";
-    });
-    return numbers ? read_halsampler(text, form) : read_named(text.substr(start));
+    const bool numbers = is_halsampler(text.substr(start, text.find('\n', start) - start));
+    return numbers ? read_columns(text, form) : read_named(text.substr(start));
 }
 
 }  // namespace gsim::calibrate

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text/trimmed.h"
+#include "calibrate/text/halsampler.h"
 #include "calibrate/text/list.h"
 #include "calibrate/times/record_clock.h"
 
@@ -23,14 +24,6 @@ constexpr std::string_view kBlanks = " \t\r\"";
 
 std::optional<double> number_of(std::string_view text) {
     return number_in(text::trimmed(text, kBlanks));
-}
-
-Cells words_of(std::string_view line) {
-    Cells words;
-    for (const std::string_view word : cells_of(line, " \t\r")) {
-        if (!word.empty()) words.push_back(word);
-    }
-    return words;
 }
 
 /// 0, 1, 2 of x, y, z; -1 of anything else.
@@ -132,43 +125,27 @@ Samples read_csv(std::string_view text) {
 
 // halsampler.
 
-Samples read_halsampler(std::string_view text, const RecordForm& form) {
-    if (!(form.period_s > 0))
-        return tl::unexpected<std::string>(
-            "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
-            "they are");
+Samples read_columns(std::string_view text, const RecordForm& form) {
     Gathered gathered;
-    std::string wrong;
-    double count = 0;
-    for_each_line(text, [&](int number, std::string_view line) {
-        auto words = words_of(line);
-        if (words.front() == "overrun") return true;  // samples were lost; the numbers of -t tell how many
-        double at = count++;
-        if (words.size() == form.columns.size() + 1) {
-            const auto told = number_of(words.front());
-            at = told.value_or(at);
-            words.erase(words.begin());
-        }
-        if (words.size() != form.columns.size()) {
-            wrong = fmt::format("line {}: {} columns, where '{}' is expected (--sample-columns)", number,
-                                words.size(), form.columns);
-            return false;
+    const auto take = [&](int line, double t_s, const Cells& columns) -> tl::expected<void, std::string> {
+        if (columns.size() != form.columns.size()) {
+            return tl::unexpected(
+                fmt::format("line {}: {} columns, where '{}' is expected (--sample-columns)", line,
+                            columns.size(), form.columns));
         }
         Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();
-        for (std::size_t i = 0; i < words.size(); ++i) {
+        for (std::size_t i = 0; i < columns.size(); ++i) {
             const int axis = axis_of(form.columns[i]);
-            const auto value = number_of(words[i]);
+            const auto value = number_of(columns[i]);
             if (axis < 0) continue;
-            if (!value) {
-                wrong = fmt::format("line {}: '{}' is no number", number, words[i]);
-                return false;
-            }
+            if (!value) return tl::unexpected(fmt::format("line {}: '{}' is no number", line, columns[i]));
             at_mm[axis] = *value;
         }
-        gathered.add(at * form.period_s, at_mm);
-        return true;
-    });
-    if (!wrong.empty()) return tl::unexpected(wrong);
+        gathered.add(t_s, at_mm);
+        return {};
+    };
+    if (auto read = read_halsampler(text, form.columns.size(), form.period_s, take); !read)
+        return tl::unexpected(read.error());
     return gathered.take();
 }
 
@@ -299,11 +276,7 @@ Samples read_motion_record(std::string_view text, const RecordForm& form) {
     const std::string_view first = text.substr(start, text.find('\n', start) - start);
     std::string_view rest = first;
     if (take_time_s(rest) && !rest.empty() && rest.front() == '|') return read_shdr(text);
-    const auto words = words_of(first);
-    const bool numbers = std::all_of(words.begin(), words.end(), [](std::string_view word) {
-        return number_of(word).has_value() || word == "overrun";
-    });
-    return numbers ? read_halsampler(text, form) : read_csv(text);
+    return is_halsampler(first) ? read_columns(text, form) : read_csv(text);
 }
 
 }  // namespace gsim::calibrate
