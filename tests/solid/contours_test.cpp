@@ -131,8 +131,8 @@ TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {
 
 TEST_F(Contours, ChainsThatCloseAreOutlinesOrHoles) {
     ContourOptions around{.kind = "edges"};
-    for (const WallEdge& edge : read({.kind = "outlines"}).contours.front().edges)
-        around.edges.push_back(edge.label);
+    const WallContours walls = read({.kind = "outlines"});
+    for (const WallEdge& edge : walls.contours.front().edges) around.edges.push_back(edge.label);
     const WallContours outline = read(around);
     ASSERT_EQ(outline.contours.size(), 1U);
     EXPECT_FALSE(outline.contours.front().is_open);

@@ -180,10 +180,13 @@ double ContourWalk::behind_mm(const WallEdge& edge) const {
         if (direction.Magnitude() < 0.5) continue;
         const gp_Vec middle = (vector_of(a.position_mm) + vector_of(b.position_mm)) / 2;
         const gp_Pnt start(middle.XYZ() + kBeside_mm * vector_of(a.wall_normal).XYZ());
-        hits.PerformNearest(gp_Lin(start, gp_Dir(direction)), kBeside_mm, 1e6);
-        if (!hits.IsDone() || hits.NbPnt() < 1) continue;
-        const double hit = hits.WParameter(1);
-        if (nearest <= 0 || hit < nearest) nearest = hit;
+        // Not PerformNearest: OpenCASCADE 7.6 deletes the array that this makes as if it were one number.
+        hits.Perform(gp_Lin(start, gp_Dir(direction)), kBeside_mm, 1e6);
+        if (!hits.IsDone()) continue;
+        for (int index = 1; index <= hits.NbPnt(); ++index) {
+            const double hit = hits.WParameter(index);
+            if (nearest <= 0 || hit < nearest) nearest = hit;
+        }
     }
     return nearest;
 }
