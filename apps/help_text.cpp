@@ -60,6 +60,15 @@ std::string note_list(const CommandLine& line) {
     return text;
 }
 
+/// "gsim-data FILE set [options] SECTION ...": the command behind what precedes all commands.
+std::string usage_of_command(const CommandLine& line, const CommandLine& command) {
+    std::string usage = line.program() + " ";
+    for (const Option& option : line.options()) {
+        if (option.is_argument()) usage += option.names + " ";
+    }
+    return usage + command.usage();
+}
+
 }  // namespace
 
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
@@ -82,7 +91,7 @@ std::string exit_statuses() {
 
 std::string help_text(const CommandLine& line, const CommandLine* chosen) {
     const bool within = chosen != &line;
-    const std::string usage = within ? line.program() + " FILE " + chosen->usage() : line.usage();
+    const std::string usage = within ? usage_of_command(line, *chosen) : line.usage();
     std::string description = chosen->description() + ".";
     description.replace(0, 1, text::upper(description.substr(0, 1)));
     std::string text = fmt::format("Usage: {}\n\n{}", usage, wrapped(description, kWidth, 0));

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -13,9 +12,12 @@ namespace gsim::calibrate {
 /// What a command comes to; the error is a sentence.
 using Done = tl::expected<void, std::string>;
 
-/// Reads the words of a command into the targets of its line, then does it. The exit status; errors are told.
-int run_command(const apps::CommandLine& line, const std::vector<std::string>& words,
-                const std::function<Done()>& command);
+/// The command that was chosen by the words of a line that were read.
+using Chosen = std::function<Done()>;
+
+/// A command of the line, for its options to be added to; `does` becomes what is chosen with it.
+apps::CommandLine& add_command(apps::CommandLine& line, Chosen& chosen, const char* name,
+                               const char* description, Chosen does);
 
 /// Writes a file; none where it has no name.
 Done write_if(const std::string& file, const std::string& text);

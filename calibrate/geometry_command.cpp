@@ -1,6 +1,7 @@
 #include "calibrate/geometry_command.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -54,7 +55,8 @@ void add_fit_options(apps::CommandLine& line, GeometryArguments& arguments) {
     line.add("-o,--output", &arguments.output,
              "the fitted machine file, or the list of suggested poses; else standard output")
         .called("FILE")
-        .of_file(apps::FileKind::output, {".toml", ".csv"});
+        .of_file(apps::FileKind::output, {".toml", ".csv"})
+        .may_be_file_of("--machine");
     line.add("--json", &arguments.json, "what was found, its covariance and all tips as JSON")
         .called("FILE")
         .of_file(apps::FileKind::output, {".json"});
@@ -205,13 +207,17 @@ Done do_geometry(const GeometryArguments& arguments) {
 
 }  // namespace
 
-int run_geometry(const std::vector<std::string>& words) {
-    GeometryArguments arguments;
-    apps::CommandLine line("gsim-calibrate geometry",
-                           "Fits a machine's geometry to measured tips, and suggests poses to measure");
-    add_fit_options(line, arguments);
-    add_other_options(line, arguments);
-    return run_command(line, words, [&] { return do_geometry(arguments); });
+void add_geometry(apps::CommandLine& line, Chosen& chosen) {
+    const auto arguments = std::make_shared<GeometryArguments>();
+    apps::CommandLine& command =
+        add_command(line, chosen, "geometry", "fit a machine's geometry to measured tips, or suggest poses",
+                    [arguments] { return do_geometry(*arguments); });
+    add_fit_options(command, *arguments);
+    add_other_options(command, *arguments);
+    line.add_example("gsim-calibrate geometry --machine mine.toml --suggest 40 -o poses.csv",
+                     "which poses to measure");
+    line.add_example("gsim-calibrate geometry tips.csv --machine mine.toml -o fitted.toml",
+                     "where the axes really are, from tips that were measured there");
 }
 
 }  // namespace gsim::calibrate

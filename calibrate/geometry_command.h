@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "calibrate/command.h"
 
 namespace gsim::calibrate {
 
 /// gsim-calibrate geometry: a machine's geometry from measured tips, poses to measure, and simulated
-/// measurements. The exit status.
-int run_geometry(const std::vector<std::string>& words);
+/// measurements.
+void add_geometry(apps::CommandLine& line, Chosen& chosen);
 
 }  // namespace gsim::calibrate

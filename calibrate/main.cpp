@@ -7,6 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "apps/exit_status.h"
+#include "apps/help_text.h"
+#include "apps/man_page.h"
+#include "apps/named_files.h"
+#include "apps/parse.h"
+#include "apps/print.h"
 #include "calibrate/geometry_command.h"
 #include "calibrate/servo_command.h"
 #include "calibrate/times_command.h"
@@ -15,23 +21,41 @@ namespace gsim::calibrate {
 
 namespace {
 
-constexpr int kGood = 0;
-constexpr int kUsage = 2;
+constexpr const char* kName = "gsim-calibrate";
+
+Done print_manual(const apps::CommandLine& line) {
+    apps::print(apps::man_page(line, std::vector<std::string>{"gsim", "gsim-run", "gsim-check"}));
+    return {};
+}
+
+int refuse(const std::string& why) {
+    fmt::print(stderr, "{0}: {1}\n{0}: {0} --help tells what there is\n", kName, why);
+    return apps::kUsage;
+}
 
 int run(const std::vector<std::string>& words) {
-    if (!words.empty() && words.front() == "times") return run_times({words.begin() + 1, words.end()});
-    if (!words.empty() && words.front() == "geometry") return run_geometry({words.begin() + 1, words.end()});
-    if (!words.empty() && words.front() == "servo") return run_servo({words.begin() + 1, words.end()});
-    const bool asks = !words.empty() && (words.front() == "--help" || words.front() == "-h");
-    fmt::print(asks ? stdout : stderr,
-               "usage: gsim-calibrate times RUNS.csv --machine FILE [options]\n"
-               "       gsim-calibrate times --help\n"
-               "       gsim-calibrate geometry TIPS.csv --machine FILE [options]\n"
-               "       gsim-calibrate geometry --machine FILE --suggest N [options]\n"
-               "       gsim-calibrate geometry --help\n"
-               "       gsim-calibrate servo RECORD.csv --machine FILE [options]\n"
-               "       gsim-calibrate servo --help\n");
-    return asks ? kGood : kUsage;
+    apps::CommandLine line(kName,
+                           "Makes a machine file from what a machine did: from recorded runs, "
+                           "measured tips, or set points and places of axes");
+    Chosen chosen;
+    add_times(line, chosen);
+    add_geometry(line, chosen);
+    add_servo(line, chosen);
+    add_command(line, chosen, "manual", "print the man page, for man -l -",
+                [&] { return print_manual(line); });
+    if (words.empty()) {
+        apps::print(apps::help_text(line, &line));
+        return apps::kUsage;
+    }
+    const auto parsed = apps::parse(line, words);
+    if (!parsed) return refuse(parsed.error());
+    if (*parsed) return **parsed;
+    if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
+    if (const Done done = chosen(); !done) {
+        fmt::print(stderr, "{}: {}\n", kName, done.error());
+        return apps::kProgramFault;
+    }
+    return apps::kDone;
 }
 
 }  // namespace
@@ -40,9 +64,10 @@ int run(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
     try {
-        return gsim::calibrate::run(std::vector<std::string>(argv + 1, argv + argc));
+        return gsim::apps::finish_standard_output(
+            gsim::calibrate::run(std::vector<std::string>(argv + 1, argv + argc)));
     } catch (const std::exception& error) {
         fmt::print(stderr, "gsim-calibrate: {}\n", error.what());
-        return 1;
+        return gsim::apps::kProgramFault;
     }
 }

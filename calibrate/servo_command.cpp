@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -36,7 +37,8 @@ void add_servo_options(apps::CommandLine& line, ServoArguments& arguments) {
         .must_be_given();
     line.add("-o,--output", &arguments.output, "the machine file with the loops; else standard output")
         .called("FILE")
-        .of_file(apps::FileKind::output, {".toml"});
+        .of_file(apps::FileKind::output, {".toml"})
+        .may_be_file_of("--machine");
     line.add("--sample-period", &arguments.sample_period_ms,
              "time between samples of recordings that have no times (halsampler)")
         .called("MS")
@@ -47,8 +49,6 @@ void add_servo_options(apps::CommandLine& line, ServoArguments& arguments) {
             "nothing that counts")
         .called("XxYy")
         .shows_default();
-    line.add_example("gsim-calibrate servo servo.csv --machine mine.toml -o followed.toml",
-                     "gains, lags and feed-forward of the axes in the recording");
 }
 
 /// What is told of an axis.
@@ -94,12 +94,14 @@ Done fit_all(const ServoArguments& arguments) {
 
 }  // namespace
 
-int run_servo(const std::vector<std::string>& words) {
-    ServoArguments arguments;
-    apps::CommandLine line("gsim-calibrate servo",
-                           "Finds the servo loops of axes from a recording of set points and places");
-    add_servo_options(line, arguments);
-    return run_command(line, words, [&] { return fit_all(arguments); });
+void add_servo(apps::CommandLine& line, Chosen& chosen) {
+    const auto arguments = std::make_shared<ServoArguments>();
+    add_servo_options(
+        add_command(line, chosen, "servo", "find the servo loops of axes from where they were and should be",
+                    [arguments] { return fit_all(*arguments); }),
+        *arguments);
+    line.add_example("gsim-calibrate servo servo.csv --machine mine.toml -o followed.toml",
+                     "gains, lags and feed-forward of the axes in the recording");
 }
 
 }  // namespace gsim::calibrate

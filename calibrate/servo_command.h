@@ -1,12 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "calibrate/command.h"
 
 namespace gsim::calibrate {
 
-/// gsim-calibrate servo: the servo loops of a machine's axes from a recording of set points and places. The
-/// exit status.
-int run_servo(const std::vector<std::string>& words);
+/// gsim-calibrate servo: the servo loops of a machine's axes from a recording of set points and places.
+void add_servo(apps::CommandLine& line, Chosen& chosen);
 
 }  // namespace gsim::calibrate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
@@ -62,7 +63,8 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
         .shows_default();
     line.add("-o,--output", &arguments.output, "the fitted machine file; else standard output")
         .called("FILE")
-        .of_file(apps::FileKind::output, {".toml"});
+        .of_file(apps::FileKind::output, {".toml"})
+        .may_be_file_of("--machine");
     line.add("--json", &arguments.json, "values, covariance, runs and models as JSON")
         .called("FILE")
         .of_file(apps::FileKind::output, {".json"});
@@ -172,12 +174,13 @@ Done fit_to_times(const Arguments& arguments) {
 
 }  // namespace
 
-int run_times(const std::vector<std::string>& words) {
-    Arguments arguments;
-    apps::CommandLine line("gsim-calibrate times",
-                           "Fits what a machine file leaves open to the times of recorded runs");
-    add_options(line, arguments);
-    return run_command(line, words, [&] { return fit_to_times(arguments); });
+void add_times(apps::CommandLine& line, Chosen& chosen) {
+    const auto arguments = std::make_shared<Arguments>();
+    add_options(add_command(line, chosen, "times", "fit what a machine file leaves open to recorded runs",
+                            [arguments] { return fit_to_times(*arguments); }),
+                *arguments);
+    line.add_example("gsim-calibrate times runs.csv --machine mine.toml -o fitted.toml",
+                     "accelerations, corners and so on from how long programs took");
 }
 
 }  // namespace gsim::calibrate

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "calibrate/command.h"
 
 namespace gsim::calibrate {
 
-/// gsim-calibrate times: what a machine file leaves open, from recorded runs. The exit status.
-int run_times(const std::vector<std::string>& words);
+/// gsim-calibrate times: what a machine file leaves open, from recorded runs.
+void add_times(apps::CommandLine& line, Chosen& chosen);
 
 }  // namespace gsim::calibrate

@@ -1,5 +1,5 @@
 # What `cmake --install` puts where, in components: programs (with the Lua library to read and change, and the samples), solid,
-# library (libgsim), development, python, docs, licence. Debian's packages take the components as they are (debian/rules).
+# calibrate, library (libgsim), development, python, docs, licence. Debian's packages take the components as they are (debian/rules).
 # The build calls nothing by where it will be installed, so one build serves every prefix.
 set(GSIM_DATADIR ${CMAKE_INSTALL_DATADIR}/gsim)
 

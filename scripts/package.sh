@@ -27,11 +27,12 @@ quietly() {
 # They are made in a copy of debian/, so that what debhelper leaves behind stays below build/.
 debian_packages() {
     local profiles=()
-    [[ -e $build/bin/gsim-solid ]] || profiles=(--build-profiles=pkg.gsim.nosolid)
+    [[ -e $build/bin/gsim-solid ]] || profiles+=(pkg.gsim.nosolid)
+    [[ -e $build/bin/gsim-calibrate ]] || profiles+=(pkg.gsim.nocalibrate)
     mkdir "$work/gsim-$version"
     cp -r debian "$work/gsim-$version"
     cd "$work/gsim-$version"
-    GSIM_BUILD=$build quietly dpkg-buildpackage --build=binary --no-sign "${profiles[@]}"
+    GSIM_BUILD=$build quietly dpkg-buildpackage --build=binary --no-sign --build-profiles="$(IFS=, && echo "${profiles[*]}")"
     cd - >/dev/null
     mv "$work"/*.deb "$packages"
     TMPDIR=$work quietly lintian --fail-on error,warning "$packages"/*.deb

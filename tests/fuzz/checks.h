@@ -53,6 +53,16 @@ Outcome check_parameters(std::string_view text);
 Outcome check_linuxcnc_ini(std::string_view text);
 Outcome check_grbl_settings(std::string_view text);
 
+/// What a machine did, for calibration: samples are finite and their times rise, whatever is made of the
+/// numbers in columns; a motion takes a time.
+Outcome check_motion_record(std::string_view text);
+/// Each axis has as many set points and places as times, which rise.
+Outcome check_servo_record(std::string_view text);
+/// Each run has a program, and a time above 0 or a recording.
+Outcome check_run_list(std::string_view text);
+/// Tips are written and read back the same.
+Outcome check_tip_list(std::string_view text);
+
 /// Contours are finite and within bounds, and come from entities.
 Outcome check_dxf(std::string_view text);
 Outcome check_svg(std::string_view text);

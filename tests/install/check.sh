@@ -79,6 +79,14 @@ no_solid() {
     ! bare "$bin/autopath" "$scratch/part.step" --material aluminum --thickness 12
 }
 
+# A servo loop from the machine that has it.
+servo_loop() {
+    bare "$bin/gsim-run" --quiet --machine "$samples/machines/gantry-dynamics.toml" --dialect rs274ngc --trajectory "$scratch/servo.csv" --following --step 0.001 \
+        "$samples/rosette.ngc" &&
+        bare "$bin/gsim-calibrate" servo "$scratch/servo.csv" --machine "$samples/machines/gantry-dynamics.toml" -o "$scratch/followed.toml" &&
+        bare "$bin/gsim-run" --quiet --machine "$scratch/followed.toml" --dialect rs274ngc "$samples/rosette.ngc"
+}
+
 readonly names=(gsim-run gsim-check gcode2lua autopath path2gcode gsim-data gsim-studio)
 for name in gsim "${names[@]}"; do
     check "$name --version" "^$name [0-9]" bare "$bin/$name" --version
@@ -136,6 +144,11 @@ if [[ -e $prefix/libexec/gsim/gsim-solid ]]; then
     check 'reader of solids' 'part\.step' no_solid
 else
     check 'no reader of solids' "gsim-solid is neither in '$bin' nor in\|scripts/setup.sh step" no_solid
+fi
+if [[ -e $bin/gsim-calibrate ]]; then
+    check 'gsim-calibrate --version' '^gsim-calibrate [0-9]' bare "$bin/gsim-calibrate" --version
+    check 'gsim-calibrate(1)' present present "$share/man/man1/gsim-calibrate.1"
+    check 'servo loop from a recording' 'X: the following error' servo_loop
 fi
 if [[ -e $share/gsim/studio/studio.html ]]; then
     check 'page of a run' '^1$' page_of_a_run
