@@ -40,9 +40,12 @@ tl::expected<std::string, std::string> output_of(const std::vector<std::string>&
     if (!in) return tl::unexpected(fmt::format("cannot read {}", input.string()));
     const File out(std::tmpfile());
     if (!out) return tl::unexpected<std::string>("cannot make a temporary file");
-    if (const auto ran = os::run_child(command, in.get(), out.get()); !ran)
-        return tl::unexpected(ran.error());
-    return read_all(out.get());
+    const auto ran = os::run_child(command, in.get(), out.get());
+    std::string printed = read_all(out.get());
+    if (ran) return printed;
+    // With --json a refusal stands in the report, and there is no other word.
+    const auto time_s = read_cycle_time_s(printed);
+    return tl::unexpected(json::accept(printed) && !time_s ? time_s.error() : ran.error());
 }
 
 // gsim-run's own words, without the folders.

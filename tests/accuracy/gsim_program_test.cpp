@@ -73,6 +73,10 @@ TEST(GsimProgram, TellsTheFirstErrorWithoutFolders) {
     EXPECT_EQ(killed.cycle_time_s(recording(folder)).error(), "fake-gsim-run was ended by signal 9");
     const GsimProgram silent(script(folder, "exit 1\n"), "machines");
     EXPECT_EQ(silent.cycle_time_s(recording(folder)).error(), "gsim-run failed without a word");
+    const GsimProgram refusing(
+        script(folder, "echo '{\"status\": \"alarm\", \"alarm\": {\"message\": \"no such code\"}}'; exit 1"),
+        "machines");
+    EXPECT_EQ(refusing.cycle_time_s(recording(folder)).error(), "alarm: no such code");
     const GsimProgram missing(folder.path() / "missing", "machines");
     EXPECT_FALSE(missing.cycle_time_s(recording(folder)));
 }
